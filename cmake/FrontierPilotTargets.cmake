@@ -1,0 +1,100 @@
+# How every library, test and benchmark of the project is built: one place for flags, links and install rules.
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_package(Eigen3 REQUIRED)
+find_package(GTest REQUIRED)
+if(WITH_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()
+enable_testing()
+if(WITH_ROS)
+  set(FRONTIER_PILOT_LIBRARY_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+else()
+  include(GNUInstallDirs)
+  set(FRONTIER_PILOT_LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
+# Tests and benchmarks stay out of the folder that rosrun looks in.
+set(FRONTIER_PILOT_TEST_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+function(frontier_pilot_target_options target)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# frontier_pilot_module(<name> SOURCES <files> [DEPENDS <modules>] [LIBRARIES <others, linked privately>]):
+# the library frontier_pilot_<name>; an undefined symbol in it fails the build, so a missing arrow is found at once.
+function(frontier_pilot_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  set(target frontier_pilot_${name})
+  add_library(${target} SHARED ${ARG_SOURCES})
+  frontier_pilot_target_options(${target})
+  list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_LIBRARIES})
+  target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  set_property(GLOBAL APPEND PROPERTY FRONTIER_PILOT_LIBRARIES ${target})
+  install(TARGETS ${target} LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
+endfunction()
+
+# frontier_pilot_add_test(<target>): registers a gtest with ctest and, under catkin, with `catkin_make run_tests`. Each
+# leaves its results as JUnit XML in test_results/.
+function(frontier_pilot_add_test target)
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${FRONTIER_PILOT_TEST_DIRECTORY})
+  if(WITH_ROS AND COMMAND catkin_run_tests_target AND (CATKIN_ENABLE_TESTING OR NOT DEFINED CATKIN_ENABLE_TESTING))
+    set(results ${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/gtest-${target}.xml)
+    catkin_run_tests_target(gtest ${target} gtest-${target}.xml
+      COMMAND "${FRONTIER_PILOT_TEST_DIRECTORY}/${target} --gtest_output=xml:${results}" DEPENDENCIES ${target})
+    set(name _ctest_${PROJECT_NAME}_gtest_${target})
+  else()
+    set(name ${target})
+    add_test(NAME ${name}
+      COMMAND ${target} --gtest_output=xml:${CMAKE_BINARY_DIR}/test_results/${PROJECT_NAME}/gtest-${target}.xml)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS unit)
+endfunction()
+
+# frontier_pilot_unit_test(<module> [DEPENDS <modules>] [LIBRARIES <others>]): test/unit/<module>/*_test.cpp as one gtest.
+function(frontier_pilot_unit_test module)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/unit/${module}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  set(target ${module}_unit_tests)
+  add_executable(${target} ${sources})
+  frontier_pilot_target_options(${target})
+  list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
+  target_link_libraries(${target} PRIVATE frontier_pilot_${module} ${ARG_DEPENDS} frontier_pilot_test_support
+    ${ARG_LIBRARIES} GTest::gtest_main)
+  frontier_pilot_add_test(${target})
+endfunction()
+
+# frontier_pilot_benchmark(<name> [DEPENDS <modules>]): bench/<name>.cpp with Google Benchmark.
+function(frontier_pilot_benchmark name)
+  if(NOT WITH_BENCHMARKS)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/bench/${name}.cpp)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${FRONTIER_PILOT_TEST_DIRECTORY})
+  frontier_pilot_target_options(${name})
+  list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} ${ARG_LIBRARIES} benchmark::benchmark_main)
+endfunction()
+
+# frontier_pilot_ros_target(<target>): flags and includes of what may see ROS. ROS' own headers are system ones: their
+# warnings are not ours.
+function(frontier_pilot_ros_target target)
+  frontier_pilot_target_options(${target})
+  target_include_directories(${target} SYSTEM PUBLIC
+    ${catkin_INCLUDE_DIRS} ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION})
+  add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
+endfunction()

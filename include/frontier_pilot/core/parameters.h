@@ -1,0 +1,191 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace frontier_pilot {
+
+/// A value as YAML or the parameter server delivers it.
+struct ParameterValue;
+using ParameterList = std::vector<ParameterValue>;
+using ParameterMap = std::map<std::string, ParameterValue>;
+struct ParameterValue {
+  std::variant<std::monostate, bool, std::int64_t, double, std::string, ParameterList, ParameterMap> value;
+};
+
+/// What is wrong with a configuration, one line each, every line naming its key.
+using Problems = std::vector<std::string>;
+
+/// The numbers a field may hold. NaN and infinities are never allowed.
+struct Bounds {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;  ///< `min` itself is not allowed
+
+  bool allows(double value) const;
+  std::string text() const;
+};
+inline Bounds anyNumber() { return {}; }
+inline Bounds positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
+inline Bounds atLeast(double min) { return {min, std::numeric_limits<double>::infinity(), false}; }
+inline Bounds between(double min, double max) { return {min, max, false}; }
+
+namespace detail {
+
+template <class P, class = void>
+struct HasCheck : std::false_type {};
+template <class P>
+struct HasCheck<P, std::void_t<decltype(std::declval<const P&>().check(std::declval<Problems&>()))>> : std::true_type {
+};
+
+/// Reads the described fields from a map; what was not read at the end is an unknown key.
+class Loader {
+ public:
+  Loader(const ParameterMap& map, std::string prefix, Problems& problems)
+      : map_(map), prefix_(std::move(prefix)), problems_(problems) {}
+
+  void field(const char* name, bool& field, const char* unit, const char* doc);
+  void field(const char* name, int& field, const char* unit, const char* doc, const Bounds& bounds);
+  void field(const char* name, double& field, const char* unit, const char* doc, const Bounds& bounds);
+  void field(const char* name, std::string& field, const char* unit, const char* doc);
+  void field(const char* name, std::vector<double>& field, const char* unit, const char* doc, const Bounds& bounds);
+  template <class P>
+  void group(const char* name, P& group, const char* doc);
+  template <class P>
+  void list(const char* name, std::vector<P>& list, const char* doc);
+
+  template <class P>
+  void load(P& parameters);
+
+ private:
+  const ParameterValue* find(const char* name);
+  void problem(const std::string& name, const std::string& what);
+  void reportUnknown();
+
+  const ParameterMap& map_;
+  std::string prefix_;
+  Problems& problems_;
+  std::vector<std::string> known_;
+};
+
+/// Collects the described fields as rows of text.
+class Describer {
+ public:
+  struct Row {
+    std::string name, type, unit, value, bounds, doc;
+  };
+  explicit Describer(std::string prefix = {}) : prefix_(std::move(prefix)) {}
+
+  void field(const char* name, bool& field, const char* unit, const char* doc);
+  void field(const char* name, int& field, const char* unit, const char* doc, const Bounds& bounds);
+  void field(const char* name, double& field, const char* unit, const char* doc, const Bounds& bounds);
+  void field(const char* name, std::string& field, const char* unit, const char* doc);
+  void field(const char* name, std::vector<double>& field, const char* unit, const char* doc, const Bounds& bounds);
+  template <class P>
+  void group(const char* name, P& group, const char* doc);
+  template <class P>
+  void list(const char* name, std::vector<P>& list, const char* doc);
+
+  std::vector<Row> rows;
+
+ private:
+  void append(const Describer& nested) { rows.insert(rows.end(), nested.rows.begin(), nested.rows.end()); }
+
+  std::string prefix_;
+};
+
+}  // namespace detail
+
+/// Overwrites in `parameters` what `map` holds. `P::describe(visitor)` names the fields once, for loading, validation,
+/// printing and documentation alike; an optional `P::check(Problems&) const` adds what no single field can say.
+/// Gives every problem there is: unknown keys, wrong types, values that are not finite or out of range. Empty = good.
+template <class P>
+Problems loadParameters(const ParameterMap& map, P& parameters, const std::string& prefix = {}) {
+  Problems problems;
+  detail::Loader(map, prefix, problems).load(parameters);
+  return problems;
+}
+
+/// One row per field: its name, type, unit, present value, bounds and meaning.
+template <class P>
+std::vector<detail::Describer::Row> describeParameters(P parameters) {
+  detail::Describer describer;
+  parameters.describe(describer);
+  return describer.rows;
+}
+
+/// `name: value` lines, as a log of the effective configuration.
+std::string printRows(const std::vector<detail::Describer::Row>& rows);
+
+/// A Markdown table, for the documentation.
+std::string tabulateRows(const std::vector<detail::Describer::Row>& rows);
+
+/// Reads a YAML text into a map. Throws std::invalid_argument with the parser's message and position.
+ParameterMap parseYaml(const std::string& text);
+
+/// Reads a YAML file. Throws std::invalid_argument when it is missing or broken.
+ParameterMap loadYamlFile(const std::string& path);
+
+namespace detail {
+
+template <class P>
+void Loader::load(P& parameters) {
+  parameters.describe(*this);
+  reportUnknown();
+  if constexpr (HasCheck<P>::value) parameters.check(problems_);
+}
+
+template <class P>
+void Loader::group(const char* name, P& group, const char*) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  if (const auto* map = std::get_if<ParameterMap>(&value->value)) {
+    Loader(*map, prefix_ + name + "/", problems_).load(group);
+  } else {
+    problem(name, "must be a dictionary");
+  }
+}
+
+template <class P>
+void Loader::list(const char* name, std::vector<P>& list, const char*) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  const auto* items = std::get_if<ParameterList>(&value->value);
+  if (items == nullptr) return problem(name, "must be a list of dictionaries");
+  list.clear();
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const std::string item_name = std::string(name) + "[" + std::to_string(i) + "]";
+    const auto* map = std::get_if<ParameterMap>(&(*items)[i].value);
+    if (map == nullptr) {
+      problem(item_name, "must be a dictionary");
+      continue;
+    }
+    Loader(*map, prefix_ + item_name + "/", problems_).load(list.emplace_back());
+  }
+}
+
+template <class P>
+void Describer::group(const char* name, P& group, const char*) {
+  Describer nested(prefix_ + name + "/");
+  group.describe(nested);
+  append(nested);
+}
+
+template <class P>
+void Describer::list(const char* name, std::vector<P>& list, const char*) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    Describer nested(prefix_ + name + "[" + std::to_string(i) + "]/");
+    list[i].describe(nested);
+    append(nested);
+  }
+}
+
+}  // namespace detail
+
+}  // namespace frontier_pilot

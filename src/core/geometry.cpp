@@ -1,0 +1,43 @@
+#include "frontier_pilot/core/geometry.h"
+
+namespace frontier_pilot {
+
+double normalizeAngle(double angle) {
+  if (angle >= -kPi && angle < kPi) return angle;
+  const double turned = std::fmod(angle + kPi, 2.0 * kPi);
+  const double positive = turned < 0.0 ? turned + 2.0 * kPi : turned;
+  // Rounding can lift a tiny negative remainder to a whole turn.
+  return positive >= 2.0 * kPi ? -kPi : positive - kPi;
+}
+
+Pose2 Pose2::inverse() const {
+  const double c = std::cos(yaw);
+  const double s = std::sin(yaw);
+  return {-c * x - s * y, s * x - c * y, normalizeAngle(-yaw)};
+}
+
+Pose2 operator*(const Pose2& T_a_b, const Pose2& T_b_c) {
+  return {T_a_b * T_b_c.position(), normalizeAngle(T_a_b.yaw + T_b_c.yaw)};
+}
+
+Vec2 operator*(const Pose2& T_a_b, const Vec2& p_b) {
+  const double c = std::cos(T_a_b.yaw);
+  const double s = std::sin(T_a_b.yaw);
+  return {T_a_b.x + c * p_b.x() - s * p_b.y(), T_a_b.y + s * p_b.x() + c * p_b.y()};
+}
+
+bool operator==(const Pose2& a, const Pose2& b) { return a.x == b.x && a.y == b.y && a.yaw == b.yaw; }
+
+bool operator==(const Twist2& a, const Twist2& b) { return a.linear == b.linear && a.angular == b.angular; }
+
+Pose2 integrate(const Pose2& pose, const Twist2& twist, double seconds) {
+  const double turn = twist.angular * seconds;
+  const double length = twist.linear * seconds;
+  // The chord of the arc: sin(h)/h of its length, h half the turn, seen at half the turn. The series is exact to
+  // rounding where the quotient is not.
+  const double half = 0.5 * turn;
+  const double chord = std::abs(half) < 1e-4 ? length * (1.0 - half * half / 6.0) : length * std::sin(half) / half;
+  return {pose.position() + chord * direction(pose.yaw + half), normalizeAngle(pose.yaw + turn)};
+}
+
+}  // namespace frontier_pilot

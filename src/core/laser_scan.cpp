@@ -1,0 +1,16 @@
+#include "frontier_pilot/core/laser_scan.h"
+
+namespace frontier_pilot {
+
+RangeReading readRange(float range, double range_min, double range_max) {
+  const double r = static_cast<double>(range);
+  if (std::isnan(r) || r == 0.0) return {};
+  if (std::isinf(r))
+    return r < 0.0 ? RangeReading{RangeKind::kTooNear, range_min} : RangeReading{RangeKind::kFree, range_max};
+  if (r < 0.0) return {};
+  if (r < range_min) return {RangeKind::kTooNear, range_min};
+  if (r > range_max) return {RangeKind::kFree, range_max};
+  return {RangeKind::kHit, r};
+}
+
+}  // namespace frontier_pilot

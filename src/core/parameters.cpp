@@ -1,0 +1,170 @@
+#include "frontier_pilot/core/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace frontier_pilot {
+namespace {
+
+std::string text(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+/// The number in `value`, an integer being as good as a real.
+const double* number(const ParameterValue& value, double& storage) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value.value)) {
+    storage = static_cast<double>(*integer);
+    return &storage;
+  }
+  return std::get_if<double>(&value.value);
+}
+
+std::string complaint(double value, const Bounds& bounds) {
+  if (!std::isfinite(value)) return "must be finite, is " + text(value);
+  if (!bounds.allows(value)) return "must be " + bounds.text() + ", is " + text(value);
+  return {};
+}
+
+std::string joined(const std::vector<double>& values) {
+  std::string out = "[";
+  for (std::size_t i = 0; i < values.size(); ++i) out += (i > 0 ? ", " : "") + text(values[i]);
+  return out + "]";
+}
+
+}  // namespace
+
+bool Bounds::allows(double value) const {
+  return std::isfinite(value) && (above_min ? value > min : value >= min) && value <= max;
+}
+
+std::string Bounds::text() const {
+  const bool has_min = std::isfinite(min);
+  const bool has_max = std::isfinite(max);
+  const std::string low = (above_min ? "> " : ">= ") + frontier_pilot::text(min);
+  const std::string high = "<= " + frontier_pilot::text(max);
+  if (has_min && has_max) return low + " and " + high;
+  if (has_min) return low;
+  return has_max ? high : "";
+}
+
+std::string printRows(const std::vector<detail::Describer::Row>& rows) {
+  std::ostringstream out;
+  for (const auto& row : rows) out << row.name << ": " << row.value << (row.unit.empty() ? "" : " " + row.unit) << "\n";
+  return out.str();
+}
+
+std::string tabulateRows(const std::vector<detail::Describer::Row>& rows) {
+  std::ostringstream out;
+  out << "| parameter | type | default | unit | allowed | meaning |\n|---|---|---|---|---|---|\n";
+  for (const auto& row : rows) {
+    out << "| `" << row.name << "` | " << row.type << " | " << row.value << " | " << row.unit << " | " << row.bounds
+        << " | " << row.doc << " |\n";
+  }
+  return out.str();
+}
+
+namespace detail {
+
+const ParameterValue* Loader::find(const char* name) {
+  known_.emplace_back(name);
+  const auto found = map_.find(name);
+  return found == map_.end() ? nullptr : &found->second;
+}
+
+void Loader::problem(const std::string& name, const std::string& what) {
+  problems_.push_back(prefix_ + name + ": " + what);
+}
+
+void Loader::reportUnknown() {
+  for (const auto& [key, value] : map_) {
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) problem(key, "unknown parameter");
+  }
+}
+
+void Loader::field(const char* name, bool& field, const char*, const char*) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  if (const auto* flag = std::get_if<bool>(&value->value)) {
+    field = *flag;
+  } else {
+    problem(name, "must be true or false");
+  }
+}
+
+void Loader::field(const char* name, int& field, const char*, const char*, const Bounds& bounds) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  double storage = 0.0;
+  const double* read = number(*value, storage);
+  const bool whole = read != nullptr && std::isfinite(*read) && *read == std::floor(*read) && std::abs(*read) < 2e9;
+  if (!whole) return problem(name, "must be a whole number");
+  const std::string bad = complaint(*read, bounds);
+  if (!bad.empty()) return problem(name, bad);
+  field = static_cast<int>(*read);
+}
+
+void Loader::field(const char* name, double& field, const char*, const char*, const Bounds& bounds) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  double storage = 0.0;
+  const double* read = number(*value, storage);
+  if (read == nullptr) return problem(name, "must be a number");
+  const std::string bad = complaint(*read, bounds);
+  if (!bad.empty()) return problem(name, bad);
+  field = *read;
+}
+
+void Loader::field(const char* name, std::string& field, const char*, const char*) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  if (const auto* read = std::get_if<std::string>(&value->value)) {
+    field = *read;
+  } else {
+    problem(name, "must be a text");
+  }
+}
+
+void Loader::field(const char* name, std::vector<double>& field, const char*, const char*, const Bounds& bounds) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  const auto* items = std::get_if<ParameterList>(&value->value);
+  if (items == nullptr) return problem(name, "must be a list of numbers");
+  std::vector<double> read;
+  for (const ParameterValue& item : *items) {
+    double storage = 0.0;
+    const double* one = number(item, storage);
+    if (one == nullptr) return problem(name, "must be a list of numbers");
+    const std::string bad = complaint(*one, bounds);
+    if (!bad.empty()) return problem(name, bad);
+    read.push_back(*one);
+  }
+  field = read;
+}
+
+void Describer::field(const char* name, bool& field, const char* unit, const char* doc) {
+  rows.push_back({prefix_ + name, "bool", unit, field ? "true" : "false", "", doc});
+}
+
+void Describer::field(const char* name, int& field, const char* unit, const char* doc, const Bounds& bounds) {
+  rows.push_back({prefix_ + name, "int", unit, std::to_string(field), bounds.text(), doc});
+}
+
+void Describer::field(const char* name, double& field, const char* unit, const char* doc, const Bounds& bounds) {
+  rows.push_back({prefix_ + name, "double", unit, text(field), bounds.text(), doc});
+}
+
+void Describer::field(const char* name, std::string& field, const char* unit, const char* doc) {
+  rows.push_back({prefix_ + name, "string", unit, field.empty() ? "\"\"" : field, "", doc});
+}
+
+void Describer::field(const char* name, std::vector<double>& field, const char* unit, const char* doc,
+                      const Bounds& bounds) {
+  rows.push_back({prefix_ + name, "list of double", unit, joined(field), bounds.text(), doc});
+}
+
+}  // namespace detail
+
+}  // namespace frontier_pilot

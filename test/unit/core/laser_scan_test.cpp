@@ -1,0 +1,45 @@
+#include "frontier_pilot/core/laser_scan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "frontier_pilot/core/robot.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+void expectReading(float range, RangeKind kind, double distance) {
+  const RangeReading reading = readRange(range, 0.12, 3.5);
+  EXPECT_EQ(reading.kind, kind) << range;
+  EXPECT_DOUBLE_EQ(reading.distance, distance) << range;
+}
+
+// [AVO-2]
+TEST(ReadRange, FollowsTheConventionsOfLaserScanAndRep117) {
+  expectReading(std::nanf(""), RangeKind::kInvalid, 0.0);
+  expectReading(0.0F, RangeKind::kInvalid, 0.0);
+  expectReading(-1.0F, RangeKind::kInvalid, 0.0);
+  expectReading(-kInf, RangeKind::kTooNear, 0.12);
+  expectReading(0.05F, RangeKind::kTooNear, 0.12);
+  expectReading(1.5F, RangeKind::kHit, 1.5);
+  expectReading(3.5F, RangeKind::kHit, 3.5);
+  expectReading(3.6F, RangeKind::kFree, 3.5);
+  expectReading(kInf, RangeKind::kFree, 3.5);
+}
+
+TEST(RobotLimits, ClampKeepsTheSignAndAccelerationIsBoundedPerAxis) {
+  RobotLimits limits;
+  EXPECT_EQ(clamp({-9.0, 9.0}, limits), (Twist2{-limits.max_linear, limits.max_angular}));
+  EXPECT_EQ(clamp({0.1, -0.2}, limits), (Twist2{0.1, -0.2}));
+  limits.max_linear_acc = 1.0;
+  limits.max_angular_acc = 2.0;
+  EXPECT_EQ(limitAcceleration({1.0, -1.0}, {0.0, 0.0}, limits, 0.1), (Twist2{0.1, -0.2}));
+  EXPECT_EQ(limitAcceleration({0.05, 0.1}, {0.0, 0.0}, limits, 0.1), (Twist2{0.05, 0.1}));
+}
+
+}  // namespace
+}  // namespace frontier_pilot

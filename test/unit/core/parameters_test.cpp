@@ -1,0 +1,129 @@
+#include "frontier_pilot/core/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace frontier_pilot {
+namespace {
+
+struct Wheel {
+  double radius = 0.033;
+  template <class V>
+  void describe(V& v) {
+    v.field("radius", radius, "m", "of the wheel", positive());
+  }
+};
+
+struct Sample {
+  bool on = true;
+  int count = 3;
+  double rate = 10.0;
+  std::string name = "burger";
+  std::vector<double> polygon = {0.1, 0.2};
+  Wheel wheel;
+  std::vector<Wheel> spares;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("on", on, "", "whether");
+    v.field("count", count, "", "how many", between(1, 5));
+    v.field("rate", rate, "Hz", "how often", positive());
+    v.field("name", name, "", "what it is called");
+    v.field("polygon", polygon, "m", "corners", anyNumber());
+    v.group("wheel", wheel, "the wheel");
+    v.list("spares", spares, "more wheels");
+  }
+  void check(Problems& problems) const {
+    if (rate > 100.0 && count > 4) problems.push_back("rate: too high for so many");
+  }
+};
+
+Problems problemsOf(const std::string& yaml) {
+  Sample sample;
+  return loadParameters(parseYaml(yaml), sample);
+}
+
+bool anyMentions(const Problems& problems, const std::string& key) {
+  return std::any_of(problems.begin(), problems.end(),
+                     [&](const std::string& line) { return line.rfind(key + ":", 0) == 0; });
+}
+
+TEST(Parameters, WhatIsGivenReplacesTheDefaultAndTheRestStays) {
+  Sample sample;
+  EXPECT_TRUE(loadParameters(parseYaml(R"(
+on: false
+rate: 20
+name: "12"
+polygon: [1, 2.5]
+wheel: {radius: 0.05}
+spares: [{radius: 1}, {}]
+)"),
+                             sample)
+                  .empty());
+  EXPECT_FALSE(sample.on);
+  EXPECT_EQ(sample.count, 3);
+  EXPECT_EQ(sample.rate, 20.0);
+  EXPECT_EQ(sample.name, "12");
+  EXPECT_EQ(sample.polygon, (std::vector<double>{1.0, 2.5}));
+  EXPECT_EQ(sample.wheel.radius, 0.05);
+  ASSERT_EQ(sample.spares.size(), 2U);
+  EXPECT_EQ(sample.spares[0].radius, 1.0);
+  EXPECT_EQ(sample.spares[1].radius, 0.033);
+}
+
+TEST(Parameters, EveryProblemIsReportedAtOnceByName) {
+  const Problems problems = problemsOf(R"(
+on: 3
+count: 2.5
+rate: .nan
+wheel: {radius: -1, raduis: 2}
+spares: [{radius: .inf}, 7]
+nmae: x
+)");
+  for (const char* key :
+       {"on", "count", "rate", "wheel/radius", "wheel/raduis", "spares[0]/radius", "spares[1]", "nmae"}) {
+    EXPECT_TRUE(anyMentions(problems, key)) << key;
+  }
+  EXPECT_EQ(problems.size(), 8U);
+}
+
+TEST(Parameters, BoundsAreKept) {
+  EXPECT_TRUE(problemsOf("count: 1").empty());
+  EXPECT_TRUE(problemsOf("count: 5").empty());
+  EXPECT_TRUE(anyMentions(problemsOf("count: 0"), "count"));
+  EXPECT_TRUE(anyMentions(problemsOf("count: 6"), "count"));
+  EXPECT_TRUE(anyMentions(problemsOf("rate: 0"), "rate"));
+}
+
+TEST(Parameters, ARuleBetweenFieldsIsCheckedToo) {
+  EXPECT_TRUE(anyMentions(problemsOf("{rate: 101, count: 5}"), "rate"));
+}
+
+TEST(Parameters, ARefusedValueLeavesTheDefault) {
+  Sample sample;
+  EXPECT_FALSE(loadParameters(parseYaml("rate: -1"), sample).empty());
+  EXPECT_EQ(sample.rate, 10.0);
+}
+
+TEST(Parameters, BrokenYamlIsAnErrorWithItsPlace) {
+  EXPECT_THROW(parseYaml("a: [1, 2"), std::invalid_argument);
+  EXPECT_THROW(parseYaml("- a\n- b"), std::invalid_argument);
+  EXPECT_THROW(loadYamlFile("/nowhere/at/all.yaml"), std::invalid_argument);
+  EXPECT_TRUE(parseYaml("").empty());
+}
+
+TEST(Parameters, TheDescriptionHasARowPerFieldWithUnitsAndDefaults) {
+  const auto rows = describeParameters(Sample{});
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[2].name, "rate");
+  EXPECT_EQ(rows[2].unit, "Hz");
+  EXPECT_EQ(rows[2].value, "10");
+  EXPECT_EQ(rows[5].name, "wheel/radius");
+  EXPECT_NE(tabulateRows(rows).find("| `wheel/radius` | double | 0.033 | m | > 0 | of the wheel |"), std::string::npos);
+  EXPECT_NE(printRows(rows).find("rate: 10 Hz\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
