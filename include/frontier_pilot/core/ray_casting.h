@@ -61,7 +61,9 @@ class RayCaster {
 
   /// Distance [m] from `from` (the grid's frame) along `angle` [rad] to the first solid cell; `max_range` if there is
   /// none nearer; 0 if `from` is in a solid cell. All arguments but `max_range` must be finite.
-  double cast(const Vec2& from, double angle, double max_range) const { return cast(from, direction(angle), max_range); }
+  double cast(const Vec2& from, double angle, double max_range) const {
+    return cast(from, direction(angle), max_range);
+  }
   /// The same along a unit vector.
   double cast(const Vec2& from, const Vec2& unit, double max_range) const;
   /// The same along many unit vectors at once, which is faster. `ranges` holds each ray's greatest range when called
