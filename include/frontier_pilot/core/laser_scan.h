@@ -21,6 +21,9 @@ struct LaserScan2 {
   double angle(std::size_t beam) const { return angle_min + static_cast<double>(beam) * angle_increment; }
 };
 
+// A scoped enumerator shadows nothing, but GCC 12 warns of `kFree`, which grid.h has too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
 /// What a raw range says.
 enum class RangeKind {
   kInvalid,  ///< NaN, 0 or negative: the beam says nothing
@@ -28,6 +31,7 @@ enum class RangeKind {
   kTooNear,  ///< -inf or below `range_min`: an obstacle, taken to be at `range_min`
   kFree,     ///< +inf or beyond `range_max`: nothing up to `range_max`
 };
+#pragma GCC diagnostic pop
 
 /// A range, read: `distance` [m] is where the surface is (kHit, kTooNear) or how far it is free (kFree), 0 if invalid.
 struct RangeReading {

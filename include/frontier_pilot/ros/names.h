@@ -1,0 +1,85 @@
+#pragma once
+
+/// Every topic, service, action and frame name, once. All are relative: a namespace makes a second robot.
+namespace frontier_pilot::names {
+
+// Velocities (geometry_msgs/Twist)
+constexpr const char* kCmdVel = "cmd_vel";
+constexpr const char* kCmdVelAvoid = "cmd_vel_avoid";
+constexpr const char* kCmdVelBehavior = "cmd_vel_behavior";
+constexpr const char* kCmdVelPatrol = "cmd_vel_patrol";
+constexpr const char* kCmdVelNav = "cmd_vel_nav";
+constexpr const char* kCmdVelManual = "cmd_vel_manual";
+
+// Sensors and the simulator's truth
+constexpr const char* kScan = "scan";
+constexpr const char* kOdom = "odom";
+constexpr const char* kGroundTruth = "base_pose_ground_truth";
+constexpr const char* kStalled = "simulator/stalled";
+constexpr const char* kWorld = "simulator/world";
+constexpr const char* kClock = "/clock";  // ROS' own, one for all robots
+
+// Simulator services
+constexpr const char* kResetPositions = "reset_positions";
+constexpr const char* kSetPose = "simulator/set_pose";
+constexpr const char* kSpawnObstacle = "simulator/spawn_obstacle";
+constexpr const char* kRemoveObstacle = "simulator/remove_obstacle";
+constexpr const char* kPauseSimulator = "simulator/pause";
+
+// Arbiter; a source <name> is switched by set_<name>_enabled
+constexpr const char* kArbiterStatus = "cmd_vel_arbiter/status";
+constexpr const char* kEmergencyStopState = "emergency_stop_state";
+constexpr const char* kEmergencyStop = "emergency_stop";
+constexpr const char* kSetEmergencyStop = "set_emergency_stop";
+constexpr const char* kSetManualEnabled = "set_manual_enabled";
+constexpr const char* kSetPatrolEnabled = "set_patrol_enabled";
+constexpr const char* kSetAvoidEnabled = "set_avoid_enabled";
+constexpr const char* kSetNavEnabled = "set_nav_enabled";
+constexpr const char* kSetBehaviorEnabled = "set_behavior_enabled";
+
+// Obstacle avoider
+constexpr const char* kAvoiderStatus = "obstacle_avoider/status";
+constexpr const char* kSetObstacleAvoidEnabled = "set_obstacle_avoid_enabled";
+
+// Mapper
+constexpr const char* kMap = "map";
+constexpr const char* kMapUpdates = "map_updates";
+constexpr const char* kMapMetadata = "map_metadata";
+constexpr const char* kDynamicMap = "dynamic_map";
+constexpr const char* kSaveMap = "mapper/save_map";
+constexpr const char* kResetMap = "mapper/reset";
+
+// Navigator
+constexpr const char* kMoveBase = "move_base";
+constexpr const char* kSimpleGoal = "move_base_simple/goal";
+constexpr const char* kMakePlan = "make_plan";
+constexpr const char* kClearCostmaps = "clear_costmaps";
+constexpr const char* kPlan = "plan";
+constexpr const char* kLocalPlan = "local_plan";
+constexpr const char* kLocalCostmap = "local_costmap";
+constexpr const char* kGlobalCostmap = "global_costmap";
+constexpr const char* kNavigatorStatus = "navigator/status";
+
+// Explorer
+constexpr const char* kExplorerStatus = "frontier_explorer/status";
+constexpr const char* kFrontiers = "frontier_explorer/frontiers";
+constexpr const char* kExplorerGoal = "frontier_explorer/goal";
+constexpr const char* kResetExplorer = "frontier_explorer/reset";
+constexpr const char* kSetExplorationEnabled = "set_exploration_enabled";
+
+// Actions
+constexpr const char* kPatrol = "turtlebot3";
+constexpr const char* kSpin = "spin";
+constexpr const char* kBackUp = "back_up";
+constexpr const char* kDriveOnHeading = "drive_on_heading";
+constexpr const char* kWait = "wait";
+
+// Frames (REP 103, REP 105); `world` is the simulator's
+constexpr const char* kWorldFrame = "world";
+constexpr const char* kMapFrame = "map";
+constexpr const char* kOdomFrame = "odom";
+constexpr const char* kBaseFootprintFrame = "base_footprint";
+constexpr const char* kBaseLinkFrame = "base_link";
+constexpr const char* kBaseScanFrame = "base_scan";
+
+}  // namespace frontier_pilot::names

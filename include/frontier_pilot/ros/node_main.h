@@ -1,0 +1,25 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <memory>
+
+namespace frontier_pilot {
+
+/// A node's life: `make(node, private_node)` builds it, then callbacks run on this one thread until SIGINT, SIGTERM or
+/// a ROS shutdown; the node is destroyed while its publishers still work, so that a destructor's last words get out.
+/// What `make` or a callback throws is said on the log and on stderr. Gives the exit code: 0, or 1 after an exception,
+/// or 2 for a ConfigurationError.
+int runNode(int argc, char** argv, const std::string& name,
+            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make);
+
+/// The same for a class with a constructor `Node(ros::NodeHandle& node, ros::NodeHandle& private_node)`.
+template <class Node>
+int runNode(int argc, char** argv, const std::string& name) {
+  return runNode(argc, argv, name, [](ros::NodeHandle& node, ros::NodeHandle& private_node) {
+    return std::make_shared<Node>(node, private_node);
+  });
+}
+
+}  // namespace frontier_pilot

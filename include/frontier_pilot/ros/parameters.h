@@ -1,0 +1,44 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <stdexcept>
+
+#include "frontier_pilot/core/parameters.h"
+
+namespace XmlRpc {
+class XmlRpcValue;
+}
+
+namespace frontier_pilot {
+
+/// A configuration that no node can work with; `what()` has one line for each problem.
+class ConfigurationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+  /// `where` is the namespace that the parameters were read from.
+  ConfigurationError(const std::string& where, const Problems& problems);
+};
+
+/// A value as the core knows it. What has no counterpart (dates, binary data) becomes the empty alternative, which no
+/// field accepts.
+ParameterValue toParameterValue(XmlRpc::XmlRpcValue& value);
+
+/// All parameters in the namespace of `node` ("~" in general); empty where there is none.
+ParameterMap readParameters(const ros::NodeHandle& node);
+
+/// Puts the effective configuration into the log, at DEBUG.
+void logParameters(const std::string& where, const std::vector<detail::Describer::Row>& rows);
+
+/// The parameters of a node: `P`'s defaults, overwritten by its private namespace. To be called before anything is
+/// advertised. Throws a ConfigurationError that names every unknown key and every bad value.
+template <class P>
+P loadNodeParameters(const ros::NodeHandle& private_node) {
+  P parameters;
+  const Problems problems = loadParameters(readParameters(private_node), parameters);
+  if (!problems.empty()) throw ConfigurationError(private_node.getNamespace(), problems);
+  logParameters(private_node.getNamespace(), describeParameters(parameters));
+  return parameters;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,32 @@
+#include "frontier_pilot/ros/diagnostics.h"
+
+#include <ros/console.h>
+
+#include "frontier_pilot/ros/clock.h"
+
+namespace frontier_pilot {
+
+void Rejections::add(const std::string& why) {
+  ++total_;
+  const std::uint64_t count = ++by_reason_[why];
+  const SteadyTime now = steadyNow();
+  if (last_warning_ && now - *last_warning_ < std::chrono::seconds(5)) return;
+  last_warning_ = now;
+  ROS_WARN_STREAM(what_ << " refused: " << why << " (" << count << " so far)");
+}
+
+void Rejections::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  status.add(what_ + " refused", total_);
+  for (const auto& [why, count] : by_reason_) status.add(what_ + " refused: " + why, count);
+}
+
+NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : updater_(node, private_node) {
+  updater_.setHardwareID("none");
+  timer_ = ros::NodeHandle(node).createSteadyTimer(ros::WallDuration(1.0),
+                                                   [this](const ros::SteadyTimerEvent&) { publish(); });
+}
+
+void NodeDiagnostics::add(const std::string& name, Fill fill) { updater_.add(name, std::move(fill)); }
+
+}  // namespace frontier_pilot

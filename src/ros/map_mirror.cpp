@@ -1,0 +1,91 @@
+#include "frontier_pilot/ros/map_mirror.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/names.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+/// The smallest block that holds every difference between two grids of one geometry.
+CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b) {
+  CellRect changed;
+  for (int y = 0; y < a.height(); ++y) {
+    const std::int8_t* end = a.row(y) + a.width();
+    const auto first = std::mismatch(a.row(y), end, b.row(y)).first;
+    if (first == end) continue;
+    const auto back = std::mismatch(std::make_reverse_iterator(end), std::make_reverse_iterator(first),
+                                    std::make_reverse_iterator(b.row(y) + b.width()));
+    const int x = static_cast<int>(first - a.row(y));
+    const int past = static_cast<int>(back.first.base() - a.row(y));
+    changed.include(CellRect{x, y, past - x, 1});
+  }
+  return changed;
+}
+
+void copy(const GridUpdate& update, OccupancyGrid& map) {
+  const CellRect& rect = update.rect;
+  for (int row = 0; row < rect.height; ++row) {
+    std::copy_n(update.cells.data() + static_cast<std::ptrdiff_t>(row) * rect.width, rect.width,
+                map.row(rect.y + row) + rect.x);
+  }
+}
+
+}  // namespace
+
+void MapMirror::subscribe(ros::NodeHandle& node, const std::string& frame) {
+  frame_ = frame;
+  map_subscriber_ = node.subscribe(names::kMap, 1, &MapMirror::handleMap, this);
+  update_subscriber_ = node.subscribe(names::kMapUpdates, 100, &MapMirror::handleUpdate, this);
+}
+
+bool MapMirror::rightFrame(const std::string& frame) {
+  const bool right = frame_.empty() || frame == frame_;
+  if (!right) rejections_.add("in frame '" + frame + "', not '" + frame_ + "'");
+  return right;
+}
+
+void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg) {
+  if (!rightFrame(msg.header.frame_id)) return;
+  std::string why;
+  auto map = toOccupancyGrid(msg, &why);
+  if (!map) return rejections_.add(why);
+  replace(std::move(*map));
+  stamp_ = toTime(msg.header.stamp);
+}
+
+void MapMirror::replace(OccupancyGrid map) {
+  const GridGeometry& was = map_.geometry();
+  const GridGeometry& is = map.geometry();
+  if (ready() && was == is) {
+    changed_.include(difference(map_, map));
+  } else {
+    if (ready() && (is.width < was.width || is.height < was.height)) {
+      ROS_WARN("map shrank from %d x %d to %d x %d cells: the smaller one counts", was.width, was.height, is.width,
+               is.height);
+    }
+    changed_ = is.rect();
+  }
+  map_ = std::move(map);
+}
+
+void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg) {
+  if (!ready() || !rightFrame(msg.header.frame_id)) return;  // the latched map holds what an early update said
+  std::string why;
+  const auto update = toGridUpdate(msg, &why);
+  if (!update) return rejections_.add(why);
+  if (!(update->rect.intersection(map_.geometry().rect()) == update->rect)) {
+    return rejections_.add("update reaches beyond the map");
+  }
+  copy(*update, map_);
+  changed_.include(update->rect);
+  stamp_ = toTime(msg.header.stamp);
+}
+
+CellRect MapMirror::takeChanged() { return std::exchange(changed_, CellRect{}); }
+
+}  // namespace frontier_pilot

@@ -1,0 +1,55 @@
+#include "frontier_pilot/ros/node_main.h"
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+volatile std::sig_atomic_t g_stop = 0;
+
+/// ROS' own handler closes the publishers before the node can say its last words.
+void catchSignals() {
+  std::signal(SIGINT, [](int) { g_stop = 1; });
+  std::signal(SIGTERM, [](int) { g_stop = 1; });
+}
+
+void spinUntilStopped() {
+  while (ros::ok() && g_stop == 0) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+}
+
+int fail(const std::string& name, const std::exception& error, int exit_code) {
+  ROS_FATAL_STREAM(name << ": " << error.what());
+  // The console may be configured to hide or buffer it.
+  std::cerr << name << ": " << error.what() << std::endl;
+  return exit_code;
+}
+
+}  // namespace
+
+int runNode(int argc, char** argv, const std::string& name,
+            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make) {
+  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  catchSignals();
+  try {
+    ros::NodeHandle node;
+    ros::NodeHandle private_node("~");
+    std::shared_ptr<void> running = make(node, private_node);
+    spinUntilStopped();
+    running.reset();
+    ros::WallDuration(0.05).sleep();  // lets the last words reach the wire
+    return 0;
+  } catch (const ConfigurationError& error) {
+    return fail(name, error, 2);
+  } catch (const std::exception& error) {
+    return fail(name, error, 1);
+  }
+}
+
+}  // namespace frontier_pilot

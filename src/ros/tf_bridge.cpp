@@ -1,0 +1,74 @@
+#include "frontier_pilot/ros/tf_bridge.h"
+
+#include <chrono>
+#include <thread>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/conversions.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+/// TF's own wait runs on ROS time and would hang on a clock that stands still.
+std::optional<geometry_msgs::TransformStamped> wait(const tf2_ros::Buffer& buffer, const std::string& target,
+                                                    const std::string& source, Time stamp, Duration timeout,
+                                                    std::string* why) {
+  const SteadyTime deadline = steadyNow() + timeout;
+  while (true) {
+    try {
+      return buffer.lookupTransform(target, source, toRosTime(stamp));
+    } catch (const tf2::TransformException& error) {
+      if (steadyNow() >= deadline) {
+        if (why != nullptr) *why = error.what();
+        return std::nullopt;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+geometry_msgs::TransformStamped stamped(const std::string& target, const std::string& source, const Pose2& pose,
+                                        Time stamp) {
+  geometry_msgs::TransformStamped msg;
+  msg.header.frame_id = target;
+  msg.header.stamp = toRosTime(stamp);
+  msg.child_frame_id = source;
+  msg.transform = toTransformMsg(pose);
+  return msg;
+}
+
+}  // namespace
+
+TfBridge::TfBridge() : listener_(buffer_) {}
+
+std::optional<Pose2> TfBridge::lookup(const std::string& target, const std::string& source, Time stamp,
+                                      Duration timeout, std::string* why) const {
+  const auto msg = wait(buffer_, target, source, stamp, timeout, why);
+  return msg ? toPose(msg->transform, why) : std::nullopt;
+}
+
+std::optional<Eigen::Isometry3d> TfBridge::lookup3d(const std::string& target, const std::string& source, Time stamp,
+                                                    Duration timeout, std::string* why) const {
+  const auto msg = wait(buffer_, target, source, stamp, timeout, why);
+  return msg ? toIsometry(msg->transform, why) : std::nullopt;
+}
+
+std::optional<Time> TfBridge::latestStamp(const std::string& target, const std::string& source) const {
+  const auto msg = wait(buffer_, target, source, Time{}, Duration::zero(), nullptr);
+  return msg ? std::optional<Time>(toTime(msg->header.stamp)) : std::nullopt;
+}
+
+void TfBridge::broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source,
+                         Time stamp) {
+  broadcaster_.sendTransform(stamped(target, source, T_target_source, stamp));
+}
+
+void TfBridge::broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,
+                               double height) {
+  auto msg = stamped(target, source, T_target_source, rosNow());
+  msg.transform.translation.z = height;
+  static_broadcaster_.sendTransform(msg);
+}
+
+}  // namespace frontier_pilot
