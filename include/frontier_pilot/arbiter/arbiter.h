@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/arbiter/clock_watch.h"
+#include "frontier_pilot/arbiter/parameters.h"
+#include "frontier_pilot/arbiter/status.h"
+#include "frontier_pilot/core/geometry.h"
+
+namespace frontier_pilot {
+
+/// What a service is answered, and what has to leave on `cmd_vel` before that.
+struct ArbiterAnswer {
+  bool success = true;
+  std::string message;
+  std::optional<Twist2> publish;
+};
+
+/// Decides whose velocity command reaches the base. Commands are in the base frame [m/s], [rad/s].
+///
+/// Every method is one input at one moment, in the order of steady time; the twist that it gives, if any, is to be
+/// published at once. What leaves is always the command of the highest valid source, or zero: never stale, never
+/// beyond the limits, never non-finite. Requirements: behaviour.md, ARB-1 to ARB-9.
+class Arbiter {
+ public:
+  /// Throws std::invalid_argument when the parameters do not pass their own check.
+  explicit Arbiter(const ArbiterParameters& parameters);
+
+  /// A message of source `source` (an index into the parameters' list). Not finite = rejected. [ARB-2] [ARB-5]
+  std::optional<Twist2> onCommand(std::size_t source, const Twist2& command, const Instant& now);
+  /// Lets time pass: puts out what expiry or the clock has changed, and nothing else.
+  std::optional<Twist2> update(const Instant& now);
+  /// The same, and the zero that leaves at every tick while nobody drives. To be called at 20 Hz of steady time.
+  /// [ARB-2]
+  std::optional<Twist2> tick(const Instant& now);
+
+  /// Switches a source. Idempotent. [ARB-6]
+  ArbiterAnswer setEnabled(std::size_t source, bool enabled, const Instant& now);
+  /// Latches the emergency stop; always puts out a zero. Idempotent: the first cause stays. [ARB-7]
+  ArbiterAnswer stop(const std::string& cause, const Instant& now);
+  /// Clears the emergency stop, or says why not. `requested` is when the call arrived: a stop that was given after that
+  /// wins, whoever is served first. [ARB-8]
+  ArbiterAnswer clear(SteadyTime requested, const Instant& now);
+
+  bool stopped() const { return latched_; }
+  const std::string& stopCause() const { return stop_cause_; }
+  const ArbiterParameters& parameters() const { return parameters_; }
+  std::optional<std::size_t> find(const std::string& source) const;
+  ArbiterStatus status(const Instant& now) const;
+
+ private:
+  struct Source {
+    std::size_t config = 0;  ///< index into the parameters' list
+    Duration timeout{};
+    bool enabled = true;
+    bool rejected_last = false;
+    bool forgotten = true;  ///< nothing was received since the stored command was dropped on purpose
+    std::optional<Twist2> command;
+    Time command_time;
+    std::optional<Time> last_message;
+    std::optional<SteadyTime> last_motion;  ///< when it last asked to move, enabled or not
+    std::uint64_t received = 0, rejected = 0, received_at_window = 0;
+    double rate = 0.0;
+  };
+  struct Decision {
+    ArbiterState state = ArbiterState::kIdle;
+    const Source* winner = nullptr;
+    Twist2 command;
+  };
+
+  const ArbiterSource& config(const Source& source) const { return parameters_.sources[source.config]; }
+  Source& at(std::size_t source);
+  void observe(const Instant& now);
+  static void forget(Source& source);
+  void forgetAll();
+  void store(Source& source, const Twist2& command, const Instant& now);
+  bool alive(const Source& source, Time now) const;
+  bool claims(const Source& source, Time now) const;
+  Decision decide(Time now) const;
+  std::optional<Twist2> putOut(const Decision& decision, bool anyway);
+  std::string refusalToClear(SteadyTime requested, const Instant& now) const;
+  void measureRates(SteadyTime now);
+  SourceState stateOf(const Source& source, const Decision& decision, Time now) const;
+  SourceStatus statusOf(const Source& source, const Decision& decision, Time now) const;
+
+  ArbiterParameters parameters_;
+  std::vector<Source> sources_;     ///< highest priority first
+  std::vector<std::size_t> order_;  ///< configuration index -> index into sources_
+  ClockWatch clock_;
+  bool latched_ = false;
+  std::string stop_cause_;
+  SteadyTime last_stop_;
+  SteadyTime rate_window_;
+  Decision last_;
+};
+
+}  // namespace frontier_pilot

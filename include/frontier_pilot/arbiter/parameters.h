@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot.h"
+
+namespace frontier_pilot {
+
+/// One source of velocity commands. An entry of a configuration that bears a built-in name starts from the built-in
+/// source, so that `{name: avoid, required: true}` changes one thing.
+struct ArbiterSource {
+  std::string name;
+  std::string topic;
+  int priority = 0;
+  double timeout = 1.0;
+  bool enabled = true;
+  bool zero_means_idle = false;
+  bool required = false;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("name", name, "", "short name, as in set_<name>_enabled");
+    startFromBuiltIn();
+    v.field("topic", topic, "", "where its geometry_msgs/Twist come from");
+    v.field("priority", priority, "", "the higher one wins; every source has its own", anyNumber());
+    v.field("timeout", timeout, "s", "how old its last message may be", Bounds{0.0, 3600.0, true});
+    v.field("enabled", enabled, "", "whether it is on at the start");
+    v.field("zero_means_idle", zero_means_idle, "", "an all-zero message keeps it alive but does not claim the wheels");
+    v.field("required", required, "", "while it is enabled but silent, lower sources may not drive forward");
+  }
+
+ private:
+  /// Does nothing to a source that has a topic already.
+  void startFromBuiltIn();
+};
+
+/// avoid > behavior > patrol > nav > manual. [ARB-1]
+std::vector<ArbiterSource> builtInSources();
+
+/// What the arbiter is configured with.
+struct ArbiterParameters {
+  std::vector<ArbiterSource> sources = builtInSources();
+  RobotLimits limits;
+  double clear_quiet_time = 0.5;
+  double clock_stall_time = 0.5;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.list("sources", sources, "who may ask for the wheels; a list given here replaces the built-in one");
+    v.group("limits", limits, "what the base can do; commands are clamped to it");
+    v.field("clear_quiet_time", clear_quiet_time, "s",
+            "an emergency stop is not cleared while a non-zero command is younger than this", between(0.0, 60.0));
+    v.field("clock_stall_time", clock_stall_time, "s",
+            "ROS time that stands still for so long of steady time makes every source stale", Bounds{0.0, 60.0, true});
+  }
+  /// Names, topics and priorities must be unique, and no source may read `cmd_vel` itself.
+  void check(Problems& problems) const;
+};
+
+}  // namespace frontier_pilot

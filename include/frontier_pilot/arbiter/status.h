@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+
+namespace frontier_pilot {
+
+/// Why `cmd_vel` is what it is.
+enum class ArbiterState : std::uint8_t { kIdle = 0, kDriving = 1, kEmergencyStop = 2, kClockStopped = 3 };
+const char* toString(ArbiterState state);
+
+/// What a source is to the arbiter.
+enum class SourceState : std::uint8_t {
+  kDisabled = 0,
+  kNeverHeard = 1,  ///< no message since the start, or since the last clear, enable or clock jump
+  kStale = 2,
+  kRejected = 3,  ///< its last message was not finite
+  kIdle = 4,      ///< alive, asks for nothing
+  kReady = 5,     ///< has a fresh command, somebody else holds the wheels
+  kActive = 6,
+};
+const char* toString(SourceState state);
+
+struct SourceStatus {
+  std::string name;
+  std::string topic;
+  int priority = 0;
+  bool enabled = true;
+  bool required = false;
+  SourceState state = SourceState::kNeverHeard;
+  std::optional<double> age;   ///< of its last message [s], ROS time
+  double rate = 0.0;           ///< messages per second of steady time, over the last second [Hz]
+  std::uint64_t rejected = 0;  ///< messages refused so far
+};
+
+/// Everything an operator may ask.
+struct ArbiterStatus {
+  ArbiterState state = ArbiterState::kIdle;
+  std::string active_source;                 ///< empty: nobody
+  std::string stop_cause;                    ///< empty: not stopped
+  Twist2 command;                            ///< what was last put out
+  std::vector<std::string> missing_sources;  ///< required, enabled and silent
+  std::vector<SourceStatus> sources;         ///< highest priority first
+};
+
+/// One sentence: who drives, and if nobody does, why.
+std::string summarize(const ArbiterStatus& status);
+
+}  // namespace frontier_pilot

@@ -1,0 +1,99 @@
+#include "frontier_pilot/arbiter/status.h"
+
+#include "frontier_pilot/arbiter/arbiter.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kRateWindow = std::chrono::seconds(1);
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string whoDrives(const ArbiterStatus& status) {
+  switch (status.state) {
+    case ArbiterState::kEmergencyStop:
+      return "emergency stop: " + status.stop_cause;
+    case ArbiterState::kClockStopped:
+      return "ROS time stands still: stopped";
+    case ArbiterState::kDriving:
+      return status.active_source + " drives";
+    case ArbiterState::kIdle:
+      break;
+  }
+  return "nobody asks for the wheels: stopped";
+}
+
+}  // namespace
+
+const char* toString(ArbiterState state) {
+  constexpr const char* kNames[] = {"idle", "driving", "emergency stop", "clock stopped"};
+  return kNames[static_cast<int>(state)];
+}
+
+const char* toString(SourceState state) {
+  constexpr const char* kNames[] = {"disabled", "never heard", "stale", "rejected", "idle", "ready", "active"};
+  return kNames[static_cast<int>(state)];
+}
+
+std::string summarize(const ArbiterStatus& status) {
+  std::string text = whoDrives(status);
+  if (!status.missing_sources.empty()) {
+    text += "; " + joined(status.missing_sources) + " is required but silent: no forward motion below it";
+  }
+  return text;
+}
+
+void Arbiter::measureRates(SteadyTime now) {
+  const Duration elapsed = now - rate_window_;
+  if (elapsed < kRateWindow) return;
+  for (Source& source : sources_) {
+    source.rate = static_cast<double>(source.received - source.received_at_window) / toSeconds(elapsed);
+    source.received_at_window = source.received;
+  }
+  rate_window_ = now;
+}
+
+SourceState Arbiter::stateOf(const Source& source, const Decision& decision, Time now) const {
+  if (!source.enabled) return SourceState::kDisabled;
+  if (source.rejected_last) return SourceState::kRejected;
+  if (source.forgotten) return SourceState::kNeverHeard;
+  if (!alive(source, now)) return SourceState::kStale;
+  if (decision.winner == &source) return SourceState::kActive;
+  return claims(source, now) ? SourceState::kReady : SourceState::kIdle;
+}
+
+SourceStatus Arbiter::statusOf(const Source& source, const Decision& decision, Time now) const {
+  const ArbiterSource& settings = config(source);
+  SourceStatus status;
+  status.name = settings.name;
+  status.topic = settings.topic;
+  status.priority = settings.priority;
+  status.enabled = source.enabled;
+  status.required = settings.required;
+  status.state = stateOf(source, decision, now);
+  if (source.last_message) status.age = toSeconds(now - *source.last_message);
+  status.rate = source.rate;
+  status.rejected = source.rejected;
+  return status;
+}
+
+ArbiterStatus Arbiter::status(const Instant& now) const {
+  const Decision decision = decide(now.ros);
+  ArbiterStatus status;
+  status.state = decision.state;
+  if (decision.winner != nullptr) status.active_source = config(*decision.winner).name;
+  status.stop_cause = stop_cause_;
+  status.command = last_.command;
+  for (const Source& source : sources_) {
+    status.sources.push_back(statusOf(source, decision, now.ros));
+    const bool missing = config(source).required && source.enabled && !alive(source, now.ros);
+    if (missing) status.missing_sources.push_back(config(source).name);
+  }
+  return status;
+}
+
+}  // namespace frontier_pilot
