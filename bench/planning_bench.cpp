@@ -1,0 +1,135 @@
+// Planning on the Willow Garage floor between 200 random reachable pairs: time, length against the shortest any-angle
+// path of the same clearance, and what a search must at least touch. Run it in the repository's root, or set
+// FRONTIER_PILOT_WORLDS to the folder of willow_garage.yaml; the reference takes minutes and is made only with
+// FRONTIER_PILOT_REFERENCE=1.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "frontier_pilot/planning/global_planner.h"
+#include "frontier_pilot/planning/grid_search.h"
+#include "support/any_angle_reference.h"
+#include "support/map_image.h"
+
+namespace frontier_pilot::bench {
+namespace {
+
+constexpr int kPairs = 200;
+
+struct Willow {
+  OccupancyGrid map = readMapImage(willowGarage());
+  std::vector<PlanRequest> requests;
+
+  Willow() {
+    ClearanceMap clearance;
+    clearance.setMap(map, map.geometry().rect());
+    const Cell start = map.geometry().cellAt({16.6, 21.6});
+    GridSearch flood;
+    flood.search(clearance, start, {0, 0});
+    std::vector<Cell> reachable;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+      if (flood.reached(map.geometry().cell(i))) reachable.push_back(map.geometry().cell(i));
+    }
+    std::mt19937 random(1);
+    for (int i = 0; i < kPairs; ++i) {
+      PlanRequest request;
+      request.start = map.geometry().centre(reachable[random() % reachable.size()]);
+      request.goal = map.geometry().centre(reachable[random() % reachable.size()]);
+      requests.push_back(request);
+    }
+  }
+};
+
+const Willow& willow() {
+  static const Willow instance;
+  return instance;
+}
+
+ClearanceMap clearanceMap(double wall_weight) {
+  ClearanceParams params;
+  params.wall_weight = wall_weight;
+  ClearanceMap map(params);
+  map.setMap(willow().map, willow().map.geometry().rect());
+  return map;
+}
+
+std::vector<double> referenceLengths() {
+  std::vector<double> lengths;
+  const ClearanceMap map = clearanceMap(0.0);
+  for (const PlanRequest& request : willow().requests) {
+    lengths.push_back(shortestAnyAngle(map, request.start, request.goal).path.length());
+  }
+  return lengths;
+}
+
+void lengthCounters(benchmark::State& state, const std::vector<double>& lengths) {
+  if (std::getenv("FRONTIER_PILOT_REFERENCE") == nullptr) return;
+  static const std::vector<double> reference = referenceLengths();
+  double sum = 0.0;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const double ratio = reference[i] > 0.0 ? lengths[i] / reference[i] : 1.0;
+    sum += ratio;
+    worst = std::max(worst, ratio);
+  }
+  state.counters["length_ratio_mean"] = sum / static_cast<double>(lengths.size());
+  state.counters["length_ratio_max"] = worst;
+}
+
+void planWillow(benchmark::State& state) {
+  const ClearanceMap map = clearanceMap(ClearanceParams().wall_weight);
+  GlobalPlanner planner;
+  std::vector<double> best(kPairs, 1e9);
+  std::vector<double> lengths(kPairs, 0.0);
+  int solved = 0;
+  double expanded = 0.0;
+  for (auto _ : state) {
+    solved = 0;
+    expanded = 0.0;
+    for (std::size_t i = 0; i < kPairs; ++i) {
+      const auto before = std::chrono::steady_clock::now();
+      const PlanResult result = planner.plan(map, willow().requests[i]);
+      const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - before;
+      best[i] = std::min(best[i], took.count());
+      lengths[i] = result.path.length();
+      solved += result.found() ? 1 : 0;
+      expanded += static_cast<double>(result.expanded);
+    }
+  }
+  std::sort(best.begin(), best.end());
+  state.counters["solved"] = solved;
+  state.counters["mean_ms"] = std::accumulate(best.begin(), best.end(), 0.0) / kPairs;
+  state.counters["p99_ms"] = best[kPairs * 99 / 100 - 1];
+  state.counters["max_ms"] = best.back();
+  state.counters["expanded_mean"] = expanded / kPairs;
+  state.counters["length_mean_m"] = std::accumulate(lengths.begin(), lengths.end(), 0.0) / kPairs;
+  lengthCounters(state, lengths);
+}
+BENCHMARK(planWillow)->Unit(benchmark::kMillisecond)->Iterations(3);
+
+/// The map's part of every update: a scan's worth of changed cells.
+void updateMap(benchmark::State& state) {
+  OccupancyGrid grid = willow().map;
+  ClearanceMap map;
+  map.setMap(grid, grid.geometry().rect());
+  const Cell at = grid.geometry().cellAt({16.6, 21.6});
+  const CellRect changed = CellRect{at.x, at.y, 1, 1}.grown(160);
+  int step = 0;
+  for (auto _ : state) {
+    for (int i = 0; i < 20; ++i) grid[Cell{at.x + i, at.y + step % 40}] = (step / 40) % 2 == 0 ? kOccupied : kFree;
+    ++step;
+    map.setMap(grid, changed);
+    benchmark::DoNotOptimize(map.refresh());
+  }
+}
+BENCHMARK(updateMap)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace frontier_pilot::bench

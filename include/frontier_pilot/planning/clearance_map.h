@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "frontier_pilot/core/distance_field.h"
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/parameters.h"
+
+namespace frontier_pilot {
+
+/// How much room a path leaves to obstacles.
+struct ClearanceParams {
+  double inscribed_radius = 0.105;      ///< of the robot, a disc [m]
+  double preferred_clearance = 0.35;    ///< centre of the robot to obstacle cells [m]
+  double wall_weight = 1.5;             ///< a metre along a wall costs 1 + this many
+  bool unknown_is_traversable = false;  ///< whether paths may lead through unknown cells
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("inscribed_radius", inscribed_radius, "m", "radius of the robot's footprint, a disc", positive());
+    v.field("preferred_clearance", preferred_clearance, "m", "paths keep this far from walls where it costs little",
+            between(0.0, 2.0));
+    v.field("wall_weight", wall_weight, "1", "a metre along a wall costs 1 + this many metres in the open",
+            between(0.0, 3.0));
+    v.field("unknown_is_traversable", unknown_is_traversable, "", "paths may lead through unknown cells");
+  }
+};
+
+/// Where the robot's centre may be: the map and live obstacles, their distance field and the cost of each cell.
+///
+/// The field measures between cell centres, and an obstacle fills its cell. A point whose bilinearly interpolated
+/// distance is D has its nearest obstacle's surface at least D - (sqrt(1/2) + 0.1) cells away: half a diagonal of the
+/// obstacle's cell, and what interpolation overestimates at two cells and more. `requiredClearance` is the radius plus
+/// 0.9 cells, hence a touch is impossible; at 5 cm it is 0.15 m for the Burger, so every place that is reachable for a
+/// disc of 0.15 m, centre to centre, is so here.
+///
+/// Changes are collected and take effect at `refresh`, at a cost that goes with the tiles they touch.
+class ClearanceMap {
+ public:
+  explicit ClearanceMap(const ClearanceParams& params = {});
+
+  /// Takes over what differs inside `changed`; all of it if the geometry is new, and then live obstacles are gone too.
+  /// Gives whether the geometry was new.
+  bool setMap(const OccupancyGrid& map, const CellRect& changed);
+  /// Adds or removes an obstacle that the map does not know of. `cell` must be in the map.
+  void setLive(Cell cell, bool obstacle);
+  /// Brings field and costs up to date. Gives the cells whose clearance may have changed.
+  CellRect refresh();
+
+  bool empty() const { return obstacle_.empty(); }
+  const GridGeometry& geometry() const { return obstacle_.geometry(); }
+  const ClearanceParams& params() const { return params_; }
+  const DistanceField& field() const { return field_; }
+  /// Least interpolated distance that a path keeps [m].
+  double requiredClearance() const { return required_; }
+
+  bool isKnownFree(Cell c) const { return state_.get(c, kStateUnknown) == kStateFree; }
+  bool isUnknown(Cell c) const { return state_.get(c, kStateUnknown) == kStateUnknown; }
+  bool isOccupied(Cell c) const { return obstacle_.get(c, 0) != 0; }
+  /// Whether the map itself, not the live obstacles, has an occupied cell within `radius` [cells] (a square).
+  bool isMapOccupiedNear(Cell c, int radius) const;
+  /// Whether the robot's centre may be at the cell's centre.
+  bool isPassable(Cell c) const { return costClass(c) != 0; }
+
+  /// Interpolated distance to the nearest obstacle [m], cut at the field's maximum. Outside of the map: as at its edge.
+  double clearance(const Vec2& point) const;
+  /// Whether a path may touch `point`.
+  bool isValid(const Vec2& point) const;
+  /// Whether a path may lead straight from `from` to `to`, both ends included.
+  bool isValid(const Vec2& from, const Vec2& to) const { return segmentCost(from, to) >= 0.0; }
+  /// The length of a valid segment, weighted by the nearness of walls [m]; negative if it is not valid.
+  double segmentCost(const Vec2& from, const Vec2& to) const;
+
+  /// Classes of cells: 0 is not passable, else `weight(class)` is the price of a metre.
+  static constexpr int kClasses = 32;
+  std::uint8_t costClass(Cell c) const { return static_cast<std::uint8_t>(cost_.get(c, 0) & kClassMask); }
+  double weight(int cost_class) const { return weights_[static_cast<std::size_t>(cost_class)]; }
+  const Grid<std::uint8_t>& costs() const { return cost_; }
+  static constexpr std::uint8_t kClassMask = 0x3F;
+
+ private:
+  enum : std::uint8_t { kStateFree = 0, kStateOccupied = 1, kStateUnknown = 2 };
+  static constexpr std::uint8_t kRoomy = 0x80;  ///< every point in the cell is valid
+  static constexpr int kTile = 16;              ///< side of a tile [cells]
+  enum : std::uint8_t { kTileClean = 0, kTileCost = 1, kTileField = 2 };
+
+  void reset(const OccupancyGrid& map);
+  void takeRow(const std::int8_t* map, Cell from, int count);
+  void setCell(Cell cell, std::uint8_t state);
+  void refreshTiles(Cell first_tile, int count, std::uint8_t level, CellRect& touched);
+  void rateCells(const CellRect& cells);
+  std::uint8_t rate(Cell cell) const;
+  bool isRoomy(Cell cell) const;
+  bool isCrossable(Cell cell, const Vec2& from, const Vec2& to) const;
+  int fieldReach() const;
+
+  ClearanceParams params_;
+  double required_ = 0.0;
+  std::array<double, kClasses> weights_{};
+  Grid<std::uint8_t> state_;     ///< of the map
+  Grid<std::uint8_t> live_;      ///< 1 where a live obstacle is
+  Grid<std::uint8_t> obstacle_;  ///< either of both
+  DistanceField field_;
+  Grid<std::uint8_t> cost_;  ///< class and kRoomy
+  Grid<std::uint8_t> dirty_tiles_;
+  std::vector<std::uint8_t> row_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/path.h"
+
+namespace frontier_pilot {
+
+struct GlobalPlannerParams {
+  std::string algorithm = "any_angle_grid";  ///< or "rrt_connect", which is neither complete nor short
+  double goal_tolerance = 0.4;               ///< how far a goal that cannot be stood on may be moved [m]
+  double escape_radius = 0.5;                ///< how far away a blocked robot looks for a place to start from [m]
+  int max_iterations = 20000;                ///< of a sampling planner
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("algorithm", algorithm, "", "any_angle_grid (complete), or rrt_connect (for comparison)");
+    v.field("goal_tolerance", goal_tolerance, "m", "a goal in an inflated or unknown cell is moved by at most this",
+            between(0.0, 5.0));
+    v.field("escape_radius", escape_radius, "m", "how far a start inside the inflation may be from open ground",
+            between(0.0, 5.0));
+    v.field("max_iterations", max_iterations, "1", "after this many a sampling planner gives up", positive());
+  }
+  void check(Problems& problems) const;
+};
+
+/// How planning ended.
+enum class PlanStatus {
+  kFound,
+  kNoMap,
+  kInvalidRequest,   ///< start or goal is not finite
+  kStartOutside,     ///< of the map
+  kStartBlocked,     ///< no passable cell within the escape radius
+  kGoalOutside,      ///< of the map
+  kGoalOccupied,     ///< in or too near an obstacle, and nothing reachable within the tolerance
+  kGoalUnreachable,  ///< in unknown space, and nothing reachable within the tolerance
+  kNoPath,           ///< the goal is a good one but cannot be reached from the start
+};
+const char* toString(PlanStatus status);
+
+/// From where to where, in the frame of the map [m].
+struct PlanRequest {
+  Vec2 start = Vec2::Zero();
+  Vec2 goal = Vec2::Zero();
+  double goal_tolerance = -1.0;  ///< [m]; the parameter's value if negative
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::kNoMap;
+  Path path;                 ///< from the start to the goal, or as near to it as was possible; empty unless kFound
+  std::size_t escape = 0;    ///< that many first segments lead out of the inflation and are not valid ones
+  std::size_t expanded = 0;  ///< cells that the search looked at
+
+  bool found() const { return status == PlanStatus::kFound; }
+};
+
+/// Global planner: OMPL's state space, validity checking and problem definition in R^2, on the ClearanceMap, with a
+/// planner of our own that is complete on the grid and deterministic. A function of map and request: same question,
+/// same path.
+class GlobalPlanner {
+ public:
+  explicit GlobalPlanner(const GlobalPlannerParams& params = {});
+  ~GlobalPlanner();
+  GlobalPlanner(GlobalPlanner&&) noexcept;
+  GlobalPlanner& operator=(GlobalPlanner&&) noexcept;
+  GlobalPlanner(const GlobalPlanner&) = delete;
+  GlobalPlanner& operator=(const GlobalPlanner&) = delete;
+
+  /// `map` must be refreshed. A found path's every segment but the escape is valid on the map.
+  PlanResult plan(const ClearanceMap& map, const PlanRequest& request);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Whether the path may still be driven from `from` [m along it] on; its first segments, `escape` of them, are exempt.
+bool isPathValid(const ClearanceMap& map, const Path& path, std::size_t escape, double from = 0.0);
+
+}  // namespace frontier_pilot

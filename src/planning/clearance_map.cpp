@@ -1,0 +1,218 @@
+#include "frontier_pilot/planning/clearance_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "frontier_pilot/core/ray_casting.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// Half a cell's diagonal, the interpolation's error and a little more, see the class.
+constexpr double kDiscretisation = 0.9;
+/// Keeps a distance that equals the required one valid, however it was rounded [m].
+constexpr double kRounding = 1e-5;
+
+GridGeometry tileGeometry(const GridGeometry& cells, int tile) {
+  GridGeometry tiles;
+  tiles.width = (cells.width + tile - 1) / tile;
+  tiles.height = (cells.height + tile - 1) / tile;
+  return tiles;
+}
+
+/// The part [first, last] of 0...1 in which the segment lies between `low` and `high` along one axis.
+void clip(double from, double to, double low, double high, double& first, double& last) {
+  const double step = to - from;
+  if (std::abs(step) < 1e-12) return;
+  const double a = (low - from) / step;
+  const double b = (high - from) / step;
+  first = std::max(first, std::min(a, b));
+  last = std::min(last, std::max(a, b));
+}
+
+}  // namespace
+
+ClearanceMap::ClearanceMap(const ClearanceParams& params) : params_(params) {}
+
+bool ClearanceMap::setMap(const OccupancyGrid& map, const CellRect& changed) {
+  if (empty() || map.geometry() != geometry()) {
+    reset(map);
+    return true;
+  }
+  const CellRect cells = changed.intersection(geometry().rect());
+  for (int y = cells.y; y < cells.y + cells.height; ++y) takeRow(map.row(y) + cells.x, {cells.x, y}, cells.width);
+  return false;
+}
+
+void ClearanceMap::reset(const OccupancyGrid& map) {
+  required_ = params_.inscribed_radius + kDiscretisation * map.resolution() - kRounding;
+  const double preferred = std::max(params_.preferred_clearance, required_);
+  for (int i = 1; i < kClasses; ++i) {
+    const double nearness = 1.0 - static_cast<double>(i - 1) / (kClasses - 2);
+    weights_[static_cast<std::size_t>(i)] = 1.0 + params_.wall_weight * nearness * nearness;
+  }
+  const GridGeometry& cells = map.geometry();
+  state_ = Grid<std::uint8_t>(cells, kStateUnknown);
+  live_ = Grid<std::uint8_t>(cells, 0);
+  obstacle_ = Grid<std::uint8_t>(cells, 0);
+  cost_ = Grid<std::uint8_t>(cells, 0);
+  dirty_tiles_ = Grid<std::uint8_t>(tileGeometry(cells, kTile), kTileClean);
+  for (int y = 0; y < cells.height; ++y) takeRow(map.row(y), {0, y}, cells.width);
+  field_ = DistanceField(obstacle_, preferred + cells.resolution);
+  std::fill(dirty_tiles_.cells().begin(), dirty_tiles_.cells().end(), static_cast<std::uint8_t>(kTileClean));
+  rateCells(cells.rect());
+}
+
+void ClearanceMap::takeRow(const std::int8_t* map, Cell from, int count) {
+  const auto size = static_cast<std::size_t>(count);
+  row_.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    row_[i] = map[i] < 0 ? kStateUnknown : (map[i] < 50 ? kStateFree : kStateOccupied);
+  }
+  const std::uint8_t* before = state_.row(from.y) + from.x;
+  for (int i = 0; i < count; i += kTile) {
+    const int length = std::min(kTile, count - i);
+    if (std::memcmp(before + i, row_.data() + i, static_cast<std::size_t>(length)) == 0) continue;
+    for (int k = i; k < i + length; ++k) setCell({from.x + k, from.y}, row_[static_cast<std::size_t>(k)]);
+  }
+}
+
+void ClearanceMap::setCell(Cell cell, std::uint8_t state) {
+  if (state_[cell] == state) return;
+  state_[cell] = state;
+  std::uint8_t& tile = dirty_tiles_[Cell{cell.x / kTile, cell.y / kTile}];
+  const std::uint8_t obstacle = state == kStateOccupied || live_[cell] != 0 ? 1 : 0;
+  tile = std::max<std::uint8_t>(tile, obstacle != obstacle_[cell] ? kTileField : kTileCost);
+  obstacle_[cell] = obstacle;
+}
+
+void ClearanceMap::setLive(Cell cell, bool obstacle) {
+  live_[cell] = obstacle ? 1 : 0;
+  const std::uint8_t now = obstacle || state_[cell] == kStateOccupied ? 1 : 0;
+  if (now == obstacle_[cell]) return;
+  obstacle_[cell] = now;
+  dirty_tiles_[Cell{cell.x / kTile, cell.y / kTile}] = kTileField;
+}
+
+int ClearanceMap::fieldReach() const {
+  // One more cell: whether a cell is roomy depends on its neighbours.
+  return static_cast<int>(std::ceil(field_.maxDistance() / geometry().resolution)) + 1;
+}
+
+CellRect ClearanceMap::refresh() {
+  CellRect touched;
+  for (int y = 0; y < dirty_tiles_.height(); ++y) {
+    std::uint8_t* row = dirty_tiles_.row(y);
+    for (int x = 0; x < dirty_tiles_.width(); ++x) {
+      if (row[x] == kTileClean) continue;
+      const std::uint8_t level = row[x];
+      const int first = x;
+      while (x < dirty_tiles_.width() && row[x] == level) row[x++] = kTileClean;
+      refreshTiles({first, y}, x - first, level, touched);
+      --x;
+    }
+  }
+  return touched;
+}
+
+void ClearanceMap::refreshTiles(Cell first_tile, int count, std::uint8_t level, CellRect& touched) {
+  const CellRect cells =
+      CellRect{first_tile.x * kTile, first_tile.y * kTile, count * kTile, kTile}.intersection(geometry().rect());
+  if (level == kTileField) field_.update(obstacle_, cells);
+  const CellRect reach = cells.grown(level == kTileField ? fieldReach() : 1).intersection(geometry().rect());
+  rateCells(reach);
+  touched.include(reach);
+}
+
+void ClearanceMap::rateCells(const CellRect& cells) {
+  for (int y = cells.y; y < cells.y + cells.height; ++y) {
+    for (int x = cells.x; x < cells.x + cells.width; ++x) cost_[Cell{x, y}] = rate({x, y});
+  }
+}
+
+std::uint8_t ClearanceMap::rate(Cell cell) const {
+  const double distance = static_cast<double>(field_[cell]);
+  if (distance < required_) return 0;
+  if (state_[cell] != kStateFree && !(params_.unknown_is_traversable && state_[cell] == kStateUnknown)) return 0;
+  const double span = std::max(params_.preferred_clearance, required_) - required_;
+  const double room = span > 0.0 ? std::min(1.0, (distance - required_) / span) : 1.0;
+  const int cost_class = 1 + static_cast<int>(room * (kClasses - 2));
+  return static_cast<std::uint8_t>(cost_class | (isRoomy(cell) ? kRoomy : 0));
+}
+
+bool ClearanceMap::isRoomy(Cell cell) const {
+  if (static_cast<double>(field_[cell]) >= required_ + 1.5 * geometry().resolution) return true;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (field_.at(Cell{cell.x + dx, cell.y + dy}) < required_) return false;
+    }
+  }
+  return true;
+}
+
+bool ClearanceMap::isMapOccupiedNear(Cell c, int radius) const {
+  const CellRect cells = CellRect{c.x, c.y, 1, 1}.grown(radius).intersection(geometry().rect());
+  for (int y = cells.y; y < cells.y + cells.height; ++y) {
+    for (int x = cells.x; x < cells.x + cells.width; ++x) {
+      if (state_[Cell{x, y}] == kStateOccupied) return true;
+    }
+  }
+  return false;
+}
+
+double ClearanceMap::clearance(const Vec2& point) const {
+  const GridGeometry& g = geometry();
+  const double limit_x = g.width - 1.0;
+  const double limit_y = g.height - 1.0;
+  const double x = std::clamp((point.x() - g.origin.x()) / g.resolution - 0.5, 0.0, limit_x);
+  const double y = std::clamp((point.y() - g.origin.y()) / g.resolution - 0.5, 0.0, limit_y);
+  const int x0 = static_cast<int>(x);
+  const int y0 = static_cast<int>(y);
+  const int x1 = std::min(x0 + 1, g.width - 1);
+  const float* low = field_.grid().row(y0);
+  const float* high = field_.grid().row(std::min(y0 + 1, g.height - 1));
+  const double u = x - x0;
+  const double v = y - y0;
+  const double below = (1.0 - u) * static_cast<double>(low[x0]) + u * static_cast<double>(low[x1]);
+  const double above = (1.0 - u) * static_cast<double>(high[x0]) + u * static_cast<double>(high[x1]);
+  return (1.0 - v) * below + v * above;
+}
+
+bool ClearanceMap::isValid(const Vec2& point) const {
+  const Cell cell = geometry().cellAt(point);
+  if (!geometry().contains(cell)) return false;
+  if (state_[cell] != kStateFree && !(params_.unknown_is_traversable && state_[cell] == kStateUnknown)) return false;
+  return clearance(point) >= required_ - kRounding;
+}
+
+bool ClearanceMap::isCrossable(Cell cell, const Vec2& from, const Vec2& to) const {
+  const GridGeometry& g = geometry();
+  const Vec2 low = g.origin + g.resolution * Vec2(cell.x, cell.y);
+  double first = 0.0;
+  double last = 1.0;
+  clip(from.x(), to.x(), low.x(), low.x() + g.resolution, first, last);
+  clip(from.y(), to.y(), low.y(), low.y() + g.resolution, first, last);
+  // Along a piece of at most one cell the distance bends too little to dip unseen between three points.
+  const Vec2 step = to - from;
+  const double needed = required_ - kRounding;
+  return clearance(from + first * step) >= needed && clearance(from + 0.5 * (first + last) * step) >= needed &&
+         clearance(from + last * step) >= needed;
+}
+
+double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to) const {
+  double sum = 0.0;
+  int count = 0;
+  const bool free = visitCells(geometry(), from, to, [&](Cell cell) {
+    const std::uint8_t cost = cost_.get(cell, 0);
+    // A cell whose centre is too near may still be cut at a corner; only those that are free are looked at.
+    if ((cost & kRoomy) == 0 && !(cost != 0 || isKnownFree(cell))) return false;
+    if ((cost & kRoomy) == 0 && !isCrossable(cell, from, to)) return false;
+    sum += weights_[std::max(1, cost & kClassMask)];
+    ++count;
+    return true;
+  });
+  return free ? (to - from).norm() * sum / count : -1.0;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,96 @@
+#include "frontier_pilot/planning/escape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+namespace frontier_pilot {
+namespace {
+
+/// What it costs to be in contact, in metres a metre.
+constexpr double kContactWeight = 4.0;
+
+/// Dijkstra's search over a small window around the robot.
+class EscapeSearch {
+ public:
+  EscapeSearch(const ClearanceMap& map, Cell from, double radius)
+      : map_(map), from_(from), reach_(static_cast<int>(std::ceil(radius / map.geometry().resolution))) {
+    const auto side = static_cast<std::size_t>(2 * reach_ + 1);
+    cost_.assign(side * side, std::numeric_limits<double>::infinity());
+    parent_.assign(side * side, from);
+  }
+
+  std::vector<Escape> run() {
+    push(from_, from_, 0.0);
+    while (!queue_.empty()) {
+      const auto [cost, y, x] = queue_.top();
+      const Cell cell{x, y};
+      queue_.pop();
+      if (cost > cost_[index(cell)]) continue;
+      if (map_.isPassable(cell)) {
+        escapes_.push_back({cost, wayTo(cell)});
+      } else {
+        expand(cell, cost);
+      }
+    }
+    return std::move(escapes_);
+  }
+
+ private:
+  std::size_t index(Cell cell) const {
+    return static_cast<std::size_t>((cell.y - from_.y + reach_) * (2 * reach_ + 1) + cell.x - from_.x + reach_);
+  }
+
+  bool isOpen(Cell cell) const {
+    const int dx = cell.x - from_.x;
+    const int dy = cell.y - from_.y;
+    if (dx * dx + dy * dy > reach_ * reach_ || !map_.geometry().contains(cell)) return false;
+    const bool under_the_robot = std::hypot(dx, dy) * map_.geometry().resolution < map_.params().inscribed_radius;
+    return under_the_robot || !map_.isOccupied(cell);
+  }
+
+  void push(Cell cell, Cell parent, double cost) {
+    if (cost >= cost_[index(cell)]) return;
+    cost_[index(cell)] = cost;
+    parent_[index(cell)] = parent;
+    queue_.emplace(cost, cell.y, cell.x);
+  }
+
+  void expand(Cell cell, double cost) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Cell next{cell.x + dx, cell.y + dy};
+        if ((dx == 0 && dy == 0) || !isOpen(next)) continue;
+        if (!isOpen({next.x, cell.y}) || !isOpen({cell.x, next.y})) continue;
+        const double room = std::min(1.0, map_.field().at(next) / map_.requiredClearance());
+        const double step = std::hypot(dx, dy) * map_.geometry().resolution;
+        push(next, cell, cost + step * (1.0 + kContactWeight * (1.0 - room)));
+      }
+    }
+  }
+
+  std::vector<Cell> wayTo(Cell cell) const {
+    std::vector<Cell> way{cell};
+    while (way.back() != from_) way.push_back(parent_[index(way.back())]);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  const ClearanceMap& map_;
+  Cell from_;
+  int reach_;
+  std::vector<double> cost_;
+  std::vector<Cell> parent_;
+  std::priority_queue<std::tuple<double, int, int>, std::vector<std::tuple<double, int, int>>, std::greater<>> queue_;
+  std::vector<Escape> escapes_;
+};
+
+}  // namespace
+
+std::vector<Escape> findEscapes(const ClearanceMap& map, Cell from, double radius) {
+  return EscapeSearch(map, from, radius).run();
+}
+
+}  // namespace frontier_pilot

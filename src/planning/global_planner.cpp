@@ -1,0 +1,218 @@
+#include "frontier_pilot/planning/global_planner.h"
+
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "frontier_pilot/planning/escape.h"
+#include "frontier_pilot/planning/path_smoothing.h"
+#include "ompl_planner.h"
+
+namespace frontier_pilot {
+namespace {
+
+namespace ob = ompl::base;
+
+constexpr const char* kRrtConnect = "rrt_connect";
+constexpr const char* kAnyAngleGrid = "any_angle_grid";
+
+/// OMPL logs to the console and seeds from the clock unless told otherwise, once and before anything is made.
+void silenceAndSeedOmpl() {
+  static const bool done = [] {
+    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    ompl::RNG::setSeed(1);
+    return true;
+  }();
+  static_cast<void>(done);
+}
+
+/// Passable cells within `tolerance` [m] of `goal`, the nearest first; only the goal's own cell if that is passable.
+std::vector<Cell> goalCells(const ClearanceMap& map, const Vec2& goal, double tolerance) {
+  const GridGeometry& grid = map.geometry();
+  const Cell own = grid.cellAt(goal);
+  if (map.isPassable(own)) return {own};
+  std::vector<std::pair<double, Cell>> near;
+  const int reach = static_cast<int>(std::ceil(tolerance / grid.resolution));
+  for (int y = own.y - reach; y <= own.y + reach; ++y) {
+    for (int x = own.x - reach; x <= own.x + reach; ++x) {
+      const double distance = (grid.centre({x, y}) - goal).norm();
+      if (distance <= tolerance && map.isPassable({x, y})) near.emplace_back(distance, Cell{x, y});
+    }
+  }
+  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Cell> cells;
+  for (const auto& candidate : near) cells.push_back(candidate.second);
+  return cells;
+}
+
+PlanStatus whyUnreachable(const ClearanceMap& map, Cell goal) {
+  if (map.isPassable(goal)) return PlanStatus::kNoPath;
+  const bool near_obstacle = map.field().at(goal) < map.requiredClearance();
+  return near_obstacle ? PlanStatus::kGoalOccupied : PlanStatus::kGoalUnreachable;
+}
+
+PlanStatus checkRequest(const ClearanceMap& map, const PlanRequest& request) {
+  if (map.empty()) return PlanStatus::kNoMap;
+  if (!request.start.allFinite() || !request.goal.allFinite()) return PlanStatus::kInvalidRequest;
+  // Far away coordinates do not fit a cell's integers.
+  const auto inside = [&](const Vec2& point) {
+    return (point - map.geometry().origin).cwiseAbs().maxCoeff() < 1e6 &&
+           map.geometry().contains(map.geometry().cellAt(point));
+  };
+  if (!inside(request.start)) return PlanStatus::kStartOutside;
+  if (!inside(request.goal)) return PlanStatus::kGoalOutside;
+  return PlanStatus::kFound;
+}
+
+ob::ProblemDefinitionPtr makeProblem(const ob::SpaceInformationPtr& si, const ClearanceMap& map,
+                                     const std::vector<Escape>& escapes, const std::vector<Cell>& goals) {
+  auto problem = std::make_shared<ob::ProblemDefinition>(si);
+  auto goal = std::make_shared<ob::GoalStates>(si);
+  ob::ScopedState<> state(si);
+  for (const Escape& escape : escapes) {
+    setPoint(state.get(), map.geometry().centre(escape.cells.back()));
+    problem->addStartState(state);
+  }
+  for (const Cell cell : goals) {
+    setPoint(state.get(), map.geometry().centre(cell));
+    goal->addState(state);
+  }
+  problem->setGoal(goal);
+  return problem;
+}
+
+std::vector<Vec2> solutionPoints(const ob::ProblemDefinition& problem) {
+  std::vector<Vec2> points;
+  const auto* path = problem.getSolutionPath()->as<ompl::geometric::PathGeometric>();
+  for (std::size_t i = 0; i < path->getStateCount(); ++i) {
+    points.push_back(pointOf(path->getState(static_cast<unsigned>(i))));
+  }
+  return points;
+}
+
+/// Joins the request's exact ends to a path between cells, and pulls it taut.
+PlanResult finish(const ClearanceMap& map, const PlanRequest& request, const std::vector<Escape>& escapes,
+                  std::vector<Vec2> points) {
+  const GridGeometry& grid = map.geometry();
+  const Cell first = grid.cellAt(points.front());
+  const auto escape =
+      std::find_if(escapes.begin(), escapes.end(), [&](const Escape& e) { return e.cells.back() == first; });
+  if (grid.cellAt(points.back()) == grid.cellAt(request.goal) && map.isValid(points.back(), request.goal)) {
+    points.push_back(request.goal);
+  }
+  PlanResult result;
+  std::vector<Vec2> way_out;
+  if (map.isValid(request.start, points.front())) {
+    points.insert(points.begin(), request.start);
+  } else {
+    way_out.push_back(request.start);
+    for (std::size_t i = 1; i + 1 < escape->cells.size(); ++i) way_out.push_back(grid.centre(escape->cells[i]));
+  }
+  const Path smooth = smoothPath(map, Path(points));
+  way_out.insert(way_out.end(), smooth.points().begin(), smooth.points().end());
+  result.path = Path(way_out);
+  result.escape = result.path.points().size() - smooth.points().size();
+  result.status = isPathValid(map, result.path, result.escape) ? PlanStatus::kFound : PlanStatus::kNoPath;
+  return result;
+}
+
+}  // namespace
+
+struct GlobalPlanner::Impl {
+  GlobalPlannerParams params;
+  GridSearch search;
+
+  /// Gives whether the problem has an exact solution now.
+  bool solve(const ClearanceMap& map, const ob::SpaceInformationPtr& si, const ob::ProblemDefinitionPtr& problem,
+             std::size_t& expanded) {
+    if (params.algorithm == kRrtConnect) {
+      ompl::geometric::RRTConnect planner(si);
+      planner.setProblemDefinition(problem);
+      planner.setup();
+      ob::IterationTerminationCondition iterations(static_cast<unsigned>(params.max_iterations));
+      return planner.solve(iterations) == ob::PlannerStatus::EXACT_SOLUTION;
+    }
+    AnyAngleGridPlanner planner(si, map, search);
+    planner.setProblemDefinition(problem);
+    const bool solved = planner.solve(ob::plannerNonTerminatingCondition()) == ob::PlannerStatus::EXACT_SOLUTION;
+    expanded = planner.expanded();
+    return solved;
+  }
+};
+
+void GlobalPlannerParams::check(Problems& problems) const {
+  if (algorithm == kAnyAngleGrid || algorithm == kRrtConnect) return;
+  problems.push_back("algorithm: must be any_angle_grid or rrt_connect, is " + algorithm);
+}
+
+const char* toString(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kFound:
+      return "path found";
+    case PlanStatus::kNoMap:
+      return "no map";
+    case PlanStatus::kInvalidRequest:
+      return "start or goal is not finite";
+    case PlanStatus::kStartOutside:
+      return "start outside of the map";
+    case PlanStatus::kStartBlocked:
+      return "start blocked";
+    case PlanStatus::kGoalOutside:
+      return "goal outside of the map";
+    case PlanStatus::kGoalOccupied:
+      return "goal occupied";
+    case PlanStatus::kGoalUnreachable:
+      return "goal unreachable";
+    case PlanStatus::kNoPath:
+      return "no path";
+  }
+  return "unknown";
+}
+
+GlobalPlanner::GlobalPlanner(const GlobalPlannerParams& params) : impl_(std::make_unique<Impl>()) {
+  impl_->params = params;
+  silenceAndSeedOmpl();
+}
+GlobalPlanner::~GlobalPlanner() = default;
+GlobalPlanner::GlobalPlanner(GlobalPlanner&&) noexcept = default;
+GlobalPlanner& GlobalPlanner::operator=(GlobalPlanner&&) noexcept = default;
+
+PlanResult GlobalPlanner::plan(const ClearanceMap& map, const PlanRequest& request) {
+  PlanResult result;
+  result.status = checkRequest(map, request);
+  if (!result.found()) return result;
+  const double tolerance = request.goal_tolerance < 0.0 ? impl_->params.goal_tolerance : request.goal_tolerance;
+  const Cell goal = map.geometry().cellAt(request.goal);
+  const std::vector<Escape> escapes =
+      findEscapes(map, map.geometry().cellAt(request.start), impl_->params.escape_radius);
+  const std::vector<Cell> goals = goalCells(map, request.goal, tolerance);
+  result.status = escapes.empty() ? PlanStatus::kStartBlocked : whyUnreachable(map, goal);
+  if (escapes.empty() || goals.empty()) return result;
+  const ob::SpaceInformationPtr si = makeSpaceInformation(map);
+  const ob::ProblemDefinitionPtr problem = makeProblem(si, map, escapes, goals);
+  if (!impl_->solve(map, si, problem, result.expanded)) return result;
+  const std::size_t expanded = result.expanded;
+  result = finish(map, request, escapes, solutionPoints(*problem));
+  result.expanded = expanded;
+  return result;
+}
+
+bool isPathValid(const ClearanceMap& map, const Path& path, std::size_t escape, double from) {
+  const std::vector<Vec2>& points = path.points();
+  if (points.empty()) return false;
+  if (points.size() == 1) return escape > 0 || map.isValid(points.front());
+  for (std::size_t i = escape; i + 1 < points.size(); ++i) {
+    if (path.arcLength(i + 1) <= from) continue;
+    const Vec2 start = path.arcLength(i) < from ? path.at(from) : points[i];
+    if (!map.isValid(start, points[i + 1])) return false;
+  }
+  return true;
+}
+
+}  // namespace frontier_pilot

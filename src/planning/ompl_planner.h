@@ -1,0 +1,41 @@
+#pragma once
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/Planner.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateValidityChecker.h>
+
+#include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/grid_search.h"
+
+namespace frontier_pilot {
+
+/// The plane of a map as OMPL's space, with exact checks on the ClearanceMap instead of a resolution along motions:
+/// OMPL's default of 1 % of the extent would step through walls. `map` must outlive it.
+ompl::base::SpaceInformationPtr makeSpaceInformation(const ClearanceMap& map);
+
+/// A point of the plane as an OMPL state, and back.
+Vec2 pointOf(const ompl::base::State* state);
+void setPoint(ompl::base::State* state, const Vec2& point);
+
+/// A planner of OMPL that is complete on the grid: A* from the first start state from which a goal state can be
+/// reached, to the first goal state that can. `expanded` counts the cells of all searches.
+class AnyAngleGridPlanner : public ompl::base::Planner {
+ public:
+  AnyAngleGridPlanner(const ompl::base::SpaceInformationPtr& si, const ClearanceMap& map, GridSearch& search);
+
+  /// Runs to its end whatever the condition says: it is bounded by the cells of the map, and a cut by time would not be
+  /// deterministic.
+  ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& condition) override;
+  std::size_t expanded() const { return expanded_; }
+
+ private:
+  bool searchFrom(Cell start, const std::vector<Cell>& goals);
+  void addSolution(Cell goal);
+
+  const ClearanceMap& map_;
+  GridSearch& search_;
+  std::size_t expanded_ = 0;
+};
+
+}  // namespace frontier_pilot
