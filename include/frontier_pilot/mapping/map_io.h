@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/mapping/occupancy_map.h"
+
+namespace frontier_pilot {
+
+enum class MapIoStatus {
+  kOk,
+  kBadPath,      ///< the path is empty or a directory, or its directory does not exist
+  kEmptyMap,     ///< there is nothing to save yet
+  kCannotWrite,  ///< the disk is full, or writing is not allowed
+  kMissing,      ///< a file to load does not exist
+  kBroken,       ///< a file to load is not what it should be
+};
+
+const char* toString(MapIoStatus status);
+
+struct MapIoResult {
+  MapIoStatus status = MapIoStatus::kOk;
+  std::string text;  ///< for people: what was done, or what is wrong with which file
+
+  bool ok() const { return status == MapIoStatus::kOk; }
+};
+
+/// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary one); an extension of
+/// these three is ignored. The files appear whole or not at all.
+MapIoResult saveMap(OccupancyMap& map, const std::string& path);
+
+/// Reads a map_server YAML and its image: -1, 0 and 100. `grid` is written on success only.
+MapIoResult loadGrid(const std::string& yaml_path, OccupancyGrid& grid);
+
+/// Replaces `map` by a .bt file's content; on failure it stays as it was.
+MapIoResult loadOctree(const std::string& bt_path, OccupancyMap& map);
+
+}  // namespace frontier_pilot

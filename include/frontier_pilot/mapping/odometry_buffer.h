@@ -1,0 +1,55 @@
+#pragma once
+
+#include <deque>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/time.h"
+
+namespace frontier_pilot {
+
+struct OdometryBufferParameters {
+  double length = 5.0;   ///< how long a pose is kept [s]
+  double max_gap = 0.5;  ///< poses farther apart are not interpolated between [s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("length", length, "s", "how long odometry is kept", positive());
+    v.field("max_gap", max_gap, "s", "no interpolation between odometry farther apart than this", positive());
+  }
+};
+
+enum class OdometryLookup {
+  kFound,
+  kTooNew,  ///< no odometry after the stamp yet: it may still come
+  kTooOld,  ///< no odometry before the stamp is kept (any more)
+  kGap,     ///< the odometry on either side is too far apart
+};
+
+/// The recent odometry, to be asked for the pose at a stamp.
+class OdometryBuffer {
+ public:
+  explicit OdometryBuffer(const OdometryBufferParameters& parameters = {}) : parameters_(parameters) {}
+
+  /// A pose that is not newer than the last one restarts the buffer: the clock has been set back. A repeated stamp is
+  /// ignored.
+  void add(Time stamp, const Pose2& T_odom_base);
+  /// The pose at `stamp`, interpolated between its neighbours. `T_odom_base` is written when found.
+  OdometryLookup at(Time stamp, Pose2& T_odom_base) const;
+  void clear() { entries_.clear(); }
+  bool empty() const { return entries_.empty(); }
+
+ private:
+  struct Entry {
+    Time stamp;
+    Pose2 T_odom_base;
+  };
+
+  OdometryBufferParameters parameters_;
+  std::deque<Entry> entries_;  ///< oldest first
+};
+
+/// The pose at share `s` (0...1) of the way from `a` to `b`, turning the short way.
+Pose2 interpolate(const Pose2& a, const Pose2& b, double s);
+
+}  // namespace frontier_pilot

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace frontier_pilot {
+
+/// What became of a scan. [MAP-4]
+enum class ScanVerdict {
+  kInserted,     ///< it is in the map
+  kNotMoved,     ///< the robot has not moved since the last one, and not enough time has passed
+  kNoTransform,  ///< it is not known where the scanner sits on the base
+  kNoOdometry,   ///< there is no odometry for its stamp
+  kStale,        ///< its stamp is too old, or not newer than the last one's
+  kFuture,       ///< its stamp lies ahead of the clock
+  kWrongFrame,   ///< it names no frame, or one that it may not be in
+  kMalformed,    ///< its numbers make no scan
+  kAllInvalid,   ///< no beam says anything
+  kOutOfBounds,  ///< the map would get too large
+};
+constexpr std::size_t kScanVerdicts = 10;
+
+const char* toString(ScanVerdict verdict);
+
+/// Whether the scan was lost to an error (and not just superfluous).
+inline bool isDropped(ScanVerdict verdict) {
+  return verdict != ScanVerdict::kInserted && verdict != ScanVerdict::kNotMoved;
+}
+
+/// How many scans met each fate.
+class ScanCounts {
+ public:
+  void add(ScanVerdict verdict) { ++counts_[static_cast<std::size_t>(verdict)]; }
+  std::uint64_t operator[](ScanVerdict verdict) const { return counts_[static_cast<std::size_t>(verdict)]; }
+  /// How many were lost to an error.
+  std::uint64_t dropped() const;
+
+ private:
+  std::array<std::uint64_t, kScanVerdicts> counts_{};
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,142 @@
+#include "frontier_pilot/mapping/occupancy_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace frontier_pilot {
+namespace {
+
+/// The greatest multiple of `step` that is not above `value`.
+int floorTo(int value, int step) {
+  const int quotient = value / step - (value % step < 0 ? 1 : 0);
+  return quotient * step;
+}
+
+/// `cells`, grown to multiples of `step`.
+CellRect snap(const CellRect& cells, int step) {
+  const int x = floorTo(cells.x, step);
+  const int y = floorTo(cells.y, step);
+  const int right = floorTo(cells.x + cells.width + step - 1, step);
+  const int top = floorTo(cells.y + cells.height + step - 1, step);
+  return {x, y, right - x, top - y};
+}
+
+template <class T>
+Grid<T> resized(const Grid<T>& old, const GridGeometry& geometry, Cell offset, T fill) {
+  Grid<T> grid(geometry, fill);
+  for (int y = 0; y < old.height(); ++y) {
+    std::copy_n(old.row(y), old.width(), grid.row(y + offset.y) + offset.x);
+  }
+  return grid;
+}
+
+}  // namespace
+
+OccupancyMap::OccupancyMap(const OccupancyMapParameters& parameters)
+    : parameters_(parameters),
+      model_(parameters.model),
+      octree_(parameters.resolution, parameters.scanner_height, parameters.model) {}
+
+CellRect OccupancyMap::needed(const Vec2& low, const Vec2& high) const {
+  GridGeometry frame;
+  frame.resolution = parameters_.resolution;
+  CellRect cells = extent_;
+  // One cell more on each side: a point on a border may be rounded to either cell.
+  const Cell first = frame.cellAt(low);
+  const Cell last = frame.cellAt(high);
+  cells.include(Cell{first.x - 1, first.y - 1});
+  cells.include(Cell{last.x + 1, last.y + 1});
+  return cells;
+}
+
+bool OccupancyMap::reserve(const Vec2& low, const Vec2& high) {
+  // Far beyond what any map may hold, so that what follows cannot overflow; also false for what is not a number.
+  constexpr double kFar = 1e6;
+  const bool near = low.cwiseAbs().maxCoeff() < kFar && high.cwiseAbs().maxCoeff() < kFar;
+  return near && reserveCells(needed(low, high));
+}
+
+bool OccupancyMap::reserveCells(const CellRect& cells) {
+  if (cells == extent_) return true;
+  const int step = std::max(1, static_cast<int>(std::lround(parameters_.growth_step / parameters_.resolution)));
+  const CellRect grown = snap(cells, step);
+  const int limit = static_cast<int>(parameters_.max_side / parameters_.resolution);
+  if (grown.width > limit || grown.height > limit) return false;
+  constexpr int kHalf = OctreeLayer::kHalfSide;
+  if (!(grown.intersection({-kHalf, -kHalf, 2 * kHalf, 2 * kHalf}) == grown)) return false;
+  resize(grown);
+  return true;
+}
+
+void OccupancyMap::resize(const CellRect& cells) {
+  if (cells == extent_) return;
+  GridGeometry geometry;
+  geometry.resolution = parameters_.resolution;
+  geometry.origin = Vec2(cells.x, cells.y) * parameters_.resolution;
+  geometry.width = cells.width;
+  geometry.height = cells.height;
+  const Cell offset{extent_.x - cells.x, extent_.y - cells.y};
+  entries_ = resized(entries_, geometry, offset, Entry{});
+  grid_ = resized(grid_, geometry, offset, kUnknown);
+  extent_ = cells;
+  changes_ = {true, geometry.rect()};
+}
+
+void OccupancyMap::beginScan() { ++scan_; }
+
+void OccupancyMap::change(std::size_t index, float step) {
+  Entry& entry = entries_[index];
+  const float prior = entry.log_odds == kUnknownLogOdds ? 0.0F : entry.log_odds;
+  entry.log_odds = model_.clamp(prior + step);
+  const Cell cell = geometry().cell(index);
+  octree_.set({cell.x + extent_.x, cell.y + extent_.y}, entry.log_odds);
+  project(index, entry.log_odds);
+}
+
+void OccupancyMap::project(std::size_t index, float log_odds) {
+  const std::int8_t projected = value(log_odds);
+  if (grid_[index] == projected) return;
+  grid_[index] = projected;
+  changes_.cells.include(geometry().cell(index));
+}
+
+std::int8_t OccupancyMap::value(float log_odds) const {
+  if (parameters_.probabilities) return static_cast<std::int8_t>(std::lround(100.0 * probability(log_odds)));
+  return log_odds >= 0.0F ? kOccupied : kFree;
+}
+
+MapChanges OccupancyMap::takeChanges() { return std::exchange(changes_, MapChanges{}); }
+
+void OccupancyMap::clear() {
+  octree_.clear();
+  std::fill(entries_.cells().begin(), entries_.cells().end(), Entry{});
+  std::fill(grid_.cells().begin(), grid_.cells().end(), kUnknown);
+  changes_.cells = geometry().rect();
+}
+
+bool OccupancyMap::read(std::istream& in) {
+  OccupancyMap loaded(parameters_);
+  if (!loaded.octree_.read(in)) return false;
+  CellRect cells = extent_;
+  loaded.octree_.forEach([&](Cell cell, float) { cells.include(cell); });
+  if (!loaded.reserveCells(cells)) return false;
+  loaded.octree_.forEach([&](Cell cell, float log_odds) {
+    const std::size_t index = loaded.geometry().index({cell.x - loaded.extent_.x, cell.y - loaded.extent_.y});
+    loaded.entries_[index].log_odds = log_odds;
+    loaded.grid_[index] = loaded.value(log_odds);
+  });
+  loaded.changes_ = {changes_.geometry_changed || loaded.geometry() != geometry(), loaded.geometry().rect()};
+  *this = std::move(loaded);
+  return true;
+}
+
+bool OccupancyMap::logOdds(Cell cell, float& value) const {
+  const Entry entry = entries_.get(cell, Entry{});
+  if (entry.log_odds == kUnknownLogOdds) return false;
+  value = entry.log_odds;
+  return true;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,134 @@
+#include "frontier_pilot/mapping/map_io.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MapIo : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "map_io_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    directory = pattern;
+    ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
+    map.beginScan();
+    for (int i = 0; i < 100; ++i) map.miss({10 + i, 20 + i / 2});
+    for (int i = 0; i < 50; ++i) map.hit({17, 100 + i});
+  }
+  void TearDown() override { fs::remove_all(directory); }
+  std::string path(const std::string& name) const { return (directory / name).string(); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+  }
+
+  fs::path directory;
+  OccupancyMap map;
+};
+
+TEST_F(MapIo, SavesThreeFilesThatLoadAgain) {
+  const MapIoResult saved = saveMap(map, path("floor"));
+  ASSERT_TRUE(saved.ok()) << saved.text;
+  EXPECT_EQ(files(), 3U);
+  OccupancyGrid grid;
+  const MapIoResult loaded = loadGrid(path("floor.yaml"), grid);
+  ASSERT_TRUE(loaded.ok()) << loaded.text;
+  EXPECT_EQ(grid.geometry(), map.geometry());
+  EXPECT_TRUE(grid.cells() == map.grid().cells());
+  OccupancyMap tree;
+  const MapIoResult octree = loadOctree(path("floor.bt"), tree);
+  ASSERT_TRUE(octree.ok()) << octree.text;
+  for (std::size_t i = 0; i < map.grid().size(); ++i) {
+    const Vec2 centre = map.geometry().centre(map.geometry().cell(i));
+    ASSERT_EQ(tree.grid().get(tree.geometry().cellAt(centre), kUnknown), map.grid()[i]);
+  }
+}
+
+TEST_F(MapIo, WritesMapServersTrinaryPixels) {
+  ASSERT_TRUE(saveMap(map, path("floor.yaml")).ok()) << "an extension is ignored";
+  std::ifstream file(path("floor.pgm"), std::ios::binary);
+  const std::string pgm((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  ASSERT_EQ(pgm.substr(0, 2), "P5");
+  const std::string pixels = pgm.substr(pgm.size() - map.grid().size());
+  const int height = map.geometry().height;
+  const auto pixel = [&](Cell cell) {
+    return static_cast<unsigned char>(pixels[map.geometry().index({cell.x, height - 1 - cell.y})]);
+  };
+  EXPECT_EQ(pixel({0, 0}), 205);
+  EXPECT_EQ(pixel({10, 20}), 254);
+  EXPECT_EQ(pixel({17, 100}), 0);
+}
+
+TEST_F(MapIo, OverwritesAnOlderMap) {
+  ASSERT_TRUE(saveMap(map, path("floor")).ok());
+  map.beginScan();
+  map.hit({1, 1});
+  ASSERT_TRUE(saveMap(map, path("floor")).ok());
+  OccupancyGrid grid;
+  ASSERT_TRUE(loadGrid(path("floor.yaml"), grid).ok());
+  EXPECT_TRUE(grid.cells() == map.grid().cells());
+  EXPECT_EQ(files(), 3U) << "nothing is left lying around";
+}
+
+TEST_F(MapIo, SaysWhyItCannotSave) {
+  EXPECT_EQ(saveMap(map, "").status, MapIoStatus::kBadPath);
+  EXPECT_EQ(saveMap(map, directory.string() + "/").status, MapIoStatus::kBadPath);
+  const MapIoResult nowhere = saveMap(map, path("no/such/floor"));
+  EXPECT_EQ(nowhere.status, MapIoStatus::kBadPath);
+  EXPECT_NE(nowhere.text.find("no such directory"), std::string::npos);
+  OccupancyMap empty;
+  EXPECT_EQ(saveMap(empty, path("floor")).status, MapIoStatus::kEmptyMap);
+  fs::create_directory(path("floor.pgm.part"));
+  EXPECT_EQ(saveMap(map, path("floor")).status, MapIoStatus::kCannotWrite);
+}
+
+TEST_F(MapIo, KeepsAnOlderMapWhenSavingFails) {
+  ASSERT_TRUE(saveMap(map, path("floor")).ok());
+  const auto before = map.grid().cells();
+  map.clear();
+  fs::create_directory(path("floor.bt.part"));
+  ASSERT_EQ(saveMap(map, path("floor")).status, MapIoStatus::kCannotWrite);
+  OccupancyGrid grid;
+  ASSERT_TRUE(loadGrid(path("floor.yaml"), grid).ok());
+  EXPECT_TRUE(grid.cells() == before);
+}
+
+TEST_F(MapIo, SaysWhyItCannotLoad) {
+  OccupancyGrid grid;
+  EXPECT_EQ(loadGrid(path("floor.yaml"), grid).status, MapIoStatus::kMissing);
+  write("broken.yaml", "image: [");
+  EXPECT_EQ(loadGrid(path("broken.yaml"), grid).status, MapIoStatus::kBroken);
+  write("poor.yaml", "image: poor.pgm");
+  EXPECT_EQ(loadGrid(path("poor.yaml"), grid).status, MapIoStatus::kBroken);
+  write("alone.yaml", "{image: alone.pgm, resolution: 0.05, origin: [0, 0, 0]}");
+  EXPECT_EQ(loadGrid(path("alone.yaml"), grid).status, MapIoStatus::kMissing);
+  write("alone.pgm", "no image");
+  EXPECT_EQ(loadGrid(path("alone.yaml"), grid).status, MapIoStatus::kBroken);
+  write("turned.yaml", "{image: alone.pgm, resolution: 0.05, origin: [0, 0, 1.5]}");
+  EXPECT_NE(loadGrid(path("turned.yaml"), grid).text.find("rotated"), std::string::npos);
+  EXPECT_TRUE(grid.empty());
+}
+
+TEST_F(MapIo, KeepsTheMapWhenAnOctreeCannotBeLoaded) {
+  const auto before = map.grid().cells();
+  EXPECT_EQ(loadOctree(path("floor.bt"), map).status, MapIoStatus::kMissing);
+  write("floor.bt", "no octree");
+  EXPECT_EQ(loadOctree(path("floor.bt"), map).status, MapIoStatus::kBroken);
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
+TEST(MapIoStatus, HasAWordForEach) {
+  for (int i = 0; i <= static_cast<int>(MapIoStatus::kBroken); ++i) {
+    EXPECT_STRNE(toString(static_cast<MapIoStatus>(i)), "unknown");
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot

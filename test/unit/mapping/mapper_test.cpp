@@ -1,0 +1,145 @@
+#include "frontier_pilot/mapping/mapper.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+LaserScan2 ring(double seconds, float range = 1.0F) {
+  LaserScan2 scan;
+  scan.stamp = timeFromSeconds(seconds);
+  scan.angle_min = -kPi;
+  scan.angle_increment = 2.0 * kPi / 90.0;
+  scan.range_min = 0.12;
+  scan.range_max = 8.0;
+  scan.ranges.assign(90, range);
+  return scan;
+}
+
+class MapperTest : public ::testing::Test {
+ protected:
+  ScanVerdict insert(const LaserScan2& scan, const Pose2& T_odom_base = Pose2()) {
+    return mapper.insert(scan, T_odom_base, scan.stamp);
+  }
+  /// Expects that `scan` is dropped for `reason`, is counted, and changes nothing.
+  void expectDrop(const LaserScan2& scan, const Pose2& pose, double now, ScanVerdict reason) {
+    const auto before = mapper.grid().cells();
+    const auto count = mapper.counts()[reason];
+    EXPECT_EQ(mapper.insert(scan, pose, timeFromSeconds(now)), reason) << toString(reason);
+    EXPECT_EQ(mapper.counts()[reason], count + 1);
+    EXPECT_TRUE(mapper.grid().cells() == before) << "nothing mapped may be lost";
+  }
+
+  Mapper mapper;
+};
+
+TEST_F(MapperTest, MapsInOdometrysFrameAsLongAsNothingCorrectsIt) {
+  EXPECT_EQ(insert(ring(1.0), Pose2(4.0, 2.0, 0.3)), ScanVerdict::kInserted);
+  EXPECT_EQ(mapper.T_map_odom(), Pose2());
+  EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({4.01, 2.01})], kFree);
+}
+
+// [MAP-4]
+TEST_F(MapperTest, DropsAndCountsStaleScans_MAP_4) {
+  ASSERT_EQ(insert(ring(10.0)), ScanVerdict::kInserted);
+  expectDrop(ring(10.0), Pose2(1.0, 0.0, 0.0), 10.1, ScanVerdict::kStale);
+  expectDrop(ring(10.5), Pose2(1.0, 0.0, 0.0), 11.6, ScanVerdict::kStale);
+  expectDrop(ring(13.0), Pose2(1.0, 0.0, 0.0), 11.7, ScanVerdict::kFuture);
+  EXPECT_EQ(mapper.counts().dropped(), 3U);
+}
+
+// [MAP-4]
+TEST_F(MapperTest, DropsAndCountsMalformedScans_MAP_4) {
+  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
+  const Pose2 moved(1.0, 0.0, 0.0);
+  LaserScan2 scan = ring(2.0);
+  scan.angle_increment = 0.0;
+  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  scan = ring(2.0);
+  scan.angle_min = std::nan("");
+  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  scan = ring(2.0);
+  scan.range_max = scan.range_min;
+  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  scan = ring(2.0);
+  scan.ranges.clear();
+  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  scan = ring(2.0);
+  scan.T_base_sensor.x = std::nan("");
+  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+}
+
+// [MAP-4]
+TEST_F(MapperTest, DropsAndCountsScansThatSayNothingOrCannotBePlaced_MAP_4) {
+  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
+  expectDrop(ring(2.0, std::nanf("")), Pose2(1.0, 0.0, 0.0), 2.0, ScanVerdict::kAllInvalid);
+  expectDrop(ring(2.0), Pose2(std::nan(""), 0.0, 0.0), 2.0, ScanVerdict::kNoOdometry);
+  expectDrop(ring(2.0), Pose2(1e5, 0.0, 0.0), 2.0, ScanVerdict::kOutOfBounds);
+  mapper.reject(ScanVerdict::kWrongFrame);
+  EXPECT_EQ(mapper.counts()[ScanVerdict::kWrongFrame], 1U);
+  EXPECT_EQ(mapper.counts().dropped(), 4U);
+  EXPECT_EQ(insert(ring(2.0), Pose2(1.0, 0.0, 0.0)), ScanVerdict::kInserted) << "and the next good one goes in";
+}
+
+TEST_F(MapperTest, LooksSeldomWhileTheRobotStandsAndStillSeesWhatComes) {
+  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
+  EXPECT_EQ(insert(ring(1.1)), ScanVerdict::kNotMoved);
+  EXPECT_EQ(insert(ring(1.2), Pose2(0.02, 0.0, 0.0)), ScanVerdict::kInserted);
+  EXPECT_EQ(insert(ring(1.3), Pose2(0.02, 0.0, 0.02)), ScanVerdict::kInserted) << "turning is moving";
+  int inserted = 0;
+  for (int i = 1; i <= 100; ++i) {
+    inserted += insert(ring(1.3 + 0.1 * i, 0.5F), Pose2(0.02, 0.0, 0.02)) == ScanVerdict::kInserted ? 1 : 0;
+  }
+  EXPECT_EQ(inserted, 20) << "two a second";
+  EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({0.53, 0.01})], kOccupied) << "someone came near";
+  EXPECT_EQ(mapper.counts().dropped(), 0U);
+}
+
+TEST_F(MapperTest, GoesOnAfterTheClockWasSetBackAndKeepsTheMap) {
+  ASSERT_EQ(insert(ring(100.0)), ScanVerdict::kInserted);
+  EXPECT_EQ(insert(ring(5.0), Pose2(1.0, 0.0, 0.0)), ScanVerdict::kInserted);
+  EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({-0.5, 0.01})], kFree);
+}
+
+TEST_F(MapperTest, ForgetsOnResetAndStartsAnew) {
+  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
+  const GridGeometry geometry = mapper.grid().geometry();
+  mapper.takeChanges();
+  mapper.reset();
+  EXPECT_EQ(mapper.takeChanges().cells, geometry.rect());
+  for (const std::int8_t value : mapper.grid().cells()) ASSERT_EQ(value, kUnknown);
+  EXPECT_EQ(insert(ring(1.1)), ScanVerdict::kInserted) << "at once, though the robot has not moved";
+  EXPECT_EQ(mapper.grid().geometry(), geometry) << "a map never shrinks";
+}
+
+/// Says that odometry's frame lies a metre to the left.
+class Shift final : public PoseCorrection {
+ public:
+  Pose2 correct(const LaserScan2&, const Pose2&, const OccupancyMap&) override { return {0.0, 1.0, 0.0}; }
+  void reset() override {}
+};
+
+TEST(Mapper, PutsScansWhereTheCorrectionSays) {
+  Mapper mapper({}, std::make_unique<Shift>());
+  ASSERT_EQ(mapper.insert(ring(1.0), Pose2(2.0, 0.0, 0.0), timeFromSeconds(1.0)), ScanVerdict::kInserted);
+  EXPECT_EQ(mapper.T_map_odom(), Pose2(0.0, 1.0, 0.0));
+  EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({2.01, 1.9})], kFree);
+  EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({2.01, -0.2})], kUnknown);
+}
+
+TEST(MapperParameters, RefuseNonsenseByName) {
+  MapperParameters parameters;
+  const Problems problems = loadParameters(parseYaml("{max_age: 0, map: {resolution: -1}, colour: red}"), parameters);
+  EXPECT_EQ(problems.size(), 3U);
+}
+
+TEST(ScanVerdict, HasAWordForEach) {
+  for (std::size_t i = 0; i < kScanVerdicts; ++i) {
+    EXPECT_STRNE(toString(static_cast<ScanVerdict>(i)), "unknown");
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot
