@@ -1,0 +1,109 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/exploration/explorer_types.h"
+#include "frontier_pilot/exploration/frontier_evaluator.h"
+#include "frontier_pilot/exploration/goal_choice.h"
+
+namespace frontier_pilot {
+
+/// Frontier exploration as a state machine: chooses where to look next until no reachable frontier is left. Goals go to
+/// whatever navigation the caller has. Deterministic. [EXP-1] to [EXP-8]
+/// Yamauchi, "A Frontier-Based Approach for Autonomous Exploration", CIRA 1997.
+class Explorer {
+ public:
+  explicit Explorer(const ExplorerParameters& parameters = {});
+
+  /// The map, whenever it changes; `changed` holds every cell that may differ from last time.
+  void setMap(const OccupancyGrid& map, const CellRect& changed);
+  /// Asks a planner, in place of the own wavefront, for travel distances.
+  void setPlan(PlanFn plan) { evaluator_.setPlan(std::move(plan)); }
+  /// Replaces the choice by the best score.
+  void setChoice(ChooseGoal choose) { choose_ = std::move(choose); }
+
+  ExplorerOutput update(const ExplorerInputs& inputs, Time now);
+
+  /// As judged at the last decision.
+  const std::vector<Frontier>& frontiers() const { return evaluator_.frontiers(); }
+  /// The same with their cells listed, for display.
+  const std::vector<Frontier>& frontiersWithCells();
+  const Blacklist& blacklist() const { return blacklist_; }
+  const ObservedMap& map() const { return evaluator_.map(); }
+  const std::optional<Pose2>& goal() const { return goal_pose_; }
+
+ private:
+  /// The goal that the navigation has.
+  struct Goal {
+    std::uint32_t id = 0;
+    Vec2 position = Vec2::Zero();
+    double info_area = 0.0;  ///< when it was chosen [m^2]
+    Time sent;
+    bool returning = false;      ///< to the start
+    bool stepping_back = false;  ///< from what is too near to be a goal
+  };
+
+  void trackMotion(const ExplorerInputs& inputs);
+  bool clockJumped(Time now) const;
+  void forgetTime(Time now);
+  void reset(Time now);
+  bool ready(const ExplorerInputs& inputs, Time now);
+  void pause(Time now);
+  void stopFor(const std::vector<ExplorerReason>& missing, Time now);
+  std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
+  void handleEvent(const GoalEvent& event, Time now);
+  void goalFailed(const Goal& goal, const std::string& what, Time now);
+
+  void step(Time now);
+  void selectGoal(Time now);
+  void navigate(Time now);
+  void evaluateArrival(Time now);
+  void stayDone(Time now);
+
+  bool decide(ExplorerReason reason, Time now);
+  std::optional<std::size_t> judgeAndChoose(Time now);
+  std::size_t countRejected(Rejection rejection) const;
+  bool informationGone();
+  bool retryOtherwise(Time now);
+  bool stepBack(Time now);
+  void finish(Time now);
+  void returnToStart(Time now);
+
+  void send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now);
+  void cancelGoal();
+  void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
+  void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }
+  void countFrontiers();
+
+  ExplorerParameters parameters_;
+  FrontierEvaluator evaluator_;
+  Blacklist blacklist_;
+  Blacklist fruitless_;
+  ChooseGoal choose_;
+
+  ExplorerOutput out_;
+  ExplorerStatus status_;
+  std::optional<Goal> goal_;     ///< with the navigation now
+  std::optional<Goal> arrived_;  ///< reached, and not yet looked back upon
+  std::optional<Pose2> goal_pose_;
+  std::optional<Pose2> start_;
+  std::optional<Pose2> T_map_base_;
+  std::optional<Time> last_update_;
+  std::optional<Time> last_report_;
+  std::optional<Time> nothing_left_since_;
+  Time state_since_;
+  Time last_check_;
+  Time last_decision_;
+  std::vector<Vec2> visited_;   ///< goals reached [m]
+  std::vector<Vec2> failures_;  ///< goals failed [m]
+  std::uint32_t next_goal_id_ = 1;
+  std::uint64_t judged_changes_ = 0;  ///< of the map, at the last decision
+  bool was_running_ = false;
+  bool blacklist_retried_ = false;
+  int step_backs_ = 0;
+  std::optional<ExplorerReason> done_reason_;  ///< on the way back to the start
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <vector>
+
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/exploration/view_gain.h"
+
+namespace frontier_pilot {
+
+/// Why a frontier cannot be chosen now. [EXP-3]
+enum class Rejection {
+  kNone,
+  kTooSmall,      ///< fewer cells than min_frontier_cells
+  kUnreachable,   ///< no cell in sight of it can be reached
+  kTooNear,       ///< travel distance below min_distance, from every cell that sees it
+  kCluttered,     ///< obstacle density around every such cell above max_obstacle_density
+  kBlacklisted,   ///< near a blacklisted goal
+  kNothingToSee,  ///< no beam from the goal is expected to find unknown ground
+  kNotRich,       ///< in phase RICH: information density below rich_min_density
+  kFruitless,     ///< reached before, and what it was to show stayed unknown
+};
+const char* toString(Rejection rejection);
+
+/// One cluster of frontier cells as the explorer judges it.
+struct Frontier {
+  std::vector<Cell> cells;  ///< filled on request only
+  int cell_count = 0;
+  Vec2 centroid = Vec2::Zero();  ///< [m]; may lie in a wall
+  Cell anchor;                   ///< its own cell nearest to the centroid
+  Rejection rejection = Rejection::kNone;
+  Vec2 goal = Vec2::Zero();       ///< a reachable place that sees it [m]; meaningless when unreachable
+  double heading = 0.0;           ///< from the goal to the frontier [rad]
+  double distance = 0.0;          ///< of travel, from the robot to the goal [m]
+  ViewGain info;                  ///< what the goal is expected to show
+  double obstacle_density = 0.0;  ///< occupied share of the known cells around the goal
+  int visits = 0;                 ///< earlier goals close by
+  double score = 0.0;             ///< of selectable ones
+
+  bool selectable() const { return rejection == Rejection::kNone; }
+};
+
+/// What the score is made of. [EXP-4]
+struct ScoreParameters {
+  double w_info = 1.0;
+  double w_dist = 1.0;
+  double w_obs = 1.2;
+  double w_visit = 0.8;
+  double info_scale = 4.0;
+  double distance_scale = 4.0;
+  double switch_margin = 0.5;
+  bool info_by_ray_casting = true;
+  bool distance_by_travel = true;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("w_info", w_info, "", "weight of the expected information", atLeast(0.0));
+    v.field("w_dist", w_dist, "", "weight of the distance", atLeast(0.0));
+    v.field("w_obs", w_obs, "", "weight of the obstacle density around the goal", atLeast(0.0));
+    v.field("w_visit", w_visit, "", "weight of earlier goals close by", atLeast(0.0));
+    v.field("info_scale", info_scale, "m^2", "area that counts half: info = area / (area + info_scale)", positive());
+    v.field("distance_scale", distance_scale, "m", "distance that counts 1", positive());
+    v.field("switch_margin", switch_margin, "", "by this much another goal must be better to drop the present one",
+            atLeast(0.0));
+    v.field("info_by_ray_casting", info_by_ray_casting, "", "false: unknown share around the goal");
+    v.field("distance_by_travel", distance_by_travel, "", "false: Euclidean distance");
+  }
+};
+
+/// Which frontiers can be chosen. [EXP-2] [EXP-3]
+struct FrontierParameters {
+  int min_frontier_cells = 4;
+  double max_cluster_extent = 3.0;
+  double inscribed_radius = 0.15;
+  double escape_radius = 0.6;
+  double goal_search_radius = 1.0;
+  double min_distance = 0.45;
+  int obstacle_radius_cells = 6;
+  double max_obstacle_density = 0.30;
+  double min_info_area = 0.01;
+  double visit_radius = 0.6;
+  ViewParameters view;
+  ScoreParameters score;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("min_frontier_cells", min_frontier_cells, "", "smaller frontiers are ignored", atLeast(1));
+    v.field("max_cluster_extent", max_cluster_extent, "m", "longer clusters are cut, 0: never", atLeast(0.0));
+    v.field("inscribed_radius", inscribed_radius, "m", "clearance of the robot's centre on its way", atLeast(0.0));
+    v.field("escape_radius", escape_radius, "m", "how far a robot inside the inflation looks for a way out",
+            atLeast(0.0));
+    v.field("goal_search_radius", goal_search_radius, "m", "how far from a frontier its goal may lie", positive());
+    v.field("min_distance", min_distance, "m", "nearer goals are not sent", atLeast(0.0));
+    v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "where obstacle density is measured", atLeast(1));
+    v.field("max_obstacle_density", max_obstacle_density, "", "denser goals are not sent", between(0.0, 1.0));
+    v.field("min_info_area", min_info_area, "m^2", "goals that show less are not sent", atLeast(0.0));
+    v.field("visit_radius", visit_radius, "m", "earlier goals within this count as visits", atLeast(0.0));
+    v.group("view", view, "what is expected to be seen from a goal");
+    v.group("score", score, "how goals are compared");
+  }
+};
+
+}  // namespace frontier_pilot

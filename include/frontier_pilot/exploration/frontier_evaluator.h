@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "frontier_pilot/exploration/blacklist.h"
+#include "frontier_pilot/exploration/frontier.h"
+#include "frontier_pilot/exploration/frontier_search.h"
+#include "frontier_pilot/exploration/goal_choice.h"
+#include "frontier_pilot/exploration/observed_map.h"
+#include "frontier_pilot/exploration/travel_field.h"
+
+namespace frontier_pilot {
+
+/// Length [m] of the way between two points, or nothing where there is none. A caller with a better planner may hand it
+/// to the explorer; without one the explorer's own wavefront answers.
+using PlanFn = std::function<std::optional<double>(const Vec2& from, const Vec2& to)>;
+
+/// From the map to judged frontiers: search, goals, filters, information. Holds what is worth keeping between
+/// decisions, so that one costs the changed block, one wavefront, and views near the change.
+class FrontierEvaluator {
+ public:
+  explicit FrontierEvaluator(const FrontierParameters& parameters);
+
+  /// Takes over a map; the block says where it may differ from the last one. Gives whether any cell changed class.
+  bool setMap(const OccupancyGrid& map, const CellRect& changed);
+  void setPlan(PlanFn plan) { plan_ = std::move(plan); }
+
+  /// What the judgement depends on besides the map.
+  struct Context {
+    Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
+    const Blacklist* blacklist = nullptr;
+    const Blacklist* fruitless = nullptr;
+    const std::vector<Vec2>* visited = nullptr;  ///< goals reached so far [m]
+    double rich_min_density = 0.0;               ///< of selectable frontiers; 0 for all
+  };
+  /// Every frontier of the map with its goal or the reason why it has none.
+  const std::vector<Frontier>& evaluate(const Context& context);
+
+  /// The selectable ones of the last evaluation, scored, as the choice wants them.
+  std::vector<GoalCandidate> candidates(const Vec2& robot);
+
+  /// Whether the last evaluation found ground for the robot to move on.
+  bool robotHasGround() const { return travel_.reachedCount() > 0; }
+  /// A reachable place a little farther than min_distance from the robot, from where what is too near now is not.
+  std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
+  /// What a place is expected to show now. [EXP-6]
+  ViewGain infoAt(const Vec2& goal);
+  const ObservedMap& map() const { return map_; }
+  const std::vector<Frontier>& frontiers() const { return frontiers_; }
+  /// Fills in the cells of every frontier of the last evaluation, for display.
+  void listCells();
+
+ private:
+  struct GoalCell {
+    Cell cell;
+    Rejection rejection = Rejection::kUnreachable;
+    double obstacle_density = 0.0;
+  };
+  struct CachedView {
+    std::uint64_t changes = 0;
+    ViewGain gain;
+  };
+
+  Frontier judge(const FrontierCluster& cluster, const Context& context);
+  GoalCell findGoal(const FrontierCluster& cluster, Cell anchor) const;
+  GoalCell findGoalFor(Cell target) const;
+  GoalCell judgeGoal(Cell cell) const;
+  void adoptGoal(Frontier& frontier, const GoalCell& goal, const Context& context);
+  Rejection judgeView(Frontier& frontier, const Context& context);
+  ViewGain cachedView(Cell cell);
+
+  FrontierParameters parameters_;
+  PlanFn plan_;
+  ObservedMap map_;
+  FrontierSearch search_;
+  TraversableSpace space_;
+  TravelField travel_;
+  FrontierClusters clusters_;
+  std::vector<Frontier> frontiers_;
+  std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
+  std::unordered_map<std::size_t, CachedView> views_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,46 @@
+#include "frontier_pilot/exploration/blacklist.h"
+
+#include <algorithm>
+
+namespace frontier_pilot {
+
+void Blacklist::add(const Vec2& position, const std::string& reason, const ObservedMap& map) {
+  constexpr std::uint64_t kMaxDoublings = 16;
+  const std::uint64_t doublings = std::min(timesListed(position), kMaxDoublings);
+  entries_.push_back({position, reason, map.changesAround(position, parameters_.change_radius),
+                      static_cast<std::uint64_t>(parameters_.change_cells) << doublings});
+  history_.push_back(position);
+}
+
+std::size_t Blacklist::expire(const ObservedMap& map) {
+  const auto lifted = std::remove_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return map.changesAround(entry.position, parameters_.change_radius) >= entry.changes_then + entry.changes_to_lift;
+  });
+  const auto count = static_cast<std::size_t>(entries_.end() - lifted);
+  entries_.erase(lifted, entries_.end());
+  return count;
+}
+
+void Blacklist::reset() {
+  entries_.clear();
+  history_.clear();
+}
+
+void Blacklist::rebase(const ObservedMap& map) {
+  for (Entry& entry : entries_) entry.changes_then = map.changesAround(entry.position, parameters_.change_radius);
+}
+
+const Blacklist::Entry* Blacklist::find(const Vec2& position) const {
+  for (const Entry& entry : entries_) {
+    if ((entry.position - position).norm() <= parameters_.radius) return &entry;
+  }
+  return nullptr;
+}
+
+std::uint64_t Blacklist::timesListed(const Vec2& position) const {
+  return static_cast<std::uint64_t>(std::count_if(history_.begin(), history_.end(), [&](const Vec2& listed) {
+    return (listed - position).norm() <= parameters_.radius;
+  }));
+}
+
+}  // namespace frontier_pilot

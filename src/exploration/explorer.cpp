@@ -1,0 +1,235 @@
+#include "frontier_pilot/exploration/explorer.h"
+
+#include <algorithm>
+
+namespace frontier_pilot {
+namespace {
+
+/// The input by the name its user knows it by.
+const char* nameOfMissing(ExplorerReason reason) {
+  switch (reason) {
+    case ExplorerReason::kMapGone:
+      return "map";
+    case ExplorerReason::kOdometryGone:
+      return "odometry";
+    case ExplorerReason::kPoseGone:
+      return "TF from map to base";
+    default:
+      return "move_base";
+  }
+}
+
+std::string listMissing(const std::vector<ExplorerReason>& missing) {
+  std::string text;
+  for (const ExplorerReason reason : missing) text += (text.empty() ? "" : ", ") + std::string(nameOfMissing(reason));
+  return text;
+}
+
+bool isOlder(Time stamp, Time now, double age) { return now - stamp > fromSeconds(age); }
+
+}  // namespace
+
+Explorer::Explorer(const ExplorerParameters& parameters)
+    : parameters_(parameters),
+      evaluator_(parameters.frontier),
+      blacklist_(parameters.blacklist),
+      fruitless_(
+          {parameters.blacklist.radius / 2, parameters.blacklist.change_radius, parameters.blacklist.change_cells}) {
+  choose_ = [score = parameters.frontier.score](const auto& candidates, const auto& current) {
+    return chooseBestScore(candidates, current, score);
+  };
+}
+
+void Explorer::setMap(const OccupancyGrid& map, const CellRect& changed) {
+  const bool new_geometry = map.geometry() != evaluator_.map().geometry();
+  evaluator_.setMap(map, changed);
+  if (!new_geometry) return;
+  blacklist_.rebase(evaluator_.map());
+  fruitless_.rebase(evaluator_.map());
+}
+
+const std::vector<Frontier>& Explorer::frontiersWithCells() {
+  evaluator_.listCells();
+  return evaluator_.frontiers();
+}
+
+ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) {
+  out_ = {};
+  if (clockJumped(now)) forgetTime(now);
+  trackMotion(inputs);
+  if (inputs.reset) reset(now);
+  if (ready(inputs, now)) {
+    if (status_.state == ExplorerState::kIdle) {
+      enter(ExplorerState::kSelectGoal, ExplorerReason::kInputsComplete, "", now);
+    }
+    for (const GoalEvent& event : inputs.goal_events) handleEvent(event, now);
+    step(now);
+  }
+  countFrontiers();
+  last_update_ = now;
+  out_.status = status_;
+  return std::move(out_);
+}
+
+bool Explorer::clockJumped(Time now) const { return last_update_ && now < *last_update_; }
+
+/// Back to the safe state: what was measured in the old time means nothing in the new one.
+void Explorer::forgetTime(Time now) {
+  cancelGoal();
+  last_report_.reset();
+  nothing_left_since_.reset();
+  enter(ExplorerState::kIdle, ExplorerReason::kClockJumpedBack, "", now);
+  last_check_ = last_decision_ = now;
+}
+
+void Explorer::trackMotion(const ExplorerInputs& inputs) {
+  constexpr double kJump = 1.0;  // [m] between two ticks: a correction of the map, not a motion
+  if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite()) return;
+  const Pose2& pose = inputs.T_map_base->pose;
+  const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;
+  if (moved < kJump) status_.distance_travelled += moved;
+  T_map_base_ = pose;
+  if (!start_) start_ = pose;
+}
+
+void Explorer::reset(Time now) {
+  blacklist_.reset();
+  fruitless_.reset();
+  visited_.clear();
+  failures_.clear();
+  blacklist_retried_ = false;
+  step_backs_ = 0;
+  nothing_left_since_.reset();
+  done_reason_.reset();
+  status_.phase = ExplorerPhase::kRich;
+  cancelGoal();
+  const bool idle = status_.state == ExplorerState::kIdle;
+  enter(idle ? ExplorerState::kIdle : ExplorerState::kSelectGoal, ExplorerReason::kReset, "", now);
+}
+
+/// Whether the explorer may act: enabled, and every input there. [EXP-8]
+bool Explorer::ready(const ExplorerInputs& inputs, Time now) {
+  if (!inputs.enabled) {
+    pause(now);
+    return false;
+  }
+  const std::vector<ExplorerReason> missing = missingInputs(inputs, now);
+  if (missing.empty()) {
+    last_report_.reset();
+    return true;
+  }
+  if (status_.state != ExplorerState::kDone) stopFor(missing, now);
+  return false;
+}
+
+void Explorer::pause(Time now) {
+  cancelGoal();
+  if (status_.reason == ExplorerReason::kPaused) return;
+  enter(ExplorerState::kIdle, ExplorerReason::kPaused, "", now);
+}
+
+std::vector<ExplorerReason> Explorer::missingInputs(const ExplorerInputs& inputs, Time now) const {
+  const double age = parameters_.input_timeout;
+  std::vector<ExplorerReason> missing;
+  if (!inputs.map_available || evaluator_.map().empty()) missing.push_back(ExplorerReason::kMapGone);
+  if (!inputs.odometry_stamp || isOlder(*inputs.odometry_stamp, now, age)) {
+    missing.push_back(ExplorerReason::kOdometryGone);
+  }
+  if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite() || isOlder(inputs.T_map_base->stamp, now, age)) {
+    missing.push_back(ExplorerReason::kPoseGone);
+  }
+  if (!inputs.navigation_available) missing.push_back(ExplorerReason::kNavigationGone);
+  return missing;
+}
+
+void Explorer::stopFor(const std::vector<ExplorerReason>& missing, Time now) {
+  cancelGoal();
+  const ExplorerReason reason = was_running_ ? missing.front() : ExplorerReason::kWaitingForInputs;
+  const std::string text = "missing: " + listMissing(missing);
+  const bool news = status_.state != ExplorerState::kIdle || status_.reason != reason || status_.reason_text != text;
+  if (news) enter(ExplorerState::kIdle, reason, text, now);
+  if (!last_report_ || now - *last_report_ >= fromSeconds(parameters_.report_period)) {
+    note(true, "exploration waits for: " + listMissing(missing));
+    last_report_ = now;
+  }
+}
+
+void Explorer::handleEvent(const GoalEvent& event, Time now) {
+  if (!goal_ || goal_->id != event.goal_id) return;  // of a goal that has been replaced: its end says nothing
+  const Goal goal = *goal_;
+  goal_.reset();
+  switch (event.kind) {
+    case GoalEvent::Kind::kReached:
+      ++status_.goals_reached;
+      arrived_ = goal;
+      visited_.push_back(goal.position);
+      return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalReached, "", now);
+    case GoalEvent::Kind::kPreempted:
+      return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalPreempted, event.text, now);
+    case GoalEvent::Kind::kAborted:
+    case GoalEvent::Kind::kRejected:
+      goalFailed(goal, event.text, now);
+      return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, event.text, now);
+  }
+}
+
+/// Blacklists a goal that has failed once more often than it may be tried again. [EXP-5]
+void Explorer::goalFailed(const Goal& goal, const std::string& what, Time now) {
+  ++status_.goals_failed;
+  if (goal.returning || goal.stepping_back) return;
+  failures_.push_back(goal.position);
+  const auto times = std::count_if(failures_.begin(), failures_.end(), [&](const Vec2& failed) {
+    return (failed - goal.position).norm() <= parameters_.blacklist.radius;
+  });
+  const bool timed_out = now - goal.sent >= fromSeconds(parameters_.goal_timeout);
+  if (times <= parameters_.max_goal_retries && !timed_out) return;
+  blacklist_.add(goal.position, what, evaluator_.map());
+  note(true, "goal blacklisted: " + what);
+}
+
+void Explorer::cancelGoal() {
+  if (goal_) {
+    out_.command = {GoalCommand::Kind::kCancel, goal_->id, {}};
+  } else if (out_.command.kind == GoalCommand::Kind::kSend) {
+    out_.command = {};
+  }
+  goal_.reset();
+  arrived_.reset();
+  goal_pose_.reset();
+}
+
+void Explorer::send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now) {
+  goal.id = next_goal_id_++;
+  goal.sent = now;
+  if (!goal.returning) done_reason_.reset();
+  goal_ = goal;
+  goal_pose_ = Pose2(goal.position, yaw);
+  out_.command = {GoalCommand::Kind::kSend, goal.id, *goal_pose_};
+  ++status_.goals_sent;
+  enter(ExplorerState::kNavigating, reason, text, now);
+}
+
+void Explorer::enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now) {
+  if (state != status_.state) state_since_ = now;
+  if (state == ExplorerState::kSelectGoal) was_running_ = true;
+  status_.state = state;
+  status_.reason = reason;
+  status_.reason_text = text.empty() ? toString(reason) : text;
+  countFrontiers();
+  out_.transitions.push_back(status_);
+}
+
+void Explorer::countFrontiers() {
+  status_.frontiers_found = static_cast<std::uint32_t>(evaluator_.frontiers().size());
+  status_.frontiers_selectable = static_cast<std::uint32_t>(countRejected(Rejection::kNone));
+  status_.frontiers_blacklisted = static_cast<std::uint32_t>(countRejected(Rejection::kBlacklisted));
+  status_.explored_area = evaluator_.map().freeArea();
+}
+
+std::size_t Explorer::countRejected(Rejection rejection) const {
+  const auto& all = evaluator_.frontiers();
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [&](const Frontier& f) { return f.rejection == rejection; }));
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,195 @@
+#include <cstdio>
+
+#include "frontier_pilot/exploration/explorer.h"
+
+namespace frontier_pilot {
+namespace {
+
+bool passed(Time since, double seconds, Time now) { return now - since >= fromSeconds(seconds); }
+
+std::string describeGoal(const char* what, const Frontier& frontier) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s: (%.2f, %.2f), %.1f m away, %.2f m2 to see, score %.2f", what, frontier.goal.x(),
+                frontier.goal.y(), frontier.distance, frontier.info.area, frontier.score);
+  return text;
+}
+
+}  // namespace
+
+/// One step, and as many more as the new states want at the same instant.
+void Explorer::step(Time now) {
+  constexpr int kMaxSteps = 6;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const std::size_t transitions = out_.transitions.size();
+    switch (status_.state) {
+      case ExplorerState::kIdle:
+        return;
+      case ExplorerState::kSelectGoal:
+        selectGoal(now);
+        break;
+      case ExplorerState::kNavigating:
+        navigate(now);
+        break;
+      case ExplorerState::kEvaluate:
+        evaluateArrival(now);
+        break;
+      case ExplorerState::kDone:
+        stayDone(now);
+        break;
+    }
+    if (out_.transitions.size() == transitions) return;
+  }
+}
+
+void Explorer::selectGoal(Time now) {
+  // While it only waits for what the map may yet show, a map that has not changed need not be judged again.
+  const bool waiting = nothing_left_since_ || status_.reason == ExplorerReason::kRobotOffKnownGround;
+  const bool news = judged_changes_ != evaluator_.map().changes();
+  if (waiting && !(news && passed(last_decision_, parameters_.check_period, now))) {
+    if (nothing_left_since_ && passed(*nothing_left_since_, parameters_.done_settle_time, now)) finish(now);
+    return;
+  }
+  if (decide(ExplorerReason::kGoalSent, now)) {
+    nothing_left_since_.reset();
+    return;
+  }
+  if (!evaluator_.robotHasGround()) {
+    if (status_.reason != ExplorerReason::kRobotOffKnownGround) {
+      enter(ExplorerState::kSelectGoal, ExplorerReason::kRobotOffKnownGround, "", now);
+    }
+    nothing_left_since_.reset();
+    return;
+  }
+  if (!retryOtherwise(now) && !nothing_left_since_) nothing_left_since_ = now;
+}
+
+/// What is still worth a try when no frontier can be selected as things are. Gives whether something was done.
+bool Explorer::retryOtherwise(Time now) {
+  if (status_.phase == ExplorerPhase::kRich) {
+    status_.phase = ExplorerPhase::kCoverage;
+    enter(ExplorerState::kSelectGoal, ExplorerReason::kRichFrontiersExhausted, "", now);
+    return true;
+  }
+  if (countRejected(Rejection::kTooNear) > 0 && stepBack(now)) return true;
+  if (countRejected(Rejection::kBlacklisted) == 0 || blacklist_retried_) return false;
+  blacklist_retried_ = true;
+  blacklist_.clear();
+  failures_.clear();
+  note(true, toString(ExplorerReason::kBlacklistSaturated));
+  enter(ExplorerState::kSelectGoal, ExplorerReason::kBlacklistSaturated, "", now);
+  return true;
+}
+
+/// Drives a little away, so that what is left close by is far enough to be a goal.
+bool Explorer::stepBack(Time now) {
+  constexpr int kMaxStepBacks = 3;  // in a row: what three approaches do not show stays unseen
+  const std::optional<Vec2> place = evaluator_.placeToStepBackTo(T_map_base_->position());
+  if (!place || step_backs_ >= kMaxStepBacks) return false;
+  ++step_backs_;
+  Goal goal;
+  goal.position = *place;
+  goal.stepping_back = true;
+  send(goal, T_map_base_->yaw, ExplorerReason::kGoalSent, "stepping back from a frontier that is too near", now);
+  return true;
+}
+
+void Explorer::finish(Time now) {
+  nothing_left_since_.reset();
+  const bool blacklisted = countRejected(Rejection::kBlacklisted) > 0;
+  done_reason_ = blacklisted ? ExplorerReason::kAllBlacklisted : ExplorerReason::kNoReachableFrontier;
+  if (parameters_.return_to_start) return returnToStart(now);
+  enter(ExplorerState::kDone, *done_reason_, "", now);
+}
+
+void Explorer::returnToStart(Time now) {
+  Goal goal;
+  goal.position = start_->position();
+  goal.returning = true;
+  send(goal, start_->yaw, ExplorerReason::kReturningToStart, "", now);
+}
+
+void Explorer::navigate(Time now) {
+  if (!goal_) return;
+  if (passed(goal_->sent, parameters_.goal_timeout, now)) {
+    const Goal goal = *goal_;
+    cancelGoal();
+    goalFailed(goal, "timed out", now);
+    return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalTimedOut, "", now);
+  }
+  if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
+  last_check_ = now;
+  if (informationGone()) {
+    if (decide(ExplorerReason::kInformationGone, now)) return;
+    cancelGoal();
+    return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
+  }
+  if (passed(last_decision_, parameters_.decision_period, now)) decide(ExplorerReason::kBetterGoal, now);
+}
+
+/// Whether the goal has been seen from afar on the way. [EXP-6]
+bool Explorer::informationGone() {
+  const double left = evaluator_.infoAt(goal_->position).area;
+  return left < parameters_.frontier.min_info_area || left < parameters_.vanished_share * goal_->info_area;
+}
+
+/// A goal that still promises what it promised before it was reached will never show it.
+void Explorer::evaluateArrival(Time now) {
+  if (done_reason_) {
+    enter(ExplorerState::kDone, *done_reason_, "", now);
+    done_reason_.reset();
+    return;
+  }
+  if (status_.reason == ExplorerReason::kGoalPreempted && !passed(state_since_, parameters_.yield_time, now)) return;
+  if (arrived_ && !arrived_->stepping_back) {
+    const double left = evaluator_.infoAt(arrived_->position).area;
+    const bool promising = left >= parameters_.frontier.min_info_area && left > arrived_->info_area / 2;
+    if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
+    if (promising)
+      fruitless_.add(arrived_->position, "reached, and what it was to show stayed unknown", evaluator_.map());
+  }
+  arrived_.reset();
+  goal_pose_.reset();
+  enter(ExplorerState::kSelectGoal, status_.reason, status_.reason_text, now);
+}
+
+void Explorer::stayDone(Time now) {
+  if (judged_changes_ == evaluator_.map().changes() || !passed(last_decision_, parameters_.decision_period, now))
+    return;
+  if (!judgeAndChoose(now)) return;
+  status_.phase = ExplorerPhase::kRich;
+  blacklist_retried_ = false;
+  step_backs_ = 0;
+  enter(ExplorerState::kSelectGoal, ExplorerReason::kMapChanged, "", now);
+}
+
+/// Chooses a goal and sends it, unless it is the present one. Gives whether there is a goal now.
+bool Explorer::decide(ExplorerReason reason, Time now) {
+  constexpr double kSameGoal = 0.3;  // [m]
+  if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
+  const std::optional<std::size_t> chosen = judgeAndChoose(now);
+  if (!chosen) return false;
+  const Frontier& frontier = evaluator_.frontiers()[*chosen];
+  if (goal_ && (goal_->position - frontier.goal).norm() < kSameGoal) return true;
+  step_backs_ = 0;
+  Goal goal;
+  goal.position = frontier.goal;
+  goal.info_area = frontier.info.area;
+  send(goal, frontier.heading, reason, describeGoal(toString(reason), frontier), now);
+  return true;
+}
+
+std::optional<std::size_t> Explorer::judgeAndChoose(Time now) {
+  blacklist_.expire(evaluator_.map());
+  fruitless_.expire(evaluator_.map());
+  const bool rich = status_.phase == ExplorerPhase::kRich;
+  evaluator_.evaluate(
+      {T_map_base_->position(), &blacklist_, &fruitless_, &visited_, rich ? parameters_.rich_min_density : 0.0});
+  judged_changes_ = evaluator_.map().changes();
+  last_decision_ = last_check_ = now;
+  out_.frontiers_judged = true;
+  const std::vector<GoalCandidate> all = evaluator_.candidates(T_map_base_->position());
+  const auto index = choose_(all, goal_ ? std::optional<Vec2>(goal_->position) : std::nullopt);
+  return index ? std::optional<std::size_t>(all[*index].frontier) : std::nullopt;
+}
+
+}  // namespace frontier_pilot

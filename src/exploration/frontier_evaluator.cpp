@@ -1,0 +1,195 @@
+#include "frontier_pilot/exploration/frontier_evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+/// Offsets within `radius` cells, nearest first; equally near ones row by row.
+std::vector<Cell> discOffsets(int radius) {
+  std::vector<Cell> offsets;
+  for (int y = -radius; y <= radius; ++y) {
+    for (int x = -radius; x <= radius; ++x) {
+      if (x * x + y * y <= radius * radius) offsets.push_back({x, y});
+    }
+  }
+  std::stable_sort(offsets.begin(), offsets.end(),
+                   [](Cell a, Cell b) { return a.x * a.x + a.y * a.y < b.x * b.x + b.y * b.y; });
+  return offsets;
+}
+
+int countNear(const std::vector<Vec2>& points, const Vec2& centre, double radius) {
+  return static_cast<int>(std::count_if(points.begin(), points.end(),
+                                        [&](const Vec2& point) { return (point - centre).norm() <= radius; }));
+}
+
+}  // namespace
+
+FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters)
+    : parameters_(parameters), space_(parameters.inscribed_radius) {}
+
+bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed) {
+  const bool is_new = map.geometry() != map_.geometry() || map_.empty();
+  const CellRect differing = map_.update(map, changed);
+  if (is_new) {
+    rings_ = discOffsets(static_cast<int>(std::lround(parameters_.goal_search_radius / map.resolution())));
+    views_.clear();
+    frontiers_.clear();
+  }
+  if (differing.empty() && !is_new) return false;
+  search_.update(map_.grid(), differing);
+  space_.update(map_.grid(), differing);
+  return !differing.empty();
+}
+
+const std::vector<Frontier>& FrontierEvaluator::evaluate(const Context& context) {
+  frontiers_.clear();
+  if (map_.empty()) return frontiers_;
+  const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
+  clusters_ = search_.clusters(1, max_extent);
+  travel_.compute(space_, map_.grid(), map_.geometry().cellAt(context.robot), parameters_.escape_radius);
+  frontiers_.reserve(clusters_.clusters.size());
+  for (const FrontierCluster& cluster : clusters_.clusters) frontiers_.push_back(judge(cluster, context));
+  return frontiers_;
+}
+
+Frontier FrontierEvaluator::judge(const FrontierCluster& cluster, const Context& context) {
+  const GridGeometry& geometry = map_.geometry();
+  Frontier frontier;
+  frontier.cell_count = cluster.cells;
+  frontier.centroid = geometry.origin + geometry.resolution * (cluster.centroid + Vec2(0.5, 0.5));
+  frontier.anchor = anchorOf(clusters_, cluster);
+  frontier.goal = geometry.centre(frontier.anchor);
+  if (cluster.component_cells < parameters_.min_frontier_cells) {
+    frontier.rejection = Rejection::kTooSmall;
+    return frontier;
+  }
+  const GoalCell goal = findGoal(cluster, frontier.anchor);
+  frontier.rejection = goal.rejection;
+  if (goal.rejection == Rejection::kUnreachable) return frontier;
+  adoptGoal(frontier, goal, context);
+  if (frontier.rejection == Rejection::kNone || frontier.rejection == Rejection::kTooNear) {
+    const Rejection view = judgeView(frontier, context);
+    if (view != Rejection::kNone) frontier.rejection = view;
+  }
+  return frontier;
+}
+
+/// The anchor may be in a corner that nothing sees: then a few other cells of the cluster are tried.
+FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& cluster, Cell anchor) const {
+  constexpr int kOtherTargets = 4;
+  GoalCell best = findGoalFor(anchor);
+  for (int k = 0; k < kOtherTargets && best.rejection != Rejection::kNone; ++k) {
+    const GoalCell other = findGoalFor(cellOf(clusters_, cluster, cluster.cells * k / kOtherTargets));
+    if (best.rejection == Rejection::kUnreachable || other.rejection == Rejection::kNone) best = other;
+  }
+  return best;
+}
+
+/// The nearest reachable cell that sees `target` and passes the filters; else the nearest that sees it. So a frontier
+/// close to the robot or to a wall is looked at from elsewhere before it is given up.
+FrontierEvaluator::GoalCell FrontierEvaluator::findGoalFor(Cell target) const {
+  constexpr int kMaxLooks = 200;  // bounds the cost of a frontier that much ground is near, but none sees
+  GoalCell first;
+  int looks = 0;
+  for (const Cell offset : rings_) {
+    const Cell cell{target.x + offset.x, target.y + offset.y};
+    if (!travel_.reached(cell)) continue;
+    if (++looks > kMaxLooks) break;
+    if (!inSight(map_.grid(), cell, target)) continue;
+    const GoalCell goal = judgeGoal(cell);
+    if (goal.rejection == Rejection::kNone) return goal;
+    if (first.rejection == Rejection::kUnreachable) first = goal;
+  }
+  return first;
+}
+
+FrontierEvaluator::GoalCell FrontierEvaluator::judgeGoal(Cell cell) const {
+  GoalCell goal{cell, Rejection::kNone, obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells)};
+  if (travel_.distance(cell) < parameters_.min_distance) {
+    goal.rejection = Rejection::kTooNear;
+  } else if (goal.obstacle_density > parameters_.max_obstacle_density) {
+    goal.rejection = Rejection::kCluttered;
+  }
+  return goal;
+}
+
+void FrontierEvaluator::adoptGoal(Frontier& frontier, const GoalCell& goal, const Context& context) {
+  frontier.goal = map_.geometry().centre(goal.cell);
+  const Vec2 towards = map_.geometry().centre(frontier.anchor) - frontier.goal;
+  frontier.heading = bearing(towards.isZero() ? Vec2(frontier.goal - context.robot) : towards);
+  frontier.distance = travel_.distance(goal.cell);
+  frontier.obstacle_density = goal.obstacle_density;
+  if (context.visited != nullptr) {
+    frontier.visits = countNear(*context.visited, frontier.goal, parameters_.visit_radius);
+  }
+  const auto listed = [&](const Blacklist* list) { return list != nullptr && list->find(frontier.goal) != nullptr; };
+  if (listed(context.fruitless)) frontier.rejection = Rejection::kFruitless;
+  if (listed(context.blacklist)) frontier.rejection = Rejection::kBlacklisted;
+}
+
+Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& context) {
+  frontier.info = infoAt(frontier.goal);
+  if (frontier.info.area < parameters_.min_info_area) return Rejection::kNothingToSee;
+  if (frontier.info.density < context.rich_min_density) return Rejection::kNotRich;
+  if (!plan_) return Rejection::kNone;
+  const std::optional<double> planned = plan_(context.robot, frontier.goal);
+  if (!planned) return Rejection::kUnreachable;
+  frontier.distance = *planned;
+  return frontier.distance < parameters_.min_distance ? Rejection::kTooNear : Rejection::kNone;
+}
+
+std::vector<GoalCandidate> FrontierEvaluator::candidates(const Vec2& robot) {
+  std::vector<GoalCandidate> all;
+  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
+    Frontier& f = frontiers_[i];
+    if (!f.selectable()) continue;
+    const double density = f.obstacle_density / std::max(parameters_.max_obstacle_density, 1e-3);
+    all.push_back({i, f.goal, f.distance, (f.goal - robot).norm(), f.info, density, f.visits, 0.0});
+    f.score = all.back().score = goalScore(all.back(), parameters_.score);
+  }
+  return all;
+}
+
+std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {
+  if (map_.empty()) return std::nullopt;
+  const Cell here = map_.geometry().cellAt(robot);
+  for (const Cell offset : rings_) {
+    const Cell cell{here.x + offset.x, here.y + offset.y};
+    if (travel_.reached(cell) && travel_.distance(cell) > 1.5 * parameters_.min_distance) {
+      return map_.geometry().centre(cell);
+    }
+  }
+  return std::nullopt;
+}
+
+ViewGain FrontierEvaluator::infoAt(const Vec2& goal) {
+  if (map_.empty()) return {};
+  if (parameters_.score.info_by_ray_casting) return cachedView(map_.geometry().cellAt(goal));
+  return unknownShare(map_.grid(), goal, parameters_.goal_search_radius);
+}
+
+/// A view stays what it is until something within its range changes.
+ViewGain FrontierEvaluator::cachedView(Cell cell) {
+  const Vec2 from = map_.geometry().centre(cell);
+  constexpr std::size_t kMaxViews = 4096;
+  if (views_.size() > kMaxViews) views_.clear();
+  const std::uint64_t changes = map_.changesAround(from, parameters_.view.sensor_range) + 1;
+  CachedView& view = views_[map_.geometry().index(cell)];
+  if (view.changes != changes) view = {changes, viewGain(map_.grid(), from, parameters_.view)};
+  return view.gain;
+}
+
+void FrontierEvaluator::listCells() {
+  for (std::size_t i = 0; i < frontiers_.size() && i < clusters_.clusters.size(); ++i) {
+    const FrontierCluster& cluster = clusters_.clusters[i];
+    frontiers_[i].cells.clear();
+    for (std::size_t r = cluster.first_run; r < cluster.first_run + cluster.run_count; ++r) {
+      const FrontierRun& run = clusters_.runs[r];
+      for (int x = run.begin; x < run.end; ++x) frontiers_[i].cells.push_back({x, run.y});
+    }
+  }
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+
+#include "frontier_pilot/exploration/travel_field.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Row = std::vector<std::uint8_t>;
+
+/// Half-widths [cells] of the disc of cells nearer than `radius` cells to its centre.
+std::vector<int> discHalfWidths(double radius) {
+  std::vector<int> widths;
+  for (int dy = 0; dy < radius; ++dy) {
+    int w = 0;
+    while ((w + 1) * (w + 1) + dy * dy < radius * radius) ++w;
+    widths.push_back(w);
+  }
+  return widths;
+}
+
+/// Each cell becomes the union with its two neighbours in the row. Both rows have a margin of one cell at each end.
+void widen(Row& row, Row& scratch) {
+  scratch = row;
+  for (std::size_t x = 1; x + 1 < row.size(); ++x) {
+    row[x] = static_cast<std::uint8_t>(scratch[x - 1] | scratch[x] | scratch[x + 1]);
+  }
+}
+
+/// Writes 0xFF where cells [0, n) of `from` are occupied, after one cell of margin; gives whether there are any.
+bool readOccupied(const std::int8_t* from, int n, Row& row) {
+  row.assign(static_cast<std::size_t>(n) + 2, 0);
+  std::uint8_t any = 0;
+  std::uint8_t* out = row.data() + 1;
+  for (int i = 0; i < n; ++i) {
+    out[i] = from[i] >= 50 ? 0xFF : 0;
+    any |= out[i];
+  }
+  return any != 0;
+}
+
+}  // namespace
+
+void TraversableSpace::update(const OccupancyGrid& map, const CellRect& changed) {
+  CellRect area = changed;
+  if (passable_.geometry() != map.geometry() || passable_.empty()) {
+    passable_ = Grid<std::uint8_t>(map.geometry());
+    neighbours_ = Grid<std::uint8_t>(map.geometry());
+    // Just less than the clearance blocks, so that a cell exactly that far away is traversable.
+    half_widths_ = discHalfWidths(clearance_ / map.resolution() - 1e-6);
+    area = map.geometry().rect();
+  }
+  const CellRect window = area.grown(static_cast<int>(half_widths_.size())).intersection(map.geometry().rect());
+  if (window.empty()) return;
+  markNearObstacles(map, window);
+  keepFree(map, window);
+  linkNeighbours(window.grown(1).intersection(map.geometry().rect()));
+}
+
+/// Writes 0xFF to the cells of `window` that are too near to an occupied one, 0 to the others.
+void TraversableSpace::markNearObstacles(const OccupancyGrid& map, const CellRect& window) {
+  const int margin = static_cast<int>(half_widths_.size());
+  const CellRect source = window.grown(margin).intersection(map.geometry().rect());
+  const auto width = static_cast<std::size_t>(window.width);
+  for (int y = window.y; y < window.y + window.height; ++y) std::fill_n(passable_.row(y) + window.x, width, 0);
+  Row row, scratch;
+  for (int y = source.y; y < source.y + source.height; ++y) {
+    if (!readOccupied(map.row(y) + source.x, source.width, row)) continue;
+    int width_now = 0;
+    for (int dy = margin - 1; dy >= 0; --dy) {  // the disc is narrowest at its far rows
+      const int wanted = half_widths_[static_cast<std::size_t>(dy)];
+      for (; width_now < wanted; ++width_now) widen(row, scratch);
+      const std::uint8_t* near = row.data() + 1 + (window.x - source.x);
+      for (const int target : {y - dy, y + dy}) {
+        if (target < window.y || target >= window.y + window.height) continue;
+        std::uint8_t* out = passable_.row(target) + window.x;
+        for (std::size_t x = 0; x < width; ++x) out[x] = static_cast<std::uint8_t>(out[x] | near[x]);
+      }
+    }
+  }
+}
+
+/// Turns "too near" into "passable": free and not too near.
+void TraversableSpace::keepFree(const OccupancyGrid& map, const CellRect& window) {
+  for (int y = window.y; y < window.y + window.height; ++y) {
+    const std::int8_t* cells = map.row(y) + window.x;
+    std::uint8_t* out = passable_.row(y) + window.x;
+    for (int x = 0; x < window.width; ++x) {
+      const int good =
+          static_cast<int>(cells[x] >= 0) & static_cast<int>(cells[x] < 50) & static_cast<int>(out[x] == 0);
+      out[x] = static_cast<std::uint8_t>(-good);
+    }
+  }
+}
+
+void TraversableSpace::linkNeighbours(const CellRect& window) {
+  const int width = passable_.width();
+  const Row nothing(static_cast<std::size_t>(width), 0);
+  for (int y = window.y; y < window.y + window.height; ++y) {
+    const std::uint8_t* south = y > 0 ? passable_.row(y - 1) : nothing.data();
+    const std::uint8_t* here = passable_.row(y);
+    const std::uint8_t* north = y + 1 < passable_.height() ? passable_.row(y + 1) : nothing.data();
+    std::uint8_t* out = neighbours_.row(y);
+    const auto link = [&](int x, bool west, bool east) {
+      const int bits = (east ? (here[x + 1] & 1) | (north[x + 1] & 2) | (south[x + 1] & 128) : 0) | (north[x] & 4) |
+                       (west ? (north[x - 1] & 8) | (here[x - 1] & 16) | (south[x - 1] & 32) : 0) | (south[x] & 64);
+      out[x] = static_cast<std::uint8_t>(bits & here[x]);
+    };
+    const int begin = std::max(window.x, 1);
+    const int end = std::min(window.x + window.width, width - 1);
+    if (window.x == 0) link(0, false, width > 1);
+    for (int x = begin; x < end; ++x) link(x, true, true);
+    if (window.x + window.width == width && width > 1) link(width - 1, true, false);
+  }
+}
+
+}  // namespace frontier_pilot

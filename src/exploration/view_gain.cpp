@@ -1,0 +1,91 @@
+#include "frontier_pilot/exploration/view_gain.h"
+
+#include <algorithm>
+
+#include "frontier_pilot/core/ray_casting.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// Twice the area per radian, seen and unseen, along one beam.
+struct Sector {
+  double known = 0.0;
+  double unknown = 0.0;
+};
+
+Sector castSector(const OccupancyGrid& map, const Vec2& from, double angle, const ViewParameters& p) {
+  Sector sector;
+  double end = p.sensor_range;
+  double first_unknown = -1.0;
+  const Vec2 unit = direction(angle);
+  const auto along = [&](Cell c) { return (map.geometry().centre(c) - from).dot(unit); };
+  visitCells(map.geometry(), from, from + p.sensor_range * unit, [&](Cell c) {
+    const std::int8_t value = map.get(c, kOccupied);  // the map's edge: what lies beyond cannot be explored
+    if (isFree(value) && first_unknown < 0.0) return true;
+    if (isOccupied(value)) {
+      end = std::clamp(along(c), 0.0, p.sensor_range);
+      return false;
+    }
+    if (first_unknown < 0.0) {
+      first_unknown = std::clamp(along(c), 0.0, p.sensor_range);
+      end = std::min(p.sensor_range, first_unknown + p.unknown_depth);
+    }
+    return along(c) < end;
+  });
+  if (first_unknown >= 0.0) sector.unknown = std::max(0.0, end * end - first_unknown * first_unknown);
+  sector.known = end * end - sector.unknown;
+  return sector;
+}
+
+/// Counts the cells of the disc of `radius` cells around `centre`: unknown, free, occupied.
+struct Census {
+  int unknown = 0, free = 0, occupied = 0;
+};
+Census countDisc(const OccupancyGrid& map, Cell centre, int radius) {
+  Census census;
+  const CellRect box = CellRect{centre.x, centre.y, 1, 1}.grown(radius).intersection(map.geometry().rect());
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    for (int x = box.x; x < box.x + box.width; ++x) {
+      if ((x - centre.x) * (x - centre.x) + (y - centre.y) * (y - centre.y) > radius * radius) continue;
+      const std::int8_t value = map[Cell{x, y}];
+      ++(isUnknown(value) ? census.unknown : (isFree(value) ? census.free : census.occupied));
+    }
+  }
+  return census;
+}
+
+}  // namespace
+
+ViewGain viewGain(const OccupancyGrid& map, const Vec2& from, const ViewParameters& parameters) {
+  double known = 0.0;
+  double unknown = 0.0;
+  for (int i = 0; i < parameters.rays; ++i) {
+    const Sector sector = castSector(map, from, 2.0 * kPi * i / parameters.rays, parameters);
+    known += sector.known;
+    unknown += sector.unknown;
+  }
+  const double all = known + unknown;
+  return {unknown * kPi / parameters.rays, all > 0.0 ? unknown / all : 0.0};
+}
+
+ViewGain unknownShare(const OccupancyGrid& map, const Vec2& from, double radius) {
+  const Census census =
+      countDisc(map, map.geometry().cellAt(from), static_cast<int>(std::lround(radius / map.resolution())));
+  const int all = census.unknown + census.free + census.occupied;
+  const double cell_area = map.resolution() * map.resolution();
+  return {census.unknown * cell_area, all > 0 ? static_cast<double>(census.unknown) / all : 0.0};
+}
+
+double obstacleDensity(const OccupancyGrid& map, Cell centre, int radius) {
+  const Census census = countDisc(map, centre, radius);
+  const int known = census.free + census.occupied;
+  return known > 0 ? static_cast<double>(census.occupied) / known : 0.0;
+}
+
+bool inSight(const OccupancyGrid& map, Cell from, Cell to) {
+  const GridGeometry& geometry = map.geometry();
+  return visitCells(geometry, geometry.centre(from), geometry.centre(to),
+                    [&](Cell c) { return map.contains(c) && isFree(map[c]); });
+}
+
+}  // namespace frontier_pilot
