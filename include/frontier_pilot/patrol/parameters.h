@@ -1,0 +1,51 @@
+#pragma once
+
+#include "frontier_pilot/core/parameters.h"
+
+namespace frontier_pilot {
+
+/// How a patrol is driven. The speeds stay below what a Burger can do, so that its wheels follow the profile.
+struct PatrolParameters {
+  double frequency = 20.0;
+  double linear_speed = 0.18;
+  double linear_acc = 0.4;
+  double min_linear_speed = 0.02;
+  double turn_speed = 1.0;
+  double turn_acc = 1.5;
+  double min_turn_speed = 0.08;
+  double heading_gain = 2.0;
+  double lateral_gain = 2.0;
+  double max_side = 10.0;
+  int max_laps = 100;
+  double odometry_timeout = 0.5;
+  double jump_distance = 0.5;
+  double jump_angle = 1.5;
+  double blocked_timeout = 10.0;
+  double settle_timeout = 0.5;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("frequency", frequency, "Hz", "control cycles a second", between(5.0, 100.0));
+    v.field("linear_speed", linear_speed, "m/s", "on a line or an arc", positive());
+    v.field("linear_acc", linear_acc, "m/s^2", "of the trapezoid profile", positive());
+    v.field("min_linear_speed", min_linear_speed, "m/s", "the last centimetres are driven at", positive());
+    v.field("turn_speed", turn_speed, "rad/s", "at a corner, and the most on an arc", positive());
+    v.field("turn_acc", turn_acc, "rad/s^2", "of the trapezoid profile", positive());
+    v.field("min_turn_speed", min_turn_speed, "rad/s", "the last degrees are turned at", positive());
+    v.field("heading_gain", heading_gain, "1/s", "turns back to the leg's heading", atLeast(0.0));
+    v.field("lateral_gain", lateral_gain, "rad/m", "heads back to the leg from beside it", atLeast(0.0));
+    v.field("max_side", max_side, "m", "longest side, or radius, that is accepted", positive());
+    v.field("max_laps", max_laps, "", "most laps that are accepted", between(1, 10000));
+    v.field("odometry_timeout", odometry_timeout, "s", "how old odometry may be", positive());
+    v.field("jump_distance", jump_distance, "m", "a longer step of odometry is a jump", positive());
+    v.field("jump_angle", jump_angle, "rad", "a larger turn of odometry at once is a jump", Bounds{0.0, 3.0, true});
+    v.field("blocked_timeout", blocked_timeout, "s", "without the wheels or without progress: give up", positive());
+    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill between legs", positive());
+  }
+  void check(Problems& problems) const {
+    if (min_linear_speed > linear_speed) problems.push_back("min_linear_speed: must not exceed linear_speed");
+    if (min_turn_speed > turn_speed) problems.push_back("min_turn_speed: must not exceed turn_speed");
+  }
+};
+
+}  // namespace frontier_pilot

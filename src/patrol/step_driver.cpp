@@ -1,0 +1,77 @@
+#include "frontier_pilot/patrol/step_driver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+/// Off the leg's direction by more than this [rad], the robot turns before it drives on.
+constexpr double kTurnFirst = 0.6;
+/// The steepest way back to the leg [rad].
+constexpr double kMaxApproach = 0.5;
+
+}  // namespace
+
+void StepDriver::begin(const PatrolStep& step, const Pose2& T_odom_plan, const MotionSample& sample) {
+  step_ = step;
+  T_step_odom_ = (T_odom_plan * step.start).inverse();
+  turned_.restart(sample.T_odom_base.yaw);
+  first_heading_ = (T_step_odom_ * sample.T_odom_base).yaw;
+  speed_ = 0.0;
+  observe(sample);
+}
+
+void StepDriver::observe(const MotionSample& sample) {
+  T_step_base_ = T_step_odom_ * sample.T_odom_base;
+  twist_ = sample.twist;
+  const double turned = first_heading_ + turned_.add(sample.T_odom_base.yaw);
+  progress_ = step_.kind == PatrolStep::Kind::kLine ? T_step_base_.x : turned;
+}
+
+double StepDriver::measuredSpeed() const {
+  return std::max(0.0, step_.kind == PatrolStep::Kind::kLine ? twist_.linear : twist_.angular);
+}
+
+bool StepDriver::reached() const {
+  // The next look is a whole cycle away: stopping here is nearer to the target than stopping there.
+  return remaining() <= 0.5 * measuredSpeed() / parameters_.frequency;
+}
+
+StepDriver::Profile StepDriver::profile() const {
+  const PatrolParameters& p = parameters_;
+  if (step_.kind == PatrolStep::Kind::kTurn) return {p.turn_speed, p.turn_acc, p.min_turn_speed};
+  if (step_.kind == PatrolStep::Kind::kLine) return {p.linear_speed, p.linear_acc, p.min_linear_speed};
+  // An arc is measured by its angle; neither the wheels' speed nor the turn may be too fast.
+  return {std::min(p.linear_speed / step_.radius, p.turn_speed), std::min(p.linear_acc / step_.radius, p.turn_acc),
+          std::min(p.min_linear_speed / step_.radius, p.min_turn_speed)};
+}
+
+Twist2 StepDriver::command(double elapsed, double age) {
+  const Profile profile = this->profile();
+  const double reaction = 1.0 / parameters_.frequency + age;
+  const double braking = brakingSpeed(remaining(), profile.acceleration, reaction);
+  const double target = std::min({profile.speed, speed_ + profile.acceleration * elapsed, braking});
+  speed_ = std::max(target, profile.min_speed);
+  if (step_.kind == PatrolStep::Kind::kTurn) return {0.0, speed_};
+  return follow(step_.kind == PatrolStep::Kind::kArc ? speed_ * step_.radius : speed_);
+}
+
+StepDriver::Deviation StepDriver::deviation() const {
+  if (step_.kind == PatrolStep::Kind::kLine) return {T_step_base_.y, T_step_base_.yaw};
+  const Vec2 from_centre = T_step_base_.position() - Vec2(0.0, step_.radius);
+  const double tangent = bearing(from_centre) + 0.5 * kPi;
+  return {step_.radius - from_centre.norm(), angleDifference(T_step_base_.yaw, tangent)};
+}
+
+Twist2 StepDriver::follow(double speed) const {
+  const PatrolParameters& p = parameters_;
+  const Deviation off = deviation();
+  const double wanted = std::clamp(-p.lateral_gain * off.left, -kMaxApproach, kMaxApproach);
+  const double error = angleDifference(wanted, off.heading);
+  const double forward = std::abs(error) > kTurnFirst ? 0.0 : speed;
+  const double curvature = step_.kind == PatrolStep::Kind::kArc ? 1.0 / step_.radius : 0.0;
+  return {forward, std::clamp(curvature * forward + p.heading_gain * error, -p.turn_speed, p.turn_speed)};
+}
+
+}  // namespace frontier_pilot
