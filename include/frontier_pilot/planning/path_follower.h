@@ -1,0 +1,113 @@
+#pragma once
+
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/path.h"
+#include "frontier_pilot/planning/scan_points.h"
+
+namespace frontier_pilot {
+
+struct FollowerParams {
+  double inscribed_radius = 0.105;   ///< of the footprint, a disc [m]
+  double scan_margin = 0.015;        ///< room that the footprint keeps to the scan's points [m]
+  double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
+  double min_lookahead = 0.2;        ///< [m]
+  double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
+  double horizon = 1.5;              ///< how far ahead motions are tried out [s]
+  double reaction_time = 0.25;       ///< from a measurement to wheels that brake [s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("inscribed_radius", inscribed_radius, "m", "radius of the robot's footprint, a disc", positive());
+    v.field("scan_margin", scan_margin, "m", "room that the footprint keeps to the scan's points", between(0.0, 0.5));
+    v.field("lookahead_time", lookahead_time, "s", "the pursued point is as far ahead as full speed gets in this",
+            positive());
+    v.field("min_lookahead", min_lookahead, "m", "least distance of the pursued point", positive());
+    v.field("turn_in_place_angle", turn_in_place_angle, "rad", "above this bearing the robot turns on the spot",
+            between(0.3, 3.0));
+    v.field("horizon", horizon, "s", "how far ahead motions are tried out", between(0.3, 5.0));
+    v.field("reaction_time", reaction_time, "s", "from a measurement to wheels that brake", between(0.0, 2.0));
+  }
+};
+
+/// What the follower looks at; all of it in the map frame.
+struct FollowerInputs {
+  Pose2 T_map_base;
+  Twist2 twist;  ///< present one
+  const ScanPoints& scan;
+  const ClearanceMap& map;
+};
+
+struct FollowerOutput {
+  Twist2 command;
+  bool blocked = false;  ///< no motion along the path is safe; the command is zero
+};
+
+/// Follows a path with a differential drive and keeps the footprint off the scan's points: pure pursuit (Coulter,
+/// CMU-RI-TR-92-01, 1992), tried out before it is done. Some variants of it, bold and timid, are simulated over the
+/// horizon with the acceleration limits, as the Dynamic Window Approach does with constant twists (Fox, Burgard &
+/// Thrun, IEEE RAM 4(1), 1997); the one that gets farthest along the path wins among those that can still brake before
+/// anything they meet.
+class PathFollower {
+ public:
+  PathFollower(const FollowerParams& params, const RobotLimits& limits) : params_(params), limits_(limits) {}
+
+  /// Starts on a new path; must not be empty. The robot need not stop.
+  void setPath(Path path);
+  FollowerOutput update(const FollowerInputs& inputs);
+
+  const Path& path() const { return path_; }
+  /// How far the robot has come along the path [m].
+  double progress() const { return progress_; }
+  double remaining() const { return path_.length() - progress_; }
+  /// Where the last update expects to be over the horizon, in the map frame.
+  const std::vector<Vec2>& prediction() const { return prediction_; }
+
+ private:
+  /// A way to pursue the path.
+  struct Policy {
+    double lookahead;   ///< [m]
+    double speed;       ///< [m/s]
+    double turn_angle;  ///< [rad]
+  };
+  /// What became of it.
+  struct Trial {
+    Twist2 command;          ///< the first one
+    double progress = 0.0;   ///< along the path at its end [m]
+    double deviation = 0.0;  ///< from the path at its end [m]
+    double free_time = 0.0;  ///< until it would touch something, or the horizon [s]
+    std::vector<Vec2> points;
+
+    double score() const;
+  };
+  /// The surroundings of one update, and how near things may come.
+  struct Surroundings {
+    ScanPoints points;
+    const ClearanceMap& map;
+    double least_distance;   ///< to the points [m]
+    double least_clearance;  ///< in the map [m]; 0 is no check
+
+    bool isFree(const Vec2& position) const;
+  };
+
+  Surroundings surroundings(const FollowerInputs& inputs) const;
+  Twist2 pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const;
+  double turnRate(double angle, const Twist2& twist) const;
+  Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Surroundings& around) const;
+  bool isSafe(const Trial& trial, const Twist2& twist) const;
+
+  FollowerParams params_;
+  RobotLimits limits_;
+  Path path_;
+  double progress_ = 0.0;
+  std::vector<Vec2> prediction_;
+};
+
+/// The rate to turn by `angle` [rad] with, as fast as can be stopped in time.
+double stoppableRate(double angle, const RobotLimits& limits);
+
+}  // namespace frontier_pilot

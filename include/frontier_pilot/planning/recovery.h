@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/planning/scan_points.h"
+
+namespace frontier_pilot {
+
+/// What a recovery sees; map frame.
+struct RecoveryInputs {
+  Pose2 T_map_base;
+  const ScanPoints& scan;
+};
+
+struct RecoveryStep {
+  Twist2 command;
+  bool done = false;  ///< it did what it could; the command is zero then
+};
+
+/// A recovery under way: called once a tick until it is done.
+using Recovery = std::function<RecoveryStep(const RecoveryInputs&, Time now)>;
+
+/// A rung of the ladder [NAV-3]: what it says in the status, whether it also forgets live obstacles, and how it begins.
+/// Plain callables, so that any timed behaviour fits in.
+struct RecoveryRung {
+  std::string name;
+  bool clears_obstacles = false;
+  std::function<Recovery()> begin;  ///< empty: nothing to drive
+};
+
+struct RecoveryParams {
+  double back_up_distance = 0.2;   ///< [m]
+  double back_up_speed = 0.08;     ///< [m/s]
+  double spin_angle = 2.0 * kPi;   ///< [rad]
+  double spin_rate = 1.0;          ///< [rad/s]
+  double time_allowance = 10.0;    ///< for each [s]
+  double footprint_radius = 0.12;  ///< what must fit behind the robot: footprint and margin [m]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("back_up_distance", back_up_distance, "m", "how far a blocked robot backs up", positive());
+    v.field("back_up_speed", back_up_speed, "m/s", "how fast", positive());
+    v.field("spin_angle", spin_angle, "rad", "how far it turns to look around", positive());
+    v.field("spin_rate", spin_rate, "rad/s", "how fast", positive());
+    v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", positive());
+    v.field("footprint_radius", footprint_radius, "m", "footprint and margin that must fit behind the robot",
+            positive());
+  }
+};
+
+/// Drives backwards until the distance is done, something is behind, or time is up.
+Recovery backUp(const RecoveryParams& params, const RobotLimits& limits);
+/// Turns on the spot, which a round footprint always can.
+Recovery spin(const RecoveryParams& params, const RobotLimits& limits);
+
+/// Clear the local costmap, back up, spin; after the last rung there is only giving up. [NAV-3]
+std::vector<RecoveryRung> defaultLadder(const RecoveryParams& params, const RobotLimits& limits);
+
+}  // namespace frontier_pilot

@@ -1,0 +1,131 @@
+#include "frontier_pilot/planning/path_follower.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kStep = 0.1;             ///< of a trial [s]
+constexpr double kMinGap = 0.004;         ///< between footprint and scan points, whatever happens [m]
+constexpr double kMapSlack = 0.02;        ///< a follower may be this much nearer to walls than a path [m]
+constexpr double kCreep = 0.02;           ///< the speed at which a path is ended [m/s]
+constexpr double kBehind = 2.6;           ///< bearings beyond this are left and right alike [rad]
+constexpr double kContactPenalty = 0.2;   ///< [m of progress]
+constexpr double kDeviationWeight = 0.5;  ///< metres of progress a metre off the path
+constexpr double kGoodEnough = 0.9;       ///< of what full speed could do: no other variant is tried
+
+}  // namespace
+
+double stoppableRate(double angle, const RobotLimits& limits) {
+  const double rate = std::sqrt(2.0 * 0.8 * limits.max_angular_acc * std::abs(angle));
+  return std::copysign(std::min(rate, limits.max_angular), angle);
+}
+
+double PathFollower::Trial::score() const { return progress - kDeviationWeight * deviation; }
+
+bool PathFollower::Surroundings::isFree(const Vec2& position) const {
+  if (least_clearance > 0.0 && map.clearance(position) < least_clearance) return false;
+  return points.distance(position) >= least_distance;
+}
+
+void PathFollower::setPath(Path path) {
+  path_ = std::move(path);
+  progress_ = 0.0;
+}
+
+PathFollower::Surroundings PathFollower::surroundings(const FollowerInputs& inputs) const {
+  const Vec2 position = inputs.T_map_base.position();
+  const double reach = limits_.max_linear * params_.horizon + params_.inscribed_radius + params_.scan_margin + 0.1;
+  Surroundings around{inputs.scan.near(position, reach), inputs.map, params_.inscribed_radius + params_.scan_margin,
+                      0.0};
+  // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
+  const double now = around.points.distance(position);
+  const double floor = params_.inscribed_radius + kMinGap;
+  if (now < around.least_distance) around.least_distance = now < floor ? now : std::max(floor, now - 0.002);
+  // In the map's inflation only the scan can tell the way out.
+  const double needed = inputs.map.requiredClearance() - kMapSlack;
+  if (inputs.map.clearance(position) >= needed) around.least_clearance = needed;
+  return around;
+}
+
+double PathFollower::turnRate(double angle, const Twist2& twist) const {
+  // Straight behind, noise decides between left and right: go on as begun.
+  const bool undecided = std::abs(angle) > kBehind && std::abs(twist.angular) > 0.1;
+  return stoppableRate(undecided ? std::copysign(angle, twist.angular) : angle, limits_);
+}
+
+Twist2 PathFollower::pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const {
+  const Vec2 ahead = pose.inverse() * path_.at(along + policy.lookahead);
+  const double angle = bearing(ahead);
+  const double distance = std::max(ahead.norm(), 1e-3);
+  if (std::abs(angle) > policy.turn_angle) return {0.0, turnRate(angle, twist)};
+  const double curvature = 2.0 * std::sin(angle) / distance;
+  const double left = path_.length() - along;
+  double speed = std::min(policy.speed, kCreep + std::sqrt(limits_.max_linear_acc * std::max(0.0, left)));
+  if (std::abs(curvature) * speed > limits_.max_angular) speed = limits_.max_angular / std::abs(curvature);
+  return {speed, speed * curvature};
+}
+
+PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInputs& inputs,
+                                         const Surroundings& around) const {
+  Trial trial;
+  Pose2 pose = inputs.T_map_base;
+  Twist2 twist = inputs.twist;
+  double along = progress_;
+  const int steps = static_cast<int>(std::ceil(params_.horizon / kStep));
+  trial.points.reserve(static_cast<std::size_t>(steps));
+  for (int i = 0; i < steps; ++i) {
+    const Twist2 command = pursue(policy, pose, twist, along);
+    if (i == 0) trial.command = command;
+    twist = limitAcceleration(command, twist, limits_, kStep);
+    pose = integrate(pose, twist, kStep);
+    if (!around.isFree(pose.position())) break;
+    along = path_.project(pose.position(), along, along + 0.3);
+    trial.free_time += kStep;
+    trial.points.push_back(pose.position());
+  }
+  trial.progress = along - progress_;
+  trial.deviation = (path_.at(along) - pose.position()).norm();
+  if (trial.free_time < params_.horizon - kStep) trial.progress -= kContactPenalty;
+  return trial;
+}
+
+bool PathFollower::isSafe(const Trial& trial, const Twist2& twist) const {
+  if (trial.command.linear == 0.0 && twist.linear < kCreep) return true;
+  const double speed = std::max(twist.linear, trial.command.linear);
+  return trial.free_time >= params_.reaction_time + speed / limits_.max_linear_acc;
+}
+
+FollowerOutput PathFollower::update(const FollowerInputs& inputs) {
+  progress_ = path_.project(inputs.T_map_base.position(), progress_ - 0.1, progress_ + 1.0);
+  const Surroundings around = surroundings(inputs);
+  const double full = limits_.max_linear;
+  const double far = std::max(params_.min_lookahead, params_.lookahead_time * full);
+  const double near = std::max(0.75 * params_.min_lookahead, 0.5 * far);
+  const double turn = params_.turn_in_place_angle;
+  const std::array<Policy, 8> policies{{{far, full, turn},
+                                        {near, full, turn},
+                                        {near, 0.6 * full, turn},
+                                        {far, 0.6 * full, turn},
+                                        {near, 0.3 * full, turn},
+                                        {near, 0.5 * full, 0.3},
+                                        {near, 0.12 * full, turn},
+                                        {0.5 * near, 0.2 * full, 0.3}}};
+  const double possible = std::min(full * params_.horizon, remaining());
+  Trial best;
+  bool found = false;
+  for (const Policy& policy : policies) {
+    Trial trial = tryOut(policy, inputs, around);
+    if (!isSafe(trial, inputs.twist)) continue;
+    if (!found || trial.score() > best.score()) best = std::move(trial);
+    found = true;
+    if (best.score() >= kGoodEnough * possible) break;
+  }
+  prediction_ = best.points;
+  return {found ? best.command : Twist2{}, !found};
+}
+
+}  // namespace frontier_pilot
