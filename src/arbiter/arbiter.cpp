@@ -44,10 +44,10 @@ std::optional<std::size_t> Arbiter::find(const std::string& source) const {
   return std::nullopt;
 }
 
-std::optional<Twist2> Arbiter::onCommand(std::size_t source, const Twist2& command, const Instant& now) {
+std::optional<Twist2> Arbiter::onCommand(std::size_t source, const Twist2& command, const Instant& now, bool hold) {
   observe(now);
   Source& speaker = at(source);
-  store(speaker, command, now);
+  store(speaker, command, hold, now);
   const Decision decision = decide(now.ros);
   return putOut(decision, decision.winner == &speaker);
 }
@@ -80,7 +80,7 @@ void Arbiter::forgetAll() {
   for (Source& source : sources_) forget(source);
 }
 
-void Arbiter::store(Source& source, const Twist2& command, const Instant& now) {
+void Arbiter::store(Source& source, const Twist2& command, bool hold, const Instant& now) {
   ++source.received;
   source.last_message = now.ros;
   if (!command.isFinite()) {
@@ -94,6 +94,7 @@ void Arbiter::store(Source& source, const Twist2& command, const Instant& now) {
   if (!source.enabled || clock_.stopped()) return;
   source.command = clamp(command, parameters_.limits);
   source.command_time = now.ros;
+  source.hold = hold;
   source.rejected_last = false;
   source.forgotten = false;
 }
@@ -103,7 +104,8 @@ bool Arbiter::alive(const Source& source, Time now) const {
 }
 
 bool Arbiter::claims(const Source& source, Time now) const {
-  return alive(source, now) && !(config(source).zero_means_idle && source.command->isZero());
+  if (!alive(source, now)) return false;
+  return source.hold || !config(source).zero_means_idle || !source.command->isZero();
 }
 
 Arbiter::Decision Arbiter::decide(Time now) const {

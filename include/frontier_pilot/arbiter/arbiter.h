@@ -31,7 +31,8 @@ class Arbiter {
   explicit Arbiter(const ArbiterParameters& parameters);
 
   /// A message of source `source` (an index into the parameters' list). Not finite = rejected. [ARB-2] [ARB-5]
-  std::optional<Twist2> onCommand(std::size_t source, const Twist2& command, const Instant& now);
+  /// `hold` is a zero on purpose: it claims the wheels even for a source whose zeros mean that it is idle.
+  std::optional<Twist2> onCommand(std::size_t source, const Twist2& command, const Instant& now, bool hold = false);
   /// Lets time pass: puts out what expiry or the clock has changed, and nothing else.
   std::optional<Twist2> update(const Instant& now);
   /// The same, and the zero that leaves at every tick while nobody drives. To be called at 20 Hz of steady time.
@@ -60,6 +61,7 @@ class Arbiter {
     bool rejected_last = false;
     bool forgotten = true;  ///< nothing was received since the stored command was dropped on purpose
     std::optional<Twist2> command;
+    bool hold = false;  ///< `command` claims the wheels even if it is zero
     Time command_time;
     std::optional<Time> last_message;
     std::optional<SteadyTime> last_motion;  ///< when it last asked to move, enabled or not
@@ -77,7 +79,7 @@ class Arbiter {
   void observe(const Instant& now);
   static void forget(Source& source);
   void forgetAll();
-  void store(Source& source, const Twist2& command, const Instant& now);
+  void store(Source& source, const Twist2& command, bool hold, const Instant& now);
   bool alive(const Source& source, Time now) const;
   bool claims(const Source& source, Time now) const;
   Decision decide(Time now) const;

@@ -29,12 +29,12 @@ class ArbiterModel {
     last_ros_ = now.ros;
     moved_ = now.steady;
   }
-  void message(std::size_t source, const Twist2& twist, const Instant& now) {
+  void message(std::size_t source, const Twist2& twist, bool hold, const Instant& now) {
     timePasses(now);
     Source& s = sources_[source];
     const bool finite = std::isfinite(twist.linear) && std::isfinite(twist.angular);
     if (finite && (twist.linear != 0.0 || twist.angular != 0.0)) s.moved_at = now.steady;
-    if (finite && s.enabled && !standing_) s.history.push_back({twist, now.ros});
+    if (finite && s.enabled && !standing_) s.history.push_back({twist, hold, now.ros});
     if (!finite) s.history.clear();
   }
   void enable(std::size_t source, bool on, const Instant& now) {
@@ -79,6 +79,7 @@ class ArbiterModel {
  private:
   struct Message {
     Twist2 twist;
+    bool hold;
     Time at;
   };
   struct Source {
@@ -100,7 +101,8 @@ class ArbiterModel {
     const std::optional<Twist2> twist = fresh(source, now);
     if (!twist) return false;
     const bool zero = twist->linear == 0.0 && twist->angular == 0.0;
-    return !(zero && parameters_.sources[source].zero_means_idle);
+    const bool idles = zero && !sources_[source].history.back().hold;
+    return !(idles && parameters_.sources[source].zero_means_idle);
   }
   int topClaimant(Time now) const {
     int best = -1;

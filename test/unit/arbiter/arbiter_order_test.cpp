@@ -86,6 +86,14 @@ TEST_F(ArbiterTest, WhenAvoidFallsIdleTheNextSourceHasTheWheelsAtOnce_ARB_3) {
   EXPECT_EQ(send("avoid", 0.0), (Twist2{0.2, 0.0})) << "[ARB-3]";
 }
 
+// [ARB-3] [AVO-5]
+TEST_F(ArbiterTest, AHoldOfAvoidClaimsTheWheelsAlthoughItIsZero_ARB_3) {
+  send("nav", 0.2);
+  EXPECT_EQ(arbiter.onCommand(*arbiter.find("avoid"), {}, now, true), Twist2{});
+  EXPECT_EQ(send("nav", 0.2), std::nullopt) << "a fault of the avoider holds the robot [AVO-5]";
+  EXPECT_EQ(arbiter.status(now).active_source, "avoid");
+}
+
 // [ARB-3]
 TEST_F(ArbiterTest, AZeroOfAnyOtherSourceHoldsTheWheels_ARB_3) {
   for (const char* name : {"nav", "patrol", "behavior"}) {

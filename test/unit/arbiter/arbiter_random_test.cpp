@@ -76,8 +76,9 @@ class RandomDrive {
   void message() {
     const std::size_t source = anySource();
     const Twist2 twist{anyNumber(), anyNumber()};
-    const auto out = arbiter_.onCommand(source, twist, now_);
-    model_.message(source, twist, now_);
+    const bool hold = pick(4) == 0;
+    const auto out = arbiter_.onCommand(source, twist, now_, hold);
+    model_.message(source, twist, hold, now_);
     int driver = -1;
     const Twist2 expected = model_.wheels(now_.ros, &driver);
     if (driver == static_cast<int>(source) && !out) fail("the winner's message was not forwarded [ARB-2]");

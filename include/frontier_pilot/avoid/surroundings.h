@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/avoid/parameters.h"
+#include "frontier_pilot/core/laser_scan.h"
+
+namespace frontier_pilot {
+
+/// What one scan says around the base: distances from the base's centre [m]; infinite where nothing is in range.
+struct Surroundings {
+  static constexpr double kNothing = std::numeric_limits<double>::infinity();
+
+  double front_left = kNothing;
+  double front_right = kNothing;
+  double rear = kNothing;        ///< in the rear sector, or in the lane behind the body
+  double lane_left = kNothing;   ///< in the lane ahead of the body but beside the sectors, on the left
+  double lane_right = kNothing;  ///< the same on the right
+  std::string fault;             ///< why the scan cannot be trusted; empty: it can
+
+  /// The smaller of the two sector minima. [AVO-1]
+  double obstacleDistance() const { return std::min(front_left, front_right); }
+  double lane() const { return std::min(lane_left, lane_right); }
+};
+
+/// Reads scans by sectors of the base frame, wherever and however the scanner is mounted. [AVO-1] [AVO-2] [AVO-5]
+class SectorReader {
+ public:
+  explicit SectorReader(const AvoiderParameters& parameters);
+
+  Surroundings read(const LaserScan2& scan);
+
+ private:
+  /// A sector as its two border directions, so that no angle ever wraps.
+  struct Borders {
+    Vec2 from, to;
+    bool contains(const Vec2& point) const;
+  };
+  static Borders bordersOf(const Sector& sector);
+  const std::vector<Vec2>& directionsOf(const LaserScan2& scan);
+  void add(const Vec2& point, Surroundings& around) const;
+  std::string judge(const LaserScan2& scan);
+
+  AvoiderParameters parameters_;
+  Borders front_left_, front_right_, rear_;
+  LaserScan2 layout_;             ///< of the scan that `directions_` belong to, without ranges
+  std::vector<Vec2> directions_;  ///< of the beams, in the base frame
+};
+
+}  // namespace frontier_pilot

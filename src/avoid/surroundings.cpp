@@ -1,0 +1,110 @@
+#include "frontier_pilot/avoid/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+/// A beam on the border of two sectors belongs to both, also after rounding to single precision.
+constexpr double kBorderTolerance = 1e-4;  // [rad]
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+bool sameLayout(const LaserScan2& a, const LaserScan2& b) {
+  return a.angle_min == b.angle_min && a.angle_increment == b.angle_increment && a.T_base_sensor == b.T_base_sensor;
+}
+
+const char* malformation(const LaserScan2& scan) {
+  if (scan.ranges.empty()) return "empty scan";
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) || scan.angle_increment == 0.0) {
+    return "malformed scan: angles";
+  }
+  if (!(scan.range_min >= 0.0) || !(scan.range_max > scan.range_min)) return "malformed scan: range limits";
+  if (!scan.T_base_sensor.isFinite()) return "malformed scan: mount";
+  return nullptr;
+}
+
+std::size_t countInvalid(const LaserScan2& scan) {
+  std::size_t invalid = 0;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (readBeam(scan, i).kind == RangeKind::kInvalid) ++invalid;
+  }
+  return invalid;
+}
+
+}  // namespace
+
+SectorReader::SectorReader(const AvoiderParameters& parameters)
+    : parameters_(parameters),
+      front_left_(bordersOf(parameters.front_left)),
+      front_right_(bordersOf(parameters.front_right)),
+      rear_(bordersOf(parameters.rear)) {}
+
+SectorReader::Borders SectorReader::bordersOf(const Sector& sector) {
+  return {direction(sector.from - kBorderTolerance), direction(sector.to + kBorderTolerance)};
+}
+
+bool SectorReader::Borders::contains(const Vec2& point) const {
+  return cross(from, point) >= 0.0 && cross(point, to) >= 0.0;
+}
+
+const std::vector<Vec2>& SectorReader::directionsOf(const LaserScan2& scan) {
+  if (directions_.size() == scan.ranges.size() && sameLayout(scan, layout_)) return directions_;
+  layout_.angle_min = scan.angle_min;
+  layout_.angle_increment = scan.angle_increment;
+  layout_.T_base_sensor = scan.T_base_sensor;
+  directions_.clear();
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    directions_.push_back(direction(scan.T_base_sensor.yaw + scan.angle(i)));
+  }
+  return directions_;
+}
+
+Surroundings SectorReader::read(const LaserScan2& scan) {
+  Surroundings around;
+  around.fault = judge(scan);
+  if (!around.fault.empty()) return around;
+  const std::vector<Vec2>& directions = directionsOf(scan);
+  const Vec2 sensor = scan.T_base_sensor.position();
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const RangeReading reading = readBeam(scan, i);
+    if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
+    add(sensor + reading.distance * directions[i], around);
+  }
+  return around;
+}
+
+void SectorReader::add(const Vec2& point, Surroundings& around) const {
+  const double distance = point.norm();
+  const bool left = front_left_.contains(point);
+  const bool right = front_right_.contains(point);
+  const bool in_lane = std::abs(point.y()) < parameters_.guard_half_width;
+  if (left) around.front_left = std::min(around.front_left, distance);
+  if (right) around.front_right = std::min(around.front_right, distance);
+  if (rear_.contains(point) || (in_lane && point.x() < 0.0)) around.rear = std::min(around.rear, distance);
+  if (left || right || !in_lane || point.x() <= 0.0) return;
+  double& lane = point.y() > 0.0 ? around.lane_left : around.lane_right;
+  lane = std::min(lane, distance);
+}
+
+std::string SectorReader::judge(const LaserScan2& scan) {
+  if (const char* problem = malformation(scan)) return problem;
+  const std::size_t beams = scan.ranges.size();
+  const std::size_t invalid = countInvalid(scan);
+  if (static_cast<double>(invalid) > parameters_.max_invalid_share * static_cast<double>(beams)) {
+    return std::to_string(invalid) + " of " + std::to_string(beams) + " beams are invalid";
+  }
+  const std::vector<Vec2>& directions = directionsOf(scan);
+  bool sees_left = false, sees_right = false;
+  for (std::size_t i = 0; i < beams && !(sees_left && sees_right); ++i) {
+    if (readBeam(scan, i).kind == RangeKind::kInvalid) continue;
+    sees_left = sees_left || front_left_.contains(directions[i]);
+    sees_right = sees_right || front_right_.contains(directions[i]);
+  }
+  if (!sees_left) return "no valid beam looks ahead on the left";
+  if (!sees_right) return "no valid beam looks ahead on the right";
+  return {};
+}
+
+}  // namespace frontier_pilot
