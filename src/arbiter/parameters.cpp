@@ -6,8 +6,8 @@
 namespace frontier_pilot {
 namespace {
 
-ArbiterSource builtIn(const char* name, int priority) {
-  ArbiterSource source;
+SourceParameters builtIn(const char* name, int priority) {
+  SourceParameters source;
   source.name = name;
   source.topic = std::string("cmd_vel_") + name;
   source.priority = priority;
@@ -21,7 +21,7 @@ bool isPlainName(const std::string& name) {
          std::all_of(name.begin(), name.end(), plain);
 }
 
-void checkOne(const ArbiterSource& source, const std::string& key, Problems& problems) {
+void checkOne(const SourceParameters& source, const std::string& key, Problems& problems) {
   if (!isPlainName(source.name)) problems.push_back(key + "/name: must be a word of letters, digits and _");
   if (source.name == "obstacle_avoid" || source.name == "exploration") {
     problems.push_back(key + "/name: set_" + source.name + "_enabled is the service of another node");
@@ -32,7 +32,7 @@ void checkOne(const ArbiterSource& source, const std::string& key, Problems& pro
   }
 }
 
-void checkPair(const ArbiterSource& a, const ArbiterSource& b, const std::string& key, Problems& problems) {
+void checkPair(const SourceParameters& a, const SourceParameters& b, const std::string& key, Problems& problems) {
   if (a.name == b.name) problems.push_back(key + "/name: there are two sources '" + a.name + "'");
   if (a.topic == b.topic) problems.push_back(key + "/topic: '" + a.topic + "' belongs to '" + a.name + "' already");
   if (a.priority == b.priority) {
@@ -43,16 +43,16 @@ void checkPair(const ArbiterSource& a, const ArbiterSource& b, const std::string
 
 }  // namespace
 
-std::vector<ArbiterSource> builtInSources() {
-  std::vector<ArbiterSource> sources = {builtIn("avoid", 100), builtIn("behavior", 90), builtIn("patrol", 80),
-                                        builtIn("nav", 60), builtIn("manual", 40)};
+std::vector<SourceParameters> builtInSources() {
+  std::vector<SourceParameters> sources = {builtIn("avoid", 100), builtIn("behavior", 90), builtIn("patrol", 80),
+                                           builtIn("nav", 60), builtIn("manual", 40)};
   sources.front().zero_means_idle = true;
   return sources;
 }
 
-void ArbiterSource::startFromBuiltIn() {
+void SourceParameters::startFromBuiltIn() {
   if (!topic.empty()) return;
-  for (const ArbiterSource& source : builtInSources()) {
+  for (const SourceParameters& source : builtInSources()) {
     if (source.name == name) *this = source;
   }
 }

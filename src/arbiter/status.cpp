@@ -13,7 +13,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string whoDrives(const ArbiterStatus& status) {
+std::string whoDrives(const ArbiterSnapshot& status) {
   switch (status.state) {
     case ArbiterState::kEmergencyStop:
       return "emergency stop: " + status.stop_cause;
@@ -39,7 +39,7 @@ const char* toString(SourceState state) {
   return kNames[static_cast<int>(state)];
 }
 
-std::string summarize(const ArbiterStatus& status) {
+std::string summarize(const ArbiterSnapshot& status) {
   std::string text = whoDrives(status);
   if (!status.missing_sources.empty()) {
     text += "; " + joined(status.missing_sources) + " is required but silent: no forward motion below it";
@@ -67,7 +67,7 @@ SourceState Arbiter::stateOf(const Source& source, const Decision& decision, Tim
 }
 
 SourceStatus Arbiter::statusOf(const Source& source, const Decision& decision, Time now) const {
-  const ArbiterSource& settings = config(source);
+  const SourceParameters& settings = config(source);
   SourceStatus status;
   status.name = settings.name;
   status.topic = settings.topic;
@@ -81,9 +81,9 @@ SourceStatus Arbiter::statusOf(const Source& source, const Decision& decision, T
   return status;
 }
 
-ArbiterStatus Arbiter::status(const Instant& now) const {
+ArbiterSnapshot Arbiter::status(const Instant& now) const {
   const Decision decision = decide(now.ros);
-  ArbiterStatus status;
+  ArbiterSnapshot status;
   status.state = decision.state;
   if (decision.winner != nullptr) status.active_source = config(*decision.winner).name;
   status.stop_cause = stop_cause_;

@@ -170,8 +170,8 @@ std::optional<AvoiderCommand> Avoider::putOut() {
   return next;
 }
 
-AvoiderStatus Avoider::status(Time now) const {
-  AvoiderStatus status;
+AvoiderSnapshot Avoider::status(Time now) const {
+  AvoiderSnapshot status;
   status.state = state_;
   status.reason = reason_;
   status.around = around_;

@@ -51,7 +51,7 @@ class Arbiter {
   const std::string& stopCause() const { return stop_cause_; }
   const ArbiterParameters& parameters() const { return parameters_; }
   std::optional<std::size_t> find(const std::string& source) const;
-  ArbiterStatus status(const Instant& now) const;
+  ArbiterSnapshot status(const Instant& now) const;
 
  private:
   struct Source {
@@ -74,7 +74,7 @@ class Arbiter {
     Twist2 command;
   };
 
-  const ArbiterSource& config(const Source& source) const { return parameters_.sources[source.config]; }
+  const SourceParameters& config(const Source& source) const { return parameters_.sources[source.config]; }
   Source& at(std::size_t source);
   void observe(const Instant& now);
   static void forget(Source& source);

@@ -11,7 +11,7 @@ namespace frontier_pilot {
 
 /// One source of velocity commands. An entry of a configuration that bears a built-in name starts from the built-in
 /// source, so that `{name: avoid, required: true}` changes one thing.
-struct ArbiterSource {
+struct SourceParameters {
   std::string name;
   std::string topic;
   int priority = 0;
@@ -38,11 +38,11 @@ struct ArbiterSource {
 };
 
 /// avoid > behavior > patrol > nav > manual. [ARB-1]
-std::vector<ArbiterSource> builtInSources();
+std::vector<SourceParameters> builtInSources();
 
 /// What the arbiter is configured with.
 struct ArbiterParameters {
-  std::vector<ArbiterSource> sources = builtInSources();
+  std::vector<SourceParameters> sources = builtInSources();
   RobotLimits limits;
   double clear_quiet_time = 0.5;
   double clock_stall_time = 0.5;

@@ -38,7 +38,7 @@ struct SourceStatus {
 };
 
 /// Everything an operator may ask.
-struct ArbiterStatus {
+struct ArbiterSnapshot {
   ArbiterState state = ArbiterState::kIdle;
   std::string active_source;                 ///< empty: nobody
   std::string stop_cause;                    ///< empty: not stopped
@@ -48,6 +48,6 @@ struct ArbiterStatus {
 };
 
 /// One sentence: who drives, and if nobody does, why.
-std::string summarize(const ArbiterStatus& status);
+std::string summarize(const ArbiterSnapshot& status);
 
 }  // namespace frontier_pilot

@@ -30,7 +30,7 @@ inline bool operator==(const AvoiderCommand& a, const AvoiderCommand& b) {
   return a.twist == b.twist && a.hold == b.hold;
 }
 
-struct AvoiderStatus {
+struct AvoiderSnapshot {
   AvoiderState state = AvoiderState::kWaiting;
   std::string reason;
   Surroundings around;
@@ -63,7 +63,7 @@ class Avoider {
 
   bool enabled() const { return state_ != AvoiderState::kIdle; }
   AvoiderState state() const { return state_; }
-  AvoiderStatus status(Time now) const;
+  AvoiderSnapshot status(Time now) const;
 
  private:
   void observe(Time now);

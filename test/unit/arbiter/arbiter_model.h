@@ -116,7 +116,7 @@ class ArbiterModel {
   bool someoneRequiredIsSilentAbove(int winner, Time now) const {
     const int priority = parameters_.sources[static_cast<std::size_t>(winner)].priority;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
-      const ArbiterSource& p = parameters_.sources[i];
+      const SourceParameters& p = parameters_.sources[i];
       if (p.required && p.priority > priority && sources_[i].enabled && !fresh(i, now)) return true;
     }
     return false;

@@ -23,7 +23,7 @@ TEST(ArbiterParameters, DefaultsAreTheFiveSourcesOfTheInterface_ARB_1) {
   parameters.check(problems);
   EXPECT_TRUE(problems.empty());
   ASSERT_EQ(parameters.sources.size(), 5U) << "[ARB-1]";
-  for (const ArbiterSource& source : parameters.sources) {
+  for (const SourceParameters& source : parameters.sources) {
     EXPECT_EQ(source.topic, "cmd_vel_" + source.name);
     EXPECT_EQ(source.timeout, 1.0) << "[ARB-1]";
     EXPECT_TRUE(source.enabled);
