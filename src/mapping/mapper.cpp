@@ -30,17 +30,21 @@ Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<PoseCorrectio
       inserter_(parameters.insertion),
       correction_(correction ? std::move(correction) : std::make_unique<TrustOdometry>()) {}
 
-ScanVerdict Mapper::insert(const LaserScan2& scan, const Pose2& T_odom_base, Time now) {
+ScanVerdict Mapper::insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   const ScanVerdict verdict = decide(scan, T_odom_base, now);
   counts_.add(verdict);
   return verdict;
 }
 
-ScanVerdict Mapper::decide(const LaserScan2& scan, const Pose2& T_odom_base, Time now) {
+ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   if (const auto wrong = checkStamp(scan.stamp, now)) return *wrong;
   if (!isWellFormed(scan)) return ScanVerdict::kMalformed;
-  if (!T_odom_base.isFinite()) return ScanVerdict::kNoOdometry;
-  if (!hasMoved(scan, T_odom_base)) return ScanVerdict::kNotMoved;
+  if (!T_odom_base || !T_odom_base->isFinite()) return ScanVerdict::kNoOdometry;
+  if (!hasMoved(scan, *T_odom_base)) return ScanVerdict::kNotMoved;
+  return integrate(scan, *T_odom_base);
+}
+
+ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) {
   const Pose2 T_map_odom = correction_->correct(scan, T_odom_base, map_);
   const ScanVerdict verdict = verdictOf(inserter_.insert(scan, T_map_odom * T_odom_base, map_));
   if (verdict == ScanVerdict::kInserted) {

@@ -40,8 +40,8 @@ class Mapper {
   /// Without a corrector odometry is taken for the truth.
   explicit Mapper(const MapperParameters& parameters = {}, std::unique_ptr<PoseCorrection> correction = nullptr);
 
-  /// Puts `scan`, taken at `T_odom_base`, into the map, or says why not.
-  ScanVerdict insert(const LaserScan2& scan, const Pose2& T_odom_base, Time now);
+  /// Puts `scan`, taken at `T_odom_base`, into the map, or says why not; no pose: there is no odometry for its stamp.
+  ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
   /// Counts a scan that could not even be offered.
   void reject(ScanVerdict verdict) { counts_.add(verdict); }
 
@@ -63,7 +63,8 @@ class Mapper {
     Pose2 T_odom_base;
   };
 
-  ScanVerdict decide(const LaserScan2& scan, const Pose2& T_odom_base, Time now);
+  ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
+  ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
   std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
   bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
 

@@ -28,6 +28,7 @@ class OctreeLayer {
   void forEach(const std::function<void(Cell, float)>& visit) const;
   void clear();
 
+  /// The number of known cells. Walks the tree, as `memory` does.
   std::size_t leafCount() const;
   /// What the nodes take [bytes].
   std::size_t memory() const;

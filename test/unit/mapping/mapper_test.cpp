@@ -20,11 +20,11 @@ LaserScan2 ring(double seconds, float range = 1.0F) {
 
 class MapperTest : public ::testing::Test {
  protected:
-  ScanVerdict insert(const LaserScan2& scan, const Pose2& T_odom_base = Pose2()) {
+  ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base = Pose2()) {
     return mapper.insert(scan, T_odom_base, scan.stamp);
   }
   /// Expects that `scan` is dropped for `reason`, is counted, and changes nothing.
-  void expectDrop(const LaserScan2& scan, const Pose2& pose, double now, ScanVerdict reason) {
+  void expectDrop(const LaserScan2& scan, const std::optional<Pose2>& pose, double now, ScanVerdict reason) {
     const auto before = mapper.grid().cells();
     const auto count = mapper.counts()[reason];
     EXPECT_EQ(mapper.insert(scan, pose, timeFromSeconds(now)), reason) << toString(reason);
@@ -76,10 +76,11 @@ TEST_F(MapperTest, DropsAndCountsScansThatSayNothingOrCannotBePlaced_MAP_4) {
   ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
   expectDrop(ring(2.0, std::nanf("")), Pose2(1.0, 0.0, 0.0), 2.0, ScanVerdict::kAllInvalid);
   expectDrop(ring(2.0), Pose2(std::nan(""), 0.0, 0.0), 2.0, ScanVerdict::kNoOdometry);
+  expectDrop(ring(2.0), std::nullopt, 2.0, ScanVerdict::kNoOdometry);
   expectDrop(ring(2.0), Pose2(1e5, 0.0, 0.0), 2.0, ScanVerdict::kOutOfBounds);
   mapper.reject(ScanVerdict::kWrongFrame);
   EXPECT_EQ(mapper.counts()[ScanVerdict::kWrongFrame], 1U);
-  EXPECT_EQ(mapper.counts().dropped(), 4U);
+  EXPECT_EQ(mapper.counts().dropped(), 5U);
   EXPECT_EQ(insert(ring(2.0), Pose2(1.0, 0.0, 0.0)), ScanVerdict::kInserted) << "and the next good one goes in";
 }
 
