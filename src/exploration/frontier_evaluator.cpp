@@ -27,7 +27,9 @@ int countNear(const std::vector<Vec2>& points, const Vec2& centre, double radius
 }  // namespace
 
 FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters)
-    : parameters_(parameters), space_(parameters.inscribed_radius) {}
+    : parameters_(parameters),
+      space_(parameters.inscribed_radius, KeepClearOf::kObstaclesAndUnknown),
+      tight_space_(parameters.inscribed_radius) {}
 
 bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed) {
   const bool is_new = map.geometry() != map_.geometry() || map_.empty();
@@ -40,18 +42,35 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   if (differing.empty() && !is_new) return false;
   search_.update(map_.grid(), differing);
   space_.update(map_.grid(), differing);
+  tight_changes_.include(differing);
   return !differing.empty();
 }
 
+/// Ways that keep clear of unknown ground come first: a gap whose sides have yet to be seen may prove too narrow when
+/// the robot is in it. Only when nothing else is left such ways count.
 const std::vector<Frontier>& FrontierEvaluator::evaluate(const Context& context) {
   frontiers_.clear();
   if (map_.empty()) return frontiers_;
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
-  travel_.compute(space_, map_.grid(), map_.geometry().cellAt(context.robot), parameters_.escape_radius);
-  frontiers_.reserve(clusters_.clusters.size());
-  for (const FrontierCluster& cluster : clusters_.clusters) frontiers_.push_back(judge(cluster, context));
+  if (judgeAll(space_, context)) return frontiers_;
+  tight_space_.update(map_.grid(), tight_changes_);
+  tight_changes_ = {};
+  judgeAll(tight_space_, context);
   return frontiers_;
+}
+
+/// Gives whether any frontier can be selected.
+bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Context& context) {
+  travel_.compute(space, map_.grid(), map_.geometry().cellAt(context.robot), parameters_.escape_radius);
+  frontiers_.clear();
+  frontiers_.reserve(clusters_.clusters.size());
+  bool any = false;
+  for (const FrontierCluster& cluster : clusters_.clusters) {
+    frontiers_.push_back(judge(cluster, context));
+    any = any || frontiers_.back().selectable();
+  }
+  return any;
 }
 
 Frontier FrontierEvaluator::judge(const FrontierCluster& cluster, const Context& context) {

@@ -27,14 +27,17 @@ void widen(Row& row, Row& scratch) {
   }
 }
 
-/// Writes 0xFF where cells [0, n) of `from` are occupied, after one cell of margin; gives whether there are any.
-bool readOccupied(const std::int8_t* from, int n, Row& row) {
+/// Writes 0xFF where cells [0, n) of `from` are obstacles, after one cell of margin; gives whether there are any.
+bool readObstacles(const std::int8_t* from, int n, KeepClearOf obstacles, Row& row) {
   row.assign(static_cast<std::size_t>(n) + 2, 0);
+  // Unknown cells are negative: as unsigned bytes they are the large ones.
+  const std::uint8_t top = obstacles == KeepClearOf::kObstacles ? 127 : 255;
   std::uint8_t any = 0;
   std::uint8_t* out = row.data() + 1;
   for (int i = 0; i < n; ++i) {
-    out[i] = from[i] >= 50 ? 0xFF : 0;
-    any |= out[i];
+    const auto value = static_cast<std::uint8_t>(from[i]);
+    out[i] = static_cast<std::uint8_t>(-(static_cast<int>(value >= 50) & static_cast<int>(value <= top)));
+    any = static_cast<std::uint8_t>(any | out[i]);
   }
   return any != 0;
 }
@@ -65,7 +68,7 @@ void TraversableSpace::markNearObstacles(const OccupancyGrid& map, const CellRec
   for (int y = window.y; y < window.y + window.height; ++y) std::fill_n(passable_.row(y) + window.x, width, 0);
   Row row, scratch;
   for (int y = source.y; y < source.y + source.height; ++y) {
-    if (!readOccupied(map.row(y) + source.x, source.width, row)) continue;
+    if (!readObstacles(map.row(y) + source.x, source.width, obstacles_, row)) continue;
     int width_now = 0;
     for (int dy = margin - 1; dy >= 0; --dy) {  // the disc is narrowest at its far rows
       const int wanted = half_widths_[static_cast<std::size_t>(dy)];

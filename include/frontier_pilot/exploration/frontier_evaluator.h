@@ -64,6 +64,7 @@ class FrontierEvaluator {
     ViewGain gain;
   };
 
+  bool judgeAll(const TraversableSpace& space, const Context& context);
   Frontier judge(const FrontierCluster& cluster, const Context& context);
   GoalCell findGoal(const FrontierCluster& cluster, Cell anchor) const;
   GoalCell findGoalFor(Cell target) const;
@@ -76,7 +77,9 @@ class FrontierEvaluator {
   PlanFn plan_;
   ObservedMap map_;
   FrontierSearch search_;
-  TraversableSpace space_;
+  TraversableSpace space_;        ///< clear of unknown cells
+  TraversableSpace tight_space_;  ///< clear of obstacles only; brought up to date when it is needed
+  CellRect tight_changes_;        ///< what it has not heard of
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;

@@ -8,12 +8,19 @@
 
 namespace frontier_pilot {
 
-/// Where the robot's centre may be: known free cells at least `clearance` away from every occupied one (centre to
-/// centre). Unknown cells are not traversable, but take no room away. Kept up to date by changed blocks.
+/// What a TraversableSpace keeps clear of.
+enum class KeepClearOf {
+  kObstacles,            ///< unknown cells are not traversable, but take no room away
+  kObstaclesAndUnknown,  ///< nothing that has yet to be seen can turn out to be in the way, nor close behind the robot
+};
+
+/// Where the robot's centre may be: known free cells at least `clearance` away from what it keeps clear of (centre to
+/// centre). Kept up to date by changed blocks.
 class TraversableSpace {
  public:
   /// `clearance` [m] >= 0, the inscribed radius of the footprint.
-  explicit TraversableSpace(double clearance) : clearance_(clearance) {}
+  explicit TraversableSpace(double clearance, KeepClearOf obstacles = KeepClearOf::kObstacles)
+      : clearance_(clearance), obstacles_(obstacles) {}
 
   /// Works out again what a change of `map` within `changed` can reach; all of it when the geometry is a new one.
   void update(const OccupancyGrid& map, const CellRect& changed);
@@ -30,6 +37,7 @@ class TraversableSpace {
   void linkNeighbours(const CellRect& window);
 
   double clearance_;
+  KeepClearOf obstacles_;
   std::vector<int> half_widths_;  ///< of the disc that an obstacle blocks, by the row's distance from its centre
   Grid<std::uint8_t> passable_;   ///< 0xFF or 0
   Grid<std::uint8_t> neighbours_;
