@@ -40,7 +40,7 @@ class MapMirror {
   OccupancyGrid map_;
   CellRect changed_;
   Time stamp_{};
-  Rejections rejections_{"map"};
+  Rejections rejections_{"map message"};
   ros::Subscriber map_subscriber_;
   ros::Subscriber update_subscriber_;
 };

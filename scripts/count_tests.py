@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""Counts the test cases in a folder of JUnit XML files.
+
+Prints "PASSED FAILED" and then the name of each failed one. A file that cannot be read counts as a failure: its test
+died before it could write.
+"""
+import pathlib
+import sys
+import xml.etree.ElementTree as xml
+
+
+def cases(path):
+    """(name, failed, skipped) of each test case."""
+    for case in xml.parse(path).getroot().iter('testcase'):
+        failed = any(case.find(kind) is not None for kind in ('failure', 'error'))
+        skipped = case.find('skipped') is not None or case.get('status') == 'notrun'
+        yield '%s.%s' % (case.get('classname', path.stem), case.get('name')), failed, skipped
+
+
+def main():
+    passed, failed = 0, []
+    for path in sorted(pathlib.Path(sys.argv[1]).rglob('*.xml')):
+        # rostest repeats in its own file what each of its tests wrote into another.
+        try:
+            found = list(cases(path))
+        except xml.ParseError:
+            failed.append('%s: not readable' % path.name)
+            continue
+        failed += [name for name, bad, _ in found if bad]
+        passed += sum(not bad and not skipped for _, bad, skipped in found)
+    print(passed, len(failed))
+    print('\n'.join(failed))
+
+
+if __name__ == '__main__':
+    main()
