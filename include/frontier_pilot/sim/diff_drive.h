@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/time.h"
+
+namespace frontier_pilot::sim {
+
+/// The wheels of a differential drive: follows commands within its limits, and stops when they cease. [SIM-1]
+class DiffDrive {
+ public:
+  DiffDrive(const RobotLimits& limits, Duration command_timeout) : limits_(limits), timeout_(command_timeout) {}
+
+  /// `twist` must be finite; it holds until the next one, at most for the command timeout.
+  void command(const Twist2& twist, Time now);
+  /// The velocity to hold for the next `seconds` [s] from `now` on.
+  const Twist2& update(Time now, double seconds);
+  const Twist2& velocity() const { return velocity_; }
+  /// Contact took the way: the wheels stand, and have to accelerate anew.
+  void block() { velocity_.linear = 0.0; }
+  /// Stands still and waits for a new command.
+  void stop();
+
+ private:
+  struct Command {
+    Twist2 twist;
+    Time stamp;
+  };
+
+  RobotLimits limits_;
+  Duration timeout_;
+  std::optional<Command> command_;
+  Twist2 velocity_;
+};
+
+}  // namespace frontier_pilot::sim

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frontier_pilot/core/grid.h"
+
+namespace frontier_pilot::sim {
+
+/// A round thing that can be seen and bumped into.
+struct Disc {
+  Vec2 centre = Vec2::Zero();  ///< [m], in the world's frame
+  double radius = 0.0;         ///< [m]
+};
+
+/// Discs in square bins, so that asking for those near a point costs what lies there, not how many there are.
+class DiscIndex {
+ public:
+  using Id = std::uint32_t;
+
+  DiscIndex() = default;
+  /// Covers the area of `geometry`; discs outside of it are filed at its border.
+  explicit DiscIndex(const GridGeometry& geometry);
+
+  Id add(const Disc& disc);
+  void move(Id id, const Vec2& centre);
+  void remove(Id id);
+  const Disc& operator[](Id id) const { return discs_[id]; }
+
+  /// Calls `visit(Id, const Disc&)` for every disc that may reach within `radius` [m] of `point`, and some beyond;
+  /// a disc that lies in several bins may be given several times.
+  template <class Visit>
+  void visitNear(const Vec2& point, double radius, Visit&& visit) const {
+    const CellRect bins = binsAround(point, radius);
+    for (int y = bins.y; y < bins.y + bins.height; ++y) {
+      for (int x = bins.x; x < bins.x + bins.width; ++x) {
+        for (const Id id : bins_[Cell{x, y}]) visit(id, discs_[id]);
+      }
+    }
+  }
+
+ private:
+  CellRect binsAround(const Vec2& point, double radius) const;
+  void file(Id id);
+  void unfile(Id id);
+
+  Grid<std::vector<Id>> bins_;
+  std::vector<Disc> discs_;
+  std::vector<Id> unused_;
+};
+
+}  // namespace frontier_pilot::sim

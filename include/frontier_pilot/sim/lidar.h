@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/sim/disc_index.h"
+#include "frontier_pilot/sim/parameters.h"
+#include "frontier_pilot/sim/random.h"
+
+namespace frontier_pilot::sim {
+
+/// A scanner's optics: exact ranges to the walls and to the discs around. [SIM-2]
+/// Walls cost the same however many discs there are, and a disc only costs the beams that point at it.
+class Lidar {
+ public:
+  explicit Lidar(const LidarParameters& parameters);
+
+  const LidarParameters& parameters() const { return parameters_; }
+
+  /// Fills `scan` as seen from a base at `T_world_base`, `own` being the base itself. As REP 117 wants it: +inf is no
+  /// return, -inf nearer than `range_min`, NaN a drop-out.
+  void scan(const Pose2& T_world_base, const RayCaster& walls, const DiscIndex& discs, std::optional<DiscIndex::Id> own,
+            Random& random, LaserScan2& scan);
+
+ private:
+  void turnBeams(double yaw);
+  void meetDisc(const Vec2& centre, double radius, double yaw);
+  void meetDisc(const Vec2& centre, double radius, double first_angle, double last_angle);
+  float reading(double range, Random& random) const;
+
+  LidarParameters parameters_;
+  double increment_;          ///< [rad]
+  std::vector<Vec2> beams_;   ///< in the sensor's frame
+  std::vector<Vec2> turned_;  ///< in the world's frame
+  std::vector<double> ranges_;
+};
+
+}  // namespace frontier_pilot::sim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/sim/parameters.h"
+#include "frontier_pilot/sim/random.h"
+
+namespace frontier_pilot::sim {
+
+/// What the wheel encoders make of a motion: dead reckoning from zero at the start, with drift if wanted.
+class Odometry {
+ public:
+  Odometry(const OdometryParameters& parameters, bool noisy, const Random& random)
+      : parameters_(parameters), noisy_(noisy), random_(random) {}
+
+  /// The base drove an arc of `length` [m] (negative in reverse), turning by `turn` [rad], within `seconds` [s].
+  void move(double length, double turn, double seconds);
+  /// Zero again; the noise goes on.
+  void reset();
+
+  /// T_odom_base.
+  const Pose2& pose() const { return pose_; }
+  /// As driven, without noise.
+  const Twist2& twist() const { return twist_; }
+
+ private:
+  OdometryParameters parameters_;
+  bool noisy_;
+  Random random_;
+  Pose2 pose_;
+  Twist2 twist_;
+};
+
+}  // namespace frontier_pilot::sim

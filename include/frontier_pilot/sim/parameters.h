@@ -1,0 +1,123 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot.h"
+
+namespace frontier_pilot::sim {
+
+/// A planar scanner. Defaults: beams and mounting of the TurtleBot3 Burger's, range of a better one.
+struct LidarParameters {
+  double rate = 10.0;                ///< [Hz]
+  int beams = 360;                   ///< spread evenly over the field of view
+  double angle_min = 0.0;            ///< [rad], of the first beam, in the sensor's frame
+  double field_of_view = 2.0 * kPi;  ///< [rad]; a full turn has no beam twice
+  double range_min = 0.12;           ///< [m]
+  double range_max = 8.0;            ///< [m]
+  double noise_stddev = 0.01;        ///< [m]
+  double dropout = 0.0;              ///< share of the beams that say nothing
+  double mount_x = -0.032;           ///< [m], in the base frame
+  double mount_y = 0.0;              ///< [m]
+  double mount_yaw = 0.0;            ///< [rad]
+
+  Pose2 T_base_sensor() const { return {mount_x, mount_y, mount_yaw}; }
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("rate", rate, "Hz", "scans per second", between(0.1, 100.0));
+    v.field("beams", beams, "", "number of beams, spread evenly over the field of view", between(1, 100000));
+    v.field("angle_min", angle_min, "rad", "angle of the first beam in the sensor's frame",
+            between(-2.0 * kPi, 2.0 * kPi));
+    v.field("field_of_view", field_of_view, "rad", "angle that the beams cover", {0.0, 2.0 * kPi, true});
+    v.field("range_min", range_min, "m", "nearest distance it measures", atLeast(0.0));
+    v.field("range_max", range_max, "m", "farthest distance it measures", positive());
+    v.field("noise_stddev", noise_stddev, "m", "standard deviation of a range", atLeast(0.0));
+    v.field("dropout", dropout, "", "share of the beams that give no reading at all", between(0.0, 1.0));
+    v.field("mount_x", mount_x, "m", "where it sits on the base, forward", anyNumber());
+    v.field("mount_y", mount_y, "m", "where it sits on the base, left", anyNumber());
+    v.field("mount_yaw", mount_yaw, "rad", "which way it looks on the base", anyNumber());
+  }
+
+  void check(Problems& problems) const {
+    if (range_min >= range_max) problems.emplace_back("lidar/range_min: must be below lidar/range_max");
+  }
+};
+
+/// Odometry noise by the odometry motion model of Thrun, Burgard & Fox, "Probabilistic Robotics", 5.4, with AMCL's
+/// names. There the variance of one update is alpha times the square of its motion, so that the sum over a path
+/// depends on how often one updates. Here it grows with the motion itself and equals theirs for one metre or radian.
+struct OdometryParameters {
+  double alpha1 = 0.0005;  ///< [rad^2/rad]
+  double alpha2 = 0.0002;  ///< [rad^2/m]
+  double alpha3 = 0.0005;  ///< [m^2/m]
+  double alpha4 = 0.0001;  ///< [m^2/rad]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("alpha1", alpha1, "rad^2/rad", "variance of the yaw per radian turned", atLeast(0.0));
+    v.field("alpha2", alpha2, "rad^2/m", "variance of the yaw per metre driven", atLeast(0.0));
+    v.field("alpha3", alpha3, "m^2/m", "variance of the distance per metre driven", atLeast(0.0));
+    v.field("alpha4", alpha4, "m^2/rad", "variance of the distance per radian turned", atLeast(0.0));
+  }
+};
+
+/// One robot of several: its name (its namespace) and start pose in the world's frame.
+struct RobotSpec {
+  std::string name;
+  double x = 0.0;    ///< [m]
+  double y = 0.0;    ///< [m]
+  double yaw = 0.0;  ///< [rad]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("name", name, "", "namespace of the robot; empty for none");
+    v.field("x", x, "m", "start in the world's frame", anyNumber());
+    v.field("y", y, "m", "start in the world's frame", anyNumber());
+    v.field("yaw", yaw, "rad", "start in the world's frame", anyNumber());
+  }
+};
+
+/// Everything about a simulation. x, y and yaw are NaN unless given: the world's own start pose then holds.
+struct SimulatorParameters {
+  std::string world;
+  double x = std::numeric_limits<double>::quiet_NaN();    ///< [m]
+  double y = std::numeric_limits<double>::quiet_NaN();    ///< [m]
+  double yaw = std::numeric_limits<double>::quiet_NaN();  ///< [rad]
+  double speed = 1.0;
+  int seed = 1;
+  bool odom_noise = false;
+  double radius = 0.105;         ///< [m]
+  double command_timeout = 0.6;  ///< [s]
+  bool unknown_is_free = false;
+  RobotLimits limits;
+  LidarParameters lidar;
+  OdometryParameters odometry;
+  std::vector<RobotSpec> robots;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("world", world, "", "map_server YAML of the world; required");
+    v.field("x", x, "m", "start in the world's frame; not given: where the world file says", anyNumber());
+    v.field("y", y, "m", "start in the world's frame; not given: where the world file says", anyNumber());
+    v.field("yaw", yaw, "rad", "start in the world's frame; not given: where the world file says", anyNumber());
+    v.field("speed", speed, "", "simulated over real time; 0: as fast as it can", atLeast(0.0));
+    v.field("seed", seed, "", "of all noise; same seed and commands, same bytes", atLeast(0));
+    v.field("odom_noise", odom_noise, "", "whether the odometry drifts");
+    v.field("radius", radius, "m", "radius of the robots' footprint", positive());
+    v.field("command_timeout", command_timeout, "s", "a robot without a command for so long stops", positive());
+    v.field("unknown_is_free", unknown_is_free, "",
+            "whether unknown cells of the world can be driven and seen through");
+    v.group("limits", limits, "what the drives can do");
+    v.group("lidar", lidar, "the scanners");
+    v.group("odometry", odometry, "odometry noise");
+    v.list("robots", robots, "several robots, instead of one at x, y, yaw");
+  }
+
+  void check(Problems& problems) const;
+};
+
+}  // namespace frontier_pilot::sim

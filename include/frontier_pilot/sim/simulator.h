@@ -1,0 +1,127 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/sim/collision_map.h"
+#include "frontier_pilot/sim/diff_drive.h"
+#include "frontier_pilot/sim/disc_index.h"
+#include "frontier_pilot/sim/lidar.h"
+#include "frontier_pilot/sim/odometry.h"
+#include "frontier_pilot/sim/parameters.h"
+#include "frontier_pilot/sim/world_image.h"
+
+namespace frontier_pilot::sim {
+
+/// What became of a request to put something somewhere.
+enum class Placement {
+  kDone,
+  kUnknownRobot,
+  kUnknownObstacle,
+  kNameTaken,
+  kBadRadius,
+  kNotFinite,
+  kOutside,
+  kInWall,
+  kOnRobot,
+  kOnObstacle,
+};
+const char* toString(Placement placement);
+
+/// A kinematic world of round robots with scanners, in fixed steps of simulated time. Poses are in the world's frame.
+/// The same world, parameters and sequence of calls give the same bytes. [SIM-2]
+class Simulator {
+ public:
+  static constexpr Duration kStep = std::chrono::milliseconds(10);
+
+  /// Throws std::runtime_error where a robot starts outside of the world, in a wall or on another robot; the text says
+  /// where, and where the nearest free place is. [SIM-1]
+  Simulator(World world, const SimulatorParameters& parameters);
+
+  /// One step of 10 ms for everything.
+  void step();
+  /// Time since the start, beginning at zero.
+  Time now() const { return now_; }
+
+  const OccupancyGrid& map() const { return world_.map; }
+  std::size_t robotCount() const { return robots_.size(); }
+  const std::string& name(std::size_t robot) const { return robots_[robot].name; }
+  std::optional<std::size_t> find(const std::string& name) const;
+
+  /// `twist` must be finite. It holds for `command_timeout` at most.
+  void setCommand(std::size_t robot, const Twist2& twist) { robots_[robot].drive.command(twist, now_); }
+
+  const Pose2& startPose(std::size_t robot) const { return robots_[robot].start; }
+  /// The truth, T_world_base, and the velocity really driven in the last step.
+  const Pose2& pose(std::size_t robot) const { return robots_[robot].pose; }
+  const Twist2& velocity(std::size_t robot) const { return robots_[robot].odometry.twist(); }
+  /// T_odom_base by the wheels: zero at the start.
+  const Pose2& odometry(std::size_t robot) const { return robots_[robot].odometry.pose(); }
+  /// The scan measured at the end of the last step; nullptr if none was due.
+  const LaserScan2* newScan(std::size_t robot) const { return scanned_ ? &robots_[robot].scan : nullptr; }
+  /// Whether the footprint touches what it drove into. [SIM-3]
+  bool stalled(std::size_t robot) const { return robots_[robot].stalled; }
+  /// How often it came into contact.
+  int contactCount(std::size_t robot) const { return robots_[robot].contacts; }
+
+  /// Carries a robot somewhere else; its odometry does not notice.
+  Placement setPose(const std::string& robot, const Pose2& pose);
+  /// A round obstacle; it may reach into walls but not onto a robot.
+  Placement spawnObstacle(const std::string& name, const Pose2& pose, double radius);
+  Placement removeObstacle(const std::string& name);
+  /// Everyone back to the start, standing, odometry zero. Who finds that place taken by an obstacle stays where it is;
+  /// the names of those are returned.
+  std::vector<std::string> resetPositions();
+
+ private:
+  struct Robot {
+    std::string name;
+    Pose2 start;
+    Pose2 pose;
+    DiffDrive drive;
+    Odometry odometry;
+    Random lidar_noise;
+    DiscIndex::Id disc;
+    LaserScan2 scan;
+    bool stalled = false;
+    int contacts = 0;
+  };
+
+  void addRobot(const RobotSpec& spec, const SimulatorParameters& parameters);
+  Placement placeable(const Pose2& pose, std::optional<DiscIndex::Id> own) const;
+  void drive(Robot& robot);
+  double freeShare(const Robot& robot, const Twist2& arc) const;
+  bool blockedAt(const Vec2& centre, DiscIndex::Id own) const;
+  bool discWithin(const Vec2& centre, double reach, DiscIndex::Id own) const;
+  bool touches(const Robot& robot) const;
+  void put(Robot& robot, const Pose2& pose);
+  void scanAll();
+  std::vector<bool> whoMustStay() const;
+  bool startIsTaken(const Robot& robot, const std::vector<bool>& stays) const;
+
+  World world_;
+  double radius_;
+  CollisionMap walls_;
+  RayCaster rays_;
+  DiscIndex discs_;
+  Lidar lidar_;
+  Duration scan_period_;
+  Time now_;
+  Time next_scan_;
+  bool scanned_ = false;
+  std::vector<Robot> robots_;
+  std::vector<bool> is_robot_;  ///< by disc
+  std::map<std::string, DiscIndex::Id> obstacles_;
+};
+
+/// The robots that `parameters` ask for: the list, or the one at x, y, yaw, or where the world says.
+std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const World& world);
+
+}  // namespace frontier_pilot::sim

@@ -1,0 +1,74 @@
+#include "frontier_pilot/sim/disc_index.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frontier_pilot::sim {
+namespace {
+
+constexpr double kBinSize = 1.0;  // [m]: a robot is in one or two, a scan of 8 m asks about 300
+
+int bin(double metres, int count) {
+  return static_cast<int>(std::clamp(std::floor(metres / kBinSize), 0.0, count - 1.0));
+}
+
+int binsAlong(int cells, double resolution) {
+  return std::max(1, static_cast<int>(std::ceil(cells * resolution / kBinSize)));
+}
+
+}  // namespace
+
+DiscIndex::DiscIndex(const GridGeometry& geometry)
+    : bins_(GridGeometry{kBinSize, geometry.origin, binsAlong(geometry.width, geometry.resolution),
+                         binsAlong(geometry.height, geometry.resolution)}) {}
+
+CellRect DiscIndex::binsAround(const Vec2& point, double radius) const {
+  const Vec2 at = point - bins_.geometry().origin;
+  const Cell low{bin(at.x() - radius, bins_.width()), bin(at.y() - radius, bins_.height())};
+  const Cell high{bin(at.x() + radius, bins_.width()), bin(at.y() + radius, bins_.height())};
+  return {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1};
+}
+
+void DiscIndex::file(Id id) {
+  const CellRect bins = binsAround(discs_[id].centre, discs_[id].radius);
+  for (int y = bins.y; y < bins.y + bins.height; ++y) {
+    for (int x = bins.x; x < bins.x + bins.width; ++x) bins_[Cell{x, y}].push_back(id);
+  }
+}
+
+void DiscIndex::unfile(Id id) {
+  const CellRect bins = binsAround(discs_[id].centre, discs_[id].radius);
+  for (int y = bins.y; y < bins.y + bins.height; ++y) {
+    for (int x = bins.x; x < bins.x + bins.width; ++x) {
+      std::vector<Id>& ids = bins_[Cell{x, y}];
+      ids.erase(std::find(ids.begin(), ids.end(), id));
+    }
+  }
+}
+
+DiscIndex::Id DiscIndex::add(const Disc& disc) {
+  if (unused_.empty()) {
+    unused_.push_back(static_cast<Id>(discs_.size()));
+    discs_.emplace_back();
+  }
+  const Id id = unused_.back();
+  unused_.pop_back();
+  discs_[id] = disc;
+  file(id);
+  return id;
+}
+
+void DiscIndex::move(Id id, const Vec2& centre) {
+  Disc& disc = discs_[id];
+  const bool same_bins = binsAround(disc.centre, disc.radius) == binsAround(centre, disc.radius);
+  if (!same_bins) unfile(id);
+  disc.centre = centre;
+  if (!same_bins) file(id);
+}
+
+void DiscIndex::remove(Id id) {
+  unfile(id);
+  unused_.push_back(id);
+}
+
+}  // namespace frontier_pilot::sim

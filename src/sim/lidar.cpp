@@ -1,0 +1,86 @@
+#include "frontier_pilot/sim/lidar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frontier_pilot::sim {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kFullTurn = 2.0 * kPi - 1e-6;
+
+double incrementOf(const LidarParameters& p) {
+  const bool full_turn = p.field_of_view > kFullTurn;
+  return p.field_of_view / std::max(1, full_turn ? p.beams : p.beams - 1);
+}
+
+}  // namespace
+
+Lidar::Lidar(const LidarParameters& parameters) : parameters_(parameters), increment_(incrementOf(parameters)) {
+  for (int i = 0; i < parameters.beams; ++i) beams_.push_back(direction(parameters.angle_min + i * increment_));
+  turned_ = beams_;
+  ranges_.resize(beams_.size());
+}
+
+void Lidar::scan(const Pose2& T_world_base, const RayCaster& walls, const DiscIndex& discs,
+                 std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan) {
+  const Pose2 T_world_sensor = T_world_base * parameters_.T_base_sensor();
+  const Vec2 from = T_world_sensor.position();
+  turnBeams(T_world_sensor.yaw);
+  std::fill(ranges_.begin(), ranges_.end(), parameters_.range_max);
+  walls.castAll(from, turned_, ranges_);
+  discs.visitNear(from, parameters_.range_max, [&](DiscIndex::Id id, const Disc& disc) {
+    if (id != own) meetDisc(disc.centre - from, disc.radius, T_world_sensor.yaw);
+  });
+  scan.angle_min = parameters_.angle_min;
+  scan.angle_increment = increment_;
+  scan.range_min = parameters_.range_min;
+  scan.range_max = parameters_.range_max;
+  scan.T_base_sensor = parameters_.T_base_sensor();
+  scan.ranges.resize(ranges_.size());
+  for (std::size_t i = 0; i < ranges_.size(); ++i) scan.ranges[i] = reading(ranges_[i], random);
+}
+
+void Lidar::turnBeams(double yaw) {
+  const double c = std::cos(yaw);
+  const double s = std::sin(yaw);
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    turned_[i] = {c * beams_[i].x() - s * beams_[i].y(), s * beams_[i].x() + c * beams_[i].y()};
+  }
+}
+
+void Lidar::meetDisc(const Vec2& centre, double radius, double yaw) {
+  const double distance = centre.norm();
+  if (distance - radius >= parameters_.range_max) return;
+  if (distance <= radius) return std::fill(ranges_.begin(), ranges_.end(), 0.0);
+  const double half = std::asin(radius / distance);
+  const double middle = normalizeAngle(bearing(centre) - yaw - parameters_.angle_min);
+  // Beams lie in [0, field of view] from the first one, which may reach once around.
+  meetDisc(centre, radius, middle - half, middle + half);
+  meetDisc(centre, radius, middle - half + 2.0 * kPi, middle + half + 2.0 * kPi);
+}
+
+void Lidar::meetDisc(const Vec2& centre, double radius, double first_angle, double last_angle) {
+  const double count = static_cast<double>(ranges_.size());
+  const auto first = static_cast<std::size_t>(std::clamp(first_angle / increment_, 0.0, count));
+  const auto end = static_cast<std::size_t>(std::clamp(last_angle / increment_ + 1.0, 0.0, count));
+  const double outside = centre.squaredNorm() - radius * radius;
+  for (std::size_t i = first; i < end; ++i) {
+    const double along = turned_[i].dot(centre);
+    const double square = along * along - outside;
+    if (square < 0.0 || along < 0.0) continue;
+    ranges_[i] = std::min(ranges_[i], along - std::sqrt(square));
+  }
+}
+
+float Lidar::reading(double range, Random& random) const {
+  if (parameters_.dropout > 0.0 && random.uniform() < parameters_.dropout)
+    return std::numeric_limits<float>::quiet_NaN();
+  if (range >= parameters_.range_max) return static_cast<float>(kInf);
+  const double measured = parameters_.noise_stddev > 0.0 ? range + parameters_.noise_stddev * random.gaussian() : range;
+  if (measured < parameters_.range_min) return static_cast<float>(-kInf);
+  return static_cast<float>(measured > parameters_.range_max ? kInf : measured);
+}
+
+}  // namespace frontier_pilot::sim

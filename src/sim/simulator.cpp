@@ -1,0 +1,268 @@
+#include "frontier_pilot/sim/simulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace frontier_pilot::sim {
+namespace {
+
+// A disc moves in bites so short that what it could pass by within one is far thinner than a cell.
+constexpr double kBite = 0.005;      // [m]
+constexpr double kTouching = 0.001;  // [m]: still in contact
+constexpr int kBisections = 24;
+
+enum NoiseStream : std::uint64_t { kOdometryNoise, kLidarNoise, kNoiseStreams };
+
+double length(const Twist2& arc) { return std::abs(arc.linear); }
+
+bool overlap(const Vec2& a, double radius_a, const Disc& b) {
+  const double reach = radius_a + b.radius;
+  return (a - b.centre).squaredNorm() < reach * reach;
+}
+
+std::string quoted(const std::string& robot) { return robot.empty() ? "the robot" : "robot '" + robot + "'"; }
+
+}  // namespace
+
+const char* toString(Placement placement) {
+  switch (placement) {
+    case Placement::kDone:
+      return "done";
+    case Placement::kUnknownRobot:
+      return "there is no robot of that name";
+    case Placement::kUnknownObstacle:
+      return "there is no obstacle of that name";
+    case Placement::kNameTaken:
+      return "there is an obstacle of that name already";
+    case Placement::kBadRadius:
+      return "the radius must be positive";
+    case Placement::kNotFinite:
+      return "the pose is not finite";
+    case Placement::kOutside:
+      return "the place is outside of the world";
+    case Placement::kInWall:
+      return "the place is in or too near to a wall";
+    case Placement::kOnRobot:
+      return "the place is taken by a robot";
+    case Placement::kOnObstacle:
+      return "the place is taken by an obstacle";
+  }
+  return "?";
+}
+
+std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const World& world) {
+  if (!parameters.robots.empty()) return parameters.robots;
+  const bool placed = !std::isnan(parameters.x) || !std::isnan(parameters.y);
+  const Pose2 fallback = placed ? Pose2{} : world.start.value_or(Pose2{});
+  const auto given = [](double value, double otherwise) { return std::isnan(value) ? otherwise : value; };
+  return {{"", given(parameters.x, fallback.x), given(parameters.y, fallback.y), given(parameters.yaw, fallback.yaw)}};
+}
+
+Simulator::Simulator(World world, const SimulatorParameters& parameters)
+    : world_(std::move(world)),
+      radius_(parameters.radius),
+      walls_(solidCells(world_.map, parameters.unknown_is_free), parameters.radius),
+      rays_(solidCells(world_.map, parameters.unknown_is_free)),
+      discs_(world_.map.geometry()),
+      lidar_(parameters.lidar),
+      scan_period_(fromSeconds(1.0 / parameters.lidar.rate)),
+      next_scan_(Time{} + scan_period_) {
+  for (const RobotSpec& spec : robotsOf(parameters, world_)) addRobot(spec, parameters);
+}
+
+void Simulator::addRobot(const RobotSpec& spec, const SimulatorParameters& parameters) {
+  const Pose2 start(spec.x, spec.y, normalizeAngle(spec.yaw));
+  const Placement placement = placeable(start, std::nullopt);
+  if (placement != Placement::kDone) {
+    std::ostringstream text;
+    text << quoted(spec.name) << " cannot start at (" << spec.x << ", " << spec.y << "): " << toString(placement);
+    const std::optional<Vec2> free = start.isFinite() ? walls_.nearestFree(start.position()) : std::nullopt;
+    if (free) text << "; the nearest free place is (" << free->x() << ", " << free->y() << ")";
+    throw std::runtime_error(text.str());
+  }
+  const auto seed = static_cast<std::uint64_t>(parameters.seed);
+  const std::uint64_t stream = robots_.size() * kNoiseStreams;
+  const DiscIndex::Id disc = discs_.add({start.position(), radius_});
+  is_robot_.resize(disc + 1U, false);
+  is_robot_[disc] = true;
+  robots_.push_back({spec.name, start, start, DiffDrive(parameters.limits, fromSeconds(parameters.command_timeout)),
+                     Odometry(parameters.odometry, parameters.odom_noise, Random(seed, stream + kOdometryNoise)),
+                     Random(seed, stream + kLidarNoise), disc, LaserScan2{}});
+}
+
+std::optional<std::size_t> Simulator::find(const std::string& name) const {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (robots_[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+void Simulator::step() {
+  for (Robot& robot : robots_) drive(robot);
+  now_ += kStep;
+  scanned_ = now_ >= next_scan_;
+  if (scanned_) scanAll();
+}
+
+void Simulator::scanAll() {
+  next_scan_ = std::max(next_scan_ + scan_period_, now_);
+  for (Robot& robot : robots_) {
+    robot.scan.stamp = now_;
+    lidar_.scan(robot.pose, rays_, discs_, robot.disc, robot.lidar_noise, robot.scan);
+  }
+}
+
+void Simulator::drive(Robot& robot) {
+  const double seconds = toSeconds(kStep);
+  const Twist2& velocity = robot.drive.update(now_, seconds);
+  const Twist2 arc{velocity.linear * seconds, velocity.angular * seconds};
+  const double share = arc.linear == 0.0 ? 1.0 : freeShare(robot, arc);
+  const bool blocked = share < 1.0;
+  if (blocked) robot.drive.block();
+  if (!arc.isZero()) {
+    // Turning in place is never in a disc's way, so that what is left of the turn is made where it stands.
+    const Vec2 stop = integrate(robot.pose, arc, share).position();
+    put(robot, {stop, normalizeAngle(robot.pose.yaw + arc.angular)});
+  }
+  robot.odometry.move(arc.linear * share, arc.angular, seconds);
+  robot.contacts += blocked && !robot.stalled ? 1 : 0;
+  robot.stalled = blocked || (robot.stalled && touches(robot));
+}
+
+// How much of an arc is free, 1 being all of it.
+double Simulator::freeShare(const Robot& robot, const Twist2& arc) const {
+  const Vec2 from = robot.pose.position();
+  if (walls_.surelyFree(from, length(arc)) && !discWithin(from, length(arc), robot.disc)) return 1.0;
+  const auto blocked = [&](double share) {
+    return blockedAt(integrate(robot.pose, arc, share).position(), robot.disc);
+  };
+  const double bites = std::ceil(length(arc) / kBite);
+  for (double bite = 1.0; bite <= bites; bite += 1.0) {
+    if (!blocked(bite / bites)) continue;
+    double free = (bite - 1.0) / bites;
+    double taken = bite / bites;
+    for (int i = 0; i < kBisections; ++i) {
+      const double middle = 0.5 * (free + taken);
+      (blocked(middle) ? taken : free) = middle;
+    }
+    return free;
+  }
+  return 1.0;
+}
+
+bool Simulator::blockedAt(const Vec2& centre, DiscIndex::Id own) const {
+  return (!walls_.surelyFree(centre, 0.0) && walls_.overlaps(centre)) || discWithin(centre, 0.0, own);
+}
+
+bool Simulator::discWithin(const Vec2& centre, double reach, DiscIndex::Id own) const {
+  bool within = false;
+  discs_.visitNear(centre, radius_ + reach, [&](DiscIndex::Id id, const Disc& disc) {
+    within = within || (id != own && overlap(centre, radius_ + reach, disc));
+  });
+  return within;
+}
+
+bool Simulator::touches(const Robot& robot) const {
+  const Vec2 centre = robot.pose.position();
+  if (discWithin(centre, kTouching, robot.disc)) return true;
+  return !walls_.surelyFree(centre, kTouching) && walls_.overlaps(centre, kTouching);
+}
+
+void Simulator::put(Robot& robot, const Pose2& pose) {
+  robot.pose = pose;
+  discs_.move(robot.disc, pose.position());
+}
+
+Placement Simulator::placeable(const Pose2& pose, std::optional<DiscIndex::Id> own) const {
+  if (!pose.isFinite()) return Placement::kNotFinite;
+  const GridGeometry& geometry = world_.map.geometry();
+  const Vec2 size = Vec2(geometry.width, geometry.height) * geometry.resolution;
+  const Vec2 inside = pose.position() - geometry.origin;
+  if (!(inside.minCoeff() >= 0.0 && inside.x() < size.x() && inside.y() < size.y())) return Placement::kOutside;
+  if (walls_.overlaps(pose.position())) return Placement::kInWall;
+  Placement placement = Placement::kDone;
+  discs_.visitNear(pose.position(), radius_, [&](DiscIndex::Id id, const Disc& disc) {
+    if (id == own || !overlap(pose.position(), radius_, disc)) return;
+    placement = is_robot_[id] ? Placement::kOnRobot : Placement::kOnObstacle;
+  });
+  return placement;
+}
+
+Placement Simulator::setPose(const std::string& name, const Pose2& pose) {
+  const std::optional<std::size_t> index = find(name);
+  if (!index) return Placement::kUnknownRobot;
+  Robot& robot = robots_[*index];
+  const Placement placement = placeable(pose, robot.disc);
+  if (placement != Placement::kDone) return placement;
+  put(robot, {pose.position(), normalizeAngle(pose.yaw)});
+  robot.drive.stop();
+  robot.stalled = false;
+  return placement;
+}
+
+Placement Simulator::spawnObstacle(const std::string& name, const Pose2& pose, double radius) {
+  if (obstacles_.count(name) > 0) return Placement::kNameTaken;
+  if (!pose.isFinite() || !std::isfinite(radius)) return Placement::kNotFinite;
+  if (radius <= 0.0) return Placement::kBadRadius;
+  for (const Robot& robot : robots_) {
+    if (overlap(robot.pose.position(), radius_, {pose.position(), radius})) return Placement::kOnRobot;
+  }
+  const DiscIndex::Id disc = discs_.add({pose.position(), radius});
+  is_robot_.resize(std::max<std::size_t>(is_robot_.size(), disc + 1U), false);
+  obstacles_[name] = disc;
+  return Placement::kDone;
+}
+
+Placement Simulator::removeObstacle(const std::string& name) {
+  const auto found = obstacles_.find(name);
+  if (found == obstacles_.end()) return Placement::kUnknownObstacle;
+  discs_.remove(found->second);
+  obstacles_.erase(found);
+  return Placement::kDone;
+}
+
+// The starts themselves do not overlap; but whoever has to stay may stand on the start of another one.
+std::vector<bool> Simulator::whoMustStay() const {
+  std::vector<bool> stays(robots_.size(), false);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (stays[i] || !startIsTaken(robots_[i], stays)) continue;
+      stays[i] = changed = true;
+    }
+  }
+  return stays;
+}
+
+bool Simulator::startIsTaken(const Robot& robot, const std::vector<bool>& stays) const {
+  const auto takes = [&](DiscIndex::Id disc) { return overlap(robot.start.position(), radius_, discs_[disc]); };
+  for (const auto& [name, disc] : obstacles_) {
+    if (takes(disc)) return true;
+  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (stays[i] && takes(robots_[i].disc)) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> Simulator::resetPositions() {
+  const std::vector<bool> stays = whoMustStay();
+  std::vector<std::string> stayed;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = robots_[i];
+    robot.drive.stop();
+    if (stays[i]) {
+      stayed.push_back(robot.name);
+      continue;
+    }
+    put(robot, robot.start);
+    robot.odometry.reset();
+    robot.stalled = false;
+  }
+  return stayed;
+}
+
+}  // namespace frontier_pilot::sim

@@ -1,0 +1,126 @@
+#include "frontier_pilot/sim/world_image.h"
+
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "frontier_pilot/core/parameters.h"
+
+namespace frontier_pilot::sim {
+namespace {
+
+// The keys of a map_server file. The defaults of what must be given are invalid on purpose.
+struct WorldFile {
+  std::string image;
+  double resolution = 0.0;
+  std::vector<double> origin;
+  int negate = 0;
+  double occupied_thresh = 0.65;
+  double free_thresh = 0.196;
+  std::string mode = "trinary";
+  std::vector<double> start;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("image", image, "", "the picture, relative to this file");
+    v.field("resolution", resolution, "m", "side of a pixel", positive());
+    v.field("origin", origin, "m, m, rad", "pose of the lower left corner", anyNumber());
+    v.field("negate", negate, "", "1: white is occupied", between(0, 1));
+    v.field("occupied_thresh", occupied_thresh, "", "darker than this is occupied", between(0.0, 1.0));
+    v.field("free_thresh", free_thresh, "", "lighter than this is free", between(0.0, 1.0));
+    v.field("mode", mode, "", "how shades become cells");
+    v.field("start", start, "m, m, rad", "where a robot starts by default", anyNumber());
+  }
+
+  void check(Problems& problems) const {
+    if (image.empty()) problems.emplace_back("image: missing");
+    if (!(resolution > 0.0)) problems.emplace_back("resolution: missing or not positive");
+    if (origin.size() != 3) problems.emplace_back("origin: must be [x, y, yaw]");
+    if (origin.size() == 3 && origin[2] != 0.0)
+      problems.emplace_back("origin: a rotated map (yaw not 0) is not supported");
+    if (free_thresh > occupied_thresh) problems.emplace_back("free_thresh: must not be above occupied_thresh");
+    if (mode != "trinary") problems.emplace_back("mode: only trinary is supported, not '" + mode + "'");
+    if (!start.empty() && start.size() != 3) problems.emplace_back("start: must be [x, y, yaw]");
+  }
+};
+
+[[noreturn]] void fail(const std::string& file, const std::string& what) {
+  throw std::runtime_error("world " + file + ": " + what);
+}
+
+// What map_server would read: without the keys it does not know, and with `negate` as the number that it may also be
+// written as.
+ParameterMap knownKeys(ParameterMap map) {
+  ParameterMap known;
+  WorldFile described;
+  detail::Describer describer;
+  described.describe(describer);
+  for (const auto& row : describer.rows) {
+    const auto found = map.find(row.name);
+    if (found != map.end()) known.insert(*found);
+  }
+  if (const auto negate = known.find("negate"); negate != known.end()) {
+    if (const bool* flag = std::get_if<bool>(&negate->second.value)) negate->second.value = std::int64_t{*flag};
+  }
+  return known;
+}
+
+WorldFile readFile(const std::string& path) {
+  WorldFile file;
+  try {
+    const Problems problems = loadParameters(knownKeys(loadYamlFile(path)), file);
+    std::string text;
+    for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
+    if (!problems.empty()) fail(path, text);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error("world " + std::string(error.what()));
+  }
+  return file;
+}
+
+cv::Mat readImage(const std::string& yaml_path, const std::string& name) {
+  const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / name;
+  if (!std::filesystem::exists(path)) fail(yaml_path, "its image " + path.string() + " does not exist");
+  cv::Mat image;
+  try {
+    image = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+  } catch (const cv::Exception& error) {
+    fail(yaml_path, "its image " + path.string() + " cannot be read: " + error.what());
+  }
+  if (image.empty()) fail(yaml_path, "its image " + path.string() + " cannot be read as PGM or PNG");
+  return image;
+}
+
+std::int8_t cellOf(std::uint8_t pixel, const WorldFile& file) {
+  const double shade = (file.negate != 0 ? pixel : 255 - pixel) / 255.0;
+  if (shade > file.occupied_thresh) return kOccupied;
+  return shade < file.free_thresh ? kFree : kUnknown;
+}
+
+}  // namespace
+
+World loadWorld(const std::string& yaml_path) {
+  const WorldFile file = readFile(yaml_path);
+  const cv::Mat image = readImage(yaml_path, file.image);
+  World world;
+  world.map = OccupancyGrid(GridGeometry{file.resolution, {file.origin[0], file.origin[1]}, image.cols, image.rows});
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      world.map[Cell{x, y}] = cellOf(image.at<std::uint8_t>(image.rows - 1 - y, x), file);
+    }
+  }
+  if (!file.start.empty()) world.start = Pose2(file.start[0], file.start[1], file.start[2]);
+  return world;
+}
+
+Grid<std::uint8_t> solidCells(const OccupancyGrid& map, bool unknown_is_free) {
+  Grid<std::uint8_t> solid(map.geometry());
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    solid[i] = isOccupied(map[i]) || (isUnknown(map[i]) && !unknown_is_free) ? 1 : 0;
+  }
+  return solid;
+}
+
+}  // namespace frontier_pilot::sim
