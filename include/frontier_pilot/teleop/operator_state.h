@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/laser_scan.h"
+
+/// What an operator is shown, as plain data: neither ROS nor Qt. A part that never was heard of is empty, and what was
+/// carries its age [s] of steady time; there are no stand-ins.
+namespace frontier_pilot {
+
+/// How much attention something deserves.
+enum class Severity : std::uint8_t { kIdle, kGood, kActive, kWarning, kError };
+
+/// One source of velocity commands.
+struct SourceView {
+  std::string name;
+  std::string state_text;  ///< the state in words
+  Severity severity = Severity::kIdle;
+  bool enabled = false;
+  bool required = false;
+  bool service_up = false;  ///< whether it can be switched now
+  int priority = 0;
+  std::optional<double> age;  ///< of its last message [s]
+  double rate = 0.0;          ///< [Hz]
+  std::uint64_t rejected = 0;
+};
+
+struct ArbiterView {
+  double status_age = 0.0;
+  Severity severity = Severity::kIdle;
+  std::string summary;
+  std::string active_source;  ///< empty: nobody
+  std::string stop_cause;
+  std::vector<std::string> problems;
+  Twist2 command;  ///< what was last sent to the base
+  std::vector<SourceView> sources;
+};
+
+struct AvoiderView {
+  double status_age = 0.0;
+  Severity severity = Severity::kIdle;
+  bool enabled = false;
+  std::string state_text, summary;
+  std::optional<double> front_left, front_right, rear;  ///< nearest obstacle [m]; infinite: nothing in range
+};
+
+/// The directions from `from` counter-clockwise to `to` [rad], in the base frame, and what was nearest there.
+struct SectorView {
+  double from = 0.0, to = 0.0;
+  double stop = 0.0;   ///< an obstacle that is nearer is too near [m]
+  double clear = 0.0;  ///< nothing nearer: all is well [m]
+};
+
+/// Where the avoider looks; empty until its configuration is known.
+struct AvoiderSectors {
+  std::optional<SectorView> front_left, front_right, rear;
+};
+
+struct ExplorerView {
+  double status_age = 0.0;
+  Severity severity = Severity::kIdle;
+  bool running = false;  ///< not paused and not done
+  std::string state_text, phase_text, reason_text;
+  unsigned frontiers_found = 0, frontiers_selectable = 0, frontiers_blacklisted = 0;
+  unsigned goals_sent = 0, goals_reached = 0, goals_failed = 0;
+  double explored_area = 0.0;       ///< [m^2]
+  double distance_travelled = 0.0;  ///< [m]
+};
+
+struct PatrolView {
+  bool server_up = false;
+  bool active = false;
+  std::string feedback;  ///< of the present or last goal
+  std::string result;    ///< of the last goal; empty while one is active
+};
+
+struct ScanView {
+  double age = 0.0;
+  LaserScan2 scan;
+};
+
+/// Everything at one moment.
+struct OperatorState {
+  bool connected = false;              ///< the ROS master answers
+  std::optional<bool> emergency_stop;  ///< as the latched topic says it; nothing: not heard of
+  bool stop_service_up = false, clear_service_up = false;
+  std::optional<ArbiterView> arbiter;
+  bool avoider_service_up = false;
+  std::optional<AvoiderView> avoider;
+  AvoiderSectors sectors;
+  bool explorer_service_up = false, explorer_reset_up = false;
+  std::optional<ExplorerView> explorer;
+  PatrolView patrol;
+  std::optional<ScanView> scan;
+
+  /// The source of that name; nullptr where there is none.
+  const SourceView* source(const std::string& name) const;
+};
+
+/// A status older than this [s] says nothing: its sender has died. Every sender repeats itself once a second.
+constexpr double kStatusLifetime = 3.0;
+
+}  // namespace frontier_pilot

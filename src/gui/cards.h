@@ -1,0 +1,131 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+#include <array>
+#include <vector>
+
+#include "controls.h"
+#include "frontier_pilot/teleop/operator_link.h"
+
+namespace frontier_pilot {
+
+/// Manual driving: the pad, the set-point and what of it reaches the base. [GUI-1] [GUI-4]
+class DriveCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit DriveCard(const TeleopParameters& parameters, QWidget* parent = nullptr);
+  void setState(const OperatorState& state);
+  void showDrive(const DriveModel& drive);
+
+ signals:
+  void pressed(frontier_pilot::Motion motion);
+  void released(frontier_pilot::Motion motion);
+  void letGo();
+  void holdToRunChanged(bool hold);
+
+ private:
+  QLayout* makePad();
+  QString hint(const DriveModel& drive) const;
+
+  std::vector<PadButton*> buttons_;
+  BarGauge* linear_;
+  BarGauge* angular_;
+  QCheckBox* hold_;
+  QLabel* hint_;
+  QString driver_;  ///< who holds the wheels instead
+};
+
+/// Every source of velocity commands: its switch, what it does, how old its last message is. [GUI-2]
+class SourcesCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit SourcesCard(QWidget* parent = nullptr);
+  void setState(const OperatorState& state);
+
+ signals:
+  void enableAsked(const QString& source, bool on);
+
+ private:
+  struct Row {
+    QString name;
+    QWidget* widget;
+    Switch* toggle;
+    Dot* dot;
+    ElidedLabel* text;
+    QLabel* figures;
+  };
+  void rebuild(const std::vector<SourceView>& sources);
+  void fill(const Row& row, const SourceView& source, bool silent) const;
+
+  std::vector<Row> rows_;
+  QLabel* empty_;
+};
+
+/// Patrols: what, how large, how often, and how far it is.
+class PatrolCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit PatrolCard(const TeleopParameters& parameters, QWidget* parent = nullptr);
+  void setState(const OperatorState& state);
+
+ signals:
+  void startAsked(int shape, double side, int laps);
+  void stopAsked();
+
+ private:
+  QPushButton* makeStart(const QString& text, int shape);
+
+  QDoubleSpinBox* side_;
+  QSpinBox* laps_;
+  std::array<QPushButton*, 3> start_;
+  QPushButton* stop_;
+  QLabel* progress_;
+};
+
+/// The explorer: what it does and why, and what came of it.
+class ExplorerCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit ExplorerCard(QWidget* parent = nullptr);
+  void setState(const OperatorState& state);
+
+ signals:
+  void runAsked(bool on);
+  void resetAsked();
+
+ private:
+  QLayout* makeFigures();
+
+  Dot* dot_;
+  ElidedLabel* state_;
+  QLabel* reason_;
+  QLabel* area_;
+  QLabel* distance_;
+  QLabel* frontiers_;
+  QLabel* goals_;
+  QPushButton* start_;
+  QPushButton* pause_;
+  QPushButton* reset_;
+};
+
+/// The last lines of what happened, no more than a few hundred.
+class LogCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit LogCard(QWidget* parent = nullptr);
+  void append(const OperatorLogLine& line);
+
+ private:
+  QPlainTextEdit* text_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,51 @@
+#include "frontier_pilot/gui/pilot_controller.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr int kBeatPeriod = 50;      // [ms]
+constexpr int kRefreshPeriod = 100;  // [ms]
+
+}  // namespace
+
+PilotController::PilotController(PilotWidget& widget, OperatorLink& link, Duration liveness_timeout)
+    : widget_(widget), link_(link), liveness_timeout_(liveness_timeout) {
+  connect(&widget_, &PilotWidget::requested, this, [this](const OperatorRequest& request) { link_.request(request); });
+  connect(&widget_, &PilotWidget::setPointChanged, this, [this](const Twist2&) { beat(); });
+  connect(&beat_timer_, &QTimer::timeout, this, &PilotController::beat);
+  connect(&refresh_timer_, &QTimer::timeout, this, &PilotController::refresh);
+  beat_timer_.setTimerType(Qt::PreciseTimer);
+  beat_timer_.start(kBeatPeriod);
+  refresh_timer_.start(kRefreshPeriod);
+}
+
+PilotController::~PilotController() { close(); }
+
+void PilotController::close() {
+  if (closed_) return;
+  closed_ = true;
+  beat_timer_.stop();
+  refresh_timer_.stop();
+  link_.close();
+}
+
+void PilotController::beat() {
+  if (closed_) return;
+  const bool froze = since_beat_.isValid() && since_beat_.nsecsElapsed() > liveness_timeout_.count();
+  since_beat_.start();
+  // Stopping changes the set-point, which comes back here, and then without a gap.
+  if (froze) widget_.stopBecause("the window was frozen");
+  link_.beat(widget_.setPoint());
+}
+
+void PilotController::refresh() {
+  if (!link_.running()) {
+    close();
+    emit closeAsked();
+    return;
+  }
+  for (const OperatorLogLine& line : link_.takeLog()) widget_.appendLog(line);
+  widget_.setState(link_.state());
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,75 @@
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QKeyEvent>
+
+#include "frontier_pilot/gui/pilot_widget.h"
+
+namespace frontier_pilot {
+namespace {
+
+std::optional<DriveKey> driveKeyOf(int key) {
+  switch (key) {
+    case Qt::Key_Up:
+      return DriveKey::kUp;
+    case Qt::Key_Down:
+      return DriveKey::kDown;
+    case Qt::Key_Left:
+      return DriveKey::kLeft;
+    case Qt::Key_Right:
+      return DriveKey::kRight;
+    case Qt::Key_W:
+      return DriveKey::kW;
+    case Qt::Key_A:
+      return DriveKey::kA;
+    case Qt::Key_S:
+      return DriveKey::kS;
+    case Qt::Key_D:
+      return DriveKey::kD;
+    case Qt::Key_Space:
+      return DriveKey::kSpace;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool isKeyEvent(QEvent::Type type) {
+  return type == QEvent::KeyPress || type == QEvent::KeyRelease || type == QEvent::ShortcutOverride;
+}
+
+bool hasCommandModifier(const QKeyEvent& event) {
+  return (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
+}
+
+}  // namespace
+
+bool PilotWidget::eventFilter(QObject* watched, QEvent* event) {
+  if (!isKeyEvent(event->type())) return QWidget::eventFilter(watched, event);
+  auto* widget = qobject_cast<QWidget*>(watched);
+  if (widget == nullptr || (widget != this && !isAncestorOf(widget))) return false;
+  return handleKey(*widget, static_cast<QKeyEvent&>(*event));
+}
+
+/// True if the key was meant for driving, and nobody else is to see it.
+bool PilotWidget::handleKey(QWidget& focus, QKeyEvent& event) {
+  if (hasCommandModifier(event)) return false;
+  // Space stops wherever the focus is, so Enter is what presses a button.
+  const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+  if (auto* button = qobject_cast<QAbstractButton*>(&focus); button != nullptr && enter) {
+    if (event.type() == QEvent::KeyPress && !event.isAutoRepeat()) button->click();
+    return event.type() == QEvent::KeyPress;
+  }
+  const auto key = driveKeyOf(event.key());
+  const bool editing = qobject_cast<QAbstractSpinBox*>(&focus) != nullptr;
+  if (!key || (editing && *key != DriveKey::kSpace)) return false;
+  // So that no shortcut of the application around, such as rviz' tools, takes it.
+  if (event.type() == QEvent::ShortcutOverride) event.accept();
+  if (event.type() == QEvent::ShortcutOverride || event.isAutoRepeat()) return true;
+  if (event.type() == QEvent::KeyPress) {
+    press(motionOf(*key));
+  } else {
+    release(motionOf(*key));
+  }
+  return true;
+}
+
+}  // namespace frontier_pilot

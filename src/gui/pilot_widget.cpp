@@ -1,0 +1,205 @@
+#include "frontier_pilot/gui/pilot_widget.h"
+
+#include <QApplication>
+#include <QResizeEvent>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include "cards.h"
+#include "header_card.h"
+#include "scan_card.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr int kMostColumns = 3;
+// The least width of two and of three columns, in heights of a line.
+constexpr int kTwoColumns = 42, kThreeColumns = 66;
+
+}  // namespace
+
+PilotWidget::PilotWidget(const TeleopParameters& parameters, QWidget* parent)
+    : QWidget(parent), parameters_(parameters), drive_(parameters) {
+  setObjectName("pilot");
+  setWindowTitle("frontier_pilot");
+  setAttribute(Qt::WA_StyledBackground);
+  setFocusPolicy(Qt::StrongFocus);
+  build();
+  connectCards();
+  setState({});
+  layOut(1);
+  applyTheme();
+  // Keys drive wherever in the widget the focus is, so they are caught before the child that has it.
+  qApp->installEventFilter(this);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now == nullptr || (now != this && !isAncestorOf(now))) letGo();
+  });
+  connect(qApp, &QApplication::applicationStateChanged, this, &PilotWidget::letGo);
+}
+
+PilotWidget::~PilotWidget() = default;
+
+void PilotWidget::build() {
+  header_ = new HeaderCard;
+  drive_card_ = new DriveCard(parameters_);
+  scan_card_ = new ScanCard;
+  sources_card_ = new SourcesCard;
+  patrol_card_ = new PatrolCard(parameters_);
+  explorer_card_ = new ExplorerCard;
+  log_card_ = new LogCard;
+
+  const int gap = emOf(*this) / 2;
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(gap, gap, gap, gap);
+  outer->setSpacing(gap);
+  outer->addWidget(header_);
+  auto* scroll = new QScrollArea;
+  scroll->setObjectName("pilotScroll");
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* body = new QWidget;
+  body->setObjectName("pilotBody");
+  body_ = new QBoxLayout(QBoxLayout::LeftToRight, body);
+  body_->setContentsMargins(0, 0, 0, 0);
+  body_->setSpacing(gap);
+  for (int column = 0; column < kMostColumns; ++column) {
+    column_layouts_.push_back(new QVBoxLayout);
+    column_layouts_.back()->setSpacing(gap);
+    body_->addLayout(column_layouts_.back());
+  }
+  scroll->setWidget(body);
+  outer->addWidget(scroll, 1);
+}
+
+void PilotWidget::connectCards() {
+  using Kind = OperatorRequest::Kind;
+  const auto ask = [this](Kind kind, bool on = false) { send({kind, on, {}, 0, 0.0, 0}); };
+  connect(drive_card_, &DriveCard::pressed, this, &PilotWidget::press);
+  connect(drive_card_, &DriveCard::released, this, &PilotWidget::release);
+  connect(drive_card_, &DriveCard::letGo, this, &PilotWidget::letGo);
+  connect(drive_card_, &DriveCard::holdToRunChanged, this, [this](bool hold) {
+    drive_.setHoldToRun(hold);
+    showSetPoint();
+  });
+  connect(header_, &HeaderCard::stopAsked, this, [this, ask] {
+    press(Motion::kStop);
+    ask(Kind::kEmergencyStop);
+  });
+  connect(header_, &HeaderCard::clearAsked, this, [ask] { ask(Kind::kClearEmergencyStop); });
+  connect(sources_card_, &SourcesCard::enableAsked, this, [this](const QString& name, bool on) {
+    send({Kind::kEnableSource, on, name.toStdString(), 0, 0.0, 0});
+  });
+  connect(scan_card_, &ScanCard::avoiderAsked, this, [ask](bool on) { ask(Kind::kEnableAvoider, on); });
+  connect(patrol_card_, &PatrolCard::startAsked, this, [this](int shape, double side, int laps) {
+    press(Motion::kStop);
+    send({Kind::kPatrol, true, {}, shape, side, laps});
+  });
+  connect(patrol_card_, &PatrolCard::stopAsked, this, [this, ask] {
+    press(Motion::kStop);
+    ask(Kind::kStopPatrol);
+  });
+  connect(explorer_card_, &ExplorerCard::runAsked, this, [ask](bool on) { ask(Kind::kExplore, on); });
+  connect(explorer_card_, &ExplorerCard::resetAsked, this, [ask] { ask(Kind::kResetExplorer); });
+}
+
+void PilotWidget::layOut(int columns) {
+  if (columns == columns_) return;
+  columns_ = columns;
+  using Column = std::vector<QWidget*>;
+  const std::vector<std::vector<Column>> plans{
+      {{drive_card_, sources_card_, scan_card_, patrol_card_, explorer_card_, log_card_}, {}, {}},
+      {{drive_card_, scan_card_, log_card_}, {sources_card_, patrol_card_, explorer_card_}, {}},
+      {{drive_card_, patrol_card_}, {scan_card_, log_card_}, {sources_card_, explorer_card_}}};
+  const std::vector<Column>& plan = plans[static_cast<std::size_t>(columns - 1)];
+  for (QVBoxLayout* layout : column_layouts_) {
+    while (QLayoutItem* item = layout->takeAt(0)) delete item;
+  }
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    for (QWidget* card : plan[i]) {
+      const bool grows = card == log_card_ || (columns > 1 && card == scan_card_);
+      column_layouts_[i]->addWidget(card, grows ? 1 : 0);
+    }
+    if (!plan[i].empty() && plan[i].back() != log_card_) column_layouts_[i]->addStretch();
+    body_->setStretch(static_cast<int>(i), plan[i].empty() ? 0 : 1);
+  }
+}
+
+void PilotWidget::applyTheme() {
+  if (applying_theme_) return;
+  applying_theme_ = true;  // setting the sheet is itself a change of style
+  setStyleSheet(Theme::current().styleSheet(emOf(*this)));
+  applying_theme_ = false;
+}
+
+void PilotWidget::setState(const OperatorState& state) {
+  const bool dropped = state.arbiter && drive_.setDriver(state.arbiter->active_source);
+  const SourceView* manual = state.source("manual");
+  const Twist2 before = drive_.setPoint();
+  DriveLock lock = manual != nullptr && !manual->enabled ? DriveLock::kManualOff : DriveLock::kNone;
+  if (state.emergency_stop.value_or(false)) lock = DriveLock::kEmergencyStop;
+  drive_.setLock(lock);
+  if (dropped || before != drive_.setPoint()) {
+    const std::string why = lock == DriveLock::kNone ? "the wheels changed hands" : toString(lock);
+    appendLog({Severity::kWarning, "set-point dropped: " + why});
+  }
+  header_->setState(state);
+  drive_card_->setState(state);
+  scan_card_->setState(state);
+  sources_card_->setState(state);
+  patrol_card_->setState(state);
+  explorer_card_->setState(state);
+  showSetPoint();
+}
+
+void PilotWidget::appendLog(const OperatorLogLine& line) { log_card_->append(line); }
+
+void PilotWidget::stopBecause(const std::string& reason) {
+  drive_.stop();
+  appendLog({Severity::kWarning, "set-point dropped: " + reason});
+  showSetPoint();
+}
+
+void PilotWidget::press(Motion motion) {
+  drive_.press(motion);
+  showSetPoint();
+}
+
+void PilotWidget::release(Motion motion) {
+  drive_.release(motion);
+  showSetPoint();
+}
+
+void PilotWidget::letGo() {
+  drive_.releaseAll();
+  showSetPoint();
+}
+
+void PilotWidget::send(const OperatorRequest& request) { emit requested(request); }
+
+void PilotWidget::showSetPoint() {
+  drive_card_->showDrive(drive_);
+  if (drive_.setPoint() == shown_) return;
+  shown_ = drive_.setPoint();
+  emit setPointChanged(shown_);
+}
+
+void PilotWidget::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int width = event->size().width() / emOf(*this);
+  layOut(width >= kThreeColumns ? 3 : (width >= kTwoColumns ? 2 : 1));
+}
+
+void PilotWidget::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  const QEvent::Type type = event->type();
+  if (type == QEvent::PaletteChange || type == QEvent::FontChange) applyTheme();
+}
+
+void PilotWidget::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  letGo();
+}
+
+}  // namespace frontier_pilot

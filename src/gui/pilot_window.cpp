@@ -1,0 +1,43 @@
+#include "frontier_pilot/gui/pilot_window.h"
+
+#include <QApplication>
+#include <QScreen>
+#include <QStyleFactory>
+
+#include "frontier_pilot/gui/pilot_controller.h"
+#include "theme.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// Wide enough for three columns, if the screen is.
+QSize windowSize(const QWidget& widget) {
+  const int em = emOf(widget);
+  const QSize wanted(em * 72, em * 45);
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  return screen == nullptr ? wanted : wanted.boundedTo(screen->availableSize() * 0.95);
+}
+
+}  // namespace
+
+int runPilotWindow(int argc, char** argv, OperatorLink& link, const TeleopParameters& parameters) {
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("frontier_pilot");
+  if (parameters.palette != "system") {
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setPalette(pilotPalette(parameters.palette == "dark"));
+  }
+  PilotWidget widget(parameters);
+  PilotController controller(widget, link, fromSeconds(parameters.liveness_timeout));
+  QObject::connect(&controller, &PilotController::closeAsked, &application, &QApplication::quit);
+  // The zero goes out when the window closes, not when the process has taken itself apart.
+  QObject::connect(&application, &QApplication::aboutToQuit, &controller, &PilotController::close);
+  widget.resize(windowSize(widget));
+  widget.show();
+  widget.setFocus();
+  return QApplication::exec();
+}
+
+}  // namespace frontier_pilot

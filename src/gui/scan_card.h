@@ -1,0 +1,54 @@
+#pragma once
+
+#include "controls.h"
+
+namespace frontier_pilot {
+
+/// A drawing of the scan around the robot, ahead is up, with the avoider's sectors coloured by what is in them.
+/// The wheel zooms.
+class ScanPicture : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScanPicture(QWidget* parent = nullptr);
+  void setState(const OperatorState& state);
+  QSize sizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override { return qMin(width, sizeHint().height() * 5 / 4); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  QPointF at(double range, double angle) const;
+  void drawRings(QPainter& painter, const Theme& theme) const;
+  void drawSector(QPainter& painter, const Theme& theme, const SectorView& sector, std::optional<double> nearest) const;
+  void drawScan(QPainter& painter, const Theme& theme) const;
+  void drawRobot(QPainter& painter, const Theme& theme) const;
+
+  double view_radius_ = 2.5;  ///< [m]
+  std::optional<ScanView> scan_;
+  std::optional<AvoiderView> avoider_;
+  AvoiderSectors sectors_;
+};
+
+/// The surroundings, and the avoider with its switch.
+class ScanCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit ScanCard(QWidget* parent = nullptr);
+  void setState(const OperatorState& state);
+
+ signals:
+  void avoiderAsked(bool on);
+
+ private:
+  ScanPicture* picture_;
+  Switch* toggle_;
+  Dot* dot_;
+  ElidedLabel* text_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+#include <QWidget>
+
+#include "frontier_pilot/teleop/operator_state.h"
+
+namespace frontier_pilot {
+
+/// The colours of the cards, made from the desktop's palette so that a light and a dark one both work.
+struct Theme {
+  bool dark = false;
+  QColor window, card, field, border, text, muted, accent, on_accent, good, warning, danger, idle;
+
+  static Theme of(const QPalette& palette);
+  /// That of the application.
+  static Theme current();
+  QColor color(Severity severity) const;
+  /// The style sheet of the widget; lengths follow `em`, the height of a line [px].
+  QString styleSheet(int em) const;
+};
+
+/// The project's own palette, for those who do not take the desktop's.
+QPalette pilotPalette(bool dark);
+
+/// The height of a line in the widget's font [px]: the unit of every length, so that fonts and scaling carry them along.
+int emOf(const QWidget& widget);
+
+/// `color` with the given opacity (0 to 1).
+QColor faded(QColor color, double opacity);
+
+}  // namespace frontier_pilot
