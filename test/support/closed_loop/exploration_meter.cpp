@@ -25,7 +25,7 @@ Grid<std::uint8_t> nearWall(const OccupancyGrid& truth) {
 ExplorationMeter::ExplorationMeter(const OccupancyGrid& truth, const Pose2& T_world_map, double radius)
     : near_wall_(nearWall(truth)), T_world_map_(T_world_map) {
   const Cell start = truth.geometry().cellAt(T_world_map.position());
-  floor_ = reachableFloor(truth, start, static_cast<int>(std::ceil(radius / truth.resolution())));
+  floor_ = sim::reachableFloor(truth, start, static_cast<int>(std::ceil(radius / truth.resolution())));
   const Pose2 T_map_world = T_world_map.inverse();
   for (std::size_t i = 0; i < floor_.size(); ++i) {
     if (floor_[i] != 0) targets_.push_back(T_map_world * floor_.geometry().centre(floor_.geometry().cell(i)));

@@ -1,0 +1,242 @@
+// The closed loop in one process: how long, how far and at what cost each world is explored.
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/sim/world_image.h"
+#include "support/closed_loop/closed_loop.h"
+#include "support/explore_report.h"
+#include "support/svg.h"
+
+namespace frontier_pilot::bench {
+namespace {
+
+constexpr const char* kUsage =
+    "usage: explore_bench [options] WORLD.yaml ...\n"
+    "  --seeds A-B        seeds to run (1-5)\n"
+    "  --limits NAME      burger (0.22 m/s) or fast (0.5 m/s)\n"
+    "  --start X Y YAW    start pose in the world [m, m, rad]; the world's own otherwise\n"
+    "  --until SHARE      stop at this explored share instead of DONE\n"
+    "  --limit SECONDS    of simulated time, 7200\n"
+    "  --odom-noise       the simulator's odometry noise\n"
+    "  --curve            explored share every 10 s of simulated time\n"
+    "  --log              every transition of the explorer and end of a goal\n"
+    "  --twice            run each seed twice and compare the hashes\n"
+    "  --svg DIRECTORY    draw each trajectory over the map it made\n"
+    "Exit status 0: every run ended DONE with no reachable frontier left (or at --until) and without contact.\n";
+
+struct Options {
+  std::vector<std::string> worlds;
+  int first_seed = 1;
+  int last_seed = 5;
+  std::string limits = "burger";
+  std::optional<Pose2> start;
+  double until = 2.0;
+  double limit = 7200.0;
+  bool odom_noise = false, curve = false, log = false, twice = false;
+  std::string svg;
+};
+
+/// Takes the arguments one by one. Throws std::invalid_argument on what it does not know.
+class Arguments {
+ public:
+  Arguments(int argc, char** argv) : words_(argv + 1, argv + argc) {}
+
+  Options parse() {
+    Options o;
+    while (next_ < words_.size()) take(o);
+    if (o.worlds.empty()) throw std::invalid_argument("no world given");
+    return o;
+  }
+
+ private:
+  void take(Options& o) {
+    const std::string word = text();
+    if (word == "--seeds") return takeSeeds(o);
+    if (word == "--limits") return void(o.limits = text());
+    if (word == "--start") return takeStart(o);
+    if (word == "--until") return void(o.until = number());
+    if (word == "--limit") return void(o.limit = number());
+    if (word == "--odom-noise") return void(o.odom_noise = true);
+    if (word == "--curve") return void(o.curve = true);
+    if (word == "--log") return void(o.log = true);
+    if (word == "--twice") return void(o.twice = true);
+    if (word == "--svg") return void(o.svg = text());
+    if (word.rfind("--", 0) == 0) throw std::invalid_argument("unknown option " + word);
+    o.worlds.push_back(word);
+  }
+  void takeSeeds(Options& o) {
+    const std::string range = text();
+    const std::size_t dash = range.find('-');
+    o.first_seed = std::stoi(range);
+    o.last_seed = dash == std::string::npos ? o.first_seed : std::stoi(range.substr(dash + 1));
+  }
+  void takeStart(Options& o) {
+    const double x = number();
+    const double y = number();
+    o.start = Pose2(x, y, number());
+  }
+  std::string text() {
+    if (next_ >= words_.size()) throw std::invalid_argument("an option lacks its value");
+    return words_[next_++];
+  }
+  double number() { return std::stod(text()); }
+
+  std::vector<std::string> words_;
+  std::size_t next_ = 0;
+};
+
+double threadSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+RobotLimits limitsNamed(const std::string& name) {
+  RobotLimits limits;
+  if (name == "burger") return limits;
+  if (name != "fast") throw std::invalid_argument("--limits: burger or fast");
+  limits.max_linear = 0.5;
+  limits.max_angular = 1.5;
+  return limits;
+}
+
+test::ClosedLoopParameters parametersFor(const Options& options, const std::string& world, int seed) {
+  test::ClosedLoopParameters parameters;
+  parameters.setLimits(limitsNamed(options.limits));
+  parameters.simulator.world = world;
+  parameters.simulator.seed = seed;
+  parameters.simulator.odom_noise = options.odom_noise;
+  if (options.start) {
+    parameters.simulator.x = options.start->x;
+    parameters.simulator.y = options.start->y;
+    parameters.simulator.yaw = options.start->yaw;
+  }
+  return parameters;
+}
+
+/// One exploration from the start to its end.
+class Run {
+ public:
+  Run(const Options& options, const std::string& world, int seed)
+      : options_(options),
+        loop_(sim::loadWorld(world), parametersFor(options, world, seed), threadSeconds),
+        meter_(loop_.simulator().map(), loop_.simulator().startPose(0), 0.15),
+        svg_(options.svg.empty() ? "" : svgPath(options.svg, world, seed)) {
+    report_.world = std::filesystem::path(world).stem().string();
+    report_.seed = seed;
+    report_.area = meter_.area();
+  }
+
+  const ExploreReport& toTheEnd() {
+    const double begin = threadSeconds();
+    while (!finished()) {
+      loop_.step();
+      follow();
+      if (loop_.now().time_since_epoch() % kSample == Duration::zero()) sample();
+    }
+    sample();
+    conclude(threadSeconds() - begin - metering_);
+    return report_;
+  }
+
+ private:
+  static constexpr Duration kSample = std::chrono::seconds(1);
+
+  static std::string svgPath(const std::string& directory, const std::string& world, int seed) {
+    std::filesystem::create_directories(directory);
+    return directory + "/" + std::filesystem::path(world).stem().string() + "_" + std::to_string(seed) + ".svg";
+  }
+
+  bool finished() const {
+    return loop_.done() || report_.explored >= options_.until || toSeconds(loop_.now()) >= options_.limit;
+  }
+
+  void follow() {
+    const Vec2 position = loop_.simulator().pose(0).position();
+    if (last_) report_.distance += (position - *last_).norm();
+    last_ = position;
+  }
+
+  void sample() {
+    const double begin = threadSeconds();
+    const double t = toSeconds(loop_.now());
+    report_.explored = meter_.explored(loop_.mapper().grid());
+    report_.reach(report_.explored, t);
+    track_.points.push_back(loop_.simulator().startPose(0).inverse() * loop_.simulator().pose(0).position());
+    for (const std::string& line : loop_.takeLog()) {
+      if (options_.log) std::printf("    %s\n", line.c_str());
+    }
+    if (options_.curve && static_cast<int>(t) % 10 == 0) {
+      std::printf("    t %6.0f s  explored %.4f  distance %7.1f m\n", t, report_.explored, report_.distance);
+    }
+    metering_ += threadSeconds() - begin;
+  }
+
+  void conclude(double cpu) {
+    report_.simulated = toSeconds(loop_.now());
+    report_.cpu = cpu;
+    report_.times = loop_.times();
+    report_.wrong = meter_.wrong(loop_.mapper().grid());
+    report_.contacts = loop_.simulator().contactCount(0);
+    report_.decisions = static_cast<int>(loop_.status().goals_sent);
+    report_.hash = loop_.hash();
+    const bool complete = loop_.done() && loop_.status().reason == ExplorerReason::kNoReachableFrontier;
+    report_.ended_well = complete || report_.explored >= options_.until;
+    report_.end = loop_.done() ? toString(loop_.status().reason) : "not done";
+    if (!svg_.empty()) std::ofstream(svg_) << drawSvg(loop_.mapper().grid(), {track_}, report_.text());
+  }
+
+  const Options& options_;
+  test::ClosedLoop loop_;
+  test::ExplorationMeter meter_;
+  std::string svg_;
+  ExploreReport report_;
+  SvgTrack track_;
+  std::optional<Vec2> last_;
+  double metering_ = 0.0;
+};
+
+int runAll(const Options& options) {
+  bool good = true;
+  std::printf("%s\n", ExploreReport::header().c_str());
+  for (const std::string& world : options.worlds) {
+    for (int seed = options.first_seed; seed <= options.last_seed; ++seed) {
+      const ExploreReport report = Run(options, world, seed).toTheEnd();
+      std::printf("%s\n", report.text().c_str());
+      std::fflush(stdout);
+      good = good && report.ended_well && report.contacts == 0;
+      if (options.twice && Run(options, world, seed).toTheEnd().hash != report.hash) {
+        std::printf("    the second run has another hash\n");
+        good = false;
+      }
+    }
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("peak memory %.0f MiB\n", static_cast<double>(usage.ru_maxrss) / 1024.0);
+  return good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace frontier_pilot::bench
+
+int main(int argc, char** argv) {
+  try {
+    return frontier_pilot::bench::runAll(frontier_pilot::bench::Arguments(argc, argv).parse());
+  } catch (const std::exception& error) {
+    std::cerr << "explore_bench: " << error.what() << "\n" << frontier_pilot::bench::kUsage;
+    return 2;
+  }
+}

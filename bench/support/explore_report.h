@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/closed_loop/closed_loop.h"
+
+namespace frontier_pilot::bench {
+
+/// What one exploration came to.
+struct ExploreReport {
+  std::string world;
+  int seed = 0;
+  double area = 0.0;       ///< reachable floor [m^2]
+  double explored = 0.0;   ///< share of it that the map shows as free
+  double wrong = 0.0;      ///< share of the map's walls that are none
+  double simulated = 0.0;  ///< [s]
+  double distance = 0.0;   ///< by the ground truth [m]
+  int contacts = 0;
+  int decisions = 0;  ///< goals sent
+  bool ended_well = false;
+  std::string end;   ///< why it ended
+  double cpu = 0.0;  ///< of the whole loop [s]
+  test::ModuleTimes times;
+  std::uint64_t hash = 0;
+
+  /// Notes that `share` was explored at `t` [s].
+  void reach(double share, double t);
+  /// A line of the table, and the table's first line.
+  std::string text() const;
+  static std::string header();
+
+ private:
+  static const std::vector<double>& levels();
+  std::vector<double> reached_;  ///< when each level was [s]
+};
+
+}  // namespace frontier_pilot::bench

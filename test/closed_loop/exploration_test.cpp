@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "frontier_pilot/sim/world_image.h"
+#include "support/closed_loop/closed_loop.h"
+
+namespace frontier_pilot::test {
+namespace {
+
+constexpr double kMeterRadius = 0.15;  // [m]
+
+sim::World load(const std::string& name) {
+  return sim::loadWorld(std::string(WORLDS_DIRECTORY) + "/" + name + ".yaml");
+}
+
+ClosedLoopParameters seeded(int seed) {
+  ClosedLoopParameters parameters;
+  parameters.simulator.seed = seed;
+  return parameters;
+}
+
+/// Explores until DONE, or for `limit` [s] of simulated time.
+void explore(ClosedLoop& loop, double limit) {
+  while (!loop.done() && toSeconds(loop.now()) < limit) loop.step();
+}
+
+double exploredShare(ClosedLoop& loop) {
+  ExplorationMeter meter(loop.simulator().map(), loop.simulator().startPose(0), kMeterRadius);
+  return meter.explored(loop.mapper().grid());
+}
+
+class EveryWorld : public testing::TestWithParam<const char*> {};
+
+// [EXP-7] [NAV-4] [SIM-3]
+TEST_P(EveryWorld, IsExploredToTheEndWithoutContact) {
+  ClosedLoop loop(load(GetParam()), seeded(1));
+  explore(loop, 3600.0);
+  EXPECT_TRUE(loop.done()) << loop.status().reason_text;
+  EXPECT_EQ(loop.status().reason, ExplorerReason::kNoReachableFrontier) << loop.status().reason_text;
+  EXPECT_GE(exploredShare(loop), 0.99);
+  EXPECT_EQ(loop.simulator().contactCount(0), 0);
+}
+INSTANTIATE_TEST_SUITE_P(Worlds, EveryWorld, testing::Values("flat", "office", "maze", "cave", "loop", "small"));
+
+// [SIM-2]
+TEST(Exploration, TheSameSeedGivesTheSameHashAndAnotherSeedAnotherOne) {
+  std::uint64_t hashes[3];
+  const int seeds[3] = {3, 3, 4};
+  for (int i = 0; i < 3; ++i) {
+    ClosedLoop loop(load("small"), seeded(seeds[i]));
+    explore(loop, 600.0);
+    hashes[i] = loop.hash();
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_NE(hashes[0], hashes[2]);
+}
+
+}  // namespace
+}  // namespace frontier_pilot::test

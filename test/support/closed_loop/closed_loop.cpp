@@ -1,0 +1,162 @@
+#include "support/closed_loop/closed_loop.h"
+
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+
+namespace frontier_pilot::test {
+namespace {
+
+constexpr std::uint64_t kStepsPerControl = 10;  // 10 Hz
+constexpr std::uint64_t kStepsPerTick = 5;      // the arbiter's 20 Hz
+
+GoalEvent::Kind eventKind(NavResult result) {
+  if (result == NavResult::kSucceeded) return GoalEvent::Kind::kReached;
+  return result == NavResult::kAborted ? GoalEvent::Kind::kAborted : GoalEvent::Kind::kPreempted;
+}
+
+}  // namespace
+
+class ClosedLoop::Stopwatch {
+ public:
+  Stopwatch(double (*clock)(), double& total)
+      : clock_(clock), total_(total), start_(clock != nullptr ? clock() : 0.0) {}
+  ~Stopwatch() {
+    if (clock_ != nullptr) total_ += clock_() - start_;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double (*clock_)();
+  double& total_;
+  double start_;
+};
+
+void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
+  simulator.limits = limits;
+  navigator.limits = limits;
+  arbiter.limits = limits;
+}
+
+ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)())
+    : simulator_(std::move(world), parameters.simulator),
+      mapper_(parameters.mapper),
+      navigator_(parameters.navigator),
+      explorer_(parameters.explorer),
+      arbiter_(parameters.arbiter),
+      nav_source_(arbiter_.find("nav").value()),
+      wall_clock_(wall_clock) {}
+
+void ClosedLoop::step() {
+  {
+    const Stopwatch watch(wall_clock_, times_.simulator);
+    simulator_.step();
+  }
+  ++steps_;
+  takeScan();
+  if (steps_ % kStepsPerControl == 0) control();
+  if (steps_ % kStepsPerTick == 0) {
+    const Stopwatch watch(wall_clock_, times_.arbiter);
+    if (const auto twist = arbiter_.tick(instant())) simulator_.setCommand(0, *twist);
+  }
+}
+
+void ClosedLoop::takeScan() {
+  const LaserScan2* scan = simulator_.newScan(0);
+  if (scan == nullptr) return;
+  scan_ = *scan;
+  const Stopwatch watch(wall_clock_, times_.mapper);
+  mapper_.insert(scan_, simulator_.odometry(0), now());
+}
+
+void ClosedLoop::control() {
+  const MapChanges changes = mapper_.takeChanges();
+  if (!changes.empty()) {
+    {
+      const Stopwatch watch(wall_clock_, times_.navigator);
+      navigator_.setMap(mapper_.grid(), changes.cells);
+    }
+    const Stopwatch watch(wall_clock_, times_.explorer);
+    explorer_.setMap(mapper_.grid(), changes.cells);
+  }
+  explore();
+  navigate();
+  const Pose2& pose = simulator_.pose(0);
+  for (const double value : {pose.x, pose.y, pose.yaw}) mix(value);
+}
+
+StampedPose ClosedLoop::poseNow() const { return {now(), mapper_.T_map_odom() * simulator_.odometry(0)}; }
+
+Instant ClosedLoop::instant() const { return {now(), SteadyTime(now().time_since_epoch())}; }
+
+void ClosedLoop::explore() {
+  const Stopwatch watch(wall_clock_, times_.explorer);
+  ExplorerInputs inputs;
+  inputs.enabled = exploring_;
+  inputs.map_available = !mapper_.grid().empty();
+  inputs.T_map_base = StampedPose2{poseNow().T_map_base, now()};
+  inputs.odometry_stamp = now();
+  inputs.goal_events.swap(goal_events_);
+  ExplorerOutput output = explorer_.update(inputs, now());
+  if (output.command.kind != GoalCommand::Kind::kNone) pending_ = output.command;
+  status_ = output.status;
+  for (const ExplorerStatus& transition : output.transitions) {
+    log(std::string(toString(transition.state)) + ": " + toString(transition.reason) + " " + transition.reason_text);
+    mix(static_cast<double>(transition.state));
+  }
+  for (const ExplorerNote& note : output.notes) log(note.text);
+}
+
+void ClosedLoop::navigate() {
+  std::optional<Twist2> command;
+  {
+    const Stopwatch watch(wall_clock_, times_.navigator);
+    NavigatorInputs inputs;
+    inputs.pose = poseNow();
+    inputs.scan = scan_.ranges.empty() ? nullptr : &scan_;
+    inputs.twist = simulator_.velocity(0);
+    if (pending_.kind == GoalCommand::Kind::kSend) inputs.new_goal = NavGoal{pending_.goal_id, pending_.goal, false};
+    inputs.cancel = pending_.kind == GoalCommand::Kind::kCancel;
+    pending_ = {};
+    const NavigatorOutput output = navigator_.update(inputs, now());
+    noteGoals(output);
+    command = output.command;
+  }
+  if (!command) return;
+  const Stopwatch watch(wall_clock_, times_.arbiter);
+  if (const auto twist = arbiter_.onCommand(nav_source_, *command, instant())) {
+    simulator_.setCommand(0, *twist);
+    mix(twist->linear);
+    mix(twist->angular);
+  }
+}
+
+void ClosedLoop::noteGoals(const NavigatorOutput& output) {
+  for (const NavFinished& finished : output.finished) {
+    goal_events_.push_back(
+        {static_cast<std::uint32_t>(finished.id), eventKind(finished.result), toString(finished.reason)});
+    log("goal " + std::to_string(finished.id) + " " + toString(finished.result) + ": " + toString(finished.reason));
+  }
+}
+
+void ClosedLoop::log(const std::string& line) {
+  std::ostringstream out;
+  out.precision(2);
+  out << std::fixed << toSeconds(now()) << " " << line;
+  log_.push_back(out.str());
+}
+
+std::vector<std::string> ClosedLoop::takeLog() {
+  std::vector<std::string> out;
+  out.swap(log_);
+  return out;
+}
+
+void ClosedLoop::mix(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  hash_ = (hash_ ^ bits) * 1099511628211ULL;
+}
+
+}  // namespace frontier_pilot::test

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/arbiter/arbiter.h"
+#include "frontier_pilot/exploration/explorer.h"
+#include "frontier_pilot/mapping/mapper.h"
+#include "frontier_pilot/planning/navigator.h"
+#include "frontier_pilot/sim/simulator.h"
+#include "support/closed_loop/exploration_meter.h"
+
+namespace frontier_pilot::test {
+
+/// The parameters of every part, as the nodes have them.
+struct ClosedLoopParameters {
+  sim::SimulatorParameters simulator;
+  MapperParameters mapper;
+  NavigatorParams navigator;
+  ExplorerParameters explorer;
+  ArbiterParameters arbiter;
+
+  /// One set of limits for everybody who needs to know them.
+  void setLimits(const RobotLimits& limits);
+};
+
+/// Where the processor time went [s].
+struct ModuleTimes {
+  double simulator = 0.0;
+  double mapper = 0.0;
+  double navigator = 0.0;
+  double explorer = 0.0;
+  double arbiter = 0.0;
+
+  double sum() const { return simulator + mapper + navigator + explorer + arbiter; }
+};
+
+/// Simulator, mapper, navigator, explorer and arbiter in lockstep in one process: what system.launch does over topics.
+/// Simulated time only; deterministic for a seed.
+class ClosedLoop {
+ public:
+  /// Throws as sim::Simulator does. `wall_clock`, if given, is read to fill `times()`; nothing else depends on it.
+  ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)() = nullptr);
+
+  /// One step of the simulator, and what falls due in it.
+  void step();
+  /// Switches the explorer off and on.
+  void setExploring(bool on) { exploring_ = on; }
+
+  Time now() const { return simulator_.now(); }
+  sim::Simulator& simulator() { return simulator_; }
+  const Mapper& mapper() const { return mapper_; }
+  const Navigator& navigator() const { return navigator_; }
+  const Explorer& explorer() const { return explorer_; }
+  const ExplorerStatus& status() const { return status_; }
+  bool done() const { return status_.state == ExplorerState::kDone; }
+  /// Every transition and remark of the explorer and every end of a goal since the last call, one line each.
+  std::vector<std::string> takeLog();
+  const ModuleTimes& times() const { return times_; }
+  /// FNV-1a over the robot's poses, commands and decisions so far: equal runs have equal hashes.
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  void takeScan();
+  void control();
+  void explore();
+  void navigate();
+  void noteGoals(const NavigatorOutput& output);
+  Instant instant() const;
+  StampedPose poseNow() const;
+  void log(const std::string& line);
+  void mix(double value);
+
+  /// Adds the time that a scope took.
+  class Stopwatch;
+
+  sim::Simulator simulator_;
+  Mapper mapper_;
+  Navigator navigator_;
+  Explorer explorer_;
+  Arbiter arbiter_;
+  std::size_t nav_source_;
+  double (*wall_clock_)();
+
+  bool exploring_ = true;
+  LaserScan2 scan_;
+  GoalCommand pending_;
+  std::uint32_t goal_id_ = 0;
+  std::vector<GoalEvent> goal_events_;
+  ExplorerStatus status_;
+  std::vector<std::string> log_;
+  ModuleTimes times_;
+  std::uint64_t hash_ = 14695981039346656037ULL;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace frontier_pilot::test
