@@ -1,0 +1,81 @@
+#include "frontier_pilot/sim/world_image.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace frontier_pilot::sim {
+namespace {
+
+class WorldFiles : public ::testing::Test {
+ protected:
+  WorldFiles()
+      : folder_(std::filesystem::temp_directory_path() / ("frontier_pilot_worlds_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+    write("world.pgm", "P2\n# a comment\n3 2\n255\n254 205 0\n0 254 254\n");
+  }
+  ~WorldFiles() override { std::filesystem::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  std::string writeYaml(const std::string& text) const { return write("world.yaml", text); }
+  std::string refusal(const std::string& path) const {
+    try {
+      loadWorld(path);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::filesystem::path folder_;
+  const std::string rest_ =
+      "resolution: 0.1\norigin: [1.0, -2.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+};
+
+// [SIM-1] a map_server file, read as map_server reads it
+TEST_F(WorldFiles, ReadsWhatMapServerReads_SIM_1) {
+  const World world = loadWorld(writeYaml("image: world.pgm\n" + rest_));
+  EXPECT_EQ(world.map.geometry(), (GridGeometry{0.1, {1.0, -2.0}, 3, 2}));
+  EXPECT_EQ(world.map.cells(), (std::vector<std::int8_t>{kOccupied, kFree, kFree, kFree, kUnknown, kOccupied}));
+  EXPECT_FALSE(world.start);
+}
+
+TEST_F(WorldFiles, ToleratesUnknownKeysAndReadsTheStart_SIM_1) {
+  const World world = loadWorld(writeYaml("image: world.pgm\nfriend: 3\nmode: trinary\nstart: [1, 2, 3.0]\n" + rest_));
+  ASSERT_TRUE(world.start);
+  EXPECT_EQ(*world.start, Pose2(1.0, 2.0, 3.0));
+}
+
+TEST_F(WorldFiles, NegatesWhenTold_SIM_1) {
+  std::string text = "image: world.pgm\n" + rest_;
+  text.replace(text.find("negate: 0"), 9, "negate: 1");
+  EXPECT_EQ(loadWorld(writeYaml(text)).map.cells().back(), kFree);
+}
+
+// [SIM-1] every defect is named, with the file
+TEST_F(WorldFiles, NamesEveryDefect_SIM_1) {
+  EXPECT_NE(refusal((folder_ / "none.yaml").string()).find("none.yaml: cannot be read"), std::string::npos);
+  EXPECT_NE(refusal(writeYaml("image: [")).find("world.yaml"), std::string::npos);
+  const std::string bare = refusal(writeYaml("negate: 0\n"));
+  for (const char* key : {"image: missing", "resolution: missing", "origin: must be"}) {
+    EXPECT_NE(bare.find(key), std::string::npos) << bare;
+  }
+  EXPECT_NE(refusal(writeYaml("image: other.pgm\n" + rest_)).find("other.pgm does not exist"), std::string::npos);
+  write("broken.pgm", "P5\n3 2\n255\n");
+  EXPECT_NE(refusal(writeYaml("image: broken.pgm\n" + rest_)).find("broken.pgm"), std::string::npos);
+  write("text.pgm", "not a picture");
+  EXPECT_NE(refusal(writeYaml("image: text.pgm\n" + rest_)).find("cannot be read as PGM or PNG"), std::string::npos);
+  const std::string rotated = "image: world.pgm\nresolution: 0.1\norigin: [0, 0, 0.5]\n";
+  EXPECT_NE(refusal(writeYaml(rotated)).find("rotated"), std::string::npos);
+  EXPECT_NE(refusal(writeYaml("image: world.pgm\nmode: scale\n" + rest_)).find("only trinary"), std::string::npos);
+  EXPECT_NE(refusal(writeYaml("image: world.pgm\nresolution: .nan\norigin: [0, 0, 0]\n")).find("resolution"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace frontier_pilot::sim
