@@ -98,7 +98,7 @@ void Navigator::takeIn(const NavigatorInputs& inputs, Time now) {
   const auto T_map_base = poses_.at(inputs.scan->stamp);
   if (!T_map_base) return;
   scan_stamp_ = inputs.scan->stamp;
-  scan_ = scanPoints(*inputs.scan, *T_map_base);
+  scan_ = scanPoints(*inputs.scan, *T_map_base, params_.clearance.inscribed_radius);
   if (clearance_.empty()) return;
   obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
 }

@@ -11,6 +11,13 @@ constexpr float kFarAway = 1e6F;
 const Duration kHistory = fromSeconds(1.0);
 const Duration kExtrapolation = fromSeconds(0.2);
 
+/// How far along `unit` from `from` (both in the base frame) the footprint's edge is [m]; 0 if `from` is outside of it.
+double distanceToEdge(const Vec2& from, const Vec2& unit, double footprint_radius) {
+  const double along = from.dot(unit);
+  const double inside = footprint_radius * footprint_radius - from.squaredNorm();
+  return inside > 0.0 ? std::sqrt(along * along + inside) - along : 0.0;
+}
+
 }  // namespace
 
 void ScanPoints::add(const Vec2& point) {
@@ -59,7 +66,7 @@ double ScanPoints::distance(const Vec2& point) const {
   return std::sqrt(static_cast<double>(*std::min_element(least.begin(), least.end())));
 }
 
-ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base) {
+ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, double footprint_radius) {
   const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
   ScanPoints points;
   points.x.reserve(scan.ranges.size());
@@ -67,7 +74,12 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base) {
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
     if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
-    points.add(T_map_sensor.position() + reading.distance * direction(T_map_sensor.yaw + scan.angle(i)));
+    double distance = reading.distance;
+    if (reading.kind == RangeKind::kTooNear) {
+      const Vec2 unit = direction(scan.T_base_sensor.yaw + scan.angle(i));
+      distance = std::min(distance, distanceToEdge(scan.T_base_sensor.position(), unit, footprint_radius));
+    }
+    points.add(T_map_sensor.position() + distance * direction(T_map_sensor.yaw + scan.angle(i)));
   }
   return points;
 }

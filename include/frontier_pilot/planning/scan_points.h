@@ -24,8 +24,10 @@ struct ScanPoints {
   static constexpr std::size_t kLanes = 8;
 };
 
-/// The hits of `scan`, taken from a base at `T_map_base`; too near readings count at the sensor's least range.
-ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base);
+/// The hits of `scan`, taken from a base at `T_map_base`. A too near reading is somewhere between the footprint, a disc
+/// of `footprint_radius` [m], and the sensor's least range: it counts as the footprint's edge, where it is the nearer
+/// one.
+ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, double footprint_radius);
 
 /// Whether enough beams say something for the scan to be driven by: more than a tenth of a scan that is not empty.
 bool isUsable(const LaserScan2& scan);
