@@ -1,0 +1,76 @@
+#pragma once
+
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/parameters.h"
+
+namespace frontier_pilot {
+
+/// The robot's outline. Defaults: TurtleBot3 Burger, 0.138 m by 0.178 m, the wheels' axis 0.032 m ahead of its middle.
+struct FootprintParameters {
+  std::vector<double> polygon = {0.037, 0.089, -0.101, 0.089, -0.101, -0.089, 0.037, -0.089};
+  double padding = 0.01;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("polygon", polygon, "m", "corners x1, y1, x2, y2, ... in the base frame, in order", between(-5.0, 5.0));
+    v.field("padding", padding, "m", "added to the outline on every side", between(0.0, 1.0));
+  }
+  /// At least three corners, an area, and the base's origin inside.
+  void check(Problems& problems) const;
+};
+
+/// The costmap that rolls along with the robot.
+struct LocalCostmapParameters {
+  double side = 3.0;
+  double resolution = 0.025;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("side", side, "m", "of the square window around the robot", between(0.5, 20.0));
+    v.field("resolution", resolution, "m", "side of a cell", between(0.005, 0.2));
+  }
+};
+
+/// How the timed behaviours move.
+struct BehaviorParameters {
+  double frequency = 10.0;
+  double rotational_acc_lim = 3.2;
+  double min_rotational_vel = 0.4;
+  double max_rotational_vel = 1.0;
+  double linear_acc_lim = 0.6;
+  double min_linear_vel = 0.03;
+  double max_linear_vel = 0.22;
+  double default_linear_vel = 0.1;
+  double simulate_ahead_time = 2.0;
+  double pose_timeout = 0.5;
+  double costmap_timeout = 0.5;
+  double no_progress_timeout = 2.0;
+  double settle_timeout = 0.5;
+  double jump_distance = 0.5;
+  double jump_angle = 1.5;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("frequency", frequency, "Hz", "control cycles a second", between(5.0, 100.0));
+    v.field("rotational_acc_lim", rotational_acc_lim, "rad/s^2", "a turn slows down with", positive());
+    v.field("min_rotational_vel", min_rotational_vel, "rad/s", "slowest turn", positive());
+    v.field("max_rotational_vel", max_rotational_vel, "rad/s", "fastest turn", positive());
+    v.field("linear_acc_lim", linear_acc_lim, "m/s^2", "a straight motion slows down with", positive());
+    v.field("min_linear_vel", min_linear_vel, "m/s", "slowest straight motion", positive());
+    v.field("max_linear_vel", max_linear_vel, "m/s", "fastest straight motion that a goal may ask for", positive());
+    v.field("default_linear_vel", default_linear_vel, "m/s", "where a goal asks for none", positive());
+    v.field("simulate_ahead_time", simulate_ahead_time, "s", "how far ahead the motion must be free", positive());
+    v.field("pose_timeout", pose_timeout, "s", "how old a pose may be", positive());
+    v.field("costmap_timeout", costmap_timeout, "s", "how old the last scan in the costmap may be", positive());
+    v.field("no_progress_timeout", no_progress_timeout, "s", "a robot that does not come on for so long is stuck",
+            positive());
+    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill before success is told", positive());
+    v.field("jump_distance", jump_distance, "m", "a longer step of the pose is a jump", positive());
+    v.field("jump_angle", jump_angle, "rad", "a larger turn of the pose at once is a jump", Bounds{0.0, 3.0, true});
+  }
+  void check(Problems& problems) const;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "frontier_pilot/behavior/local_costmap.h"
+#include "frontier_pilot/behavior/timed_behavior.h"
+
+namespace frontier_pilot {
+
+/// The robot's outline and its surroundings as configured.
+struct SurroundingsParameters {
+  FootprintParameters footprint;
+  LocalCostmapParameters costmap;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.group("footprint", footprint, "the robot's outline");
+    v.group("costmap", costmap, "the local costmap that is built from the scan");
+  }
+};
+
+/// What a behaviour looks ahead in: the footprint on the local costmap, as long as its last scan is fresh.
+class Surroundings {
+ public:
+  explicit Surroundings(const SurroundingsParameters& parameters)
+      : footprint_(parameters.footprint), costmap_(parameters.costmap, footprint_) {}
+
+  LocalCostmap& costmap() { return costmap_; }
+  const LocalCostmap& costmap() const { return costmap_; }
+  const Footprint& footprint() const { return footprint_; }
+  /// For `BehaviorInputs` at `now`: everything is blocked when the last scan is older than `max_age` [s]. [SPN-3]
+  /// It refers to this object.
+  LookAhead lookAhead(double max_age, Time now) const {
+    const auto stamp = costmap_.stamp();
+    if (!stamp || toSeconds(now - *stamp) > max_age) return {};
+    return [this](const Pose2& T_odom_base, const AxisMotion& motion) {
+      return sweep(costmap_.grid(), footprint_, T_odom_base, motion);
+    };
+  }
+
+ private:
+  Footprint footprint_;
+  LocalCostmap costmap_;
+};
+
+}  // namespace frontier_pilot

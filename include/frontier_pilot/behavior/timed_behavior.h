@@ -1,0 +1,109 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/behavior/motion_profile.h"
+#include "frontier_pilot/behavior/parameters.h"
+#include "frontier_pilot/behavior/sweep.h"
+#include "frontier_pilot/core/motion.h"
+
+namespace frontier_pilot {
+
+enum class BehaviorKind { kSpin, kBackUp, kDriveOnHeading, kWait };
+const char* toString(BehaviorKind kind);
+
+/// What to do.
+struct BehaviorGoal {
+  BehaviorKind kind = BehaviorKind::kSpin;
+  double target = 0.0;          ///< spin: [rad], counter-clockwise; back up: [m], how far back; drive: [m]; wait: [s]
+  double speed = 0.0;           ///< of a straight motion [m/s]; 0: the default
+  double time_allowance = 0.0;  ///< [s]; 0: as long as it takes
+  bool check_collisions = true;
+};
+
+/// How a behaviour stands, or how it ended.
+enum class BehaviorOutcome {
+  kIdle,
+  kRunning,
+  kSucceeded,
+  kTimeout,
+  kPoseLost,
+  kCollisionAhead,
+  kInvalidGoal,
+  kNoProgress,
+  kCanceled,
+};
+const char* toString(BehaviorOutcome outcome);
+
+/// Looks along a motion from a pose in the odometry frame.
+using LookAhead = std::function<SweepResult(const Pose2& T_odom_base, const AxisMotion& motion)>;
+
+/// What a behaviour knows of the world in a cycle.
+struct BehaviorInputs {
+  struct Pose {
+    Time stamp;
+    Pose2 T_odom_base;
+  };
+  std::optional<Pose> pose;
+  LookAhead look_ahead;  ///< empty: there is no costmap
+  bool emergency_stop = false;
+};
+
+/// What comes of a cycle.
+struct BehaviorOutput {
+  BehaviorOutcome outcome = BehaviorOutcome::kIdle;
+  std::optional<Twist2> command;  ///< to be published at once; nothing is while no behaviour is active
+  double progress = 0.0;          ///< so far: [rad] counter-clockwise, [m] towards the target or [s]
+  double elapsed = 0.0;           ///< since the start [s], ROS time
+  std::string message;            ///< once it has ended: why
+};
+
+/// Turns, drives straight or waits, looking ahead in every cycle, the first one included. One behaviour at a time;
+/// every end gives a zero command with it. Requirements: behaviour.md, SPN-1 to SPN-5.
+class TimedBehavior {
+ public:
+  explicit TimedBehavior(const BehaviorParameters& parameters) : parameters_(parameters) {}
+
+  /// A new goal; one that is running must have been cancelled. The first command comes with the next `update`.
+  BehaviorOutput start(const BehaviorGoal& goal, Time now);
+  /// To be called at `frequency`.
+  BehaviorOutput update(const BehaviorInputs& inputs, Time now);
+  /// Ends it at once. `why` goes into the message.
+  BehaviorOutput cancel(const std::string& why, Time now);
+
+  bool active() const { return active_; }
+  const BehaviorGoal& goal() const { return goal_; }
+
+ private:
+  BehaviorOutput running(const Twist2& command) const;
+  BehaviorOutput end(BehaviorOutcome outcome, std::string message);
+  BehaviorOutput wait();
+  BehaviorOutput move(const BehaviorInputs& inputs, Time now);
+  std::optional<std::string> poseProblem(const BehaviorInputs& inputs, Time now) const;
+  void measure(const BehaviorInputs::Pose& pose, Time now);
+  BehaviorOutput settle(Time now);
+  BehaviorOutput goOn(const BehaviorInputs& inputs, double speed);
+  AxisMotion motion() const;
+  MotionLimits limits() const;
+  double sign() const { return motion().amount < 0.0 ? -1.0 : 1.0; }
+
+  BehaviorParameters parameters_;
+  BehaviorGoal goal_;
+  bool active_ = false;
+  Time started_, last_update_;
+  double elapsed_ = 0.0;
+  double progress_ = 0.0;  ///< along the motion: positive towards the target
+  std::optional<BehaviorInputs::Pose> first_pose_, last_pose_;
+  TurnCounter turned_;
+  MotionEstimate estimate_;
+  double best_progress_ = 0.0;
+  Time progressed_;
+  std::optional<Time> settling_since_;
+};
+
+/// What is wrong with a goal; nothing if it can be done. [SPN-4]
+std::optional<std::string> problemOf(const BehaviorGoal& goal);
+
+}  // namespace frontier_pilot

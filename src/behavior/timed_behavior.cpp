@@ -1,0 +1,199 @@
+#include "frontier_pilot/behavior/timed_behavior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace frontier_pilot {
+namespace {
+
+/// By so much [rad] or [m] a motion must come on to count as progress.
+constexpr double kTurnProgress = 0.01;
+constexpr double kLineProgress = 0.004;
+
+std::string seconds(double value) {
+  std::ostringstream out;
+  out << value << " s";
+  return out.str();
+}
+
+}  // namespace
+
+const char* toString(BehaviorKind kind) {
+  constexpr const char* kNames[] = {"spin", "back_up", "drive_on_heading", "wait"};
+  return kNames[static_cast<int>(kind)];
+}
+
+const char* toString(BehaviorOutcome outcome) {
+  constexpr const char* kNames[] = {"idle",         "running",     "succeeded",
+                                    "timeout",      "pose lost",   "collision ahead",
+                                    "invalid goal", "no progress", "canceled"};
+  return kNames[static_cast<int>(outcome)];
+}
+
+std::optional<std::string> problemOf(const BehaviorGoal& goal) {
+  if (!std::isfinite(goal.target)) return "invalid goal: the target is not finite";
+  if (!(goal.time_allowance >= 0.0 && std::isfinite(goal.time_allowance))) {
+    return "invalid goal: the time allowance must not be negative";
+  }
+  if (!(goal.speed >= 0.0 && std::isfinite(goal.speed))) return "invalid goal: the speed must be finite, not negative";
+  if (goal.kind == BehaviorKind::kBackUp && goal.target < 0.0) {
+    return "invalid goal: the distance to back up must not be negative";
+  }
+  if (goal.kind == BehaviorKind::kWait && goal.target < 0.0) return "invalid goal: the time must not be negative";
+  return std::nullopt;
+}
+
+BehaviorOutput TimedBehavior::start(const BehaviorGoal& goal, Time now) {
+  goal_ = goal;
+  started_ = last_update_ = progressed_ = now;
+  elapsed_ = progress_ = best_progress_ = 0.0;
+  first_pose_.reset();
+  last_pose_.reset();
+  settling_since_.reset();
+  estimate_ = {};
+  if (const auto problem = problemOf(goal)) return end(BehaviorOutcome::kInvalidGoal, *problem);
+  if (goal.target == 0.0) return end(BehaviorOutcome::kSucceeded, "there was nothing to do");
+  active_ = true;
+  return running({});
+}
+
+BehaviorOutput TimedBehavior::cancel(const std::string& why, Time now) {
+  if (!active_) return {};
+  elapsed_ = std::max(0.0, toSeconds(now - started_));
+  return end(BehaviorOutcome::kCanceled, why);
+}
+
+BehaviorOutput TimedBehavior::update(const BehaviorInputs& inputs, Time now) {
+  if (!active_) return {};
+  if (now < last_update_) return end(BehaviorOutcome::kPoseLost, "the clock jumped back");
+  elapsed_ = toSeconds(now - started_);
+  if (!settling_since_ && goal_.time_allowance > 0.0 && elapsed_ > goal_.time_allowance) {
+    return end(BehaviorOutcome::kTimeout, "not done within " + seconds(goal_.time_allowance));
+  }
+  if (inputs.emergency_stop) return end(BehaviorOutcome::kNoProgress, "emergency stop");
+  BehaviorOutput output = goal_.kind == BehaviorKind::kWait ? wait() : move(inputs, now);
+  last_update_ = now;
+  return output;
+}
+
+BehaviorOutput TimedBehavior::wait() {
+  progress_ = std::min(elapsed_, goal_.target);
+  return elapsed_ >= goal_.target ? end(BehaviorOutcome::kSucceeded, "waited") : running({});
+}
+
+BehaviorOutput TimedBehavior::move(const BehaviorInputs& inputs, Time now) {
+  if (const auto problem = poseProblem(inputs, now)) {
+    // Where it is now no longer matters once the target is reached.
+    if (settling_since_) return end(BehaviorOutcome::kSucceeded, "done");
+    return end(BehaviorOutcome::kPoseLost, *problem);
+  }
+  measure(*inputs.pose, now);
+  if (settling_since_) return settle(now);
+  const double remaining = std::abs(motion().amount) - progress_;
+  const ProfileStep next = profileStep(limits(), remaining, estimate_, 1.0 / parameters_.frequency);
+  if (next.reached) {
+    settling_since_ = now;
+    return settle(now);
+  }
+  if (toSeconds(now - progressed_) > parameters_.no_progress_timeout) {
+    return end(BehaviorOutcome::kNoProgress, "no progress for " + seconds(parameters_.no_progress_timeout));
+  }
+  return goOn(inputs, next.speed);
+}
+
+std::optional<std::string> TimedBehavior::poseProblem(const BehaviorInputs& inputs, Time now) const {
+  if (!inputs.pose) return "no pose";
+  const double age = toSeconds(now - inputs.pose->stamp);
+  if (age > parameters_.pose_timeout) return "the pose is older than " + seconds(parameters_.pose_timeout);
+  if (!inputs.pose->T_odom_base.isFinite()) return "the pose is not finite";
+  if (last_pose_ &&
+      isJump(last_pose_->T_odom_base, inputs.pose->T_odom_base, parameters_.jump_distance, parameters_.jump_angle)) {
+    return "the pose jumped";
+  }
+  return std::nullopt;
+}
+
+void TimedBehavior::measure(const BehaviorInputs::Pose& pose, Time now) {
+  const double before = progress_;
+  if (!first_pose_) {
+    first_pose_ = pose;
+    turned_.restart(pose.T_odom_base.yaw);
+  }
+  const double moved = motion().axis == AxisMotion::Axis::kTurn
+                           ? turned_.add(pose.T_odom_base.yaw)
+                           : (first_pose_->T_odom_base.inverse() * pose.T_odom_base).x;
+  progress_ = sign() * moved;
+  estimate_.age = std::max(0.0, toSeconds(now - pose.stamp));
+  if (last_pose_ && pose.stamp > last_pose_->stamp) {
+    estimate_.rate = (progress_ - before) / toSeconds(pose.stamp - last_pose_->stamp);
+  }
+  last_pose_ = pose;
+  const double least = motion().axis == AxisMotion::Axis::kTurn ? kTurnProgress : kLineProgress;
+  if (progress_ >= best_progress_ + least) {
+    best_progress_ = progress_;
+    progressed_ = now;
+  }
+}
+
+BehaviorOutput TimedBehavior::settle(Time now) {
+  const bool standing = std::abs(estimate_.rate) < 0.05 * limits().min_speed && estimate_.command == 0.0;
+  const bool late = toSeconds(now - *settling_since_) >= parameters_.settle_timeout;
+  estimate_.command = 0.0;
+  return standing || late ? end(BehaviorOutcome::kSucceeded, "done") : running({});
+}
+
+BehaviorOutput TimedBehavior::goOn(const BehaviorInputs& inputs, double speed) {
+  AxisMotion ahead = motion();
+  const double remaining = std::abs(ahead.amount) - progress_;
+  ahead.amount = sign() * std::min(remaining, speed * parameters_.simulate_ahead_time);
+  if (goal_.check_collisions) {
+    const SweepResult seen =
+        inputs.look_ahead ? inputs.look_ahead(inputs.pose->T_odom_base, ahead) : SweepResult::kNoCostmap;
+    if (seen != SweepResult::kClear) {
+      return end(BehaviorOutcome::kCollisionAhead, std::string("not free ahead: ") + toString(seen));
+    }
+  }
+  estimate_.command = speed;
+  const double signed_speed = sign() * speed;
+  return running(ahead.axis == AxisMotion::Axis::kTurn ? Twist2{0.0, signed_speed} : Twist2{signed_speed, 0.0});
+}
+
+AxisMotion TimedBehavior::motion() const {
+  if (goal_.kind == BehaviorKind::kSpin) return {AxisMotion::Axis::kTurn, goal_.target};
+  return {AxisMotion::Axis::kLine, goal_.kind == BehaviorKind::kBackUp ? -goal_.target : goal_.target};
+}
+
+MotionLimits TimedBehavior::limits() const {
+  const BehaviorParameters& p = parameters_;
+  if (goal_.kind == BehaviorKind::kSpin) return {p.rotational_acc_lim, p.min_rotational_vel, p.max_rotational_vel};
+  const double fastest = std::min(goal_.speed > 0.0 ? goal_.speed : p.default_linear_vel, p.max_linear_vel);
+  return {p.linear_acc_lim, std::min(p.min_linear_vel, fastest), fastest};
+}
+
+BehaviorOutput TimedBehavior::running(const Twist2& command) const {
+  BehaviorOutput output;
+  output.outcome = BehaviorOutcome::kRunning;
+  output.command = command;
+  output.progress = goal_.kind == BehaviorKind::kSpin ? sign() * progress_ : progress_;
+  output.elapsed = elapsed_;
+  return output;
+}
+
+BehaviorOutput TimedBehavior::end(BehaviorOutcome outcome, std::string message) {
+  active_ = false;
+  BehaviorOutput output = running({});
+  output.outcome = outcome;
+  output.message = std::move(message);
+  return output;
+}
+
+void BehaviorParameters::check(Problems& problems) const {
+  if (min_rotational_vel > max_rotational_vel) {
+    problems.emplace_back("min_rotational_vel: must not exceed max_rotational_vel");
+  }
+  if (min_linear_vel > max_linear_vel) problems.emplace_back("min_linear_vel: must not exceed max_linear_vel");
+  if (default_linear_vel > max_linear_vel) problems.emplace_back("default_linear_vel: must not exceed max_linear_vel");
+}
+
+}  // namespace frontier_pilot

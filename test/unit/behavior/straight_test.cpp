@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "behavior_loop.h"
+
+namespace frontier_pilot {
+namespace {
+
+using test::BehaviorLoop;
+
+BehaviorGoal backUp(double distance, double speed = 0.0, double allowance = 0.0) {
+  return {BehaviorKind::kBackUp, distance, speed, allowance, true};
+}
+BehaviorGoal drive(double distance, double speed = 0.0) {
+  return {BehaviorKind::kDriveOnHeading, distance, speed, 0.0, true};
+}
+BehaviorGoal wait(double time, double allowance = 0.0) { return {BehaviorKind::kWait, time, 0.0, allowance, true}; }
+
+/// A wall across the x axis.
+std::vector<Vec2> wallAt(double x) {
+  std::vector<Vec2> points;
+  for (double y = -0.6; y <= 0.6; y += 0.01) points.emplace_back(x, y);
+  return points;
+}
+
+void expectEnd(const BehaviorOutput& output, BehaviorOutcome outcome) {
+  EXPECT_EQ(output.outcome, outcome) << toString(output.outcome) << ": " << output.message;
+  ASSERT_TRUE(output.command.has_value());
+  EXPECT_TRUE(output.command->isZero());
+}
+
+// [SPN-5]
+TEST(Straight, BacksUpAndDrivesItsDistanceAndStands) {
+  for (const double distance : {0.05, 0.15, 0.3, 0.8}) {
+    for (const double speed : {0.0, 0.05, 0.2}) {
+      BehaviorLoop back;
+      back.start(backUp(distance, speed));
+      const BehaviorOutput backed = back.run(60.0);
+      expectEnd(backed, BehaviorOutcome::kSucceeded);
+      EXPECT_NEAR(back.base.pose().x, -distance, 0.01);
+      EXPECT_NEAR(backed.progress, distance, 0.01);
+      for (const double sign : {1.0, -1.0}) {
+        BehaviorLoop ahead;
+        ahead.start(drive(sign * distance, speed));
+        expectEnd(ahead.run(60.0), BehaviorOutcome::kSucceeded);
+        EXPECT_NEAR(ahead.base.pose().x, sign * distance, 0.01);
+      }
+    }
+  }
+}
+
+// [SPN-5]
+TEST(Straight, NoFasterThanAskedAndThanAllowed) {
+  BehaviorLoop slow;
+  slow.start(drive(0.5, 0.05));
+  for (int i = 0; i < 30; ++i) EXPECT_LE(slow.cycle().command->linear, 0.05);
+  BehaviorLoop fast;
+  fast.start(drive(0.5, 9.0));
+  for (int i = 0; i < 10; ++i) EXPECT_LE(fast.cycle().command->linear, BehaviorParameters().max_linear_vel);
+}
+
+// [SPN-5]
+TEST(Straight, StopsBeforeAWallWithoutTouchingIt) {
+  BehaviorLoop back;
+  back.points = wallAt(-0.45);
+  back.start(backUp(1.0));
+  const BehaviorOutput output = back.run(60.0);
+  expectEnd(output, BehaviorOutcome::kCollisionAhead);
+  back.rest();
+  EXPECT_LT(back.base.pose().x, -0.05);
+  EXPECT_GT(back.base.pose().x - 0.101, -0.45);
+  BehaviorLoop ahead;
+  ahead.points = wallAt(0.1);
+  ahead.start(drive(0.2));
+  expectEnd(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
+  EXPECT_FALSE(ahead.moved);
+}
+
+// [SPN-5]
+TEST(Straight, ARobotThatTouchesSomethingMayBackAwayFromItButNotTurnOrDriveIntoIt) {
+  const std::vector<Vec2> touching = wallAt(0.045);
+  BehaviorLoop back;
+  back.points = touching;
+  back.start(backUp(0.2));
+  expectEnd(back.run(20.0), BehaviorOutcome::kSucceeded);
+  BehaviorLoop ahead;
+  ahead.points = touching;
+  ahead.start(drive(0.2));
+  expectEnd(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
+  BehaviorLoop turn;
+  turn.points = touching;
+  turn.start({BehaviorKind::kSpin, 1.0, 0.0, 0.0, true});
+  expectEnd(turn.cycle(), BehaviorOutcome::kCollisionAhead);
+}
+
+// [SPN-5]
+TEST(Straight, TimeoutsLostPosesAndStandstillsEndIt) {
+  BehaviorLoop late;
+  late.start(backUp(1.0, 0.1, 1.0));
+  expectEnd(late.run(20.0), BehaviorOutcome::kTimeout);
+  BehaviorLoop lost;
+  lost.start(backUp(1.0));
+  lost.run(0.5);
+  lost.posing = false;
+  expectEnd(lost.run(20.0), BehaviorOutcome::kPoseLost);
+  BehaviorLoop stuck;
+  stuck.start(backUp(1.0));
+  expectEnd(stuck.run(20.0, Twist2()), BehaviorOutcome::kNoProgress);
+}
+
+// [SPN-5]
+TEST(Straight, BadGoalsAndZeroDistanceEndWithoutMotion) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  for (const BehaviorGoal& goal : {backUp(-0.1), backUp(kNan), backUp(0.1, -0.1), backUp(0.1, kNan),
+                                   backUp(0.1, 0.1, -1.0), drive(kNan), wait(-1.0), wait(kNan)}) {
+    BehaviorLoop loop;
+    expectEnd(loop.start(goal), BehaviorOutcome::kInvalidGoal);
+  }
+  for (const BehaviorGoal& goal : {backUp(0.0), drive(0.0), wait(0.0)}) {
+    BehaviorLoop loop;
+    expectEnd(loop.start(goal), BehaviorOutcome::kSucceeded);
+  }
+}
+
+// [SPN-5]
+TEST(Straight, CancelTellsTheDistanceDone) {
+  BehaviorLoop loop;
+  loop.start(backUp(0.5));
+  const BehaviorOutput last = loop.run(2.0);
+  const BehaviorOutput output = loop.behavior.cancel("canceled", loop.base.now());
+  expectEnd(output, BehaviorOutcome::kCanceled);
+  EXPECT_EQ(output.progress, last.progress);
+  EXPECT_GT(output.progress, 0.1);
+}
+
+// [SPN-5]
+TEST(Wait, CountsRosTimeAndNeedsNeitherPoseNorCostmap) {
+  BehaviorLoop loop;
+  loop.posing = loop.scanning = false;
+  loop.start(wait(3.0));
+  const Time since = loop.base.now();
+  const BehaviorOutput output = loop.run(20.0);
+  expectEnd(output, BehaviorOutcome::kSucceeded);
+  EXPECT_NEAR(toSeconds(loop.base.now() - since), 3.1, 1e-6);
+  EXPECT_FALSE(loop.moved);
+  EXPECT_NEAR(output.progress, 3.0, 1e-9);
+}
+
+// [SPN-5]
+TEST(Wait, EndsByAllowanceCancelAndABackwardClock) {
+  BehaviorLoop late;
+  late.start(wait(3.0, 1.0));
+  expectEnd(late.run(20.0), BehaviorOutcome::kTimeout);
+  BehaviorLoop canceled;
+  canceled.start(wait(3.0));
+  canceled.run(1.0);
+  expectEnd(canceled.behavior.cancel("canceled", canceled.base.now()), BehaviorOutcome::kCanceled);
+  BehaviorLoop back;
+  back.start(wait(3.0));
+  back.run(1.0);
+  EXPECT_EQ(back.behavior.update({}, back.base.now() - fromSeconds(0.5)).outcome, BehaviorOutcome::kPoseLost);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
