@@ -84,7 +84,7 @@ class Explorer {
   ChooseGoal choose_;
 
   ExplorerOutput out_;
-  ExplorerStatus status_;
+  ExplorerProgress status_;
   std::optional<Goal> goal_;     ///< with the navigation now
   std::optional<Goal> arrived_;  ///< reached, and not yet looked back upon
   std::optional<Pose2> goal_pose_;

@@ -11,7 +11,7 @@
 
 namespace frontier_pilot {
 
-/// The values of these three are those of msg/ExplorerStatus. [EXP-1]
+/// The values of these three are those of msg/ExplorerProgress. [EXP-1]
 enum class ExplorerState : std::uint8_t { kIdle, kSelectGoal, kNavigating, kEvaluate, kDone };
 enum class ExplorerPhase : std::uint8_t { kRich, kCoverage };
 enum class ExplorerReason : std::uint8_t {
@@ -115,7 +115,7 @@ struct GoalCommand {
   Pose2 goal;  ///< in the map's frame
 };
 
-struct ExplorerStatus {
+struct ExplorerProgress {
   ExplorerState state = ExplorerState::kIdle;
   ExplorerPhase phase = ExplorerPhase::kRich;
   ExplorerReason reason = ExplorerReason::kWaitingForInputs;
@@ -138,8 +138,8 @@ struct ExplorerNote {
 
 struct ExplorerOutput {
   GoalCommand command;
-  ExplorerStatus status;
-  std::vector<ExplorerStatus> transitions;  ///< every one of this tick, in order, each with its reason
+  ExplorerProgress status;
+  std::vector<ExplorerProgress> transitions;  ///< every one of this tick, in order, each with its reason
   std::vector<ExplorerNote> notes;
   bool frontiers_judged = false;  ///< Explorer::frontiers() is news
 };

@@ -23,6 +23,8 @@ class MapMirror {
   void handleMap(const nav_msgs::OccupancyGrid& msg);
   void handleUpdate(const map_msgs::OccupancyGridUpdate& msg);
 
+  /// Whether somebody publishes the map now.
+  bool published() const { return map_subscriber_.getNumPublishers() > 0; }
   /// Whether a map has come yet.
   bool ready() const { return !map_.empty(); }
   const OccupancyGrid& map() const { return map_; }

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/exploration/explorer.h"
+#include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/map_mirror.h"
+#include "frontier_pilot/ros/move_base_client.h"
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+
+namespace frontier_pilot {
+
+struct ExplorerNodeParameters {
+  bool autostart = true;
+  double rate = 10.0;
+  std::string map_frame = names::kMapFrame;
+  std::string base_frame = names::kBaseFootprintFrame;
+  ExplorerParameters explorer;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("autostart", autostart, "", "explore at once; false: when set_exploration_enabled says so");
+    v.field("rate", rate, "Hz", "ticks of the explorer", positive());
+    v.field("map_frame", map_frame, "", "frame of the map and of the goals");
+    v.field("base_frame", base_frame, "", "frame of the robot");
+    explorer.describe(v);
+  }
+};
+
+/// The explorer as a node: map, odometry and TF in, goals to any `move_base` out.
+class ExplorerAdapter {
+ public:
+  ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// A goal left behind would be driven to with nobody watching.
+  ~ExplorerAdapter() { navigation_.cancel(); }
+
+ private:
+  void handleOdometry(const nav_msgs::Odometry& msg);
+  bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  void tick();
+  ExplorerInputs gather(Time now);
+  void obey(const GoalCommand& command, Time now);
+  void publishStatus(const ExplorerProgress& status, Time now);
+  void report(const ExplorerOutput& output) const;
+  void showFrontiers(bool news, Time now);
+  void watchClock();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  ExplorerNodeParameters parameters_;
+  Explorer explorer_;
+  MapMirror map_;
+  TfBridge tf_;
+  MoveBaseClient navigation_;
+  NodeDiagnostics diagnostics_;
+  Rejections bad_odometry_{"odometry"};
+  ExplorerProgress status_;
+  bool enabled_;
+  bool reset_ = false;
+  bool markers_due_ = false;
+  std::optional<Time> odometry_stamp_;
+  std::optional<Time> last_tick_;
+  std::optional<Time> last_status_;
+  Time watched_clock_{};
+  ros::Subscriber odometry_subscriber_;
+  ros::Publisher status_publisher_;
+  ros::Publisher markers_publisher_;
+  ros::Publisher goal_publisher_;
+  ros::ServiceServer enable_server_;
+  ros::ServiceServer reset_server_;
+  ros::Timer timer_;
+  ros::SteadyTimer clock_timer_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/exploration/explorer_types.h"
+
+namespace frontier_pilot {
+
+/// The explorer's side of the `move_base` action, whoever serves it. Nothing here waits: what happens to a goal is
+/// collected as events.
+class MoveBaseClient {
+ public:
+  explicit MoveBaseClient(ros::NodeHandle& node);
+
+  /// Whether a server is connected now.
+  bool available() const { return client_.isServerConnected(); }
+  /// Sends a goal, in place of the present one if there is one; the old one's end is not reported.
+  void send(std::uint32_t goal_id, const Pose2& goal, const std::string& frame, Time now);
+  /// Cancels the goal that was sent last, and no goal of anybody else.
+  void cancel();
+  /// What has happened since the last call.
+  std::vector<GoalEvent> takeEvents();
+
+ private:
+  using Client = actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>;
+
+  void handleDone(std::uint32_t goal_id, const actionlib::SimpleClientGoalState& state);
+
+  mutable Client client_;
+  bool active_ = false;
+  std::vector<GoalEvent> events_;
+};
+
+}  // namespace frontier_pilot

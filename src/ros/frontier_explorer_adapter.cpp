@@ -1,0 +1,149 @@
+#include <frontier_pilot/ExplorerStatus.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/console.h>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/explorer_adapter.h"
+#include "frontier_pilot/ros/explorer_markers.h"
+#include "frontier_pilot/ros/explorer_status.h"
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+
+ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : parameters_(loadNodeParameters<ExplorerNodeParameters>(private_node)),
+      explorer_(parameters_.explorer),
+      navigation_(node),
+      diagnostics_(node, private_node),
+      enabled_(parameters_.autostart) {
+  diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
+  map_.subscribe(node, parameters_.map_frame);
+  odometry_subscriber_ = node.subscribe(names::kOdom, 20, &ExplorerAdapter::handleOdometry, this);
+  status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
+  markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
+  goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
+  enable_server_ = node.advertiseService(names::kSetExplorationEnabled, &ExplorerAdapter::handleEnable, this);
+  reset_server_ = node.advertiseService(names::kResetExplorer, &ExplorerAdapter::handleReset, this);
+  timer_ = node.createTimer(ros::Duration(1.0 / parameters_.rate), [this](const ros::TimerEvent&) { tick(); });
+  clock_timer_ = node.createSteadyTimer(ros::WallDuration(parameters_.explorer.report_period),
+                                        [this](const ros::SteadyTimerEvent&) { watchClock(); });
+}
+
+void ExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
+  std::string why;
+  const auto odometry = toOdometry(msg, &why);
+  if (!odometry) return bad_odometry_.add(why);
+  odometry_stamp_ = odometry->stamp;
+}
+
+bool ExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  const bool before = enabled_;
+  enabled_ = request.data != 0;
+  tick();  // a pause has cancelled the goal before the caller hears of it
+  response.success = 1U;
+  response.message =
+      std::string(enabled_ ? "exploration enabled" : "exploration paused") + (before == enabled_ ? " (as it was)" : "");
+  return true;
+}
+
+bool ExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  reset_ = true;
+  tick();
+  response.success = 1U;
+  response.message = "blacklist, visits and phase forgotten";
+  return true;
+}
+
+void ExplorerAdapter::tick() {
+  const Time now = rosNow();
+  if (last_tick_ && now < *last_tick_) {
+    tf_.clear();
+    odometry_stamp_.reset();
+    last_status_.reset();
+  }
+  last_tick_ = now;
+  const CellRect changed = map_.takeChanged();
+  if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
+  const ExplorerOutput output = explorer_.update(gather(now), now);
+  status_ = output.status;
+  obey(output.command, now);
+  report(output);
+  for (const ExplorerProgress& transition : output.transitions) publishStatus(transition, now);
+  if (!last_status_ || now - *last_status_ >= std::chrono::seconds(1)) publishStatus(status_, now);
+  showFrontiers(output.frontiers_judged, now);
+}
+
+ExplorerInputs ExplorerAdapter::gather(Time now) {
+  ExplorerInputs inputs;
+  inputs.enabled = enabled_;
+  inputs.reset = std::exchange(reset_, false);
+  inputs.map_available = map_.ready() && map_.published();
+  inputs.navigation_available = navigation_.available();
+  inputs.odometry_stamp = odometry_stamp_;
+  inputs.goal_events = navigation_.takeEvents();
+  if (const auto stamp = tf_.latestStamp(parameters_.map_frame, parameters_.base_frame)) {
+    // A transform that is only static has no stamp of its own: it holds now.
+    const Time when = *stamp == Time{} ? now : *stamp;
+    const auto pose = tf_.lookup(parameters_.map_frame, parameters_.base_frame, *stamp);
+    if (pose) inputs.T_map_base = StampedPose2{*pose, when};
+  }
+  return inputs;
+}
+
+void ExplorerAdapter::obey(const GoalCommand& command, Time now) {
+  if (command.kind == GoalCommand::Kind::kCancel) navigation_.cancel();
+  if (command.kind != GoalCommand::Kind::kSend) return;
+  navigation_.send(command.goal_id, command.goal, parameters_.map_frame, now);
+  goal_publisher_.publish(toPoseStampedMsg(command.goal, parameters_.map_frame, now));
+}
+
+void ExplorerAdapter::publishStatus(const ExplorerProgress& status, Time now) {
+  status_publisher_.publish(toStatusMsg(status, parameters_.map_frame, now));
+  last_status_ = now;
+}
+
+void ExplorerAdapter::report(const ExplorerOutput& output) const {
+  for (const ExplorerProgress& to : output.transitions) {
+    ROS_INFO_STREAM(toString(to.state) << " (" << toString(to.phase) << "): " << to.reason_text);
+  }
+  for (const ExplorerNote& note : output.notes) {
+    if (note.warning) ROS_WARN_STREAM(note.text);
+    if (!note.warning) ROS_INFO_STREAM(note.text);
+  }
+  if (!output.frontiers_judged) return;
+  for (const Frontier& f : explorer_.frontiers()) {
+    ROS_DEBUG_STREAM("frontier of " << f.cell_count << " cells at (" << f.centroid.x() << ", " << f.centroid.y()
+                                    << "): " << toString(f.rejection) << ", score " << f.score);
+  }
+}
+
+void ExplorerAdapter::showFrontiers(bool news, Time now) {
+  markers_due_ = markers_due_ || news;
+  if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
+  markers_due_ = false;
+  markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist().entries(),
+                                                 explorer_.map().geometry(), parameters_.map_frame, now));
+}
+
+/// Ticks are on ROS time: without a clock nothing else would ever say so.
+void ExplorerAdapter::watchClock() {
+  const Time now = rosNow();
+  if (now == watched_clock_) ROS_WARN("exploration waits for: /clock (ROS time stands still)");
+  watched_clock_ = now;
+}
+
+void ExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  const bool waits = status_.state == ExplorerState::kIdle && status_.reason != ExplorerReason::kPaused;
+  status.summary(waits ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+                 std::string(toString(status_.state)) + ": " + status_.reason_text);
+  status.add("frontiers", status_.frontiers_found);
+  status.add("selectable", status_.frontiers_selectable);
+  status.add("goals sent", status_.goals_sent);
+  status.add("explored [m2]", status_.explored_area);
+  map_.rejections().report(status);
+  bad_odometry_.report(status);
+}
+
+}  // namespace frontier_pilot

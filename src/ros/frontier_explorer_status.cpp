@@ -1,0 +1,36 @@
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/explorer_status.h"
+
+namespace frontier_pilot {
+
+// The enumerations of the core and the constants of the message are one list.
+static_assert(static_cast<int>(ExplorerState::kDone) == ExplorerStatus::DONE);
+static_assert(static_cast<int>(ExplorerPhase::kCoverage) == ExplorerStatus::COVERAGE);
+static_assert(static_cast<int>(ExplorerReason::kPaused) == ExplorerStatus::PAUSED);
+static_assert(static_cast<int>(ExplorerReason::kNavigationGone) == ExplorerStatus::NAVIGATION_GONE);
+static_assert(static_cast<int>(ExplorerReason::kNoReachableFrontier) == ExplorerStatus::NO_REACHABLE_FRONTIER);
+static_assert(static_cast<int>(ExplorerReason::kAllBlacklisted) == ExplorerStatus::ALL_BLACKLISTED);
+static_assert(static_cast<int>(ExplorerReason::kClockJumpedBack) == ExplorerStatus::CLOCK_JUMPED_BACK);
+
+ExplorerStatus toStatusMsg(const ExplorerProgress& progress, const std::string& frame, Time stamp) {
+  ExplorerStatus msg;
+  msg.header.frame_id = frame;
+  msg.header.stamp = toRosTime(stamp);
+  msg.state = static_cast<std::uint8_t>(progress.state);
+  msg.state_text = toString(progress.state);
+  msg.phase = static_cast<std::uint8_t>(progress.phase);
+  msg.phase_text = toString(progress.phase);
+  msg.reason = static_cast<std::uint8_t>(progress.reason);
+  msg.reason_text = progress.reason_text;
+  msg.frontiers_found = progress.frontiers_found;
+  msg.frontiers_selectable = progress.frontiers_selectable;
+  msg.frontiers_blacklisted = progress.frontiers_blacklisted;
+  msg.goals_sent = progress.goals_sent;
+  msg.goals_reached = progress.goals_reached;
+  msg.goals_failed = progress.goals_failed;
+  msg.explored_area = progress.explored_area;
+  msg.distance_travelled = progress.distance_travelled;
+  return msg;
+}
+
+}  // namespace frontier_pilot
