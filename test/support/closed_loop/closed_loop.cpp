@@ -101,7 +101,7 @@ void ClosedLoop::explore() {
   ExplorerOutput output = explorer_.update(inputs, now());
   if (output.command.kind != GoalCommand::Kind::kNone) pending_ = output.command;
   status_ = output.status;
-  for (const ExplorerStatus& transition : output.transitions) {
+  for (const ExplorerProgress& transition : output.transitions) {
     log(std::string(toString(transition.state)) + ": " + toString(transition.reason) + " " + transition.reason_text);
     mix(static_cast<double>(transition.state));
   }
