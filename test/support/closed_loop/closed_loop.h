@@ -55,7 +55,7 @@ class ClosedLoop {
   const Mapper& mapper() const { return mapper_; }
   const Navigator& navigator() const { return navigator_; }
   const Explorer& explorer() const { return explorer_; }
-  const ExplorerStatus& status() const { return status_; }
+  const ExplorerProgress& status() const { return status_; }
   bool done() const { return status_.state == ExplorerState::kDone; }
   /// Every transition and remark of the explorer and every end of a goal since the last call, one line each.
   std::vector<std::string> takeLog();
@@ -90,7 +90,7 @@ class ClosedLoop {
   GoalCommand pending_;
   std::uint32_t goal_id_ = 0;
   std::vector<GoalEvent> goal_events_;
-  ExplorerStatus status_;
+  ExplorerProgress status_;
   std::vector<std::string> log_;
   ModuleTimes times_;
   std::uint64_t hash_ = 14695981039346656037ULL;
