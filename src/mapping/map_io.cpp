@@ -144,7 +144,8 @@ MapIoResult checkTarget(const fs::path& base, const std::string& path) {
   if (base.filename().empty()) return failure(MapIoStatus::kBadPath, "'" + path + "'", "names no file");
   const fs::path directory = base.has_parent_path() ? base.parent_path() : fs::path(".");
   std::error_code error;
-  if (!fs::is_directory(directory, error)) return failure(MapIoStatus::kBadPath, directory.string(), "no such directory");
+  if (!fs::is_directory(directory, error))
+    return failure(MapIoStatus::kBadPath, directory.string(), "no such directory");
   return {};
 }
 
@@ -164,12 +165,18 @@ std::string appended(const fs::path& base, const char* extension) { return base.
 
 const char* toString(MapIoStatus status) {
   switch (status) {
-    case MapIoStatus::kOk: return "ok";
-    case MapIoStatus::kBadPath: return "bad path";
-    case MapIoStatus::kEmptyMap: return "empty map";
-    case MapIoStatus::kCannotWrite: return "cannot write";
-    case MapIoStatus::kMissing: return "missing file";
-    case MapIoStatus::kBroken: return "broken file";
+    case MapIoStatus::kOk:
+      return "ok";
+    case MapIoStatus::kBadPath:
+      return "bad path";
+    case MapIoStatus::kEmptyMap:
+      return "empty map";
+    case MapIoStatus::kCannotWrite:
+      return "cannot write";
+    case MapIoStatus::kMissing:
+      return "missing file";
+    case MapIoStatus::kBroken:
+      return "broken file";
   }
   return "unknown";
 }

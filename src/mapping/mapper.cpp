@@ -15,9 +15,12 @@ bool isWellFormed(const LaserScan2& scan) {
 
 ScanVerdict verdictOf(Insertion insertion) {
   switch (insertion) {
-    case Insertion::kInserted: return ScanVerdict::kInserted;
-    case Insertion::kAllInvalid: return ScanVerdict::kAllInvalid;
-    case Insertion::kOutOfBounds: break;
+    case Insertion::kInserted:
+      return ScanVerdict::kInserted;
+    case Insertion::kAllInvalid:
+      return ScanVerdict::kAllInvalid;
+    case Insertion::kOutOfBounds:
+      break;
   }
   return ScanVerdict::kOutOfBounds;
 }

@@ -4,16 +4,26 @@ namespace frontier_pilot {
 
 const char* toString(ScanVerdict verdict) {
   switch (verdict) {
-    case ScanVerdict::kInserted: return "inserted";
-    case ScanVerdict::kNotMoved: return "not moved";
-    case ScanVerdict::kNoTransform: return "no transform";
-    case ScanVerdict::kNoOdometry: return "no odometry";
-    case ScanVerdict::kStale: return "stale";
-    case ScanVerdict::kFuture: return "ahead of the clock";
-    case ScanVerdict::kWrongFrame: return "wrong frame";
-    case ScanVerdict::kMalformed: return "malformed";
-    case ScanVerdict::kAllInvalid: return "all beams invalid";
-    case ScanVerdict::kOutOfBounds: return "map too large";
+    case ScanVerdict::kInserted:
+      return "inserted";
+    case ScanVerdict::kNotMoved:
+      return "not moved";
+    case ScanVerdict::kNoTransform:
+      return "no transform";
+    case ScanVerdict::kNoOdometry:
+      return "no odometry";
+    case ScanVerdict::kStale:
+      return "stale";
+    case ScanVerdict::kFuture:
+      return "ahead of the clock";
+    case ScanVerdict::kWrongFrame:
+      return "wrong frame";
+    case ScanVerdict::kMalformed:
+      return "malformed";
+    case ScanVerdict::kAllInvalid:
+      return "all beams invalid";
+    case ScanVerdict::kOutOfBounds:
+      return "map too large";
   }
   return "unknown";
 }

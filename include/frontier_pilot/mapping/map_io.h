@@ -25,8 +25,8 @@ struct MapIoResult {
   bool ok() const { return status == MapIoStatus::kOk; }
 };
 
-/// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary one); an extension of
-/// these three is ignored. The files appear whole or not at all.
+/// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary one); an extension
+/// of these three is ignored. The files appear whole or not at all.
 MapIoResult saveMap(OccupancyMap& map, const std::string& path);
 
 /// Reads a map_server YAML and its image: -1, 0 and 100. `grid` is written on success only.

@@ -31,8 +31,8 @@ enum class Insertion {
   kOutOfBounds,  ///< the map would have to grow beyond its largest size
 };
 
-/// Puts scans into a map. A measured surface is the border of a cell, and noise moves it to either side: so the hit goes
-/// half a cell behind it, and the cells before it are cleared. Hits win over misses within a scan.
+/// Puts scans into a map. A measured surface is the border of a cell, and noise moves it to either side: so the hit
+/// goes half a cell behind it, and the cells before it are cleared. Hits win over misses within a scan.
 class ScanInserter {
  public:
   explicit ScanInserter(const ScanInsertionParameters& parameters = {}) : parameters_(parameters) {}

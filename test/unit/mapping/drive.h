@@ -15,8 +15,8 @@ class Scanner {
   Scanner(const Grid<std::uint8_t>& solid, double noise, unsigned seed = 1)
       : caster_(solid), noise_(0.0, noise > 0.0 ? noise : 1.0), noisy_(noise > 0.0), random_(seed) {}
 
-  double range_max = 8.0;      ///< [m]
-  double lost_share = 0.0;     ///< of the beams that come back as if they had met nothing
+  double range_max = 8.0;   ///< [m]
+  double lost_share = 0.0;  ///< of the beams that come back as if they had met nothing
   std::size_t beams = 360;
   Pose2 T_base_sensor{};
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/ascii_world.h"
 #include "drive.h"
+#include "support/ascii_world.h"
 
 namespace frontier_pilot {
 namespace {
@@ -262,7 +262,8 @@ TEST(ScanInserter, RendersTheSameScansToTheSameMap) {
       for (const Pose2& pose : rounds()) inserter.insert(scanner.scan(pose, Time{}), pose, *map);
     }
   }
-  EXPECT_TRUE(first.grid().cells() == again.grid().cells()) << "also after a clear: this is how a correction is rendered";
+  EXPECT_TRUE(first.grid().cells() == again.grid().cells())
+      << "also after a clear: this is how a correction is rendered";
 }
 
 }  // namespace

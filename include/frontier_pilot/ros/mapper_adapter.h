@@ -1,0 +1,92 @@
+#pragma once
+
+#include <frontier_pilot/SaveMap.h>
+#include <nav_msgs/GetMap.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_srvs/Trigger.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/mapping/mapper.h"
+#include "frontier_pilot/mapping/scan_pairing.h"
+#include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/mapper_publisher.h"
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/publisher_watch.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+
+namespace frontier_pilot {
+
+struct MapperNodeParameters {
+  std::string map_frame = names::kMapFrame;
+  std::string odom_frame = names::kOdomFrame;
+  std::string base_frame = names::kBaseFootprintFrame;
+  double update_period = 0.2;  ///< between two `map_updates` [s]
+  double map_period = 1.0;     ///< between two whole maps, at least [s]
+  double tf_period = 0.05;     ///< between two `map -> odom` [s]
+  double tf_lead = 0.1;        ///< `map -> odom` is dated this much ahead, so that it holds until the next one [s]
+  double silence = 2.0;        ///< without a scan in the map for so long something is wrong [s]
+  MapperParameters mapper;
+  ScanPairingParameters pairing;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("map_frame", map_frame, "", "frame of the map");
+    v.field("odom_frame", odom_frame, "", "frame of odometry");
+    v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("update_period", update_period, "s", "between two map updates", positive());
+    v.field("map_period", map_period, "s", "between two whole maps, at least", positive());
+    v.field("tf_period", tf_period, "s", "between two transforms map -> odom", positive());
+    v.field("tf_lead", tf_lead, "s", "how far map -> odom is dated ahead", atLeast(0.0));
+    v.field("silence", silence, "s", "without a scan in the map for so long something is wrong", positive());
+    v.group("mapper", mapper, "the mapper");
+    v.group("pairing", pairing, "how scans find their odometry");
+  }
+};
+
+/// The mapper as a node: scans and odometry in, map and `map -> odom` out.
+class MapperAdapter {
+ public:
+  MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+
+ private:
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+  void advertiseServices(ros::NodeHandle& node);
+  void handleOdometry(const nav_msgs::Odometry& msg);
+  void handleScan(const sensor_msgs::LaserScan& msg);
+  /// The scan, or what is wrong with it.
+  std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg);
+  void insertPaired();
+  void note(ScanVerdict verdict, const std::string& detail);
+  void broadcast();
+  bool handleSave(SaveMap::Request& request, SaveMap::Response& response);
+  bool handleGet(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
+  bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  void report(Status& status) const;
+  void summarize(Status& status) const;
+
+  MapperNodeParameters parameters_;
+  Mapper mapper_;
+  ScanPairing pairing_;
+  TfBridge tf_;
+  MapperPublisher publisher_;
+  PublisherWatch watch_;
+  NodeDiagnostics diagnostics_;
+  Rejections bad_scans_{"scan"};
+  Rejections bad_odometry_{"odometry"};
+  std::optional<SteadyTime> last_inserted_;  ///< when the last scan was found good
+  ros::Subscriber scan_subscriber_;
+  ros::Subscriber odometry_subscriber_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Timer update_timer_;
+  ros::Timer tf_timer_;
+  ros::SteadyTimer watch_timer_;
+};
+
+}  // namespace frontier_pilot
