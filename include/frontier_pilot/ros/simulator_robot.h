@@ -1,0 +1,45 @@
+#pragma once
+
+#include <geometry_msgs/Twist.h>
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+#include "frontier_pilot/sim/simulator.h"
+
+namespace frontier_pilot {
+
+/// One simulated robot on the wire: its topics in its namespace, its frames behind its name.
+class SimulatorRobot {
+ public:
+  SimulatorRobot(const ros::NodeHandle& node, TfBridge& tf, sim::Simulator& simulator, std::size_t index,
+                 const sim::LidarParameters& lidar);
+
+  /// Odometry, truth, contact and the transform of it.
+  void publishState();
+  /// What the last step brought: a scan if there is one, and contact as soon as it changes.
+  void publishNews();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+ private:
+  std::string frame(const char* name) const;
+  void publishStaticFrames(const Pose2& T_base_sensor);
+  void publishStalled();
+  void handleCommand(const geometry_msgs::Twist& msg);
+
+  TfBridge& tf_;
+  sim::Simulator& simulator_;
+  std::size_t index_;
+  double scan_time_;  ///< [s]
+  bool stalled_ = false;
+  Rejections rejections_;
+  ros::Publisher odometry_;
+  ros::Publisher truth_;
+  ros::Publisher scan_;
+  ros::Publisher stalled_topic_;
+  ros::Subscriber command_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,82 @@
+#include "frontier_pilot/ros/simulator_robot.h"
+
+#include <std_msgs/Bool.h>
+
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/names.h"
+
+namespace frontier_pilot {
+namespace {
+
+// TurtleBot3 Burger's, by its description [m].
+constexpr double kBaseLinkHeight = 0.010;
+constexpr double kScannerHeight = 0.172;
+
+}  // namespace
+
+SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, TfBridge& tf, sim::Simulator& simulator, std::size_t index,
+                               const sim::LidarParameters& lidar)
+    : tf_(tf),
+      simulator_(simulator),
+      index_(index),
+      scan_time_(1.0 / lidar.rate),
+      rejections_(simulator.name(index) + (simulator.name(index).empty() ? "" : "/") + names::kCmdVel) {
+  ros::NodeHandle robot(node, simulator.name(index));
+  odometry_ = robot.advertise<nav_msgs::Odometry>(names::kOdom, 50);
+  truth_ = robot.advertise<nav_msgs::Odometry>(names::kGroundTruth, 50);
+  scan_ = robot.advertise<sensor_msgs::LaserScan>(names::kScan, 10);
+  stalled_topic_ = robot.advertise<std_msgs::Bool>(names::kStalled, 50);
+  command_ =
+      robot.subscribe(names::kCmdVel, 10, &SimulatorRobot::handleCommand, this, ros::TransportHints().tcpNoDelay());
+  publishStaticFrames(lidar.T_base_sensor());
+}
+
+std::string SimulatorRobot::frame(const char* name) const {
+  const std::string& robot = simulator_.name(index_);
+  return robot.empty() ? name : robot + "/" + name;
+}
+
+void SimulatorRobot::publishStaticFrames(const Pose2& T_base_sensor) {
+  tf_.broadcastStatic(names::kWorldFrame, frame(names::kMapFrame), simulator_.startPose(index_));
+  tf_.broadcastStatic(frame(names::kBaseFootprintFrame), frame(names::kBaseLinkFrame), {}, kBaseLinkHeight);
+  tf_.broadcastStatic(frame(names::kBaseLinkFrame), frame(names::kBaseScanFrame), T_base_sensor, kScannerHeight);
+}
+
+void SimulatorRobot::handleCommand(const geometry_msgs::Twist& msg) {
+  std::string why;
+  const std::optional<Twist2> twist = toTwist(msg, &why);
+  if (!twist) return rejections_.add(why);
+  simulator_.setCommand(index_, *twist);
+}
+
+void SimulatorRobot::publishState() {
+  const Time now = simulator_.now();
+  const Pose2& odometry = simulator_.odometry(index_);
+  const Twist2& twist = simulator_.velocity(index_);
+  tf_.broadcast(frame(names::kOdomFrame), frame(names::kBaseFootprintFrame), odometry, now);
+  odometry_.publish(toOdometryMsg({now, odometry, twist}, frame(names::kOdomFrame), frame(names::kBaseFootprintFrame)));
+  truth_.publish(
+      toOdometryMsg({now, simulator_.pose(index_), twist}, names::kWorldFrame, frame(names::kBaseFootprintFrame)));
+  publishStalled();
+}
+
+void SimulatorRobot::publishNews() {
+  if (simulator_.stalled(index_) != stalled_) publishStalled();
+  const LaserScan2* scan = simulator_.newScan(index_);
+  if (scan != nullptr) scan_.publish(toLaserScanMsg(*scan, frame(names::kBaseScanFrame), scan_time_));
+}
+
+void SimulatorRobot::publishStalled() {
+  stalled_ = simulator_.stalled(index_);
+  std_msgs::Bool msg;
+  msg.data = stalled_;
+  stalled_topic_.publish(msg);
+}
+
+void SimulatorRobot::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  const std::string& name = simulator_.name(index_);
+  status.add(name.empty() ? "contacts" : name + ": contacts", simulator_.contactCount(index_));
+  rejections_.report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,26 @@
+#include "frontier_pilot/sim/pace.h"
+
+#include <limits>
+
+namespace frontier_pilot::sim {
+namespace {
+
+constexpr Duration kForgiven = std::chrono::milliseconds(250);  // of real time
+
+}  // namespace
+
+std::int64_t Pace::due(SteadyTime now) {
+  if (speed_ <= 0.0) return std::numeric_limits<std::int64_t>::max();
+  const double steps_per_second = speed_ / toSeconds(step_);
+  if (!resting_) {
+    const auto owed = static_cast<std::int64_t>(toSeconds(now - since_) * steps_per_second) - made_;
+    if (static_cast<double>(owed) <= toSeconds(kForgiven) * steps_per_second + 1.0) return owed;
+    ++times_behind_;
+  }
+  resting_ = false;
+  since_ = now;
+  made_ = 0;
+  return 0;
+}
+
+}  // namespace frontier_pilot::sim

@@ -1,0 +1,57 @@
+#include "frontier_pilot/sim/pace.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace frontier_pilot::sim {
+namespace {
+
+constexpr Duration kStep = std::chrono::milliseconds(10);
+
+SteadyTime at(double seconds) { return timeFromSeconds<SteadyTime>(100.0 + seconds); }
+
+std::int64_t run(Pace& pace, double from, double to) {
+  std::int64_t steps = 0;
+  for (double t = from; t < to; t += 0.003) {
+    for (std::int64_t due = pace.due(at(t)); due > 0; --due, ++steps) pace.stepped();
+  }
+  return steps;
+}
+
+// [SIM-4] speed scales time
+TEST(Pace, KeepsSimulatedTimeInProportionToRealTime_SIM_4) {
+  for (double speed : {0.5, 1.0, 4.0, 20.0}) {
+    Pace pace(speed, kStep);
+    EXPECT_NEAR(static_cast<double>(run(pace, 0.0, 10.0)), 1000.0 * speed, speed + 1.0);
+    EXPECT_EQ(pace.timesBehind(), 0);
+  }
+}
+
+// [SIM-4] speed 0 runs as fast as it can
+TEST(Pace, NeverEndsWithoutASpeed_SIM_4) {
+  Pace pace(0.0, kStep);
+  EXPECT_EQ(pace.due(at(0.0)), std::numeric_limits<std::int64_t>::max());
+}
+
+// [SIM-4] pause holds everything: nothing is made up for afterwards
+TEST(Pace, OwesNothingForARest_SIM_4) {
+  Pace pace(1.0, kStep);
+  run(pace, 0.0, 1.0);
+  pace.rest();
+  EXPECT_EQ(pace.due(at(500.0)), 0);
+  EXPECT_EQ(pace.due(at(500.1)), 10);
+  EXPECT_EQ(pace.timesBehind(), 0);
+}
+
+TEST(Pace, ForgivesWhatItCannotKeepUpWith_SIM_4) {
+  Pace pace(1.0, kStep);
+  EXPECT_EQ(pace.due(at(0.0)), 0);
+  EXPECT_EQ(pace.due(at(0.2)), 20);
+  EXPECT_EQ(pace.due(at(3.0)), 0);
+  EXPECT_EQ(pace.timesBehind(), 1);
+  EXPECT_EQ(pace.due(at(3.05)), 5);
+}
+
+}  // namespace
+}  // namespace frontier_pilot::sim
