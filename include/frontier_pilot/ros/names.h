@@ -11,6 +11,10 @@ constexpr const char* kCmdVelPatrol = "cmd_vel_patrol";
 constexpr const char* kCmdVelNav = "cmd_vel_nav";
 constexpr const char* kCmdVelManual = "cmd_vel_manual";
 
+// Nodes whose parameters another node looks at
+constexpr const char* kObstacleAvoiderNode = "obstacle_avoider";
+constexpr const char* kTeleopGuiNode = "teleop_gui";
+
 // Sensors and the simulator's truth
 constexpr const char* kScan = "scan";
 constexpr const char* kOdom = "odom";

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <geometry_msgs/Twist.h>
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/arbiter/arbiter.h"
+#include "frontier_pilot/ros/arbiter_report.h"
+#include "frontier_pilot/ros/arrival_queue.h"
+#include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/publisher_watch.h"
+#include "frontier_pilot/ros/stop_memory.h"
+
+namespace frontier_pilot {
+
+/// The node `cmd_vel_arbiter`: the only publisher of `cmd_vel`. A source's callback is convert, decide, publish; all
+/// that is not needed to move the wheels happens at the tick.
+class CmdVelArbiterNode {
+ public:
+  CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// The last words are zeros. [ARB-11]
+  ~CmdVelArbiterNode();
+
+ private:
+  using SetBoolCall = ros::ServiceEvent<std_srvs::SetBool::Request, std_srvs::SetBool::Response>;
+  using TriggerCall = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
+
+  void restoreStop();
+  void addSource(std::size_t source);
+  void addStopServices();
+  void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
+  bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool handleSetStop(SetBoolCall& call);
+  bool handleStop(TriggerCall& call);
+  ArbiterAnswer stop(const std::string& service, const std::string& caller);
+  ArbiterAnswer clear(const std::string& caller);
+  void tick();
+  void takePublishers();
+  void publish(const std::optional<Twist2>& twist);
+  void publishStopState();
+  void publishStatus(bool anyway);
+
+  ros::NodeHandle node_;
+  Arbiter arbiter_;
+  StopMemory memory_;
+  ArbiterSurroundings around_;
+  std::vector<Rejections> rejections_;
+  ArrivalQueue calls_;
+  ros::Publisher cmd_vel_, status_, stop_state_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+  NodeDiagnostics diagnostics_;
+  std::optional<PublisherWatch> watch_;
+  ros::SteadyTimer tick_, status_tick_;
+  ros::Timer expiry_;  ///< in ROS time, so that a fast simulation sees expiry in time
+  std::string last_essence_, last_summary_;
+  SteadyTime last_found_{};
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_srvs/SetBool.h>
+
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/avoid/avoider.h"
+#include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+
+namespace frontier_pilot {
+
+/// What the node is configured with beyond the avoider itself.
+struct ObstacleAvoiderNodeParameters {
+  AvoiderParameters avoider;
+  std::string base_frame;
+  bool enabled = true;
+
+  ObstacleAvoiderNodeParameters();
+  template <class Visitor>
+  void describe(Visitor& v) {
+    avoider.describe(v);
+    v.field("base_frame", base_frame, "", "the frame that the sectors are seen from");
+    v.field("enabled", enabled, "", "whether it is on at the start");
+  }
+  void check(Problems& problems) const { avoider.check(problems); }
+};
+
+/// The node `obstacle_avoider`: hands each scan with its mount to the avoider and publishes what that asks for.
+class ObstacleAvoiderNode {
+ public:
+  ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// Lets go of the wheels.
+  ~ObstacleAvoiderNode();
+
+ private:
+  void handleScan(const sensor_msgs::LaserScan& msg);
+  std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg, std::string* why) const;
+  bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  void tick();
+  void publish(const std::optional<AvoiderCommand>& command);
+  void publishStatus(bool anyway);
+  void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) const;
+
+  ros::NodeHandle node_;
+  ObstacleAvoiderNodeParameters parameters_;
+  Avoider avoider_;
+  TfBridge tf_;
+  Rejections rejections_{"scan"};
+  ros::Publisher cmd_vel_, status_;
+  ros::ServiceServer enable_;
+  ros::Subscriber scan_;
+  NodeDiagnostics diagnostics_;
+  ros::Timer tick_, update_;
+  ros::SteadyTimer status_tick_;
+  std::string last_essence_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,136 @@
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include <algorithm>
+
+#include "frontier_pilot/ros/arbiter_report.h"
+#include "frontier_pilot/ros/conversions.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::vector<std::string> publishersOn(const std::string& topic, const ArbiterSurroundings& around) {
+  const auto entry = around.publishers.find(topic);
+  return entry == around.publishers.end() ? std::vector<std::string>() : entry->second;
+}
+
+std::string stateInWords(const SourceStatus& source, const ArbiterSnapshot& snapshot, bool has_publisher) {
+  const std::string state = toString(source.state);
+  switch (source.state) {
+    case SourceState::kNeverHeard:
+      return state + (has_publisher ? ": no message that counts yet" : ": nobody publishes");
+    case SourceState::kStale:
+      return state + ": silent past its timeout";
+    case SourceState::kRejected:
+      return state + ": its last message was not finite";
+    case SourceState::kIdle:
+      return state + ": alive, asks for nothing";
+    case SourceState::kReady:
+      return state + ": " + (snapshot.active_source.empty() ? toString(snapshot.state) : snapshot.active_source) +
+             " comes first";
+    case SourceState::kActive:
+      return state + ": holds the wheels";
+    case SourceState::kDisabled:
+      break;
+  }
+  return state;
+}
+
+ArbiterSource toSourceMsg(const SourceStatus& source, const ArbiterSnapshot& snapshot,
+                          const ArbiterSurroundings& around) {
+  ArbiterSource msg;
+  msg.name = source.name;
+  msg.topic = around.source_topics.at(source.name);
+  msg.publishers = publishersOn(msg.topic, around);
+  msg.state = static_cast<std::uint8_t>(source.state);
+  msg.state_text = stateInWords(source, snapshot, !msg.publishers.empty());
+  msg.priority = source.priority;
+  msg.enabled = static_cast<std::uint8_t>(source.enabled);
+  msg.required = static_cast<std::uint8_t>(source.required);
+  msg.age = source.age.value_or(-1.0);
+  msg.rate = source.rate;
+  msg.rejected = source.rejected;
+  return msg;
+}
+
+void findForeignPublishers(const ArbiterSurroundings& around, std::vector<ArbiterProblem>& problems) {
+  for (const std::string& node : publishersOn(around.cmd_vel, around)) {
+    if (node != around.own_name) problems.push_back({Level::ERROR, node + " publishes " + around.cmd_vel + " as well"});
+  }
+}
+
+void findSourceProblems(const SourceStatus& source, const ArbiterSurroundings& around,
+                        std::vector<ArbiterProblem>& problems) {
+  const std::vector<std::string> publishers = publishersOn(around.source_topics.at(source.name), around);
+  if (publishers.size() > 1) {
+    problems.push_back({Level::WARN, std::to_string(publishers.size()) + " nodes publish " +
+                                         around.source_topics.at(source.name) + ": " + joined(publishers)});
+  }
+  if (source.state == SourceState::kRejected) {
+    problems.push_back({Level::WARN, source.name + " sends velocities that are not finite"});
+  }
+}
+
+}  // namespace
+
+std::vector<ArbiterProblem> findProblems(const ArbiterSnapshot& snapshot, const ArbiterSurroundings& around) {
+  std::vector<ArbiterProblem> problems;
+  findForeignPublishers(around, problems);
+  for (const std::string& name : snapshot.missing_sources) {
+    problems.push_back({Level::ERROR, name + " is required but silent: no forward motion below it"});
+  }
+  if (snapshot.state == ArbiterState::kClockStopped) problems.push_back({Level::ERROR, "ROS time stands still"});
+  if (!around.memory_problem.empty()) {
+    problems.push_back({Level::ERROR, "an emergency stop would not survive this node: " + around.memory_problem});
+  }
+  if (!snapshot.stop_cause.empty()) problems.push_back({Level::WARN, "emergency stop: " + snapshot.stop_cause});
+  for (const SourceStatus& source : snapshot.sources) findSourceProblems(source, around, problems);
+  if (!around.master_answers) {
+    problems.push_back({Level::WARN, "the master does not answer: another publisher would not be noticed"});
+  }
+  return problems;
+}
+
+ArbiterStatus toStatusMsg(const ArbiterSnapshot& snapshot, const ArbiterSurroundings& around) {
+  ArbiterStatus msg;
+  msg.stamp = ros::Time::now();
+  msg.summary = summarize(snapshot);
+  msg.state = static_cast<std::uint8_t>(snapshot.state);
+  msg.active_source = snapshot.active_source;
+  msg.emergency_stop = static_cast<std::uint8_t>(snapshot.state == ArbiterState::kEmergencyStop);
+  msg.emergency_stop_cause = snapshot.stop_cause;
+  msg.missing_sources = snapshot.missing_sources;
+  msg.command = toTwistMsg(snapshot.command);
+  for (const ArbiterProblem& problem : findProblems(snapshot, around)) msg.problems.push_back(problem.text);
+  for (const SourceStatus& source : snapshot.sources) msg.sources.push_back(toSourceMsg(source, snapshot, around));
+  return msg;
+}
+
+std::string essence(const ArbiterStatus& status) {
+  std::string text = status.summary + '\n' + joined(status.problems);
+  for (const ArbiterSource& source : status.sources) text += '\n' + source.state_text + joined(source.publishers);
+  return text;
+}
+
+void fillDiagnostics(const ArbiterSnapshot& snapshot, const ArbiterSurroundings& around,
+                     diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  diagnostics.summary(Level::OK, summarize(snapshot));
+  for (const ArbiterProblem& problem : findProblems(snapshot, around)) {
+    diagnostics.mergeSummary(problem.level, problem.text);
+  }
+  diagnostics.add("driven by", snapshot.active_source.empty() ? toString(snapshot.state) : snapshot.active_source);
+  for (const SourceStatus& source : snapshot.sources) {
+    const bool has_publisher = !publishersOn(around.source_topics.at(source.name), around).empty();
+    diagnostics.addf(source.name, "%s, %.1f Hz, %lu refused", stateInWords(source, snapshot, has_publisher).c_str(),
+                     source.rate, static_cast<unsigned long>(source.rejected));
+  }
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,66 @@
+#include <ros/master.h>
+#include <ros/param.h>
+#include <ros/this_node.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+#include "frontier_pilot/ros/stop_memory.h"
+
+namespace frontier_pilot {
+namespace {
+
+std::string asFileName(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '.');
+  return name;
+}
+
+}  // namespace
+
+StopMemory::StopMemory(const std::filesystem::path& ros_home, const std::string& session, const std::string& node)
+    : file_(ros_home / "frontier_pilot" / asFileName(session) / ("stopped" + asFileName(node))) {}
+
+std::optional<std::string> StopMemory::recall() const {
+  std::error_code error;
+  const bool none = !std::filesystem::exists(file_, error) && !error;
+  if (none) return std::nullopt;
+  // A file that is there but cannot be read is a stop all the same.
+  std::string cause;
+  std::getline(std::ifstream(file_), cause);
+  return cause;
+}
+
+std::string StopMemory::remember(const std::string& cause) const {
+  std::error_code error;
+  std::filesystem::create_directories(file_.parent_path(), error);
+  if (error) return error.message();
+  std::ofstream file(file_, std::ios::trunc);
+  file << cause << std::endl;
+  return file ? std::string() : "cannot write " + file_.string();
+}
+
+std::string StopMemory::forget() const {
+  std::error_code error;
+  std::filesystem::remove(file_, error);
+  return error ? error.message() : std::string();
+}
+
+std::filesystem::path rosHome() {
+  if (const char* ros_home = std::getenv("ROS_HOME")) return ros_home;
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : "/") / ".ros";
+}
+
+std::string rosSession() {
+  std::string run_id;
+  if (ros::param::get("/run_id", run_id) && !run_id.empty()) return run_id;
+  XmlRpc::XmlRpcValue request, response, pid;
+  request[0] = ros::this_node::getName();
+  if (!ros::master::execute("getPid", request, response, pid, true)) return "unknown";
+  return "master-" + std::to_string(static_cast<int>(pid));
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,154 @@
+#include "frontier_pilot/ros/obstacle_avoider_adapter.h"
+
+#include <frontier_pilot/AvoiderStatus.h>
+#include <geometry_msgs/Twist.h>
+#include <ros/console.h>
+
+#include <cmath>
+#include <limits>
+
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+
+constexpr double kTick = 0.1;     // [s], the heartbeat
+constexpr double kUpdate = 0.02;  // [s], so that a phase ends in time between two ticks
+
+/// A hold is zero for the wheels and not all zero for the arbiter: no wheeled base moves along its z axis.
+geometry_msgs::Twist toCommandMsg(const AvoiderCommand& command) {
+  geometry_msgs::Twist msg = toTwistMsg(command.twist);
+  if (command.hold) msg.linear.z = 1e-9;
+  return msg;
+}
+
+std::string summarize(const AvoiderSnapshot& snapshot) {
+  return std::string(toString(snapshot.state)) + ": " + snapshot.reason;
+}
+
+const char* directionOf(int turn) {
+  if (turn == 0) return "";
+  return turn > 0 ? "left" : "right";
+}
+
+AvoiderStatus toStatusMsg(const AvoiderSnapshot& snapshot) {
+  const bool known = snapshot.scan_age && snapshot.around.fault.empty();
+  const auto orUnknown = [known](double v) { return known ? v : std::numeric_limits<double>::quiet_NaN(); };
+  AvoiderStatus msg;
+  msg.stamp = ros::Time::now();
+  msg.summary = summarize(snapshot);
+  msg.state = static_cast<std::uint8_t>(snapshot.state);
+  msg.reason = snapshot.reason;
+  msg.obstacle_distance = orUnknown(snapshot.around.obstacleDistance());
+  msg.front_left = orUnknown(snapshot.around.front_left);
+  msg.front_right = orUnknown(snapshot.around.front_right);
+  msg.rear = orUnknown(snapshot.around.rear);
+  msg.direction = directionOf(snapshot.turn);
+  msg.cycle = static_cast<std::uint32_t>(snapshot.cycle);
+  msg.episodes = snapshot.episodes;
+  msg.scan_age = snapshot.scan_age.value_or(-1.0);
+  msg.faults = snapshot.faults;
+  return msg;
+}
+
+unsigned char levelOf(AvoiderState state) {
+  switch (state) {
+    case AvoiderState::kFault:
+    case AvoiderState::kStuck:
+      return Level::ERROR;
+    case AvoiderState::kWaiting:
+    case AvoiderState::kIdle:
+      return Level::WARN;
+    default:
+      return Level::OK;
+  }
+}
+
+}  // namespace
+
+ObstacleAvoiderNodeParameters::ObstacleAvoiderNodeParameters() : base_frame(names::kBaseFootprintFrame) {}
+
+ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : node_(node),
+      parameters_(loadNodeParameters<ObstacleAvoiderNodeParameters>(private_node)),
+      avoider_(parameters_.avoider),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelAvoid, 1)),
+      status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
+      enable_(node_.advertiseService(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this)),
+      diagnostics_(node, private_node) {
+  if (!parameters_.enabled) avoider_.setEnabled(false, rosNow());
+  scan_ = node_.subscribe<sensor_msgs::LaserScan>(
+      names::kScan, 1, [this](const sensor_msgs::LaserScan::ConstPtr& msg) { handleScan(*msg); }, ros::VoidConstPtr(),
+      ros::TransportHints().tcpNoDelay());
+  diagnostics_.add("obstacle avoidance", [this](auto& status) { fillDiagnostics(status); });
+  // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
+  tick_ = node_.createTimer(ros::Duration(kTick), [this](const ros::TimerEvent&) { tick(); });
+  update_ = node_.createTimer(ros::Duration(kUpdate), [this](const auto&) { publish(avoider_.update(rosNow())); });
+  status_tick_ = node_.createSteadyTimer(ros::WallDuration(1.0), [this](const auto&) { publishStatus(true); });
+  publishStatus(true);
+}
+
+ObstacleAvoiderNode::~ObstacleAvoiderNode() {
+  publish(avoider_.setEnabled(false, rosNow()));
+  ros::WallDuration(0.02).sleep();  // a publisher that is destroyed drops what it has not sent yet
+}
+
+void ObstacleAvoiderNode::handleScan(const sensor_msgs::LaserScan& msg) {
+  std::string why;
+  const std::optional<LaserScan2> scan = read(msg, &why);
+  if (!scan) rejections_.add(why);
+  publish(scan ? avoider_.onScan(*scan, rosNow()) : avoider_.onBadScan(why, rosNow()));
+  publishStatus(false);
+}
+
+std::optional<LaserScan2> ObstacleAvoiderNode::read(const sensor_msgs::LaserScan& msg, std::string* why) const {
+  // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
+  const auto T_base_sensor = tf_.lookup3d(parameters_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), why);
+  return T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
+}
+
+bool ObstacleAvoiderNode::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  const bool on = request.data != 0;
+  const bool changes = on != avoider_.enabled();
+  publish(avoider_.setEnabled(on, rosNow()));
+  publishStatus(false);
+  response.success = 1;
+  response.message = std::string("obstacle avoider ") + (on ? "enabled" : "disabled");
+  if (!changes) response.message += " already: nothing changed";
+  return true;
+}
+
+void ObstacleAvoiderNode::tick() {
+  publish(avoider_.tick(rosNow()));
+  publishStatus(false);
+}
+
+void ObstacleAvoiderNode::publish(const std::optional<AvoiderCommand>& command) {
+  if (command) cmd_vel_.publish(toCommandMsg(*command));
+}
+
+void ObstacleAvoiderNode::publishStatus(bool anyway) {
+  const AvoiderSnapshot snapshot = avoider_.status(rosNow());
+  const std::string essence = summarize(snapshot);
+  const bool changed = essence != last_essence_;
+  last_essence_ = essence;
+  if (changed || anyway) status_.publish(toStatusMsg(snapshot));
+  if (!changed) return;
+  ROS_INFO_STREAM(essence);
+  diagnostics_.publish();
+}
+
+void ObstacleAvoiderNode::fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) const {
+  const AvoiderSnapshot snapshot = avoider_.status(rosNow());
+  diagnostics.summary(levelOf(snapshot.state), summarize(snapshot));
+  diagnostics.add("obstacle distance [m]", snapshot.around.obstacleDistance());
+  diagnostics.add("scan age [s]", snapshot.scan_age.value_or(-1.0));
+  diagnostics.add("episodes", snapshot.episodes);
+  rejections_.report(diagnostics);
+}
+
+}  // namespace frontier_pilot
