@@ -80,7 +80,7 @@ NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) {
   takeIn(inputs, now);
   takeEvents(inputs, now);
   if (!goal_) return output_;
-  if (const auto missing = missingData(now)) {
+  if (const auto missing = missingData(inputs, now)) {
     wait(*missing, now);
   } else {
     waiting_since_.reset();
@@ -132,9 +132,9 @@ void Navigator::finish(NavResult result, NavReason reason) {
   blocked_since_.reset();
 }
 
-std::optional<NavReason> Navigator::missingData(Time now) const {
+std::optional<NavReason> Navigator::missingData(const NavigatorInputs& inputs, Time now) const {
   const auto fresh = [&](Time stamp) { return std::abs(toSeconds(now - stamp)) <= params_.max_age; };
-  if (clearance_.empty()) return NavReason::kNoMap;
+  if (clearance_.empty() || !inputs.map_alive) return NavReason::kNoMap;
   if (!pose_ || !fresh(pose_->stamp)) return NavReason::kNoPose;
   if (!scan_stamp_ || !fresh(*scan_stamp_)) return NavReason::kNoScan;
   return std::nullopt;

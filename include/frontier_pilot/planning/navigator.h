@@ -80,7 +80,7 @@ class Navigator {
   void takeEvents(const NavigatorInputs& inputs, Time now);
   void start(const NavGoal& goal, Time now);
   void finish(NavResult result, NavReason reason);
-  std::optional<NavReason> missingData(Time now) const;
+  std::optional<NavReason> missingData(const NavigatorInputs& inputs, Time now) const;
   void wait(NavReason reason, Time now);
   void pursueGoal(const NavigatorInputs& inputs, Time now);
   bool ensurePath(Time now);

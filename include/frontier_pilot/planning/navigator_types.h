@@ -28,6 +28,7 @@ struct StampedPose {
 struct NavigatorInputs {
   std::optional<StampedPose> pose;
   const LaserScan2* scan = nullptr;  ///< the latest one; taken in once per stamp
+  bool map_alive = true;             ///< false: whoever made the map is gone, and what is true now is not known
   Twist2 twist;                      ///< present one, by odometry
   std::optional<NavGoal> new_goal;   ///< an event: preempts the present goal
   bool cancel = false;               ///< an event; acts before `new_goal`

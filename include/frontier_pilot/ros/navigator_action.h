@@ -1,0 +1,52 @@
+#pragma once
+
+#include <actionlib/server/action_server.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/planning/navigator_types.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+
+namespace frontier_pilot {
+
+/// The `move_base` action and `move_base_simple/goal`, turned into the navigator's events. One goal is pursued at a
+/// time, a newer one preempts it; there is no execute loop. Goals are brought into the map's frame on arrival.
+class MoveBaseServer {
+ public:
+  MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw);
+
+  /// Moves the events since the last call into `inputs`.
+  void fill(NavigatorInputs& inputs);
+  /// Tells the clients what became of their goals.
+  void settle(const NavFinished& finished);
+  void feedback(const Pose2& T_map_base, Time stamp);
+
+ private:
+  using Server = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
+
+  void handleGoal(Server::GoalHandle handle);
+  void handleCancel(Server::GoalHandle handle);
+  void handleSimple(const geometry_msgs::PoseStamped& msg);
+  /// The goal in the map's frame, or why not.
+  std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;
+  std::uint64_t submit(const Pose2& T_map_goal);
+
+  const TfBridge& tf_;
+  std::string map_frame_;
+  bool use_yaw_;
+  std::uint64_t last_id_ = 0;
+  std::uint64_t active_id_ = 0;  ///< 0 is none
+  std::optional<NavGoal> pending_;
+  bool cancel_ = false;
+  std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< goals from rviz have none
+  ros::Subscriber simple_;
+  Server server_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <nav_msgs/GetPlan.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_srvs/Empty.h>
+
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/planning/navigator.h"
+#include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/mailbox.h"
+#include "frontier_pilot/ros/map_mirror.h"
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/navigator_action.h"
+#include "frontier_pilot/ros/navigator_publisher.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+
+namespace frontier_pilot {
+
+struct NavigatorNodeParameters : NavigatorParams {
+  std::string map_frame = names::kMapFrame;
+  std::string base_frame = names::kBaseFootprintFrame;
+  double rate = 20.0;         ///< of the control loop [Hz]
+  bool use_goal_yaw = true;   ///< whether a goal's direction matters
+  bool map_must_live = true;  ///< stand still when nobody publishes the map any more
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    NavigatorParams::describe(v);
+    v.field("map_frame", map_frame, "", "frame of the map");
+    v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("rate", rate, "Hz", "of the control loop", between(1.0, 100.0));
+    v.field("use_goal_yaw", use_goal_yaw, "", "whether a goal's direction matters");
+    v.field("map_must_live", map_must_live, "", "stand still when nobody publishes the map any more");
+  }
+};
+
+/// The navigator as a node: move_base's interface on one side, map, scan, odometry and TF on the other. [NAV-1]
+class NavigatorAdapter {
+ public:
+  NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  ~NavigatorAdapter();
+  NavigatorAdapter(const NavigatorAdapter&) = delete;
+  NavigatorAdapter& operator=(const NavigatorAdapter&) = delete;
+
+ private:
+  void tick();
+  NavigatorInputs gather();
+  void handleScan(const sensor_msgs::LaserScan& msg);
+  void handleOdometry(const nav_msgs::Odometry& msg);
+  bool handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
+  bool handleClear(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
+  std::optional<StampedPose> pose() const;
+  std::optional<Vec2> positionNow() const;
+  void takeMap();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  NavigatorNodeParameters parameters_;
+  Navigator navigator_;
+  TfBridge tf_;
+  MapMirror map_;
+  MoveBaseServer server_;
+  NavigatorPublisher publisher_;
+  NodeDiagnostics diagnostics_;
+  Rejections bad_scans_{"scan"};
+  Rejections bad_odometry_{"odometry"};
+  std::optional<LaserScan2> scan_;
+  Latest<Twist2> twist_;
+  NavState state_ = NavState::kIdle;
+  std::string failure_;  ///< why the last goal was aborted, until one is not
+  ros::Publisher command_;
+  ros::Subscriber scan_subscriber_;
+  ros::Subscriber odometry_subscriber_;
+  ros::ServiceServer plan_service_;
+  ros::ServiceServer clear_service_;
+  ros::Timer timer_;
+};
+
+}  // namespace frontier_pilot

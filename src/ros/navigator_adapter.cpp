@@ -1,0 +1,139 @@
+#include "frontier_pilot/ros/navigator_adapter.h"
+
+#include <geometry_msgs/Twist.h>
+#include <ros/console.h>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+
+NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : parameters_(loadNodeParameters<NavigatorNodeParameters>(private_node)),
+      navigator_(parameters_),
+      server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
+      publisher_(node, parameters_.map_frame),
+      diagnostics_(node, private_node) {
+  command_ = node.advertise<geometry_msgs::Twist>(names::kCmdVelNav, 1);
+  diagnostics_.add("navigation", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
+  map_.subscribe(node, parameters_.map_frame);
+  scan_subscriber_ = node.subscribe(names::kScan, 1, &NavigatorAdapter::handleScan, this);
+  odometry_subscriber_ = node.subscribe(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
+  plan_service_ = node.advertiseService(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
+  clear_service_ = node.advertiseService(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
+  timer_ = node.createTimer(ros::Duration(1.0 / parameters_.rate), [this](const ros::TimerEvent&) { tick(); });
+}
+
+NavigatorAdapter::~NavigatorAdapter() {
+  if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
+}
+
+void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
+  std::string why;
+  const auto T_base_sensor = tf_.lookup3d(parameters_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
+  auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (scan) {
+    scan_ = std::move(scan);
+  } else {
+    bad_scans_.add(why);
+  }
+}
+
+void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
+  std::string why;
+  if (const auto odometry = toOdometry(msg, &why)) {
+    twist_.put(odometry->twist, steadyNow());
+  } else {
+    bad_odometry_.add(why);
+  }
+}
+
+std::optional<StampedPose> NavigatorAdapter::pose() const {
+  const auto stamp = tf_.latestStamp(parameters_.map_frame, parameters_.base_frame);
+  if (!stamp) return std::nullopt;
+  const auto T_map_base = tf_.lookup(parameters_.map_frame, parameters_.base_frame, *stamp);
+  if (!T_map_base) return std::nullopt;
+  return StampedPose{*stamp, *T_map_base};
+}
+
+std::optional<Vec2> NavigatorAdapter::positionNow() const {
+  const auto now = pose();
+  return now ? std::optional<Vec2>(now->T_map_base.position()) : std::nullopt;
+}
+
+void NavigatorAdapter::takeMap() {
+  const CellRect changed = map_.takeChanged();
+  if (!changed.empty()) navigator_.setMap(map_.map(), changed);
+}
+
+NavigatorInputs NavigatorAdapter::gather() {
+  takeMap();
+  NavigatorInputs inputs;
+  inputs.pose = pose();
+  inputs.scan = scan_ ? &*scan_ : nullptr;
+  inputs.map_alive = map_.published() || !parameters_.map_must_live;
+  inputs.twist = twist_.fresh(steadyNow(), fromSeconds(parameters_.max_age)).value_or(Twist2{});
+  server_.fill(inputs);
+  return inputs;
+}
+
+void NavigatorAdapter::tick() {
+  const Time now = rosNow();
+  const NavigatorInputs inputs = gather();
+  const NavigatorOutput output = navigator_.update(inputs, now);
+  state_ = output.state;
+  // Zero goes out before the client hears of the end. [NAV-1]
+  if (output.command) command_.publish(toTwistMsg(*output.command));
+  for (const NavFinished& finished : output.finished) {
+    failure_ = finished.result == NavResult::kAborted ? toString(finished.reason) : "";
+    server_.settle(finished);
+  }
+  std::optional<Pose2> T_map_base;
+  if (inputs.pose) T_map_base = inputs.pose->T_map_base;
+  if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
+  publisher_.publish(navigator_, output, T_map_base, now);
+}
+
+bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response) {
+  takeMap();
+  const auto in_map = [&](const geometry_msgs::PoseStamped& msg) -> std::optional<Vec2> {
+    const auto T_map_frame = tf_.lookup(parameters_.map_frame, msg.header.frame_id, Time{});
+    const auto given = toPose(msg.pose);
+    if (!T_map_frame || !given) return std::nullopt;
+    return *T_map_frame * given->position();
+  };
+  // As move_base does: without a frame the start is where the robot is.
+  const auto start = request.start.header.frame_id.empty() ? positionNow() : in_map(request.start);
+  const auto goal = in_map(request.goal);
+  response.plan.header.frame_id = parameters_.map_frame;
+  if (!start || !goal) {
+    ROS_WARN("make_plan: start or goal is malformed or in a frame that is not known");
+    return false;
+  }
+  const double tolerance = request.tolerance > 0.0F ? static_cast<double>(request.tolerance) : -1.0;
+  const PlanResult result = navigator_.makePlan({*start, *goal, tolerance});
+  if (!result.found()) ROS_WARN_STREAM("make_plan: " << toString(result.status));
+  response.plan = toPathMsg(withYaw(result.path.sampled(0.1)), parameters_.map_frame, rosNow());
+  return true;
+}
+
+bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+  navigator_.clearObstacles();
+  return true;
+}
+
+void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  status.summary(DiagnosticStatus::OK, publisher_.status());
+  if (state_ == NavState::kWaiting || state_ == NavState::kRecovering) {
+    status.summary(DiagnosticStatus::WARN, publisher_.status());
+  }
+  if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
+  if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
+  map_.rejections().report(status);
+  bad_scans_.report(status);
+  bad_odometry_.report(status);
+}
+
+}  // namespace frontier_pilot
