@@ -1,0 +1,137 @@
+"""What the wire tests of arbiter and avoider share: a condition to wait on instead of sleeping, and nodes to kill."""
+import os
+import signal
+import subprocess
+import threading
+import time
+
+import rospy
+from geometry_msgs.msg import Twist
+from std_srvs.srv import SetBool, Trigger
+
+_changed = threading.Condition()
+
+
+def wait_for(condition, timeout=10.0):
+    """Until `condition()` is true, looked at whenever something arrives; gives whether it became true."""
+    end = time.monotonic() + timeout
+    with _changed:
+        while not condition():
+            left = end - time.monotonic()
+            if left <= 0.0:
+                return False
+            _changed.wait(min(left, 0.02))
+    return True
+
+
+class Record:
+    """Every message of a topic with the steady time of its arrival."""
+
+    def __init__(self, topic, kind):
+        self.items = []
+        self.subscriber = rospy.Subscriber(topic, kind, self._take, queue_size=1000, tcp_nodelay=True)
+
+    def _take(self, message):
+        with _changed:
+            self.items.append((time.monotonic(), message))
+            _changed.notify_all()
+
+    @property
+    def last(self):
+        return self.items[-1][1] if self.items else None
+
+    def since(self, start):
+        return [message for at, message in list(self.items) if at >= start]
+
+
+def twist(linear=0.0, angular=0.0):
+    message = Twist()
+    message.linear.x = linear
+    message.angular.z = angular
+    return message
+
+
+def moves(message):
+    return message.linear.x != 0.0 or message.angular.z != 0.0
+
+
+class Source:
+    """A velocity source that can send once, or steadily on a thread of its own."""
+
+    def __init__(self, topic, rate=20.0):
+        self.publisher = rospy.Publisher(topic, Twist, queue_size=10, tcp_nodelay=True)
+        self._period = 1.0 / rate
+        self._stop = threading.Event()
+        self._thread = None
+
+    def connect(self):
+        assert wait_for(lambda: self.publisher.get_num_connections() > 0), self.publisher.name
+        return self
+
+    def send(self, linear=0.0, angular=0.0):
+        self.publisher.publish(twist(linear, angular))
+
+    def start(self, linear=0.0, angular=0.0):
+        self.stop()
+        self._stop.clear()
+        self._thread = threading.Thread(target=self._run, args=(linear, angular), daemon=True)
+        self._thread.start()
+        return self
+
+    def _run(self, linear, angular):
+        while not self._stop.wait(self._period):
+            self.send(linear, angular)
+
+    def stop(self):
+        self._stop.set()
+        if self._thread is not None:
+            self._thread.join()
+            self._thread = None
+
+    def close(self):
+        self.stop()
+        self.publisher.unregister()
+
+
+class Node:
+    """A node of the package in a process of its own."""
+
+    def __init__(self, executable, *arguments, package='frontier_pilot'):
+        self.process = subprocess.Popen(['rosrun', package, executable, *arguments], stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT, universal_newlines=True, preexec_fn=os.setsid)
+
+    def signal(self, number):
+        os.killpg(self.process.pid, number)
+
+    def finish(self, timeout=10.0):
+        """Gives the exit code and all that was said."""
+        said, _ = self.process.communicate(timeout=timeout)
+        return self.process.returncode, said
+
+    def end(self):
+        """By SIGINT, so that it says goodbye to the master."""
+        if self.process.poll() is None:
+            self.signal(signal.SIGINT)
+        self.process.communicate()
+
+
+def call(service, kind, *arguments):
+    rospy.wait_for_service(service, 15.0)
+    return rospy.ServiceProxy(service, kind)(*arguments)
+
+
+def enable(source, on):
+    return call('set_%s_enabled' % source, SetBool, on)
+
+
+def emergency_stop():
+    return call('emergency_stop', Trigger)
+
+
+def set_emergency_stop(on):
+    return call('set_emergency_stop', SetBool, on)
+
+
+def clear():
+    """Clears the stop as soon as the sources are quiet."""
+    return wait_for(lambda: set_emergency_stop(False).success, 5.0)
