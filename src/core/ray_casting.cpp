@@ -36,13 +36,14 @@ int planeIndex(bool steep, bool mirror_x, bool mirror_y, int slope_class) {
   return ((steep * 2 + mirror_x) * 2 + mirror_y) * kSlopes + slope_class;
 }
 
-// The canonical cells of an octant: their free run lengths, and then the leaps of each class of slopes.
+// The canonical cells of an octant: their free run lengths, and then the leaps of each class of slopes. Cells of one
+// column lie side by side: rays that start in one place leap to the same column, and so to the same line of cache.
 class LeapBuilder {
  public:
   LeapBuilder(const Grid<std::uint8_t>& solid, bool steep, bool mirror_x, bool mirror_y)
-      : stride_((steep ? solid.height() : solid.width()) + 2),
-        rows_((steep ? solid.width() : solid.height()) + 2),
-        runs_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(rows_ + 2) + kTail) {
+      : columns_((steep ? solid.height() : solid.width()) + 2),
+        stride_((steep ? solid.width() : solid.height()) + 2),
+        runs_(static_cast<std::size_t>((columns_ + kTailColumns) * stride_)) {
     for (int y = 0; y < solid.height(); ++y) {
       for (int x = 0; x < solid.width(); ++x) {
         const int cx = mirror_x ? solid.width() - x : x + 1;
@@ -53,22 +54,22 @@ class LeapBuilder {
     countRuns();
   }
 
-  // Fills a plane; `leaps` must be readable for two rows and a tail beyond it (what stands there does not matter).
+  // Fills a plane; `leaps` must be readable for a tail of columns beyond it (what stands there does not matter).
   void fill(int slope_class, std::uint8_t* leaps) const {
-    for (int row = rows_ - 2; row > 0; --row) {
+    for (std::ptrdiff_t column = columns_ - 2; column > 0; --column) {
       if (slope_class == 0) {
-        fillFlatRow(row, leaps);
+        fillFlatColumn(column, leaps);
       } else {
-        fillSlopedRow(row, kFlattest >> slope_class, leaps);
+        fillSlopedColumn(column, kFlattest >> slope_class, leaps);
       }
     }
   }
 
-  static constexpr std::size_t kTail = 2 * kFlattest;
+  static constexpr std::ptrdiff_t kTailColumns = kFlattest + 1;
 
  private:
-  std::size_t at(std::ptrdiff_t x, std::ptrdiff_t row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(stride_) + static_cast<std::size_t>(x);
+  std::size_t at(std::ptrdiff_t column, std::ptrdiff_t row) const {
+    return static_cast<std::size_t>(column * stride_ + row);
   }
 
   static std::uint8_t plus(std::uint8_t leap, int columns) {
@@ -80,44 +81,42 @@ class LeapBuilder {
   }
 
   void countRuns() {
-    for (int row = 1; row < rows_ - 1; ++row) {
-      for (std::ptrdiff_t x = stride_ - 2; x > 0; --x) {
-        if (runs_[at(x, row)] != 0) runs_[at(x, row)] = plus(runs_[at(x + 1, row)], 1);
-      }
+    for (std::ptrdiff_t column = columns_ - 2; column > 0; --column) {
+      std::uint8_t* run = runs_.data() + at(column, 0);
+      for (std::ptrdiff_t row = 0; row < stride_; ++row) run[row] = run[row] != 0 ? plus(run[row + stride_], 1) : 0;
     }
   }
 
   // Slopes in [0, 1/m): in the first m columns a ray from a cell stays in its row and the one above, and it enters
-  // column m in one of these two. Reads beyond the end of a row cannot matter: the run is shorter than that.
-  void fillFlatRow(int row, std::uint8_t* leaps) const {
+  // column m in one of these two. Reads beyond the last column cannot matter: the run is shorter than that.
+  void fillFlatColumn(std::ptrdiff_t column, std::uint8_t* leaps) const {
     constexpr int m = kFlattest;
-    const std::uint8_t* run = runs_.data() + at(0, row);
-    std::uint8_t* here = leaps + at(0, row);
-    for (std::ptrdiff_t x = stride_ - 2; x > 0; --x) {
-      const std::uint8_t near = std::min(run[x], run[x + stride_]);
-      const std::uint8_t far = plus(std::min(leapOf(here[x + m]), leapOf(here[x + m + stride_])), m);
-      here[x] = stored(std::min(near, far), run[x]);
+    const std::uint8_t* run = runs_.data() + at(column, 0);
+    const std::uint8_t* next = leaps + at(column + m, 0);
+    std::uint8_t* here = leaps + at(column, 0);
+    for (std::ptrdiff_t row = 1; row < stride_ - 1; ++row) {
+      const std::uint8_t near = std::min(run[row], run[row + 1]);
+      const std::uint8_t far = plus(std::min(leapOf(next[row]), leapOf(next[row + 1])), m);
+      here[row] = stored(std::min(near, far), run[row]);
     }
   }
 
   // Slopes in [1/2m, 1/m]: in the first m columns as above, in the next m in one row more, and a ray enters column 2m
   // one or two rows up.
-  void fillSlopedRow(int row, int m, std::uint8_t* leaps) const {
-    const std::uint8_t* run = runs_.data() + at(0, row);
-    const std::uint8_t* run_above = run + stride_;
-    const std::uint8_t* run_next = run + 2 * stride_ + m;
-    const std::uint8_t* above = leaps + at(2 * m, row + 1);
-    const std::uint8_t* next = above + stride_;
-    std::uint8_t* here = leaps + at(0, row);
-    for (int x = 1; x < stride_ - 1; ++x) {
-      const std::uint8_t near = std::min({run[x], run_above[x], plus(run_next[x], m)});
-      const std::uint8_t far = plus(std::min(leapOf(above[x]), leapOf(next[x])), 2 * m);
-      here[x] = stored(std::min(near, far), run[x]);
+  void fillSlopedColumn(std::ptrdiff_t column, int m, std::uint8_t* leaps) const {
+    const std::uint8_t* run = runs_.data() + at(column, 0);
+    const std::uint8_t* run_later = runs_.data() + at(column + m, 0);
+    const std::uint8_t* next = leaps + at(column + 2 * m, 0);
+    std::uint8_t* here = leaps + at(column, 0);
+    for (std::ptrdiff_t row = 1; row < stride_ - 1; ++row) {
+      const std::uint8_t near = std::min(std::min(run[row], run[row + 1]), plus(run_later[row + 2], m));
+      const std::uint8_t far = plus(std::min(leapOf(next[row + 1]), leapOf(next[row + 2])), 2 * m);
+      here[row] = stored(std::min(near, far), run[row]);
     }
   }
 
+  std::ptrdiff_t columns_;
   std::ptrdiff_t stride_;
-  int rows_;
   std::vector<std::uint8_t> runs_;
 };
 
@@ -142,7 +141,7 @@ struct RayCaster::Ray {
   double start_x, start_y;
   double unit_x, unit_y;
 
-  std::uint8_t leap() const { return plane[row * stride + column]; }
+  std::uint8_t leap() const { return plane[column * stride + row]; }
   bool crosses() const { return ((height + slope) >> kFraction) > row; }
   void advance(std::int64_t by) {
     column += by;
@@ -187,8 +186,8 @@ RayCaster::RayCaster(const Grid<std::uint8_t>& solid)
     : geometry_(solid.geometry()), cells_per_metre_(1.0 / solid.resolution()) {
   const std::size_t plane =
       static_cast<std::size_t>(geometry_.width + 2) * static_cast<std::size_t>(geometry_.height + 2);
-  const std::size_t longest_row = static_cast<std::size_t>(std::max(geometry_.width, geometry_.height) + 2);
-  leaps_.resize(plane * kOctants * kSlopes + 2 * longest_row + LeapBuilder::kTail);
+  const auto longest_column = static_cast<std::size_t>(std::max(geometry_.width, geometry_.height) + 2);
+  leaps_.resize(plane * kOctants * kSlopes + longest_column * LeapBuilder::kTailColumns);
   for (int octant = 0; octant < kOctants; ++octant) {
     const bool steep = (octant & 4) != 0;
     const bool mirror_x = (octant & 2) != 0;
@@ -231,7 +230,7 @@ RayCaster::Ray RayCaster::rayAlong(const Origin& origin, const Vec2& unit, doubl
   ray.row = steep ? origin.cell_x[mirror_x] : origin.cell_y[mirror_y];
   ray.columns = steep ? geometry_.height : geometry_.width;
   ray.rows = steep ? geometry_.width : geometry_.height;
-  ray.stride = ray.columns + 2;
+  ray.stride = ray.rows + 2;
   const double slope = ray.unit_y / ray.unit_x;
   ray.slope = static_cast<std::int64_t>(slope * kOne);
   // The first column is entered, on paper, behind the start; only the row of the start itself is taken from it.

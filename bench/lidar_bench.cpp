@@ -1,0 +1,135 @@
+// What a ray, a scan and a step of the simulator cost. On Willow Garage if FRONTIER_PILOT_WILLOW names its YAML (or it
+// lies in ../shared/worlds), else on our own office floor.
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/sim/collision_map.h"
+#include "frontier_pilot/sim/simulator.h"
+
+namespace frontier_pilot::sim {
+namespace {
+
+constexpr int kBeams = 360;
+constexpr double kRange = 8.0;  // [m]
+
+const World& world() {
+  static const World loaded = [] {
+    const char* named = std::getenv("FRONTIER_PILOT_WILLOW");
+    const std::string willow =
+        named != nullptr ? named : FRONTIER_PILOT_SOURCE_DIR "/../shared/worlds/willow_garage.yaml";
+    return loadWorld(std::filesystem::exists(willow) ? willow : FRONTIER_PILOT_SOURCE_DIR "/config/worlds/office.yaml");
+  }();
+  return loaded;
+}
+
+// Places all over the free floor where robots fit, at least half a metre apart if there is room for that many.
+const std::vector<RobotSpec>& places() {
+  static const std::vector<RobotSpec> found = [] {
+    const CollisionMap walls(solidCells(world().map, false), 0.105);
+    std::mt19937 random(1);
+    std::vector<RobotSpec> robots;
+    while (robots.size() < 1000) {
+      const Vec2 at = world().map.geometry().centre(world().map.geometry().cell(random() % world().map.size()));
+      bool fits = !walls.overlaps(at);
+      for (const RobotSpec& other : robots) fits = fits && (Vec2(other.x, other.y) - at).norm() > 0.5;
+      if (fits)
+        robots.push_back(
+            {"r" + std::to_string(robots.size()), at.x(), at.y(), 0.01 * static_cast<double>(random() % 600)});
+    }
+    return robots;
+  }();
+  return found;
+}
+
+// Static walls only, one core: the requirement is 15 million rays a second.
+void castScans(benchmark::State& state) {
+  const RayCaster caster(solidCells(world().map, false));
+  std::vector<Vec2> units;
+  for (int i = 0; i < kBeams; ++i) units.push_back(direction(0.01 + i * 2.0 * kPi / kBeams));
+  std::vector<double> ranges(kBeams);
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const RobotSpec& at = places()[next++ % places().size()];
+    std::fill(ranges.begin(), ranges.end(), kRange);
+    caster.castAll({at.x, at.y}, units, ranges);
+    benchmark::DoNotOptimize(ranges.data());
+  }
+  state.counters["rays/s"] =
+      benchmark::Counter(kBeams * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+BENCHMARK(castScans)->MinTime(1.0);
+
+// The floor: as castScans, but every ray ends at once, so that only its set-up and one look-up are left.
+void castScansFromWithinAWall(benchmark::State& state) {
+  const RayCaster caster(Grid<std::uint8_t>(world().map.geometry(), 1));
+  std::vector<Vec2> units;
+  for (int i = 0; i < kBeams; ++i) units.push_back(direction(0.01 + i * 2.0 * kPi / kBeams));
+  std::vector<double> ranges(kBeams);
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const RobotSpec& at = places()[next++ % places().size()];
+    std::fill(ranges.begin(), ranges.end(), kRange);
+    caster.castAll({at.x, at.y}, units, ranges);
+    benchmark::DoNotOptimize(ranges.data());
+  }
+  state.counters["rays/s"] =
+      benchmark::Counter(kBeams * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+BENCHMARK(castScansFromWithinAWall)->MinTime(0.5);
+
+void buildRayCaster(benchmark::State& state) {
+  const Grid<std::uint8_t> solid = solidCells(world().map, false);
+  for (auto _ : state) benchmark::DoNotOptimize(RayCaster(solid));
+}
+BENCHMARK(buildRayCaster)->Unit(benchmark::kMillisecond);
+
+SimulatorParameters robots(std::int64_t count) {
+  SimulatorParameters parameters;
+  parameters.lidar.beams = kBeams;
+  parameters.lidar.range_max = kRange;
+  parameters.robots.assign(places().begin(), places().begin() + count);
+  return parameters;
+}
+
+void driveAll(Simulator& simulator) {
+  for (std::size_t i = 0; i < simulator.robotCount(); ++i) simulator.setCommand(i, {0.2, i % 2 == 0 ? 0.5 : -0.5});
+}
+
+// Everything: robots that drive and scan at 10 Hz with noise. `real time` is simulated over wall seconds.
+void simulate(benchmark::State& state) {
+  Simulator simulator(world(), robots(state.range(0)));
+  const std::int64_t steps = 10;  // one scan
+  for (auto _ : state) {
+    driveAll(simulator);
+    for (std::int64_t i = 0; i < steps; ++i) simulator.step();
+  }
+  const auto scans = static_cast<double>(state.iterations());
+  const double rays = scans * static_cast<double>(state.range(0)) * kBeams;
+  state.counters["real time"] = benchmark::Counter(scans * 0.1, benchmark::Counter::kIsRate);
+  state.counters["ns/ray"] = benchmark::Counter(rays * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(simulate)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(benchmark::kMicrosecond);
+
+// A step without a scan, for each robot.
+void step(benchmark::State& state) {
+  SimulatorParameters parameters = robots(state.range(0));
+  parameters.lidar.rate = 0.1;
+  parameters.lidar.beams = 1;
+  Simulator simulator(world(), parameters);
+  for (auto _ : state) {
+    driveAll(simulator);
+    simulator.step();
+  }
+  state.counters["ns/robot"] = benchmark::Counter(static_cast<double>(state.iterations() * state.range(0)) * 1e-9,
+                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(step)->Arg(1)->Arg(1000);
+
+}  // namespace
+}  // namespace frontier_pilot::sim
