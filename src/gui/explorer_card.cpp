@@ -45,10 +45,8 @@ QLayout* ExplorerCard::makeFigures() {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(emOf(*this));
   grid->setVerticalSpacing(0);
-  const std::array<std::pair<const char*, QLabel*>, 4> figures{{{"explored", area_},
-                                                                {"driven", distance_},
-                                                                {"frontiers left", frontiers_},
-                                                                {"goals reached", goals_}}};
+  const std::array<std::pair<const char*, QLabel*>, 4> figures{
+      {{"explored", area_}, {"driven", distance_}, {"frontiers left", frontiers_}, {"goals reached", goals_}}};
   for (int i = 0; i < 4; ++i) {
     const auto& [name, label] = figures[static_cast<std::size_t>(i)];
     grid->addWidget(label, i / 2 * 2, i % 2);

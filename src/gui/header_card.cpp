@@ -64,7 +64,7 @@ void StopButton::setShown(std::optional<bool> latched, bool asked) {
 
 QSize StopButton::sizeHint() const {
   const int em = emOf(*this);
-  return {em * 14, em * 4};
+  return {em * 14, em * 7 / 2};
 }
 
 QString StopButton::caption() const {
@@ -131,6 +131,9 @@ HeaderCard::HeaderCard(QWidget* parent)
   line_->addLayout(text, 1);
   line_->addLayout(buttons);
   content()->addLayout(line_);
+  // Gives way to any width, and stacks its parts when there is little: see resizeEvent.
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
+  setMinimumWidth(emOf(*this) * 15);
   connect(stop_, &QPushButton::pressed, this, [this] {
     asked_refreshes_ = kAskedRefreshes;
     emit stopAsked();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostColumns = 3;
 // The least width of two and of three columns, in heights of a line.
-constexpr int kTwoColumns = 42, kThreeColumns = 66;
+constexpr int kTwoColumns = 38, kThreeColumns = 54;
 
 }  // namespace
 

@@ -12,8 +12,8 @@ namespace frontier_pilot {
 namespace {
 
 constexpr double kLeastRadius = 1.0, kGreatestRadius = 12.0;  // [m]
-constexpr double kScanLifetime = 1.0;                          // [s]
-constexpr double kRobotRadius = 0.105;                         // [m], Burger
+constexpr double kScanLifetime = 1.0;                         // [s]
+constexpr double kRobotRadius = 0.105;                        // [m], Burger
 
 /// How wide a sector is [rad], in [0, 2 pi).
 double widthOf(const SectorView& sector) {
@@ -77,6 +77,7 @@ void ScanPicture::paintEvent(QPaintEvent*) {
   }
   drawRings(painter, theme);
   drawRobot(painter, theme);
+  painter.setFont(font());
   if (!scan_ || scan_->age > kScanLifetime) {
     painter.setPen(theme.warning);
     const QString text = scan_ ? "scan is " + ageText(scan_->age) + " old" : QString("no scan");
@@ -88,6 +89,9 @@ void ScanPicture::drawRings(QPainter& painter, const Theme& theme) const {
   const double step = view_radius_ > 6.0 ? 2.0 : (view_radius_ > 1.5 ? 1.0 : 0.5);
   const double reach = view_radius_ * std::hypot(width(), height()) / std::min(width(), height());
   painter.setBrush(Qt::NoBrush);
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() * 0.8);
+  painter.setFont(small);
   for (double range = step; range < reach; range += step) {
     painter.setPen(QPen(faded(theme.muted, 0.45), 1, Qt::DotLine));
     const double radius = at(0.0, 0.0).y() - at(range, 0.0).y();

@@ -1,4 +1,4 @@
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QVBoxLayout>
 
 #include "cards.h"
@@ -39,19 +39,18 @@ void SourcesCard::rebuild(const std::vector<SourceView>& sources) {
   rows_.clear();
   for (const SourceView& source : sources) {
     const QString name = QString::fromStdString(source.name);
-    Row row{name,    new QWidget,           new Switch("enable_" + name), new Dot, new ElidedLabel("muted"),
-            nullptr};
+    Row row{name, new QWidget, new Switch("enable_" + name), new Dot, new ElidedLabel("muted"), nullptr};
     row.figures = makeLabel("", "muted");
-    auto* line = new QHBoxLayout(row.widget);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(emOf(*this) / 2);
-    auto* title = makeLabel(name, "strong");
-    title->setMinimumWidth(title->fontMetrics().horizontalAdvance("behavior ") + 2);
-    line->addWidget(row.toggle);
-    line->addWidget(row.dot);
-    line->addWidget(title);
-    line->addWidget(row.text, 1);
-    line->addWidget(row.figures);
+    auto* grid = new QGridLayout(row.widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(emOf(*this) / 2);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(row.toggle, 0, 0, 2, 1);
+    grid->addWidget(row.dot, 0, 1);
+    grid->addWidget(makeLabel(name, "strong"), 0, 2);
+    grid->addWidget(row.figures, 0, 3, Qt::AlignRight);
+    grid->addWidget(row.text, 1, 2, 1, 2);
+    grid->setColumnStretch(3, 1);
     row.text->setObjectName("source_state_" + name);
     row.figures->setObjectName("source_age_" + name);
     connect(row.toggle, &Switch::asked, this, [this, name](bool on) { emit enableAsked(name, on); });

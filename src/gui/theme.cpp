@@ -30,9 +30,6 @@ QPushButton[role="primary"] { background: %7; color: %8; border-color: %7; font-
 QPushButton[role="primary"]:disabled { background: transparent; color: %6; border-color: %4; font-weight: 400; }
 QPushButton[role="stop"] { color: %9; border-color: %9; font-weight: 700; }
 QPushButton[role="stop"]:pressed { background: %9; color: white; }
-QDoubleSpinBox, QSpinBox { background: %3; color: %5; border: 1px solid %4; border-radius: $r; padding: $q; }
-QDoubleSpinBox:focus, QSpinBox:focus { border-color: %7; }
-QCheckBox { color: %5; background: transparent; }
 QPlainTextEdit { background: %3; color: %5; border: 1px solid %4; border-radius: $r; }
 )";
 
@@ -76,13 +73,14 @@ QColor Theme::color(Severity severity) const {
 }
 
 QString Theme::styleSheet(int em) const {
-  QString rules = QString(kRules)
-                      .arg(window.name(), card.name(), field.name(), border.name(), text.name(), muted.name(),
-                           accent.name(), on_accent.name(), danger.name());
+  QString rules = QString(kRules).arg(window.name(), card.name(), field.name(), border.name(), text.name(),
+                                      muted.name(), accent.name(), on_accent.name(), danger.name());
   const auto length = [em](double share) { return QString::number(qMax(1, qRound(em * share))) + "px"; };
   rules.replace("$Hpx", length(1.25)).replace("$Fpx", length(1.2)).replace("$R", length(0.5));
-  return rules.replace("$r", length(0.35)).replace("$p", length(0.3)).replace("$P", length(0.7)).replace("$q",
-                                                                                                         length(0.2));
+  return rules.replace("$r", length(0.35))
+      .replace("$p", length(0.3))
+      .replace("$P", length(0.7))
+      .replace("$q", length(0.2));
 }
 
 QPalette pilotPalette(bool dark) {

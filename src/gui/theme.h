@@ -25,7 +25,8 @@ struct Theme {
 /// The project's own palette, for those who do not take the desktop's.
 QPalette pilotPalette(bool dark);
 
-/// The height of a line in the widget's font [px]: the unit of every length, so that fonts and scaling carry them along.
+/// The height of a line in the widget's font [px]: the unit of every length, so that fonts and scaling carry them
+/// along.
 int emOf(const QWidget& widget);
 
 /// `color` with the given opacity (0 to 1).

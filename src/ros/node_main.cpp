@@ -35,16 +35,24 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 
 int runNode(int argc, char** argv, const std::string& name,
             const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make) {
+  return runNodeWithLoop(argc, argv, name,
+                         [&make](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn&) {
+                           const std::shared_ptr<void> running = make(node, private_node);
+                           spinUntilStopped();
+                           return 0;
+                         });
+}
+
+int runNodeWithLoop(int& argc, char** argv, const std::string& name,
+                    const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body) {
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
   catchSignals();
   try {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
-    std::shared_ptr<void> running = make(node, private_node);
-    spinUntilStopped();
-    running.reset();
+    const int exit_code = body(node, private_node, [] { return ros::ok() && g_stop == 0; });
     ros::WallDuration(0.05).sleep();  // lets the last words reach the wire
-    return 0;
+    return exit_code;
   } catch (const ConfigurationError& error) {
     return fail(name, error, 2);
   } catch (const std::exception& error) {

@@ -22,8 +22,8 @@ class SourcesCard;
 
 /// The operator's side: everything that is seen and can be asked for, in the desktop window and in rviz alike.
 ///
-/// State comes in as plain data, wishes go out as signals; nothing here knows ROS, waits or blocks. What a control shows
-/// is always what the system last said of itself, never the click. The cards flow into one to three columns.
+/// State comes in as plain data, wishes go out as signals; nothing here knows ROS, waits or blocks. What a control
+/// shows is always what the system last said of itself, never the click. The cards flow into one to three columns.
 class PilotWidget : public QWidget {
   Q_OBJECT
 

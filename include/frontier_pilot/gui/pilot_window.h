@@ -8,8 +8,8 @@
 /// The desktop window, for a main() that knows nothing of Qt.
 namespace frontier_pilot {
 
-/// Opens the window on `link` and runs it until it is closed or the link wants to end. Gives the exit code. To be called
-/// in the main thread, once in a process.
+/// Opens the window on `link` and runs it until it is closed or the link wants to end. Gives the exit code. To be
+/// called in the main thread, once in a process.
 int runPilotWindow(int argc, char** argv, OperatorLink& link, const TeleopParameters& parameters);
 
 }  // namespace frontier_pilot

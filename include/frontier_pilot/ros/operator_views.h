@@ -1,0 +1,23 @@
+#pragma once
+
+#include <frontier_pilot/ArbiterStatus.h>
+#include <frontier_pilot/AvoiderStatus.h>
+#include <frontier_pilot/ExplorerStatus.h>
+
+#include <string>
+
+#include "frontier_pilot/avoid/parameters.h"
+#include "frontier_pilot/teleop/operator_state.h"
+
+/// From the status messages to what an operator is shown.
+namespace frontier_pilot {
+
+/// `status_age` [s] is how long ago it came: the ages of silent sources have grown by it.
+ArbiterView toView(const ArbiterStatus& msg, double status_age);
+AvoiderView toView(const AvoiderStatus& msg, double status_age);
+ExplorerView toView(const ExplorerStatus& msg, double status_age);
+/// The service of the arbiter that switches a source.
+inline std::string switchService(const std::string& source) { return "set_" + source + "_enabled"; }
+AvoiderSectors toSectors(const AvoiderParameters& parameters);
+
+}  // namespace frontier_pilot

@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/gui_bridge.h"
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/operator_views.h"
+#include "frontier_pilot/ros/parameters.h"
+
+/// What the bridge hears, and what of it the window is shown.
+namespace frontier_pilot {
+namespace {
+
+const Duration kFresh = fromSeconds(kStatusLifetime);
+
+constexpr const char* kManualSource = "manual";
+
+/// The message as the view of it, if there is one.
+template <class View, class Msg>
+void show(const Latest<Msg>& latest, SteadyTime now, std::optional<View>& view) {
+  if (latest.has()) view = toView(*latest.get(), toSeconds(*latest.age(now)));
+}
+
+}  // namespace
+
+void GuiBridge::subscribe() {
+  const auto keep = [this](auto& latest, auto value) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    latest.put(std::move(value), steadyNow());
+  };
+  subscribers_ = {node_.subscribe<AvoiderStatus>(names::kAvoiderStatus, 1,
+                                                 [=](const AvoiderStatus::ConstPtr& msg) { keep(avoider_, *msg); }),
+                  node_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1,
+                                                  [=](const ExplorerStatus::ConstPtr& msg) { keep(explorer_, *msg); }),
+                  node_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this),
+                  node_.subscribe(names::kScan, 1, &GuiBridge::onScan, this)};
+  stop_subscriber_ = node_.subscribe<std_msgs::Bool>(
+      names::kEmergencyStopState, 1, [=](const std_msgs::Bool::ConstPtr& msg) { keep(stop_, msg->data != 0); });
+}
+
+void GuiBridge::onArbiter(const ArbiterStatus& msg) {
+  for (const ArbiterSource& source : msg.sources) watch_.watch(switchService(source.name));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  arbiter_.put(msg, steadyNow());
+}
+
+void GuiBridge::onScan(const sensor_msgs::LaserScan& msg) {
+  const auto T_base_sensor = tf_.lookup3d(names::kBaseFootprintFrame, msg.header.frame_id, Time{});
+  if (!T_base_sensor) return;  // shown as a scan that grows old
+  auto scan = toLaserScan(msg, *T_base_sensor);
+  if (!scan) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scan_.put(std::move(*scan), steadyNow());
+}
+
+/// The avoider's sectors are its configuration, to be had when it is there.
+void GuiBridge::onServiceUp(const std::string& service) {
+  if (service != names::kSetObstacleAvoidEnabled) return;
+  AvoiderParameters parameters;
+  const ParameterMap map = readParameters(ros::NodeHandle(node_, names::kObstacleAvoiderNode));
+  loadParameters(map, parameters);  // the avoider itself complains of what is wrong with them
+  const std::lock_guard<std::mutex> lock(mutex_);
+  sectors_ = toSectors(parameters);
+}
+
+bool GuiBridge::manualOn(SteadyTime now) const {
+  const auto status = arbiter_.fresh(now, kFresh);
+  if (!status) return true;
+  return std::none_of(status->sources.begin(), status->sources.end(),
+                      [](const ArbiterSource& source) { return source.name == kManualSource && source.enabled == 0; });
+}
+
+/// The latched topic, as long as whoever says it lives.
+std::optional<bool> GuiBridge::stopState(SteadyTime now) const {
+  const bool dead = arbiter_.has() && !arbiter_.fresh(now, kFresh);
+  return dead || stop_subscriber_.getNumPublishers() == 0 ? std::nullopt : stop_.get();
+}
+
+OperatorState GuiBridge::state() {
+  OperatorState state;
+  state.connected = watch_.masterUp();
+  state.stop_service_up = watch_.up(names::kEmergencyStop);
+  state.clear_service_up = watch_.up(names::kSetEmergencyStop);
+  state.avoider_service_up = watch_.up(names::kSetObstacleAvoidEnabled);
+  state.explorer_service_up = watch_.up(names::kSetExplorationEnabled);
+  state.explorer_reset_up = watch_.up(names::kResetExplorer);
+  state.patrol = patrol_.view();
+  const SteadyTime now = steadyNow();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  state.emergency_stop = stopState(now);
+  state.sectors = sectors_;
+  show(arbiter_, now, state.arbiter);
+  show(avoider_, now, state.avoider);
+  show(explorer_, now, state.explorer);
+  if (scan_.has()) state.scan = ScanView{toSeconds(*scan_.age(now)), *scan_.get()};
+  if (state.arbiter) {
+    for (SourceView& source : state.arbiter->sources) source.service_up = watch_.up(switchService(source.name));
+  }
+  return state;
+}
+
+}  // namespace frontier_pilot

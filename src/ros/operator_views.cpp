@@ -1,0 +1,147 @@
+#include "frontier_pilot/ros/operator_views.h"
+
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+Severity severityOf(const ArbiterSource& source) {
+  switch (source.state) {
+    case ArbiterSource::ACTIVE:
+      return Severity::kActive;
+    case ArbiterSource::READY:
+    case ArbiterSource::IDLE:
+      return Severity::kGood;
+    case ArbiterSource::REJECTED:
+      return Severity::kError;
+    case ArbiterSource::DISABLED:
+      return Severity::kIdle;
+    default:
+      // To be silent is wrong only for a source that has to be there.
+      return source.required ? Severity::kError : Severity::kIdle;
+  }
+}
+
+SourceView toView(const ArbiterSource& msg, double status_age) {
+  SourceView view;
+  view.name = msg.name;
+  view.state_text = msg.state_text;
+  view.severity = severityOf(msg);
+  view.enabled = msg.enabled != 0;
+  view.required = msg.required != 0;
+  view.priority = msg.priority;
+  view.rate = msg.rate;
+  view.rejected = msg.rejected;
+  const bool talks = msg.state >= ArbiterSource::IDLE;
+  if (msg.age >= 0.0) view.age = msg.age + (talks ? 0.0 : status_age);
+  if (msg.publishers.size() > 1) {
+    view.severity = Severity::kWarning;
+    view.state_text += ", " + std::to_string(msg.publishers.size()) + " publishers";
+  }
+  return view;
+}
+
+Severity severityOf(const ArbiterStatus& msg) {
+  if (msg.emergency_stop || msg.state == ArbiterStatus::CLOCK_STOPPED) return Severity::kError;
+  if (!msg.problems.empty()) return Severity::kWarning;
+  return msg.active_source.empty() ? Severity::kIdle : Severity::kGood;
+}
+
+Severity severityOf(const AvoiderStatus& msg) {
+  switch (msg.state) {
+    case AvoiderStatus::CLEAR:
+      return Severity::kGood;
+    case AvoiderStatus::REVERSE:
+    case AvoiderStatus::ROTATE:
+      return Severity::kActive;
+    case AvoiderStatus::WAITING:
+      return Severity::kWarning;
+    case AvoiderStatus::FAULT:
+    case AvoiderStatus::STUCK:
+      return Severity::kError;
+    default:
+      return Severity::kIdle;
+  }
+}
+
+/// Nothing for what the avoider does not know.
+std::optional<double> known(double distance) {
+  return std::isnan(distance) ? std::nullopt : std::optional<double>(distance);
+}
+
+Severity severityOf(const ExplorerStatus& msg) {
+  switch (msg.reason) {
+    case ExplorerStatus::NAVIGATION_GONE:
+    case ExplorerStatus::MAP_GONE:
+    case ExplorerStatus::POSE_GONE:
+    case ExplorerStatus::ODOMETRY_GONE:
+    case ExplorerStatus::ROBOT_OFF_KNOWN_GROUND:
+      return Severity::kError;
+    case ExplorerStatus::WAITING_FOR_INPUTS:
+    case ExplorerStatus::ALL_BLACKLISTED:
+      return Severity::kWarning;
+    default:
+      break;
+  }
+  if (msg.state == ExplorerStatus::DONE) return Severity::kGood;
+  return msg.state == ExplorerStatus::IDLE ? Severity::kIdle : Severity::kActive;
+}
+
+SectorView toSectorView(const Sector& sector, double stop, double clear) {
+  return {sector.from, sector.to, stop, clear};
+}
+
+}  // namespace
+
+ArbiterView toView(const ArbiterStatus& msg, double status_age) {
+  ArbiterView view;
+  view.status_age = status_age;
+  view.severity = severityOf(msg);
+  view.summary = msg.summary;
+  view.active_source = msg.active_source;
+  view.stop_cause = msg.emergency_stop_cause;
+  view.problems = msg.problems;
+  view.command = {msg.command.linear.x, msg.command.angular.z};
+  for (const ArbiterSource& source : msg.sources) view.sources.push_back(toView(source, status_age));
+  return view;
+}
+
+AvoiderView toView(const AvoiderStatus& msg, double status_age) {
+  AvoiderView view;
+  view.status_age = status_age;
+  view.severity = severityOf(msg);
+  view.enabled = msg.state != AvoiderStatus::IDLE;
+  view.state_text = msg.summary.empty() ? msg.reason : msg.summary;
+  view.summary = msg.summary;
+  view.front_left = known(msg.front_left);
+  view.front_right = known(msg.front_right);
+  view.rear = known(msg.rear);
+  return view;
+}
+
+ExplorerView toView(const ExplorerStatus& msg, double status_age) {
+  ExplorerView view;
+  view.status_age = status_age;
+  view.severity = severityOf(msg);
+  view.running = msg.state != ExplorerStatus::DONE && msg.reason != ExplorerStatus::PAUSED;
+  view.state_text = msg.state_text;
+  view.phase_text = msg.phase_text;
+  view.reason_text = msg.reason_text;
+  view.frontiers_found = msg.frontiers_found;
+  view.frontiers_selectable = msg.frontiers_selectable;
+  view.frontiers_blacklisted = msg.frontiers_blacklisted;
+  view.goals_sent = msg.goals_sent;
+  view.goals_reached = msg.goals_reached;
+  view.goals_failed = msg.goals_failed;
+  view.explored_area = msg.explored_area;
+  view.distance_travelled = msg.distance_travelled;
+  return view;
+}
+
+AvoiderSectors toSectors(const AvoiderParameters& parameters) {
+  const double stop = parameters.stop_distance, clear = parameters.clear_distance, rear = parameters.rear_stop_distance;
+  return {toSectorView(parameters.front_left, stop, clear), toSectorView(parameters.front_right, stop, clear),
+          toSectorView(parameters.rear, rear, rear)};
+}
+
+}  // namespace frontier_pilot

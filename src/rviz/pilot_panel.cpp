@@ -1,0 +1,40 @@
+#include "pilot_panel.h"
+
+#include <ros/console.h>
+#include <ros/init.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <QVBoxLayout>
+
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// Those of teleop_gui, or the defaults if there is something wrong with them: rviz has to come up all the same.
+TeleopParameters panelParameters(const ros::NodeHandle& node) {
+  TeleopParameters parameters;
+  const Problems problems = loadParameters(readParameters(ros::NodeHandle(node, names::kTeleopGuiNode)), parameters);
+  for (const std::string& problem : problems) ROS_WARN_STREAM("PilotPanel: " << problem);
+  return problems.empty() ? parameters : TeleopParameters{};
+}
+
+}  // namespace
+
+PilotPanel::PilotPanel(QWidget* parent) : rviz::Panel(parent) {
+  const ros::NodeHandle node;
+  const TeleopParameters parameters = panelParameters(node);
+  bridge_ = std::make_unique<GuiBridge>(node, parameters, GuiBridge::Manual::kOnDemand, [] { return ros::ok(); });
+  widget_ = new PilotWidget(parameters);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(widget_);
+  controller_ = std::make_unique<PilotController>(*widget_, *bridge_, fromSeconds(parameters.liveness_timeout));
+}
+
+PilotPanel::~PilotPanel() = default;
+
+}  // namespace frontier_pilot
+
+PLUGINLIB_EXPORT_CLASS(frontier_pilot::PilotPanel, rviz::Panel)
