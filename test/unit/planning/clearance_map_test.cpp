@@ -1,0 +1,130 @@
+#include "frontier_pilot/planning/clearance_map.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "frontier_pilot/planning/scan_points.h"
+#include "support/ascii_world.h"
+
+namespace frontier_pilot {
+namespace {
+
+OccupancyGrid randomWorld(std::mt19937& random, int size, int obstacles) {
+  OccupancyGrid map(GridGeometry{0.05, Vec2(-1.0, 2.0), size, size}, kFree);
+  for (int i = 0; i < obstacles; ++i) map[random() % map.size()] = random() % 4 == 0 ? kUnknown : kOccupied;
+  return map;
+}
+
+/// Distance from `point` to the nearest occupied cell, a full square [m].
+double distanceToObstacles(const OccupancyGrid& map, const Vec2& point) {
+  double least = 1e9;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (!isOccupied(map[i])) continue;
+    const Vec2 off = (point - map.geometry().centre(map.geometry().cell(i))).cwiseAbs();
+    least = std::min(least, (off.array() - 0.5 * map.resolution()).max(0.0).matrix().norm());
+  }
+  return least;
+}
+
+// [NAV-4] The rule for the raster of the distance field: no valid point lets the footprint touch an obstacle.
+TEST(ClearanceMap, KeepsTheFootprintOffEveryObstacleCell_NAV_4) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 20; ++round) {
+    const OccupancyGrid map = randomWorld(random, 40, 25);
+    ClearanceMap clearance;
+    clearance.setMap(map, map.geometry().rect());
+    std::uniform_real_distribution<double> x(-1.0, 1.0);
+    std::uniform_real_distribution<double> y(2.0, 4.0);
+    for (int i = 0; i < 500; ++i) {
+      const Vec2 from(x(random), y(random));
+      const Vec2 to(x(random), y(random));
+      if (!clearance.isValid(from, to)) continue;
+      for (double t = 0.0; t <= 1.0; t += 0.02) {
+        EXPECT_GT(distanceToObstacles(map, from + t * (to - from)), clearance.params().inscribed_radius);
+      }
+    }
+  }
+}
+
+TEST(ClearanceMap, LetsThroughWhatADiscOf15CentimetresReaches_NAV_2) {
+  // Cells whose centres are more than three cells from every obstacle's are reachable floor for such a disc.
+  std::mt19937 random(2);
+  const OccupancyGrid map = randomWorld(random, 60, 30);
+  ClearanceMap clearance;
+  clearance.setMap(map, map.geometry().rect());
+  int counted = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const Cell cell = map.geometry().cell(i);
+    if (!isFree(map[i]) || clearance.field()[cell] <= 0.1501F) continue;
+    EXPECT_TRUE(clearance.isPassable(cell));
+    ++counted;
+  }
+  EXPECT_GT(counted, 100);
+}
+
+TEST(ClearanceMap, UpdatedPieceByPieceIsTheSameAsMadeAnew_NAV_2) {
+  std::mt19937 random(3);
+  OccupancyGrid map = randomWorld(random, 70, 60);
+  ClearanceMap updated;
+  updated.setMap(map, map.geometry().rect());
+  for (int round = 0; round < 30; ++round) {
+    CellRect changed;
+    for (int i = 0; i < 5; ++i) {
+      const Cell cell = map.geometry().cell(random() % map.size());
+      map[cell] = static_cast<std::int8_t>(static_cast<int>(random() % 3) * 50 - 1);
+      changed.include(cell);
+    }
+    updated.setMap(map, changed);
+    const Cell live = map.geometry().cell(random() % map.size());
+    updated.setLive(live, true);
+    if (round % 2 == 0) updated.refresh();
+    updated.setLive(live, false);
+    updated.refresh();
+    ClearanceMap fresh;
+    fresh.setMap(map, map.geometry().rect());
+    ASSERT_EQ(updated.costs().cells(), fresh.costs().cells()) << "round " << round;
+  }
+}
+
+TEST(ClearanceMap, LeadsNoPathThroughUnknownCellsUnlessTold_NAV_2) {
+  const auto world = test::drawWorld(std::string(20, '.') + "\n" + std::string(20, '?') + "\n" + std::string(20, '.'));
+  ClearanceMap strict;
+  strict.setMap(world.map, world.map.geometry().rect());
+  EXPECT_FALSE(strict.isValid({0.5, 0.02}, {0.5, 0.13}));
+  EXPECT_TRUE(strict.isValid({0.5, 0.02}, {0.7, 0.02}));
+  ClearanceParams params;
+  params.unknown_is_traversable = true;
+  ClearanceMap bold(params);
+  bold.setMap(world.map, world.map.geometry().rect());
+  EXPECT_TRUE(bold.isValid({0.5, 0.02}, {0.5, 0.13}));
+}
+
+TEST(PoseHistory, InterpolatesAcrossTheSeamOfTheAngle) {
+  PoseHistory history;
+  history.add(timeFromSeconds(1.0), {0.0, 0.0, 3.0});
+  history.add(timeFromSeconds(2.0), {1.0, 0.0, -3.0});
+  const auto middle = history.at(timeFromSeconds(1.5));
+  ASSERT_TRUE(middle.has_value());
+  EXPECT_NEAR(middle->x, 0.5, 1e-12);
+  EXPECT_NEAR(std::abs(middle->yaw), kPi, 1e-9);
+  EXPECT_FALSE(history.at(timeFromSeconds(3.0)).has_value()) << "too far beyond what is known";
+}
+
+TEST(ScanPoints, TakesATooNearReadingForTheFootprintsEdge_NAV_4) {
+  LaserScan2 scan;
+  scan.angle_increment = kPi;
+  scan.range_min = 0.12;
+  scan.range_max = 8.0;
+  scan.T_base_sensor = {-0.03, 0.0, 0.0};
+  scan.ranges = {1.0F, 0.05F};
+  const ScanPoints points = scanPoints(scan, {10.0, 0.0, 0.0}, 0.105);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(static_cast<double>(points.x[0]), 10.97, 1e-5);
+  EXPECT_NEAR(static_cast<double>(points.x[1]), 10.0 - 0.105, 1e-5);
+}
+
+}  // namespace
+}  // namespace frontier_pilot

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "frontier_pilot/planning/navigator.h"
+#include "frontier_pilot/sim/simulator.h"
+#include "support/ascii_world.h"
+
+namespace frontier_pilot::test {
+
+/// The navigator in the simulator, in lockstep at 20 Hz, on a map it knows.
+class DrivenRobot {
+ public:
+  DrivenRobot(const AsciiWorld& world, const Pose2& start, NavigatorParams params = {})
+      : simulator_(sim::World{world.map, start}, simulation(start, params.limits)), navigator_(params) {
+    navigator_.setMap(world.map, world.map.geometry().rect());
+  }
+
+  /// Burger, or the fast set of limits.
+  static NavigatorParams fast() {
+    NavigatorParams params;
+    params.limits.max_linear = 0.5;
+    params.limits.max_angular = 1.5;
+    return params;
+  }
+
+  void send(const Vec2& goal, std::uint64_t id = 1) { sendPose({goal, 0.0}, false, id); }
+  void sendPose(const Pose2& goal, bool use_yaw, std::uint64_t id = 1) { event_.new_goal = NavGoal{id, goal, use_yaw}; }
+  void cancel() { event_.cancel = true; }
+
+  /// One tick of 50 ms.
+  const NavigatorOutput& tick() {
+    for (int i = 0; i < 5; ++i) step();
+    NavigatorInputs inputs = event_;
+    event_ = {};
+    if (has_pose) inputs.pose = StampedPose{simulator_.now(), simulator_.pose(0)};
+    if (has_scan && scan_) inputs.scan = &*scan_;
+    inputs.map_alive = has_map;
+    inputs.twist = simulator_.velocity(0);
+    output_ = navigator_.update(inputs, simulator_.now());
+    if (output_.command) simulator_.setCommand(0, *output_.command);
+    if (!output_.recovery.empty()) recoveries.insert(output_.recovery);
+    for (const NavFinished& finished : output_.finished) finished_ = finished;
+    return output_;
+  }
+
+  /// Until a goal ends or time is over.
+  std::optional<NavFinished> runUntilFinished(double seconds) {
+    finished_.reset();
+    const Time end = simulator_.now() + fromSeconds(seconds);
+    while (!finished_ && simulator_.now() < end) tick();
+    return finished_;
+  }
+  void run(double seconds) {
+    const Time end = simulator_.now() + fromSeconds(seconds);
+    while (simulator_.now() < end) tick();
+  }
+
+  sim::Simulator& simulator() { return simulator_; }
+  Navigator& navigator() { return navigator_; }
+  const NavigatorOutput& output() const { return output_; }
+  const Pose2& pose() const { return simulator_.pose(0); }
+  double speed() const { return simulator_.velocity(0).linear; }
+  int contacts() const { return simulator_.contactCount(0); }
+  double standingTime() const { return standing_; }
+
+  bool has_pose = true;
+  bool has_scan = true;
+  bool has_map = true;
+  std::set<std::string> recoveries;  ///< all that were shown
+
+ private:
+  static sim::SimulatorParameters simulation(const Pose2& start, const RobotLimits& limits) {
+    sim::SimulatorParameters params;
+    params.x = start.x;
+    params.y = start.y;
+    params.yaw = start.yaw;
+    params.limits = limits;
+    return params;
+  }
+
+  void step() {
+    simulator_.step();
+    if (const LaserScan2* scan = simulator_.newScan(0)) scan_ = *scan;
+    if (std::abs(speed()) < 0.01) standing_ += 0.01;
+  }
+
+  sim::Simulator simulator_;
+  Navigator navigator_;
+  NavigatorInputs event_;
+  std::optional<LaserScan2> scan_;
+  NavigatorOutput output_;
+  std::optional<NavFinished> finished_;
+  double standing_ = 0.0;
+};
+
+}  // namespace frontier_pilot::test
