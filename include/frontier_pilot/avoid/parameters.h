@@ -27,7 +27,7 @@ struct AvoiderParameters {
   double stop_distance = 0.5;
   double clear_distance = 0.65;
   double rear_stop_distance = 0.25;
-  double guard_half_width = 0.17;
+  double guard_half_width = 0.13;
   double reverse_speed = 0.08;
   double reverse_time = 0.4;
   double turn_speed = 0.7;

@@ -220,7 +220,7 @@ TEST_F(AvoiderTest, WhatTheBodyWouldSweepBesideTheSectorsIsAvoidedToo) {
   tick();
   now += std::chrono::milliseconds(100);
   LaserScan2 beside = scan();
-  putObstacle(beside, -80.0 * kPi / 180.0, 0.16, 0.0);
+  putObstacle(beside, -80.0 * kPi / 180.0, 0.12, 0.0);
   EXPECT_EQ(avoider.onScan(beside, now), kBack);
   EXPECT_EQ(avoider.status(now).turn, 1) << "away from it";
 }

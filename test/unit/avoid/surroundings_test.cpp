@@ -182,11 +182,11 @@ TEST(Surroundings, AScannerThatIsBlindOnOneSideAheadIsAFault_AVO_5) {
 
 TEST(Surroundings, OnlyWhatTheBodyWouldSweepCountsBesideTheSectors) {
   LaserScan2 scan = emptyScan({}, Time{});
-  putObstacle(scan, 80.0 * kPi / 180.0, 0.16, 0.0);
+  putObstacle(scan, 80.0 * kPi / 180.0, 0.12, 0.0);
   putObstacle(scan, -80.0 * kPi / 180.0, 0.3, 0.0);
   putObstacle(scan, 100.0 * kPi / 180.0, 0.2, 0.0);
   const Surroundings around = read(scan);
-  EXPECT_NEAR(around.lane_left, 0.16, 1e-6);
+  EXPECT_NEAR(around.lane_left, 0.12, 1e-6);
   EXPECT_EQ(around.lane_right, Surroundings::kNothing);
   EXPECT_EQ(around.rear, Surroundings::kNothing);
 }
