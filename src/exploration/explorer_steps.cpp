@@ -155,7 +155,7 @@ void Explorer::evaluateArrival(Time now) {
 void Explorer::stayDone(Time now) {
   if (judged_changes_ == evaluator_.map().changes() || !passed(last_decision_, parameters_.decision_period, now))
     return;
-  if (!judgeAndChoose(now)) return;
+  if (!judgeAndChoose(false, now)) return;
   status_.phase = ExplorerPhase::kRich;
   blacklist_retried_ = false;
   step_backs_ = 0;
@@ -166,10 +166,10 @@ void Explorer::stayDone(Time now) {
 bool Explorer::decide(ExplorerReason reason, Time now) {
   constexpr double kSameGoal = 0.3;  // [m]
   if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
-  const std::optional<std::size_t> chosen = judgeAndChoose(now);
+  const std::optional<GoalCandidate> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
   if (!chosen) return false;
-  const Frontier& frontier = evaluator_.frontiers()[*chosen];
-  if (goal_ && (goal_->position - frontier.goal).norm() < kSameGoal) return true;
+  if (goal_ && (goal_->position - chosen->goal).norm() < kSameGoal) return true;
+  const Frontier& frontier = evaluator_.frontiers()[chosen->frontier];
   step_backs_ = 0;
   Goal goal;
   goal.position = frontier.goal;
@@ -178,18 +178,24 @@ bool Explorer::decide(ExplorerReason reason, Time now) {
   return true;
 }
 
-std::optional<std::size_t> Explorer::judgeAndChoose(Time now) {
+/// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has come
+/// too near to its goal to be sent there is not to turn away from it.
+std::optional<GoalCandidate> Explorer::judgeAndChoose(bool keep_present, Time now) {
   blacklist_.expire(evaluator_.map());
   fruitless_.expire(evaluator_.map());
   const bool rich = status_.phase == ExplorerPhase::kRich;
-  evaluator_.evaluate(
-      {T_map_base_->position(), &blacklist_, &fruitless_, &visited_, rich ? parameters_.rich_min_density : 0.0});
+  evaluator_.evaluate({T_map_base_->position(), start_->position(), &blacklist_, &fruitless_, &visited_,
+                       rich ? parameters_.rich_min_density : 0.0});
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;
-  const std::vector<GoalCandidate> all = evaluator_.candidates(T_map_base_->position());
+  std::vector<GoalCandidate> all = evaluator_.candidates(T_map_base_->position());
+  if (goal_ && keep_present) {
+    const auto present = evaluator_.candidateAt(goal_->position, T_map_base_->position());
+    if (present) all.push_back(*present);
+  }
   const auto index = choose_(all, goal_ ? std::optional<Vec2>(goal_->position) : std::nullopt);
-  return index ? std::optional<std::size_t>(all[*index].frontier) : std::nullopt;
+  return index ? std::optional<GoalCandidate>(all[*index]) : std::nullopt;
 }
 
 }  // namespace frontier_pilot

@@ -47,22 +47,25 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
 }
 
 /// Ways that keep clear of unknown ground come first: a gap whose sides have yet to be seen may prove too narrow when
-/// the robot is in it. Only when nothing else is left such ways count.
+/// the robot is in it. Only when nothing else is left such ways count; and where the robot seems to be cut off, what
+/// can be reached from its start: it has come from there, and the navigation may know how to go back.
 const std::vector<Frontier>& FrontierEvaluator::evaluate(const Context& context) {
   frontiers_.clear();
   if (map_.empty()) return frontiers_;
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
-  if (judgeAll(space_, context)) return frontiers_;
+  if (judgeAll(space_, context.robot, context)) return frontiers_;
   tight_space_.update(map_.grid(), tight_changes_);
   tight_changes_ = {};
-  judgeAll(tight_space_, context);
+  if (judgeAll(tight_space_, context.robot, context)) return frontiers_;
+  const bool cut_off = robotHasGround() && !travel_.reached(map_.geometry().cellAt(context.start));
+  if (cut_off) judgeAll(tight_space_, context.start, context);
   return frontiers_;
 }
 
 /// Gives whether any frontier can be selected.
-bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Context& context) {
-  travel_.compute(space, map_.grid(), map_.geometry().cellAt(context.robot), parameters_.escape_radius);
+bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context) {
+  travel_.compute(space, map_.grid(), map_.geometry().cellAt(from), parameters_.escape_radius);
   frontiers_.clear();
   frontiers_.reserve(clusters_.clusters.size());
   bool any = false;
@@ -169,6 +172,17 @@ std::vector<GoalCandidate> FrontierEvaluator::candidates(const Vec2& robot) {
     f.score = all.back().score = goalScore(all.back(), parameters_.score);
   }
   return all;
+}
+
+std::optional<GoalCandidate> FrontierEvaluator::candidateAt(const Vec2& goal, const Vec2& robot) {
+  const Cell cell = map_.geometry().cellAt(goal);
+  if (!travel_.reached(cell)) return std::nullopt;
+  const double density = obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells);
+  const double relative = std::min(1.0, density / std::max(parameters_.max_obstacle_density, 1e-3));
+  GoalCandidate candidate{frontiers_.size(), goal, travel_.distance(cell), (goal - robot).norm(), infoAt(goal), relative,
+                          0, 0.0};
+  candidate.score = goalScore(candidate, parameters_.score);
+  return candidate;
 }
 
 std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {

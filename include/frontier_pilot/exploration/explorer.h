@@ -63,7 +63,7 @@ class Explorer {
   void stayDone(Time now);
 
   bool decide(ExplorerReason reason, Time now);
-  std::optional<std::size_t> judgeAndChoose(Time now);
+  std::optional<GoalCandidate> judgeAndChoose(bool keep_present, Time now);
   std::size_t countRejected(Rejection rejection) const;
   bool informationGone();
   bool retryOtherwise(Time now);

@@ -31,6 +31,7 @@ class FrontierEvaluator {
   /// What the judgement depends on besides the map.
   struct Context {
     Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
+    Vec2 start = Vec2::Zero();  ///< where it was first [m]
     const Blacklist* blacklist = nullptr;
     const Blacklist* fruitless = nullptr;
     const std::vector<Vec2>* visited = nullptr;  ///< goals reached so far [m]
@@ -41,6 +42,8 @@ class FrontierEvaluator {
 
   /// The selectable ones of the last evaluation, scored, as the choice wants them.
   std::vector<GoalCandidate> candidates(const Vec2& robot);
+  /// The same for a place that a goal was sent to before, which belongs to no frontier; none if it cannot be reached.
+  std::optional<GoalCandidate> candidateAt(const Vec2& goal, const Vec2& robot);
 
   /// Whether the last evaluation found ground for the robot to move on.
   bool robotHasGround() const { return travel_.reachedCount() > 0; }
@@ -64,7 +67,7 @@ class FrontierEvaluator {
     ViewGain gain;
   };
 
-  bool judgeAll(const TraversableSpace& space, const Context& context);
+  bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
   Frontier judge(const FrontierCluster& cluster, const Context& context);
   GoalCell findGoal(const FrontierCluster& cluster, Cell anchor) const;
   GoalCell findGoalFor(Cell target) const;
