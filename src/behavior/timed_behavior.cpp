@@ -104,7 +104,8 @@ BehaviorOutput TimedBehavior::move(const BehaviorInputs& inputs, Time now) {
 
 std::optional<std::string> TimedBehavior::poseProblem(const BehaviorInputs& inputs, Time now) const {
   if (!inputs.pose) return "no pose";
-  const double age = toSeconds(now - inputs.pose->stamp);
+  // One from the future is as useless: the clock has jumped.
+  const double age = std::abs(toSeconds(now - inputs.pose->stamp));
   if (age > parameters_.pose_timeout) return "the pose is older than " + seconds(parameters_.pose_timeout);
   if (!inputs.pose->T_odom_base.isFinite()) return "the pose is not finite";
   if (last_pose_ &&

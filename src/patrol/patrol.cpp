@@ -30,7 +30,7 @@ const char* toString(PatrolOutcome outcome) {
   return kNames[static_cast<int>(outcome)];
 }
 
-PatrolOutput Patrol::start(const PatrolGoal& goal, Time now) {
+PatrolOutput Patrol::start(const PatrolOrder& goal, Time now) {
   if (const auto problem = problemOf(goal, parameters_)) return end(PatrolOutcome::kInvalidGoal, *problem);
   active_ = true;
   goal_ = goal;

@@ -8,7 +8,7 @@ namespace {
 
 bool isShape(double mode) { return mode == 1.0 || mode == 2.0 || mode == 3.0; }
 
-PatrolShape shapeOf(const PatrolGoal& goal) { return static_cast<PatrolShape>(static_cast<int>(goal.mode)); }
+PatrolShape shapeOf(const PatrolOrder& goal) { return static_cast<PatrolShape>(static_cast<int>(goal.mode)); }
 
 int cornersOf(PatrolShape shape) { return shape == PatrolShape::kSquare ? 4 : 3; }
 
@@ -46,7 +46,7 @@ const char* toString(PatrolShape shape) {
   return kNames[static_cast<int>(shape) - 1];
 }
 
-std::optional<std::string> problemOf(const PatrolGoal& goal, const PatrolParameters& parameters) {
+std::optional<std::string> problemOf(const PatrolOrder& goal, const PatrolParameters& parameters) {
   if (!isShape(goal.mode)) return "invalid patrol mode";
   if (!(goal.size > 0.0 && goal.size <= parameters.max_side)) {
     const char* field = shapeOf(goal) == PatrolShape::kCircle ? "goal.y (radius)" : "goal.y (side)";
@@ -59,14 +59,14 @@ std::optional<std::string> problemOf(const PatrolGoal& goal, const PatrolParamet
   return std::nullopt;
 }
 
-std::vector<PatrolStep> planPatrol(const PatrolGoal& goal) {
+std::vector<PatrolStep> planPatrol(const PatrolOrder& goal) {
   const int laps = static_cast<int>(goal.laps);
   const PatrolShape shape = shapeOf(goal);
   if (shape != PatrolShape::kCircle) return polygon(cornersOf(shape), goal.size, laps);
   return {{PatrolStep::Kind::kArc, Pose2(), 2.0 * kPi * laps, goal.size, 1}};
 }
 
-int legsOf(const PatrolGoal& goal) {
+int legsOf(const PatrolOrder& goal) {
   const int laps = static_cast<int>(goal.laps);
   const PatrolShape shape = shapeOf(goal);
   return shape == PatrolShape::kCircle ? laps : cornersOf(shape) * laps;

@@ -30,7 +30,7 @@ class Surroundings {
   /// It refers to this object.
   LookAhead lookAhead(double max_age, Time now) const {
     const auto stamp = costmap_.stamp();
-    if (!stamp || toSeconds(now - *stamp) > max_age) return {};
+    if (!stamp || std::abs(toSeconds(now - *stamp)) > max_age) return {};
     return [this](const Pose2& T_odom_base, const AxisMotion& motion) {
       return sweep(costmap_.grid(), footprint_, T_odom_base, motion);
     };

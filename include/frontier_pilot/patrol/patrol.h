@@ -51,7 +51,7 @@ class Patrol {
   explicit Patrol(const PatrolParameters& parameters) : parameters_(parameters), driver_(parameters) {}
 
   /// A new goal; one that is running must have been cancelled. The first command comes with the next `update`.
-  PatrolOutput start(const PatrolGoal& goal, Time now);
+  PatrolOutput start(const PatrolOrder& goal, Time now);
   /// To be called at `frequency`.
   PatrolOutput update(const PatrolInputs& inputs, Time now);
   /// Ends the patrol at once. [PAT-4]
@@ -78,7 +78,7 @@ class Patrol {
   PatrolParameters parameters_;
   StepDriver driver_;
   bool active_ = false;
-  PatrolGoal goal_;
+  PatrolOrder goal_;
   std::vector<PatrolStep> steps_;
   std::size_t step_ = 0;  ///< index of the next one while waiting or settling, else of the present one
   Phase phase_ = Phase::kWaiting;

@@ -14,14 +14,14 @@ enum class PatrolShape { kSquare = 1, kTriangle = 2, kCircle = 3 };
 const char* toString(PatrolShape shape);
 
 /// A goal as it was sent, unchecked: ROBOTIS' encoding.
-struct PatrolGoal {
+struct PatrolOrder {
   double mode = 0.0;  ///< 1 square, 2 triangle, 3 circle
   double size = 0.0;  ///< side or radius [m]
   double laps = 0.0;
 };
 
 /// What is wrong with a goal; nothing if it can be driven. [PAT-1]
-std::optional<std::string> problemOf(const PatrolGoal& goal, const PatrolParameters& parameters);
+std::optional<std::string> problemOf(const PatrolOrder& goal, const PatrolParameters& parameters);
 
 /// One piece of a patrol, in the plan's frame: the base's pose when the patrol began.
 struct PatrolStep {
@@ -35,9 +35,9 @@ struct PatrolStep {
 
 /// The steps of a goal without problems: left turns only, and a last turn back to the first heading. On a circle each
 /// lap is a leg, and all of them are one arc, so that the robot does not stop in between.
-std::vector<PatrolStep> planPatrol(const PatrolGoal& goal);
+std::vector<PatrolStep> planPatrol(const PatrolOrder& goal);
 
 /// How many legs the goal has.
-int legsOf(const PatrolGoal& goal);
+int legsOf(const PatrolOrder& goal);
 
 }  // namespace frontier_pilot

@@ -9,7 +9,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr PatrolGoal kSquare{1.0, 1.0, 1.0};
+constexpr PatrolOrder kSquare{1.0, 1.0, 1.0};
 
 /// A patrol, a base without noise, and the loop around them.
 class Loop {
@@ -22,7 +22,7 @@ class Loop {
     p.frequency = frequency;
     return p;
   }
-  PatrolOutput start(const PatrolGoal& goal) { return patrol.start(goal, base.now()); }
+  PatrolOutput start(const PatrolOrder& goal) { return patrol.start(goal, base.now()); }
   /// One cycle; `wheels`, if given, replaces the patrol's command on its way to the base.
   PatrolOutput cycle(const std::optional<Twist2>& wheels = std::nullopt) {
     if (fresh_odometry) inputs.odometry = base.sample();

@@ -15,7 +15,7 @@ std::string problem(double mode, double size, double laps) {
 }
 
 // [PAT-1]
-TEST(PatrolGoal, OnlyTheThreeModesAreKnown) {
+TEST(PatrolOrder, OnlyTheThreeModesAreKnown) {
   for (const double mode : {1.0, 2.0, 3.0}) EXPECT_EQ(problem(mode, 1.0, 1.0), "");
   for (const double mode : {0.0, 4.0, 1.5, -1.0, kNan, kInf}) {
     EXPECT_EQ(problem(mode, 1.0, 1.0), "invalid patrol mode") << mode;
@@ -23,7 +23,7 @@ TEST(PatrolGoal, OnlyTheThreeModesAreKnown) {
 }
 
 // [PAT-1]
-TEST(PatrolGoal, ASideThatIsNotFinitePositiveAndShortEnoughIsNamed) {
+TEST(PatrolOrder, ASideThatIsNotFinitePositiveAndShortEnoughIsNamed) {
   EXPECT_EQ(problem(1.0, 10.0, 1.0), "");
   EXPECT_EQ(problem(1.0, 10.5, 1.0), "invalid goal.y (side): must be finite, above 0 and at most 10 m, is 10.5");
   for (const double side : {0.0, -1.0, kNan, kInf, -kInf}) {
@@ -33,7 +33,7 @@ TEST(PatrolGoal, ASideThatIsNotFinitePositiveAndShortEnoughIsNamed) {
 }
 
 // [PAT-1]
-TEST(PatrolGoal, LapsThatAreNotAWholeNumberInTheLimitsAreNamed) {
+TEST(PatrolOrder, LapsThatAreNotAWholeNumberInTheLimitsAreNamed) {
   EXPECT_EQ(problem(2.0, 1.0, 100.0), "");
   EXPECT_EQ(problem(2.0, 1.0, 2.5),
             "invalid goal.z (laps): must be a whole number, at least 1 and at most 100, is 2.5");

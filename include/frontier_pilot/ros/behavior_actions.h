@@ -1,0 +1,82 @@
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <frontier_pilot/BackUpAction.h>
+#include <frontier_pilot/DriveOnHeadingAction.h>
+#include <frontier_pilot/SpinAction.h>
+#include <frontier_pilot/WaitAction.h>
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "frontier_pilot/behavior/timed_behavior.h"
+
+namespace frontier_pilot {
+
+BehaviorGoal toBehaviorGoal(const SpinGoal& goal);
+BehaviorGoal toBehaviorGoal(const BackUpGoal& goal);
+BehaviorGoal toBehaviorGoal(const DriveOnHeadingGoal& goal);
+BehaviorGoal toBehaviorGoal(const WaitGoal& goal);
+
+/// The action's error code: 0, or its hundreds (spin 700, back_up 800, drive_on_heading 900, wait 1000) and the reason.
+std::uint16_t errorCode(BehaviorKind kind, BehaviorOutcome outcome);
+
+void fillResult(const BehaviorOutput& output, SpinResult& result);
+void fillResult(const BehaviorOutput& output, BackUpResult& result);
+void fillResult(const BehaviorOutput& output, DriveOnHeadingResult& result);
+void fillResult(const BehaviorOutput& output, WaitResult& result);
+void fillFeedback(const BehaviorOutput& output, const BehaviorGoal& goal, SpinFeedback& feedback);
+void fillFeedback(const BehaviorOutput& output, const BehaviorGoal& goal, BackUpFeedback& feedback);
+void fillFeedback(const BehaviorOutput& output, const BehaviorGoal& goal, DriveOnHeadingFeedback& feedback);
+void fillFeedback(const BehaviorOutput& output, const BehaviorGoal& goal, WaitFeedback& feedback);
+
+/// One of the behaviour server's actions, whatever its messages are.
+class BehaviorPort {
+ public:
+  /// `why` a behaviour is ended from outside.
+  using Start = std::function<void(BehaviorPort&, const BehaviorGoal&)>;
+  using Cancel = std::function<void(const std::string& why)>;
+
+  virtual ~BehaviorPort() = default;
+  virtual void publishFeedback(const BehaviorOutput& output, const BehaviorGoal& goal) = 0;
+  /// Tells the result; the velocity must be zero already.
+  virtual void finish(const BehaviorOutput& output, const BehaviorGoal& goal) = 0;
+};
+
+/// A port for one type of action. It ticks with its node: there is no execute loop.
+template <class Action, class Result, class Feedback>
+class BehaviorActionPort : public BehaviorPort {
+ public:
+  /// `cancel` is called when the goal under way is cancelled or replaced, before `start`.
+  BehaviorActionPort(ros::NodeHandle& node, const char* name, const Start& start, const Cancel& cancel)
+      : server_(node, name, false) {
+    server_.registerGoalCallback([this, start] { start(*this, toBehaviorGoal(*server_.acceptNewGoal())); });
+    server_.registerPreemptCallback(
+        [this, cancel] { cancel(server_.isNewGoalAvailable() ? "replaced by a newer goal" : "canceled"); });
+    server_.start();
+  }
+
+  void publishFeedback(const BehaviorOutput& output, const BehaviorGoal& goal) override {
+    Feedback feedback;
+    fillFeedback(output, goal, feedback);
+    server_.publishFeedback(feedback);
+  }
+
+  void finish(const BehaviorOutput& output, const BehaviorGoal& goal) override {
+    Result result;
+    result.total_elapsed_time.fromSec(output.elapsed);
+    result.error_code = errorCode(goal.kind, output.outcome);
+    result.error_msg = output.outcome == BehaviorOutcome::kSucceeded ? "" : output.message;
+    fillResult(output, result);
+    if (output.outcome == BehaviorOutcome::kSucceeded) return server_.setSucceeded(result, output.message);
+    if (output.outcome == BehaviorOutcome::kCanceled) return server_.setPreempted(result, output.message);
+    server_.setAborted(result, output.message);
+  }
+
+ private:
+  actionlib::SimpleActionServer<Action> server_;
+};
+
+}  // namespace frontier_pilot

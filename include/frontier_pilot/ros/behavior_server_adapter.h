@@ -1,0 +1,66 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_msgs/Bool.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/behavior/timed_behavior.h"
+#include "frontier_pilot/ros/behavior_actions.h"
+#include "frontier_pilot/ros/behavior_surroundings.h"
+#include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+
+namespace frontier_pilot {
+
+/// What the node is configured with.
+struct BehaviorServerParameters {
+  BehaviorParameters behavior;
+  SurroundingsParameters surroundings;
+  BehaviorFrames frames;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    behavior.describe(v);
+    surroundings.describe(v);
+    frames.describe(v);
+  }
+  void check(Problems& problems) const { behavior.check(problems); }
+};
+
+/// The node `behavior_server`: the actions spin, back_up, drive_on_heading and wait around one TimedBehavior. A newer
+/// goal on any of them replaces the one under way; cancels and an emergency stop act in their own callbacks. [SPN-5]
+class BehaviorServerNode {
+ public:
+  BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// Zero is the last word of a behaviour that was going on.
+  ~BehaviorServerNode();
+
+ private:
+  template <class Action, class Result, class Feedback>
+  void addPort(const char* name);
+  void start(BehaviorPort& port, const BehaviorGoal& goal);
+  void cancel(const std::string& why);
+  void handleStop(const std_msgs::Bool& msg);
+  void tick();
+  void put(const BehaviorOutput& output);
+  void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  ros::NodeHandle node_;
+  BehaviorServerParameters parameters_;
+  TimedBehavior behavior_;
+  TfBridge tf_;
+  BehaviorSurroundings around_;
+  bool emergency_stop_ = false;
+  std::string last_result_ = "none yet";
+  ros::Publisher cmd_vel_;
+  ros::Subscriber stop_;
+  BehaviorPort* port_ = nullptr;  ///< whose goal is under way
+  std::vector<std::unique_ptr<BehaviorPort>> ports_;
+  NodeDiagnostics diagnostics_;
+  ros::Timer tick_;
+};
+
+}  // namespace frontier_pilot

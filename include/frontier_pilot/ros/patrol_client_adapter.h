@@ -1,0 +1,49 @@
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <frontier_pilot/PatrolAction.h>
+#include <ros/node_handle.h>
+
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/patrol/command_line.h"
+
+namespace frontier_pilot {
+
+/// `patrol_client` on the command line: one goal from sending to its result, with the server watched all the while.
+class PatrolClient {
+ public:
+  PatrolClient(ros::NodeHandle& node, const PatrolOrder& order);
+
+  /// One look: sends the goal once the server is there, cancels it once `interrupts` is above 0. Gives how it ended, as
+  /// soon as it has. To be called often, between callbacks.
+  std::optional<PatrolExit> update(int interrupts);
+
+ private:
+  enum class Phase { kConnecting, kRunning, kCanceling };
+
+  std::optional<PatrolExit> connect(int interrupts);
+  std::optional<PatrolExit> watch(int interrupts);
+  bool serverLost() const;
+  void send();
+  void handleStatus(const actionlib_msgs::GoalStatusArray& msg);
+  void handleFeedback(const PatrolFeedbackConstPtr& feedback);
+  void handleDone(const actionlib::SimpleClientGoalState& state, const PatrolResultConstPtr& result);
+
+  PatrolOrder order_;
+  actionlib::SimpleActionClient<PatrolAction> client_;
+  ros::Subscriber status_;
+  Phase phase_ = Phase::kConnecting;
+  SteadyTime since_;  ///< when the phase began
+  SteadyTime heard_;  ///< when the server last said something
+  Time heard_ros_;    ///< the same in ROS time, which a server's heart beats in
+  std::optional<PatrolExit> outcome_;
+};
+
+/// The whole program.
+int runPatrolClient(int argc, char** argv);
+
+}  // namespace frontier_pilot

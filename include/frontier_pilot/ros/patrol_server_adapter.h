@@ -1,0 +1,64 @@
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <frontier_pilot/ArbiterStatus.h>
+#include <frontier_pilot/PatrolAction.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <std_msgs/Bool.h>
+
+#include <string>
+
+#include "frontier_pilot/patrol/patrol.h"
+#include "frontier_pilot/ros/diagnostics.h"
+
+namespace frontier_pilot {
+
+/// What the node is configured with beyond the patrol itself.
+struct PatrolServerParameters {
+  PatrolParameters patrol;
+  std::string source = "patrol";
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    patrol.describe(v);
+    v.field("source", source, "", "the arbiter's name for this node");
+  }
+  void check(Problems& problems) const { patrol.check(problems); }
+};
+
+/// The node `patrol_server`: the action `turtlebot3` around a Patrol. Goals, cancels and an emergency stop act in their
+/// own callbacks, not at the next tick; zero velocity leaves before any result. [PAT-4]
+class PatrolServerNode {
+ public:
+  PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// Zero is the last word of a patrol that was going on.
+  ~PatrolServerNode();
+
+ private:
+  using Server = actionlib::SimpleActionServer<PatrolAction>;
+
+  void subscribe();
+  void handleGoal();
+  void handleOdometry(const nav_msgs::Odometry& msg);
+  void handleStop(const std_msgs::Bool& msg);
+  void handleArbiter(const ArbiterStatus& msg);
+  void tick();
+  void put(const PatrolOutput& output);
+  void finish(const PatrolOutput& output);
+  void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  ros::NodeHandle node_;
+  PatrolServerParameters parameters_;
+  Patrol patrol_;
+  PatrolInputs inputs_;
+  std::string last_text_ = "no patrol yet";
+  Rejections bad_odometry_{"odometry"};
+  ros::Publisher cmd_vel_;
+  ros::Subscriber odometry_, stop_, arbiter_;
+  Server server_;
+  NodeDiagnostics diagnostics_;
+  ros::Timer tick_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,82 @@
+#include "frontier_pilot/ros/behavior_server_adapter.h"
+
+#include <geometry_msgs/Twist.h>
+#include <ros/console.h>
+
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+
+BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : node_(node),
+      parameters_(loadNodeParameters<BehaviorServerParameters>(private_node)),
+      behavior_(parameters_.behavior),
+      around_(node_, parameters_.surroundings, parameters_.frames, tf_),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelBehavior, 1)),
+      diagnostics_(node, private_node) {
+  stop_ = node_.subscribe(names::kEmergencyStopState, 1, &BehaviorServerNode::handleStop, this,
+                          ros::TransportHints().tcpNoDelay());
+  diagnostics_.add("behaviours", [this](auto& status) { fillDiagnostics(status); });
+  addPort<SpinAction, SpinResult, SpinFeedback>(names::kSpin);
+  addPort<BackUpAction, BackUpResult, BackUpFeedback>(names::kBackUp);
+  addPort<DriveOnHeadingAction, DriveOnHeadingResult, DriveOnHeadingFeedback>(names::kDriveOnHeading);
+  addPort<WaitAction, WaitResult, WaitFeedback>(names::kWait);
+  tick_ = node_.createTimer(ros::Duration(1.0 / parameters_.behavior.frequency), [this](const auto&) { tick(); });
+}
+
+BehaviorServerNode::~BehaviorServerNode() {
+  if (!behavior_.active()) return;
+  cancel("the server is shut down");
+  ros::WallDuration(0.02).sleep();  // a publisher that is destroyed drops what it has not sent yet
+}
+
+template <class Action, class Result, class Feedback>
+void BehaviorServerNode::addPort(const char* name) {
+  ports_.push_back(std::make_unique<BehaviorActionPort<Action, Result, Feedback>>(
+      node_, name, [this](BehaviorPort& port, const BehaviorGoal& goal) { start(port, goal); },
+      [this](const std::string& why) { cancel(why); }));
+}
+
+void BehaviorServerNode::start(BehaviorPort& port, const BehaviorGoal& goal) {
+  cancel("replaced by a newer goal");
+  port_ = &port;
+  ROS_INFO("%s asked for: %g", toString(goal.kind), goal.target);
+  put(behavior_.start(goal, rosNow()));
+}
+
+void BehaviorServerNode::cancel(const std::string& why) { put(behavior_.cancel(why, rosNow())); }
+
+void BehaviorServerNode::handleStop(const std_msgs::Bool& msg) {
+  emergency_stop_ = msg.data != 0;
+  if (emergency_stop_) tick();
+}
+
+void BehaviorServerNode::tick() {
+  if (!behavior_.active()) return;
+  const Time now = rosNow();
+  BehaviorInputs inputs = around_.inputs(parameters_.behavior.costmap_timeout, now);
+  inputs.emergency_stop = emergency_stop_;
+  put(behavior_.update(inputs, now));
+}
+
+void BehaviorServerNode::put(const BehaviorOutput& output) {
+  if (!output.command || port_ == nullptr) return;
+  cmd_vel_.publish(toTwistMsg(*output.command));
+  port_->publishFeedback(output, behavior_.goal());
+  if (behavior_.active()) return;
+  last_result_ = std::string(toString(behavior_.goal().kind)) + ": " + toString(output.outcome) + ", " + output.message;
+  ROS_INFO_STREAM(last_result_);
+  port_->finish(output, behavior_.goal());
+  diagnostics_.publish();
+}
+
+void BehaviorServerNode::fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  status.summary(emergency_stop_ ? Level::WARN : Level::OK,
+                 emergency_stop_ ? "emergency stop" : (behavior_.active() ? toString(behavior_.goal().kind) : "ready"));
+  status.add("last result", last_result_);
+  around_.rejections().report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,44 @@
+#include "frontier_pilot/ros/behavior_surroundings.h"
+#include "frontier_pilot/ros/conversions.h"
+
+namespace frontier_pilot {
+
+BehaviorSurroundings::BehaviorSurroundings(ros::NodeHandle& node, const SurroundingsParameters& parameters,
+                                           const BehaviorFrames& frames, const TfBridge& tf)
+    : surroundings_(parameters), frames_(frames), tf_(tf) {
+  scan_ = node.subscribe(names::kScan, 1, &BehaviorSurroundings::handleScan, this, ros::TransportHints().tcpNoDelay());
+}
+
+void BehaviorSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
+  std::string why;
+  // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
+  const auto T_base_sensor = tf_.lookup3d(frames_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
+  waiting_ = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (!waiting_) return rejections_.add(why);
+  takeIn();
+}
+
+void BehaviorSurroundings::takeIn() {
+  if (!waiting_) return;
+  const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->stamp);
+  if (!T_odom_base) return;
+  surroundings_.costmap().insert(*waiting_, *T_odom_base);
+  waiting_.reset();
+}
+
+void BehaviorSurroundings::clear() {
+  waiting_.reset();
+  surroundings_.costmap().clear();
+}
+
+BehaviorInputs BehaviorSurroundings::inputs(double max_age, Time now) {
+  takeIn();
+  BehaviorInputs inputs;
+  const auto stamp = tf_.latestStamp(frames_.odom_frame, frames_.base_frame);
+  const auto T_odom_base = stamp ? tf_.lookup(frames_.odom_frame, frames_.base_frame, *stamp) : std::nullopt;
+  if (T_odom_base) inputs.pose = BehaviorInputs::Pose{*stamp, *T_odom_base};
+  inputs.look_ahead = surroundings_.lookAhead(max_age, now);
+  return inputs;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,132 @@
+#include "frontier_pilot/ros/patrol_client_adapter.h"
+
+#include <ros/callback_queue.h>
+#include <ros/init.h>
+#include <ros/master.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/names.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kPatience = std::chrono::milliseconds(1700);
+constexpr Duration kCancelPatience = std::chrono::seconds(5);
+constexpr double kLook = 0.05;  // [s] between two looks
+
+volatile std::sig_atomic_t interrupts = 0;
+void handleInterrupt(int) { interrupts = interrupts + 1; }
+
+void say(const std::string& text) { std::cout << text << std::endl; }
+void complain(const std::string& text) { std::cerr << "patrol_client: " << text << std::endl; }
+
+}  // namespace
+
+PatrolClient::PatrolClient(ros::NodeHandle& node, const PatrolOrder& order)
+    : order_(order), client_(node, names::kPatrol, false), since_(steadyNow()), heard_(since_) {
+  status_ = node.subscribe(std::string(names::kPatrol) + "/status", 1, &PatrolClient::handleStatus, this);
+}
+
+std::optional<PatrolExit> PatrolClient::update(int interrupts_so_far) {
+  if (outcome_) return outcome_;
+  return phase_ == Phase::kConnecting ? connect(interrupts_so_far) : watch(interrupts_so_far);
+}
+
+std::optional<PatrolExit> PatrolClient::connect(int interrupts_so_far) {
+  if (interrupts_so_far > 0) return PatrolExit::kInterrupted;
+  if (client_.isServerConnected()) {
+    send();
+    return std::nullopt;
+  }
+  if (steadyNow() - since_ < kPatience) return std::nullopt;
+  complain(std::string("no patrol server answers on '") + names::kPatrol + "': is patrol_server running?");
+  return PatrolExit::kNoServer;
+}
+
+void PatrolClient::send() {
+  PatrolGoal msg;
+  msg.goal.x = order_.mode;
+  msg.goal.y = order_.size;
+  msg.goal.z = order_.laps;
+  phase_ = Phase::kRunning;
+  since_ = heard_ = steadyNow();
+  heard_ros_ = rosNow();
+  client_.sendGoal(
+      msg, [this](const auto& state, const auto& result) { handleDone(state, result); },
+      actionlib::SimpleActionClient<PatrolAction>::SimpleActiveCallback(),
+      [this](const auto& feedback) { handleFeedback(feedback); });
+}
+
+std::optional<PatrolExit> PatrolClient::watch(int interrupts_so_far) {
+  if (serverLost()) {
+    complain("the patrol server is gone; the robot stops because its commands expire");
+    return PatrolExit::kNoServer;
+  }
+  if (interrupts_so_far > 0 && phase_ == Phase::kRunning) {
+    say("stopping ...");
+    client_.cancelGoal();
+    phase_ = Phase::kCanceling;
+    since_ = steadyNow();
+  }
+  if (phase_ != Phase::kCanceling) return std::nullopt;
+  if (interrupts_so_far < 2 && steadyNow() - since_ < kCancelPatience) return std::nullopt;
+  complain("the server has not said that it stopped");
+  return PatrolExit::kInterrupted;
+}
+
+bool PatrolClient::serverLost() const {
+  if (!client_.isServerConnected()) return true;
+  // A server that hangs keeps its connections. Its heart beats in ROS time, which may stand still.
+  return steadyNow() - heard_ > kPatience && rosNow() - heard_ros_ > std::chrono::seconds(1);
+}
+
+void PatrolClient::handleStatus(const actionlib_msgs::GoalStatusArray&) {
+  heard_ = steadyNow();
+  heard_ros_ = rosNow();
+}
+
+void PatrolClient::handleFeedback(const PatrolFeedbackConstPtr& feedback) {
+  say(feedback->state + " of " + std::to_string(legsOf(order_)));
+}
+
+void PatrolClient::handleDone(const actionlib::SimpleClientGoalState& state, const PatrolResultConstPtr& result) {
+  using State = actionlib::SimpleClientGoalState;
+  const bool told = result && !result->result.empty();
+  say(told ? result->result : state.getText());
+  if (state == State::SUCCEEDED) {
+    outcome_ = PatrolExit::kCompleted;
+  } else {
+    outcome_ = phase_ == Phase::kCanceling ? PatrolExit::kInterrupted : PatrolExit::kAborted;
+  }
+}
+
+int runPatrolClient(int argc, char** argv) {
+  ros::init(argc, argv, "patrol_client", ros::init_options::NoSigintHandler);
+  const PatrolCommandLine line = parsePatrolCommandLine({argv + 1, argv + argc});
+  if (line.help) {
+    std::cout << patrolUsage();
+    return 0;
+  }
+  if (!line.goal) {
+    complain(line.problem + "\n\n" + patrolUsage());
+    return static_cast<int>(PatrolExit::kUsage);
+  }
+  if (!ros::master::check()) {
+    complain("no ROS master at " + ros::master::getURI());
+    return static_cast<int>(PatrolExit::kNoServer);
+  }
+  std::signal(SIGINT, handleInterrupt);
+  std::signal(SIGTERM, handleInterrupt);
+  ros::NodeHandle node;
+  PatrolClient client(node, *line.goal);
+  while (ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kLook));
+    if (const auto outcome = client.update(interrupts)) return static_cast<int>(*outcome);
+  }
+  return static_cast<int>(PatrolExit::kNoServer);
+}
+
+}  // namespace frontier_pilot

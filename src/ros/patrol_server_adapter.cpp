@@ -1,0 +1,115 @@
+#include "frontier_pilot/ros/patrol_server_adapter.h"
+
+#include <geometry_msgs/Twist.h>
+#include <ros/console.h>
+
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+
+PatrolServerNode::PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : node_(node),
+      parameters_(loadNodeParameters<PatrolServerParameters>(private_node)),
+      patrol_(parameters_.patrol),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelPatrol, 1)),
+      server_(node_, names::kPatrol, false),
+      diagnostics_(node, private_node) {
+  subscribe();
+  diagnostics_.add("patrol", [this](auto& status) { fillDiagnostics(status); });
+  server_.registerGoalCallback([this] { handleGoal(); });
+  server_.registerPreemptCallback([this] { put(patrol_.cancel()); });
+  server_.start();
+  tick_ = node_.createTimer(ros::Duration(1.0 / parameters_.patrol.frequency), [this](const auto&) { tick(); });
+}
+
+PatrolServerNode::~PatrolServerNode() {
+  if (!patrol_.active()) return;
+  put(patrol_.cancel());
+  ros::WallDuration(0.02).sleep();  // a publisher that is destroyed drops what it has not sent yet
+}
+
+void PatrolServerNode::subscribe() {
+  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  odometry_ = node_.subscribe(names::kOdom, 1, &PatrolServerNode::handleOdometry, this, hints);
+  stop_ = node_.subscribe(names::kEmergencyStopState, 1, &PatrolServerNode::handleStop, this, hints);
+  arbiter_ = node_.subscribe(names::kArbiterStatus, 1, &PatrolServerNode::handleArbiter, this, hints);
+}
+
+void PatrolServerNode::handleGoal() {
+  // A patrol that was going on has been ended by the preempt callback, which comes first.
+  const PatrolOrder order = [&] {
+    const auto msg = server_.acceptNewGoal();
+    return PatrolOrder{msg->goal.x, msg->goal.y, msg->goal.z};
+  }();
+  ROS_INFO("patrol asked for: mode %g, size %g m, %g laps", order.mode, order.size, order.laps);
+  put(patrol_.start(order, rosNow()));
+}
+
+void PatrolServerNode::handleOdometry(const nav_msgs::Odometry& msg) {
+  std::string why;
+  const std::optional<Odometry2> odometry = toOdometry(msg, &why);
+  if (!odometry) {
+    bad_odometry_.add(why);
+    inputs_.odometry_problem = why;
+    return tick();
+  }
+  inputs_.odometry_problem.reset();
+  // Dated when it came: a base whose clock is a little off is no reason to stop.
+  inputs_.odometry = MotionSample{rosNow(), odometry->T_odom_base, odometry->twist};
+}
+
+void PatrolServerNode::handleStop(const std_msgs::Bool& msg) {
+  inputs_.emergency_stop = msg.data != 0;
+  if (inputs_.emergency_stop) tick();
+}
+
+void PatrolServerNode::handleArbiter(const ArbiterStatus& msg) {
+  const bool other = msg.state == ArbiterStatus::DRIVING && msg.active_source != parameters_.source;
+  inputs_.wheels_held_by = other ? std::make_optional(msg.active_source) : std::nullopt;
+}
+
+void PatrolServerNode::tick() { put(patrol_.update(inputs_, rosNow())); }
+
+void PatrolServerNode::put(const PatrolOutput& output) {
+  if (output.command) cmd_vel_.publish(toTwistMsg(*output.command));
+  if (output.started_leg) {
+    PatrolFeedback feedback;
+    feedback.state = "line " + std::to_string(*output.started_leg);
+    server_.publishFeedback(feedback);
+  }
+  if (output.command && !patrol_.active()) finish(output);
+}
+
+void PatrolServerNode::finish(const PatrolOutput& output) {
+  last_text_ = output.text;
+  PatrolResult result;
+  result.result = output.text;
+  if (output.outcome == PatrolOutcome::kCompleted) {
+    server_.setSucceeded(result, output.text);
+  } else if (output.outcome == PatrolOutcome::kCanceled) {
+    server_.setPreempted(result, output.text);
+  } else {
+    server_.setAborted(result, output.text);
+  }
+  ROS_INFO_STREAM(output.text);
+  diagnostics_.publish();
+}
+
+void PatrolServerNode::fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const bool no_odometry = !inputs_.odometry || toSeconds(rosNow() - inputs_.odometry->stamp) > 1.0;
+  if (inputs_.emergency_stop) {
+    status.summary(Level::WARN, "emergency stop");
+  } else if (no_odometry) {
+    status.summary(Level::WARN, "no odometry");
+  } else {
+    status.summary(Level::OK, patrol_.active() ? "patrolling" : "ready");
+  }
+  status.add("last result", last_text_);
+  status.add("wheels held by", inputs_.wheels_held_by.value_or("nobody else"));
+  bad_odometry_.report(status);
+}
+
+}  // namespace frontier_pilot

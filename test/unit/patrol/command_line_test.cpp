@@ -1,0 +1,47 @@
+#include "frontier_pilot/patrol/command_line.h"
+
+#include <gtest/gtest.h>
+
+namespace frontier_pilot {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(PatrolCommandLine, ShapeSideAndLapsInAnyOrderAndSpelling) {
+  for (const Words& words :
+       {Words{"triangle", "--side", "0.5", "--laps", "3"}, Words{"--laps=3", "triangle", "--side=0.5"},
+        Words{"--radius", "0.5", "--laps", "3", "triangle"}}) {
+    const PatrolCommandLine line = parsePatrolCommandLine(words);
+    ASSERT_TRUE(line.goal.has_value()) << line.problem;
+    EXPECT_EQ(line.goal->mode, 2.0);
+    EXPECT_EQ(line.goal->size, 0.5);
+    EXPECT_EQ(line.goal->laps, 3.0);
+  }
+}
+
+TEST(PatrolCommandLine, DefaultsAreOneMetreAndOneLap) {
+  const PatrolCommandLine line = parsePatrolCommandLine({"circle"});
+  ASSERT_TRUE(line.goal.has_value());
+  EXPECT_EQ(line.goal->mode, 3.0);
+  EXPECT_EQ(line.goal->size, 1.0);
+  EXPECT_EQ(line.goal->laps, 1.0);
+}
+
+TEST(PatrolCommandLine, WhatIsWrongIsNamed) {
+  const auto problem = [](const Words& words) { return parsePatrolCommandLine(words).problem; };
+  EXPECT_EQ(problem({}), "which shape? square, triangle or circle");
+  EXPECT_EQ(problem({"pentagon"}), "unknown argument: pentagon");
+  EXPECT_EQ(problem({"square", "circle"}), "more than one shape: circle");
+  EXPECT_EQ(problem({"square", "--side"}), "--side needs a number");
+  EXPECT_EQ(problem({"square", "--laps", "two"}), "--laps needs a number, not two");
+  EXPECT_EQ(problem({"square", "--side="}), "--side needs a number, not ");
+}
+
+TEST(PatrolCommandLine, HelpComesFirst) {
+  EXPECT_TRUE(parsePatrolCommandLine({"--help"}).help);
+  EXPECT_TRUE(parsePatrolCommandLine({"square", "-h"}).help);
+  EXPECT_NE(std::string(patrolUsage()).find("--laps"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
