@@ -18,15 +18,15 @@ namespace frontier_pilot::test {
 class WorldStepper {
  public:
   struct Options {
-    double speed = 0.5;        // [m/s]
-    double range = 8.0;        // [m]
+    double speed = 0.5;  // [m/s]
+    double range = 8.0;  // [m]
     int beams = 360;
-    double tick = 0.1;         // [s]
-    double clearance = 0.15;   // [m]
+    double tick = 0.1;        // [s]
+    double clearance = 0.15;  // [m]
   };
 
   WorldStepper(const OccupancyGrid& truth, const Vec2& start, const Options& options)
-      : options_(options), truth_(truth), caster_(solid(truth)), map_(truth.geometry(), kUnknown), space_(0.15) {
+      : options_(options), truth_(truth), caster_(solid(truth)), map_(truth.geometry(), kUnknown) {
     pose_ = Pose2(start, 0.0);
     TraversableSpace floor(options.clearance + 0.01);
     floor.update(truth, truth.geometry().rect());
@@ -90,6 +90,7 @@ class WorldStepper {
     if (floor_[c] != 0 && value != kFree && map_[c] == kFree) --seen_floor_;
     map_[c] = value;
     changed_.include(c);
+    unplanned_.include(c);
   }
 
   void scan() {
@@ -117,10 +118,14 @@ class WorldStepper {
   void plan(const Vec2& goal) {
     ++plans;
     path_.clear();
-    space_.update(map_, map_.geometry().rect());
-    TravelField field;
-    field.compute(space_, map_, map_.geometry().cellAt(pose_.position()), 0.6);
+    roomy_.update(map_, unplanned_);
+    space_.update(map_, unplanned_);
+    unplanned_ = {};
+    const Cell here = map_.geometry().cellAt(pose_.position());
     Cell c = map_.geometry().cellAt(goal);
+    TravelField field;
+    field.compute(roomy_, map_, here, 0.6);
+    if (!field.reached(c)) field.compute(space_, map_, here, 0.6);
     if (!field.reached(c)) {
       inputs_.goal_events.push_back({goal_id_, GoalEvent::Kind::kAborted, "no path"});
       return;
@@ -159,7 +164,9 @@ class WorldStepper {
   OccupancyGrid truth_;
   RayCaster caster_;
   OccupancyGrid map_;
-  TraversableSpace space_;
+  TraversableSpace space_{0.15};
+  TraversableSpace roomy_{0.15, KeepClearOf::kObstaclesAndUnknown};
+  CellRect unplanned_;
   Grid<std::uint8_t> floor_;
   std::size_t floor_cells_ = 0;
   std::size_t seen_floor_ = 0;

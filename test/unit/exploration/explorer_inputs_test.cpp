@@ -1,0 +1,138 @@
+#include "explorer_fixture.h"
+
+namespace frontier_pilot {
+namespace {
+
+using test::ExplorerTest;
+using State = ExplorerState;
+using Reason = ExplorerReason;
+using ExplorerInputsTest = ExplorerTest;
+
+// [EXP-8]
+TEST_F(ExplorerInputsTest, SaysEveryFiveSecondsWhichInputIsMissing_EXP_8) {
+  pose_comes = odometry_comes = inputs.navigation_available = false;
+  const ExplorerOutput output = tickFor(11.0);
+  EXPECT_EQ(output.status.state, State::kIdle);
+  EXPECT_EQ(output.status.reason, Reason::kWaitingForInputs);
+  EXPECT_EQ(notesWith("map, odometry, TF from map to base, move_base"), 3U) << "[EXP-8] at 0, 5 and 10 s";
+}
+
+// [EXP-8]
+TEST_F(ExplorerInputsTest, NamesOnlyWhatIsMissingAndStartsWhenAllIsThere_EXP_8) {
+  show(kRoom);
+  inputs.navigation_available = false;
+  EXPECT_EQ(tick().status.reason_text, "missing: move_base");
+  inputs.navigation_available = true;
+  EXPECT_EQ(tick().status.state, State::kNavigating);
+  EXPECT_TRUE(wentThrough(State::kSelectGoal, Reason::kInputsComplete));
+}
+
+struct Loss {
+  const char* name;
+  Reason reason;
+};
+
+class ExplorerLosses : public ExplorerTest, public ::testing::WithParamInterface<Loss> {
+ protected:
+  void set(bool there) {
+    switch (GetParam().reason) {
+      case Reason::kMapGone:
+        inputs.map_available = there;
+        break;
+      case Reason::kOdometryGone:
+        odometry_comes = there;
+        break;
+      case Reason::kPoseGone:
+        pose_comes = there;
+        break;
+      default:
+        inputs.navigation_available = there;
+        break;
+    }
+  }
+};
+
+// [EXP-8]
+TEST_P(ExplorerLosses, StopsSaysSoAndResumes_EXP_8) {
+  show(kRoom);
+  tick();
+  const GoalCommand first = sent;
+  set(false);
+  bool cancelled = false;
+  ExplorerOutput output;
+  for (int i = 0; i < 30; ++i) {
+    output = tick();
+    cancelled =
+        cancelled || (output.command.kind == GoalCommand::Kind::kCancel && output.command.goal_id == first.goal_id);
+  }
+  EXPECT_TRUE(cancelled) << "[EXP-8]";
+  EXPECT_EQ(output.status.state, State::kIdle);
+  EXPECT_EQ(output.status.reason, GetParam().reason);
+  EXPECT_EQ(notesWith("exploration waits for"), 1U);
+  set(true);
+  EXPECT_EQ(tick().status.state, State::kNavigating);
+  EXPECT_NE(sent.goal_id, first.goal_id);
+  EXPECT_TRUE(explorer.blacklist().entries().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(EachInput, ExplorerLosses,
+                         ::testing::Values(Loss{"Map", Reason::kMapGone}, Loss{"Odometry", Reason::kOdometryGone},
+                                           Loss{"Pose", Reason::kPoseGone},
+                                           Loss{"Navigation", Reason::kNavigationGone}),
+                         [](const auto& loss) { return loss.param.name; });
+
+// [EXP-7]
+TEST_F(ExplorerInputsTest, APauseCancelsTheGoalAndIsItsOwnReason_EXP_7) {
+  show(kRoom);
+  tick();
+  inputs.enabled = false;
+  ExplorerOutput output = tick();
+  EXPECT_EQ(output.command.kind, GoalCommand::Kind::kCancel);
+  EXPECT_EQ(output.status.state, State::kIdle);
+  EXPECT_EQ(output.status.reason, Reason::kPaused);
+  EXPECT_EQ(tickFor(10.0).status.reason, Reason::kPaused);
+  EXPECT_EQ(notes.size(), 0U) << "a pause is not a complaint";
+  inputs.enabled = true;
+  EXPECT_EQ(tick().status.state, State::kNavigating);
+}
+
+TEST_F(ExplorerInputsTest, ResetForgetsBlacklistAndPhase) {
+  show(kTwoEnds);
+  tick();
+  for (int i = 0; i < 2; ++i) {
+    inputs.goal_events = {{sent.goal_id, GoalEvent::Kind::kRejected, "no"}};
+    tickFor(0.5);
+  }
+  ASSERT_FALSE(explorer.blacklist().entries().empty());
+  inputs.reset = true;
+  const ExplorerOutput output = tick();
+  EXPECT_TRUE(explorer.blacklist().entries().empty());
+  EXPECT_EQ(output.status.phase, ExplorerPhase::kRich);
+  EXPECT_EQ(output.status.state, State::kNavigating);
+}
+
+TEST_F(ExplorerInputsTest, AMapOfAnotherSizeKeepsTheBlacklist) {
+  show(kTwoEnds);
+  tick();
+  for (int i = 0; i < 2; ++i) {
+    inputs.goal_events = {{sent.goal_id, GoalEvent::Kind::kAborted, "no"}};
+    tickFor(0.5);
+  }
+  ASSERT_EQ(explorer.blacklist().entries().size(), 1U);
+  show(kRoom);
+  EXPECT_EQ(tickFor(0.5).status.state, State::kNavigating);
+  EXPECT_EQ(explorer.blacklist().entries().size(), 1U);
+}
+
+TEST_F(ExplorerInputsTest, TheDistanceTravelledIsThatOfThePoseWithoutItsJumps) {
+  show(kRoom);
+  for (int i = 0; i < 10; ++i) {
+    pose.x += 0.02;
+    tick();
+  }
+  pose.x += 30.0;
+  EXPECT_NEAR(tick().status.distance_travelled, 0.18, 1e-9);
+}
+
+}  // namespace
+}  // namespace frontier_pilot

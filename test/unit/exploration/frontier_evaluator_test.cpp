@@ -1,0 +1,225 @@
+#include "frontier_pilot/exploration/frontier_evaluator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/ascii_world.h"
+
+namespace frontier_pilot {
+namespace {
+
+FrontierParameters smallWorld() {
+  FrontierParameters p;
+  p.view.sensor_range = 1.5;
+  return p;
+}
+
+class FrontierJudgement : public ::testing::Test {
+ protected:
+  const Frontier& judge(const std::string& drawing, FrontierParameters parameters = smallWorld()) {
+    world = test::drawWorld(drawing);
+    evaluator = FrontierEvaluator(parameters);
+    evaluator.setPlan(plan);
+    evaluator.setMap(world.map, world.map.geometry().rect());
+    const auto& all = evaluator.evaluate({world.point('r'), world.point('r'), &blacklist, nullptr, nullptr, 0.0});
+    largest = *std::max_element(all.begin(), all.end(),
+                                [](const Frontier& a, const Frontier& b) { return a.cell_count < b.cell_count; });
+    return largest;
+  }
+
+  test::AsciiWorld world;
+  Blacklist blacklist{BlacklistParameters{}};
+  PlanFn plan;
+  FrontierEvaluator evaluator{smallWorld()};
+  Frontier largest;
+};
+
+constexpr const char* kRoom = R"(
+  ##############################????
+  #.............................????
+  #.............................????
+  #.............................????
+  #.............................????
+  #....r........................????
+  #.............................????
+  #.............................????
+  #.............................????
+  #.............................????
+  ##############################????
+)";
+
+// [EXP-2]
+TEST_F(FrontierJudgement, TheGoalIsAReachableFreeCellThatSeesTheFrontier_EXP_2) {
+  const Frontier& f = judge(kRoom);
+  ASSERT_EQ(f.rejection, Rejection::kNone);
+  const Cell goal = world.map.geometry().cellAt(f.goal);
+  EXPECT_TRUE(isFree(world.map[goal]));
+  EXPECT_TRUE(inSight(world.map, goal, f.anchor)) << "[EXP-2]";
+  EXPECT_NEAR(f.heading, 0.0, 0.5);
+}
+
+// [EXP-2]
+TEST_F(FrontierJudgement, ACentroidInAWallStillGivesAGoalOnFreeGround_EXP_2) {
+  const Frontier& f = judge(R"(
+    ????????????????????????????????
+    ?..............................?
+    ?..............................?
+    ?..............................?
+    ?..............................?
+    ?..........##########..........?
+    ?..........##########..........?
+    ?..........##########..........?
+    ?..........##########..........?
+    ?..........##########..........?
+    ?..........##########..........?
+    ?..............................?
+    ?..............................?
+    ?..............................?
+    ?.r............................?
+    ????????????????????????????????
+  )");
+  EXPECT_TRUE(isOccupied(world.map.get(world.map.geometry().cellAt(f.centroid), kUnknown)));
+  ASSERT_NE(f.rejection, Rejection::kUnreachable);
+  EXPECT_TRUE(isFree(world.map[world.map.geometry().cellAt(f.goal)])) << "[EXP-2]";
+}
+
+// [EXP-3]
+TEST_F(FrontierJudgement, BehindAWallItIsUnreachable_EXP_3) {
+  EXPECT_EQ(judge(R"(
+    ##############################????
+    #.............#...............????
+    #.............#...............????
+    #.............#...............????
+    #....r........#...............????
+    #.............#...............????
+    #.............#...............????
+    ##############################????
+  )")
+                .rejection,
+            Rejection::kUnreachable);
+}
+
+// [EXP-3]
+TEST_F(FrontierJudgement, WhatIsNearerThanTheLeastDistanceFromEverywhereIsTooNear_EXP_3) {
+  FrontierParameters parameters = smallWorld();
+  parameters.goal_search_radius = 0.3;
+  EXPECT_EQ(judge(R"(
+    ############????
+    #...........????
+    #...........????
+    #......r....????
+    #...........????
+    #...........????
+    ############????
+  )",
+                  parameters)
+                .rejection,
+            Rejection::kTooNear);
+}
+
+// [EXP-3]
+TEST_F(FrontierJudgement, WhatIsNearIsLookedAtFromElsewhere_EXP_3) {
+  const Frontier& f = judge(R"(
+    ##############################????
+    #.............................????
+    #.............................????
+    #.............................????
+    #.........................r...????
+    #.............................????
+    #.............................????
+    #.............................????
+    ##############################????
+  )");
+  EXPECT_EQ(f.rejection, Rejection::kNone);
+  EXPECT_GE(f.distance, 0.45) << "[EXP-3]";
+}
+
+// [EXP-3]
+TEST_F(FrontierJudgement, InClutterItIsRejectedForTheObstacleDensity_EXP_3) {
+  FrontierParameters parameters = smallWorld();
+  parameters.max_obstacle_density = 0.05;
+  parameters.goal_search_radius = 0.15;
+  EXPECT_EQ(judge(R"(
+    ##############################
+    #............................?
+    #............................?
+    #....r.......................?
+    #............................?
+    #............................?
+    ##############################
+  )",
+                  parameters)
+                .rejection,
+            Rejection::kCluttered);
+}
+
+// [EXP-3]
+TEST_F(FrontierJudgement, NearABlacklistedGoalItIsBlacklisted_EXP_3) {
+  const Vec2 goal = judge(kRoom).goal;
+  ObservedMap observed;
+  observed.update(world.map, world.map.geometry().rect());
+  blacklist.add(goal + Vec2(0.55, 0.0), "test", observed);
+  EXPECT_EQ(judge(kRoom).rejection, Rejection::kBlacklisted) << "[EXP-3] within 0.60 m";
+  blacklist.reset();
+  blacklist.add(goal + Vec2(0.65, 0.0), "test", observed);
+  EXPECT_EQ(judge(kRoom).rejection, Rejection::kNone);
+}
+
+TEST_F(FrontierJudgement, AFewCellsAreTooSmall) {
+  FrontierParameters parameters = smallWorld();
+  parameters.min_frontier_cells = 20;
+  EXPECT_EQ(judge(kRoom, parameters).rejection, Rejection::kTooSmall);
+}
+
+TEST_F(FrontierJudgement, AFrontierThroughTheCornersOfADiagonalWallHasNothingToSee) {
+  const Frontier& f = judge(R"(
+    #########################
+    #.......................#
+    #.......................#
+    #.......................#
+    #.......................#
+    #.....................#??
+    #....................#???
+    #...................#????
+    #....r.............#?????
+    #.................#??????
+    #................#???????
+    #...............#????????
+    #################????????
+  )");
+  EXPECT_EQ(f.rejection, Rejection::kNothingToSee);
+}
+
+TEST_F(FrontierJudgement, APlannerOfTheCallersIsAskedForTheDistance) {
+  plan = [](const Vec2&, const Vec2&) { return std::optional<double>(77.0); };
+  EXPECT_EQ(judge(kRoom).distance, 77.0);
+  plan = [](const Vec2&, const Vec2&) { return std::optional<double>(); };
+  EXPECT_EQ(judge(kRoom).rejection, Rejection::kUnreachable);
+}
+
+TEST_F(FrontierJudgement, AWayThroughAGapThatIsNotYetSeenCountsOnlyWhenNothingElseIsLeft) {
+  // Towards the right the sides of the gap are unknown; another frontier lies to the left, on open ground.
+  const char* both = R"(
+    ?#############################???????????????
+    ?.............................???..........??
+    ?.............................???..........??
+    ?.............................???..........??
+    ?.............................???..........??
+    ?..........................................??
+    ?..................r.......................??
+    ?..........................................??
+    ?.............................???..........??
+    ?.............................???..........??
+    ?.............................???..........??
+    ?.............................???..........??
+    ?#############################???????????????
+  )";
+  judge(both);
+  bool right = false;
+  for (const Frontier& f : evaluator.frontiers()) right = right || (f.selectable() && f.goal.x() > 1.6);
+  EXPECT_FALSE(right);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
