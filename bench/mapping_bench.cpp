@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <deque>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -102,8 +103,8 @@ class Tour {
 
 const Tour* tour() {
   static const OccupancyGrid map = loadWillow();
-  static const Tour whole = map.empty() ? Tour(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 1000, 1000}, kOccupied))
-                                        : Tour(map);
+  static const Tour whole =
+      map.empty() ? Tour(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 1000, 1000}, kOccupied)) : Tour(map);
   return map.empty() ? nullptr : &whole;
 }
 
@@ -238,7 +239,7 @@ void save(benchmark::State& state) {
   Scanner scanner(tour()->caster());
   Stopwatch unused;
   driveTour(mapper, scanner, unused);
-  const std::string path = std::string(std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp") + "/willow_map";
+  const std::string path = (std::filesystem::temp_directory_path() / "willow_map").string();
   for (auto _ : state) {
     if (!saveMap(mapper.map(), path).ok()) return state.SkipWithError("cannot save");
   }

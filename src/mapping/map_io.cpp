@@ -183,7 +183,7 @@ const char* toString(MapIoStatus status) {
 
 MapIoResult saveMap(OccupancyMap& map, const std::string& path) {
   const fs::path base = withoutExtension(path);
-  const MapIoResult target = checkTarget(base, path);
+  MapIoResult target = checkTarget(base, path);
   if (!target.ok()) return target;
   if (map.grid().empty()) return {MapIoStatus::kEmptyMap, "there is no map yet"};
   std::ostringstream octree;
