@@ -10,6 +10,19 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kFullTurn = 2.0 * kPi - 1e-6;
 
+// Which of 16 equal sectors a direction lies in, counter-clockwise from -x.
+std::size_t sectorOf(const Vec2& v) {
+  constexpr double kTan22 = 0.41421356237309503;
+  const bool up = v.y() >= 0.0;
+  const bool right = v.x() >= 0.0;
+  const double x = std::abs(v.x());
+  const double y = std::abs(v.y());
+  // Quarters of a quadrant from the x axis on.
+  const std::size_t quarter = y < x ? (y < kTan22 * x ? 0 : 1) : (x < kTan22 * y ? 3 : 2);
+  const std::size_t quadrant = up ? (right ? 2 : 3) : (right ? 1 : 0);
+  return 4 * quadrant + (up == right ? quarter : 3 - quarter);
+}
+
 double incrementOf(const LidarParameters& p) {
   const bool full_turn = p.field_of_view > kFullTurn;
   return p.field_of_view / std::max(1, full_turn ? p.beams : p.beams - 1);
@@ -20,6 +33,11 @@ double incrementOf(const LidarParameters& p) {
 Lidar::Lidar(const LidarParameters& parameters) : parameters_(parameters), increment_(incrementOf(parameters)) {
   for (int i = 0; i < parameters.beams; ++i) beams_.push_back(direction(parameters.angle_min + i * increment_));
   turned_ = beams_;
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    const std::size_t sector = sectorOf(beams_[i]);
+    if (i == 0 || sector != runs_.back().sector) runs_.push_back({sector, i, i});
+    runs_.back().end = i + 1;
+  }
   ranges_.resize(beams_.size());
 }
 
@@ -30,8 +48,11 @@ void Lidar::scan(const Pose2& T_world_base, const RayCaster& walls, const DiscIn
   turnBeams(T_world_sensor.yaw);
   std::fill(ranges_.begin(), ranges_.end(), parameters_.range_max);
   walls.castAll(from, turned_, ranges_);
+  measureSight();
+  const Vec2 ahead = direction(T_world_sensor.yaw);
   discs.visitNear(from, parameters_.range_max, [&](DiscIndex::Id id, const Disc& disc) {
-    if (id != own) meetDisc(disc.centre - from, disc.radius, T_world_sensor.yaw);
+    const Vec2 to = disc.centre - from;
+    if (id != own) meetDisc({ahead.dot(to), ahead.x() * to.y() - ahead.y() * to.x()}, disc.radius);
   });
   scan.angle_min = parameters_.angle_min;
   scan.angle_increment = increment_;
@@ -50,12 +71,25 @@ void Lidar::turnBeams(double yaw) {
   }
 }
 
-void Lidar::meetDisc(const Vec2& centre, double radius, double yaw) {
-  const double distance = centre.norm();
-  if (distance - radius >= parameters_.range_max) return;
-  if (distance <= radius) return std::fill(ranges_.begin(), ranges_.end(), 0.0);
-  const double half = std::asin(radius / distance);
-  const double middle = normalizeAngle(bearing(centre) - yaw - parameters_.angle_min);
+// How far the walls let it see in each sector and the two beside it.
+void Lidar::measureSight() {
+  std::array<double, kSectors> reach{};
+  for (const Run& run : runs_) {
+    for (std::size_t i = run.begin; i < run.end; ++i) reach[run.sector] = std::max(reach[run.sector], ranges_[i]);
+  }
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    sight_[i] = std::max({reach[i], reach[(i + 1) % kSectors], reach[(i + kSectors - 1) % kSectors]});
+  }
+}
+
+void Lidar::meetDisc(const Vec2& centre, double radius) {
+  const double square = centre.squaredNorm();
+  if (square <= radius * radius) return std::fill(ranges_.begin(), ranges_.end(), 0.0);
+  // A disc farther than three radii is seen under less than the two sectors beside its centre's add.
+  const double sight = sight_[sectorOf(centre)] + radius;
+  if (square > 9.0 * radius * radius && square > sight * sight) return;
+  const double half = std::asin(radius / std::sqrt(square));
+  const double middle = normalizeAngle(bearing(centre) - parameters_.angle_min);
   // Beams lie in [0, field of view] from the first one, which may reach once around.
   meetDisc(centre, radius, middle - half, middle + half);
   meetDisc(centre, radius, middle - half + 2.0 * kPi, middle + half + 2.0 * kPi);
@@ -67,7 +101,7 @@ void Lidar::meetDisc(const Vec2& centre, double radius, double first_angle, doub
   const auto end = static_cast<std::size_t>(std::clamp(last_angle / increment_ + 1.0, 0.0, count));
   const double outside = centre.squaredNorm() - radius * radius;
   for (std::size_t i = first; i < end; ++i) {
-    const double along = turned_[i].dot(centre);
+    const double along = beams_[i].dot(centre);
     const double square = along * along - outside;
     if (square < 0.0 || along < 0.0) continue;
     ranges_[i] = std::min(ranges_[i], along - std::sqrt(square));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -12,7 +13,8 @@
 namespace frontier_pilot::sim {
 
 /// A scanner's optics: exact ranges to the walls and to the discs around. [SIM-2]
-/// Walls cost the same however many discs there are, and a disc only costs the beams that point at it.
+/// Walls cost the same however many discs there are; a disc costs the beams that point at it, and next to nothing
+/// behind a wall.
 class Lidar {
  public:
   explicit Lidar(const LidarParameters& parameters);
@@ -25,8 +27,15 @@ class Lidar {
             Random& random, LaserScan2& scan);
 
  private:
+  static constexpr std::size_t kSectors = 16;
+  /// Consecutive beams that lie in one sector.
+  struct Run {
+    std::size_t sector, begin, end;
+  };
+
   void turnBeams(double yaw);
-  void meetDisc(const Vec2& centre, double radius, double yaw);
+  void measureSight();
+  void meetDisc(const Vec2& centre, double radius);
   void meetDisc(const Vec2& centre, double radius, double first_angle, double last_angle);
   float reading(double range, Random& random) const;
 
@@ -35,6 +44,8 @@ class Lidar {
   std::vector<Vec2> beams_;   ///< in the sensor's frame
   std::vector<Vec2> turned_;  ///< in the world's frame
   std::vector<double> ranges_;
+  std::vector<Run> runs_;
+  std::array<double, kSectors> sight_{};  ///< [m]
 };
 
 }  // namespace frontier_pilot::sim

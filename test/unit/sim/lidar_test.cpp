@@ -36,8 +36,10 @@ TEST(Lidar, SeesDiscsAsAskingEveryOneOfThem_SIM_2) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-9.0, 9.0);
   std::uniform_real_distribution<double> size(0.05, 1.4);
-  const RayCaster walls(Grid<std::uint8_t>{kOpen});
   for (int world = 0; world < 60; ++world) {
+    Grid<std::uint8_t> solid(kOpen);
+    for (int i = 0; i < 20 * (world % 30); ++i) solid[random() % solid.size()] = 1;
+    const RayCaster walls(solid);
     LidarParameters parameters = exact();
     parameters.angle_min = place(random) / 3.0;
     parameters.field_of_view = world % 2 == 0 ? 2.0 * kPi : 2.0 + size(random);
@@ -55,7 +57,8 @@ TEST(Lidar, SeesDiscsAsAskingEveryOneOfThem_SIM_2) {
     lidar.scan(base, walls, index, std::nullopt, noise, scan);
     const Pose2 sensor = base * scan.T_base_sensor;
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-      const double expected = bruteForce(sensor.position(), direction(sensor.yaw + scan.angle(i)), discs, 8.0);
+      const double expected = bruteForce(sensor.position(), direction(sensor.yaw + scan.angle(i)), discs,
+                                         walls.cast(sensor.position(), sensor.yaw + scan.angle(i), 8.0));
       const RangeReading reading = readBeam(scan, i);
       ASSERT_NEAR(std::max(expected, scan.range_min), reading.distance, 1e-5) << "world " << world << " beam " << i;
     }
