@@ -10,21 +10,10 @@ namespace {
 // Far enough beyond the radius that a robot in the open is cleared by one look-up even at a few metres per second.
 constexpr double kLookAhead = 0.3;  // [m]
 
-// With a ring of solid cells around it, for the distances to know that what lies outside is solid.
-Grid<std::uint8_t> fenced(const Grid<std::uint8_t>& solid) {
-  GridGeometry geometry = solid.geometry();
-  geometry.origin -= Vec2::Constant(geometry.resolution);
-  geometry.width += 2;
-  geometry.height += 2;
-  Grid<std::uint8_t> fenced(geometry, 1);
-  for (int y = 0; y < solid.height(); ++y) std::copy_n(solid.row(y), solid.width(), fenced.row(y + 1) + 1);
-  return fenced;
-}
-
 }  // namespace
 
 CollisionMap::CollisionMap(const Grid<std::uint8_t>& solid, double radius)
-    : solid_(fenced(solid)),
+    : solid_(solid),
       radius_(radius),
       needed_(radius + std::sqrt(2.0) * solid.resolution()),
       clearance_(solid_, needed_ + kLookAhead) {}

@@ -1,5 +1,6 @@
 #include "frontier_pilot/sim/world_image.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -116,9 +117,15 @@ World loadWorld(const std::string& yaml_path) {
 }
 
 Grid<std::uint8_t> solidCells(const OccupancyGrid& map, bool unknown_is_free) {
-  Grid<std::uint8_t> solid(map.geometry());
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    solid[i] = isOccupied(map[i]) || (isUnknown(map[i]) && !unknown_is_free) ? 1 : 0;
+  GridGeometry framed = map.geometry();
+  framed.origin -= Vec2(framed.resolution, framed.resolution);
+  framed.width += 2;
+  framed.height += 2;
+  Grid<std::uint8_t> solid(framed, 1);
+  for (int y = 0; y < map.height(); ++y) {
+    std::transform(map.row(y), map.row(y) + map.width(), solid.row(y + 1) + 1, [=](std::int8_t value) {
+      return static_cast<std::uint8_t>(isOccupied(value) || (isUnknown(value) && !unknown_is_free) ? 1 : 0);
+    });
   }
   return solid;
 }

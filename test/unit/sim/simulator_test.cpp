@@ -182,6 +182,14 @@ TEST(Simulator, StopsAtTheEdgeOfTheWorld_SIM_3) {
   EXPECT_NEAR(simulator.pose(0).x, 0.6 - 0.105, 1e-6);
 }
 
+// [SIM-2] [SIM-3] what stops a robot is seen by its scanner
+TEST(Simulator, SeesTheEdgeOfTheWorldThatStopsIt_SIM_2) {
+  Simulator simulator(world(drawWorld("......\n......\n......\n......\n......\n......", 0.1)), quiet());
+  while (simulator.newScan(0) == nullptr) simulator.step();
+  EXPECT_NEAR(simulator.newScan(0)->ranges[0], 0.25, 1e-6);
+  EXPECT_NEAR(simulator.newScan(0)->ranges[180], 0.35, 1e-6);
+}
+
 // [SIM-3] robots and obstacles stop each other
 TEST(Simulator, StopsAtAnotherRobotAndAtAnObstacle_SIM_3) {
   SimulatorParameters parameters = quiet();
