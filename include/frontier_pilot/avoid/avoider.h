@@ -5,7 +5,7 @@
 #include <string>
 
 #include "frontier_pilot/avoid/parameters.h"
-#include "frontier_pilot/avoid/surroundings.h"
+#include "frontier_pilot/avoid/sector_reader.h"
 #include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot {
@@ -33,7 +33,7 @@ inline bool operator==(const AvoiderCommand& a, const AvoiderCommand& b) {
 struct AvoiderSnapshot {
   AvoiderState state = AvoiderState::kWaiting;
   std::string reason;
-  Surroundings around;
+  SectorDistances around;
   int turn = 0;  ///< +1 left, -1 right, 0 not recovering
   int cycle = 0;
   std::uint32_t episodes = 0;
@@ -83,7 +83,7 @@ class Avoider {
   SectorReader reader_;
   AvoiderState state_ = AvoiderState::kWaiting;
   std::string reason_;
-  Surroundings around_;
+  SectorDistances around_;
   bool has_scan_ = false;
   Time scan_stamp_, scan_received_;
   Time last_now_;

@@ -1,7 +1,7 @@
 // Sectors as laws that hold for every scanner, and the reading of odd ranges.
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/avoid/surroundings.h"
+#include "frontier_pilot/avoid/sector_reader.h"
 #include "scan_maker.h"
 
 namespace frontier_pilot {
@@ -10,7 +10,7 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-Surroundings read(const LaserScan2& scan, const AvoiderParameters& parameters = {}) {
+SectorDistances read(const LaserScan2& scan, const AvoiderParameters& parameters = {}) {
   return SectorReader(parameters).read(scan);
 }
 
@@ -29,7 +29,7 @@ TEST_P(EveryScanner, SeesAnObstacleInTheSectorThatItsBearingLiesIn_AVO_1) {
     const double bearing_of_beam = bearingOf(with_obstacle, beam);
     if (std::abs(std::abs(bearing_of_beam) - kPi / 3.0) < 1e-3 || std::abs(bearing_of_beam) < 1e-3) continue;
     with_obstacle.ranges[beam] = 1.0F;
-    const Surroundings around = reader.read(with_obstacle);
+    const SectorDistances around = reader.read(with_obstacle);
     ASSERT_EQ(around.fault, "");
     const bool ahead = std::abs(bearing_of_beam) < kPi / 3.0;
     EXPECT_EQ(std::isfinite(around.front_left), ahead && bearing_of_beam > 0.0) << degree << " [AVO-1]";
@@ -44,7 +44,7 @@ TEST_P(EveryScanner, GivesTheSmallerOfTheTwoSectorMinima_AVO_1) {
   putObstacle(both, 0.5, 0.9);
   putObstacle(both, 0.8, 1.4);
   putObstacle(both, -0.5, 0.7);
-  const Surroundings around = read(both);
+  const SectorDistances around = read(both);
   EXPECT_NEAR(around.front_left, 0.9, 1e-6);
   EXPECT_NEAR(around.front_right, 0.7, 1e-6);
   EXPECT_EQ(around.obstacleDistance(), around.front_right) << "[AVO-1]";
@@ -83,7 +83,7 @@ std::string nameOf(const ::testing::TestParamInfo<ScannerLayout>& info) {
 INSTANTIATE_TEST_SUITE_P(AsBuilt, EveryScanner, ::testing::ValuesIn(everyScanner()), nameOf);
 
 // [AVO-1]
-TEST(Surroundings, AnObstacleStraightAheadOrOnABorderBelongsToItsSectors_AVO_1) {
+TEST(SectorReader, AnObstacleStraightAheadOrOnABorderBelongsToItsSectors_AVO_1) {
   LaserScan2 scan = emptyScan({}, Time{});
   scan.ranges[180] = 1.0F;
   EXPECT_EQ(read(scan).front_left, read(scan).front_right) << "[AVO-1]";
@@ -92,51 +92,51 @@ TEST(Surroundings, AnObstacleStraightAheadOrOnABorderBelongsToItsSectors_AVO_1) 
   EXPECT_NEAR(read(scan).front_left, 1.0, 1e-6) << "+60 degrees is inside [AVO-1]";
   scan.ranges[240] = kInf;
   scan.ranges[241] = 1.0F;
-  EXPECT_EQ(read(scan).front_left, Surroundings::kNothing) << "+61 degrees is not [AVO-1]";
+  EXPECT_EQ(read(scan).front_left, SectorDistances::kNothing) << "+61 degrees is not [AVO-1]";
 }
 
 // [AVO-1]
-TEST(Surroundings, TheRearSectorWrapsAround_AVO_1) {
+TEST(SectorReader, TheRearSectorWrapsAround_AVO_1) {
   for (const double angle : {kPi - 0.01, -kPi + 0.01, 2.2, -2.2}) {
     LaserScan2 scan = emptyScan({}, Time{});
     putObstacle(scan, angle, 0.4, 0.0);
     EXPECT_NEAR(read(scan).rear, 0.4, 1e-6) << angle;
-    EXPECT_EQ(read(scan).obstacleDistance(), Surroundings::kNothing) << angle;
+    EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing) << angle;
   }
 }
 
 // [AVO-1]
-TEST(Surroundings, SectorsAreParameters_AVO_1) {
+TEST(SectorReader, SectorsAreParameters_AVO_1) {
   AvoiderParameters parameters;
   parameters.front_left = {0.2, 0.4};
   LaserScan2 scan = emptyScan({}, Time{});
   putObstacle(scan, 0.6, 0.5);
-  EXPECT_EQ(read(scan, parameters).front_left, Surroundings::kNothing);
+  EXPECT_EQ(read(scan, parameters).front_left, SectorDistances::kNothing);
   putObstacle(scan, 0.3, 0.5);
   EXPECT_NEAR(read(scan, parameters).front_left, 0.5, 1e-6) << "[AVO-1]";
 }
 
 // [AVO-1]
-TEST(Surroundings, DistancesAndBearingsAreTheBasesNotTheScanners_AVO_1) {
+TEST(SectorReader, DistancesAndBearingsAreTheBasesNotTheScanners_AVO_1) {
   LaserScan2 scan = emptyScan({360, 2.0 * kPi, false, {0.3, 0.0, 0.0}}, Time{});
   putObstacle(scan, 0.0, 0.5, 0.0);
   EXPECT_NEAR(read(scan).obstacleDistance(), 0.8, 1e-6) << "a scanner 0.3 m ahead of the centre [AVO-1]";
   scan = emptyScan({360, 2.0 * kPi, false, {-0.25, 0.0, 0.0}}, Time{});
   putObstacle(scan, kPi / 2.0, 0.5, 0.0);
-  EXPECT_EQ(read(scan).obstacleDistance(), Surroundings::kNothing);
-  EXPECT_EQ(read(scan).rear, Surroundings::kNothing) << "beside the tail is neither ahead nor behind";
+  EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing);
+  EXPECT_EQ(read(scan).rear, SectorDistances::kNothing) << "beside the tail is neither ahead nor behind";
 }
 
 // [AVO-2]
-TEST(Surroundings, NaNAndZeroSayNothing_AVO_2) {
+TEST(SectorReader, NaNAndZeroSayNothing_AVO_2) {
   LaserScan2 scan = emptyScan({}, Time{});
   scan.ranges[185] = kNaN;
   scan.ranges[186] = 0.0F;
-  EXPECT_EQ(read(scan).obstacleDistance(), Surroundings::kNothing) << "[AVO-2]";
+  EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing) << "[AVO-2]";
 }
 
 // [AVO-2]
-TEST(Surroundings, MinusInfinityAndTooNearAreAnObstacleAtRangeMin_AVO_2) {
+TEST(SectorReader, MinusInfinityAndTooNearAreAnObstacleAtRangeMin_AVO_2) {
   for (const float range : {-kInf, 0.001F, 0.0999F}) {
     LaserScan2 scan = emptyScan({}, Time{});
     scan.ranges[185] = range;
@@ -145,17 +145,17 @@ TEST(Surroundings, MinusInfinityAndTooNearAreAnObstacleAtRangeMin_AVO_2) {
 }
 
 // [AVO-2]
-TEST(Surroundings, InfinityAndBeyondRangeMaxAreFree_AVO_2) {
+TEST(SectorReader, InfinityAndBeyondRangeMaxAreFree_AVO_2) {
   for (const float range : {kInf, 8.1F, 1e30F}) {
     LaserScan2 scan = emptyScan({}, Time{});
     scan.ranges[185] = range;
-    EXPECT_EQ(read(scan).obstacleDistance(), Surroundings::kNothing) << range << " [AVO-2]";
+    EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing) << range << " [AVO-2]";
     EXPECT_EQ(read(scan).fault, "");
   }
 }
 
 // [AVO-5]
-TEST(Surroundings, EmptyMalformedAndMostlyInvalidScansAreFaults_AVO_5) {
+TEST(SectorReader, EmptyMalformedAndMostlyInvalidScansAreFaults_AVO_5) {
   LaserScan2 scan = emptyScan({100, kPi, false, {}}, Time{});
   for (std::size_t i = 0; i < 90; ++i) scan.ranges[i < 45 ? i : i + 10] = kNaN;
   EXPECT_EQ(read(scan).fault, "") << "90 % is still good [AVO-5]";
@@ -172,7 +172,7 @@ TEST(Surroundings, EmptyMalformedAndMostlyInvalidScansAreFaults_AVO_5) {
 }
 
 // [AVO-5]
-TEST(Surroundings, AScannerThatIsBlindOnOneSideAheadIsAFault_AVO_5) {
+TEST(SectorReader, AScannerThatIsBlindOnOneSideAheadIsAFault_AVO_5) {
   LaserScan2 scan = emptyScan({360, kPi, false, {}}, Time{});
   scan.T_base_sensor.yaw = kPi / 2.0 + 0.1;
   EXPECT_EQ(read(scan).fault, "no valid beam looks ahead on the right") << "[AVO-5]";
@@ -180,15 +180,15 @@ TEST(Surroundings, AScannerThatIsBlindOnOneSideAheadIsAFault_AVO_5) {
   EXPECT_EQ(read(scan).fault, "no valid beam looks ahead on the left") << "[AVO-5]";
 }
 
-TEST(Surroundings, OnlyWhatTheBodyWouldSweepCountsBesideTheSectors) {
+TEST(SectorReader, OnlyWhatTheBodyWouldSweepCountsBesideTheSectors) {
   LaserScan2 scan = emptyScan({}, Time{});
   putObstacle(scan, 80.0 * kPi / 180.0, 0.12, 0.0);
   putObstacle(scan, -80.0 * kPi / 180.0, 0.3, 0.0);
   putObstacle(scan, 100.0 * kPi / 180.0, 0.2, 0.0);
-  const Surroundings around = read(scan);
+  const SectorDistances around = read(scan);
   EXPECT_NEAR(around.lane_left, 0.12, 1e-6);
-  EXPECT_EQ(around.lane_right, Surroundings::kNothing);
-  EXPECT_EQ(around.rear, Surroundings::kNothing);
+  EXPECT_EQ(around.lane_right, SectorDistances::kNothing);
+  EXPECT_EQ(around.rear, SectorDistances::kNothing);
 }
 
 }  // namespace

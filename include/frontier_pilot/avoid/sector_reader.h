@@ -12,7 +12,7 @@
 namespace frontier_pilot {
 
 /// What one scan says around the base: distances from the base's centre [m]; infinite where nothing is in range.
-struct Surroundings {
+struct SectorDistances {
   static constexpr double kNothing = std::numeric_limits<double>::infinity();
 
   double front_left = kNothing;
@@ -32,7 +32,7 @@ class SectorReader {
  public:
   explicit SectorReader(const AvoiderParameters& parameters);
 
-  Surroundings read(const LaserScan2& scan);
+  SectorDistances read(const LaserScan2& scan);
 
  private:
   /// A sector as its two border directions, so that no angle ever wraps.
@@ -42,7 +42,7 @@ class SectorReader {
   };
   static Borders bordersOf(const Sector& sector);
   const std::vector<Vec2>& directionsOf(const LaserScan2& scan);
-  void add(const Vec2& point, Surroundings& around) const;
+  void add(const Vec2& point, SectorDistances& around) const;
   std::string judge(const LaserScan2& scan);
 
   AvoiderParameters parameters_;

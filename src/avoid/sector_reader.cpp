@@ -1,4 +1,4 @@
-#include "frontier_pilot/avoid/surroundings.h"
+#include "frontier_pilot/avoid/sector_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ const std::vector<Vec2>& SectorReader::directionsOf(const LaserScan2& scan) {
   return directions_;
 }
 
-Surroundings SectorReader::read(const LaserScan2& scan) {
-  Surroundings around;
+SectorDistances SectorReader::read(const LaserScan2& scan) {
+  SectorDistances around;
   around.fault = judge(scan);
   if (!around.fault.empty()) return around;
   const std::vector<Vec2>& directions = directionsOf(scan);
@@ -75,7 +75,7 @@ Surroundings SectorReader::read(const LaserScan2& scan) {
   return around;
 }
 
-void SectorReader::add(const Vec2& point, Surroundings& around) const {
+void SectorReader::add(const Vec2& point, SectorDistances& around) const {
   const double distance = point.norm();
   const bool left = front_left_.contains(point);
   const bool right = front_right_.contains(point);

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""How long a velocity command takes through the arbiter, beside a bare topic_tools/relay in the same run.
+
+    rosrun frontier_pilot arbiter_latency.py     (with a roscore running; it starts the nodes that it measures)
+
+The probe (arbiter_latency_probe) is C++, with TCP_NODELAY on both sides; it sends a command and stamps its return.
+"""
+import argparse
+import os
+import signal
+import subprocess
+import sys
+
+
+def start(*command):
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, preexec_fn=os.setsid)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--seconds', type=float, default=10.0, help='of each rate')
+    parser.add_argument('--stops', type=int, default=1000, help='emergency stops under load')
+    arguments = parser.parse_args()
+    nodes = [start('rosrun', 'topic_tools', 'relay', 'relay_in', 'relay_out', '__name:=bare_relay'),
+             start('rosrun', 'frontier_pilot', 'cmd_vel_arbiter', '_clear_quiet_time:=0.02')]
+    try:
+        return subprocess.call(['rosrun', 'frontier_pilot', 'arbiter_latency_probe', str(arguments.seconds),
+                                str(arguments.stops)])
+    finally:
+        for node in nodes:
+            os.killpg(node.pid, signal.SIGINT)
+            node.wait()
+
+
+if __name__ == '__main__':
+    sys.exit(main())
