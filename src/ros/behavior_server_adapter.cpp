@@ -13,7 +13,7 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
       parameters_(loadNodeParameters<BehaviorServerParameters>(private_node)),
       behavior_(parameters_.behavior),
       around_(node_, parameters_.surroundings, parameters_.frames, tf_),
-      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelBehavior, 1)),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelBehavior, 10)),
       diagnostics_(node, private_node) {
   stop_ = node_.subscribe(names::kEmergencyStopState, 1, &BehaviorServerNode::handleStop, this,
                           ros::TransportHints().tcpNoDelay());

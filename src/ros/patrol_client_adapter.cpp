@@ -14,6 +14,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kPatience = std::chrono::milliseconds(1700);
+constexpr Duration kNobodyThere = std::chrono::milliseconds(1000);  // a master answers in a fraction of it
 constexpr Duration kCancelPatience = std::chrono::seconds(5);
 constexpr double kLook = 0.05;  // [s] between two looks
 
@@ -41,7 +42,8 @@ std::optional<PatrolExit> PatrolClient::connect(int interrupts_so_far) {
     send();
     return std::nullopt;
   }
-  if (steadyNow() - since_ < kPatience) return std::nullopt;
+  const Duration waited = steadyNow() - since_;
+  if (waited < (status_.getNumPublishers() > 0 ? 2 * kPatience : kNobodyThere)) return std::nullopt;
   complain(std::string("no patrol server answers on '") + names::kPatrol + "': is patrol_server running?");
   return PatrolExit::kNoServer;
 }

@@ -13,7 +13,7 @@ PatrolServerNode::PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& priva
     : node_(node),
       parameters_(loadNodeParameters<PatrolServerParameters>(private_node)),
       patrol_(parameters_.patrol),
-      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelPatrol, 1)),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelPatrol, 10)),
       server_(node_, names::kPatrol, false),
       diagnostics_(node, private_node) {
   subscribe();

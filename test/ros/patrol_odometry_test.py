@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""What odometry that is missing, malformed or jumps does to a patrol. [PAT-4]"""
+import time
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+
+from frontier_pilot.msg import PatrolAction, PatrolGoal
+
+
+class PatrolOdometryTest(unittest.TestCase):
+    def setUp(self):
+        self.commands = []
+        self.odometry = Odometry()
+        self.odometry.header.frame_id, self.odometry.child_frame_id = 'odom', 'base_footprint'
+        self.odometry.pose.pose.orientation.w = 1.0
+        self.publishing = False
+        self.publisher = rospy.Publisher('odom', Odometry, queue_size=1)
+        self.subscriber = rospy.Subscriber('cmd_vel_patrol', Twist, self.commands.append, queue_size=1000)
+        self.timer = rospy.Timer(rospy.Duration(0.03), self.publish)
+        self.client = actionlib.SimpleActionClient('turtlebot3', PatrolAction)
+        self.assertTrue(self.client.wait_for_server(rospy.Duration(30)))
+
+    def tearDown(self):
+        self.client.cancel_all_goals()
+        self.timer.shutdown()
+        self.timer.join()
+        self.subscriber.unregister()
+
+    def publish(self, _):
+        if self.publishing:
+            self.odometry.header.stamp = rospy.Time.now()
+            self.publisher.publish(self.odometry)
+
+    def start(self):
+        msg = PatrolGoal()
+        msg.goal.x, msg.goal.y, msg.goal.z = 1, 1.0, 1
+        self.client.send_goal(msg)
+
+    def start_moving(self):
+        self.publishing = True
+        rospy.sleep(0.3)
+        self.start()
+        end = time.monotonic() + 20.0
+        while not any(command.linear.x > 0.0 for command in self.commands):
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.01)
+
+    def assert_aborted(self, text):
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(20)))
+        self.assertEqual(self.client.get_state(), GoalStatus.ABORTED)
+        self.assertIn(text, self.client.get_result().result)
+        rospy.sleep(0.2)
+        self.assertEqual(self.commands[-1].linear.x, 0.0)
+
+    def test_none_at_all(self):
+        self.start()
+        self.assert_aborted('no odometry for 0.5 s')
+        self.assertTrue(all(command.linear.x == 0.0 for command in self.commands))
+
+    def test_it_falls_silent(self):
+        self.start_moving()
+        self.publishing = False
+        self.assert_aborted('no odometry for 0.5 s')
+
+    def test_a_quaternion_of_no_length(self):
+        self.start_moving()
+        self.odometry.pose.pose.orientation.w = 0.0
+        self.assert_aborted('bad odometry')
+
+    def test_a_jump(self):
+        self.start_moving()
+        self.odometry.pose.pose.position.x = 5.0
+        self.assert_aborted('odometry jumped')
+
+    def test_a_position_that_is_not_a_number(self):
+        self.start_moving()
+        self.odometry.pose.pose.position.y = float('nan')
+        self.assert_aborted('bad odometry')
+
+
+if __name__ == '__main__':
+    rospy.init_node('patrol_odometry_test')
+    rostest.rosrun('frontier_pilot', 'patrol_odometry', PatrolOdometryTest)
