@@ -16,6 +16,7 @@ PatrolCard::PatrolCard(const TeleopParameters& parameters, QWidget* parent)
   side_->setRange(0.05, 100.0);
   side_->setSingleStep(0.1);
   side_->setSuffix(" m");
+  side_->setToolTip("Side of the square or triangle, radius of the circle");
   side_->setValue(parameters.patrol_side);
   laps_->setObjectName("patrol_laps");
   laps_->setRange(1, 1000);
@@ -25,8 +26,10 @@ PatrolCard::PatrolCard(const TeleopParameters& parameters, QWidget* parent)
   progress_->setObjectName("patrol_progress");
   auto* grid = new QGridLayout;
   grid->setSpacing(emOf(*this) / 3);
-  grid->addWidget(makeLabel("Side or radius", "muted"), 0, 0);
+  grid->addWidget(makeLabel("Side", "muted"), 0, 0);
   grid->addWidget(side_, 0, 1);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
   auto* laps = makeLabel("Laps", "muted");
   laps->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   grid->addWidget(laps, 0, 2);

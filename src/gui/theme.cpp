@@ -79,7 +79,7 @@ QString Theme::styleSheet(int em) const {
   rules.replace("$Hpx", length(1.25)).replace("$Fpx", length(1.2)).replace("$R", length(0.5));
   return rules.replace("$r", length(0.35))
       .replace("$p", length(0.3))
-      .replace("$P", length(0.7))
+      .replace("$P", length(0.4))
       .replace("$q", length(0.2));
 }
 

@@ -1,0 +1,180 @@
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+
+#include "gui_fixture.h"
+
+namespace frontier_pilot {
+namespace {
+
+const auto* const kApplication = ::testing::AddGlobalTestEnvironment(new test::Application);
+
+class Driving : public test::PilotWidgetTest {};
+
+// [GUI-1]
+TEST_F(Driving, TheFiveButtonsChangeTheSetPointByTheirSteps) {
+  click("Go");
+  click("Go");
+  click("Left");
+  EXPECT_NEAR(widget_->setPoint().linear, 0.10, 1e-12);
+  EXPECT_NEAR(widget_->setPoint().angular, 0.2, 1e-12);
+  click("Back");
+  click("Right");
+  click("Right");
+  EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12);
+  EXPECT_NEAR(widget_->setPoint().angular, -0.2, 1e-12);
+  click("Stop");
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+// [GUI-1]
+TEST_F(Driving, ThePadsButtonsBearTheirNames) {
+  for (const char* name : {"Go", "Back", "Left", "Right", "Stop"}) {
+    EXPECT_EQ(find<QPushButton>(name)->text(), name);
+  }
+}
+
+// [GUI-1]
+TEST_F(Driving, ArrowsAndWasdDriveAndSpaceStops) {
+  for (const auto key : {Qt::Key_Up, Qt::Key_W, Qt::Key_W, Qt::Key_S}) QTest::keyClick(widget_.get(), key);
+  for (const auto key : {Qt::Key_Left, Qt::Key_A, Qt::Key_D}) QTest::keyClick(widget_.get(), key);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.10, 1e-12);
+  EXPECT_NEAR(widget_->setPoint().angular, 0.2, 1e-12);
+  QTest::keyClick(widget_.get(), Qt::Key_Down);
+  QTest::keyClick(widget_.get(), Qt::Key_Right);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12);
+  EXPECT_NEAR(widget_->setPoint().angular, 0.0, 1e-12);
+  QTest::keyClick(widget_.get(), Qt::Key_Space);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+TEST_F(Driving, AKeyThatRepeatsItselfCountsOnce) {
+  QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Up, Qt::NoModifier, QString(), true);
+  QTest::keyPress(widget_.get(), Qt::Key_Up);
+  QApplication::sendEvent(widget_.get(), &repeat);
+  QApplication::sendEvent(widget_.get(), &repeat);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12);
+}
+
+TEST_F(Driving, KeysDriveAlsoWhileAButtonHasTheFocus) {
+  auto* button = find("patrol(sqr)");
+  button->setFocus();
+  QTest::keyClick(button, Qt::Key_Up);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12);
+}
+
+// [GUI-1]
+TEST_F(Driving, SpaceStopsWhereverTheFocusIsAndPressesNothing) {
+  for (const char* name : {"patrol(sqr)", "patrol_side", "emergency_stop", "explore_start", "log"}) {
+    click("Go");
+    find(name)->setFocus();
+    QTest::keyClick(find(name), Qt::Key_Space);
+    EXPECT_TRUE(widget_->setPoint().isZero()) << name;
+  }
+  EXPECT_TRUE(requests_.empty());
+}
+
+TEST_F(Driving, EnterPressesTheButtonThatHasTheFocus) {
+  QTest::keyClick(find("patrol(tri)"), Qt::Key_Return);
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].kind, OperatorRequest::Kind::kPatrol);
+}
+
+TEST_F(Driving, ArrowsInANumberFieldEditTheNumberAndDoNotDrive) {
+  auto* side = find<QDoubleSpinBox>("patrol_side");
+  QTest::keyClick(side, Qt::Key_Up);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  EXPECT_GT(side->value(), 1.0);
+}
+
+TEST_F(Driving, CommandKeysAreLeftToTheApplication) {
+  QTest::keyClick(widget_.get(), Qt::Key_W, Qt::ControlModifier);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+TEST_F(Driving, AChangeOfTheSetPointIsToldAtOnce) {
+  std::vector<Twist2> told;
+  QObject::connect(widget_.get(), &PilotWidget::setPointChanged, [&](const Twist2& twist) { told.push_back(twist); });
+  click("Go");
+  click("Stop");
+  click("Stop");
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0], (Twist2{0.05, 0.0}));
+  EXPECT_TRUE(told[1].isZero());
+}
+
+// [GUI-4]
+TEST_F(Driving, HoldToRunMovesFromPressToRelease) {
+  openHoldToRun();
+  QTest::mousePress(find("Go"), Qt::LeftButton);
+  EXPECT_GT(widget_->setPoint().linear, 0.0);
+  QTest::mouseRelease(find("Go"), Qt::LeftButton);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  QTest::keyPress(widget_.get(), Qt::Key_A);
+  EXPECT_GT(widget_->setPoint().angular, 0.0);
+  QTest::keyRelease(widget_.get(), Qt::Key_A);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+// [GUI-4]
+TEST_F(Driving, HoldToRunStopsWhenThePointerLeavesThePressedButton) {
+  openHoldToRun();
+  QTest::mousePress(find("Go"), Qt::LeftButton);
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(find("Go"), &leave);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+// [GUI-4]
+TEST_F(Driving, HoldToRunStopsWhenTheFocusIsLost) {
+  openHoldToRun();
+  QTest::keyPress(widget_.get(), Qt::Key_W);
+  ASSERT_GT(widget_->setPoint().linear, 0.0);
+  QWidget other;
+  other.show();
+  QApplication::setActiveWindow(&other);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+// [GUI-4]
+TEST_F(Driving, HoldToRunStopsWhenTheWidgetIsHidden) {
+  openHoldToRun();
+  QTest::keyPress(widget_.get(), Qt::Key_W);
+  widget_->hide();
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+// [GUI-4]
+TEST_F(Driving, HoldToRunIsAnOptionOfTheWindow) {
+  click("Go");
+  auto* hold = find<QAbstractButton>("hold_to_run");
+  hold->click();
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  click("Go");
+  EXPECT_TRUE(widget_->setPoint().isZero()) << "a click is over when the button is released";
+}
+
+TEST_F(Driving, ALatchedEmergencyStopDropsTheSetPointAndLocksThePad) {
+  click("Go");
+  state_.emergency_stop = true;
+  widget_->setState(state_);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  EXPECT_FALSE(find("Go")->isEnabled());
+  EXPECT_TRUE(find("Stop")->isEnabled());
+  EXPECT_TRUE(text("drive_hint").contains("emergency stop"));
+  QTest::keyClick(widget_.get(), Qt::Key_Up);
+  state_.emergency_stop = false;
+  widget_->setState(state_);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
+TEST_F(Driving, WhenAPatrolTakesTheWheelsTheSetPointIsDropped) {
+  click("Go");
+  state_.arbiter->active_source = "patrol";
+  widget_->setState(state_);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains("set-point dropped"));
+}
+
+}  // namespace
+}  // namespace frontier_pilot

@@ -1,0 +1,96 @@
+#include "frontier_pilot/gui/pilot_controller.h"
+
+#include <QPlainTextEdit>
+
+#include "gui_fixture.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// Writes down what it is told.
+class RecordingLink : public OperatorLink {
+ public:
+  OperatorState state() override { return test::exampleState(); }
+  void beat(const Twist2& set_point) override { beats.push_back(set_point); }
+  void request(const OperatorRequest& request) override { requests.push_back(request); }
+  std::vector<OperatorLogLine> takeLog() override { return std::exchange(log, {}); }
+  bool running() const override { return is_running; }
+  void close() override { ++closed; }
+
+  std::vector<Twist2> beats;
+  std::vector<OperatorRequest> requests;
+  std::vector<OperatorLogLine> log{{Severity::kGood, "hello from the system"}};
+  bool is_running = true;
+  int closed = 0;
+};
+
+class PilotControllerTest : public ::testing::Test {
+ protected:
+  void clickGo() { QTest::mouseClick(widget_.findChild<QWidget*>("Go"), Qt::LeftButton); }
+  QString logText() { return widget_.findChild<QPlainTextEdit*>("log")->toPlainText(); }
+
+  PilotWidget widget_{TeleopParameters{}};
+  RecordingLink link_;
+};
+
+// [GUI-3]
+TEST_F(PilotControllerTest, BeatsByItselfForAsLongAsTheWindowLives) {
+  PilotController controller(widget_, link_, std::chrono::hours(1));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
+}
+
+TEST_F(PilotControllerTest, ASetPointDoesNotWaitForTheNextBeat) {
+  PilotController controller(widget_, link_, std::chrono::hours(1));
+  clickGo();
+  ASSERT_FALSE(link_.beats.empty());
+  EXPECT_EQ(link_.beats.back(), (Twist2{0.05, 0.0}));
+}
+
+// [GUI-3]
+TEST_F(PilotControllerTest, AWindowThatWasFrozenDropsItsSetPoint) {
+  PilotController controller(widget_, link_, Duration::zero());  // so that any two beats are too far apart
+  clickGo();
+  clickGo();
+  EXPECT_TRUE(widget_.setPoint().isZero());
+  EXPECT_TRUE(link_.beats.back().isZero());
+  EXPECT_TRUE(logText().contains("frozen"));
+}
+
+TEST_F(PilotControllerTest, HandsWishesOnAndShowsTheStateAndTheLog) {
+  PilotController controller(widget_, link_, std::chrono::hours(1));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return logText().contains("hello from the system"); }));
+  QTest::mouseClick(widget_.findChild<QWidget*>("patrol(sqr)"), Qt::LeftButton);
+  ASSERT_EQ(link_.requests.size(), 1U);
+  EXPECT_EQ(link_.requests[0].kind, OperatorRequest::Kind::kPatrol);
+}
+
+// [GUI-3]
+TEST_F(PilotControllerTest, ClosesTheLinkOnceAndSaysNothingAfterIt) {
+  {
+    PilotController controller(widget_, link_, std::chrono::hours(1));
+    controller.close();
+    const std::size_t beats = link_.beats.size();
+    clickGo();
+    EXPECT_EQ(link_.beats.size(), beats);
+    EXPECT_EQ(link_.closed, 1);
+  }
+  EXPECT_EQ(link_.closed, 1);
+}
+
+// [GUI-3]
+TEST_F(PilotControllerTest, GoingAwayClosesTheLink) {
+  { PilotController controller(widget_, link_, std::chrono::hours(1)); }
+  EXPECT_EQ(link_.closed, 1);
+}
+
+TEST_F(PilotControllerTest, AsksForTheWindowToCloseWhenTheSystemEnds) {
+  PilotController controller(widget_, link_, std::chrono::hours(1));
+  bool asked = false;
+  QObject::connect(&controller, &PilotController::closeAsked, [&asked] { asked = true; });
+  link_.is_running = false;
+  EXPECT_TRUE(QTest::qWaitFor([&asked] { return asked; }));
+  EXPECT_EQ(link_.closed, 1);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
