@@ -11,6 +11,8 @@ namespace {
 
 /// Half a cell's diagonal, the interpolation's error and a little more, see the class.
 constexpr double kDiscretisation = 0.9;
+/// The same for a tight place: diagonally between obstacle cells two off the footprint just fits.
+constexpr double kTightDiscretisation = 0.4;
 /// Keeps a distance that equals the required one valid, however it was rounded [m].
 constexpr double kRounding = 1e-5;
 
@@ -47,9 +49,11 @@ bool ClearanceMap::setMap(const OccupancyGrid& map, const CellRect& changed) {
 
 void ClearanceMap::reset(const OccupancyGrid& map) {
   required_ = params_.inscribed_radius + kDiscretisation * map.resolution() - kRounding;
+  least_ = params_.tight_weight > 0.0 ? params_.inscribed_radius + kTightDiscretisation * map.resolution() : required_;
   const double preferred = std::max(params_.preferred_clearance, required_);
-  for (int i = 1; i < kClasses; ++i) {
-    const double nearness = 1.0 - static_cast<double>(i - 1) / (kClasses - 2);
+  weights_[kTightClass] = std::max(params_.tight_weight, 1.0 + params_.wall_weight);
+  for (int i = 1; i < kTightClass; ++i) {
+    const double nearness = 1.0 - static_cast<double>(i - 1) / (kTightClass - 2);
     weights_[static_cast<std::size_t>(i)] = 1.0 + params_.wall_weight * nearness * nearness;
   }
   const GridGeometry& cells = map.geometry();
@@ -133,11 +137,12 @@ void ClearanceMap::rateCells(const CellRect& cells) {
 
 std::uint8_t ClearanceMap::rate(Cell cell) const {
   const double distance = static_cast<double>(field_[cell]);
-  if (distance < required_) return 0;
+  if (distance < least_) return 0;
   if (state_[cell] != kStateFree && !(params_.unknown_is_traversable && state_[cell] == kStateUnknown)) return 0;
+  if (distance < required_) return kTightClass;
   const double span = std::max(params_.preferred_clearance, required_) - required_;
   const double room = span > 0.0 ? std::min(1.0, (distance - required_) / span) : 1.0;
-  const int cost_class = 1 + static_cast<int>(room * (kClasses - 2));
+  const int cost_class = 1 + static_cast<int>(room * (kTightClass - 2));
   return static_cast<std::uint8_t>(cost_class | (isRoomy(cell) ? kRoomy : 0));
 }
 
@@ -183,10 +188,10 @@ bool ClearanceMap::isValid(const Vec2& point) const {
   const Cell cell = geometry().cellAt(point);
   if (!geometry().contains(cell)) return false;
   if (state_[cell] != kStateFree && !(params_.unknown_is_traversable && state_[cell] == kStateUnknown)) return false;
-  return clearance(point) >= required_ - kRounding;
+  return clearance(point) >= least_ - kRounding;
 }
 
-bool ClearanceMap::isCrossable(Cell cell, const Vec2& from, const Vec2& to) const {
+double ClearanceMap::leastAlong(Cell cell, const Vec2& from, const Vec2& to) const {
   const GridGeometry& g = geometry();
   const Vec2 low = g.origin + g.resolution * Vec2(cell.x, cell.y);
   double first = 0.0;
@@ -195,19 +200,22 @@ bool ClearanceMap::isCrossable(Cell cell, const Vec2& from, const Vec2& to) cons
   clip(from.y(), to.y(), low.y(), low.y() + g.resolution, first, last);
   // Along a piece of at most one cell the distance bends too little to dip unseen between three points.
   const Vec2 step = to - from;
-  const double needed = required_ - kRounding;
-  return clearance(from + first * step) >= needed && clearance(from + 0.5 * (first + last) * step) >= needed &&
-         clearance(from + last * step) >= needed;
+  return std::min(
+      {clearance(from + first * step), clearance(from + 0.5 * (first + last) * step), clearance(from + last * step)});
 }
 
 double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to) const {
   double sum = 0.0;
   int count = 0;
   const bool free = visitCells(geometry(), from, to, [&](Cell cell) {
-    const std::uint8_t cost = cost_.get(cell, 0);
-    // A cell whose centre is too near may still be cut at a corner; only those that are free are looked at.
-    if ((cost & kRoomy) == 0 && !(cost != 0 || isKnownFree(cell))) return false;
-    if ((cost & kRoomy) == 0 && !isCrossable(cell, from, to)) return false;
+    std::uint8_t cost = cost_.get(cell, 0);
+    if ((cost & kRoomy) == 0) {
+      // A cell whose centre is too near may still be cut at a corner.
+      if (cost == 0 && !isKnownFree(cell)) return false;
+      const double distance = leastAlong(cell, from, to);
+      if (distance < least_ - kRounding) return false;
+      if (distance < required_ - kRounding) cost = kTightClass;
+    }
     sum += weights_[std::max(1, cost & kClassMask)];
     ++count;
     return true;

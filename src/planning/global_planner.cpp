@@ -53,7 +53,7 @@ std::vector<Cell> goalCells(const ClearanceMap& map, const Vec2& goal, double to
 
 PlanStatus whyUnreachable(const ClearanceMap& map, Cell goal) {
   if (map.isPassable(goal)) return PlanStatus::kNoPath;
-  const bool near_obstacle = map.field().at(goal) < map.requiredClearance();
+  const bool near_obstacle = map.field().at(goal) < map.leastClearance();
   return near_obstacle ? PlanStatus::kGoalOccupied : PlanStatus::kGoalUnreachable;
 }
 

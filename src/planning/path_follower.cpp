@@ -46,7 +46,7 @@ PathFollower::Surroundings PathFollower::surroundings(const FollowerInputs& inpu
   const double floor = params_.inscribed_radius + kMinGap;
   if (now < around.least_distance) around.least_distance = now < floor ? now : std::max(floor, now - 0.002);
   // In the map's inflation only the scan can tell the way out.
-  const double needed = inputs.map.requiredClearance() - kMapSlack;
+  const double needed = inputs.map.leastClearance() - kMapSlack;
   if (inputs.map.clearance(position) >= needed) around.least_clearance = needed;
   return around;
 }

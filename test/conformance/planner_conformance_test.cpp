@@ -141,7 +141,7 @@ TEST_P(PlannerConformance, PassesADoorJustWideEnoughAndNoneJustTooNarrow_NAV_2) 
 
 TEST_P(PlannerConformance, GetsOutOfTheInflation_NAV_2) {
   const test::AsciiWorld world = magnified("########\n#......#\n#.....G#\n########", 10);
-  const Vec2 start(0.5 + 0.11, 0.7);  // 0.11 m beside the wall's surface
+  const Vec2 start(0.5 + 0.09, 0.7);  // 0.09 m beside the wall's surface
   const ClearanceMap map = clearanceOf(world.map);
   ASSERT_FALSE(map.isValid(start));
   const PlanResult result = planner().plan(map, {start, world.point('G'), -1.0});

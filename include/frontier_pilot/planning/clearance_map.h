@@ -15,6 +15,7 @@ struct ClearanceParams {
   double inscribed_radius = 0.105;      ///< of the robot, a disc [m]
   double preferred_clearance = 0.35;    ///< centre of the robot to obstacle cells [m]
   double wall_weight = 1.5;             ///< a metre along a wall costs 1 + this many
+  double tight_weight = 10.0;           ///< and one through a tight place this many; 0 is never
   bool unknown_is_traversable = false;  ///< whether paths may lead through unknown cells
 
   template <class Visitor>
@@ -24,6 +25,8 @@ struct ClearanceParams {
             between(0.0, 2.0));
     v.field("wall_weight", wall_weight, "1", "a metre along a wall costs 1 + this many metres in the open",
             between(0.0, 3.0));
+    v.field("tight_weight", tight_weight, "1",
+            "a metre where walls may be too near, if the map exaggerates them; 0: never", between(0.0, 15.0));
     v.field("unknown_is_traversable", unknown_is_traversable, "", "paths may lead through unknown cells");
   }
 };
@@ -35,6 +38,10 @@ struct ClearanceParams {
 /// obstacle's cell, and what interpolation overestimates at two cells and more. `requiredClearance` is the radius plus
 /// 0.9 cells, hence a touch is impossible; at 5 cm it is 0.15 m for the Burger, so every place that is reachable for a
 /// disc of 0.15 m, centre to centre, is so here.
+///
+/// A noisy map draws corners up to a cell too thick, which closes narrow doors for that rule. Where the distance is
+/// less, but at least the radius plus 0.4 cells, a cell is tight: passable at a price that makes it the last resort.
+/// There the follower and the live scan decide.
 ///
 /// Changes are collected and take effect at `refresh`, at a cost that goes with the tiles they touch.
 class ClearanceMap {
@@ -53,8 +60,10 @@ class ClearanceMap {
   const GridGeometry& geometry() const { return obstacle_.geometry(); }
   const ClearanceParams& params() const { return params_; }
   const DistanceField& field() const { return field_; }
-  /// Least interpolated distance that a path keeps [m].
+  /// Least interpolated distance at which a touch is impossible [m].
   double requiredClearance() const { return required_; }
+  /// Least interpolated distance that a path keeps, tight places included [m].
+  double leastClearance() const { return least_; }
 
   bool isKnownFree(Cell c) const { return state_.get(c, kStateUnknown) == kStateFree; }
   bool isUnknown(Cell c) const { return state_.get(c, kStateUnknown) == kStateUnknown; }
@@ -74,7 +83,8 @@ class ClearanceMap {
   double segmentCost(const Vec2& from, const Vec2& to) const;
 
   /// Classes of cells: 0 is not passable, else `weight(class)` is the price of a metre.
-  static constexpr int kClasses = 32;
+  static constexpr int kClasses = 33;
+  static constexpr int kTightClass = 32;
   std::uint8_t costClass(Cell c) const { return static_cast<std::uint8_t>(cost_.get(c, 0) & kClassMask); }
   double weight(int cost_class) const { return weights_[static_cast<std::size_t>(cost_class)]; }
   const Grid<std::uint8_t>& costs() const { return cost_; }
@@ -93,11 +103,12 @@ class ClearanceMap {
   void rateCells(const CellRect& cells);
   std::uint8_t rate(Cell cell) const;
   bool isRoomy(Cell cell) const;
-  bool isCrossable(Cell cell, const Vec2& from, const Vec2& to) const;
+  double leastAlong(Cell cell, const Vec2& from, const Vec2& to) const;
   int fieldReach() const;
 
   ClearanceParams params_;
   double required_ = 0.0;
+  double least_ = 0.0;
   std::array<double, kClasses> weights_{};
   Grid<std::uint8_t> state_;     ///< of the map
   Grid<std::uint8_t> live_;      ///< 1 where a live obstacle is

@@ -31,7 +31,7 @@ class GridSearch {
     std::uint32_t label;  ///< number of the search, closed bit, direction it was reached by
   };
   struct Queue {
-    static constexpr std::uint32_t kSize = 1024;
+    static constexpr std::uint32_t kSize = 4096;  ///< more than two of the dearest steps
     std::array<std::vector<std::uint32_t>, kSize> buckets;
     std::uint32_t least = 0;
     std::size_t count = 0;

@@ -34,7 +34,9 @@ TEST(ClearanceMap, KeepsTheFootprintOffEveryObstacleCell_NAV_4) {
   std::mt19937 random(1);
   for (int round = 0; round < 20; ++round) {
     const OccupancyGrid map = randomWorld(random, 40, 25);
-    ClearanceMap clearance;
+    ClearanceParams params;
+    params.tight_weight = 0.0;
+    ClearanceMap clearance(params);
     clearance.setMap(map, map.geometry().rect());
     std::uniform_real_distribution<double> x(-1.0, 1.0);
     std::uniform_real_distribution<double> y(2.0, 4.0);
@@ -47,6 +49,25 @@ TEST(ClearanceMap, KeepsTheFootprintOffEveryObstacleCell_NAV_4) {
       }
     }
   }
+}
+
+TEST(ClearanceMap, TakesATightPlaceOnlyAsTheLastResort_NAV_2) {
+  // Two corners, each drawn a cell too thick, leave 2.83 cells diagonally.
+  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 40, 40}, kFree);
+  for (int i = 0; i < 40; ++i) {
+    if (i <= 18) map[Cell{i, 18}] = kOccupied;
+    if (i >= 22) map[Cell{i, 22}] = kOccupied;
+  }
+  ClearanceMap clearance;
+  clearance.setMap(map, map.geometry().rect());
+  EXPECT_TRUE(clearance.isPassable({20, 20}));
+  EXPECT_EQ(clearance.costClass({20, 20}), ClearanceMap::kTightClass);
+  EXPECT_NEAR(clearance.segmentCost({1.024, 1.025}, {1.026, 1.025}), 0.002 * clearance.params().tight_weight, 1e-9);
+  ClearanceParams params;
+  params.tight_weight = 0.0;
+  ClearanceMap strict(params);
+  strict.setMap(map, map.geometry().rect());
+  EXPECT_FALSE(strict.isPassable({20, 20}));
 }
 
 TEST(ClearanceMap, LetsThroughWhatADiscOf15CentimetresReaches_NAV_2) {
