@@ -147,7 +147,9 @@ TEST_P(PlannerConformance, GetsOutOfTheInflation_NAV_2) {
   const PlanResult result = planner().plan(map, {start, world.point('G'), -1.0});
   expectGoodPath(map, result, start, world.point('G'));
   EXPECT_GT(result.escape, 0U);
-  EXPECT_LT(result.path.arcLength(result.escape), 0.15) << "straight out";
+  if (GetParam().complete) {
+    EXPECT_LT(result.path.arcLength(result.escape), 0.15) << "straight out";
+  }
 }
 
 TEST_P(PlannerConformance, MovesAGoalInAWallOrInTheUnknownWithinTheTolerance_NAV_2) {
