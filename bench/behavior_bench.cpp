@@ -1,0 +1,157 @@
+// How exactly patrols close and turns end, in the simulator and in lockstep: a table for the notes.
+// Usage: behavior_bench [seeds of the noisy runs]
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+#include "frontier_pilot/behavior/surroundings.h"
+#include "frontier_pilot/behavior/timed_behavior.h"
+#include "frontier_pilot/patrol/patrol.h"
+#include "frontier_pilot/sim/simulator.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kSide = 16.0;  // of the empty world [m]
+
+sim::Simulator emptyWorld(bool noise, int seed) {
+  GridGeometry geometry;
+  geometry.width = geometry.height = static_cast<int>(kSide / geometry.resolution);
+  sim::World world;
+  world.map = OccupancyGrid(geometry, kFree);
+  sim::SimulatorParameters parameters;
+  parameters.x = parameters.y = 0.5 * kSide;
+  parameters.yaw = 0.3;
+  parameters.odom_noise = noise;
+  parameters.seed = seed;
+  return {world, parameters};
+}
+
+/// Mean and worst of what was seen.
+struct Figures {
+  double sum = 0.0, worst = 0.0;
+  int count = 0;
+
+  void add(double value) {
+    sum += std::abs(value);
+    worst = std::max(worst, std::abs(value));
+    ++count;
+  }
+  double mean() const { return count > 0 ? sum / count : 0.0; }
+};
+
+void run(sim::Simulator& simulator, const Twist2& command, double seconds) {
+  simulator.setCommand(0, command);
+  for (int i = 0; i < static_cast<int>(std::lround(seconds * 100.0)); ++i) simulator.step();
+}
+
+/// Patrols once; false if it did not complete.
+bool patrolOnce(sim::Simulator& simulator, const PatrolOrder& order, double frequency) {
+  PatrolParameters parameters;
+  parameters.frequency = frequency;
+  Patrol patrol(parameters);
+  patrol.start(order, simulator.now());
+  PatrolOutput output;
+  while (patrol.active()) {
+    PatrolInputs inputs;
+    inputs.odometry = MotionSample{simulator.now(), simulator.odometry(0), simulator.velocity(0)};
+    output = patrol.update(inputs, simulator.now());
+    run(simulator, output.command.value_or(Twist2()), 1.0 / frequency);
+  }
+  run(simulator, {}, 0.5);
+  return output.outcome == PatrolOutcome::kCompleted;
+}
+
+void tabulatePatrols(bool noise, int seeds) {
+  for (const PatrolShape shape : {PatrolShape::kSquare, PatrolShape::kTriangle, PatrolShape::kCircle}) {
+    for (const double frequency : {10.0, 20.0}) {
+      Figures distance, angle;
+      for (int seed = 1; seed <= seeds; ++seed) {
+        sim::Simulator simulator = emptyWorld(noise, seed);
+        const Pose2 start = simulator.pose(0);
+        if (!patrolOnce(simulator, {static_cast<double>(shape), 1.0, 1.0}, frequency)) std::printf("not completed!\n");
+        distance.add((simulator.pose(0).position() - start.position()).norm());
+        angle.add(angleDifference(simulator.pose(0).yaw, start.yaw));
+      }
+      const double degree = kPi / 180.0;
+      std::printf("| %-8s 1 m | %2.0f Hz | %-9s | %3d | %7.2f | %7.2f | %6.3f | %6.3f |\n", toString(shape), frequency,
+                  noise ? "noisy" : "noiseless", distance.count, distance.mean() * 1e3, distance.worst * 1e3,
+                  angle.mean() / degree, angle.worst / degree);
+    }
+  }
+}
+
+/// One cycle's view of the world for a behaviour.
+struct Eyes {
+  Surroundings around{SurroundingsParameters()};
+  std::chrono::duration<double> spent{};
+  int scans = 0;
+
+  void look(const sim::Simulator& simulator) {
+    const LaserScan2* scan = simulator.newScan(0);
+    if (scan == nullptr) return;
+    const auto begin = std::chrono::steady_clock::now();
+    around.costmap().insert(*scan, simulator.odometry(0));
+    spent += std::chrono::steady_clock::now() - begin;
+    ++scans;
+  }
+};
+
+void step(sim::Simulator& simulator, Eyes& eyes, double seconds) {
+  for (int i = 0; i < static_cast<int>(std::lround(seconds * 100.0)); ++i) {
+    simulator.step();
+    eyes.look(simulator);
+  }
+}
+
+void tabulateSpins(int count) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  sim::Simulator simulator = emptyWorld(false, 1);
+  Eyes eyes;
+  Figures error;
+  std::chrono::duration<double> thought{};
+  int cycles = 0;
+  step(simulator, eyes, 0.5);
+  for (int i = 0; i < count; ++i) {
+    TimedBehavior behavior((BehaviorParameters()));
+    const double target = angle(random);
+    const double start = simulator.pose(0).yaw;
+    behavior.start({BehaviorKind::kSpin, target, 0.0, 0.0, true}, simulator.now());
+    BehaviorOutput output;
+    while (behavior.active()) {
+      const auto begin = std::chrono::steady_clock::now();
+      BehaviorInputs inputs;
+      inputs.pose = BehaviorInputs::Pose{simulator.now(), simulator.odometry(0)};
+      inputs.look_ahead = eyes.around.lookAhead(0.5, simulator.now());
+      output = behavior.update(inputs, simulator.now());
+      thought += std::chrono::steady_clock::now() - begin;
+      ++cycles;
+      simulator.setCommand(0, output.command.value_or(Twist2()));
+      step(simulator, eyes, 0.1);
+    }
+    if (output.outcome != BehaviorOutcome::kSucceeded) std::printf("not succeeded: %s\n", output.message.c_str());
+    step(simulator, eyes, 0.5);
+    error.add(angleDifference(simulator.pose(0).yaw, start + target));
+  }
+  std::printf("\n%d random spins at 10 Hz: final yaw error mean %.4f rad, worst %.4f rad\n", count, error.mean(),
+              error.worst);
+  std::printf("a cycle with its look-ahead takes %.1f us, a scan into the costmap %.1f us\n",
+              1e6 * thought.count() / cycles, 1e6 * eyes.spent.count() / eyes.scans);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  using namespace frontier_pilot;
+  const int seeds = argc > 1 ? std::atoi(argv[1]) : 50;
+  std::printf("| closing error | cycles | odometry | runs | mean mm | worst mm | mean deg | worst deg |\n");
+  std::printf("|---|---|---|---|---|---|---|---|\n");
+  tabulatePatrols(false, 1);
+  tabulatePatrols(true, seeds);
+  tabulateSpins(200);
+  return 0;
+}
