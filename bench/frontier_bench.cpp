@@ -1,0 +1,144 @@
+// Frontier search and the reachability wavefront on whole maps, from scratch, as for a map that has just arrived.
+//
+// The maps are the Willow Garage floor ($FRONTIER_PILOT_WORLDS or ../shared/worlds; else our own office), tiled to
+// size and seen in part, by scans from random places; and noise, where every hundredth cell is unknown. `floor_MB` is
+// what has to be read and written at least once: the map, and for the wavefront the distances and the neighbour masks.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/exploration/frontier_search.h"
+#include "frontier_pilot/exploration/travel_field.h"
+#include "support/map_image.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kClearance = 0.15;
+constexpr int kExtent = 60;  // [cells], as the explorer cuts its clusters
+
+const OccupancyGrid& building() {
+  static const OccupancyGrid loaded = [] {
+    const std::string willow = bench::willowGarage();
+    const std::string office = FRONTIER_PILOT_SOURCE_DIR "/config/worlds/office.yaml";
+    return bench::readMapImage(std::filesystem::exists(willow) ? willow : office);
+  }();
+  return loaded;
+}
+
+/// Crossing corridors join the repetitions of the building, so that the wavefront reaches all over the map.
+bool isCorridor(int x, int y) { return x % building().width() < 12 || y % building().height() < 12; }
+
+/// The building, repeated, as it is known in the middle of an exploration.
+OccupancyGrid seenInPart(int size) {
+  const OccupancyGrid& world = building();
+  GridGeometry geometry;
+  geometry.width = geometry.height = size;
+  Grid<std::uint8_t> solid(geometry);
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const bool free = isCorridor(x, y) || isFree(world[Cell{x % world.width(), y % world.height()}]);
+      solid[Cell{x, y}] = free ? 0 : 1;
+    }
+  }
+  const RayCaster caster(solid);
+  OccupancyGrid map(geometry, kUnknown);
+  std::mt19937 random(1);
+  for (int scans = size * size / 7000; scans > 0;) {
+    const Cell from{static_cast<int>(random() % static_cast<unsigned>(size)),
+                    static_cast<int>(random() % static_cast<unsigned>(size))};
+    if (solid[from] != 0) continue;
+    --scans;
+    for (int beam = 0; beam < 720; ++beam) {
+      const Vec2 unit = direction(beam * kPi / 360.0);
+      const Vec2 eye = geometry.centre(from);
+      const double range = caster.cast(eye, unit, 8.0);
+      visitCells(geometry, eye, eye + range * unit, [&](Cell c) {
+        if (map.contains(c)) map[c] = solid[c] != 0 ? kOccupied : kFree;
+        return true;
+      });
+    }
+  }
+  return map;
+}
+
+OccupancyGrid noise(int size) {
+  GridGeometry geometry;
+  geometry.width = geometry.height = size;
+  OccupancyGrid map(geometry, kFree);
+  std::mt19937 random(2);
+  for (auto& cell : map.cells()) {
+    if (random() % 100 == 0) cell = kUnknown;
+  }
+  return map;
+}
+
+const OccupancyGrid& mapOf(const benchmark::State& state) {
+  static std::vector<std::pair<std::pair<bool, int>, OccupancyGrid>> maps;
+  const std::pair<bool, int> key(state.range(1) != 0, static_cast<int>(state.range(0)));
+  for (const auto& [known, map] : maps) {
+    if (known == key) return map;
+  }
+  maps.emplace_back(key, key.first ? noise(key.second) : seenInPart(key.second));
+  return maps.back().second;
+}
+
+Cell someFreeCell(const TraversableSpace& space) {
+  const int size = space.geometry().width;
+  Cell cell{size / 2, size / 2};
+  while (!space.traversable(cell) && cell.x + 1 < size) ++cell.x;
+  return cell;
+}
+
+void search(benchmark::State& state) {
+  const OccupancyGrid& map = mapOf(state);
+  FrontierClusters clusters;
+  std::size_t cells = 0;
+  for (auto _ : state) {
+    FrontierSearch frontier;
+    frontier.update(map, map.geometry().rect());
+    clusters = frontier.clusters(1, kExtent);
+    benchmark::DoNotOptimize(clusters);
+    state.PauseTiming();
+    cells = frontier.cellCount();
+    state.ResumeTiming();
+  }
+  state.counters["frontier_cells"] = static_cast<double>(cells);
+  state.counters["clusters"] = static_cast<double>(clusters.clusters.size());
+  state.counters["floor_MB"] = static_cast<double>(map.size()) * 1e-6;
+}
+
+void searchAndWavefront(benchmark::State& state) {
+  const OccupancyGrid& map = mapOf(state);
+  // The buffers live as long as the explorer does; what is in them is worked out anew.
+  TraversableSpace space(kClearance);
+  space.update(map, map.geometry().rect());
+  const Cell start = someFreeCell(space);
+  TravelField field;
+  for (auto _ : state) {
+    FrontierSearch frontier;
+    frontier.update(map, map.geometry().rect());
+    const FrontierClusters clusters = frontier.clusters(1, kExtent);
+    benchmark::DoNotOptimize(clusters.runs.data());
+    space.update(map, map.geometry().rect());
+    field.compute(space, map, start, 0.5);
+    benchmark::DoNotOptimize(field.reachedCount());
+  }
+  state.counters["reached_cells"] = static_cast<double>(field.reachedCount());
+  state.counters["floor_MB"] = static_cast<double>(map.size()) * (1.0 + 1.0 + 1.0 + 4.0) * 1e-6;
+}
+
+void arguments(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"size", "noise"})->Args({1000, 0})->Args({1000, 1})->Args({4000, 0})->Args({4000, 1});
+  bench->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK(search)->Apply(arguments);
+BENCHMARK(searchAndWavefront)->Apply(arguments);
+
+}  // namespace
+}  // namespace frontier_pilot
