@@ -1,0 +1,279 @@
+// The operator's window against a live arbiter and a simulated robot. Called with `--window` it is the window alone,
+// driving forward: the process that the test of the frozen window freezes.
+
+#include <actionlib/server/simple_action_server.h>
+#include <frontier_pilot/PatrolAction.h>
+#include <geometry_msgs/Twist.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <signal.h>
+#include <std_srvs/SetBool.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/names.h"
+#include "ros/gui_window.h"
+
+namespace frontier_pilot {
+namespace {
+
+using test::waitFor;
+using test::Window;
+
+/// What goes to the base and what the base does, kept by a thread of its own.
+class Robot {
+ public:
+  Robot() {
+    commands_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 50, [this](const auto& msg) {
+      command = msg->linear.x;
+      ++command_count;
+    });
+    manual_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVelManual, 50, [this](const auto& msg) {
+      manual_command = msg->linear.x;
+      ++manual_count;
+    });
+    odometry_ = node_.subscribe<nav_msgs::Odometry>(names::kOdom, 50,
+                                                    [this](const auto& msg) { speed = msg->twist.twist.linear.x; });
+  }
+
+  std::atomic<double> command{0.0}, speed{0.0}, manual_command{0.0};
+  std::atomic<int> command_count{0}, manual_count{0};
+
+ private:
+  ros::NodeHandle node_;
+  ros::Subscriber commands_, manual_, odometry_;
+};
+
+class GuiOnTheWire : public ::testing::Test {
+ protected:
+  /// The arbiter is heard, the switches are up, nothing is latched.
+  static bool ready(const Window& window) {
+    return waitFor([&] {
+      return window.find("enable_manual") != nullptr && window.find("enable_manual")->isEnabled() &&
+             window.text("driver") == "manual drives";
+    });
+  }
+
+  Robot robot_;
+};
+
+// [GUI-1]
+TEST_F(GuiOnTheWire, ButtonsMoveTheRobotThroughTheArbiterAtTenHertz) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  window.click("Go");
+  window.click("Go");
+  EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed - 0.10) < 0.01; }));
+  EXPECT_NEAR(robot_.command, 0.10, 1e-9);
+  const SteadyTime start = steadyNow();
+  const int before = robot_.manual_count;
+  EXPECT_TRUE(waitFor([&] { return robot_.manual_count >= before + 40; }));
+  EXPECT_NEAR(40.0 / toSeconds(steadyNow() - start), 10.0, 1.0);
+  window.click("Stop");
+  EXPECT_TRUE(waitFor([&] { return robot_.command == 0.0 && std::abs(robot_.speed) < 1e-6; }));
+}
+
+// [GUI-2]
+TEST_F(GuiOnTheWire, TheEmergencyStopLatchesIsShownAndIsClearedWithoutMotion) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  window.click("Go");
+  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  window.click("emergency_stop");
+  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
+  EXPECT_TRUE(waitFor([&] { return robot_.command == 0.0 && std::abs(robot_.speed) < 1e-6; }));
+  // The arbiter refuses for as long as a motion was asked for a moment ago.
+  EXPECT_TRUE(waitFor([&] {
+    window.click("clear_emergency_stop");
+    QTest::qWait(200);
+    return window.text("driver") == "manual drives";
+  }));
+  EXPECT_EQ(robot_.command, 0.0);
+  EXPECT_TRUE(window.widget.setPoint().isZero());
+}
+
+// [GUI-2]
+TEST_F(GuiOnTheWire, SwitchingManualOffSilencesItAndLocksThePad) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  window.click("Go");
+  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  window.click("enable_manual");
+  EXPECT_TRUE(waitFor([&] { return !window.checked("enable_manual"); }));
+  EXPECT_FALSE(window.find("Go")->isEnabled());
+  EXPECT_TRUE(waitFor([&] { return robot_.manual_command == 0.0 && std::abs(robot_.speed) < 1e-6; }));
+  const int count = robot_.manual_count;
+  QTest::qWait(500);  // that nothing comes can only be seen by waiting
+  EXPECT_LE(robot_.manual_count, count + 1);
+  window.click("enable_manual");
+  EXPECT_TRUE(waitFor([&] { return window.checked("enable_manual") && window.find("Go")->isEnabled(); }));
+}
+
+// [GUI-3]
+TEST_F(GuiOnTheWire, AWindowWhoseThreadIsStuckStopsTheRobotWithinASecond) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  window.click("Go");
+  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  const SteadyTime frozen = steadyNow();
+  while (robot_.speed > 1e-6 && steadyNow() - frozen < std::chrono::seconds(3)) usleep(1000);  // no event is handled
+  RecordProperty("stuck_to_standstill_ms", static_cast<int>(1000.0 * toSeconds(steadyNow() - frozen)));
+  EXPECT_LT(toSeconds(steadyNow() - frozen), 1.0);
+  EXPECT_EQ(robot_.command, 0.0);
+  QTest::qWait(500);
+  EXPECT_TRUE(window.widget.setPoint().isZero()) << "it must not go on when the window thaws";
+  EXPECT_EQ(robot_.command, 0.0);
+}
+
+/// This program as the window alone, in a process of its own.
+pid_t startWindowProcess() {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  execl("/proc/self/exe", "gui_test", "--window", "__name:=window_to_freeze", nullptr);
+  _exit(127);
+}
+
+// [GUI-3]
+TEST_F(GuiOnTheWire, AProcessThatIsStoppedStopsTheRobotWithinASecond) {
+  const pid_t child = startWindowProcess();
+  ASSERT_GT(child, 0);
+  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.09; }));
+  kill(child, SIGSTOP);
+  const SteadyTime frozen = steadyNow();
+  EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed) < 1e-6; }));
+  const double seconds = toSeconds(steadyNow() - frozen);
+  RecordProperty("sigstop_to_standstill_ms", static_cast<int>(1000.0 * seconds));
+  EXPECT_LT(seconds, 1.0);
+  EXPECT_TRUE(waitFor([&] { return robot_.command == 0.0; }));
+  kill(child, SIGCONT);
+  const int count = robot_.manual_count;
+  EXPECT_TRUE(waitFor([&] { return robot_.manual_count > count + 10; }));
+  EXPECT_EQ(robot_.manual_command, 0.0);
+  EXPECT_EQ(robot_.command, 0.0) << "it must not go on when the window thaws";
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+// [GUI-3]
+TEST_F(GuiOnTheWire, ServicesThatComeAndGoAreShown) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  EXPECT_FALSE(window.find("explore_start")->isEnabled());
+  ros::NodeHandle node;
+  std::atomic<int> calls{0};
+  const boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)> handle =
+      [&calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response& response) {
+        ++calls;
+        return response.success = 1;
+      };
+  for (int round = 1; round <= 2; ++round) {
+    ros::ServiceServer server = node.advertiseService(names::kSetExplorationEnabled, handle);
+    ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
+    window.click("explore_start");
+    EXPECT_TRUE(waitFor([&] { return calls == round; }));
+    server.shutdown();
+    EXPECT_TRUE(waitFor([&] { return !window.find("explore_start")->isEnabled(); }));
+  }
+}
+
+// [GUI-3]
+TEST_F(GuiOnTheWire, AServiceThatNeverAnswersHoldsNeitherTheWindowNorTheEmergencyStop) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  ros::NodeHandle node;
+  std::atomic<bool> hang{true};
+  const boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)> handle =
+      [&hang](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
+        while (hang) usleep(10000);
+        return true;
+      };
+  ros::ServiceServer server = node.advertiseService(names::kSetExplorationEnabled, handle);
+  ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
+  window.click("explore_start");
+  window.click("Go");
+  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; })) << "the window still drives";
+  window.click("emergency_stop");
+  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
+  EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed) < 1e-6; }));
+  hang = false;
+  EXPECT_TRUE(waitFor([&] {
+    window.click("clear_emergency_stop");
+    QTest::qWait(200);
+    return window.text("driver") == "manual drives";
+  }));
+}
+
+// [GUI-1] [GUI-3]
+TEST_F(GuiOnTheWire, PatrolsAreStartedShownStoppedAndCancelledOnClosing) {
+  auto window = std::make_unique<Window>();
+  ASSERT_TRUE(ready(*window));
+  EXPECT_FALSE(window->find("patrol(sqr)")->isEnabled());
+  actionlib::SimpleActionServer<PatrolAction> server(names::kPatrol, false);
+  std::atomic<int> goals{0}, cancels{0}, shape{0};
+  server.registerGoalCallback([&] {
+    shape = static_cast<int>(server.acceptNewGoal()->goal.x);
+    PatrolFeedback feedback;
+    feedback.state = "line 1";
+    server.publishFeedback(feedback);
+    ++goals;
+  });
+  server.registerPreemptCallback([&] {
+    PatrolResult result;
+    result.result = "patrol canceled";
+    server.setPreempted(result);
+    ++cancels;
+  });
+  server.start();
+  ASSERT_TRUE(waitFor([&] { return window->find("patrol(sqr)")->isEnabled(); }));
+  window->click("patrol(tri)");
+  EXPECT_TRUE(waitFor([&] { return window->text("patrol_progress") == "line 1"; }));
+  EXPECT_EQ(shape, 2);
+  window->click("patrol stop");
+  EXPECT_TRUE(waitFor([&] { return window->text("patrol_progress") == "patrol canceled"; }));
+  window->click("patrol(sqr)");
+  EXPECT_TRUE(waitFor([&] { return goals == 2 && cancels == 1; }));
+  window->controller.close();
+  EXPECT_TRUE(waitFor([&] { return cancels == 2; })) << "closing cancels what the window has started";
+}
+
+// [GUI-3]
+TEST_F(GuiOnTheWire, ClosingSendsZeroAsTheLastWord) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  window.click("Go");
+  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  window.controller.close();
+  EXPECT_TRUE(waitFor([&] { return robot_.manual_command == 0.0 && robot_.command == 0.0; }));
+  const int count = robot_.manual_count;
+  QTest::qWait(500);  // that nothing comes can only be seen by waiting
+  EXPECT_EQ(robot_.manual_count, count);
+}
+
+int driveForward() {
+  Window window;
+  if (!waitFor([&] { return window.text("driver") == "manual drives"; })) return 1;
+  window.click("Go");
+  window.click("Go");
+  return QApplication::exec();
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "gui_test");
+  QApplication application(argc, argv);
+  if (argc > 1 && std::strcmp(argv[1], "--window") == 0) return frontier_pilot::driveForward();
+  const ros::NodeHandle keeps_ros_alive;
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QtTest>
+#include <functional>
+
+#include "frontier_pilot/gui/pilot_controller.h"
+#include "frontier_pilot/ros/gui_bridge.h"
+
+namespace frontier_pilot::test {
+
+/// The whole operator's side, as teleop_gui has it, on a screen that is not there.
+struct Window {
+  Window() : Window(TeleopParameters{}) {}
+  explicit Window(const TeleopParameters& parameters)
+      : bridge(ros::NodeHandle(), parameters, GuiBridge::Manual::kAlways, [] { return ros::ok(); }),
+        widget(parameters),
+        controller(widget, bridge, fromSeconds(parameters.liveness_timeout)) {
+    widget.resize(1200, 800);
+    widget.show();
+  }
+
+  QWidget* find(const char* name) const { return widget.findChild<QWidget*>(name); }
+  void click(const char* name) const { QTest::mouseClick(find(name), Qt::LeftButton); }
+  bool checked(const char* name) const {
+    auto* button = widget.findChild<QAbstractButton*>(name);
+    return button != nullptr && button->isChecked();
+  }
+  QString text(const char* name) const {
+    auto* label = widget.findChild<QLabel*>(name);
+    return label == nullptr ? QString() : label->text();
+  }
+
+  GuiBridge bridge;
+  PilotWidget widget;
+  PilotController controller;
+};
+
+/// Lets the window live until `condition` holds; false after 10 s.
+inline bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 10000); }
+
+}  // namespace frontier_pilot::test
