@@ -28,7 +28,7 @@ void complain(const std::string& text) { std::cerr << "patrol_client: " << text 
 
 PatrolClient::PatrolClient(ros::NodeHandle& node, const PatrolOrder& order)
     : order_(order), client_(node, names::kPatrol, false), since_(steadyNow()), heard_(since_) {
-  status_ = node.subscribe(std::string(names::kPatrol) + "/status", 1, &PatrolClient::handleStatus, this);
+  status_ = node.subscribe(names::kPatrolStatus, 1, &PatrolClient::handleStatus, this);
 }
 
 std::optional<PatrolExit> PatrolClient::update(int interrupts_so_far) {

@@ -73,6 +73,7 @@ constexpr const char* kSetExplorationEnabled = "set_exploration_enabled";
 
 // Actions
 constexpr const char* kPatrol = "turtlebot3";
+constexpr const char* kPatrolStatus = "turtlebot3/status";
 constexpr const char* kSpin = "spin";
 constexpr const char* kBackUp = "back_up";
 constexpr const char* kDriveOnHeading = "drive_on_heading";
