@@ -119,6 +119,30 @@ TEST_F(AvoiderTest, SkipsReversingWhenSomethingIsBehind_AVO_4) {
 }
 
 // [AVO-4]
+TEST_F(AvoiderTest, DoesNotBeginToReverseWhenSomethingIsBehind_AVO_4) {
+  tick();
+  left = 0.3, rear = 0.24;
+  now += std::chrono::milliseconds(100);
+  EXPECT_EQ(avoider.onScan(scan(), now), kRight) << "not even for one message [AVO-4]";
+}
+
+// [AVO-3]
+TEST_F(AvoiderTest, ExactlyStopDistanceDoesNotStartAndExactlyClearDistanceDoesNotEndARecovery_AVO_3) {
+  AvoiderParameters parameters;
+  parameters.clear_distance = 0.75;
+  avoider = Avoider(parameters);
+  LaserScan2 ahead = emptyScan({}, now);
+  ahead.ranges[180] = 0.5F;
+  avoider.onScan(ahead, now);
+  EXPECT_EQ(avoider.state(), AvoiderState::kClear) << "[AVO-3]";
+  ahead.ranges[180] = 0.25F;
+  avoider.onScan(ahead, now);
+  ahead.ranges[180] = 0.75F;
+  avoider.onScan(ahead, now);
+  EXPECT_EQ(avoider.state(), AvoiderState::kReverse) << "[AVO-3]";
+}
+
+// [AVO-4]
 TEST_F(AvoiderTest, StopsReversingWhenSomethingComesNearBehind_AVO_4) {
   tick();
   left = 0.3;
@@ -164,6 +188,15 @@ TEST_F(AvoiderTest, HoldsWhenTheStampsAreOldOrFromTheFutureAlthoughScansArrive_A
   scan_of_then.stamp = now + std::chrono::milliseconds(600);
   avoider.onScan(scan_of_then, now);
   EXPECT_EQ(avoider.status(now).reason, "the scan is from the future") << "such a scan would never grow old [AVO-5]";
+}
+
+// [AVO-5]
+TEST_F(AvoiderTest, HoldsWhenNoScanArrivesAlthoughTheLastOneWasStampedAhead_AVO_5) {
+  LaserScan2 ahead_of_time = emptyScan({}, now + std::chrono::milliseconds(400));
+  avoider.onScan(ahead_of_time, now);
+  now += std::chrono::milliseconds(501);
+  EXPECT_EQ(avoider.tick(now), kHold) << "[AVO-5]";
+  EXPECT_EQ(avoider.status(now).reason, "no scan arrives");
 }
 
 // [AVO-5]

@@ -127,6 +127,28 @@ TEST(SectorReader, DistancesAndBearingsAreTheBasesNotTheScanners_AVO_1) {
   EXPECT_EQ(read(scan).rear, SectorDistances::kNothing) << "beside the tail is neither ahead nor behind";
 }
 
+// [AVO-1]
+TEST(SectorReader, ForgetsTheLayoutOfTheScanBefore_AVO_1) {
+  SectorReader reader{AvoiderParameters{}};
+  LaserScan2 scan = emptyScan({}, Time{});
+  putObstacle(scan, 0.5, 1.0);
+  EXPECT_NEAR(reader.read(scan).front_left, 1.0, 1e-6);
+  LaserScan2 turned = scan;
+  turned.T_base_sensor.yaw = kPi;
+  EXPECT_EQ(reader.read(turned).front_left, SectorDistances::kNothing) << "another mount [AVO-1]";
+  LaserScan2 mirrored = scan;
+  mirrored.angle_min = -scan.angle_min;
+  mirrored.angle_increment = -scan.angle_increment;
+  EXPECT_NEAR(reader.read(mirrored).front_right, 1.0, 1e-6) << "another sense of rotation [AVO-1]";
+}
+
+// [AVO-4]
+TEST(SectorReader, WhatTheTailWouldSweepCountsAsBehind_AVO_4) {
+  LaserScan2 scan = emptyScan({}, Time{});
+  putObstacle(scan, 115.0 * kPi / 180.0, 0.12, 0.0);
+  EXPECT_NEAR(read(scan).rear, 0.12, 1e-6) << "beside the rear sector but in the lane [AVO-4]";
+}
+
 // [AVO-2]
 TEST(SectorReader, NaNAndZeroSayNothing_AVO_2) {
   LaserScan2 scan = emptyScan({}, Time{});
