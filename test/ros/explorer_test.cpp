@@ -1,0 +1,237 @@
+// The explorer on the wire, with a map and a move_base in the test's hands. The node lives through all tests: they tell
+// one story, in order, and each ends where the next begins.
+
+#include <actionlib/server/simple_action_server.h>
+#include <frontier_pilot/ExplorerStatus.h>
+#include <gtest/gtest.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <rosgraph_msgs/Log.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/tf_bridge.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
+
+/// Serves callbacks until `condition` holds; false after ten seconds.
+bool waitFor(const std::function<bool()>& condition, double seconds = 10.0) {
+  const SteadyTime end = steadyNow() + fromSeconds(seconds);
+  while (!condition() && steadyNow() < end) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+  return condition();
+}
+
+/// A move_base that takes goals and ends them when the test says so.
+class FakeMoveBase {
+ public:
+  explicit FakeMoveBase(ros::NodeHandle& node) : server_(node, names::kMoveBase, false) {
+    server_.registerGoalCallback([this] { goals.push_back(server_.acceptNewGoal()->target_pose); });
+    server_.registerPreemptCallback([this] {
+      if (server_.isNewGoalAvailable()) return;
+      ++cancels;
+      server_.setPreempted();
+    });
+    server_.start();
+  }
+  void abort(const std::string& why) { server_.setAborted({}, why); }
+  bool active() { return server_.isActive(); }
+
+  std::vector<geometry_msgs::PoseStamped> goals;
+  int cancels = 0;
+
+ private:
+  Server server_;
+};
+
+/// What the explorer listens to, published at 20 Hz.
+class FakeRobot {
+ public:
+  explicit FakeRobot(ros::NodeHandle& node) : odometry_(node.advertise<nav_msgs::Odometry>(names::kOdom, 10)) {
+    timer_ = node.createSteadyTimer(ros::WallDuration(0.05), [this](const ros::SteadyTimerEvent&) {
+      Odometry2 odometry;
+      odometry.stamp = rosNow();
+      odometry_.publish(toOdometryMsg(odometry, names::kOdomFrame, names::kBaseFootprintFrame));
+      tf_.broadcast(names::kMapFrame, names::kBaseFootprintFrame, Pose2(1.0, 1.0, 0.0), odometry.stamp);
+    });
+  }
+
+ private:
+  ros::Publisher odometry_;
+  TfBridge tf_;
+  ros::SteadyTimer timer_;
+};
+
+/// A hall of 5 m x 2 m whose right end is not known yet.
+OccupancyGrid hall() {
+  GridGeometry geometry;
+  geometry.width = 100;
+  geometry.height = 40;
+  OccupancyGrid map(geometry, kOccupied);
+  for (int y = 1; y < 39; ++y) {
+    for (int x = 1; x < 100; ++x) map[Cell{x, y}] = x < 90 ? kFree : kUnknown;
+  }
+  return map;
+}
+
+class ExplorerOnTheWire : public ::testing::Test {
+ protected:
+  struct World {
+    World() {
+      status = node.subscribe<ExplorerStatus>(names::kExplorerStatus, 50, [this](const auto& msg) {
+        latest = *msg;
+        history.push_back(*msg);
+      });
+      marker = node.subscribe<visualization_msgs::MarkerArray>(names::kFrontiers, 5,
+                                                               [this](const auto& msg) { markers = *msg; });
+      log = node.subscribe<rosgraph_msgs::Log>("/rosout", 100, [this](const auto& msg) {
+        if (msg->msg.find("exploration waits for") != std::string::npos) complaints.push_back(msg->msg);
+      });
+      map_publisher = node.advertise<nav_msgs::OccupancyGrid>(names::kMap, 1, true);
+      update_publisher = node.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10);
+    }
+    void fill(const CellRect& block, std::int8_t value) {
+      for (int y = block.y; y < block.y + block.height; ++y) std::fill_n(map.row(y) + block.x, block.width, value);
+      update_publisher.publish(toGridUpdateMsg(map, block, names::kMapFrame, rosNow()));
+    }
+
+    ros::NodeHandle node;
+    ros::Subscriber status, marker, log;
+    ros::Publisher map_publisher, update_publisher;
+    ExplorerStatus latest;
+    std::vector<ExplorerStatus> history;
+    visualization_msgs::MarkerArray markers;
+    std::vector<std::string> complaints;
+    OccupancyGrid map = hall();
+    std::unique_ptr<FakeRobot> robot;
+    std::unique_ptr<FakeMoveBase> move_base;
+  };
+
+  static void SetUpTestSuite() { world = new World; }
+  static void TearDownTestSuite() {
+    delete world;
+    world = nullptr;
+  }
+
+  static bool reaches(std::uint8_t state, double seconds = 10.0) {
+    return waitFor([&] { return world->latest.state == state; }, seconds);
+  }
+  static bool wentThrough(std::uint8_t reason) {
+    return waitFor([&] {
+      return std::any_of(world->history.begin(), world->history.end(),
+                         [&](const ExplorerStatus& s) { return s.reason == reason; });
+    });
+  }
+  static bool shows(const std::string& marker_namespace) {
+    return waitFor([&] {
+      const auto& all = world->markers.markers;
+      return std::any_of(all.begin(), all.end(), [&](const auto& m) { return m.ns == marker_namespace; });
+    });
+  }
+
+  static World* world;
+};
+ExplorerOnTheWire::World* ExplorerOnTheWire::world = nullptr;
+
+// [EXP-8]
+TEST_F(ExplorerOnTheWire, A_WaitsAndNamesWhatIsMissing_EXP_8) {
+  ASSERT_TRUE(waitFor([] { return world->complaints.size() >= 2; }));
+  EXPECT_NE(world->complaints.back().find("map, odometry, TF from map to base, move_base"), std::string::npos);
+  EXPECT_EQ(world->latest.state, ExplorerStatus::IDLE);
+  EXPECT_EQ(world->latest.reason, ExplorerStatus::WAITING_FOR_INPUTS);
+  world->robot = std::make_unique<FakeRobot>(world->node);
+  world->map_publisher.publish(toOccupancyGridMsg(world->map, names::kMapFrame, rosNow()));
+  EXPECT_TRUE(waitFor([] { return world->latest.reason_text == "missing: move_base"; })) << world->latest.reason_text;
+}
+
+// [EXP-1] [EXP-2]
+TEST_F(ExplorerOnTheWire, B_SendsAGoalOnFreeGroundAndShowsTheFrontiers_EXP_1) {
+  world->move_base = std::make_unique<FakeMoveBase>(world->node);
+  ASSERT_TRUE(reaches(ExplorerStatus::NAVIGATING));
+  ASSERT_TRUE(waitFor([] { return !world->move_base->goals.empty(); }));
+  const auto& goal = world->move_base->goals.front();
+  EXPECT_EQ(goal.header.frame_id, names::kMapFrame);
+  const Cell cell = world->map.geometry().cellAt({goal.pose.position.x, goal.pose.position.y});
+  EXPECT_TRUE(isFree(world->map.get(cell, kUnknown)));
+  EXPECT_TRUE(shows("cells") && shows("centroids") && shows("scores"));
+  EXPECT_EQ(world->latest.goals_sent, 1U);
+  EXPECT_NEAR(world->latest.explored_area, 89 * 38 * 0.0025, 1e-6);
+}
+
+// [EXP-5]
+TEST_F(ExplorerOnTheWire, C_ATimedOutGoalIsCancelledAndBlacklisted_EXP_5) {
+  ASSERT_TRUE(wentThrough(ExplorerStatus::GOAL_TIMED_OUT));
+  EXPECT_TRUE(waitFor([] { return world->move_base->cancels >= 1; })) << "[EXP-5]";
+  EXPECT_TRUE(shows("blacklist")) << "in red";
+  EXPECT_TRUE(shows("rejected: blacklisted") || world->latest.reason == ExplorerStatus::BLACKLIST_SATURATED);
+}
+
+// [EXP-8]
+TEST_F(ExplorerOnTheWire, D_AVanishedMoveBaseStopsItAndItResumes_EXP_8) {
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call(names::kResetExplorer, reset));
+  ASSERT_TRUE(reaches(ExplorerStatus::NAVIGATING));
+  world->move_base.reset();
+  ASSERT_TRUE(reaches(ExplorerStatus::IDLE));
+  EXPECT_EQ(world->latest.reason, ExplorerStatus::NAVIGATION_GONE);
+  EXPECT_EQ(world->latest.reason_text, "missing: move_base");
+  world->move_base = std::make_unique<FakeMoveBase>(world->node);
+  EXPECT_TRUE(reaches(ExplorerStatus::NAVIGATING)) << "[EXP-8]";
+  EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
+}
+
+// [EXP-7]
+TEST_F(ExplorerOnTheWire, E_APauseCancelsTheGoal_EXP_7) {
+  std_srvs::SetBool pause;
+  pause.request.data = 0;
+  ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, pause));
+  EXPECT_TRUE(pause.response.success);
+  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
+  EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
+  pause.request.data = 1;
+  ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, pause));
+  EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
+}
+
+// A broken map is refused, and what was known is kept.
+TEST_F(ExplorerOnTheWire, F_AMapOfTheWrongLengthLosesNothing) {
+  const double area = world->latest.explored_area;
+  nav_msgs::OccupancyGrid broken = toOccupancyGridMsg(world->map, names::kMapFrame, rosNow());
+  broken.data.resize(7);
+  world->map_publisher.publish(broken);
+  const std::size_t seen = world->history.size();
+  ASSERT_TRUE(waitFor([&] { return world->history.size() >= seen + 2; }));
+  EXPECT_EQ(world->latest.explored_area, area);
+}
+
+// [EXP-7]
+TEST_F(ExplorerOnTheWire, G_IsDoneWhenNothingIsLeftAndAnOpenedDoorWakesIt_EXP_7) {
+  world->map_publisher.publish(toOccupancyGridMsg(world->map, names::kMapFrame, rosNow()));
+  world->fill({90, 1, 10, 38}, kOccupied);
+  ASSERT_TRUE(reaches(ExplorerStatus::DONE)) << world->latest.state_text << " " << world->latest.reason_text;
+  EXPECT_EQ(world->latest.reason, ExplorerStatus::NO_REACHABLE_FRONTIER);
+  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
+  world->fill({90, 10, 5, 20}, kFree);
+  world->fill({95, 10, 5, 20}, kUnknown);
+  EXPECT_TRUE(reaches(ExplorerStatus::NAVIGATING));
+  EXPECT_TRUE(wentThrough(ExplorerStatus::MAP_CHANGED));
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "explorer_test");
+  const ros::NodeHandle keeps_ros_alive;
+  return RUN_ALL_TESTS();
+}
