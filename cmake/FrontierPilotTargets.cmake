@@ -77,17 +77,22 @@ function(frontier_pilot_unit_test module)
   frontier_pilot_add_test(${target})
 endfunction()
 
-# frontier_pilot_benchmark(<name> [DEPENDS <modules>]): bench/<name>.cpp with Google Benchmark.
-function(frontier_pilot_benchmark name)
-  if(NOT WITH_BENCHMARKS)
-    return()
-  endif()
-  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
-  add_executable(${name} ${PROJECT_SOURCE_DIR}/bench/${name}.cpp)
+# frontier_pilot_bench_program(<name> [DEPENDS <modules>] [SUPPORT <files>]): bench/<name>.cpp with a main of its own.
+function(frontier_pilot_bench_program name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;SUPPORT" ${ARGN})
+  add_executable(${name} ${name}.cpp ${ARG_SUPPORT})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${FRONTIER_PILOT_TEST_DIRECTORY})
   frontier_pilot_target_options(${name})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+  target_compile_definitions(${name} PRIVATE FRONTIER_PILOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
-  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} ${ARG_LIBRARIES} benchmark::benchmark_main)
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS})
+endfunction()
+
+# frontier_pilot_benchmark(<name> [DEPENDS <modules>] [SUPPORT <files>]): the same with Google Benchmark.
+function(frontier_pilot_benchmark name)
+  frontier_pilot_bench_program(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE benchmark::benchmark_main)
 endfunction()
 
 # frontier_pilot_ros_target(<target>): flags and includes of what may see ROS. ROS' own headers are system ones: their

@@ -70,8 +70,6 @@ unsigned char levelOf(AvoiderState state) {
 
 }  // namespace
 
-ObstacleAvoiderNodeParameters::ObstacleAvoiderNodeParameters() : base_frame(names::kBaseFootprintFrame) {}
-
 ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
       parameters_(loadNodeParameters<ObstacleAvoiderNodeParameters>(private_node)),

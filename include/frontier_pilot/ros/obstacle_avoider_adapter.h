@@ -10,6 +10,7 @@
 
 #include "frontier_pilot/avoid/avoider.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -17,10 +18,9 @@ namespace frontier_pilot {
 /// What the node is configured with beyond the avoider itself.
 struct ObstacleAvoiderNodeParameters {
   AvoiderParameters avoider;
-  std::string base_frame;
+  std::string base_frame = names::kBaseFootprintFrame;
   bool enabled = true;
 
-  ObstacleAvoiderNodeParameters();
   template <class Visitor>
   void describe(Visitor& v) {
     avoider.describe(v);
