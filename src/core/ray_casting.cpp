@@ -106,7 +106,7 @@ class LeapBuilder {
   void fillSlopedColumn(std::ptrdiff_t column, int m, std::uint8_t* leaps) const {
     const std::uint8_t* run = runs_.data() + at(column, 0);
     const std::uint8_t* run_later = runs_.data() + at(column + m, 0);
-    const std::uint8_t* next = leaps + at(column + 2 * m, 0);
+    const std::uint8_t* next = leaps + at(column + m + m, 0);
     std::uint8_t* here = leaps + at(column, 0);
     for (std::ptrdiff_t row = 1; row < stride_ - 1; ++row) {
       const std::uint8_t near = std::min(std::min(run[row], run[row + 1]), plus(run_later[row + 2], m));
@@ -186,7 +186,7 @@ RayCaster::RayCaster(const Grid<std::uint8_t>& solid)
     : geometry_(solid.geometry()), cells_per_metre_(1.0 / solid.resolution()) {
   const std::size_t plane =
       static_cast<std::size_t>(geometry_.width + 2) * static_cast<std::size_t>(geometry_.height + 2);
-  const auto longest_column = static_cast<std::size_t>(std::max(geometry_.width, geometry_.height) + 2);
+  const auto longest_column = static_cast<std::size_t>(std::max(geometry_.width, geometry_.height)) + 2U;
   leaps_.resize(plane * kOctants * kSlopes + longest_column * LeapBuilder::kTailColumns);
   for (int octant = 0; octant < kOctants; ++octant) {
     const bool steep = (octant & 4) != 0;
