@@ -3,6 +3,7 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/console.h>
 
+#include "frontier_pilot/ros/behavior_ladder.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/parameters.h"
@@ -11,7 +12,7 @@ namespace frontier_pilot {
 
 NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<NavigatorNodeParameters>(private_node)),
-      navigator_(parameters_),
+      navigator_(parameters_, behaviorLadder(parameters_.recovery, parameters_.limits, parameters_.rate)),
       server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
       publisher_(node, parameters_.map_frame),
       diagnostics_(node, private_node) {

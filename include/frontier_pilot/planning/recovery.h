@@ -6,7 +6,6 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/robot.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/planning/scan_points.h"
 
@@ -34,6 +33,7 @@ struct RecoveryRung {
   std::function<Recovery()> begin;  ///< empty: nothing to drive
 };
 
+/// What the driving rungs do.
 struct RecoveryParams {
   double back_up_distance = 0.2;   ///< [m]
   double back_up_speed = 0.08;     ///< [m/s]
@@ -54,12 +54,8 @@ struct RecoveryParams {
   }
 };
 
-/// Drives backwards until the distance is done, something is behind, or time is up.
-Recovery backUp(const RecoveryParams& params, const RobotLimits& limits);
-/// Turns on the spot, which a round footprint always can.
-Recovery spin(const RecoveryParams& params, const RobotLimits& limits);
-
-/// Clear the local costmap, back up, spin; after the last rung there is only giving up. [NAV-3]
-std::vector<RecoveryRung> defaultLadder(const RecoveryParams& params, const RobotLimits& limits);
+/// Only what needs no motion: forgetting the live obstacles. Motions are put together with it by whoever owns both, see
+/// ros/behavior_ladder.h.
+std::vector<RecoveryRung> clearingLadder();
 
 }  // namespace frontier_pilot

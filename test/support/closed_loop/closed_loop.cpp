@@ -4,11 +4,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "frontier_pilot/ros/behavior_ladder.h"
+
 namespace frontier_pilot::test {
 namespace {
 
-constexpr std::uint64_t kStepsPerControl = 10;  // 10 Hz
-constexpr std::uint64_t kStepsPerTick = 5;      // the arbiter's 20 Hz
+constexpr std::uint64_t kStepsPerControl = 10;
+constexpr double kControlFrequency = 10.0;  // [Hz], the same
+constexpr std::uint64_t kStepsPerTick = 5;  // the arbiter's 20 Hz
 
 GoalEvent::Kind eventKind(NavResult result) {
   if (result == NavResult::kSucceeded) return GoalEvent::Kind::kReached;
@@ -42,7 +45,8 @@ void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
 ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)())
     : simulator_(std::move(world), parameters.simulator),
       mapper_(parameters.mapper),
-      navigator_(parameters.navigator),
+      navigator_(parameters.navigator,
+                 behaviorLadder(parameters.navigator.recovery, parameters.navigator.limits, kControlFrequency)),
       explorer_(parameters.explorer),
       arbiter_(parameters.arbiter),
       nav_source_(arbiter_.find("nav").value()),

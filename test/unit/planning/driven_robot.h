@@ -5,6 +5,7 @@
 #include <string>
 
 #include "frontier_pilot/planning/navigator.h"
+#include "frontier_pilot/ros/behavior_ladder.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "support/ascii_world.h"
 
@@ -14,7 +15,8 @@ namespace frontier_pilot::test {
 class DrivenRobot {
  public:
   DrivenRobot(const AsciiWorld& world, const Pose2& start, NavigatorParams params = {})
-      : simulator_(sim::World{world.map, start}, simulation(start, params.limits)), navigator_(params) {
+      : simulator_(sim::World{world.map, start}, simulation(start, params.limits)),
+        navigator_(params, behaviorLadder(params.recovery, params.limits, 20.0)) {
     navigator_.setMap(world.map, world.map.geometry().rect());
   }
 
