@@ -15,8 +15,11 @@ constexpr double kContactWeight = 4.0;
 /// Dijkstra's search over a small window around the robot.
 class EscapeSearch {
  public:
-  EscapeSearch(const ClearanceMap& map, Cell from, double radius)
-      : map_(map), from_(from), reach_(static_cast<int>(std::ceil(radius / map.geometry().resolution))) {
+  EscapeSearch(const ClearanceMap& map, Cell from, double radius, bool beyond)
+      : map_(map),
+        beyond_(beyond),
+        from_(from),
+        reach_(static_cast<int>(std::ceil(radius / map.geometry().resolution))) {
     const auto side = static_cast<std::size_t>(2 * reach_ + 1);
     cost_.assign(side * side, std::numeric_limits<double>::infinity());
     parent_.assign(side * side, from);
@@ -29,11 +32,9 @@ class EscapeSearch {
       const Cell cell{x, y};
       queue_.pop();
       if (cost > cost_[index(cell)]) continue;
-      if (map_.isPassable(cell)) {
-        escapes_.push_back({cost, wayTo(cell)});
-      } else {
-        expand(cell, cost);
-      }
+      const bool out = map_.isPassable(cell);
+      if (out) escapes_.push_back({cost, wayTo(cell)});
+      if (!out || beyond_) expand(cell, cost);
     }
     return std::move(escapes_);
   }
@@ -79,6 +80,7 @@ class EscapeSearch {
   }
 
   const ClearanceMap& map_;
+  bool beyond_;
   Cell from_;
   int reach_;
   std::vector<double> cost_;
@@ -89,8 +91,8 @@ class EscapeSearch {
 
 }  // namespace
 
-std::vector<Escape> findEscapes(const ClearanceMap& map, Cell from, double radius) {
-  return EscapeSearch(map, from, radius).run();
+std::vector<Escape> findEscapes(const ClearanceMap& map, Cell from, double radius, bool beyond) {
+  return EscapeSearch(map, from, radius, beyond).run();
 }
 
 }  // namespace frontier_pilot

@@ -128,6 +128,20 @@ struct GlobalPlanner::Impl {
   GlobalPlannerParams params;
   GridSearch search;
 
+  PlanResult plan(const ClearanceMap& map, const PlanRequest& request, const std::vector<Escape>& escapes,
+                  const std::vector<Cell>& goals) {
+    PlanResult result;
+    result.status =
+        escapes.empty() ? PlanStatus::kStartBlocked : whyUnreachable(map, map.geometry().cellAt(request.goal));
+    if (escapes.empty() || goals.empty()) return result;
+    const ob::SpaceInformationPtr si = makeSpaceInformation(map);
+    const ob::ProblemDefinitionPtr problem = makeProblem(si, map, escapes, goals);
+    std::size_t expanded = 0;
+    if (solve(map, si, problem, expanded)) result = finish(map, request, escapes, solutionPoints(*problem));
+    result.expanded = expanded;
+    return result;
+  }
+
   /// Gives whether the problem has an exact solution now.
   bool solve(const ClearanceMap& map, const ob::SpaceInformationPtr& si, const ob::ProblemDefinitionPtr& problem,
              std::size_t& expanded) {
@@ -188,18 +202,14 @@ PlanResult GlobalPlanner::plan(const ClearanceMap& map, const PlanRequest& reque
   result.status = checkRequest(map, request);
   if (!result.found()) return result;
   const double tolerance = request.goal_tolerance < 0.0 ? impl_->params.goal_tolerance : request.goal_tolerance;
-  const Cell goal = map.geometry().cellAt(request.goal);
-  const std::vector<Escape> escapes =
-      findEscapes(map, map.geometry().cellAt(request.start), impl_->params.escape_radius);
   const std::vector<Cell> goals = goalCells(map, request.goal, tolerance);
-  result.status = escapes.empty() ? PlanStatus::kStartBlocked : whyUnreachable(map, goal);
-  if (escapes.empty() || goals.empty()) return result;
-  const ob::SpaceInformationPtr si = makeSpaceInformation(map);
-  const ob::ProblemDefinitionPtr problem = makeProblem(si, map, escapes, goals);
-  if (!impl_->solve(map, si, problem, result.expanded)) return result;
-  const std::size_t expanded = result.expanded;
-  result = finish(map, request, escapes, solutionPoints(*problem));
-  result.expanded = expanded;
+  const Cell start = map.geometry().cellAt(request.start);
+  const double radius = impl_->params.escape_radius;
+  result = impl_->plan(map, request, findEscapes(map, start, radius), goals);
+  // On an island the way out may be one that the map shows as too narrow.
+  if (!result.found() && !goals.empty()) {
+    result = impl_->plan(map, request, findEscapes(map, start, radius, true), goals);
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -96,10 +97,15 @@ ob::PlannerStatus AnyAngleGridPlanner::solve(const ob::PlannerTerminationConditi
   for (std::size_t i = 0; i < goal_states->getStateCount(); ++i) {
     goals.push_back(map_.geometry().cellAt(pointOf(goal_states->getState(static_cast<unsigned>(i)))));
   }
+  std::vector<Cell> starts;
   for (unsigned i = 0; i < pdef_->getStartStateCount(); ++i) {
-    const Cell start = map_.geometry().cellAt(pointOf(pdef_->getStartState(i)));
-    const bool known_island = i > 0 && search_.reached(start);
-    if (!known_island && searchFrom(start, goals)) return ob::PlannerStatus::EXACT_SOLUTION;
+    starts.push_back(map_.geometry().cellAt(pointOf(pdef_->getStartState(i))));
+  }
+  while (!starts.empty()) {
+    if (searchFrom(starts.front(), goals)) return ob::PlannerStatus::EXACT_SOLUTION;
+    // What the failed search reached is an island that the goal is not on.
+    const auto on_island = [this](Cell start) { return search_.reached(start); };
+    starts.erase(std::remove_if(starts.begin(), starts.end(), on_island), starts.end());
   }
   return ob::PlannerStatus::TIMEOUT;
 }

@@ -8,7 +8,8 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr double kStep = 0.1;             ///< of a trial [s]
+constexpr double kStep = 0.05;            ///< of a trial [s]
+constexpr double kSpeedMargin = 0.06;     ///< more room at speed, for what is measured late [m per m/s]
 constexpr double kMinGap = 0.004;         ///< between footprint and scan points, whatever happens [m]
 constexpr double kMapSlack = 0.02;        ///< a follower may be this much nearer to walls than a path [m]
 constexpr double kCreep = 0.02;           ///< the speed at which a path is ended [m/s]
@@ -26,9 +27,10 @@ double stoppableRate(double angle, const RobotLimits& limits) {
 
 double PathFollower::Trial::score() const { return progress - kDeviationWeight * deviation; }
 
-bool PathFollower::Surroundings::isFree(const Vec2& position) const {
+bool PathFollower::Surroundings::isFree(const Vec2& position, double speed) const {
   if (least_clearance > 0.0 && map.clearance(position) < least_clearance) return false;
-  return points.distance(position) >= least_distance;
+  // Where it is too narrow for the margin at any speed, the least distance alone holds.
+  return points.distance(position) >= least_distance + std::min(room_for_speed, kSpeedMargin * speed);
 }
 
 void PathFollower::setPath(Path path) {
@@ -45,6 +47,7 @@ PathFollower::Surroundings PathFollower::surroundings(const FollowerInputs& inpu
   const double now = around.points.distance(position);
   const double floor = params_.inscribed_radius + kMinGap;
   if (now < around.least_distance) around.least_distance = now < floor ? now : std::max(floor, now - 0.002);
+  around.room_for_speed = std::max(0.0, now - around.least_distance);
   // In the map's inflation only the scan can tell the way out.
   const double needed = inputs.map.leastClearance() - kMapSlack;
   if (inputs.map.clearance(position) >= needed) around.least_clearance = needed;
@@ -82,7 +85,7 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
     if (i == 0) trial.command = command;
     twist = limitAcceleration(command, twist, limits_, kStep);
     pose = integrate(pose, twist, kStep);
-    if (!around.isFree(pose.position())) break;
+    if (!around.isFree(pose.position(), std::abs(twist.linear))) break;
     along = path_.project(pose.position(), along, along + 0.3);
     trial.free_time += kStep;
     trial.points.push_back(pose.position());

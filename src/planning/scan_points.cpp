@@ -18,6 +18,29 @@ double distanceToEdge(const Vec2& from, const Vec2& unit, double footprint_radiu
   return inside > 0.0 ? std::sqrt(along * along + inside) - along : 0.0;
 }
 
+/// Near surfaces are averaged over this many beams to either side: noise makes the nearest of many readings a good deal
+/// nearer than the surface is, and a narrow passage impassable.
+constexpr long kAveraged = 3;
+constexpr double kAveragedWithin = 1.0;  ///< farther ones lie too far apart [m]
+constexpr double kSameSurface = 0.04;    ///< neighbours that differ by more are of another surface [m]
+
+/// The distance of a hit, averaged with those of its neighbours that lie on the same surface.
+double averaged(const LaserScan2& scan, std::size_t beam, double distance) {
+  if (distance > kAveragedWithin) return distance;
+  const auto beams = static_cast<long>(scan.ranges.size());
+  double sum = 0.0;
+  int count = 0;
+  for (long offset = -kAveraged; offset <= kAveraged; ++offset) {
+    const long other = static_cast<long>(beam) + offset;
+    if (other < 0 || other >= beams) continue;
+    const RangeReading reading = readBeam(scan, static_cast<std::size_t>(other));
+    if (reading.kind != RangeKind::kHit || std::abs(reading.distance - distance) > kSameSurface) continue;
+    sum += reading.distance;
+    ++count;
+  }
+  return sum / count;
+}
+
 }  // namespace
 
 void ScanPoints::add(const Vec2& point) {
@@ -74,7 +97,7 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, double fo
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
     if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
-    double distance = reading.distance;
+    double distance = reading.kind == RangeKind::kHit ? averaged(scan, i, reading.distance) : reading.distance;
     if (reading.kind == RangeKind::kTooNear) {
       const Vec2 unit = direction(scan.T_base_sensor.yaw + scan.angle(i));
       distance = std::min(distance, distanceToEdge(scan.T_base_sensor.position(), unit, footprint_radius));
