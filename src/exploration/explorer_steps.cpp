@@ -129,7 +129,7 @@ void Explorer::navigate(Time now) {
 /// Whether the goal has been seen from afar on the way. [EXP-6]
 bool Explorer::informationGone() {
   const double left = evaluator_.infoAt(goal_->position).area;
-  return left < parameters_.frontier.min_info_area || left < parameters_.vanished_share * goal_->info_area;
+  return left < evaluator_.leastInfo() || left < parameters_.vanished_share * goal_->info_area;
 }
 
 /// A goal that still promises what it promised before it was reached will never show it.
@@ -142,7 +142,7 @@ void Explorer::evaluateArrival(Time now) {
   if (status_.reason == ExplorerReason::kGoalPreempted && !passed(state_since_, parameters_.yield_time, now)) return;
   if (arrived_ && !arrived_->stepping_back) {
     const double left = evaluator_.infoAt(arrived_->position).area;
-    const bool promising = left >= parameters_.frontier.min_info_area && left > arrived_->info_area / 2;
+    const bool promising = left >= evaluator_.leastInfo() && left > arrived_->info_area / 2;
     if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
     if (promising)
       fruitless_.add(arrived_->position, "reached, and what it was to show stayed unknown", evaluator_.map());
@@ -178,8 +178,8 @@ bool Explorer::decide(ExplorerReason reason, Time now) {
   return true;
 }
 
-/// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has come
-/// too near to its goal to be sent there is not to turn away from it.
+/// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has
+/// come too near to its goal to be sent there is not to turn away from it.
 std::optional<GoalCandidate> Explorer::judgeAndChoose(bool keep_present, Time now) {
   blacklist_.expire(evaluator_.map());
   fruitless_.expire(evaluator_.map());

@@ -28,7 +28,7 @@ int countNear(const std::vector<Vec2>& points, const Vec2& centre, double radius
 
 FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters)
     : parameters_(parameters),
-      space_(parameters.inscribed_radius, KeepClearOf::kObstaclesAndUnknown),
+      space_(parameters.inscribed_radius + parameters.trap_margin, KeepClearOf::kObstaclesAndUnknown),
       tight_space_(parameters.inscribed_radius) {}
 
 bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed) {
@@ -37,6 +37,7 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   if (is_new) {
     rings_ = discOffsets(static_cast<int>(std::lround(parameters_.goal_search_radius / map.resolution())));
     views_.clear();
+    goals_.clear();
     frontiers_.clear();
   }
   if (differing.empty() && !is_new) return false;
@@ -99,26 +100,44 @@ Frontier FrontierEvaluator::judge(const FrontierCluster& cluster, const Context&
 }
 
 /// The anchor may be in a corner that nothing sees: then a few other cells of the cluster are tried.
-FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& cluster, Cell anchor) const {
-  constexpr int kOtherTargets = 4;
+FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& cluster, Cell anchor) {
+  constexpr int kOtherTargets = 3;
+  const int radius = rings_.empty() ? 0 : std::abs(rings_.back().x) + std::abs(rings_.back().y);
+  if (!travel_.anyReached(cluster.box.grown(radius))) return {};
+  if (const std::optional<GoalCell> known = recallGoal(anchor)) return *known;
   GoalCell best = findGoalFor(anchor);
   for (int k = 0; k < kOtherTargets && best.rejection != Rejection::kNone; ++k) {
     const GoalCell other = findGoalFor(cellOf(clusters_, cluster, cluster.cells * k / kOtherTargets));
     if (best.rejection == Rejection::kUnreachable || other.rejection == Rejection::kNone) best = other;
   }
+  if (best.rejection == Rejection::kNone) goals_[map_.geometry().index(anchor)] = best.cell;
   return best;
+}
+
+/// The goal found for the same frontier before, as long as it is good: most frontiers stay what they are from one
+/// decision to the next.
+std::optional<FrontierEvaluator::GoalCell> FrontierEvaluator::recallGoal(Cell anchor) const {
+  const auto known = goals_.find(map_.geometry().index(anchor));
+  if (known == goals_.end() || !travel_.reached(known->second) || !inSight(map_.grid(), known->second, anchor)) {
+    return std::nullopt;
+  }
+  const GoalCell goal = judgeGoal(known->second);
+  return goal.rejection == Rejection::kNone ? std::optional<GoalCell>(goal) : std::nullopt;
 }
 
 /// The nearest reachable cell that sees `target` and passes the filters; else the nearest that sees it. So a frontier
 /// close to the robot or to a wall is looked at from elsewhere before it is given up.
 FrontierEvaluator::GoalCell FrontierEvaluator::findGoalFor(Cell target) const {
-  constexpr int kMaxLooks = 200;  // bounds the cost of a frontier that much ground is near, but none sees
+  constexpr int kMaxLooks = 60;  // each: bounds the cost of a frontier that much ground is near, but none sees
   GoalCell first;
+  int looks_from_near = 0;
   int looks = 0;
   for (const Cell offset : rings_) {
     const Cell cell{target.x + offset.x, target.y + offset.y};
     if (!travel_.reached(cell)) continue;
-    if (++looks > kMaxLooks) break;
+    const bool near = travel_.distance(cell) < parameters_.min_distance;
+    if (near && (first.rejection != Rejection::kUnreachable || ++looks_from_near > kMaxLooks)) continue;
+    if (!near && ++looks > kMaxLooks) break;
     if (!inSight(map_.grid(), cell, target)) continue;
     const GoalCell goal = judgeGoal(cell);
     if (goal.rejection == Rejection::kNone) return goal;
@@ -153,7 +172,7 @@ void FrontierEvaluator::adoptGoal(Frontier& frontier, const GoalCell& goal, cons
 
 Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& context) {
   frontier.info = infoAt(frontier.goal);
-  if (frontier.info.area < parameters_.min_info_area) return Rejection::kNothingToSee;
+  if (frontier.info.area < leastInfo()) return Rejection::kNothingToSee;
   if (frontier.info.density < context.rich_min_density) return Rejection::kNotRich;
   if (!plan_) return Rejection::kNone;
   const std::optional<double> planned = plan_(context.robot, frontier.goal);
@@ -179,8 +198,8 @@ std::optional<GoalCandidate> FrontierEvaluator::candidateAt(const Vec2& goal, co
   if (!travel_.reached(cell)) return std::nullopt;
   const double density = obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells);
   const double relative = std::min(1.0, density / std::max(parameters_.max_obstacle_density, 1e-3));
-  GoalCandidate candidate{frontiers_.size(), goal, travel_.distance(cell), (goal - robot).norm(), infoAt(goal), relative,
-                          0, 0.0};
+  GoalCandidate candidate{
+      frontiers_.size(), goal, travel_.distance(cell), (goal - robot).norm(), infoAt(goal), relative, 0, 0.0};
   candidate.score = goalScore(candidate, parameters_.score);
   return candidate;
 }
@@ -197,20 +216,28 @@ std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) cons
   return std::nullopt;
 }
 
+double FrontierEvaluator::leastInfo() const {
+  return std::max(parameters_.min_info_area, parameters_.min_info_share * map_.freeArea());
+}
+
 ViewGain FrontierEvaluator::infoAt(const Vec2& goal) {
   if (map_.empty()) return {};
   if (parameters_.score.info_by_ray_casting) return cachedView(map_.geometry().cellAt(goal));
   return unknownShare(map_.grid(), goal, parameters_.goal_search_radius);
 }
 
-/// A view stays what it is until something within its range changes.
+/// A view stays what it is until something within its range changes, by enough to matter: a tenth of what it shows.
 ViewGain FrontierEvaluator::cachedView(Cell cell) {
-  const Vec2 from = map_.geometry().centre(cell);
   constexpr std::size_t kMaxViews = 4096;
+  constexpr double kTolerance = 0.1;
   if (views_.size() > kMaxViews) views_.clear();
+  const Vec2 from = map_.geometry().centre(cell);
+  const double cell_area = map_.geometry().resolution * map_.geometry().resolution;
   const std::uint64_t changes = map_.changesAround(from, parameters_.view.sensor_range) + 1;
   CachedView& view = views_[map_.geometry().index(cell)];
-  if (view.changes != changes) view = {changes, viewGain(map_.grid(), from, parameters_.view)};
+  const double changed_area = static_cast<double>(changes - view.changes) * cell_area;
+  const bool usable = view.changes > 0 && changed_area <= kTolerance * view.gain.area;
+  if (!usable) view = {changes, viewGain(map_.grid(), from, parameters_.view)};
   return view.gain;
 }
 

@@ -59,6 +59,16 @@ void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& ma
   for (std::uint32_t units = 0; pending_ > 0; ++units) expandBucket(buckets_[units % kBuckets], space, units);
 }
 
+bool TravelField::anyReached(const CellRect& rect) const {
+  const CellRect box = rect.intersection(geometry().rect());
+  std::uint32_t all = kUnreached;
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    const std::uint32_t* row = units_.row(y) + box.x;
+    for (int x = 0; x < box.width; ++x) all &= row[x];  // the unreached have all bits set
+  }
+  return all != kUnreached;
+}
+
 double TravelField::distance(Cell c) const {
   const std::uint32_t units = units_.get(c, kUnreached);
   if (units == kUnreached) return std::numeric_limits<double>::infinity();

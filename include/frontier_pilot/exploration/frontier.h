@@ -47,7 +47,7 @@ struct ScoreParameters {
   double w_obs = 1.2;
   double w_visit = 0.8;
   double info_scale = 4.0;
-  double distance_scale = 4.0;
+  double distance_scale = 2.0;
   double switch_margin = 0.5;
   bool info_by_ray_casting = true;
   bool distance_by_travel = true;
@@ -72,12 +72,14 @@ struct FrontierParameters {
   int min_frontier_cells = 4;
   double max_cluster_extent = 3.0;
   double inscribed_radius = 0.15;
+  double trap_margin = 0.03;
   double escape_radius = 0.6;
   double goal_search_radius = 1.0;
   double min_distance = 0.45;
   int obstacle_radius_cells = 6;
   double max_obstacle_density = 0.30;
   double min_info_area = 0.01;
+  double min_info_share = 2e-4;
   double visit_radius = 0.6;
   ViewParameters view;
   ScoreParameters score;
@@ -87,6 +89,10 @@ struct FrontierParameters {
     v.field("min_frontier_cells", min_frontier_cells, "", "smaller frontiers are ignored", atLeast(1));
     v.field("max_cluster_extent", max_cluster_extent, "m", "longer clusters are cut, 0: never", atLeast(0.0));
     v.field("inscribed_radius", inscribed_radius, "m", "clearance of the robot's centre on its way", atLeast(0.0));
+    v.field(
+        "trap_margin", trap_margin, "m",
+        "more clearance while anything else is left: a gap that just fits may be mapped too narrow from the other side",
+        atLeast(0.0));
     v.field("escape_radius", escape_radius, "m", "how far a robot inside the inflation looks for a way out",
             atLeast(0.0));
     v.field("goal_search_radius", goal_search_radius, "m", "how far from a frontier its goal may lie", positive());
@@ -94,6 +100,8 @@ struct FrontierParameters {
     v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "where obstacle density is measured", atLeast(1));
     v.field("max_obstacle_density", max_obstacle_density, "", "denser goals are not sent", between(0.0, 1.0));
     v.field("min_info_area", min_info_area, "m^2", "goals that show less are not sent", atLeast(0.0));
+    v.field("min_info_share", min_info_share, "", "nor are those that show less than this share of the known floor",
+            between(0.0, 1.0));
     v.field("visit_radius", visit_radius, "m", "earlier goals within this count as visits", atLeast(0.0));
     v.group("view", view, "what is expected to be seen from a goal");
     v.group("score", score, "how goals are compared");

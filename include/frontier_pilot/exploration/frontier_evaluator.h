@@ -49,6 +49,8 @@ class FrontierEvaluator {
   bool robotHasGround() const { return travel_.reachedCount() > 0; }
   /// A reachable place a little farther than min_distance from the robot, from where what is too near now is not.
   std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
+  /// What a goal has to show at least [m^2]: leftovers count less in a large building.
+  double leastInfo() const;
   /// What a place is expected to show now. [EXP-6]
   ViewGain infoAt(const Vec2& goal);
   const ObservedMap& map() const { return map_; }
@@ -69,7 +71,8 @@ class FrontierEvaluator {
 
   bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
   Frontier judge(const FrontierCluster& cluster, const Context& context);
-  GoalCell findGoal(const FrontierCluster& cluster, Cell anchor) const;
+  GoalCell findGoal(const FrontierCluster& cluster, Cell anchor);
+  std::optional<GoalCell> recallGoal(Cell anchor) const;
   GoalCell findGoalFor(Cell target) const;
   GoalCell judgeGoal(Cell cell) const;
   void adoptGoal(Frontier& frontier, const GoalCell& goal, const Context& context);
@@ -88,6 +91,7 @@ class FrontierEvaluator {
   std::vector<Frontier> frontiers_;
   std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;
+  std::unordered_map<std::size_t, Cell> goals_;  ///< found for an anchor before
 };
 
 }  // namespace frontier_pilot

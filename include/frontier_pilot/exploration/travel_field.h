@@ -55,6 +55,8 @@ class TravelField {
   void compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
 
   bool reached(Cell c) const { return units_.get(c, kUnreached) != kUnreached; }
+  /// Whether any cell of `rect` is reached.
+  bool anyReached(const CellRect& rect) const;
   /// Length of the way [m]; infinite where there is none.
   double distance(Cell c) const;
   std::size_t reachedCount() const { return reached_count_; }

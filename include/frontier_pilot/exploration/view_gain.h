@@ -9,7 +9,7 @@ namespace frontier_pilot {
 struct ViewParameters {
   double sensor_range = 8.0;
   double unknown_depth = 2.5;
-  int rays = 180;
+  int rays = 120;
 
   template <class V>
   void describe(V& v) {
