@@ -162,7 +162,10 @@ void HeaderCard::showDriver(const OperatorState& state) {
   summary_->setText(headline.detail);
   QStringList lines;
   if (state.arbiter) {
-    for (const std::string& problem : state.arbiter->problems) lines << QString::fromStdString(problem);
+    for (const std::string& problem : state.arbiter->problems) {
+      const QString line = QString::fromStdString(problem);
+      if (!headline.detail.contains(line)) lines << line;
+    }
   }
   problems_->setVisible(!lines.isEmpty());
   problems_->setTextFormat(Qt::PlainText);

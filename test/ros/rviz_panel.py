@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""frontier_pilot/PilotPanel inside a real rviz under Xvfb: it loads, listens, is silent unless driven, and closes."""
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import rosgraph
+import rospy
+import rostest
+import yaml
+
+CONFIG = {
+    'Panels': [{'Class': 'frontier_pilot/PilotPanel', 'Name': 'Pilot'}],
+    'Visualization Manager': {'Class': '', 'Displays': [], 'Global Options': {'Fixed Frame': 'map'}, 'Name': 'root'},
+    'Window Geometry': {'Width': 1000, 'Height': 700, 'X': 0, 'Y': 0},
+}
+NODE = '/rviz_with_panel'
+
+
+def waited_for(condition, seconds=40.0):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.1)
+    return False
+
+
+def topics_of(node):
+    """What a node publishes and listens to, as the master knows it."""
+    publishers, subscribers, _ = rosgraph.Master('/rviz_panel_test').getSystemState()
+    return ({topic for topic, nodes in publishers if node in nodes},
+            {topic for topic, nodes in subscribers if node in nodes})
+
+
+class RvizPanel(unittest.TestCase):
+    def setUp(self):
+        if shutil.which('Xvfb') is None or shutil.which('rviz') is None:
+            self.skipTest('needs Xvfb and rviz')
+        self.folder = tempfile.mkdtemp()
+        config = os.path.join(self.folder, 'panel.rviz')
+        with open(config, 'w') as file:
+            yaml.safe_dump(CONFIG, file)
+        read_end, write_end = os.pipe()
+        self.screen = subprocess.Popen(
+            ['Xvfb', '-displayfd', str(write_end), '-screen', '0', '1024x768x24', '+extension', 'GLX'],
+            pass_fds=[write_end], stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read_end) as display:
+            number = display.readline().strip()
+        environment = dict(os.environ, DISPLAY=':' + number, LIBGL_ALWAYS_SOFTWARE='1', XDG_RUNTIME_DIR=self.folder)
+        environment.pop('QT_QPA_PLATFORM', None)
+        self.log = open(os.path.join(self.folder, 'log'), 'w+')
+        self.rviz = subprocess.Popen(['rviz', '-d', config, '__name:=' + NODE[1:]], env=environment, stdout=self.log,
+                                     stderr=subprocess.STDOUT)
+
+    def tearDown(self):
+        for process in (self.rviz, self.screen):
+            if process.poll() is None:
+                process.kill()
+            process.wait()
+        self.log.close()
+        shutil.rmtree(self.folder)
+
+    def test_the_panel_loads_listens_keeps_silent_and_closes(self):
+        """[GUI-2] what the window shows is heard by the panel too; [GUI-3] it leaves without hanging."""
+        wanted = {'/cmd_vel_arbiter/status', '/emergency_stop_state', '/scan', '/obstacle_avoider/status',
+                  '/frontier_explorer/status', '/turtlebot3/feedback'}
+        self.assertTrue(waited_for(lambda: wanted <= topics_of(NODE)[1]), self.output())
+        time.sleep(1.0)  # that nothing comes can only be seen by waiting
+        self.assertNotIn('/cmd_vel_manual', topics_of(NODE)[0], 'a panel that nobody drives with must not speak')
+        self.assertNotIn('PilotPanel', self.output(), 'rviz complains of the panel')
+        self.rviz.send_signal(signal.SIGINT)
+        self.assertTrue(waited_for(lambda: self.rviz.poll() is not None, 20.0), 'rviz does not close')
+
+    def output(self):
+        self.log.flush()
+        with open(self.log.name) as file:
+            return file.read()
+
+
+if __name__ == '__main__':
+    rospy.init_node('rviz_panel_test', disable_rostime=True)
+    rostest.rosrun('frontier_pilot', 'rviz_panel', RvizPanel)
