@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """How long a velocity command takes through the arbiter, beside a bare topic_tools/relay in the same run.
 
-    rosrun frontier_pilot arbiter_latency.py     (with a roscore running; it starts the nodes that it measures)
+    bench/arbiter_latency.py build/bin/arbiter_latency_probe
+
+with a roscore of its own running; it starts the nodes that it measures.
 
 The probe (arbiter_latency_probe) is C++, with TCP_NODELAY on both sides; it sends a command and stamps its return.
 """
@@ -17,15 +19,16 @@ def start(*command):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('probe', help='the built arbiter_latency_probe')
     parser.add_argument('--seconds', type=float, default=10.0, help='of each rate')
     parser.add_argument('--stops', type=int, default=1000, help='emergency stops under load')
     arguments = parser.parse_args()
     nodes = [start('rosrun', 'topic_tools', 'relay', 'relay_in', 'relay_out', '__name:=bare_relay'),
              start('rosrun', 'frontier_pilot', 'cmd_vel_arbiter', '_clear_quiet_time:=0.02')]
     try:
-        return subprocess.call(['rosrun', 'frontier_pilot', 'arbiter_latency_probe', str(arguments.seconds),
-                                str(arguments.stops)])
+        return subprocess.call([arguments.probe, str(arguments.seconds), str(arguments.stops)])
     finally:
         for node in nodes:
             os.killpg(node.pid, signal.SIGINT)

@@ -50,13 +50,16 @@ class Path {
     ++sent_;
     publisher_.publish(msg);
   }
+  void forget() {
+    latencies_.clear();
+    sent_ = 0;
+  }
   void report(double rate) {
     std::sort(latencies_.begin(), latencies_.end());
     std::printf("%-10s %6.0f Hz  p50 %.3f ms  p99 %.3f ms  p99.9 %.3f ms  (%zu of %zu back)\n", name_.c_str(), rate,
                 percentile(latencies_, 0.5), percentile(latencies_, 0.99), percentile(latencies_, 0.999),
                 latencies_.size(), sent_);
-    latencies_.clear();
-    sent_ = 0;
+    forget();
   }
 
  private:
@@ -179,14 +182,19 @@ void measureStops(ros::NodeHandle& node, int count) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   ros::init(argc, argv, "arbiter_latency_probe");
   ros::NodeHandle node;
   const double seconds = argc > 1 ? std::atof(argv[1]) : 10.0;
   const int stops = argc > 2 ? std::atoi(argv[2]) : 1000;
   Path relay(node, "relay_in", "relay_out");
   Path arbiter(node, "cmd_vel_behavior", "cmd_vel");
-  while (ros::ok() && !(relay.connected() && arbiter.connected()))
+  // A relay advertises its output only when it has heard its first message.
+  while (ros::ok() && !(relay.connected() && arbiter.connected())) {
+    relay.send();
     spinUntil(steadyNow() + std::chrono::milliseconds(50));
+  }
+  relay.forget();
   for (const double rate : {10.0, 50.0, 200.0, 1000.0}) measure(relay, arbiter, rate, seconds);
   std::vector<ros::Publisher> connected;  // so that a load does not begin with making connections
   for (const std::string& topic : kLoad) connected.push_back(node.advertise<geometry_msgs::Twist>(topic, 1));
