@@ -41,8 +41,8 @@ void PathFollower::setPath(Path path) {
 PathFollower::Surroundings PathFollower::surroundings(const FollowerInputs& inputs) const {
   const Vec2 position = inputs.T_map_base.position();
   const double reach = limits_.max_linear * params_.horizon + params_.inscribed_radius + params_.scan_margin + 0.1;
-  Surroundings around{inputs.scan.near(position, reach), inputs.map, params_.inscribed_radius + params_.scan_margin,
-                      0.0};
+  const double least = params_.inscribed_radius + params_.scan_margin;
+  Surroundings around{inputs.scan.near(position, reach), inputs.map, least, 0.0, 0.0};
   // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
   const double now = around.points.distance(position);
   const double floor = params_.inscribed_radius + kMinGap;

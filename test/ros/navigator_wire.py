@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""The navigator on the wire: how goals end and that the wheels stand then, make_plan, and missing map or scans."""
+import math
+import time
+import unittest
+
+import actionlib
+import rospy
+import rostest
+import tf2_ros
+from actionlib_msgs.msg import GoalStatus
+from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
+from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+from nav_msgs.msg import OccupancyGrid, Odometry, Path
+from nav_msgs.srv import GetPlan
+from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Bool, String
+from std_srvs.srv import Empty
+
+from wire import Record, call, moves, wait_for
+
+START = (0.7, 0.8)       # in the world; the origin of map and odom
+NEAR = (1.5, 0.0)        # in the same room
+FAR = (3.3, 2.4)         # in the other room
+IN_BOX = (0.8, 1.05)     # inside of a solid box
+OUTSIDE = (20.0, 0.0)
+
+
+def pose(place, frame='map', yaw=0.0):
+    msg = PoseStamped()
+    msg.header.frame_id = frame
+    msg.pose.position.x, msg.pose.position.y = place
+    msg.pose.orientation.z, msg.pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+    return msg
+
+
+class NavigatorOnTheWire(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('navigator_wire')
+        cls.commands = Record('cmd_vel_nav', Twist)
+        cls.odom = Record('odom', Odometry)
+        cls.plan = Record('plan', Path)
+        cls.costmap = Record('local_costmap', OccupancyGrid)
+        cls.status = Record('navigator/status', String)
+        cls.stalled = Record('simulator/stalled', Bool)
+        cls.world = Record('simulator/world', OccupancyGrid)
+        cls.pass_on = True
+        cls.scans = rospy.Publisher('scan_passed_on', LaserScan, queue_size=1)
+        cls.scan_in = rospy.Subscriber('scan', LaserScan, lambda scan: cls.pass_on and cls.scans.publish(scan))
+        cls.frames = tf2_ros.StaticTransformBroadcaster()
+        cls.publish_frame()
+        cls.publish_map()
+        cls.client = actionlib.SimpleActionClient('move_base', MoveBaseAction)
+        assert cls.client.wait_for_server(rospy.Duration(30.0))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scan_in.unregister()
+
+    @classmethod
+    def publish_frame(cls):
+        transform = TransformStamped()
+        transform.header.frame_id, transform.child_frame_id = 'map', 'odom'
+        transform.transform.rotation.w = 1.0
+        cls.frames.sendTransform(transform)
+
+    @classmethod
+    def publish_map(cls):
+        assert wait_for(lambda: cls.world.last is not None, 20.0)
+        grid = cls.world.last
+        grid.header.frame_id = 'map'
+        grid.info.origin.position.x, grid.info.origin.position.y = -START[0], -START[1]
+        cls.map = rospy.Publisher('map', OccupancyGrid, queue_size=1, latch=True)
+        cls.map.publish(grid)
+
+    def setUp(self):
+        type(self).pass_on = True
+        call('reset_positions', Empty)
+        self.assertTrue(wait_for(lambda: self.odom.last and abs(self.odom.last.pose.pose.position.x) < 0.05))
+
+    def tearDown(self):
+        if not self.ended():
+            self.client.cancel_goal()  # not all goals: that might overtake the next one
+        self.assertTrue(wait_for(self.stands))
+        self.assertFalse(any(msg.data for _, msg in self.stalled.items), 'no contact [NAV-4]')
+
+    def send(self, place, **how):
+        self.client.send_goal(MoveBaseGoal(target_pose=pose(place, **how)))
+
+    def ended(self):
+        return self.client.simple_state == actionlib.SimpleGoalState.DONE
+
+    def stands(self):
+        return self.odom.last is not None and abs(self.odom.last.twist.twist.linear.x) < 1e-6
+
+    def drives(self):
+        return self.odom.last is not None and self.odom.last.twist.twist.linear.x > 0.1
+
+    def expect_end(self, state, text, timeout=40.0):
+        self.assertTrue(wait_for(self.ended, timeout), self.status.last)
+        self.assertEqual(self.client.get_state(), state, self.client.get_goal_status_text())
+        self.assertIn(text, self.client.get_goal_status_text())
+        # The result and the last command come by different connections.
+        self.assertTrue(wait_for(lambda: not moves(self.commands.last), 1.0), 'zero at every end')
+        count = len(self.commands.items)
+        self.assertTrue(wait_for(self.stands, 5.0))
+        self.assertLessEqual(len(self.commands.items), count + 1, 'silent without a goal')
+
+    def test_reaches_a_goal_in_the_other_room(self):  # [NAV-1] [NAV-4]
+        self.send(FAR, yaw=1.0)
+        self.assertTrue(wait_for(lambda: self.plan.last and len(self.plan.last.poses) > 20))
+        self.expect_end(GoalStatus.SUCCEEDED, 'goal reached')
+        at = self.odom.last.pose.pose
+        self.assertLess(math.hypot(at.position.x - FAR[0], at.position.y - FAR[1]), 0.2)
+        self.assertLess(abs(2 * math.atan2(at.orientation.z, at.orientation.w) - 1.0), 0.2)
+        self.assertIsNotNone(self.costmap.last)
+
+    def test_a_newer_goal_preempts_without_a_stop(self):  # [NAV-1]
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        first = self.client.gh
+        other = actionlib.SimpleActionClient('move_base', MoveBaseAction)
+        self.assertTrue(other.wait_for_server(rospy.Duration(10.0)))
+        start = time.monotonic()
+        other.send_goal(MoveBaseGoal(target_pose=pose(NEAR)))
+        self.assertTrue(wait_for(lambda: first.get_goal_status() == GoalStatus.PREEMPTED))
+        self.assertIn('preempted by a newer goal', first.get_goal_status_text())
+        self.assertTrue(all(moves(msg) for msg in self.commands.since(start)[:3]), 'the wheels go on')
+        self.assertTrue(wait_for(lambda: other.get_state() == GoalStatus.SUCCEEDED, 30.0))
+
+    def test_cancel_stops_at_once(self):  # [NAV-1]
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        self.client.cancel_goal()
+        self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
+
+    def test_aborts_say_why(self):  # [NAV-1]
+        for place, text in ((IN_BOX, 'goal occupied'), (OUTSIDE, 'goal outside')):
+            self.send(place)
+            self.expect_end(GoalStatus.ABORTED, text, 5.0)
+
+    def test_malformed_goals_are_rejected(self):
+        self.send(NEAR, frame='no_such_frame')
+        self.assertTrue(wait_for(self.ended))
+        self.assertEqual(self.client.get_state(), GoalStatus.REJECTED)
+        self.send((float('nan'), 0.0))
+        self.assertTrue(wait_for(self.ended))
+        self.assertEqual(self.client.get_state(), GoalStatus.REJECTED)
+        self.assertIn('invalid goal', self.client.get_goal_status_text())
+
+    def test_takes_goals_from_rviz(self):
+        publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1)
+        self.assertTrue(wait_for(lambda: publisher.get_num_connections() > 0))
+        publisher.publish(pose(NEAR))
+        self.assertTrue(wait_for(lambda: 'goal reached' in self.status.last.data and
+                                 abs(self.odom.last.pose.pose.position.x - NEAR[0]) < 0.2, 30.0))
+
+    def test_make_plan_plans_without_driving(self):
+        result = call('make_plan', GetPlan, pose((0.0, 0.0)), pose(FAR), 0.0)
+        self.assertGreater(len(result.plan.poses), 20)
+        from_here = call('make_plan', GetPlan, PoseStamped(), pose(NEAR), 0.0)
+        self.assertAlmostEqual(from_here.plan.poses[0].pose.position.x, 0.0, delta=0.1)
+        self.assertEqual(call('make_plan', GetPlan, pose((0.0, 0.0)), pose(OUTSIDE), 0.0).plan.poses, [])
+        self.assertTrue(self.stands())
+        call('clear_costmaps', Empty)
+
+    def test_stands_while_scans_are_missing_and_goes_on_after(self):
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        type(self).pass_on = False
+        self.assertTrue(wait_for(lambda: 'no scan' in self.status.last.data, 5.0))
+        self.assertTrue(wait_for(self.stands, 2.0))
+        type(self).pass_on = True
+        self.expect_end(GoalStatus.SUCCEEDED, 'goal reached')
+
+    def test_stands_while_nobody_answers_for_the_map_and_goes_on_after(self):
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        self.map.unregister()
+        self.assertTrue(wait_for(lambda: 'no map' in self.status.last.data, 5.0), self.status.last)
+        self.assertTrue(wait_for(self.stands, 2.0))
+        self.publish_map()
+        self.expect_end(GoalStatus.SUCCEEDED, 'goal reached')
+
+
+if __name__ == '__main__':
+    rostest.rosrun('frontier_pilot', 'navigator_wire', NavigatorOnTheWire)
