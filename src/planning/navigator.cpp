@@ -37,8 +37,7 @@ constexpr double kWorthwhile = 0.2;
 
 }  // namespace
 
-Navigator::Navigator(const NavigatorParams& params)
-    : Navigator(params, clearingLadder()) {}
+Navigator::Navigator(const NavigatorParams& params) : Navigator(params, clearingLadder()) {}
 
 Navigator::Navigator(const NavigatorParams& params, std::vector<RecoveryRung> ladder)
     : params_(params),

@@ -22,8 +22,8 @@ int runNode(int argc, char** argv, const std::string& name) {
   });
 }
 
-/// The same for a node with a main loop of its own, such as a window's: `body(node, private_node, running)` is the whole
-/// of it, has to end soon after `running()` has become false, and gives the exit code.
+/// The same for a node with a main loop of its own, such as a window's: `body(node, private_node, running)` is the
+/// whole of it, has to end soon after `running()` has become false, and gives the exit code.
 using RunningFn = std::function<bool()>;
 int runNodeWithLoop(int& argc, char** argv, const std::string& name,
                     const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body);

@@ -20,8 +20,8 @@ struct World {
 /// Throws std::runtime_error naming the file and everything that is wrong with it; a rotated origin is refused.
 World loadWorld(const std::string& yaml_path);
 
-/// Non-zero where a robot and a beam stop: at occupied cells, and at unknown ones unless they are declared free. One cell
-/// wider than `map` on each side: the world has an end, for robots and beams alike.
+/// Non-zero where a robot and a beam stop: at occupied cells, and at unknown ones unless they are declared free. One
+/// cell wider than `map` on each side: the world has an end, for robots and beams alike.
 Grid<std::uint8_t> solidCells(const OccupancyGrid& map, bool unknown_is_free);
 
 }  // namespace frontier_pilot::sim
