@@ -1,0 +1,73 @@
+#!/usr/bin/python3
+"""What no node can go on with: each a message that names it, and an exit code that is not zero."""
+import os
+import subprocess
+import tempfile
+import unittest
+
+import roslib.packages
+import rospkg
+import rospy
+import rostest
+
+NODES = ('simulator', 'cmd_vel_arbiter', 'obstacle_avoider', 'mapper', 'navigator', 'frontier_explorer', 'patrol_server',
+         'behavior_server')
+WORLDS = os.path.join(rospkg.RosPack().get_path('frontier_pilot'), 'config/worlds')
+
+
+def start(node, *arguments):
+    """Exit code and output of a node that is expected to end by itself."""
+    path = roslib.packages.find_node('frontier_pilot', node)[0]
+    process = subprocess.run([path, '__name:=bad_%s' % node, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             timeout=30)
+    for name in list(rospy.get_param_names()):
+        if name.startswith('/bad_'):
+            rospy.delete_param(name)
+    return process.returncode, process.stdout.decode(errors='replace')
+
+
+class BadStart(unittest.TestCase):
+    def expect(self, words, node, *arguments):
+        code, output = start(node, *arguments)
+        self.assertNotEqual(0, code, output)
+        self.assertGreater(code, 0, 'ended by a signal:\n' + output)
+        for word in words:
+            self.assertIn(word, output)
+
+    def simulator(self, words, world, *arguments):
+        self.expect(words, 'simulator', '_world:=' + world, *arguments)
+
+    def test_a_simulator_without_a_world_says_so(self):  # [SIM-1]
+        self.expect(['world'], 'simulator')
+
+    def test_a_world_file_that_is_missing_is_named(self):  # [SIM-1]
+        self.simulator(['/nowhere/world.yaml'], '/nowhere/world.yaml')
+
+    def test_a_broken_world_file_is_named(self):  # [SIM-1]
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+            file.write('image: nothing.pgm\nresolution: [')
+            file.flush()
+            self.simulator([file.name], file.name)
+
+    def test_a_world_whose_picture_is_missing_names_it(self):  # [SIM-1]
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+            file.write('image: nothing.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n'
+                       'occupied_thresh: 0.65\nfree_thresh: 0.196\n')
+            file.flush()
+            self.simulator(['nothing.pgm'], file.name)
+
+    def test_a_start_in_a_wall_is_refused(self):  # [SIM-1]
+        self.simulator(['start'], os.path.join(WORLDS, 'small.yaml'), '_x:=0.02', '_y:=0.02')
+
+    def test_every_unknown_and_bad_parameter_is_named_at_once(self):
+        self.simulator(['sped', 'seed'], os.path.join(WORLDS, 'small.yaml'), '_sped:=2', '_seed:=-1')
+
+    def test_every_node_refuses_an_unknown_parameter(self):
+        for node in NODES:
+            with self.subTest(node=node):
+                self.expect(['no_such_parameter'], node, '_no_such_parameter:=1')
+
+
+if __name__ == '__main__':
+    rospy.init_node('bad_start_test')
+    rostest.rosrun('frontier_pilot', 'bad_start', BadStart)

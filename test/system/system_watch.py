@@ -1,0 +1,71 @@
+"""What the tests of the whole system see of it."""
+import math
+import time
+import xmlrpc.client
+
+import rosgraph
+import rospy
+from frontier_pilot.msg import ExplorerStatus
+from nav_msgs.msg import OccupancyGrid, Odometry
+from std_msgs.msg import Bool
+
+
+class SystemWatch:
+    def __init__(self):
+        self.contacts = 0
+        self.map = None
+        self.speed = None  # [m/s] and [rad/s] together: zero when it stands
+        self.distance = 0.0
+        self.position = None
+        self.status = None
+        self.reasons = []  # every reason of the explorer, in order
+        self.time = 0.0  # the stamp of the latest ground truth [s]
+        rospy.Subscriber('simulator/stalled', Bool, self.on_stalled)
+        rospy.Subscriber('map', OccupancyGrid, self.on_map, buff_size=1 << 22)
+        rospy.Subscriber('base_pose_ground_truth', Odometry, self.on_pose, buff_size=1 << 20)
+        rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self.on_status)
+
+    def on_stalled(self, msg):
+        self.contacts += msg.data
+
+    def on_map(self, msg):
+        self.map = msg
+
+    def on_pose(self, msg):
+        twist, position = msg.twist.twist, msg.pose.pose.position
+        self.speed = abs(twist.linear.x) + abs(twist.angular.z)
+        if self.position is not None:
+            self.distance += math.hypot(position.x - self.position.x, position.y - self.position.y)
+        self.position = position
+        self.time = msg.header.stamp.to_sec()
+
+    def on_status(self, msg):
+        self.status = msg
+        if not self.reasons or self.reasons[-1] != msg.reason:
+            self.reasons.append(msg.reason)
+
+    def done(self):
+        return self.status is not None and self.status.state == ExplorerStatus.DONE
+
+    def describe(self):
+        return 'status:\n%s\nreasons so far: %s\ndriven %.1f m, contacts %d' % (
+            self.status, self.reasons, self.distance, self.contacts)
+
+
+def wait_until(condition, seconds):
+    """Whether `condition()` came true within `seconds` of wall time."""
+    deadline = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > deadline or rospy.is_shutdown():
+            return False
+        time.sleep(0.02)
+    return True
+
+
+def pid_of(node):
+    """The process of a running node, None if there is none."""
+    try:
+        uri = rosgraph.Master('/test').lookupNode(node)
+        return xmlrpc.client.ServerProxy(uri).getPid('/test')[2]
+    except (rosgraph.MasterException, OSError):
+        return None
