@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""From the cancel of a patrol or a spin to the first zero of its source and of cmd_vel: needs simulator, arbiter and both
+servers. Usage: cancel_latency.py [runs]"""
+import statistics
+import sys
+import time
+
+import actionlib
+import rospy
+from geometry_msgs.msg import Twist
+
+from frontier_pilot.msg import PatrolAction, PatrolGoal, SpinAction, SpinGoal
+
+
+class Watch:
+    """When a topic last turned from motion to zero."""
+
+    def __init__(self, topic):
+        self.moving, self.stopped = False, None
+        rospy.Subscriber(topic, Twist, self.take, queue_size=100, tcp_nodelay=True)
+
+    def take(self, msg):
+        zero = msg.linear.x == 0.0 and msg.angular.z == 0.0
+        if zero and self.moving:
+            self.stopped = time.monotonic()
+        self.moving = not zero
+
+
+def until(condition):
+    while not condition():
+        time.sleep(0.0005)
+
+
+def measure(name, client, goal, source, runs):
+    watches = [Watch(source), Watch('cmd_vel')]
+    client.wait_for_server()
+    times = [[], []]
+    for run in range(runs):
+        client.send_goal(goal)
+        until(lambda: all(watch.moving for watch in watches))
+        time.sleep(0.05 + 0.037 * (run % 20))
+        asked = time.monotonic()
+        client.cancel_goal()
+        until(lambda: not any(watch.moving for watch in watches))
+        for seen, watch in zip(times, watches):
+            seen.append((watch.stopped - asked) * 1e3)
+        client.wait_for_result()
+    for topic, seen in zip((source, 'cmd_vel'), times):
+        print('%-7s cancel to zero on %-16s median %.1f ms, worst %.1f ms of %d' %
+              (name, topic, statistics.median(seen), max(seen), runs), flush=True)
+
+
+if __name__ == '__main__':
+    rospy.init_node('cancel_latency')
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 50
+    patrol = PatrolGoal()
+    patrol.goal.x, patrol.goal.y, patrol.goal.z = 1, 1.0, 1
+    measure('patrol', actionlib.SimpleActionClient('turtlebot3', PatrolAction), patrol, 'cmd_vel_patrol', count)
+    measure('spin', actionlib.SimpleActionClient('spin', SpinAction), SpinGoal(target_yaw=6.0), 'cmd_vel_behavior', count)
