@@ -8,6 +8,7 @@ import time
 import actionlib
 import rospy
 from geometry_msgs.msg import Twist
+from std_srvs.srv import Empty
 
 from frontier_pilot.msg import PatrolAction, PatrolGoal, SpinAction, SpinGoal
 
@@ -27,7 +28,7 @@ class Watch:
 
 
 def until(condition):
-    while not condition():
+    while not condition() and not rospy.is_shutdown():
         time.sleep(0.0005)
 
 
@@ -36,6 +37,8 @@ def measure(name, client, goal, source, runs):
     client.wait_for_server()
     times = [[], []]
     for run in range(runs):
+        rospy.ServiceProxy('reset_positions', Empty)()
+        time.sleep(0.3)
         client.send_goal(goal)
         until(lambda: all(watch.moving for watch in watches))
         time.sleep(0.05 + 0.037 * (run % 20))
