@@ -13,15 +13,29 @@ namespace frontier_pilot {
 namespace {
 
 volatile std::sig_atomic_t g_stop = 0;
+volatile std::sig_atomic_t g_building = 1;
+
+void onSignal(int) {
+  g_stop = 1;
+  // A constructor may wait for something that never comes, as actionlib's clients do for the first /clock. It has no
+  // last words yet, and only a shutdown of ROS ends such a wait.
+  if (g_building != 0) ros::requestShutdown();
+}
 
 /// ROS' own handler closes the publishers before the node can say its last words.
 void catchSignals() {
-  std::signal(SIGINT, [](int) { g_stop = 1; });
-  std::signal(SIGTERM, [](int) { g_stop = 1; });
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+}
+
+/// To be asked once the node is built, again and again.
+bool isRunning() {
+  g_building = 0;
+  return ros::ok() && g_stop == 0;
 }
 
 void spinUntilStopped() {
-  while (ros::ok() && g_stop == 0) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+  while (isRunning()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
 }
 
 int fail(const std::string& name, const std::exception& error, int exit_code) {
@@ -50,7 +64,7 @@ int runNodeWithLoop(int& argc, char** argv, const std::string& name,
   try {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
-    const int exit_code = body(node, private_node, [] { return ros::ok() && g_stop == 0; });
+    const int exit_code = body(node, private_node, isRunning);
     ros::WallDuration(0.05).sleep();  // lets the last words reach the wire
     return exit_code;
   } catch (const ConfigurationError& error) {
