@@ -15,18 +15,9 @@ constexpr double kTick = 0.05;  // [s]
 constexpr Duration kWatchPeriod = std::chrono::milliseconds(700);
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
 
-Instant instantNow() { return {rosNow(), steadyNow()}; }
-
 /// A zero on purpose says so on an axis that the base does not have: the message is not all zero.
 bool isHold(const geometry_msgs::Twist& msg) {
   return msg.linear.y != 0.0 || msg.linear.z != 0.0 || msg.angular.x != 0.0 || msg.angular.y != 0.0;
-}
-
-template <class Response>
-bool reply(const ArbiterAnswer& answer, Response& response) {
-  response.success = static_cast<std::uint8_t>(answer.success);
-  response.message = answer.message;
-  return true;
 }
 
 }  // namespace
@@ -88,61 +79,12 @@ void CmdVelArbiterNode::addSource(std::size_t source) {
   services_.push_back(node_.advertiseService("set_" + settings.name + "_enabled", enable));
 }
 
-void CmdVelArbiterNode::addStopServices() {
-  ros::AdvertiseServiceOptions set;
-  set.initBySpecType<SetBoolCall>(names::kSetEmergencyStop, [this](SetBoolCall& call) { return handleSetStop(call); });
-  set.callback_queue = &calls_;
-  services_.push_back(node_.advertiseService(set));
-  ros::AdvertiseServiceOptions trigger;
-  trigger.initBySpecType<TriggerCall>(names::kEmergencyStop, [this](TriggerCall& call) { return handleStop(call); });
-  trigger.callback_queue = &calls_;
-  services_.push_back(node_.advertiseService(trigger));
-}
-
 void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {
   std::string why;
   const std::optional<Twist2> twist = toTwist(msg, &why);
   if (!twist) rejections_[source].add(why);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   publish(arbiter_.onCommand(source, twist.value_or(Twist2{nan, nan}), instantNow(), isHold(msg)));
-}
-
-bool CmdVelArbiterNode::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,
-                                     std_srvs::SetBool::Response& response) {
-  const ArbiterAnswer answer = arbiter_.setEnabled(source, request.data != 0, instantNow());
-  publish(answer.publish);
-  publishStatus(false);
-  return reply(answer, response);
-}
-
-bool CmdVelArbiterNode::handleSetStop(SetBoolCall& call) {
-  const bool on = call.getRequest().data != 0;
-  return reply(on ? stop(names::kSetEmergencyStop, call.getCallerName()) : clear(call.getCallerName()),
-               call.getResponse());
-}
-
-bool CmdVelArbiterNode::handleStop(TriggerCall& call) {
-  return reply(stop(names::kEmergencyStop, call.getCallerName()), call.getResponse());
-}
-
-ArbiterAnswer CmdVelArbiterNode::stop(const std::string& service, const std::string& caller) {
-  ArbiterAnswer answer = arbiter_.stop(service + " called by " + caller, instantNow());
-  publish(answer.publish);
-  around_.memory_problem = memory_.remember(arbiter_.stopCause());
-  if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
-  publishStopState();
-  publishStatus(false);
-  return answer;
-}
-
-ArbiterAnswer CmdVelArbiterNode::clear(const std::string& caller) {
-  const ArbiterAnswer answer = arbiter_.clear(calls_.arrival(), instantNow());
-  publish(answer.publish);
-  if (!arbiter_.stopped()) around_.memory_problem = memory_.forget();
-  ROS_INFO_STREAM("set_emergency_stop false called by " << caller << ": " << answer.message);
-  publishStopState();
-  publishStatus(false);
-  return answer;
 }
 
 void CmdVelArbiterNode::tick() {

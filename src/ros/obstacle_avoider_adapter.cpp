@@ -1,20 +1,15 @@
 #include "frontier_pilot/ros/obstacle_avoider_adapter.h"
 
-#include <frontier_pilot/AvoiderStatus.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/console.h>
 
-#include <cmath>
-#include <limits>
-
+#include "frontier_pilot/ros/avoider_report.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
 
 namespace frontier_pilot {
 namespace {
-
-using Level = diagnostic_msgs::DiagnosticStatus;
 
 constexpr double kTick = 0.1;     // [s], the heartbeat
 constexpr double kUpdate = 0.02;  // [s], so that a phase ends in time between two ticks
@@ -24,48 +19,6 @@ geometry_msgs::Twist toCommandMsg(const AvoiderCommand& command) {
   geometry_msgs::Twist msg = toTwistMsg(command.twist);
   if (command.hold) msg.linear.z = 1e-9;
   return msg;
-}
-
-std::string summarize(const AvoiderSnapshot& snapshot) {
-  return std::string(toString(snapshot.state)) + ": " + snapshot.reason;
-}
-
-const char* directionOf(int turn) {
-  if (turn == 0) return "";
-  return turn > 0 ? "left" : "right";
-}
-
-AvoiderStatus toStatusMsg(const AvoiderSnapshot& snapshot) {
-  const bool known = snapshot.scan_age && snapshot.around.fault.empty();
-  const auto orUnknown = [known](double v) { return known ? v : std::numeric_limits<double>::quiet_NaN(); };
-  AvoiderStatus msg;
-  msg.stamp = ros::Time::now();
-  msg.summary = summarize(snapshot);
-  msg.state = static_cast<std::uint8_t>(snapshot.state);
-  msg.reason = snapshot.reason;
-  msg.obstacle_distance = orUnknown(snapshot.around.obstacleDistance());
-  msg.front_left = orUnknown(snapshot.around.front_left);
-  msg.front_right = orUnknown(snapshot.around.front_right);
-  msg.rear = orUnknown(snapshot.around.rear);
-  msg.direction = directionOf(snapshot.turn);
-  msg.cycle = static_cast<std::uint32_t>(snapshot.cycle);
-  msg.episodes = snapshot.episodes;
-  msg.scan_age = snapshot.scan_age.value_or(-1.0);
-  msg.faults = snapshot.faults;
-  return msg;
-}
-
-unsigned char levelOf(AvoiderState state) {
-  switch (state) {
-    case AvoiderState::kFault:
-    case AvoiderState::kStuck:
-      return Level::ERROR;
-    case AvoiderState::kWaiting:
-    case AvoiderState::kIdle:
-      return Level::WARN;
-    default:
-      return Level::OK;
-  }
 }
 
 }  // namespace
@@ -82,7 +35,10 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
   scan_ = node_.subscribe<sensor_msgs::LaserScan>(
       names::kScan, 1, [this](const sensor_msgs::LaserScan::ConstPtr& msg) { handleScan(*msg); }, ros::VoidConstPtr(),
       ros::TransportHints().tcpNoDelay());
-  diagnostics_.add("obstacle avoidance", [this](auto& status) { fillDiagnostics(status); });
+  diagnostics_.add("obstacle avoidance", [this](auto& status) {
+    fillDiagnostics(avoider_.status(rosNow()), status);
+    rejections_.report(status);
+  });
   // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
   tick_ = node_.createTimer(ros::Duration(kTick), [this](const ros::TimerEvent&) { tick(); });
   update_ = node_.createTimer(ros::Duration(kUpdate), [this](const auto&) { publish(avoider_.update(rosNow())); });
@@ -138,15 +94,6 @@ void ObstacleAvoiderNode::publishStatus(bool anyway) {
   if (!changed) return;
   ROS_INFO_STREAM(essence);
   diagnostics_.publish();
-}
-
-void ObstacleAvoiderNode::fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) const {
-  const AvoiderSnapshot snapshot = avoider_.status(rosNow());
-  diagnostics.summary(levelOf(snapshot.state), summarize(snapshot));
-  diagnostics.add("obstacle distance [m]", snapshot.around.obstacleDistance());
-  diagnostics.add("scan age [s]", snapshot.scan_age.value_or(-1.0));
-  diagnostics.add("episodes", snapshot.episodes);
-  rejections_.report(diagnostics);
 }
 
 }  // namespace frontier_pilot

@@ -19,6 +19,9 @@
 
 namespace frontier_pilot {
 
+/// Now, on both clocks.
+inline Instant instantNow() { return {rosNow(), steadyNow()}; }
+
 /// The node `cmd_vel_arbiter`: the only publisher of `cmd_vel`. A source's callback is convert, decide, publish; all
 /// that is not needed to move the wheels happens at the tick.
 class CmdVelArbiterNode {

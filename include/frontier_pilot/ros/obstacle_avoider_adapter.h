@@ -44,7 +44,6 @@ class ObstacleAvoiderNode {
   void tick();
   void publish(const std::optional<AvoiderCommand>& command);
   void publishStatus(bool anyway);
-  void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) const;
 
   ros::NodeHandle node_;
   ObstacleAvoiderNodeParameters parameters_;
