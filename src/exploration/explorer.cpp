@@ -97,6 +97,7 @@ void Explorer::reset(Time now) {
   fruitless_.reset();
   visited_.clear();
   failures_.clear();
+  vanished_.clear();
   blacklist_retried_ = false;
   step_backs_ = 0;
   nothing_left_since_.reset();

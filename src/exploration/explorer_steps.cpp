@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "frontier_pilot/exploration/explorer.h"
@@ -95,8 +96,8 @@ bool Explorer::stepBack(Time now) {
 
 void Explorer::finish(Time now) {
   nothing_left_since_.reset();
-  const bool blacklisted = countRejected(Rejection::kBlacklisted) > 0;
-  done_reason_ = blacklisted ? ExplorerReason::kAllBlacklisted : ExplorerReason::kNoReachableFrontier;
+  done_reason_ =
+      evaluator_.anyBlacklistedInTheOpen() ? ExplorerReason::kAllBlacklisted : ExplorerReason::kNoReachableFrontier;
   if (parameters_.return_to_start) return returnToStart(now);
   enter(ExplorerState::kDone, *done_reason_, "", now);
 }
@@ -119,6 +120,8 @@ void Explorer::navigate(Time now) {
   if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
   last_check_ = now;
   if (informationGone()) {
+    noteDropped(goal_->position);
+    noteVanished();
     if (decide(ExplorerReason::kInformationGone, now)) return;
     cancelGoal();
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
@@ -126,10 +129,32 @@ void Explorer::navigate(Time now) {
   if (passed(last_decision_, parameters_.decision_period, now)) decide(ExplorerReason::kBetterGoal, now);
 }
 
+/// What is seen and unknown again by turns, as the robot comes and goes, would keep it swinging for ever: the third
+/// time such a goal is dropped it is not tried again.
+void Explorer::noteDropped(const Vec2& goal) {
+  constexpr double kSamePlace = 0.3;  // [m]
+  constexpr auto kMaxDrops = 3;
+  dropped_.push_back(goal);
+  const auto times = std::count_if(dropped_.begin(), dropped_.end(),
+                                   [&](const Vec2& place) { return (place - goal).norm() <= kSamePlace; });
+  if (times >= kMaxDrops) fruitless_.add(goal, "dropped three times, and promising again each time", evaluator_.map());
+}
+
 /// Whether the goal has been seen from afar on the way. [EXP-6]
 bool Explorer::informationGone() {
   const double left = evaluator_.infoAt(goal_->position).area;
   return left < evaluator_.leastInfo() || left < parameters_.vanished_share * goal_->info_area;
+}
+
+/// Where thin things flicker between free and occupied, what lies behind them comes into sight and goes again with
+/// every scan. A place whose information has come and gone several times is not worth another way.
+void Explorer::noteVanished() {
+  constexpr double kSamePlace = 0.5;  // [m]
+  constexpr int kMaxTimes = 2;
+  const auto times = std::count_if(vanished_.begin(), vanished_.end(),
+                                   [&](const Vec2& place) { return (place - goal_->position).norm() < kSamePlace; });
+  vanished_.push_back(goal_->position);
+  if (times >= kMaxTimes) fruitless_.add(goal_->position, "what it was to show came and went", evaluator_.map());
 }
 
 /// A goal that still promises what it promised before it was reached will never show it.

@@ -55,7 +55,11 @@ const std::vector<Frontier>& FrontierEvaluator::evaluate(const Context& context)
   if (map_.empty()) return frontiers_;
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
-  if (judgeAll(space_, context.robot, context)) return frontiers_;
+  const bool any = judgeAll(space_, context.robot, context);
+  blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
+    return frontier.rejection == Rejection::kBlacklisted;
+  });
+  if (any) return frontiers_;
   tight_space_.update(map_.grid(), tight_changes_);
   tight_changes_ = {};
   if (judgeAll(tight_space_, context.robot, context)) return frontiers_;

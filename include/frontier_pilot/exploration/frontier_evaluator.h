@@ -45,6 +45,9 @@ class FrontierEvaluator {
   /// The same for a place that a goal was sent to before, which belongs to no frontier; none if it cannot be reached.
   std::optional<GoalCandidate> candidateAt(const Vec2& goal, const Vec2& robot);
 
+  /// Blacklisted frontiers that can be reached without squeezing through gaps that only just fit. What lies behind such
+  /// a gap, and the navigation could not get to, is not within reach.
+  bool anyBlacklistedInTheOpen() const { return blacklisted_in_the_open_; }
   /// Whether the last evaluation found ground for the robot to move on.
   bool robotHasGround() const { return travel_.reachedCount() > 0; }
   /// A reachable place a little farther than min_distance from the robot, from where what is too near now is not.
@@ -89,6 +92,7 @@ class FrontierEvaluator {
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;
+  bool blacklisted_in_the_open_ = false;
   std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;
   std::unordered_map<std::size_t, Cell> goals_;  ///< found for an anchor before
