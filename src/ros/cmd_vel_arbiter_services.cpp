@@ -56,7 +56,7 @@ ArbiterAnswer CmdVelArbiterNode::stop(const std::string& service, const std::str
 }
 
 ArbiterAnswer CmdVelArbiterNode::clear(const std::string& caller) {
-  const ArbiterAnswer answer = arbiter_.clear(calls_.arrival(), instantNow());
+  ArbiterAnswer answer = arbiter_.clear(calls_.arrival(), instantNow());
   publish(answer.publish);
   if (!arbiter_.stopped()) around_.memory_problem = memory_.forget();
   ROS_INFO_STREAM("set_emergency_stop false called by " << caller << ": " << answer.message);

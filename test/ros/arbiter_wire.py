@@ -25,6 +25,11 @@ def pid_of(node):
     return xmlrpc.client.ServerProxy(master.lookupNode(node)).getPid('/test')[2]
 
 
+def resident_kilobytes(pid):
+    with open('/proc/%d/status' % pid) as status:
+        return next(int(line.split()[1]) for line in status if line.startswith('VmRSS'))
+
+
 class ArbiterOnTheWire(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -202,6 +207,23 @@ class ArbiterOnTheWire(unittest.TestCase):
             self.assertTrue(answers['stop'].success)
             if not answers['clear'].success:
                 self.assertIn('a stop was given while', answers['clear'].message, '[ARB-8]')
+
+    # [ARB-10]
+    def test_under_three_sources_at_1_khz_only_the_active_one_leaves_and_memory_stays(self):
+        load = {'patrol': 0.05, 'nav': 0.10, 'manual': 0.15}
+        fast = [Source('cmd_vel_' + name, 1000.0).connect().start(speed) for name, speed in load.items()]
+        self.assertTrue(self.drives(0.05))
+        pid, start = pid_of('/cmd_vel_arbiter'), time.monotonic()
+        before = resident_kilobytes(pid)
+        self.assertTrue(wait_for(lambda: len(self.out.since(start)) >= 2000, 30.0))
+        self.assertEqual({message.linear.x for message in self.out.since(start)}, {0.05}, 'never the wrong one [ARB-10]')
+        self.assertLess(resident_kilobytes(pid) - before, 1024, '[ARB-10]')
+        emergency_stop()
+        stopped = time.monotonic()
+        self.assertTrue(wait_for(lambda: len(self.out.since(stopped)) >= 20))
+        self.assertFalse(moves(self.out.last), 'stopped under load [ARB-10]')
+        for source in fast:
+            source.stop()
 
     # [ARB-11]
     def test_a_foreign_publisher_is_found_and_named_within_2_s(self):
