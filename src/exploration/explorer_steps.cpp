@@ -120,24 +120,12 @@ void Explorer::navigate(Time now) {
   if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
   last_check_ = now;
   if (informationGone()) {
-    noteDropped(goal_->position);
     noteVanished();
     if (decide(ExplorerReason::kInformationGone, now)) return;
     cancelGoal();
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
   }
   if (passed(last_decision_, parameters_.decision_period, now)) decide(ExplorerReason::kBetterGoal, now);
-}
-
-/// What is seen and unknown again by turns, as the robot comes and goes, would keep it swinging for ever: the third
-/// time such a goal is dropped it is not tried again.
-void Explorer::noteDropped(const Vec2& goal) {
-  constexpr double kSamePlace = 0.3;  // [m]
-  constexpr auto kMaxDrops = 3;
-  dropped_.push_back(goal);
-  const auto times = std::count_if(dropped_.begin(), dropped_.end(),
-                                   [&](const Vec2& place) { return (place - goal).norm() <= kSamePlace; });
-  if (times >= kMaxDrops) fruitless_.add(goal, "dropped three times, and promising again each time", evaluator_.map());
 }
 
 /// Whether the goal has been seen from afar on the way. [EXP-6]

@@ -66,7 +66,6 @@ class Explorer {
   std::optional<GoalCandidate> judgeAndChoose(bool keep_present, Time now);
   std::size_t countRejected(Rejection rejection) const;
   bool informationGone();
-  void noteDropped(const Vec2& goal);
   void noteVanished();
   bool retryOtherwise(Time now);
   bool stepBack(Time now);
@@ -100,7 +99,6 @@ class Explorer {
   Time last_decision_;
   std::vector<Vec2> visited_;   ///< goals reached [m]
   std::vector<Vec2> failures_;  ///< goals failed [m]
-  std::vector<Vec2> dropped_;   ///< goals given up because nothing was left to see [m]
   std::vector<Vec2> vanished_;  ///< goals dropped because nothing was left to see there [m]
   std::uint32_t next_goal_id_ = 1;
   std::uint64_t judged_changes_ = 0;  ///< of the map, at the last decision

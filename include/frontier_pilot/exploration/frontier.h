@@ -46,8 +46,8 @@ struct ScoreParameters {
   double w_dist = 1.0;
   double w_obs = 1.2;
   double w_visit = 0.8;
-  double info_scale = 4.0;
-  double distance_scale = 2.0;
+  double info_scale = 8.0;
+  double distance_scale = 3.0;
   double switch_margin = 0.5;
   bool info_by_ray_casting = true;
   bool distance_by_travel = true;

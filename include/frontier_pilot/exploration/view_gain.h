@@ -8,7 +8,7 @@ namespace frontier_pilot {
 /// How the scanner is expected to see from a goal.
 struct ViewParameters {
   double sensor_range = 8.0;
-  double unknown_depth = 2.5;
+  double unknown_depth = 1.5;
   int rays = 120;
 
   template <class V>

@@ -109,6 +109,17 @@ TEST_F(ExplorerStates, AGoalWithNothingLeftToSeeIsDroppedForABetterOneWithoutASt
   EXPECT_TRUE(wentThrough(State::kNavigating, Reason::kInformationGone));
 }
 
+// [EXP-6]
+TEST_F(ExplorerStates, AGoalThatPromisesAndDisappointsByTurnsIsGivenUp_EXP_6) {
+  show(kRoom);
+  for (int i = 0; i < 60; ++i) {
+    change({30, 1, 4, 9}, i % 2 == 0 ? kUnknown : kOccupied);
+    tickFor(2.0);
+  }
+  EXPECT_GE(sent.goal_id, 3U);
+  EXPECT_LE(sent.goal_id, 14U) << "of 30 times that there was something to see: the robot would swing for ever";
+}
+
 // [EXP-5] [EXP-7]
 TEST_F(ExplorerStates, ASaturatedBlacklistIsReportedRetriedOnceAndThenTheReasonOfDone_EXP_5) {
   show(kRoom);
