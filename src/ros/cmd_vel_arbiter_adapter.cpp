@@ -76,7 +76,7 @@ void CmdVelArbiterNode::addSource(std::size_t source) {
   around_.source_topics[settings.name] = subscribers_.back().getTopic();
   const boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)> enable =
       [this, source](auto& request, auto& response) { return handleEnable(source, request, response); };
-  services_.push_back(node_.advertiseService("set_" + settings.name + "_enabled", enable));
+  services_.push_back(node_.advertiseService(names::setEnabled(settings.name), enable));
 }
 
 void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {

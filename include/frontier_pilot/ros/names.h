@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+
+#include <string>
+
 /// Every topic, service, action and frame name, once. All are relative: a namespace makes a second robot.
 namespace frontier_pilot::names {
 
@@ -30,16 +34,15 @@ constexpr const char* kSpawnObstacle = "simulator/spawn_obstacle";
 constexpr const char* kRemoveObstacle = "simulator/remove_obstacle";
 constexpr const char* kPauseSimulator = "simulator/pause";
 
-// Arbiter; a source <name> is switched by set_<name>_enabled
+// Arbiter
 constexpr const char* kArbiterStatus = "cmd_vel_arbiter/status";
 constexpr const char* kEmergencyStopState = "emergency_stop_state";
 constexpr const char* kEmergencyStop = "emergency_stop";
 constexpr const char* kSetEmergencyStop = "set_emergency_stop";
-constexpr const char* kSetManualEnabled = "set_manual_enabled";
-constexpr const char* kSetPatrolEnabled = "set_patrol_enabled";
-constexpr const char* kSetAvoidEnabled = "set_avoid_enabled";
-constexpr const char* kSetNavEnabled = "set_nav_enabled";
-constexpr const char* kSetBehaviorEnabled = "set_behavior_enabled";
+/// The service that switches a source of the arbiter.
+inline std::string switchOf(const std::string& source) { return "set_" + source + "_enabled"; }
+/// What switches a source of the arbiter's.
+inline std::string setEnabled(const std::string& source) { return "set_" + source + "_enabled"; }
 
 // Obstacle avoider
 constexpr const char* kAvoiderStatus = "obstacle_avoider/status";

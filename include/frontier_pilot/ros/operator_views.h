@@ -16,8 +16,6 @@ namespace frontier_pilot {
 ArbiterView toView(const ArbiterStatus& msg, double status_age);
 AvoiderView toView(const AvoiderStatus& msg, double status_age);
 ExplorerView toView(const ExplorerStatus& msg, double status_age);
-/// The service of the arbiter that switches a source.
-inline std::string switchService(const std::string& source) { return "set_" + source + "_enabled"; }
 AvoiderSectors toSectors(const AvoiderParameters& parameters);
 
 }  // namespace frontier_pilot
