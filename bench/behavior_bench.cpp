@@ -146,12 +146,11 @@ void tabulateSpins(int count) {
 }  // namespace frontier_pilot
 
 int main(int argc, char** argv) {
-  using namespace frontier_pilot;
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 50;
   std::printf("| closing error | cycles | odometry | runs | mean mm | worst mm | mean deg | worst deg |\n");
   std::printf("|---|---|---|---|---|---|---|---|\n");
-  tabulatePatrols(false, 1);
-  tabulatePatrols(true, seeds);
-  tabulateSpins(200);
+  frontier_pilot::tabulatePatrols(false, 1);
+  frontier_pilot::tabulatePatrols(true, seeds);
+  frontier_pilot::tabulateSpins(200);
   return 0;
 }
