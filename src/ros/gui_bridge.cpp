@@ -94,7 +94,7 @@ void GuiBridge::request(const OperatorRequest& request) {
     case Kind::kClearEmergencyStop:
       return caller_.set(names::kSetEmergencyStop, false);
     case Kind::kEnableSource:
-      return caller_.set(names::switchOf(request.name), request.on);
+      return caller_.set(names::setEnabled(request.name), request.on);
     case Kind::kEnableAvoider:
       return caller_.set(names::kSetObstacleAvoidEnabled, request.on);
     case Kind::kExplore:

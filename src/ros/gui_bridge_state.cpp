@@ -38,7 +38,7 @@ void GuiBridge::subscribe() {
 }
 
 void GuiBridge::onArbiter(const ArbiterStatus& msg) {
-  for (const ArbiterSource& source : msg.sources) watch_.watch(names::switchOf(source.name));
+  for (const ArbiterSource& source : msg.sources) watch_.watch(names::setEnabled(source.name));
   const std::lock_guard<std::mutex> lock(mutex_);
   arbiter_.put(msg, steadyNow());
 }
@@ -93,7 +93,7 @@ OperatorState GuiBridge::state() {
   show(explorer_, now, state.explorer);
   if (scan_.has()) state.scan = ScanView{toSeconds(*scan_.age(now)), *scan_.get()};
   if (state.arbiter) {
-    for (SourceView& source : state.arbiter->sources) source.service_up = watch_.up(names::switchOf(source.name));
+    for (SourceView& source : state.arbiter->sources) source.service_up = watch_.up(names::setEnabled(source.name));
   }
   return state;
 }

@@ -39,8 +39,6 @@ constexpr const char* kArbiterStatus = "cmd_vel_arbiter/status";
 constexpr const char* kEmergencyStopState = "emergency_stop_state";
 constexpr const char* kEmergencyStop = "emergency_stop";
 constexpr const char* kSetEmergencyStop = "set_emergency_stop";
-/// The service that switches a source of the arbiter.
-inline std::string switchOf(const std::string& source) { return "set_" + source + "_enabled"; }
 /// What switches a source of the arbiter's.
 inline std::string setEnabled(const std::string& source) { return "set_" + source + "_enabled"; }
 
