@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/mapping/correlative_search.h"
+#include "frontier_pilot/mapping/surface_map.h"
+
+namespace frontier_pilot {
+
+/// A pose and how sure it is. The error is of (x, y, yaw), each added to the pose's own; x and y along the axes of the
+/// frame that the pose is in.
+struct PoseBelief {
+  Pose2 pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2, m rad, rad^2]
+};
+
+struct RefinementParameters {
+  int iterations = 12;        ///< at most
+  double noise = 0.02;        ///< standard deviation of a point from its surface [m]
+  double outlier = 0.06;      ///< a point this far from its surface counts a quarter [m]
+  double independence = 0.2;  ///< share of the points that count as independent of each other
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("iterations", iterations, "", "greatest number of iterations", between(1, 100));
+    v.field("noise", noise, "m", "standard deviation of a point from its surface", positive());
+    v.field("outlier", outlier, "m", "a point this far from its surface counts a quarter", positive());
+    v.field("independence", independence, "", "share of the points that count as independent", {0.0, 1.0, true});
+  }
+};
+
+struct Refinement {
+  Pose2 pose;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the points alone, without the prior; as in PoseBelief
+  double inliers = 0.0;                                   ///< share of the points that lie on a surface, 0 ... 1
+};
+
+/// Moves `start` to where `points` lie on the surfels: Gauss-Newton on the distances along the surfels' normals (Chen &
+/// Medioni, "Object Modelling by Registration of Multiple Range Images", 1992), with the weights of Geman & McClure.
+/// Along a wall a point says nothing, so a corridor leaves the information along it near zero, and `prior` decides
+/// there: what it says is minimised together with the distances.
+Refinement refine(const SurfelMap& surfels, const SurfacePoints& points, const Pose2& start,
+                  const std::optional<PoseBelief>& prior, const RefinementParameters& parameters);
+
+}  // namespace frontier_pilot

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "frontier_pilot/mapping/likelihood_grid.h"
+#include "frontier_pilot/mapping/surface_points.h"
+#include "frontier_pilot/mapping/surfel_map.h"
+
+namespace frontier_pilot {
+
+/// What scans are matched with: a likelihood field to search in, and surfels to refine on, of the same points.
+class SurfaceMap {
+ public:
+  explicit SurfaceMap(const LikelihoodParameters& parameters = {}) : likelihood_(parameters) {}
+
+  /// `points` at `T_map_points`; dense, see `filled`.
+  void add(const SurfacePoints& points, const Pose2& T_map_points);
+
+  const LikelihoodGrid& likelihood() const { return likelihood_; }
+  const SurfelMap& surfels() const { return surfels_; }
+  bool empty() const { return likelihood_.grid().empty(); }
+  /// [bytes]
+  std::size_t memory() const { return likelihood_.grid().size() + surfels_.memory(); }
+
+ private:
+  LikelihoodGrid likelihood_;
+  SurfelMap surfels_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/parameters.h"
+
+namespace frontier_pilot {
+
+/// A point of a surface, and which way the surface looks there.
+struct SurfacePoint {
+  Vec2 position = Vec2::Zero();  ///< [m]
+  Vec2 normal = Vec2::Zero();    ///< unit, out of the matter; zero where the neighbours do not lie on a line
+
+  bool hasNormal() const { return normal.x() != 0.0 || normal.y() != 0.0; }
+};
+using SurfacePoints = std::vector<SurfacePoint>;
+
+struct SurfaceParameters {
+  double fit_radius = 0.2;     ///< neighbours within this take part in fitting a line [m]
+  double fit_error = 0.025;    ///< greatest standard deviation of the neighbours from that line [m]
+  double thinning = 0.1;       ///< least spacing of the points that are matched [m]
+  int max_points = 250;        ///< no more points than this are matched
+  double fill_spacing = 0.05;  ///< gaps between beams on one surface are filled this densely [m]
+  double max_gap = 0.6;        ///< wider gaps are not filled [m]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("fit_radius", fit_radius, "m", "neighbours within this take part in fitting a line", positive());
+    v.field("fit_error", fit_error, "m", "greatest standard deviation of the neighbours from that line", positive());
+    v.field("thinning", thinning, "m", "least spacing of the points that are matched", positive());
+    v.field("max_points", max_points, "", "no more points than this are matched", between(20, 5000));
+    v.field("fill_spacing", fill_spacing, "m", "gaps between beams on one surface are filled this densely", positive());
+    v.field("max_gap", max_gap, "m", "wider gaps are not filled", atLeast(0.0));
+  }
+};
+
+/// The returns of `scan` in the base frame, in the order of the beams, with the normals of the lines that neighbours
+/// form. Beams without a return and too near ones are left out.
+SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters = {});
+
+/// At most one point in each square of `thinning`, of larger ones if there would be more than `max_points`: what a
+/// match costs does not depend on the scanner.
+SurfacePoints thinned(const SurfacePoints& points, const SurfaceParameters& parameters = {});
+
+/// With points in between where successive ones lie on one surface: a map of the wall, not of the beams. Where there
+/// are gaps a scan would match best where its beams meet those of an earlier one, which is where the robot then was.
+SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& parameters = {});
+
+/// The borders of the occupied cells towards free ones, in the map's frame.
+SurfacePoints surfaceOf(const OccupancyGrid& map);
+
+}  // namespace frontier_pilot
