@@ -45,7 +45,7 @@ std::vector<Vec2> padded(const std::vector<Vec2>& corners, double padding) {
     const Vec2 normals(before.y() + after.y(), -before.x() - after.x());
     // Sharp corners would reach out far: the mitre is cut at twice the padding.
     const double scale = padding / std::max(0.5, 0.5 * normals.squaredNorm());
-    out.push_back(corners[i] + scale * normals);
+    out.emplace_back(corners[i] + scale * normals);
   }
   return out;
 }

@@ -42,8 +42,9 @@ void LocalCostmap::roll(const Vec2& robot) {
   geometry.resolution = resolution;
   geometry.width = geometry.height = cells;
   // Whole cells only, so that what is kept stays where it was.
-  geometry.origin = {resolution * (std::floor(robot.x() / resolution) - cells / 2),
-                     resolution * (std::floor(robot.y() / resolution) - cells / 2)};
+  const int half = cells / 2;
+  geometry.origin = {resolution * (std::floor(robot.x() / resolution) - half),
+                     resolution * (std::floor(robot.y() / resolution) - half)};
   if (!grid_.empty() && geometry == grid_.geometry()) return;
   OccupancyGrid rolled(geometry, kUnknown);
   if (!grid_.empty()) {

@@ -43,7 +43,7 @@ bool Bounds::allows(double value) const {
 std::string Bounds::text() const {
   const bool has_min = std::isfinite(min);
   const bool has_max = std::isfinite(max);
-  const std::string low = (above_min ? "> " : ">= ") + frontier_pilot::text(min);
+  std::string low = (above_min ? "> " : ">= ") + frontier_pilot::text(min);
   const std::string high = "<= " + frontier_pilot::text(max);
   if (has_min && has_max) return low + " and " + high;
   if (has_min) return low;

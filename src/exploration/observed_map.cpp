@@ -23,8 +23,9 @@ CellRect ObservedMap::update(const OccupancyGrid& map, const CellRect& changed) 
 
 void ObservedMap::restart(const GridGeometry& geometry) {
   map_ = OccupancyGrid(geometry, kUnknown);
-  tiles_per_row_ = static_cast<std::size_t>(geometry.width / kTile + 1);
-  tiles_.assign(tiles_per_row_ * static_cast<std::size_t>(geometry.height / kTile + 1), 0);
+  const auto tiles = [](int cells) { return static_cast<std::size_t>(cells / kTile) + 1; };
+  tiles_per_row_ = tiles(geometry.width);
+  tiles_.assign(tiles_per_row_ * tiles(geometry.height), 0);
   free_cells_ = 0;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "frontier_pilot/core/cell_window.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -86,23 +88,20 @@ void TravelField::seed(const TraversableSpace& space, const OccupancyGrid& map, 
   if (space.traversable(start)) return push(map.geometry().index(start), kNoDirection, 0);
   const int reach = std::min(static_cast<int>(escape_radius / map.resolution()),
                              static_cast<int>((kBuckets - kDiagonal - 1) / kDiagonal));
-  std::vector<std::uint32_t> steps(static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)), kUnreached);
-  const auto local = [&](Cell c) -> std::uint32_t& {
-    return steps[static_cast<std::size_t>((c.y - start.y + reach) * (2 * reach + 1) + c.x - start.x + reach)];
-  };
+  CellWindow<std::uint32_t> steps(start, reach, kUnreached);
   const CellRect box = CellRect{start.x, start.y, 1, 1}.grown(reach).intersection(map.geometry().rect());
   std::vector<Cell> queue = {start};
-  local(start) = 0;
+  steps[start] = 0;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Cell cell = queue[i];
     if (space.traversable(cell)) {
-      push(map.geometry().index(cell), kNoDirection, local(cell) * kDiagonal);
+      push(map.geometry().index(cell), kNoDirection, steps[cell] * kDiagonal);
       continue;
     }
     for (std::size_t d = 0; d < 8; ++d) {
       const Cell next{cell.x + kStepX[d], cell.y + kStepY[d]};
-      if (!box.contains(next) || local(next) != kUnreached || isOccupied(map[next])) continue;
-      local(next) = local(cell) + 1;
+      if (!box.contains(next) || steps[next] != kUnreached || isOccupied(map[next])) continue;
+      steps[next] = steps[cell] + 1;
       queue.push_back(next);
     }
   }

@@ -6,6 +6,8 @@
 #include <queue>
 #include <tuple>
 
+#include "frontier_pilot/core/cell_window.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -19,11 +21,9 @@ class EscapeSearch {
       : map_(map),
         beyond_(beyond),
         from_(from),
-        reach_(static_cast<int>(std::ceil(radius / map.geometry().resolution))) {
-    const auto side = static_cast<std::size_t>(2 * reach_ + 1);
-    cost_.assign(side * side, std::numeric_limits<double>::infinity());
-    parent_.assign(side * side, from);
-  }
+        reach_(static_cast<int>(std::ceil(radius / map.geometry().resolution))),
+        cost_(from, reach_, std::numeric_limits<double>::infinity()),
+        parent_(from, reach_, from) {}
 
   std::vector<Escape> run() {
     push(from_, from_, 0.0);
@@ -31,7 +31,7 @@ class EscapeSearch {
       const auto [cost, y, x] = queue_.top();
       const Cell cell{x, y};
       queue_.pop();
-      if (cost > cost_[index(cell)]) continue;
+      if (cost > cost_[cell]) continue;
       const bool out = map_.isPassable(cell);
       if (out) escapes_.push_back({cost, wayTo(cell)});
       if (!out || beyond_) expand(cell, cost);
@@ -40,10 +40,6 @@ class EscapeSearch {
   }
 
  private:
-  std::size_t index(Cell cell) const {
-    return static_cast<std::size_t>((cell.y - from_.y + reach_) * (2 * reach_ + 1) + cell.x - from_.x + reach_);
-  }
-
   bool isOpen(Cell cell) const {
     const int dx = cell.x - from_.x;
     const int dy = cell.y - from_.y;
@@ -53,9 +49,9 @@ class EscapeSearch {
   }
 
   void push(Cell cell, Cell parent, double cost) {
-    if (cost >= cost_[index(cell)]) return;
-    cost_[index(cell)] = cost;
-    parent_[index(cell)] = parent;
+    if (cost >= cost_[cell]) return;
+    cost_[cell] = cost;
+    parent_[cell] = parent;
     queue_.emplace(cost, cell.y, cell.x);
   }
 
@@ -74,7 +70,7 @@ class EscapeSearch {
 
   std::vector<Cell> wayTo(Cell cell) const {
     std::vector<Cell> way{cell};
-    while (way.back() != from_) way.push_back(parent_[index(way.back())]);
+    while (way.back() != from_) way.push_back(parent_[way.back()]);
     std::reverse(way.begin(), way.end());
     return way;
   }
@@ -83,8 +79,8 @@ class EscapeSearch {
   bool beyond_;
   Cell from_;
   int reach_;
-  std::vector<double> cost_;
-  std::vector<Cell> parent_;
+  CellWindow<double> cost_;
+  CellWindow<Cell> parent_;
   std::priority_queue<std::tuple<double, int, int>, std::vector<std::tuple<double, int, int>>, std::greater<>> queue_;
   std::vector<Escape> escapes_;
 };

@@ -70,7 +70,7 @@ std::vector<Vec2> Path::sampled(double spacing) const {
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     const int pieces = std::max(1, static_cast<int>(std::ceil((along_[i + 1] - along_[i]) / spacing)));
     for (int k = 0; k < pieces; ++k) {
-      samples.push_back(points_[i] + (static_cast<double>(k) / pieces) * (points_[i + 1] - points_[i]));
+      samples.emplace_back(points_[i] + (static_cast<double>(k) / pieces) * (points_[i + 1] - points_[i]));
     }
   }
   if (!points_.empty()) samples.push_back(points_.back());

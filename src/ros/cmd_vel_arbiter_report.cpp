@@ -22,7 +22,7 @@ std::vector<std::string> publishersOn(const std::string& topic, const ArbiterSur
 }
 
 std::string stateInWords(const SourceStatus& source, const ArbiterSnapshot& snapshot, bool has_publisher) {
-  const std::string state = toString(source.state);
+  std::string state = toString(source.state);
   switch (source.state) {
     case SourceState::kNeverHeard:
       return state + (has_publisher ? ": no message that counts yet" : ": nobody publishes");

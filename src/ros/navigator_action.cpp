@@ -15,8 +15,8 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
       use_yaw_(use_yaw),
       simple_(node.subscribe(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this)),
       server_(
-          node, names::kMoveBase, [this](Server::GoalHandle handle) { handleGoal(handle); },
-          [this](Server::GoalHandle handle) { handleCancel(handle); }, false) {
+          node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
+          [this](const Server::GoalHandle& handle) { handleCancel(handle); }, false) {
   server_.start();
 }
 
@@ -36,7 +36,8 @@ std::uint64_t MoveBaseServer::submit(const Pose2& T_map_goal) {
   return last_id_;
 }
 
-void MoveBaseServer::handleGoal(Server::GoalHandle handle) {
+void MoveBaseServer::handleGoal(const Server::GoalHandle& offered) {
+  Server::GoalHandle handle = offered;
   std::string why;
   const auto goal = read(handle.getGoal()->target_pose, why);
   if (!goal) {
@@ -57,7 +58,7 @@ void MoveBaseServer::handleSimple(const geometry_msgs::PoseStamped& msg) {
   }
 }
 
-void MoveBaseServer::handleCancel(Server::GoalHandle handle) {
+void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
   for (const auto& [id, known] : handles_) {
     if (known != handle) continue;
     if (pending_ && pending_->id == id) {

@@ -1,7 +1,8 @@
 #include "frontier_pilot/ros/parameters.h"
 
 #include <ros/console.h>
-#include <xmlrpcpp/XmlRpcValue.h>
+
+#include "frontier_pilot/ros/xml_rpc.h"
 
 namespace frontier_pilot {
 
@@ -15,7 +16,7 @@ std::string joined(const std::string& where, const Problems& problems) {
 
 ParameterList toList(XmlRpc::XmlRpcValue& value) {
   ParameterList list;
-  for (int i = 0; i < value.size(); ++i) list.push_back(toParameterValue(value[i]));
+  for (XmlRpc::XmlRpcValue& item : elements(value)) list.push_back(toParameterValue(item));
   return list;
 }
 

@@ -1,15 +1,16 @@
+#include "frontier_pilot/ros/publisher_watch.h"
+
 #include <ros/master.h>
 #include <ros/this_node.h>
-#include <xmlrpcpp/XmlRpcValue.h>
 
-#include "frontier_pilot/ros/publisher_watch.h"
+#include "frontier_pilot/ros/xml_rpc.h"
 
 namespace frontier_pilot {
 namespace {
 
 std::vector<std::string> toNames(XmlRpc::XmlRpcValue& list) {
   std::vector<std::string> names;
-  for (int i = 0; i < list.size(); ++i) names.push_back(static_cast<std::string>(list[i]));
+  for (XmlRpc::XmlRpcValue& name : elements(list)) names.push_back(static_cast<std::string>(name));
   return names;
 }
 
@@ -20,10 +21,9 @@ std::optional<Publishers> askMaster(const std::vector<std::string>& topics) {
   if (!ros::master::execute("getSystemState", request, response, state, false)) return std::nullopt;
   Publishers found;
   for (const std::string& topic : topics) found[topic] = {};
-  XmlRpc::XmlRpcValue& publishers = state[0];
-  for (int i = 0; i < publishers.size(); ++i) {
-    const auto entry = found.find(static_cast<std::string>(publishers[i][0]));
-    if (entry != found.end()) entry->second = toNames(publishers[i][1]);
+  for (XmlRpc::XmlRpcValue& topic : elements(state[0])) {
+    const auto entry = found.find(static_cast<std::string>(topic[0]));
+    if (entry != found.end()) entry->second = toNames(topic[1]);
   }
   return found;
 }

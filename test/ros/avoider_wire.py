@@ -58,6 +58,7 @@ class AvoiderOnTheWire(unittest.TestCase):
 
     def setUp(self):
         self.world.ranges, self.world.default, self.world.alive = {}, float('inf'), True
+        call('set_obstacle_avoid_enabled', SetBool, True)
         self.assertTrue(self.becomes(AvoiderStatus.CLEAR), 'must start clear')
 
     def becomes(self, state, timeout=5.0):
@@ -110,7 +111,7 @@ class AvoiderOnTheWire(unittest.TestCase):
         self.assertTrue(wait_for(lambda: moves(self.out.last)))
         self.assertTrue(call('set_obstacle_avoid_enabled', SetBool, False).success)
         self.assertTrue(wait_for(lambda: self.out.last == Twist()), 'one zero [AVO-6]')
-        self.assertEqual(self.status.last.state, AvoiderStatus.IDLE)
+        self.assertTrue(self.becomes(AvoiderStatus.IDLE), '[AVO-6]')
         quiet = len(self.out.items)
         wait_for(lambda: False, 0.5)
         self.assertEqual(len(self.out.items), quiet, 'silent [AVO-6]')

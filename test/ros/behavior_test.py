@@ -10,6 +10,7 @@ import rostest
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Pose2D, Twist
 from nav_msgs.msg import Odometry
+from sensor_msgs.msg import LaserScan
 from std_srvs.srv import Empty, SetBool, Trigger
 
 from frontier_pilot.msg import (BackUpAction, BackUpGoal, BackUpResult, DriveOnHeadingAction, DriveOnHeadingGoal,
@@ -23,20 +24,23 @@ def is_zero(twist):
 
 class BehaviorTest(unittest.TestCase):
     def setUp(self):
-        self.commands, self.truth = [], None
+        self.commands, self.truth, self.scan_stamps = [], None, []
         self.subscribers = [
             rospy.Subscriber('cmd_vel_behavior', Twist, self.commands.append, queue_size=1000),
-            rospy.Subscriber('base_pose_ground_truth', Odometry, self.on_truth, queue_size=1)]
+            rospy.Subscriber('base_pose_ground_truth', Odometry, self.on_truth, queue_size=1),
+            rospy.Subscriber('scan', LaserScan, lambda scan: self.scan_stamps.append(scan.header.stamp), queue_size=100)]
         self.spawned = []
         self.clients = {}
         rospy.wait_for_service('reset_positions', 60)
         rospy.ServiceProxy('reset_positions', Empty)()
         self.until(lambda: self.truth is not None, 'the truth')
-        rospy.sleep(1.0)  # the first scans, and what a jump leaves behind
+        self.until_scans(10)  # the first ones, and what a jump leaves behind
+        del self.commands[:]
 
     def tearDown(self):
         for client in self.clients.values():
             client.cancel_all_goals()
+            self.until(lambda: client.get_state() not in (GoalStatus.PENDING, GoalStatus.ACTIVE), 'the end of a goal')
         for name in self.spawned:
             rospy.ServiceProxy('simulator/remove_obstacle', RemoveObstacle)(name)
         for subscriber in self.subscribers:
@@ -51,6 +55,11 @@ class BehaviorTest(unittest.TestCase):
             self.assertLess(time.monotonic(), end, 'waited in vain for ' + what)
             time.sleep(0.005)
 
+    def until_scans(self, count):
+        """Until so many scans have come that were measured from now on: what they show, the server knows too."""
+        now = rospy.Time.now()
+        self.until(lambda: sum(stamp > now for stamp in list(self.scan_stamps)) >= count, 'scans')
+
     def pose(self):
         q, p = self.truth.pose.pose.orientation, self.truth.pose.pose.position
         return p.x, p.y, 2.0 * math.atan2(q.z, q.w)
@@ -62,6 +71,7 @@ class BehaviorTest(unittest.TestCase):
         answer = rospy.ServiceProxy('simulator/spawn_obstacle', SpawnObstacle)(name, at, radius)
         self.assertTrue(answer.success, answer.message)
         self.spawned.append(name)
+        self.until_scans(5)
 
     def send(self, name, action, goal):
         if name not in self.clients:
@@ -108,7 +118,6 @@ class BehaviorTest(unittest.TestCase):
     def test_an_obstacle_in_the_way_of_a_turn_is_seen_before_anything_moves(self):
         """[SPN-2]"""
         self.spawn(0.16, 1.25)
-        rospy.sleep(0.5)
         self.spin(1.5)
         self.expect(GoalStatus.ABORTED, SpinResult.COLLISION_AHEAD)
         self.assertTrue(all(is_zero(command) for command in self.commands))
@@ -186,7 +195,6 @@ class BehaviorTest(unittest.TestCase):
         self.assertAlmostEqual(result.distance_traveled, 0.3, delta=0.01)
         self.assertLess(math.hypot(self.pose()[0] - x, self.pose()[1] - y), 0.02)
         self.spawn(0.3, math.pi, 0.05)
-        rospy.sleep(0.5)
         self.send('back_up', BackUpAction, BackUpGoal(target_distance=0.5))
         result = self.expect(GoalStatus.ABORTED, BackUpResult.COLLISION_AHEAD, 'back_up')
         self.assertLess(result.distance_traveled, 0.15)

@@ -30,8 +30,8 @@ class MoveBaseServer {
  private:
   using Server = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
 
-  void handleGoal(Server::GoalHandle handle);
-  void handleCancel(Server::GoalHandle handle);
+  void handleGoal(const Server::GoalHandle& offered);
+  void handleCancel(const Server::GoalHandle& handle);
   void handleSimple(const geometry_msgs::PoseStamped& msg);
   /// The goal in the map's frame, or why not.
   std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;
