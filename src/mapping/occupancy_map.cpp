@@ -5,34 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "frontier_pilot/mapping/growing_grid.h"
+
 namespace frontier_pilot {
-namespace {
-
-/// The greatest multiple of `step` that is not above `value`.
-int floorTo(int value, int step) {
-  const int quotient = value / step - (value % step < 0 ? 1 : 0);
-  return quotient * step;
-}
-
-/// `cells`, grown to multiples of `step`.
-CellRect snap(const CellRect& cells, int step) {
-  const int x = floorTo(cells.x, step);
-  const int y = floorTo(cells.y, step);
-  const int right = floorTo(cells.x + cells.width + step - 1, step);
-  const int top = floorTo(cells.y + cells.height + step - 1, step);
-  return {x, y, right - x, top - y};
-}
-
-template <class T>
-Grid<T> resized(const Grid<T>& old, const GridGeometry& geometry, Cell offset, T fill) {
-  Grid<T> grid(geometry, fill);
-  for (int y = 0; y < old.height(); ++y) {
-    std::copy_n(old.row(y), old.width(), grid.row(y + offset.y) + offset.x);
-  }
-  return grid;
-}
-
-}  // namespace
 
 OccupancyMap::OccupancyMap(const OccupancyMapParameters& parameters)
     : parameters_(parameters),

@@ -5,6 +5,7 @@
 
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/mapping/growing_grid.h"
 
 namespace frontier_pilot {
 
@@ -29,17 +30,17 @@ class LikelihoodGrid {
   void add(const std::vector<Vec2>& points);
 
   /// Empty until the first point.
-  const Grid<std::uint8_t>& grid() const { return grid_; }
+  const Grid<std::uint8_t>& grid() const { return field_.grid(); }
   const LikelihoodParameters& parameters() const { return parameters_; }
 
  private:
-  void reserve(const CellRect& cells);
   void stamp(const Vec2& point);
+  const float* profile(double phase) const;
 
   LikelihoodParameters parameters_;
-  int reach_;        ///< how far a point is felt [cells]
-  CellRect extent_;  ///< the grid's place, in cells from the frame's origin
-  Grid<std::uint8_t> grid_;
+  int reach_;                    ///< how far a point is felt [cells]
+  std::vector<float> profiles_;  ///< the Gaussian at the cells' centres, for each place of the point in its cell
+  GrowingGrid<std::uint8_t> field_;
 };
 
 /// Maxima of a field over squares: cell (x, y) of level h holds the greatest value in [x, x + 2^h) x [y, y + 2^h), in

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/mapping/growing_grid.h"
 #include "frontier_pilot/mapping/surface_points.h"
 
 namespace frontier_pilot {
@@ -43,11 +43,10 @@ class SurfelMap {
   /// One per quadrant that a normal may point into, and one for points without normal.
   using Block = std::array<Surfel, 5>;
 
+  void add(const SurfacePoint& point);
   Block& blockAt(Cell cell);
-  void reserve(const CellRect& cells);
 
-  CellRect extent_;  ///< the index' place, in cells from the frame's origin
-  Grid<std::int32_t> index_;
+  GrowingGrid<std::int32_t> index_{kCell, -1};
   std::vector<Block> blocks_;
 };
 

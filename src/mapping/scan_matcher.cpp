@@ -1,0 +1,88 @@
+#include "frontier_pilot/mapping/scan_matcher.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kStill = 1e-5;  ///< a step shorter than this ends the iterations [m, rad]
+
+double square(double x) { return x * x; }
+
+/// All distances, made linear at one pose: the normal equations.
+class Linearization {
+ public:
+  Linearization(const SurfelMap& surfels, const SurfacePoints& points, const Pose2& pose,
+                const RefinementParameters& parameters)
+      : parameters_(parameters) {
+    const double c = std::cos(pose.yaw);
+    const double s = std::sin(pose.yaw);
+    for (const SurfacePoint& point : points) {
+      const Vec2 arm(c * point.position.x() - s * point.position.y(), s * point.position.x() + c * point.position.y());
+      const Vec2 normal(c * point.normal.x() - s * point.normal.y(), s * point.normal.x() + c * point.normal.y());
+      const SurfacePoint placed{pose.position() + arm, normal};
+      if (const Surfel* surfel = surfels.nearest(placed)) add(*surfel, placed.position, arm);
+    }
+    const double scale = parameters.independence / square(parameters.noise);
+    information *= scale;
+    gradient *= scale;
+  }
+
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  int inliers = 0;
+
+ private:
+  void add(const Surfel& surfel, const Vec2& point, const Vec2& arm) {
+    const Vec2 error = point - surfel.position();
+    const Vec2 normal = surfel.normal();
+    if (normal.isZero()) {
+      // No line to slide along, but no surface that would say where exactly either.
+      add(error.x(), {1.0, 0.0, -arm.y()}, 0.1);
+      add(error.y(), {0.0, 1.0, arm.x()}, 0.1);
+    } else {
+      add(normal.dot(error), {normal.x(), normal.y(), normal.dot(Vec2(-arm.y(), arm.x()))}, 1.0);
+    }
+    if (std::abs(normal.isZero() ? error.norm() : normal.dot(error)) <= parameters_.outlier) ++inliers;
+  }
+
+  void add(double distance, const Eigen::Vector3d& jacobian, double share) {
+    const double scale = square(parameters_.outlier);
+    const double weight = share * square(scale / (scale + square(distance)));
+    information += weight * jacobian * jacobian.transpose();
+    gradient += weight * distance * jacobian;
+  }
+
+  const RefinementParameters& parameters_;
+};
+
+Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
+  return {a.x - b.x, a.y - b.y, angleDifference(a.yaw, b.yaw)};
+}
+
+/// The Gauss-Newton step; none where the equations do not determine it.
+Eigen::Vector3d stepOf(const Linearization& equations, const Pose2& pose, const Pose2& start,
+                       const std::optional<PoseBelief>& prior) {
+  // Without a prior the start holds, weakly, what nothing else determines.
+  const Eigen::Matrix3d known = prior ? Eigen::Matrix3d(prior->covariance.inverse()) : Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d off = difference(pose, prior ? prior->pose : start);
+  return -(equations.information + known).ldlt().solve(equations.gradient + known * off);
+}
+
+}  // namespace
+
+Refinement refine(const SurfelMap& surfels, const SurfacePoints& points, const Pose2& start,
+                  const std::optional<PoseBelief>& prior, const RefinementParameters& parameters) {
+  Pose2 pose = start;
+  for (int i = 0; i < parameters.iterations; ++i) {
+    const Eigen::Vector3d step = stepOf(Linearization(surfels, points, pose, parameters), pose, start, prior);
+    pose = Pose2(pose.x + step.x(), pose.y + step.y(), normalizeAngle(pose.yaw + step.z()));
+    if (step.cwiseAbs().maxCoeff() < kStill) break;
+  }
+  const Linearization last(surfels, points, pose, parameters);
+  return {pose, last.information, last.inliers / static_cast<double>(points.size())};
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,183 @@
+#include "frontier_pilot/mapping/surface_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kSteepest = 4.0;   ///< beams whose returns lie this many beam spacings apart may be on one surface
+constexpr double kSlack = 0.05;     ///< and this much more, for noise [m]
+constexpr int kMostMissing = 3;     ///< beams without a return between two that may be on one surface
+constexpr double kElongated = 4.0;  ///< a line is this many times longer than it is thick
+constexpr double kFlat = 0.25;      ///< greatest slope between two points of one surface
+
+/// First and last of some successive points.
+struct Span {
+  std::size_t first, last;
+  std::size_t size() const { return last - first + 1; }
+};
+
+/// Sums of the moments of the first n points, so that any span's line costs the same.
+class LineFitter {
+ public:
+  explicit LineFitter(const SurfacePoints& points) {
+    sums_.push_back({});
+    for (const SurfacePoint& point : points) {
+      const double x = point.position.x();
+      const double y = point.position.y();
+      const Sums& s = sums_.back();
+      sums_.push_back({s[0] + x, s[1] + y, s[2] + x * x, s[3] + x * y, s[4] + y * y});
+    }
+  }
+
+  /// The unit normal, either way round, of the line through a span; none if its points are no line.
+  std::optional<Vec2> normal(const Span& span, double max_error) const {
+    if (span.size() < 3) return std::nullopt;
+    const auto n = static_cast<double>(span.size());
+    Sums mean{};
+    for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = (sums_[span.last + 1][k] - sums_[span.first][k]) / n;
+    const double xx = mean[2] - mean[0] * mean[0];
+    const double xy = mean[3] - mean[0] * mean[1];
+    const double yy = mean[4] - mean[1] * mean[1];
+    const double half = std::hypot(0.5 * (xx - yy), xy);
+    const double across = std::max(0.0, 0.5 * (xx + yy) - half);
+    const double along = 0.5 * (xx + yy) + half;
+    if (across > max_error * max_error || along < kElongated * kElongated * across) return std::nullopt;
+    return direction(0.5 * std::atan2(2.0 * xy, xx - yy) + 0.5 * kPi);
+  }
+
+ private:
+  using Sums = std::array<double, 5>;
+  std::vector<Sums> sums_;
+};
+
+/// The returns of a scan, and where the surface surely breaks off between them.
+struct Returns {
+  SurfacePoints points;
+  std::vector<std::size_t> run;  ///< for each point the number of its run of connected points
+
+  void add(const Vec2& point, bool connected) {
+    run.push_back(run.empty() ? 0 : run.back() + (connected ? 0 : 1));
+    points.push_back({point, Vec2::Zero()});
+  }
+};
+
+Returns readReturns(const LaserScan2& scan) {
+  Returns returns;
+  std::size_t last_beam = 0;
+  double last_distance = 0.0;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const RangeReading reading = readBeam(scan, beam);
+    if (reading.kind != RangeKind::kHit) continue;
+    const Vec2 point = scan.T_base_sensor * Vec2(reading.distance * direction(scan.angle(beam)));
+    const auto apart = static_cast<double>(beam - last_beam);
+    const double spacing = apart * std::abs(scan.angle_increment) * std::min(reading.distance, last_distance);
+    const bool connected = !returns.points.empty() && beam - last_beam <= kMostMissing + 1 &&
+                           (point - returns.points.back().position).norm() <= kSteepest * spacing + kSlack;
+    returns.add(point, connected);
+    last_beam = beam;
+    last_distance = reading.distance;
+  }
+  return returns;
+}
+
+/// The points around `i`, of its run, within `radius` but at least two on each side.
+Span around(const Returns& returns, std::size_t i, double radius) {
+  const auto belongs = [&](std::size_t j, std::size_t count) {
+    const double squared = (returns.points[j].position - returns.points[i].position).squaredNorm();
+    return returns.run[j] == returns.run[i] && (count < 2 || squared <= radius * radius);
+  };
+  Span span{i, i};
+  while (span.first > 0 && belongs(span.first - 1, i - span.first)) --span.first;
+  while (span.last + 1 < returns.points.size() && belongs(span.last + 1, span.last - i)) ++span.last;
+  return span;
+}
+
+/// The normal at `i` by the neighbours on both sides, or on one side only: next to a corner.
+Vec2 normalAt(const LineFitter& fitter, const Span& span, std::size_t i, double max_error) {
+  for (const Span& part : {span, Span{span.first, i}, Span{i, span.last}}) {
+    if (const auto normal = fitter.normal(part, max_error)) return *normal;
+  }
+  return Vec2::Zero();
+}
+
+std::int64_t square(const Vec2& point, double side) {
+  const auto column = static_cast<std::int64_t>(std::floor(point.x() / side));
+  const auto row = static_cast<std::int64_t>(std::floor(point.y() / side));
+  return column * (std::int64_t{1} << 32) + row;
+}
+
+SurfacePoints thinnedTo(const SurfacePoints& points, double spacing) {
+  SurfacePoints result;
+  std::unordered_set<std::int64_t> taken;
+  for (const SurfacePoint& point : points) {
+    if (taken.insert(square(point.position, spacing)).second) result.push_back(point);
+  }
+  return result;
+}
+
+bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) {
+  const Vec2 step = b.position - a.position;
+  const double gap = step.norm();
+  if (!a.hasNormal() || !b.hasNormal() || gap > max_gap) return false;
+  const double slope = std::max(std::abs(step.dot(a.normal)), std::abs(step.dot(b.normal)));
+  return a.normal.dot(b.normal) > 0.9 && slope <= kFlat * gap;
+}
+
+}  // namespace
+
+SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters) {
+  Returns returns = readReturns(scan);
+  const LineFitter fitter(returns.points);
+  const Vec2 sensor = scan.T_base_sensor.position();
+  for (std::size_t i = 0; i < returns.points.size(); ++i) {
+    SurfacePoint& point = returns.points[i];
+    const Vec2 normal = normalAt(fitter, around(returns, i, parameters.fit_radius), i, parameters.fit_error);
+    point.normal = normal.dot(sensor - point.position) < 0.0 ? Vec2(-normal) : normal;
+  }
+  return returns.points;
+}
+
+SurfacePoints thinned(const SurfacePoints& points, const SurfaceParameters& parameters) {
+  double spacing = parameters.thinning;
+  SurfacePoints result = thinnedTo(points, spacing);
+  while (result.size() > static_cast<std::size_t>(parameters.max_points)) {
+    spacing *= 1.2;
+    result = thinnedTo(points, spacing);
+  }
+  return result;
+}
+
+SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& parameters) {
+  SurfacePoints result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    result.push_back(points[i]);
+    if (i + 1 == points.size() || !onOneSurface(points[i], points[i + 1], parameters.max_gap)) continue;
+    const Vec2 step = points[i + 1].position - points[i].position;
+    const int pieces = static_cast<int>(std::ceil(step.norm() / parameters.fill_spacing));
+    for (int k = 1; k < pieces; ++k) result.push_back({points[i].position + step * k / pieces, points[i].normal});
+  }
+  return result;
+}
+
+SurfacePoints surfaceOf(const OccupancyGrid& map) {
+  constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}};
+  SurfacePoints result;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (!isOccupied(map[i])) continue;
+    const Cell cell = map.geometry().cell(i);
+    for (const Cell& side : kSides) {
+      if (!isFree(map.get({cell.x + side.x, cell.y + side.y}, kUnknown))) continue;
+      const Vec2 normal(side.x, side.y);
+      result.push_back({map.geometry().centre(cell) + 0.5 * map.resolution() * normal, normal});
+    }
+  }
+  return result;
+}
+
+}  // namespace frontier_pilot

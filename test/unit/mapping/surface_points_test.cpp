@@ -1,0 +1,127 @@
+#include "frontier_pilot/mapping/surface_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drive.h"
+#include "support/ascii_world.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// A room of 4 m x 2 m with a pillar, seen from `pose`.
+LaserScan2 scanOfRoom(test::Scanner scanner, const Pose2& pose) { return scanner.scan(pose, timeFromSeconds(1.0)); }
+
+Grid<std::uint8_t> room() {
+  GridGeometry geometry;
+  geometry.width = 100;
+  geometry.height = 60;
+  Grid<std::uint8_t> solid(geometry, 0);
+  for (int x = 0; x < 100; ++x) {
+    for (int y = 0; y < 60; ++y) {
+      if (x < 10 || x >= 90 || y < 10 || y >= 50) solid[Cell{x, y}] = 1;
+    }
+  }
+  return solid;
+}
+
+TEST(ReadSurface, GivesTheReturnsInTheBaseFrameHoweverTheScannerIsMounted) {
+  for (const Pose2& mount : {Pose2(), Pose2(0.3, 0.1, 2.0), Pose2(-0.2, 0.0, -0.7)}) {
+    test::Scanner scanner(room(), 0.0);
+    scanner.T_base_sensor = mount;
+    const Pose2 pose(2.0, 1.5, 0.4);
+    const SurfacePoints points = readSurface(scanOfRoom(scanner, pose));
+    EXPECT_EQ(points.size(), 360U);
+    for (const SurfacePoint& point : points) {
+      const Vec2 p = pose * point.position;
+      const double to_wall =
+          std::min({std::abs(p.x() - 0.5), std::abs(p.x() - 4.5), std::abs(p.y() - 0.5), std::abs(p.y() - 2.5)});
+      EXPECT_LT(to_wall, 1e-3);
+    }
+  }
+}
+
+TEST(ReadSurface, KnowsWhichWayEachWallLooks) {
+  test::Scanner scanner(room(), 0.01);
+  const Pose2 pose(2.0, 1.5, 0.4);
+  const SurfacePoints points = readSurface(scanOfRoom(scanner, pose));
+  int with_normal = 0;
+  for (const SurfacePoint& point : points) {
+    if (!point.hasNormal()) continue;
+    ++with_normal;
+    const Vec2 p = pose * point.position;
+    const Vec2 normal = Pose2(0.0, 0.0, pose.yaw) * point.normal;
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-9);
+    EXPECT_GT(normal.dot(pose.position() - p), 0.0) << "towards the robot";
+    const bool at_side = std::abs(p.x() - 0.5) < 0.3 || std::abs(p.x() - 4.5) < 0.3;
+    EXPECT_TRUE(at_side || std::abs(normal.x()) < 0.3);
+  }
+  EXPECT_GT(with_normal, 330);
+}
+
+TEST(ReadSurface, LeavesOutBeamsThatSayNothing) {
+  LaserScan2 scan;
+  scan.angle_increment = 0.01;
+  scan.range_min = 0.1;
+  scan.range_max = 8.0;
+  const float inf = std::numeric_limits<float>::infinity();
+  scan.ranges = {1.0F, std::nanf(""), inf, -inf, 0.0F, 9.0F, 0.05F, 1.0F};
+  const SurfacePoints points = readSurface(scan);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(bearing(points[1].position), 0.07, 1e-9);
+  EXPECT_TRUE(readSurface(LaserScan2{}).empty());
+}
+
+TEST(ReadSurface, SeesNoSurfaceWhereBeamsMeetSinglePoints) {
+  LaserScan2 scan;
+  scan.angle_increment = 0.05;
+  scan.range_min = 0.1;
+  scan.range_max = 8.0;
+  scan.ranges = {1.0F, 3.0F, 5.0F, 2.0F, 7.0F, 4.0F};
+  for (const SurfacePoint& point : readSurface(scan)) EXPECT_FALSE(point.hasNormal());
+}
+
+TEST(Thinned, NeverExceedsTheNumberAskedForAndCoversTheSame) {
+  test::Scanner scanner(room(), 0.0);
+  scanner.beams = 2000;
+  SurfaceParameters parameters;
+  parameters.max_points = 60;
+  const SurfacePoints points = readSurface(scanOfRoom(scanner, {2.0, 1.5, 0.0}));
+  const SurfacePoints few = thinned(points, parameters);
+  EXPECT_LE(few.size(), 60U);
+  EXPECT_GT(few.size(), 30U);
+  for (const SurfacePoint& point : points) {
+    double nearest = 1e9;
+    for (const SurfacePoint& other : few) nearest = std::min(nearest, (other.position - point.position).norm());
+    EXPECT_LT(nearest, 0.6);
+  }
+}
+
+TEST(Filled, ClosesGapsWithinAWallAndNotBetweenWalls) {
+  const Vec2 up(0.0, 1.0);
+  const SurfacePoints wall = {{{0.0, 0.0}, up}, {{0.3, 0.0}, up}, {{0.6, 0.0}, up}, {{3.0, 0.0}, up}, {{3.1, 0.4}, up}};
+  const SurfacePoints dense = filled(wall);
+  EXPECT_EQ(dense.size(), wall.size() + 10);
+  for (const SurfacePoint& point : dense) {
+    EXPECT_TRUE(point.position.x() <= 0.6 || point.position.x() >= 3.0);
+    EXPECT_TRUE(point.position.y() == 0.0 || point.position.y() == 0.4);
+  }
+}
+
+TEST(SurfaceOf, IsTheBorderBetweenFreeAndOccupiedCells) {
+  const test::AsciiWorld world = test::drawWorld(R"(
+    ????
+    ?##.
+    ?#..
+  )",
+                                                 0.1);
+  const SurfacePoints points = surfaceOf(world.map);
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_NEAR(points[0].position.x(), 0.2, 1e-9);
+  EXPECT_NEAR(points[0].position.y(), 0.05, 1e-9);
+  EXPECT_EQ(points[0].normal, Vec2(1.0, 0.0));
+}
+
+}  // namespace
+}  // namespace frontier_pilot
