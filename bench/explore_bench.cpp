@@ -30,6 +30,7 @@ constexpr const char* kUsage =
     "  --until SHARE      stop at this explored share instead of DONE\n"
     "  --limit SECONDS    of simulated time, 7200\n"
     "  --odom-noise       the simulator's odometry noise\n"
+    "  --latency SECONDS  from a measurement to those who use it, 0\n"
     "  --curve            explored share every 10 s of simulated time\n"
     "  --log              every transition of the explorer and end of a goal\n"
     "  --twice            run each seed twice and compare the hashes\n"
@@ -44,6 +45,7 @@ struct Options {
   std::optional<Pose2> start;
   double until = 2.0;
   double limit = 7200.0;
+  double latency = 0.0;
   bool odom_noise = false, curve = false, log = false, twice = false;
   std::string svg;
 };
@@ -68,6 +70,7 @@ class Arguments {
     if (word == "--start") return takeStart(o);
     if (word == "--until") return void(o.until = number());
     if (word == "--limit") return void(o.limit = number());
+    if (word == "--latency") return void(o.latency = number());
     if (word == "--odom-noise") return void(o.odom_noise = true);
     if (word == "--curve") return void(o.curve = true);
     if (word == "--log") return void(o.log = true);
@@ -118,6 +121,7 @@ test::ClosedLoopParameters parametersFor(const Options& options, const std::stri
   parameters.simulator.world = world;
   parameters.simulator.seed = seed;
   parameters.simulator.odom_noise = options.odom_noise;
+  parameters.latency = options.latency;
   if (options.start) {
     parameters.simulator.x = options.start->x;
     parameters.simulator.y = options.start->y;

@@ -46,6 +46,7 @@ Navigator::Navigator(const NavigatorParams& params, std::vector<RecoveryRung> la
       planner_(params.planner),
       obstacles_(params.obstacles),
       follower_(params.follower, params.limits),
+      predictor_(params.limits),
       watchdog_(params.watchdog) {}
 
 void Navigator::setMap(const OccupancyGrid& map, const CellRect& changed) {
@@ -68,6 +69,7 @@ NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) {
   output_ = {};
   if (last_update_ && now < *last_update_) {
     poses_.clear();
+    predictor_.clear();
     pose_.reset();
     scan_stamp_.reset();
     waiting_since_.reset();
@@ -85,6 +87,7 @@ NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) {
     waiting_since_.reset();
     pursueGoal(inputs, now);
   }
+  if (output_.command) predictor_.commanded(*output_.command, now);
   return output_;
 }
 
@@ -156,9 +159,10 @@ void Navigator::pursueGoal(const NavigatorInputs& inputs, Time now) {
   refreshMap(now);
   if (recovery_) return continueRecovery(now);
   if (!ensurePath(now)) return;
-  if (arrived_ || isAtGoal()) return turn();
+  const MotionPredictor::Motion motion = predictor_.predict(*pose_, inputs.twist, now);
+  if (arrived_ || isAtGoal()) return turn(motion);
   lookForBetter(now);
-  drive(inputs, now);
+  drive(motion, now);
 }
 
 void Navigator::refreshMap(Time now) {
@@ -213,16 +217,17 @@ bool Navigator::isAtGoal() const {
   return (pose_->T_map_base.position() - target).norm() <= params_.goal_tolerance;
 }
 
-void Navigator::turn() {
+void Navigator::turn(const MotionPredictor::Motion& motion) {
   arrived_ = true;
-  const double left = angleDifference(goal_->T_map_goal.yaw, pose_->T_map_base.yaw);
+  const double left = angleDifference(goal_->T_map_goal.yaw, motion.T_map_base.yaw);
   if (!goal_->use_yaw || std::abs(left) <= params_.yaw_tolerance)
     return finish(NavResult::kSucceeded, NavReason::kReached);
   command({0.0, stoppableRate(left, params_.limits)}, NavState::kTurning, NavReason::kTurning);
 }
 
-void Navigator::drive(const NavigatorInputs& inputs, Time now) {
-  const FollowerOutput step = follower_.update({pose_->T_map_base, inputs.twist, scan_, clearance_});
+void Navigator::drive(const MotionPredictor::Motion& motion, Time now) {
+  const double age = std::max(0.0, toSeconds(now - std::min(pose_->stamp, *scan_stamp_)));
+  const FollowerOutput step = follower_.update({motion.T_map_base, motion.twist, age, scan_, clearance_});
   const auto verdict = watchdog_.update(now, pose_->T_map_base.position(), follower_.remaining());
   if (watchdog_.hasMoved()) rung_ = 0;
   if (verdict == ProgressWatchdog::Verdict::kNoProgress) return recover(NavReason::kBlocked, now);

@@ -96,10 +96,11 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
   return trial;
 }
 
-bool PathFollower::isSafe(const Trial& trial, const Twist2& twist) const {
-  if (trial.command.linear == 0.0 && twist.linear < kCreep) return true;
-  const double speed = std::max(twist.linear, trial.command.linear);
-  return trial.free_time >= params_.reaction_time + speed / limits_.max_linear_acc;
+bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs) const {
+  if (trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
+  const double speed = std::max(inputs.twist.linear, trial.command.linear);
+  // What is late now will be late the next time.
+  return trial.free_time >= params_.reaction_time + inputs.age + speed / limits_.max_linear_acc;
 }
 
 FollowerOutput PathFollower::update(const FollowerInputs& inputs) {
@@ -122,7 +123,7 @@ FollowerOutput PathFollower::update(const FollowerInputs& inputs) {
   bool found = false;
   for (const Policy& policy : policies) {
     Trial trial = tryOut(policy, inputs, around);
-    if (!isSafe(trial, inputs.twist)) continue;
+    if (!isSafe(trial, inputs)) continue;
     if (!found || trial.score() > best.score()) best = std::move(trial);
     found = true;
     if (best.score() >= kGoodEnough * possible) break;

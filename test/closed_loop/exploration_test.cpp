@@ -43,6 +43,24 @@ TEST_P(EveryWorld, IsExploredToTheEndWithoutContact) {
 }
 INSTANTIATE_TEST_SUITE_P(Worlds, EveryWorld, testing::Values("flat", "office", "maze", "cave", "loop", "small"));
 
+class LateData : public testing::TestWithParam<const char*> {};
+
+// What is seen, and what is done about it, is a third of a second old, as on a machine that has too much to do. [NAV-4]
+TEST_P(LateData, AtHalfAMetreASecondMakesNoContact) {
+  ClosedLoopParameters parameters = seeded(2);
+  RobotLimits fast;
+  fast.max_linear = 0.5;
+  fast.max_angular = 1.5;
+  parameters.setLimits(fast);
+  parameters.latency = 0.3;
+  ClosedLoop loop(load(GetParam()), parameters);
+  explore(loop, 3600.0);
+  EXPECT_TRUE(loop.done()) << loop.status().reason_text;
+  EXPECT_GE(exploredShare(loop), 0.99);
+  EXPECT_EQ(loop.simulator().contactCount(0), 0);
+}
+INSTANTIATE_TEST_SUITE_P(Worlds, LateData, testing::Values("maze", "cave"));
+
 // [SIM-2]
 TEST(Exploration, TheSameSeedGivesTheSameHashAndAnotherSeedAnotherOne) {
   std::uint64_t hashes[3];

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frontier_pilot/planning/global_planner.h"
+#include "frontier_pilot/planning/motion_predictor.h"
 #include "frontier_pilot/planning/navigator_types.h"
 #include "frontier_pilot/planning/obstacle_layer.h"
 #include "frontier_pilot/planning/path_follower.h"
@@ -87,8 +88,8 @@ class Navigator {
   bool replan(Time now);
   bool usePath(PlanResult result, Time now);
   void lookForBetter(Time now);
-  void drive(const NavigatorInputs& inputs, Time now);
-  void turn();
+  void drive(const MotionPredictor::Motion& motion, Time now);
+  void turn(const MotionPredictor::Motion& motion);
   void blocked(Time now);
   void recover(NavReason trouble, Time now);
   void continueRecovery(Time now);
@@ -102,6 +103,7 @@ class Navigator {
   GlobalPlanner planner_;
   ObstacleLayer obstacles_;
   PathFollower follower_;
+  MotionPredictor predictor_;
   ProgressWatchdog watchdog_;
 
   PoseHistory poses_;

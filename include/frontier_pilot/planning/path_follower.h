@@ -18,7 +18,7 @@ struct FollowerParams {
   double min_lookahead = 0.2;        ///< [m]
   double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
   double horizon = 1.5;              ///< how far ahead motions are tried out [s]
-  double reaction_time = 0.25;       ///< from a measurement to wheels that brake [s]
+  double reaction_time = 0.25;       ///< until wheels brake for what is seen next, if it comes at once [s]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -30,14 +30,16 @@ struct FollowerParams {
     v.field("turn_in_place_angle", turn_in_place_angle, "rad", "above this bearing the robot turns on the spot",
             between(0.3, 3.0));
     v.field("horizon", horizon, "s", "how far ahead motions are tried out", between(0.3, 5.0));
-    v.field("reaction_time", reaction_time, "s", "from a measurement to wheels that brake", between(0.0, 2.0));
+    v.field("reaction_time", reaction_time, "s", "until the wheels brake for what is seen next, if it comes at once",
+            between(0.0, 2.0));
   }
 };
 
 /// What the follower looks at; all of it in the map frame.
 struct FollowerInputs {
-  Pose2 T_map_base;
-  Twist2 twist;  ///< present one
+  Pose2 T_map_base;  ///< present one
+  Twist2 twist;      ///< present one
+  double age;        ///< of what these and the scan were measured by [s]
   const ScanPoints& scan;
   const ClearanceMap& map;
 };
@@ -99,7 +101,7 @@ class PathFollower {
   Twist2 pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const;
   double turnRate(double angle, const Twist2& twist) const;
   Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Surroundings& around) const;
-  bool isSafe(const Trial& trial, const Twist2& twist) const;
+  bool isSafe(const Trial& trial, const FollowerInputs& inputs) const;
 
   FollowerParams params_;
   RobotLimits limits_;

@@ -50,7 +50,8 @@ ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters,
       explorer_(parameters.explorer),
       arbiter_(parameters.arbiter),
       nav_source_(arbiter_.find("nav").value()),
-      wall_clock_(wall_clock) {}
+      wall_clock_(wall_clock),
+      latency_(fromSeconds(parameters.latency)) {}
 
 void ClosedLoop::step() {
   {
@@ -58,7 +59,7 @@ void ClosedLoop::step() {
     simulator_.step();
   }
   ++steps_;
-  takeScan();
+  sense();
   if (steps_ % kStepsPerControl == 0) control();
   if (steps_ % kStepsPerTick == 0) {
     const Stopwatch watch(wall_clock_, times_.arbiter);
@@ -66,12 +67,18 @@ void ClosedLoop::step() {
   }
 }
 
-void ClosedLoop::takeScan() {
+void ClosedLoop::sense() {
   const LaserScan2* scan = simulator_.newScan(0);
-  if (scan == nullptr) return;
-  scan_ = *scan;
-  const Stopwatch watch(wall_clock_, times_.mapper);
-  mapper_.insert(scan_, simulator_.odometry(0), now());
+  on_the_way_.push_back({now(), simulator_.odometry(0), simulator_.velocity(0),
+                         scan != nullptr ? std::optional<LaserScan2>(*scan) : std::nullopt});
+  while (!on_the_way_.empty() && now() - on_the_way_.front().stamp >= latency_) {
+    sensed_ = std::move(on_the_way_.front());
+    on_the_way_.pop_front();
+    if (!sensed_.scan) continue;
+    scan_ = std::move(*sensed_.scan);
+    const Stopwatch watch(wall_clock_, times_.mapper);
+    mapper_.insert(scan_, sensed_.T_odom_base, now());
+  }
 }
 
 void ClosedLoop::control() {
@@ -90,7 +97,7 @@ void ClosedLoop::control() {
   for (const double value : {pose.x, pose.y, pose.yaw}) mix(value);
 }
 
-StampedPose ClosedLoop::poseNow() const { return {now(), mapper_.T_map_odom() * simulator_.odometry(0)}; }
+StampedPose ClosedLoop::lastPose() const { return {sensed_.stamp, mapper_.T_map_odom() * sensed_.T_odom_base}; }
 
 Instant ClosedLoop::instant() const { return {now(), SteadyTime(now().time_since_epoch())}; }
 
@@ -99,8 +106,8 @@ void ClosedLoop::explore() {
   ExplorerInputs inputs;
   inputs.enabled = exploring_;
   inputs.map_available = !mapper_.grid().empty();
-  inputs.T_map_base = StampedPose2{poseNow().T_map_base, now()};
-  inputs.odometry_stamp = now();
+  inputs.T_map_base = StampedPose2{lastPose().T_map_base, sensed_.stamp};
+  inputs.odometry_stamp = sensed_.stamp;
   inputs.goal_events.swap(goal_events_);
   ExplorerOutput output = explorer_.update(inputs, now());
   if (output.command.kind != GoalCommand::Kind::kNone) pending_ = output.command;
@@ -117,9 +124,9 @@ void ClosedLoop::navigate() {
   {
     const Stopwatch watch(wall_clock_, times_.navigator);
     NavigatorInputs inputs;
-    inputs.pose = poseNow();
+    inputs.pose = lastPose();
     inputs.scan = scan_.ranges.empty() ? nullptr : &scan_;
-    inputs.twist = simulator_.velocity(0);
+    inputs.twist = sensed_.twist;
     if (pending_.kind == GoalCommand::Kind::kSend) inputs.new_goal = NavGoal{pending_.goal_id, pending_.goal, false};
     inputs.cancel = pending_.kind == GoalCommand::Kind::kCancel;
     pending_ = {};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct ClosedLoopParameters {
   NavigatorParams navigator;
   ExplorerParameters explorer;
   ArbiterParameters arbiter;
+  double latency = 0.0;  ///< from a measurement to those who use it [s]
 
   /// One set of limits for everybody who needs to know them.
   void setLimits(const RobotLimits& limits);
@@ -64,13 +66,21 @@ class ClosedLoop {
   std::uint64_t hash() const { return hash_; }
 
  private:
-  void takeScan();
+  /// What the robot's sensors said at one moment.
+  struct Sensed {
+    Time stamp;
+    Pose2 T_odom_base;
+    Twist2 twist;
+    std::optional<LaserScan2> scan;
+  };
+
+  void sense();
   void control();
   void explore();
   void navigate();
   void noteGoals(const NavigatorOutput& output);
   Instant instant() const;
-  StampedPose poseNow() const;
+  StampedPose lastPose() const;
   void log(const std::string& line);
   void mix(double value);
 
@@ -86,6 +96,9 @@ class ClosedLoop {
   double (*wall_clock_)();
 
   bool exploring_ = true;
+  Duration latency_;
+  std::deque<Sensed> on_the_way_;
+  Sensed sensed_;  ///< the newest that has arrived
   LaserScan2 scan_;
   GoalCommand pending_;
   std::uint32_t goal_id_ = 0;

@@ -67,7 +67,6 @@ TEST(ShippedConfigurations, AreAllAcceptedByTheNodesTheyAreFor) {
   expectGood<ArbiterParameters>("arbiter.yaml");
   expectGood<ArbiterParameters>("arbiter_avoid_required.yaml");
   expectGood<ObstacleAvoiderNodeParameters>("avoider.yaml");
-  expectGood<ObstacleAvoiderNodeParameters>("avoider_last_resort.yaml");
   expectGood<PatrolServerParameters>("patrol.yaml");
   expectGood<BehaviorServerParameters>("behavior.yaml");
   expectGood<BehaviorServerParameters>("behavior_waffle.yaml");
