@@ -18,14 +18,15 @@ class Scanner {
   double range_max = 8.0;   ///< [m]
   double lost_share = 0.0;  ///< of the beams that come back as if they had met nothing
   std::size_t beams = 360;
+  double field_of_view = 2.0 * kPi;  ///< [rad], ahead
   Pose2 T_base_sensor{};
 
   /// What the scanner sees from `T_world_base`.
   LaserScan2 scan(const Pose2& T_world_base, Time stamp) {
     LaserScan2 scan;
     scan.stamp = stamp;
-    scan.angle_min = -kPi;
-    scan.angle_increment = 2.0 * kPi / static_cast<double>(beams);
+    scan.angle_min = -0.5 * field_of_view;
+    scan.angle_increment = field_of_view / static_cast<double>(beams);
     scan.range_min = 0.12;
     scan.range_max = range_max;
     scan.T_base_sensor = T_base_sensor;

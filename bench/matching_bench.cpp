@@ -1,0 +1,124 @@
+// What following the robot costs, and how far it drifts without closing loops, on the Willow Garage floor: 360 beams,
+// 8 m, 1 cm noise, a scan every 5 cm of a tour of all places, and odometry with 5 % noise of distance and rotation,
+// that drifts by 2 % of the distance and 0.01 rad/m. Set FRONTIER_PILOT_WORLDS to the folder of willow_garage.yaml.
+//
+//   Follow   LocalSlam::update, scan by scan
+//   Search   the correlative search alone, in windows of growing half width [cm]
+//
+// The floor of a search is one load for each point of each pose that must be looked at: `lookups` at 64 bytes each if
+// nothing is in the cache, some 100 k a scan.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "frontier_pilot/mapping/local_slam.h"
+#include "support/cpu_stopwatch.h"
+#include "support/willow_tour.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// What wheels make of a drive.
+class Wheels {
+ public:
+  const Pose2& move(const Pose2& step) {
+    const double driven = step.position().norm();
+    const double turn = step.yaw * (1.0 + 0.05 * noise_(random_)) + 0.01 * driven;
+    pose_ = pose_ * Pose2(step.position() * (1.02 + 0.05 * noise_(random_)), turn);
+    return pose_;
+  }
+
+ private:
+  Pose2 pose_;
+  std::mt19937 random_{7};
+  std::normal_distribution<double> noise_{0.0, 1.0};
+};
+
+/// How far estimates move away from the truth.
+class Drift {
+ public:
+  void add(const Pose2& truth, const Pose2& estimate) {
+    truth_.push_back(truth);
+    estimate_.push_back(estimate);
+  }
+  /// Error of the motion over so many scans: means of the distance [m] and of the angle [rad].
+  void report(benchmark::State& state, std::size_t scans) const {
+    double length = 0.0;
+    double off = 0.0;
+    double turned = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i + scans < truth_.size(); i += scans / 10) {
+      const Pose2 wanted = truth_[i].inverse() * truth_[i + scans];
+      const Pose2 error = wanted.inverse() * (estimate_[i].inverse() * estimate_[i + scans]);
+      for (std::size_t k = i; k < i + scans; ++k) length += (truth_[k + 1].position() - truth_[k].position()).norm();
+      off += error.position().norm();
+      turned += std::abs(error.yaw);
+      count += 1.0;
+    }
+    state.counters["length_m"] = length / count;
+    state.counters["drift_pct"] = 100.0 * off / length;
+    state.counters["drift_deg"] = turned / count * 180.0 / kPi;
+  }
+
+ private:
+  std::vector<Pose2> truth_;
+  std::vector<Pose2> estimate_;
+};
+
+void follow(benchmark::State& state) {
+  if (bench::tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
+  const std::vector<Pose2> poses = bench::smoothed(bench::tour()->poses());
+  for (auto _ : state) {
+    LocalSlam slam;
+    Wheels wheels;
+    bench::Scanner scanner(bench::tour()->caster());
+    bench::Stopwatch watch;
+    Drift drift;
+    double odometry_only = 0.0;
+    double contradicts = 0.0;
+    double memory = 0.0;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const LaserScan2& scan = scanner.at(poses[i]);
+      const Pose2 T_odom_base = wheels.move(i == 0 ? Pose2() : poses[i - 1].inverse() * poses[i]);
+      LocalSlamOutput output;
+      watch.time([&] { output = slam.update(scan, T_odom_base); });
+      drift.add(poses[i], output.track.T_local_base.pose);
+      if (!isMatched(output.track.verdict)) odometry_only += 1.0;
+      if (output.track.verdict == MatchVerdict::kContradicts) contradicts += 1.0;
+      for (const auto& submap : output.finished) memory += static_cast<double>(submap->map.memory());
+    }
+    watch.report(state);
+    drift.report(state, static_cast<std::size_t>(state.range(0)));
+    state.counters["odometry_only"] = odometry_only;
+    state.counters["contradicts"] = contradicts;
+    state.counters["submaps_MB"] = memory / 1e6;
+  }
+}
+BENCHMARK(follow)->Name("Follow")->Arg(400)->Arg(2000)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+void searchWindow(benchmark::State& state) {
+  if (bench::tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
+  const std::vector<Pose2> poses = bench::smoothed(bench::tour()->poses());
+  const double half = static_cast<double>(state.range(0)) / 100.0;
+  bench::Scanner scanner(bench::tour()->caster());
+  SurfaceMap map;
+  constexpr std::size_t kFirst = 3000;
+  for (std::size_t i = kFirst; i < kFirst + 100; i += 5) map.add(filled(readSurface(scanner.at(poses[i]))), poses[i]);
+  const SearchWindow window{half, half, 0.3};
+  const MaxPyramid pyramid(map.likelihood().grid(), pyramidTop(window, 0.05));
+  const Pose2 truth = poses[kFirst + 50];
+  const SurfacePoints points = thinned(readSurface(scanner.at(truth)));
+  SearchRequest request;
+  request.expected = truth * Pose2(0.4 * half, -0.3 * half, 0.1);
+  request.window = window;
+  for (auto _ : state) benchmark::DoNotOptimize(correlativeSearch(pyramid, points, request));
+  state.counters["points"] = static_cast<double>(points.size());
+  state.counters["poses"] = std::pow(2.0 * half / 0.05 + 1.0, 2) * 2.0 * 0.3 * 8.0 / 0.05;
+}
+BENCHMARK(searchWindow)->Name("Search")->Arg(10)->Arg(50)->Arg(200)->Arg(700)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace frontier_pilot

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "frontier_pilot/core/distance_field.h"
+#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/ray_casting.h"
+
+namespace frontier_pilot::bench {
+
+constexpr double kRange = 8.0;  ///< of the scanner [m]
+
+/// A floor, and a tour through it with a pose every 5 cm, that comes within 2 m of every reachable place.
+class Tour {
+ public:
+  Tour(const OccupancyGrid& map, const Vec2& start);
+
+  const std::vector<Pose2>& poses() const { return poses_; }
+  const RayCaster& caster() const { return caster_; }
+
+ private:
+  bool isPassable(Cell c) const { return distance_.at(c) > 0.3; }
+  void drive(Cell at);
+  std::vector<Cell> pathToUnvisited(const Grid<std::uint8_t>& visited, Cell from) const;
+  void addPose(Cell from, Cell to);
+
+  Grid<std::uint8_t> solid_;
+  RayCaster caster_;
+  DistanceField distance_;
+  std::vector<Pose2> poses_;
+};
+
+/// The tour of the Willow Garage floor, in the folder FRONTIER_PILOT_WORLDS; nullptr if it is not there.
+const Tour* tour();
+
+/// A drive along a tour as a robot would do it: corners are rounded, and the robot turns before it drives.
+std::vector<Pose2> smoothed(const std::vector<Pose2>& poses);
+
+/// 360 beams at 10 Hz, with 1 cm noise.
+class Scanner {
+ public:
+  explicit Scanner(const RayCaster& caster);
+  const LaserScan2& at(const Pose2& pose);
+
+ private:
+  const RayCaster& caster_;
+  LaserScan2 scan_;
+  std::mt19937 random_{1};
+  std::normal_distribution<double> noise_{0.0, 0.01};
+};
+
+}  // namespace frontier_pilot::bench

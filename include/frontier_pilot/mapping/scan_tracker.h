@@ -1,0 +1,134 @@
+#pragma once
+
+#include <optional>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/mapping/scan_matcher.h"
+
+namespace frontier_pilot {
+
+/// How far odometry is believed.
+struct OdometryTrust {
+  double distance = 0.1;      ///< standard deviation of the position per metre driven [m/m]
+  double yaw_distance = 0.1;  ///< of the yaw per metre driven [rad/m]
+  double yaw_turn = 0.1;      ///< of the yaw per radian turned [rad/rad]
+  double unseen_speed = 0.6;  ///< the robot may move this fast unseen by odometry [m/s]
+  double unseen_turn = 1.0;   ///< and turn this fast [rad/s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("distance", distance, "m/m", "standard deviation of the position per metre driven", positive());
+    v.field("yaw_distance", yaw_distance, "rad/m", "standard deviation of the yaw per metre driven", positive());
+    v.field("yaw_turn", yaw_turn, "rad/rad", "standard deviation of the yaw per radian turned", positive());
+    v.field("unseen_speed", unseen_speed, "m/s", "the robot may move this fast unseen by odometry", atLeast(0.0));
+    v.field("unseen_turn", unseen_turn, "rad/s", "the robot may turn this fast unseen by odometry", atLeast(0.0));
+  }
+};
+
+struct ScanTrackerParameters {
+  int min_points = 15;        ///< fewer are not matched
+  double min_score = 0.4;     ///< mean likelihood that a match must reach
+  double min_inliers = 0.5;   ///< share of the points that must lie on surfaces
+  double max_distance = 1.0;  ///< greatest half width of the search [m]
+  double max_angle = 0.6;     ///< [rad]
+  double max_silence = 5.0;   ///< without a match for so long the robot is lost [s]
+  OdometryTrust odometry;
+  RefinementParameters refinement;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("min_points", min_points, "", "scans with fewer points are not matched", between(3, 10000));
+    v.field("min_score", min_score, "", "mean likelihood that a match must reach", between(0.0, 1.0));
+    v.field("min_inliers", min_inliers, "", "share of the points that must lie on surfaces", between(0.0, 1.0));
+    v.field("max_distance", max_distance, "m", "greatest half width of the search", positive());
+    v.field("max_angle", max_angle, "rad", "greatest half width of the search in yaw", positive());
+    v.field("max_silence", max_silence, "s", "without a match for so long a new submap is begun", positive());
+    v.group("odometry", odometry, "how far odometry is believed");
+    v.group("refinement", refinement, "the match below the size of a cell");
+  }
+};
+
+/// What became of a scan.
+enum class MatchVerdict {
+  kFirst,        ///< there was nothing to match it with
+  kMatched,      ///< scan and odometry agree
+  kContradicts,  ///< matched well, but elsewhere than odometry says: odometry is not believed
+  kTooFew,       ///< too few returns: odometry only
+  kPoor,         ///< the scan fits nowhere in the window: odometry only
+  kAmbiguous,    ///< it fits in several places, and not where odometry says: odometry only
+  kLost,         ///< nothing has matched for so long that the map is begun anew, where odometry says
+};
+constexpr std::size_t kMatchVerdicts = 7;
+const char* toString(MatchVerdict verdict);
+
+/// Whether the pose is one that the map confirms.
+inline bool isMatched(MatchVerdict verdict) {
+  return verdict == MatchVerdict::kMatched || verdict == MatchVerdict::kContradicts;
+}
+
+/// What scans are matched with: a map, its pyramid, and where its frame lies.
+struct MatchTarget {
+  const SurfaceMap& map;
+  const MaxPyramid& pyramid;
+  Pose2 T_local_map;
+};
+
+struct Track {
+  MatchVerdict verdict = MatchVerdict::kFirst;
+  PoseBelief T_local_base;  ///< the covariance is relative to what it was matched with
+  double score = 0.0;       ///< mean likelihood of the points, 0 ... 1
+  double inliers = 0.0;     ///< share of the points that lie on surfaces, 0 ... 1
+};
+
+/// Follows a robot from scan to scan: odometry says where to look and how sure it is of that, the map where the robot
+/// is, and odometry again what the map does not show. Where scan and odometry contradict each other, the scan is right:
+/// wheels slip and encoders freeze, walls do not. Where the scan shows nothing known, odometry carries on.
+class ScanTracker {
+ public:
+  explicit ScanTracker(const ScanTrackerParameters& parameters = {}) : parameters_(parameters) {}
+
+  /// `points` are those of a scan of `stamp`, taken at `T_odom_base`; without a target there is nothing yet.
+  Track track(const SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
+              const std::optional<MatchTarget>& target);
+
+  /// How far a search may reach, so that pyramids fit.
+  SearchWindow usualWindow() const;
+  const Pose2& T_local_odom() const { return T_local_odom_; }
+  /// Puts the local frame's origin to odometry's, and forgets everything.
+  void reset();
+
+ private:
+  /// Standard deviations, the same in all directions.
+  struct Sigma {
+    double position = 0.0;  ///< [m]
+    double yaw = 0.0;       ///< [rad]
+  };
+  struct Prediction {
+    Pose2 T_map_base;
+    Sigma odometry;  ///< if odometry works as it should
+    Sigma unseen;    ///< if it does not
+  };
+  struct Last {
+    Time stamp;
+    Pose2 T_odom_base;
+    Time matched;  ///< when a scan was matched last
+    Sigma sigma;   ///< what odometry has added since then
+  };
+
+  Sigma grown(const Sigma& sigma, const Pose2& motion) const;
+  Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
+  Track match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const;
+  std::optional<SearchResult> find(const SurfacePoints& points, const MaxPyramid& pyramid,
+                                   const Prediction& prediction) const;
+  bool hasRival(const SurfacePoints& points, const MaxPyramid& pyramid, const Prediction& prediction,
+                const SearchResult& found, const Eigen::Matrix3d& information) const;
+  SearchRequest request(const Prediction& prediction, double resolution) const;
+  void remember(Time stamp, const Pose2& T_odom_base, const Track& track);
+
+  ScanTrackerParameters parameters_;
+  Pose2 T_local_odom_;
+  std::optional<Last> last_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,196 @@
+#include "frontier_pilot/mapping/scan_tracker.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "frontier_pilot/core/motion.h"
+
+namespace frontier_pilot {
+namespace {
+
+// What odometry may be off by without having moved at all: its resolution, and the moment it was read at.
+constexpr double kLeastPosition = 0.003;  ///< [m]
+constexpr double kLeastYaw = 0.002;       ///< [rad]
+
+constexpr double kPenalty = 0.0035;      ///< of score, for a deviation of one standard deviation
+constexpr double kLimit = 3.0;           ///< standard deviations that odometry may be off by
+constexpr double kContradiction = 16.0;  ///< squared Mahalanobis distance: one in a thousand by chance
+constexpr double kRival = 0.95;          ///< a second peak this near to the first makes it ambiguous
+constexpr double kSameRidge = 25.0;      ///< squared Mahalanobis distance of poses that the scan cannot tell apart
+constexpr double kRivalDistance = 4;     ///< poses nearer than this to a peak belong to it [cells]
+constexpr double kRivalAngle = 0.1;      ///< [rad]
+
+PoseBelief beliefOf(const Pose2& pose, double position, double yaw) {
+  return {pose, Eigen::Vector3d(position, position, yaw).array().square().matrix().asDiagonal()};
+}
+
+Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
+  return {a.x - b.x, a.y - b.y, angleDifference(a.yaw, b.yaw)};
+}
+
+/// Whether two beliefs cannot both be right.
+bool contradict(const PoseBelief& a, const PoseBelief& b) {
+  const Eigen::Vector3d apart = difference(a.pose, b.pose);
+  return apart.dot((a.covariance + b.covariance).ldlt().solve(apart)) > kContradiction;
+}
+
+/// What the points and odometry say together.
+PoseBelief fused(const Refinement& refined, const PoseBelief& odometry) {
+  const Eigen::Matrix3d covariance = (refined.information + odometry.covariance.inverse()).inverse();
+  const Eigen::Vector3d shift = covariance * refined.information * difference(refined.pose, odometry.pose);
+  const Pose2& pose = odometry.pose;
+  return {Pose2(pose.x + shift.x(), pose.y + shift.y(), normalizeAngle(pose.yaw + shift.z())), covariance};
+}
+
+/// A belief in a map's frame, as one in the frame that the map lies in.
+PoseBelief moved(const Pose2& T_local_map, const PoseBelief& belief) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_local_map.yaw).toRotationMatrix();
+  return {T_local_map * belief.pose, turn * belief.covariance * turn.transpose()};
+}
+
+}  // namespace
+
+const char* toString(MatchVerdict verdict) {
+  switch (verdict) {
+    case MatchVerdict::kFirst:
+      return "first scan";
+    case MatchVerdict::kMatched:
+      return "matched";
+    case MatchVerdict::kContradicts:
+      return "matched, contradicts odometry";
+    case MatchVerdict::kTooFew:
+      return "too few returns";
+    case MatchVerdict::kPoor:
+      return "does not fit the map";
+    case MatchVerdict::kAmbiguous:
+      return "ambiguous";
+    case MatchVerdict::kLost:
+      return "lost, begun anew";
+  }
+  return "unknown";
+}
+
+ScanTracker::Sigma ScanTracker::grown(const Sigma& sigma, const Pose2& motion) const {
+  const OdometryTrust& trust = parameters_.odometry;
+  const double driven = motion.position().norm();
+  const double turned = std::abs(motion.yaw);
+  return {std::hypot(sigma.position, trust.distance * driven),
+          std::hypot(sigma.yaw, trust.yaw_distance * driven, trust.yaw_turn * turned)};
+}
+
+ScanTracker::Prediction ScanTracker::predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const {
+  const Pose2 T_map_base = T_local_map.inverse() * T_local_odom_ * T_odom_base;
+  if (!last_) return {T_map_base, {kLeastPosition, kLeastYaw}, {kLeastPosition, kLeastYaw}};
+  const Sigma sigma = grown(last_->sigma, last_->T_odom_base.inverse() * T_odom_base);
+  const Sigma odometry{std::hypot(sigma.position, kLeastPosition), std::hypot(sigma.yaw, kLeastYaw)};
+  const double silence = std::max(0.0, toSeconds(stamp - last_->matched));
+  return {T_map_base,
+          odometry,
+          {odometry.position + parameters_.odometry.unseen_speed * silence,
+           odometry.yaw + parameters_.odometry.unseen_turn * silence}};
+}
+
+Track ScanTracker::track(const SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
+                         const std::optional<MatchTarget>& target) {
+  Track track;
+  track.T_local_base.pose = T_local_odom_ * T_odom_base;
+  if (target) {
+    const Prediction prediction = predict(stamp, T_odom_base, target->T_local_map);
+    track.T_local_base = beliefOf(track.T_local_base.pose, prediction.odometry.position, prediction.odometry.yaw);
+    const Track matched = match(points, *target, prediction);
+    if (isMatched(matched.verdict)) {
+      track = matched;
+    } else {
+      track.verdict = matched.verdict;
+      track.score = matched.score;
+      track.inliers = matched.inliers;
+    }
+    const bool silent = toSeconds(stamp - last_->matched) > parameters_.max_silence;
+    if (silent && (track.verdict == MatchVerdict::kPoor || track.verdict == MatchVerdict::kAmbiguous))
+      track.verdict = MatchVerdict::kLost;
+  }
+  remember(stamp, T_odom_base, track);
+  return track;
+}
+
+Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const {
+  Track track;
+  track.verdict = MatchVerdict::kTooFew;
+  if (points.size() < static_cast<std::size_t>(parameters_.min_points)) return track;
+  track.verdict = MatchVerdict::kPoor;
+  const auto found = find(points, target.pyramid, prediction);
+  if (!found) return track;
+  track.score = found->score;
+  // What odometry says holds the pose loosely at first: it may be wrong, and then it must not pull.
+  const PoseBelief loose = beliefOf(prediction.T_map_base, prediction.unseen.position, prediction.unseen.yaw);
+  const Refinement refined = refine(target.map.surfels(), points, found->pose, loose, parameters_.refinement);
+  track.inliers = refined.inliers;
+  if (refined.inliers < parameters_.min_inliers) return track;
+  const PoseBelief seen{refined.pose, (refined.information + loose.covariance.inverse()).inverse()};
+  const PoseBelief odometry = beliefOf(prediction.T_map_base, prediction.odometry.position, prediction.odometry.yaw);
+  if (!contradict(seen, odometry)) {
+    track.verdict = MatchVerdict::kMatched;
+    track.T_local_base = moved(target.T_local_map, fused(refined, odometry));
+    return track;
+  }
+  const bool ambiguous = hasRival(points, target.pyramid, prediction, *found, refined.information);
+  track.verdict = ambiguous ? MatchVerdict::kAmbiguous : MatchVerdict::kContradicts;
+  track.T_local_base = moved(target.T_local_map, seen);
+  return track;
+}
+
+SearchRequest ScanTracker::request(const Prediction& prediction, double resolution) const {
+  SearchRequest request;
+  request.expected = prediction.T_map_base;
+  const double reach =
+      std::min(parameters_.max_distance, kLimit * prediction.odometry.position + prediction.unseen.position);
+  const double turn = std::min(parameters_.max_angle, kLimit * prediction.odometry.yaw + prediction.unseen.yaw);
+  request.window = {reach, reach, turn};
+  request.penalty = {kPenalty, kLimit, std::max(prediction.odometry.position, 0.5 * resolution),
+                     std::max(prediction.odometry.yaw, 0.01)};
+  request.min_score = parameters_.min_score;
+  return request;
+}
+
+std::optional<SearchResult> ScanTracker::find(const SurfacePoints& points, const MaxPyramid& pyramid,
+                                              const Prediction& prediction) const {
+  return correlativeSearch(pyramid, points, request(prediction, pyramid.geometry().resolution));
+}
+
+bool ScanTracker::hasRival(const SurfacePoints& points, const MaxPyramid& pyramid, const Prediction& prediction,
+                           const SearchResult& found, const Eigen::Matrix3d& information) const {
+  const double cell = pyramid.geometry().resolution;
+  SearchRequest other = request(prediction, cell);
+  other.exclusion = SearchExclusion{found.pose, kRivalDistance * cell, kRivalAngle};
+  other.min_score = kRival * found.score;
+  const auto rival = correlativeSearch(pyramid, points, other);
+  if (!rival) return false;
+  const Eigen::Vector3d apart = difference(rival->pose, found.pose);
+  return apart.dot(information * apart) > kSameRidge;
+}
+
+SearchWindow ScanTracker::usualWindow() const {
+  constexpr double kUsualGap = 0.1;
+  const double reach =
+      parameters_.odometry.unseen_speed * kUsualGap + kLimit * parameters_.odometry.distance * kUsualGap;
+  return {reach, reach, parameters_.odometry.unseen_turn * kUsualGap};
+}
+
+void ScanTracker::remember(Time stamp, const Pose2& T_odom_base, const Track& track) {
+  const bool known = isMatched(track.verdict) || !last_ || track.verdict == MatchVerdict::kFirst ||
+                     track.verdict == MatchVerdict::kLost;
+  const Sigma sigma = known ? Sigma{} : grown(last_->sigma, last_->T_odom_base.inverse() * T_odom_base);
+  last_ = Last{stamp, T_odom_base, known ? stamp : last_->matched, sigma};
+  T_local_odom_ = track.T_local_base.pose * T_odom_base.inverse();
+}
+
+void ScanTracker::reset() {
+  T_local_odom_ = Pose2();
+  last_.reset();
+}
+
+}  // namespace frontier_pilot
