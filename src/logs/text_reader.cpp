@@ -1,0 +1,69 @@
+#include "text_reader.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "frontier_pilot/logs/scan_log.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// The whole word as a number, whatever the locale.
+template <class T>
+bool parse(std::string_view word, T& value) {
+  const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), value);
+  return result.ec == std::errc() && result.ptr == word.data() + word.size();
+}
+
+}  // namespace
+
+bool TextReader::nextLine() {
+  while (std::getline(file_, line_)) {
+    ++line_number_;
+    split();
+    if (!words_.empty() && words_.front().front() != '#') return true;
+  }
+  return false;
+}
+
+void TextReader::split() {
+  words_.clear();
+  next_ = 0;
+  const std::string_view line(line_);
+  std::size_t begin = line.find_first_not_of(separators_);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = std::min(line.find_first_of(separators_, begin), line.size());
+    words_.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(separators_, end);
+  }
+}
+
+std::string_view TextReader::word(const char* what) {
+  if (atEnd()) fail(std::string("ends where ") + what + " should be");
+  return words_[next_++];
+}
+
+double TextReader::number(const char* what) {
+  const std::string_view text = word(what);
+  double value = 0.0;
+  if (!parse(text, value) || !std::isfinite(value)) fail(std::string(what) + " is no number: '" + std::string(text) + "'");
+  return value;
+}
+
+std::size_t TextReader::count(const char* what) {
+  const std::string_view text = word(what);
+  std::size_t value = 0;
+  if (!parse(text, value)) fail(std::string(what) + " is no count: '" + std::string(text) + "'");
+  return value;
+}
+
+void TextReader::skip(std::size_t words, const char* what) {
+  if (words > wordsLeft()) fail(std::string("ends where ") + what + " should be");
+  next_ += words;
+}
+
+void TextReader::fail(const std::string& problem) const {
+  throw LogError(name_ + ":" + std::to_string(line_number_) + ": " + problem);
+}
+
+}  // namespace frontier_pilot

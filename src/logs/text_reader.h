@@ -1,0 +1,42 @@
+#pragma once
+
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace frontier_pilot {
+
+/// Goes through a text file line by line and word by word, and knows where it is when something is wrong.
+class TextReader {
+ public:
+  /// Words are separated by `separators`, several of which count as one. `name` is what the file is called.
+  TextReader(std::istream& file, std::string name, const char* separators)
+      : file_(file), name_(std::move(name)), separators_(separators) {}
+
+  /// Goes to the next line that has a word and does not begin with '#'. False at the end of the file.
+  bool nextLine();
+  bool atEnd() const { return next_ == words_.size(); }
+  std::size_t wordsLeft() const { return words_.size() - next_; }
+  /// The next word of the line. `what` says what it should be.
+  std::string_view word(const char* what);
+  double number(const char* what);
+  std::size_t count(const char* what);
+  void skip(std::size_t words, const char* what);
+
+  /// Throws a LogError with the file, the line and `problem`.
+  [[noreturn]] void fail(const std::string& problem) const;
+
+ private:
+  void split();
+
+  std::istream& file_;
+  std::string name_;
+  const char* separators_;
+  std::size_t line_number_ = 0;
+  std::string line_;
+  std::vector<std::string_view> words_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace frontier_pilot
