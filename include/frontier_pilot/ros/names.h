@@ -26,6 +26,8 @@ constexpr const char* kGroundTruth = "base_pose_ground_truth";
 constexpr const char* kStalled = "simulator/stalled";
 constexpr const char* kWorld = "simulator/world";
 constexpr const char* kClock = "/clock";  // ROS' own, one for all robots
+constexpr const char* kTf = "/tf";
+constexpr const char* kTfStatic = "/tf_static";
 
 // Simulator services
 constexpr const char* kResetPositions = "reset_positions";

@@ -1,0 +1,133 @@
+#include "frontier_pilot/tools/map_log.h"
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "frontier_pilot/logs/trajectory_error.h"
+#include "frontier_pilot/mapping/map_io.h"
+#include "frontier_pilot/tools/log_mapping.h"
+#include "frontier_pilot/tools/map_picture.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kUsage = 2;
+
+double cpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::ifstream openFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || file.peek() == std::ifstream::traits_type::eof()) throw LogError(path + ": cannot be read, or is empty");
+  return file;
+}
+
+ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
+  std::ifstream file = openFile(options.log);
+  if (read_bag && formatOf(file) == LogFormat::kRosbag) return read_bag(options.log, options.topics);
+  return readScanLog(file, options.log, options.scanner);
+}
+
+double lengthOf(const Trajectory& trajectory) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    length += (trajectory[i].pose.position() - trajectory[i - 1].pose.position()).norm();
+  }
+  return length;
+}
+
+Track trackOf(const Trajectory& trajectory) {
+  Track track;
+  for (const TrajectoryPose& entry : trajectory) track.push_back(entry.pose.position());
+  return track;
+}
+
+void printLog(const ScanLog& log, const LogTrajectories& trajectories) {
+  for (const std::string& note : log.notes) std::printf("note: %s\n", note.c_str());
+  const double seconds = toSeconds(log.records.back().scan.stamp - log.records.front().scan.stamp);
+  std::printf("log: %zu scans of %zu beams, %.1f s, %.1f m by odometry\n", log.records.size(),
+              log.records.front().scan.ranges.size(), seconds, lengthOf(trajectories.odometry));
+}
+
+void printCounts(const Mapper& mapper, double cpu) {
+  std::printf("scans:");
+  for (std::size_t i = 0; i < kScanVerdicts; ++i) {
+    const auto verdict = static_cast<ScanVerdict>(i);
+    if (mapper.counts()[verdict] == 0) continue;
+    std::printf(" %s %llu", toString(verdict), static_cast<unsigned long long>(mapper.counts()[verdict]));
+  }
+  std::printf("\ncpu: %.2f s\n", cpu);
+}
+
+void printError(const char* what, const Trajectory& trajectory, const std::vector<PoseRelation>& relations) {
+  const RelationError error = relationError(posesOf(trajectory), relations);
+  std::printf("%s: translation %.3f +- %.3f m, rotation %.2f +- %.2f deg from %zu relations\n", what,
+              error.translation.mean, error.translation.stddev, error.rotation.mean * 180.0 / kPi,
+              error.rotation.stddev * 180.0 / kPi, relations.size());
+}
+
+void printErrors(const MapLogOptions& options, const LogTrajectories& trajectories) {
+  if (options.relations.empty()) return;
+  std::ifstream file = openFile(options.relations);
+  const auto relations = readRelations(file, options.relations, trajectories.odometry.size());
+  printError("odometry ", trajectories.odometry, relations);
+  printError("corrected", trajectories.corrected, relations);
+}
+
+void writeTrajectory(const Trajectory& trajectory, const std::string& path) {
+  std::ofstream file(path);
+  writeTum(file, trajectory);
+  file.close();
+  if (!file) throw LogError(path + ": cannot be written");
+}
+
+void writeResults(const MapLogOptions& options, const LogTrajectories& trajectories, Mapper& mapper) {
+  const MapIoResult saved = saveMap(mapper.map(), options.out);
+  if (!saved.ok()) throw LogError(saved.text);
+  writeTrajectory(trajectories.corrected, options.out + ".tum");
+  writeTrajectory(trajectories.odometry, options.out + "_odom.tum");
+  const MapPicture picture{trackOf(trajectories.odometry), trackOf(trajectories.corrected), {}};
+  const std::string path = options.out + ".png";
+  if (!writePicture(mapper.grid(), picture, path)) throw LogError(path + ": cannot be written");
+  std::printf("%s\nsaved %s.tum, _odom.tum and .png\n", saved.text.c_str(), options.out.c_str());
+}
+
+int run(const MapLogOptions& options, const BagReader& read_bag) {
+  const ScanLog log = readLog(options, read_bag);
+  Mapper mapper(options.mapper);
+  const double begin = cpuSeconds();
+  const LogTrajectories trajectories = mapLog(log, mapper);
+  const double cpu = cpuSeconds() - begin;
+  printLog(log, trajectories);
+  printCounts(mapper, cpu);
+  printErrors(options, trajectories);
+  writeResults(options, trajectories, mapper);
+  return kDone;
+}
+
+}  // namespace
+
+int runMapLog(const std::vector<std::string>& words, const BagReader& read_bag) {
+  try {
+    const MapLogOptions options = parseMapLogOptions(words);
+    if (!options.help) return run(options, read_bag);
+    std::cout << mapLogUsage();
+    return kDone;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "map_log: " << error.what() << "\n\n" << mapLogUsage();
+    return kUsage;
+  } catch (const LogError& error) {
+    std::cerr << "map_log: " << error.what() << "\n";
+    return kFailed;
+  }
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,84 @@
+#include "frontier_pilot/tools/map_log_options.h"
+
+#include <stdexcept>
+
+#include "frontier_pilot/tools/arguments.h"
+
+namespace frontier_pilot {
+namespace {
+
+double positiveNumber(Arguments& arguments, const std::string& option) {
+  const double value = arguments.number();
+  if (value <= 0.0) throw std::invalid_argument(option + " must be positive");
+  return value;
+}
+
+Pose2 poseOf(Arguments& arguments) {
+  const double x = arguments.number();
+  const double y = arguments.number();
+  return {x, y, normalizeAngle(arguments.number())};
+}
+
+void takeOption(const std::string& word, Arguments& arguments, MapLogOptions& o) {
+  if (word == "--help" || word == "-h") return void(o.help = true);
+  if (word == "--out") return void(o.out = arguments.text());
+  if (word == "--relations") return void(o.relations = arguments.text());
+  if (word == "--resolution") return void(o.mapper.map.resolution = positiveNumber(arguments, word));
+  if (word == "--range") return void(o.scanner.range_max = positiveNumber(arguments, word));
+  if (word == "--fov") return void(o.scanner.field_of_view = positiveNumber(arguments, word) * kPi / 180.0);
+  if (word == "--mount") return void(o.scanner.T_base_sensor = poseOf(arguments));
+  if (word == "--scan") return void(o.topics.scan = arguments.text());
+  if (word == "--odom") return void(o.topics.odom = arguments.text());
+  if (word == "--base") return void(o.topics.base_frame = arguments.text());
+  if (Arguments::isOption(word)) throw std::invalid_argument("unknown option " + word);
+  if (!o.log.empty()) throw std::invalid_argument("more than one log: " + o.log + " and " + word);
+  o.log = word;
+}
+
+}  // namespace
+
+MapLogOptions parseMapLogOptions(const std::vector<std::string>& words) {
+  Arguments arguments(words);
+  MapLogOptions options;
+  while (!arguments.atEnd()) {
+    const std::string word = arguments.next();
+    takeOption(word, arguments, options);
+  }
+  if (options.help) return options;
+  if (options.log.empty()) throw std::invalid_argument("which log?");
+  if (options.out.empty()) throw std::invalid_argument("--out is missing: where should the map go?");
+  return options;
+}
+
+const char* mapLogUsage() {
+  return R"(usage: map_log LOG --out PREFIX [options]
+
+Makes a map of a recorded drive. LOG is a CSV file (stamp, odometry x, y, yaw,
+ranges from right to left), a CARMEN log (FLASER or ROBOTLASER1) or a rosbag.
+
+  --out PREFIX         where the results go:
+                         PREFIX.pgm .yaml   the map, for map_server
+                         PREFIX.bt          the map, for OctoMap
+                         PREFIX.tum         the corrected trajectory of all scans
+                         PREFIX_odom.tum    the odometry
+                         PREFIX.png         a picture: map, odometry (red),
+                                            trajectory (blue), closures (green)
+  --relations FILE     lines "i j dx dy dyaw": prints how far odometry and the
+                       corrected trajectory are from them
+  --resolution METRES  side of the map's cells (0.05)
+  --range METRES       longer ranges are no returns (as the log says; CSV, FLASER: 80)
+  --fov DEGREES        field of view, where the log does not say (180)
+  --mount X Y YAW      where the scanner sits on the base [m m rad] (as the log
+                       says; CSV: 0.78 0 0)
+  --scan TOPIC, --odom TOPIC, --base FRAME
+                       of a rosbag (scan, odom, base_footprint)
+  -h, --help           this text
+
+Exit code: 0 done, 1 a file cannot be read or written, 2 wrong arguments.
+
+Example:
+  map_log drive.csv --out /tmp/drive --relations drive.relations
+)";
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,143 @@
+#include "frontier_pilot/tools/map_log.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+
+#include "frontier_pilot/mapping/map_io.h"
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string problemOf(const std::vector<std::string>& words) {
+  try {
+    parseMapLogOptions(words);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(MapLogOptions, AreReadInAnyOrder) {
+  const MapLogOptions options =
+      parseMapLogOptions({"--out=/tmp/x", "--resolution", "0.1", "drive.csv", "--mount", "0.1", "0", "-0.5", "--fov",
+                          "90", "--range", "12", "--relations", "r", "--scan", "/base_scan", "--odom", "wheel_odom"});
+  EXPECT_EQ(options.log, "drive.csv");
+  EXPECT_EQ(options.out, "/tmp/x");
+  EXPECT_EQ(options.mapper.map.resolution, 0.1);
+  EXPECT_EQ(options.scanner.T_base_sensor, Pose2(0.1, 0.0, -0.5));
+  EXPECT_DOUBLE_EQ(options.scanner.field_of_view.value(), kPi / 2.0);
+  EXPECT_EQ(options.scanner.range_max, 12.0);
+  EXPECT_EQ(options.relations, "r");
+  EXPECT_EQ(options.topics.scan, "/base_scan");
+  EXPECT_EQ(options.topics.odom, "wheel_odom");
+}
+
+TEST(MapLogOptions, SayWhatIsWrong) {
+  EXPECT_EQ(problemOf({}), "which log?");
+  EXPECT_EQ(problemOf({"a"}), "--out is missing: where should the map go?");
+  EXPECT_EQ(problemOf({"a", "b", "--out", "x"}), "more than one log: a and b");
+  EXPECT_EQ(problemOf({"a", "--fast"}), "unknown option --fast");
+  EXPECT_EQ(problemOf({"a", "--out", "x", "--range", "0"}), "--range must be positive");
+  EXPECT_TRUE(parseMapLogOptions({"--help"}).help);
+}
+
+/// A drive of 2 m along the middle of a corridor 2 m wide, 40 scans of 181 beams.
+void writeDrive(const std::string& path) {
+  std::ofstream file(path);
+  for (int i = 0; i < 40; ++i) {
+    file << 0.1 * i << "," << 0.05 * i << ",0,0";
+    for (int beam = 0; beam <= 180; ++beam) {
+      const double across = std::abs(std::sin((beam - 90) * kPi / 180.0));
+      file << "," << (across > 0.2 ? 1.0 / across : 0.0);
+    }
+    file << "\n";
+  }
+}
+
+class MapLog : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "map_log_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    writeDrive(path("drive.csv"));
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  /// Runs the program: its exit code and what it printed.
+  int run(const std::vector<std::string>& words, const BagReader& read_bag = {}) {
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    const int code = runMapLog(words, read_bag);
+    out_ = ::testing::internal::GetCapturedStdout();
+    errors_ = ::testing::internal::GetCapturedStderr();
+    return code;
+  }
+
+  fs::path folder_;
+  std::string out_;
+  std::string errors_;
+};
+
+TEST_F(MapLog, WritesMapTrajectoriesAndPicture) {
+  ASSERT_EQ(run({path("drive.csv"), "--out", path("map"), "--mount", "0", "0", "0"}), 0) << errors_;
+  OccupancyGrid map;
+  ASSERT_TRUE(loadGrid(path("map.yaml"), map).ok());
+  EXPECT_EQ(map.get(map.geometry().cellAt({1.5, 0.02}), kUnknown), kFree);
+  EXPECT_EQ(map.get(map.geometry().cellAt({1.5, 1.02}), kUnknown), kOccupied);
+  EXPECT_TRUE(fs::exists(path("map.bt")));
+  for (const char* name : {"map.tum", "map_odom.tum"}) {
+    std::ifstream file(path(name));
+    EXPECT_EQ(std::count(std::istreambuf_iterator<char>(file), {}, '\n'), 40) << name;
+  }
+  EXPECT_FALSE(cv::imread(path("map.png")).empty());
+  EXPECT_NE(out_.find("40 scans of 181 beams"), std::string::npos) << out_;
+}
+
+TEST_F(MapLog, PrintsTheErrorAgainstRelations) {
+  std::ofstream(path("relations")) << "0 20 1.25 0 0\n";
+  ASSERT_EQ(run({path("drive.csv"), "--out", path("map"), "--relations", path("relations")}), 0) << errors_;
+  EXPECT_NE(out_.find("odometry : translation 0.250 +- 0.000 m, rotation 0.00"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("corrected: translation 0.2"), std::string::npos) << out_;
+}
+
+TEST_F(MapLog, SaysWhatItCannotReadOrWrite) {
+  EXPECT_EQ(run({path("none.csv"), "--out", path("map")}), 1);
+  EXPECT_NE(errors_.find("none.csv: cannot be read"), std::string::npos) << errors_;
+  std::ofstream(path("broken.csv")) << "1,0,0,0,5,9\n2,0,0,zero\n";
+  EXPECT_EQ(run({path("broken.csv"), "--out", path("map")}), 1);
+  EXPECT_NE(errors_.find("broken.csv:2: odometry's yaw is no number: 'zero'"), std::string::npos) << errors_;
+  EXPECT_EQ(run({path("drive.csv"), "--out", path("no/such/map")}), 1);
+  EXPECT_NE(errors_.find("no such directory"), std::string::npos) << errors_;
+  EXPECT_EQ(run({path("drive.csv")}), 2);
+  EXPECT_NE(errors_.find("usage: map_log"), std::string::npos);
+}
+
+TEST_F(MapLog, HandsARosbagToItsReader) {
+  std::ofstream(path("drive.bag")) << "#ROSBAG V2.0\n";
+  EXPECT_EQ(run({path("drive.bag"), "--out", path("map")}), 1);
+  EXPECT_NE(errors_.find("without ROS"), std::string::npos) << errors_;
+  std::string asked;
+  const BagReader reader = [&](const std::string& bag, const BagTopics& topics) {
+    asked = bag + " " + topics.scan;
+    std::ifstream file(path("drive.csv"));
+    return readScanLog(file, "drive.csv");
+  };
+  EXPECT_EQ(run({path("drive.bag"), "--out", path("map"), "--scan", "laser"}, reader), 0) << errors_;
+  EXPECT_EQ(asked, path("drive.bag") + " laser");
+}
+
+TEST_F(MapLog, HelpsWhenAsked) {
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_NE(out_.find("--relations FILE"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
