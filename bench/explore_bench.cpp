@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/tools/arguments.h"
 #include "support/closed_loop/closed_loop.h"
 #include "support/explore_report.h"
 #include "support/svg.h"
@@ -39,8 +40,7 @@ constexpr const char* kUsage =
 
 struct Options {
   std::vector<std::string> worlds;
-  int first_seed = 1;
-  int last_seed = 5;
+  std::vector<int> seeds = {1, 2, 3, 4, 5};
   std::string limits = "burger";
   std::optional<Pose2> start;
   double until = 2.0;
@@ -50,55 +50,38 @@ struct Options {
   std::string svg;
 };
 
-/// Takes the arguments one by one. Throws std::invalid_argument on what it does not know.
-class Arguments {
- public:
-  Arguments(int argc, char** argv) : words_(argv + 1, argv + argc) {}
+Pose2 poseOf(Arguments& arguments) {
+  const double x = arguments.number();
+  const double y = arguments.number();
+  return {x, y, arguments.number()};
+}
 
-  Options parse() {
-    Options o;
-    while (next_ < words_.size()) take(o);
-    if (o.worlds.empty()) throw std::invalid_argument("no world given");
-    return o;
-  }
+void takeWord(const std::string& word, Arguments& arguments, Options& o) {
+  if (word == "--seeds") return void(o.seeds = arguments.range());
+  if (word == "--limits") return void(o.limits = arguments.text());
+  if (word == "--start") return void(o.start = poseOf(arguments));
+  if (word == "--until") return void(o.until = arguments.number());
+  if (word == "--limit") return void(o.limit = arguments.number());
+  if (word == "--latency") return void(o.latency = arguments.number());
+  if (word == "--odom-noise") return void(o.odom_noise = true);
+  if (word == "--curve") return void(o.curve = true);
+  if (word == "--log") return void(o.log = true);
+  if (word == "--twice") return void(o.twice = true);
+  if (word == "--svg") return void(o.svg = arguments.text());
+  if (Arguments::isOption(word)) throw std::invalid_argument("unknown option " + word);
+  o.worlds.push_back(word);
+}
 
- private:
-  void take(Options& o) {
-    const std::string word = text();
-    if (word == "--seeds") return takeSeeds(o);
-    if (word == "--limits") return void(o.limits = text());
-    if (word == "--start") return takeStart(o);
-    if (word == "--until") return void(o.until = number());
-    if (word == "--limit") return void(o.limit = number());
-    if (word == "--latency") return void(o.latency = number());
-    if (word == "--odom-noise") return void(o.odom_noise = true);
-    if (word == "--curve") return void(o.curve = true);
-    if (word == "--log") return void(o.log = true);
-    if (word == "--twice") return void(o.twice = true);
-    if (word == "--svg") return void(o.svg = text());
-    if (word.rfind("--", 0) == 0) throw std::invalid_argument("unknown option " + word);
-    o.worlds.push_back(word);
+Options parse(const std::vector<std::string>& words) {
+  Arguments arguments(words);
+  Options options;
+  while (!arguments.atEnd()) {
+    const std::string word = arguments.next();
+    takeWord(word, arguments, options);
   }
-  void takeSeeds(Options& o) {
-    const std::string range = text();
-    const std::size_t dash = range.find('-');
-    o.first_seed = std::stoi(range);
-    o.last_seed = dash == std::string::npos ? o.first_seed : std::stoi(range.substr(dash + 1));
-  }
-  void takeStart(Options& o) {
-    const double x = number();
-    const double y = number();
-    o.start = Pose2(x, y, number());
-  }
-  std::string text() {
-    if (next_ >= words_.size()) throw std::invalid_argument("an option lacks its value");
-    return words_[next_++];
-  }
-  double number() { return std::stod(text()); }
-
-  std::vector<std::string> words_;
-  std::size_t next_ = 0;
-};
+  if (options.worlds.empty()) throw std::invalid_argument("no world given");
+  return options;
+}
 
 double threadSeconds() {
   timespec time{};
@@ -216,7 +199,7 @@ int runAll(const Options& options) {
   bool good = true;
   std::printf("%s\n", ExploreReport::header().c_str());
   for (const std::string& world : options.worlds) {
-    for (int seed = options.first_seed; seed <= options.last_seed; ++seed) {
+    for (const int seed : options.seeds) {
       const ExploreReport report = Run(options, world, seed).toTheEnd();
       std::printf("%s\n", report.text().c_str());
       std::fflush(stdout);
@@ -238,7 +221,7 @@ int runAll(const Options& options) {
 
 int main(int argc, char** argv) {
   try {
-    return frontier_pilot::bench::runAll(frontier_pilot::bench::Arguments(argc, argv).parse());
+    return frontier_pilot::bench::runAll(frontier_pilot::bench::parse({argv + 1, argv + argc}));
   } catch (const std::exception& error) {
     std::cerr << "explore_bench: " << error.what() << "\n" << frontier_pilot::bench::kUsage;
     return 2;

@@ -46,7 +46,8 @@ std::string_view TextReader::word(const char* what) {
 double TextReader::number(const char* what) {
   const std::string_view text = word(what);
   double value = 0.0;
-  if (!parse(text, value) || !std::isfinite(value)) fail(std::string(what) + " is no number: '" + std::string(text) + "'");
+  if (!parse(text, value) || !std::isfinite(value))
+    fail(std::string(what) + " is no number: '" + std::string(text) + "'");
   return value;
 }
 

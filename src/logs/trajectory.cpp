@@ -5,7 +5,6 @@
 #include <ostream>
 
 namespace frontier_pilot {
-
 void writeTum(std::ostream& out, const Trajectory& trajectory) {
   out << std::fixed << std::setprecision(6);
   for (const TrajectoryPose& entry : trajectory) {

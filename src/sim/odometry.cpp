@@ -4,10 +4,19 @@
 
 namespace frontier_pilot::sim {
 
+Odometry::Odometry(const OdometryParameters& parameters, bool noisy, const Random& random)
+    : parameters_(parameters), noisy_(noisy), random_(random) {
+  // Numbers are drawn only for errors that are wanted, so that those of a seed without them stay what they are.
+  const auto drawn = [&](double deviation) { return noisy && deviation > 0.0 ? deviation * random_.gaussian() : 0.0; };
+  distance_factor_ += drawn(parameters.distance_scale);
+  turn_factor_ += drawn(parameters.turn_scale);
+  drift_ = drawn(parameters.drift);
+}
+
 void Odometry::move(double length, double turn, double seconds) {
   twist_ = {length / seconds, turn / seconds};
   if (twist_.isZero()) return;
-  Twist2 measured{length, turn};
+  Twist2 measured{distance_factor_ * length, turn_factor_ * turn + drift_ * length};
   if (noisy_) {
     const double driven = std::abs(length);
     const double turned = std::abs(turn);

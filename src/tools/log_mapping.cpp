@@ -2,7 +2,29 @@
 
 #include <algorithm>
 
+#include "frontier_pilot/mapping/odometry_buffer.h"
+
 namespace frontier_pilot {
+namespace {
+
+/// An anchor, and where odometry's frame lies by it.
+struct Anchor {
+  Time stamp;
+  Pose2 T_map_odom;
+};
+
+std::vector<Anchor> anchored(const Trajectory& odometry, const Trajectory& anchors) {
+  std::vector<Anchor> out;
+  auto entry = odometry.begin();
+  for (const TrajectoryPose& anchor : anchors) {
+    entry = std::find_if(entry, odometry.end(), [&](const TrajectoryPose& e) { return e.stamp == anchor.stamp; });
+    if (entry == odometry.end()) break;
+    out.push_back({anchor.stamp, anchor.pose * entry->pose.inverse()});
+  }
+  return out;
+}
+
+}  // namespace
 
 LogTrajectories mapLog(const ScanLog& log, Mapper& mapper) {
   LogTrajectories out;
@@ -11,6 +33,23 @@ LogTrajectories mapLog(const ScanLog& log, Mapper& mapper) {
     mapper.insert(record.scan, record.T_odom_base, stamp);
     out.odometry.push_back({stamp, record.T_odom_base});
     out.corrected.push_back({stamp, mapper.T_map_odom() * record.T_odom_base});
+  }
+  return out;
+}
+
+Trajectory bend(const Trajectory& odometry, const Trajectory& anchors) {
+  const std::vector<Anchor> fixed = anchored(odometry, anchors);
+  if (fixed.empty()) return odometry;
+  Trajectory out;
+  std::size_t next = 0;
+  for (const TrajectoryPose& entry : odometry) {
+    while (next < fixed.size() && fixed[next].stamp < entry.stamp) ++next;
+    const Anchor& before = fixed[next == 0 ? 0 : next - 1];
+    const Anchor& after = fixed[std::min(next, fixed.size() - 1)];
+    const double gap = toSeconds(after.stamp - before.stamp);
+    const double share = gap > 0.0 ? toSeconds(entry.stamp - before.stamp) / gap : 0.0;
+    // What is interpolated are poses near to each other: odometry's frame may lie far off.
+    out.push_back({entry.stamp, interpolate(before.T_map_odom * entry.pose, after.T_map_odom * entry.pose, share)});
   }
   return out;
 }

@@ -15,9 +15,9 @@ namespace frontier_pilot {
 ///     laser_x laser_y laser_yaw robot_x robot_y robot_yaw tv rv forward_safety side_safety turn_axis
 ///     stamp host logger_stamp
 ///
-/// FLASER says nothing about angles: as in CARMEN they follow from the number of ranges. Where the scanner sits is where
-/// the laser's pose lies seen from the robot's, if that is always the same place; logs whose laser poses were corrected
-/// by a SLAM program get it at the base's centre, with a note. Throws a LogError naming `name` and the line.
+/// FLASER says nothing about angles: as in CARMEN they follow from the number of ranges. Where the scanner sits is
+/// where the laser's pose lies seen from the robot's, if that is always the same place; logs whose laser poses were
+/// corrected by a SLAM program get it at the base's centre, with a note. Throws a LogError naming `name` and the line.
 ScanLog readCarmenLog(std::istream& file, const std::string& name, const LogScanner& scanner = {});
 
 }  // namespace frontier_pilot

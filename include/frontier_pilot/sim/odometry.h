@@ -9,8 +9,7 @@ namespace frontier_pilot::sim {
 /// What the wheel encoders make of a motion: dead reckoning from zero at the start, with drift if wanted.
 class Odometry {
  public:
-  Odometry(const OdometryParameters& parameters, bool noisy, const Random& random)
-      : parameters_(parameters), noisy_(noisy), random_(random) {}
+  Odometry(const OdometryParameters& parameters, bool noisy, const Random& random);
 
   /// The base drove an arc of `length` [m] (negative in reverse), turning by `turn` [rad], within `seconds` [s].
   void move(double length, double turn, double seconds);
@@ -26,6 +25,9 @@ class Odometry {
   OdometryParameters parameters_;
   bool noisy_;
   Random random_;
+  double distance_factor_ = 1.0;
+  double turn_factor_ = 1.0;
+  double drift_ = 0.0;  ///< [rad/m]
   Pose2 pose_;
   Twist2 twist_;
 };

@@ -55,6 +55,10 @@ struct OdometryParameters {
   double alpha2 = 0.0002;  ///< [rad^2/m]
   double alpha3 = 0.0005;  ///< [m^2/m]
   double alpha4 = 0.0001;  ///< [m^2/rad]
+  // What a badly calibrated base adds, drawn once for a robot: standard deviations.
+  double distance_scale = 0.0;  ///< [m/m]
+  double turn_scale = 0.0;      ///< [rad/rad]
+  double drift = 0.0;           ///< [rad/m]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -62,6 +66,11 @@ struct OdometryParameters {
     v.field("alpha2", alpha2, "rad^2/m", "variance of the yaw per metre driven", atLeast(0.0));
     v.field("alpha3", alpha3, "m^2/m", "variance of the distance per metre driven", atLeast(0.0));
     v.field("alpha4", alpha4, "m^2/rad", "variance of the distance per radian turned", atLeast(0.0));
+    v.field("distance_scale", distance_scale, "m/m", "standard deviation of a constant error per metre driven",
+            atLeast(0.0));
+    v.field("turn_scale", turn_scale, "rad/rad", "standard deviation of a constant error per radian turned",
+            atLeast(0.0));
+    v.field("drift", drift, "rad/m", "standard deviation of a constant turn per metre driven", atLeast(0.0));
   }
 };
 

@@ -17,6 +17,10 @@ struct LogTrajectories {
 /// Puts a log through a mapper, as if its scans came in now.
 LogTrajectories mapLog(const ScanLog& log, Mapper& mapper);
 
+/// Odometry bent so that it goes through `anchors`, whose stamps are ascending and are stamps of `odometry` [map].
+/// Before the first and after the last anchor it hangs on that one. Without anchors it stays what it is.
+Trajectory bend(const Trajectory& odometry, const Trajectory& anchors);
+
 /// The poses alone.
 std::vector<Pose2> posesOf(const Trajectory& trajectory);
 

@@ -56,6 +56,36 @@ TEST(Odometry, NoiseIsThatOfTheAlphasWhateverTheStep_SIM_2) {
   }
 }
 
+// [SIM-2] a base that is badly calibrated errs the same way all the time
+TEST(Odometry, ScalesAndDriftsByWhatWasDrawnAtTheStart_SIM_2) {
+  OdometryParameters parameters;
+  parameters.alpha1 = parameters.alpha2 = parameters.alpha3 = parameters.alpha4 = 0.0;
+  parameters.distance_scale = 0.05;
+  constexpr int kRobots = 4000;
+  double variance = 0.0;
+  for (int robot = 0; robot < kRobots; ++robot) {
+    Odometry odometry(parameters, true, Random(9, static_cast<std::uint64_t>(robot)));
+    odometry.move(1.0, 0.0, 1.0);
+    const double first = odometry.pose().x;
+    odometry.move(1.0, 0.0, 1.0);
+    EXPECT_NEAR(odometry.pose().x, 2.0 * first, 1e-12) << "no two metres differ";
+    variance += (first - 1.0) * (first - 1.0) / kRobots;
+  }
+  EXPECT_NEAR(std::sqrt(variance), 0.05, 0.003);
+  parameters.distance_scale = 0.0;
+  parameters.turn_scale = 0.05;
+  parameters.drift = 0.01;
+  Odometry odometry(parameters, true, Random(3));
+  odometry.move(0.0, 1.0, 1.0);
+  const double turned = odometry.pose().yaw - 1.0;
+  EXPECT_NE(turned, 0.0);
+  odometry.move(2.0, 0.0, 1.0);
+  const double drifted = odometry.pose().yaw - 1.0 - turned;
+  EXPECT_NE(drifted, 0.0);
+  odometry.move(2.0, 1.0, 1.0);
+  EXPECT_NEAR(odometry.pose().yaw, 2.0 + 2.0 * (turned + drifted), 1e-12);
+}
+
 TEST(Odometry, StandsStillWithoutDrifting) {
   Odometry odometry(OdometryParameters{}, true, Random(1));
   for (int i = 0; i < 1000; ++i) odometry.move(0.0, 0.0, 0.01);

@@ -1,0 +1,15 @@
+#include "support/slam_worlds.h"
+
+#include "support/closed_loop/corridor_world.h"
+#include "support/map_image.h"
+
+namespace frontier_pilot::bench {
+sim::World slamWorld(const std::string& name) {
+  if (name == "corridor") return test::corridorWorld();
+  if (name != "willow") return sim::loadWorld(name);
+  sim::World world = sim::loadWorld(willowGarage());
+  world.start = Pose2(16.6, 21.6, 0.0);
+  return world;
+}
+
+}  // namespace frontier_pilot::bench

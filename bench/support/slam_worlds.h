@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "frontier_pilot/sim/world_image.h"
+
+namespace frontier_pilot::bench {
+
+/// A world to map: `willow`, `corridor` (two rooms and 33 m without a feature between them), or a map_server YAML.
+/// Throws std::runtime_error as sim::loadWorld does.
+sim::World slamWorld(const std::string& name);
+
+}  // namespace frontier_pilot::bench

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "support/closed_loop/guided_drive.h"
+
+namespace frontier_pilot::test {
+
+/// What can go wrong with a robot's sensors.
+enum class SensorFault {
+  kNone,
+  kKidnap,       ///< the scanner sees another place for 3 s
+  kDropout,      ///< 30 % of the beams say nothing, always
+  kPerson,       ///< somebody crosses the view at 1 m/s
+  kOdomFrozen,   ///< odometry stands still for 1 s, and what was driven is lost
+  kOdomMissing,  ///< there is no odometry for 1 s
+};
+/// Throws std::invalid_argument when there is no such fault.
+SensorFault sensorFaultNamed(const std::string& name);
+
+/// What reaches the mapper of a drive that has a fault for a while in every half minute.
+class FaultyDrive {
+ public:
+  FaultyDrive(sim::World world, sim::SimulatorParameters parameters, double distance, SensorFault fault);
+
+  /// Drives on until there is a new scan; nullptr at the end.
+  const LaserScan2* nextScan();
+  /// Odometry as it is reported, if it is.
+  std::optional<Pose2> T_odom_base() const;
+  Pose2 T_map_base() const { return drive_.T_map_base(); }
+  const GuidedDrive& drive() const { return drive_; }
+
+ private:
+  double sinceFault() const;
+  bool isFaulty(double seconds) const;
+  void movePerson();
+  void freezeOdometry();
+  const LaserScan2* seenElsewhere(const LaserScan2& scan);
+
+  SensorFault fault_;
+  GuidedDrive drive_;
+  sim::Lidar lidar_;
+  sim::Random random_{17};
+  RayCaster rays_;
+  sim::DiscIndex nobody_;
+  LaserScan2 elsewhere_;
+  Pose2 last_odometry_;
+  Pose2 T_reported_odom_;  ///< what odometry lost
+};
+
+}  // namespace frontier_pilot::test

@@ -1,0 +1,68 @@
+#include "support/closed_loop/guided_drive.h"
+
+#include <stdexcept>
+
+namespace frontier_pilot::test {
+namespace {
+
+constexpr int kStepsPerControl = 10;
+constexpr double kRoom = 0.3;     // [m], of a place to the walls
+constexpr double kArrived = 0.3;  // [m]
+constexpr int kTries = 1000;
+
+FollowerParams followerOf(const sim::SimulatorParameters& parameters) {
+  FollowerParams params;
+  params.inscribed_radius = parameters.radius;
+  return params;
+}
+
+}  // namespace
+
+GuidedDrive::GuidedDrive(sim::World world, const sim::SimulatorParameters& parameters, double distance)
+    : simulator_(std::move(world), parameters),
+      follower_(followerOf(parameters), parameters.limits),
+      wanted_distance_(distance),
+      last_(simulator_.pose(0).position()) {
+  const OccupancyGrid& truth = simulator_.map();
+  clearance_.setMap(truth, truth.geometry().rect());
+  clearance_.refresh();
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const Cell cell = truth.geometry().cell(i);
+    if (clearance_.isPassable(cell) && clearance_.field()[cell] > kRoom) places_.push_back(cell);
+  }
+  headForNextPlace();
+}
+
+const LaserScan2* GuidedDrive::nextScan() {
+  while (distance_ < wanted_distance_) {
+    if (steps_++ % kStepsPerControl == 0) steer();
+    simulator_.step();
+    distance_ += (simulator_.pose(0).position() - last_).norm();
+    last_ = simulator_.pose(0).position();
+    if (const LaserScan2* scan = simulator_.newScan(0)) return scan;
+  }
+  return nullptr;
+}
+
+void GuidedDrive::steer() {
+  if (follower_.remaining() < kArrived) headForNextPlace();
+  static const ScanPoints kNothingSeen;
+  const FollowerOutput output =
+      follower_.update({simulator_.pose(0), simulator_.velocity(0), kNothingSeen, clearance_});
+  simulator_.setCommand(0, output.command);
+}
+
+void GuidedDrive::headForNextPlace() {
+  const Vec2 here = simulator_.pose(0).position();
+  for (int i = 0; i < kTries && !places_.empty(); ++i) {
+    const auto place = static_cast<std::size_t>(random_.uniform() * static_cast<double>(places_.size()));
+    PlanRequest request;
+    request.start = here;
+    request.goal = clearance_.geometry().centre(places_[place]);
+    PlanResult plan = planner_.plan(clearance_, request);
+    if (plan.found() && plan.path.length() > kArrived) return follower_.setPath(std::move(plan.path));
+  }
+  throw std::runtime_error("there is nowhere to drive to from the start");
+}
+
+}  // namespace frontier_pilot::test

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/global_planner.h"
+#include "frontier_pilot/planning/path_follower.h"
+#include "frontier_pilot/sim/simulator.h"
+
+namespace frontier_pilot::test {
+
+/// A simulated robot that somebody who knows the truth leads from place to place over the reachable floor: the same
+/// drive for every seed, whatever its scanner and its odometry say. The places are drawn, the ways between them planned
+/// on the true map.
+class GuidedDrive {
+ public:
+  /// Throws as sim::Simulator does. Ends when the robot has driven `distance` [m].
+  GuidedDrive(sim::World world, const sim::SimulatorParameters& parameters, double distance);
+
+  /// Drives on until there is a new scan; nullptr at the end of the drive.
+  const LaserScan2* nextScan();
+
+  sim::Simulator& simulator() { return simulator_; }
+  /// The truth, in the frame of the start pose, where odometry and map begin.
+  Pose2 T_map_base() const { return simulator_.startPose(0).inverse() * simulator_.pose(0); }
+  const Pose2& T_odom_base() const { return simulator_.odometry(0); }
+  Time now() const { return simulator_.now(); }
+  double distance() const { return distance_; }
+
+ private:
+  void steer();
+  void headForNextPlace();
+
+  sim::Simulator simulator_;
+  ClearanceMap clearance_;
+  GlobalPlanner planner_;
+  PathFollower follower_;
+  std::vector<Cell> places_;  ///< where the robot can stand well
+  sim::Random random_{1};
+  double wanted_distance_;
+  double distance_ = 0.0;
+  Vec2 last_;
+  int steps_ = 0;
+};
+
+}  // namespace frontier_pilot::test
