@@ -48,7 +48,7 @@ void GuidedDrive::steer() {
   if (follower_.remaining() < kArrived) headForNextPlace();
   static const ScanPoints kNothingSeen;
   const FollowerOutput output =
-      follower_.update({simulator_.pose(0), simulator_.velocity(0), kNothingSeen, clearance_});
+      follower_.update({simulator_.pose(0), simulator_.velocity(0), 0.0, kNothingSeen, clearance_});
   simulator_.setCommand(0, output.command);
 }
 
