@@ -3,6 +3,7 @@
 #include <rosbag/view.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
+#include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <map>
