@@ -18,11 +18,12 @@ struct Node {
   double score;  ///< nor a better score
 };
 
-/// How far apart the directions are: the farthest point moves by about a cell.
+/// How far apart the directions are: the points move by a cell in the root mean square. By the farthest one a single
+/// return from afar would make the search expensive and no better.
 double angleStep(const SurfacePoints& points, double resolution) {
-  double squared = resolution * resolution;
-  for (const SurfacePoint& point : points) squared = std::max(squared, point.position.squaredNorm());
-  return resolution / std::sqrt(squared);
+  double sum = 0.0;
+  for (const SurfacePoint& point : points) sum += point.position.squaredNorm();
+  return resolution / std::max(resolution, std::sqrt(sum / static_cast<double>(points.size())));
 }
 
 /// The number nearest to zero in [first, last].
@@ -158,7 +159,7 @@ std::optional<SearchResult> correlativeSearch(const MaxPyramid& pyramid, const S
 int pyramidTop(const SearchWindow& window, double resolution) {
   constexpr int kHighest = 7;
   const double cells = 2.0 * std::max(window.x, window.y) / resolution + 1.0;
-  return std::clamp(static_cast<int>(std::log2(cells)) - 1, 0, kHighest);
+  return std::clamp(static_cast<int>(std::log2(cells)), 0, kHighest);
 }
 
 }  // namespace frontier_pilot

@@ -35,8 +35,11 @@ std::optional<MatchTarget> LocalSlam::target() {
 
 bool LocalSlam::isKeyframe(const Track& track) const {
   if (track.verdict == MatchVerdict::kFirst || track.verdict == MatchVerdict::kLost) return true;
-  return isMatched(track.verdict) &&
-         isJump(*T_local_keyframe_, track.T_local_base.pose, parameters_.keyframe_distance, parameters_.keyframe_angle);
+  // The farther a scanner sees, the less it takes to see something new.
+  constexpr double kSoon = 0.1;
+  const double share = track.inliers < parameters_.keyframe_inliers ? kSoon : 1.0;
+  return isMatched(track.verdict) && isJump(*T_local_keyframe_, track.T_local_base.pose,
+                                            share * parameters_.keyframe_distance, share * parameters_.keyframe_angle);
 }
 
 void LocalSlam::insert(const Keyframe& keyframe, const SurfacePoints& surface) {

@@ -174,7 +174,7 @@ bool ScanTracker::hasRival(const SurfacePoints& points, const MaxPyramid& pyrami
 }
 
 SearchWindow ScanTracker::usualWindow() const {
-  constexpr double kUsualGap = 0.1;
+  constexpr double kUsualGap = 0.3;
   const double reach =
       parameters_.odometry.unseen_speed * kUsualGap + kLimit * parameters_.odometry.distance * kUsualGap;
   return {reach, reach, parameters_.odometry.unseen_turn * kUsualGap};

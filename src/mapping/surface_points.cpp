@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <optional>
-#include <unordered_set>
 
 namespace frontier_pilot {
 namespace {
@@ -14,12 +13,18 @@ constexpr double kSteepest = 4.0;   ///< beams whose returns lie this many beam 
 constexpr double kSlack = 0.05;     ///< and this much more, for noise [m]
 constexpr int kMostMissing = 3;     ///< beams without a return between two that may be on one surface
 constexpr double kElongated = 4.0;  ///< a line is this many times longer than it is thick
+constexpr double kSameWay = 0.9;    ///< cosine of the greatest angle between normals of one surface
 constexpr double kFlat = 0.25;      ///< greatest slope between two points of one surface
 
 /// First and last of some successive points.
 struct Span {
   std::size_t first, last;
   std::size_t size() const { return last - first + 1; }
+};
+
+struct Line {
+  Vec2 normal;      ///< unit, either way round
+  double variance;  ///< of the points from it [m^2]
 };
 
 /// Sums of the moments of the first n points, so that any span's line costs the same.
@@ -35,8 +40,8 @@ class LineFitter {
     }
   }
 
-  /// The unit normal, either way round, of the line through a span; none if its points are no line.
-  std::optional<Vec2> normal(const Span& span, double max_error) const {
+  /// The line through a span; none if its points are none.
+  std::optional<Line> line(const Span& span, double max_error) const {
     if (span.size() < 3) return std::nullopt;
     const auto n = static_cast<double>(span.size());
     Sums mean{};
@@ -48,7 +53,7 @@ class LineFitter {
     const double across = std::max(0.0, 0.5 * (xx + yy) - half);
     const double along = 0.5 * (xx + yy) + half;
     if (across > max_error * max_error || along < kElongated * kElongated * across) return std::nullopt;
-    return direction(0.5 * std::atan2(2.0 * xy, xx - yy) + 0.5 * kPi);
+    return Line{direction(0.5 * std::atan2(2.0 * xy, xx - yy) + 0.5 * kPi), across * n / (n - 2.0)};
   }
 
  private:
@@ -98,26 +103,65 @@ Span around(const Returns& returns, std::size_t i, double radius) {
   return span;
 }
 
-/// The normal at `i` by the neighbours on both sides, or on one side only: next to a corner.
+/// The normal at `i` by the neighbours on both sides; on one side only where that fits much better: next to a corner.
+/// A side must not win by being asked first, or all corners would turn the same way, and the robot's yaw drift.
 Vec2 normalAt(const LineFitter& fitter, const Span& span, std::size_t i, double max_error) {
-  for (const Span& part : {span, Span{span.first, i}, Span{i, span.last}}) {
-    if (const auto normal = fitter.normal(part, max_error)) return *normal;
+  constexpr double kMuchBetter = 0.5;
+  std::optional<Line> best = fitter.line(span, max_error);
+  double least = best ? kMuchBetter * best->variance : std::numeric_limits<double>::infinity();
+  for (const Span& side : {Span{span.first, i}, Span{i, span.last}}) {
+    const auto line = fitter.line(side, max_error);
+    if (!line || line->variance >= least) continue;
+    least = line->variance;
+    best = line;
   }
-  return Vec2::Zero();
+  return best ? best->normal : Vec2(0.0, 0.0);
 }
 
-std::int64_t square(const Vec2& point, double side) {
-  const auto column = static_cast<std::int64_t>(std::floor(point.x() / side));
-  const auto row = static_cast<std::int64_t>(std::floor(point.y() / side));
-  return column * (std::int64_t{1} << 32) + row;
-}
+/// Successive points that look the same way, to be replaced by their mean.
+class Group {
+ public:
+  explicit Group(const SurfacePoint& first) : first_(first) { add(first); }
+  bool takes(const SurfacePoint& point, double spacing) const {
+    if (point.hasNormal() != first_.hasNormal()) return false;
+    const bool same_way = !point.hasNormal() || point.normal.dot(first_.normal) > kSameWay;
+    return same_way && (point.position - first_.position).squaredNorm() < spacing * spacing;
+  }
+  void add(const SurfacePoint& point) {
+    position_ += point.position;
+    normal_ += point.normal;
+    ++count_;
+  }
+  SurfacePoint mean() const {
+    return {position_ / count_, first_.hasNormal() ? Vec2(normal_.normalized()) : Vec2(0.0, 0.0)};
+  }
 
-SurfacePoints thinnedTo(const SurfacePoints& points, double spacing) {
+ private:
+  SurfacePoint first_;
+  Vec2 position_ = Vec2::Zero();
+  Vec2 normal_ = Vec2::Zero();
+  int count_ = 0;
+};
+
+SurfacePoints groupMeans(const SurfacePoints& points, double spacing) {
   SurfacePoints result;
-  std::unordered_set<std::int64_t> taken;
+  std::optional<Group> group;
   for (const SurfacePoint& point : points) {
-    if (taken.insert(square(point.position, spacing)).second) result.push_back(point);
+    if (group && group->takes(point, spacing)) {
+      group->add(point);
+      continue;
+    }
+    if (group) result.push_back(group->mean());
+    group.emplace(point);
   }
+  if (group) result.push_back(group->mean());
+  return result;
+}
+
+/// Evenly spread, in their order.
+SurfacePoints everyNth(const SurfacePoints& points, std::size_t n) {
+  SurfacePoints result;
+  for (std::size_t i = 0; i < points.size(); i += n) result.push_back(points[i]);
   return result;
 }
 
@@ -126,7 +170,7 @@ bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) 
   const double gap = step.norm();
   if (!a.hasNormal() || !b.hasNormal() || gap > max_gap) return false;
   const double slope = std::max(std::abs(step.dot(a.normal)), std::abs(step.dot(b.normal)));
-  return a.normal.dot(b.normal) > 0.9 && slope <= kFlat * gap;
+  return a.normal.dot(b.normal) > kSameWay && slope <= kFlat * gap;
 }
 
 }  // namespace
@@ -144,13 +188,16 @@ SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& param
 }
 
 SurfacePoints thinned(const SurfacePoints& points, const SurfaceParameters& parameters) {
+  constexpr double kWider = 1.3;
+  constexpr double kWidest = 4.0;
+  const auto most = static_cast<std::size_t>(parameters.max_points);
   double spacing = parameters.thinning;
-  SurfacePoints result = thinnedTo(points, spacing);
-  while (result.size() > static_cast<std::size_t>(parameters.max_points)) {
-    spacing *= 1.2;
-    result = thinnedTo(points, spacing);
+  SurfacePoints result = groupMeans(points, spacing);
+  while (result.size() > most && spacing < kWidest * parameters.thinning) {
+    spacing *= kWider;
+    result = groupMeans(points, spacing);
   }
-  return result;
+  return result.size() > most ? everyNth(result, (result.size() + most - 1) / most) : result;
 }
 
 SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& parameters) {
@@ -160,7 +207,8 @@ SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& param
     if (i + 1 == points.size() || !onOneSurface(points[i], points[i + 1], parameters.max_gap)) continue;
     const Vec2 step = points[i + 1].position - points[i].position;
     const int pieces = static_cast<int>(std::ceil(step.norm() / parameters.fill_spacing));
-    for (int k = 1; k < pieces; ++k) result.push_back({points[i].position + step * k / pieces, points[i].normal});
+    const Vec2 normal = (points[i].normal + points[i + 1].normal).normalized();
+    for (int k = 1; k < pieces; ++k) result.push_back({points[i].position + step * k / pieces, normal});
   }
   return result;
 }

@@ -46,10 +46,10 @@ struct SearchResult {
 };
 
 /// The pose in the window with the best rating, and no other has a better one: exact on the lattice of the field's
-/// cells and of the angle by which the farthest point moves one cell. None if no pose reaches `min_score`.
-/// Olson, "Real-Time Correlative Scan Matching", ICRA 2009; depth-first branch and bound over the pyramid by Hess et
-/// al., ICRA 2016, V. A pyramid with top 0 gives the exhaustive search; its best top is about log2 of the window's
-/// width in cells. `points` must not be empty.
+/// cells and of the angle by which the points move one cell in the root mean square. None if no pose reaches
+/// `min_score`. Olson, "Real-Time Correlative Scan Matching", ICRA 2009; depth-first branch and bound over the pyramid
+/// by Hess et al., ICRA 2016, V. A pyramid with top 0 gives the exhaustive search; its best top is about log2 of the
+/// window's width in cells. `points` must not be empty.
 std::optional<SearchResult> correlativeSearch(const MaxPyramid& pyramid, const SurfacePoints& points,
                                               const SearchRequest& request);
 

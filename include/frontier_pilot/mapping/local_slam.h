@@ -33,7 +33,8 @@ struct Submap {
 struct LocalSlamParameters {
   double keyframe_distance = 0.2;  ///< a keyframe is made after moving this far [m]
   double keyframe_angle = 0.2;     ///< or turning this far [rad]
-  int submap_keyframes = 60;       ///< a submap is finished with so many; the next begins at half of them
+  double keyframe_inliers = 0.8;   ///< or a tenth of that where the map shows less of the scan than this share
+  int submap_keyframes = 80;       ///< a submap is finished with so many; the next begins at half of them
   SurfaceParameters surface;
   LikelihoodParameters likelihood;
   ScanTrackerParameters tracker;
@@ -42,6 +43,8 @@ struct LocalSlamParameters {
   void describe(Visitor& v) {
     v.field("keyframe_distance", keyframe_distance, "m", "a keyframe is made after moving this far", positive());
     v.field("keyframe_angle", keyframe_angle, "rad", "or after turning this far", positive());
+    v.field("keyframe_inliers", keyframe_inliers, "",
+            "or after a tenth of either where the map shows less of the scan than this share", between(0.0, 1.0));
     v.field("submap_keyframes", submap_keyframes, "",
             "a submap is finished with so many keyframes; the next one begins at half of them", between(2, 10000));
     v.group("surface", surface, "how scans are read");

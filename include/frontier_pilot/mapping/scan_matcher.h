@@ -19,8 +19,8 @@ struct PoseBelief {
 struct RefinementParameters {
   int iterations = 12;        ///< at most
   double noise = 0.02;        ///< standard deviation of a point from its surface [m]
-  double outlier = 0.06;      ///< a point this far from its surface counts a quarter [m]
-  double independence = 0.2;  ///< share of the points that count as independent of each other
+  double outlier = 0.05;      ///< a point this far from its surface counts a quarter [m]
+  double independence = 1.0;  ///< share of the points that count as independent of each other
 
   template <class Visitor>
   void describe(Visitor& v) {

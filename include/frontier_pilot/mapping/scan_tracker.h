@@ -27,7 +27,7 @@ struct OdometryTrust {
 };
 
 struct ScanTrackerParameters {
-  int min_points = 15;        ///< fewer are not matched
+  int min_points = 25;        ///< fewer are not matched
   double min_score = 0.4;     ///< mean likelihood that a match must reach
   double min_inliers = 0.5;   ///< share of the points that must lie on surfaces
   double max_distance = 1.0;  ///< greatest half width of the search [m]

@@ -61,9 +61,9 @@ double penaltyAt(const SearchPenalty& penalty, const Pose2& expected, const Pose
 /// The best rating by looking at every pose of the lattice.
 double bestByExhaustion(const LikelihoodGrid& field, const SurfacePoints& points, const SearchRequest& request) {
   const double cell = field.parameters().resolution;
-  double farthest = 0.0;
-  for (const SurfacePoint& point : points) farthest = std::max(farthest, point.position.norm());
-  const double step = cell / farthest;
+  double squares = 0.0;
+  for (const SurfacePoint& point : points) squares += point.position.squaredNorm();
+  const double step = cell / std::sqrt(squares / static_cast<double>(points.size()));
   const auto count = [](double half, double size) { return static_cast<int>(std::ceil(half / size)); };
   double best = -1e9;
   for (int k = -count(request.window.yaw, step); k <= count(request.window.yaw, step); ++k) {

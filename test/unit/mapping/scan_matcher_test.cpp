@@ -87,7 +87,7 @@ TEST(Refine, KnowsThatACorridorSaysNothingAboutThePlaceAlongIt) {
   const Refinement refined = refine(map.surfels(), look(scanner, truth), truth, std::nullopt, {});
   const double along = refined.information(0, 0);
   const double across = refined.information(1, 1);
-  EXPECT_GT(across, 100.0 * along);
+  EXPECT_GT(across, 50.0 * along);
 }
 
 TEST(Refine, LetsThePriorDecideWhatTheScanDoesNotShow) {
