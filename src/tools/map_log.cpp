@@ -44,8 +44,8 @@ double lengthOf(const Trajectory& trajectory) {
   return length;
 }
 
-Track trackOf(const Trajectory& trajectory) {
-  Track track;
+Polyline polylineOf(const Trajectory& trajectory) {
+  Polyline track;
   for (const TrajectoryPose& entry : trajectory) track.push_back(entry.pose.position());
   return track;
 }
@@ -94,7 +94,7 @@ void writeResults(const MapLogOptions& options, const LogTrajectories& trajector
   if (!saved.ok()) throw LogError(saved.text);
   writeTrajectory(trajectories.corrected, options.out + ".tum");
   writeTrajectory(trajectories.odometry, options.out + "_odom.tum");
-  const MapPicture picture{trackOf(trajectories.odometry), trackOf(trajectories.corrected), {}};
+  const MapPicture picture{polylineOf(trajectories.odometry), polylineOf(trajectories.corrected), {}};
   const std::string path = options.out + ".png";
   if (!writePicture(mapper.grid(), picture, path)) throw LogError(path + ": cannot be written");
   std::printf("%s\nsaved %s.tum, _odom.tum and .png\n", saved.text.c_str(), options.out.c_str());

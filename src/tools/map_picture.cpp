@@ -27,7 +27,7 @@ class Canvas {
         if (!isUnknown(map[Cell{x, y}])) include(map.geometry().centre({x, y}));
       }
     }
-    for (const Track* track : {&picture.odometry, &picture.trajectory}) {
+    for (const Polyline* track : {&picture.odometry, &picture.trajectory}) {
       for (const Vec2& point : *track) include(point);
     }
     const Vec2 size = (high_ - low_) / map.resolution();
@@ -41,7 +41,8 @@ class Canvas {
     return {(point.x() - low_.x()) / pixel_ + kMargin, (high_.y() - point.y()) / pixel_ + kMargin};
   }
   cv::Point cellOf(const Vec2& point) const {
-    const Vec2 pixel = pixelOf(point);
+    // Half a pixel on: the centres of the map's cells must not lie on the border between two pixels.
+    const Vec2 pixel = pixelOf(point) + Vec2::Constant(0.5);
     return {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())};
   }
   /// As OpenCV draws lines with fractions of pixels.
@@ -81,7 +82,7 @@ void drawLine(const Vec2& from, const Vec2& to, const cv::Scalar& colour, Canvas
   cv::line(canvas.image(), canvas.fineOf(from), canvas.fineOf(to), colour, 1, cv::LINE_AA, kFractionBits);
 }
 
-void drawTrack(const Track& track, const cv::Scalar& colour, Canvas& canvas) {
+void drawTrack(const Polyline& track, const cv::Scalar& colour, Canvas& canvas) {
   for (std::size_t i = 1; i < track.size(); ++i) drawLine(track[i - 1], track[i], colour, canvas);
 }
 

@@ -9,12 +9,12 @@
 namespace frontier_pilot {
 
 /// A way through a map, in its frame [m].
-using Track = std::vector<Vec2>;
+using Polyline = std::vector<Vec2>;
 
 /// What is drawn over a map.
 struct MapPicture {
-  Track odometry;                               ///< red
-  Track trajectory;                             ///< blue
+  Polyline odometry;                               ///< red
+  Polyline trajectory;                             ///< blue
   std::vector<std::pair<Vec2, Vec2>> closures;  ///< green
 };
 
