@@ -1,8 +1,10 @@
-// What a ray, a scan and a step of the simulator cost. On Willow Garage if FRONTIER_PILOT_WILLOW names its YAML (or it
-// lies in ../shared/worlds), else on our own office floor.
+// What a ray, a scan and a step of the simulator cost, and how that grows with the number of robots. On Willow Garage
+// if FRONTIER_PILOT_WILLOW names its YAML (or it lies in ../shared/worlds), else on our own office floor.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -91,20 +93,71 @@ void driveAll(Simulator& simulator) {
   for (std::size_t i = 0; i < simulator.robotCount(); ++i) simulator.setCommand(i, {0.2, i % 2 == 0 ? 0.5 : -0.5});
 }
 
+// From one scan to the next.
+void stepToScan(Simulator& simulator) {
+  driveAll(simulator);
+  for (int i = 0; i < 10; ++i) simulator.step();
+}
+
 // Everything: robots that drive and scan at 10 Hz with noise. `real time` is simulated over wall seconds.
 void simulate(benchmark::State& state) {
   Simulator simulator(world(), robots(state.range(0)));
-  const std::int64_t steps = 10;  // one scan
-  for (auto _ : state) {
-    driveAll(simulator);
-    for (std::int64_t i = 0; i < steps; ++i) simulator.step();
-  }
+  for (auto _ : state) stepToScan(simulator);
   const auto scans = static_cast<double>(state.iterations());
   const double rays = scans * static_cast<double>(state.range(0)) * kBeams;
   state.counters["real time"] = benchmark::Counter(scans * 0.1, benchmark::Counter::kIsRate);
   state.counters["ns/ray"] = benchmark::Counter(rays * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(simulate)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(benchmark::kMicrosecond);
+
+// CPU time of this thread [s].
+double cpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Carries the robot to a place. Among others, the disc that stood there now stands where the robot came from.
+void carryTo(std::size_t i, bool among_others, Simulator& simulator) {
+  const RobotSpec& to = places()[i];
+  const RobotSpec& from = places()[(i + places().size() - 1) % places().size()];
+  if (among_others) simulator.removeObstacle(to.name);
+  simulator.setPose(simulator.name(0), {to.x, to.y, to.yaw});
+  if (among_others) simulator.spawnObstacle(from.name, {from.x, from.y, 0.0}, 0.105);
+}
+
+// Nanoseconds of CPU a ray with 1,000 robots, and its controls, in turns so that each meets the same load of the
+// machine: one robot that stays where it is; one that is carried from scan to scan to the places of the 1,000, so that
+// the map is as cold in the cache; and the same among 999 obstacles of a robot's size, so that it sees as much.
+void growth(benchmark::State& state) {
+  const std::size_t count = places().size();
+  Simulator staying(world(), robots(1));
+  Simulator carried(world(), robots(1));
+  Simulator among(world(), robots(1));
+  Simulator all(world(), robots(static_cast<std::int64_t>(count)));
+  for (const RobotSpec& at : places()) among.spawnObstacle(at.name, {at.x, at.y, 0.0}, 0.105);
+  std::array<double, 5> marks{};
+  std::array<double, 4> seconds{};
+  for (auto _ : state) {
+    marks[0] = cpuSeconds();
+    for (std::size_t i = 0; i < count; ++i) stepToScan(staying);
+    marks[1] = cpuSeconds();
+    for (std::size_t i = 0; i < count; ++i) carryTo(i, false, carried), stepToScan(carried);
+    marks[2] = cpuSeconds();
+    for (std::size_t i = 0; i < count; ++i) carryTo(i, true, among), stepToScan(among);
+    marks[3] = cpuSeconds();
+    stepToScan(all);
+    marks[4] = cpuSeconds();
+    for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] += marks[i + 1] - marks[i];
+  }
+  const double rays = static_cast<double>(state.iterations()) * static_cast<double>(count) * kBeams;
+  state.counters["one"] = seconds[0] / rays * 1e9;
+  state.counters["one, carried"] = seconds[1] / rays * 1e9;
+  state.counters["one, carried among 999"] = seconds[2] / rays * 1e9;
+  state.counters["1000 robots"] = seconds[3] / rays * 1e9;
+  state.counters["ratio"] = seconds[3] / seconds[2];
+}
+BENCHMARK(growth)->Iterations(30)->Unit(benchmark::kMillisecond);
 
 // A step without a scan, for each robot.
 void step(benchmark::State& state) {

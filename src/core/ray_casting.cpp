@@ -26,9 +26,10 @@ constexpr int kMaxLeap = 254;
 constexpr int kFraction = 40;
 constexpr double kOne = static_cast<double>(std::int64_t{1} << kFraction);
 
-// Rays that take turns for their first leaps, so that the processor works on one while another waits for memory.
-constexpr std::size_t kAtOnce = 16;
-constexpr int kTurns = 3;
+// Rays that take turns for their first leaps, so that the processor works on one while others wait for memory: a scan
+// from a place that none was made from lately finds nothing of the planes in the cache.
+constexpr std::size_t kAtOnce = 32;
+constexpr int kTurns = 5;
 
 int slopeClass(double slope) { return (slope >= 0.125) + (slope >= 0.25) + (slope >= 0.5); }
 
@@ -142,6 +143,7 @@ struct RayCaster::Ray {
   double unit_x, unit_y;
 
   std::uint8_t leap() const { return plane[column * stride + row]; }
+  void prefetch() const { __builtin_prefetch(plane + column * stride + row); }
   bool crosses() const { return ((height + slope) >> kFraction) > row; }
   void advance(std::int64_t by) {
     column += by;
@@ -169,6 +171,7 @@ struct RayCaster::Ray {
     const std::int64_t by = column < end ? stored - (stored > 0) + creeps : 0;
     advance(by);
     row = by > 0 ? row : here;
+    prefetch();
   }
   // How far it came until `run` stopped it [cells]; `none` if that was the range or the border of the grid.
   double length(double none) const {
@@ -266,6 +269,7 @@ void RayCaster::castAll(const Vec2& from, const std::vector<Vec2>& units, std::v
     const std::size_t count = std::min(kAtOnce, units.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       rays[i] = rayAlong(origin, units[first + i], ranges[first + i] * cells_per_metre_);
+      rays[i].prefetch();
     }
     for (int turn = 0; turn < kTurns; ++turn) {
       for (std::size_t i = 0; i < count; ++i) rays[i].leapOnce();

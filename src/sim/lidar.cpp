@@ -10,17 +10,12 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kFullTurn = 2.0 * kPi - 1e-6;
 
-// Which of 16 equal sectors a direction lies in, counter-clockwise from -x.
-std::size_t sectorOf(const Vec2& v) {
-  constexpr double kTan22 = 0.41421356237309503;
-  const bool up = v.y() >= 0.0;
-  const bool right = v.x() >= 0.0;
-  const double x = std::abs(v.x());
-  const double y = std::abs(v.y());
-  // Quarters of a quadrant from the x axis on.
-  const std::size_t quarter = y < x ? (y < kTan22 * x ? 0 : 1) : (x < kTan22 * y ? 3 : 2);
-  const std::size_t quadrant = up ? (right ? 2 : 3) : (right ? 1 : 0);
-  return 4 * quadrant + (up == right ? quarter : 3 - quarter);
+// Which of the sectors a direction lies in, counter-clockwise from -y. They are equal parts of the diamond
+// |x| + |y| = 1, which costs no arc tangent.
+std::size_t sectorOf(const Vec2& v, std::size_t sectors) {
+  const double along_y = v.y() / (std::abs(v.x()) + std::abs(v.y()));
+  const double quadrants = v.x() >= 0.0 ? 1.0 + along_y : 3.0 - along_y;  // [0, 4]
+  return static_cast<std::size_t>(quadrants * 0.25 * static_cast<double>(sectors)) % sectors;
 }
 
 double incrementOf(const LidarParameters& p) {
@@ -34,7 +29,7 @@ Lidar::Lidar(const LidarParameters& parameters) : parameters_(parameters), incre
   for (int i = 0; i < parameters.beams; ++i) beams_.push_back(direction(parameters.angle_min + i * increment_));
   turned_ = beams_;
   for (std::size_t i = 0; i < beams_.size(); ++i) {
-    const std::size_t sector = sectorOf(beams_[i]);
+    const std::size_t sector = sectorOf(beams_[i], kSectors);
     if (i == 0 || sector != runs_.back().sector) runs_.push_back({sector, i, i});
     runs_.back().end = i + 1;
   }
@@ -85,10 +80,13 @@ void Lidar::measureSight() {
 void Lidar::meetDisc(const Vec2& centre, double radius) {
   const double square = centre.squaredNorm();
   if (square <= radius * radius) return std::fill(ranges_.begin(), ranges_.end(), 0.0);
-  // A disc farther than three radii is seen under less than the two sectors beside its centre's add.
-  const double sight = sight_[sectorOf(centre)] + radius;
-  if (square > 9.0 * radius * radius && square > sight * sight) return;
-  const double half = std::asin(radius / std::sqrt(square));
+  // A sector is at least 4 / kSectors wide [rad]: a disc so far away reaches no farther than into the sectors beside
+  // its centre's, and it is not seen if the walls end before it there.
+  constexpr double kFarRadii = kSectors / 4.0 + 1.0;
+  const double sight = sight_[sectorOf(centre, kSectors)] + radius;
+  if (square > kFarRadii * kFarRadii * radius * radius && square > sight * sight) return;
+  // The tangent of half the angle it is seen under: a little more than that angle, and cheaper.
+  const double half = radius / std::sqrt(square - radius * radius);
   const double middle = normalizeAngle(bearing(centre) - parameters_.angle_min);
   // Beams lie in [0, field of view] from the first one, which may reach once around.
   meetDisc(centre, radius, middle - half, middle + half);

@@ -12,7 +12,7 @@ namespace {
 // A disc moves in bites so short that what it could pass by within one is far thinner than a cell.
 constexpr double kBite = 0.005;      // [m]
 constexpr double kTouching = 0.001;  // [m]: still in contact
-constexpr int kBisections = 24;
+constexpr double kExact = 1e-6;      // [m]: how exactly it is known where a disc was stopped
 
 enum NoiseStream : std::uint64_t { kOdometryNoise, kLidarNoise, kNoiseStreams };
 
@@ -144,7 +144,7 @@ double Simulator::freeShare(const Robot& robot, const Twist2& arc) const {
     if (!blocked(bite / bites)) continue;
     double free = (bite - 1.0) / bites;
     double taken = bite / bites;
-    for (int i = 0; i < kBisections; ++i) {
+    while ((taken - free) * length(arc) > kExact) {
       const double middle = 0.5 * (free + taken);
       (blocked(middle) ? taken : free) = middle;
     }

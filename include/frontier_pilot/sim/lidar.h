@@ -27,7 +27,7 @@ class Lidar {
             Random& random, LaserScan2& scan);
 
  private:
-  static constexpr std::size_t kSectors = 16;
+  static constexpr std::size_t kSectors = 64;
   /// Consecutive beams that lie in one sector.
   struct Run {
     std::size_t sector, begin, end;
