@@ -26,8 +26,7 @@ constexpr int kMaxLeap = 254;
 constexpr int kFraction = 40;
 constexpr double kOne = static_cast<double>(std::int64_t{1} << kFraction);
 
-// Rays that take turns for their first leaps, so that the processor works on one while others wait for memory: a scan
-// from a place that none was made from lately finds nothing of the planes in the cache.
+// Rays that take turns for their first leaps, so that one is worked on while others wait for memory.
 constexpr std::size_t kAtOnce = 32;
 constexpr int kTurns = 5;
 
@@ -142,8 +141,8 @@ struct RayCaster::Ray {
   double start_x, start_y;
   double unit_x, unit_y;
 
-  std::uint8_t leap() const { return plane[column * stride + row]; }
-  void prefetch() const { __builtin_prefetch(plane + column * stride + row); }
+  const std::uint8_t* here() const { return plane + column * stride + row; }
+  std::uint8_t leap() const { return *here(); }
   bool crosses() const { return ((height + slope) >> kFraction) > row; }
   void advance(std::int64_t by) {
     column += by;
@@ -167,11 +166,11 @@ struct RayCaster::Ray {
   void leapOnce() {
     const std::uint8_t stored = leap();
     const bool creeps = (stored == 1) & !crosses();
-    const std::int64_t here = row;
+    const std::int64_t row_before = row;
     const std::int64_t by = column < end ? stored - (stored > 0) + creeps : 0;
     advance(by);
-    row = by > 0 ? row : here;
-    prefetch();
+    row = by > 0 ? row : row_before;
+    __builtin_prefetch(here());
   }
   // How far it came until `run` stopped it [cells]; `none` if that was the range or the border of the grid.
   double length(double none) const {
@@ -269,7 +268,7 @@ void RayCaster::castAll(const Vec2& from, const std::vector<Vec2>& units, std::v
     const std::size_t count = std::min(kAtOnce, units.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       rays[i] = rayAlong(origin, units[first + i], ranges[first + i] * cells_per_metre_);
-      rays[i].prefetch();
+      __builtin_prefetch(rays[i].here());
     }
     for (int turn = 0; turn < kTurns; ++turn) {
       for (std::size_t i = 0; i < count; ++i) rays[i].leapOnce();
