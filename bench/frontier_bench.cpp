@@ -13,7 +13,8 @@
 #include "frontier_pilot/core/ray_casting.h"
 #include "frontier_pilot/exploration/frontier_search.h"
 #include "frontier_pilot/exploration/travel_field.h"
-#include "support/map_image.h"
+#include "frontier_pilot/sim/world_image.h"
+#include "support/buildings.h"
 
 namespace frontier_pilot {
 namespace {
@@ -22,11 +23,7 @@ constexpr double kClearance = 0.15;
 constexpr int kExtent = 60;  // [cells], as the explorer cuts its clusters
 
 const OccupancyGrid& building() {
-  static const OccupancyGrid loaded = [] {
-    const std::string willow = bench::willowGarage();
-    const std::string office = FRONTIER_PILOT_SOURCE_DIR "/config/worlds/office.yaml";
-    return bench::readMapImage(std::filesystem::exists(willow) ? willow : office);
-  }();
+  static const OccupancyGrid loaded = sim::loadWorld(bench::willowGarageOrOffice()).map;
   return loaded;
 }
 

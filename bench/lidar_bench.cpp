@@ -1,11 +1,9 @@
 // What a ray, a scan and a step of the simulator cost, and how that grows with the number of robots. On Willow Garage
-// if FRONTIER_PILOT_WILLOW names its YAML (or it lies in ../shared/worlds), else on our own office floor.
+// ($FRONTIER_PILOT_WORLDS or ../shared/worlds), else on our own office floor.
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <cstdlib>
 #include <ctime>
-#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "frontier_pilot/core/ray_casting.h"
 #include "frontier_pilot/sim/collision_map.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "support/buildings.h"
 
 namespace frontier_pilot::sim {
 namespace {
@@ -21,12 +20,7 @@ constexpr int kBeams = 360;
 constexpr double kRange = 8.0;  // [m]
 
 const World& world() {
-  static const World loaded = [] {
-    const char* named = std::getenv("FRONTIER_PILOT_WILLOW");
-    const std::string willow =
-        named != nullptr ? named : FRONTIER_PILOT_SOURCE_DIR "/../shared/worlds/willow_garage.yaml";
-    return loadWorld(std::filesystem::exists(willow) ? willow : FRONTIER_PILOT_SOURCE_DIR "/config/worlds/office.yaml");
-  }();
+  static const World loaded = loadWorld(bench::willowGarageOrOffice());
   return loaded;
 }
 

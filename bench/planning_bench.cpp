@@ -1,6 +1,6 @@
 // Planning on the Willow Garage floor between 200 random reachable pairs: time, length against the shortest any-angle
-// path of the same clearance, and what a search must at least touch. Run it in the repository's root, or set
-// FRONTIER_PILOT_WORLDS to the folder of willow_garage.yaml; the reference takes minutes and is made only with
+// path of the same clearance, and what a search must at least touch. Set FRONTIER_PILOT_WORLDS to
+// the folder of willow_garage.yaml if that is not ../shared/worlds; the reference takes minutes and is made only with
 // FRONTIER_PILOT_REFERENCE=1.
 
 #include <benchmark/benchmark.h>
@@ -15,8 +15,9 @@
 
 #include "frontier_pilot/planning/global_planner.h"
 #include "frontier_pilot/planning/grid_search.h"
+#include "frontier_pilot/sim/world_image.h"
 #include "support/any_angle_reference.h"
-#include "support/map_image.h"
+#include "support/buildings.h"
 
 namespace frontier_pilot::bench {
 namespace {
@@ -31,7 +32,7 @@ ClearanceParams withoutTightPlaces() {
 }
 
 struct Willow {
-  OccupancyGrid map = readMapImage(willowGarage());
+  OccupancyGrid map = sim::loadWorld(willowGarage()).map;
   std::vector<PlanRequest> requests;
 
   Willow() {

@@ -1,7 +1,7 @@
 #include "support/slam_worlds.h"
 
+#include "support/buildings.h"
 #include "support/closed_loop/corridor_world.h"
-#include "support/map_image.h"
 
 namespace frontier_pilot::bench {
 sim::World slamWorld(const std::string& name) {

@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <deque>
-#include <string>
+#include <filesystem>
 
-#include "frontier_pilot/mapping/map_io.h"
+#include "frontier_pilot/sim/world_image.h"
+#include "support/buildings.h"
 
 namespace frontier_pilot::bench {
 namespace {
-
-OccupancyGrid loadWillow() {
-  const char* folder = std::getenv("FRONTIER_PILOT_WORLDS");
-  OccupancyGrid map;
-  loadGrid(std::string(folder != nullptr ? folder : "../shared/worlds") + "/willow_garage.yaml", map);
-  return map;
-}
 
 void visit(Grid<std::uint8_t>& visited, Cell at) {
   constexpr int kNear = 40;
@@ -85,10 +78,9 @@ void Tour::addPose(Cell from, Cell to) {
 }
 
 const Tour* tour() {
-  static const OccupancyGrid map = loadWillow();
-  static const Tour whole = map.empty() ? Tour(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 1, 1}, kOccupied), {})
-                                        : Tour(map, {16.6, 21.6});
-  return map.empty() ? nullptr : &whole;
+  if (!std::filesystem::exists(willowGarage())) return nullptr;
+  static const Tour whole(sim::loadWorld(willowGarage()).map, {16.6, 21.6});
+  return &whole;
 }
 
 std::vector<Pose2> smoothed(const std::vector<Pose2>& poses) {

@@ -31,7 +31,7 @@ class Tour {
   std::vector<Pose2> poses_;
 };
 
-/// The tour of the Willow Garage floor, in the folder FRONTIER_PILOT_WORLDS; nullptr if it is not there.
+/// The tour of the Willow Garage floor, see buildings.h; nullptr if it is not there.
 const Tour* tour();
 
 /// A drive along a tour as a robot would do it: corners are rounded, and the robot turns before it drives.

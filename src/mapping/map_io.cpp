@@ -1,7 +1,6 @@
 #include "frontier_pilot/mapping/map_io.h"
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -11,8 +10,6 @@
 #include <system_error>
 #include <utility>
 #include <vector>
-
-#include "frontier_pilot/core/parameters.h"
 
 namespace frontier_pilot {
 namespace {
@@ -84,55 +81,6 @@ std::string yamlOf(const GridGeometry& geometry, const std::string& image) {
   return yaml.str();
 }
 
-/// What a map_server YAML says.
-struct MapFile {
-  std::string image;
-  double resolution = 0.0;
-  std::vector<double> origin;
-  int negate = 0;
-  double occupied_thresh = kOccupiedThreshold;
-  double free_thresh = kFreeThreshold;
-  std::string mode = "trinary";
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("image", image, "", "the image, relative to the YAML file");
-    v.field("resolution", resolution, "m", "side of a pixel", positive());
-    v.field("origin", origin, "m, m, rad", "pose of the lower left corner", anyNumber());
-    v.field("negate", negate, "", "1: dark is free", between(0, 1));
-    v.field("occupied_thresh", occupied_thresh, "", "darker is occupied", between(0.0, 1.0));
-    v.field("free_thresh", free_thresh, "", "lighter is free", between(0.0, 1.0));
-    v.field("mode", mode, "", "trinary");
-  }
-  void check(Problems& problems) const {
-    if (image.empty()) problems.emplace_back("image: missing");
-    if (!(resolution > 0.0)) problems.emplace_back("resolution: missing");
-    if (origin.size() != 3) problems.emplace_back("origin: must be [x, y, yaw]");
-    if (origin.size() == 3 && origin[2] != 0.0) problems.emplace_back("origin: a rotated map is not supported");
-    if (mode != "trinary") problems.emplace_back("mode: only trinary is supported");
-  }
-};
-
-std::int8_t valueOf(const MapFile& file, unsigned char pixel) {
-  const double darkness = (file.negate != 0 ? pixel : 255 - pixel) / 255.0;
-  if (darkness > file.occupied_thresh) return kOccupied;
-  return darkness < file.free_thresh ? kFree : kUnknown;
-}
-
-OccupancyGrid gridOf(const MapFile& file, const cv::Mat& image) {
-  GridGeometry geometry;
-  geometry.resolution = file.resolution;
-  geometry.origin = Vec2(file.origin[0], file.origin[1]);
-  geometry.width = image.cols;
-  geometry.height = image.rows;
-  OccupancyGrid grid(geometry);
-  for (int y = 0; y < image.rows; ++y) {
-    const unsigned char* row = image.ptr(image.rows - 1 - y);
-    std::transform(row, row + image.cols, grid.row(y), [&](unsigned char pixel) { return valueOf(file, pixel); });
-  }
-  return grid;
-}
-
 fs::path withoutExtension(const std::string& path) {
   const fs::path whole(path);
   const std::string extension = whole.extension().string();
@@ -196,24 +144,6 @@ MapIoResult saveMap(OccupancyMap& map, const std::string& path) {
       writeAll({{&pgm, pgmOf(map.grid())}, {&yaml, yamlOf(map.geometry(), image)}, {&bt, octree.str()}});
   if (result.ok()) result.text = "saved " + base.string() + ".pgm, .yaml and .bt";
   return result;
-}
-
-MapIoResult loadGrid(const std::string& yaml_path, OccupancyGrid& grid) {
-  std::error_code error;
-  if (!fs::is_regular_file(yaml_path, error)) return failure(MapIoStatus::kMissing, yaml_path, "no such file");
-  MapFile file;
-  try {
-    const Problems problems = loadParameters(loadYamlFile(yaml_path), file);
-    if (!problems.empty()) return failure(MapIoStatus::kBroken, yaml_path, problems.front());
-  } catch (const std::exception& broken) {
-    return failure(MapIoStatus::kBroken, yaml_path, broken.what());
-  }
-  const std::string image_path = (fs::path(yaml_path).parent_path() / file.image).string();
-  if (!fs::is_regular_file(image_path, error)) return failure(MapIoStatus::kMissing, image_path, "no such file");
-  const cv::Mat image = cv::imread(image_path, cv::IMREAD_GRAYSCALE);
-  if (image.empty()) return failure(MapIoStatus::kBroken, image_path, "not an image");
-  grid = gridOf(file, image);
-  return {MapIoStatus::kOk, "loaded " + yaml_path};
 }
 
 MapIoResult loadOctree(const std::string& bt_path, OccupancyMap& map) {

@@ -29,9 +29,6 @@ struct MapIoResult {
 /// of these three is ignored. The files appear whole or not at all.
 MapIoResult saveMap(OccupancyMap& map, const std::string& path);
 
-/// Reads a map_server YAML and its image: -1, 0 and 100. `grid` is written on success only.
-MapIoResult loadGrid(const std::string& yaml_path, OccupancyGrid& grid);
-
 /// Replaces `map` by a .bt file's content; on failure it stays as it was.
 MapIoResult loadOctree(const std::string& bt_path, OccupancyMap& map);
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "frontier_pilot/sim/world_image.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -37,9 +39,7 @@ TEST_F(MapIo, SavesThreeFilesThatLoadAgain) {
   const MapIoResult saved = saveMap(map, path("floor"));
   ASSERT_TRUE(saved.ok()) << saved.text;
   EXPECT_EQ(files(), 3U);
-  OccupancyGrid grid;
-  const MapIoResult loaded = loadGrid(path("floor.yaml"), grid);
-  ASSERT_TRUE(loaded.ok()) << loaded.text;
+  const OccupancyGrid grid = sim::loadWorld(path("floor.yaml")).map;
   EXPECT_EQ(grid.geometry(), map.geometry());
   EXPECT_TRUE(grid.cells() == map.grid().cells());
   OccupancyMap tree;
@@ -71,9 +71,7 @@ TEST_F(MapIo, OverwritesAnOlderMap) {
   map.beginScan();
   map.hit({1, 1});
   ASSERT_TRUE(saveMap(map, path("floor")).ok());
-  OccupancyGrid grid;
-  ASSERT_TRUE(loadGrid(path("floor.yaml"), grid).ok());
-  EXPECT_TRUE(grid.cells() == map.grid().cells());
+  EXPECT_TRUE(sim::loadWorld(path("floor.yaml")).map.cells() == map.grid().cells());
   EXPECT_EQ(files(), 3U) << "nothing is left lying around";
 }
 
@@ -95,25 +93,7 @@ TEST_F(MapIo, KeepsAnOlderMapWhenSavingFails) {
   map.clear();
   fs::create_directory(path("floor.bt.part"));
   ASSERT_EQ(saveMap(map, path("floor")).status, MapIoStatus::kCannotWrite);
-  OccupancyGrid grid;
-  ASSERT_TRUE(loadGrid(path("floor.yaml"), grid).ok());
-  EXPECT_TRUE(grid.cells() == before);
-}
-
-TEST_F(MapIo, SaysWhyItCannotLoad) {
-  OccupancyGrid grid;
-  EXPECT_EQ(loadGrid(path("floor.yaml"), grid).status, MapIoStatus::kMissing);
-  write("broken.yaml", "image: [");
-  EXPECT_EQ(loadGrid(path("broken.yaml"), grid).status, MapIoStatus::kBroken);
-  write("poor.yaml", "image: poor.pgm");
-  EXPECT_EQ(loadGrid(path("poor.yaml"), grid).status, MapIoStatus::kBroken);
-  write("alone.yaml", "{image: alone.pgm, resolution: 0.05, origin: [0, 0, 0]}");
-  EXPECT_EQ(loadGrid(path("alone.yaml"), grid).status, MapIoStatus::kMissing);
-  write("alone.pgm", "no image");
-  EXPECT_EQ(loadGrid(path("alone.yaml"), grid).status, MapIoStatus::kBroken);
-  write("turned.yaml", "{image: alone.pgm, resolution: 0.05, origin: [0, 0, 1.5]}");
-  EXPECT_NE(loadGrid(path("turned.yaml"), grid).text.find("rotated"), std::string::npos);
-  EXPECT_TRUE(grid.empty());
+  EXPECT_TRUE(sim::loadWorld(path("floor.yaml")).map.cells() == before);
 }
 
 TEST_F(MapIo, KeepsTheMapWhenAnOctreeCannotBeLoaded) {

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "frontier_pilot/mapping/map_io.h"
+#include "frontier_pilot/sim/world_image.h"
 
 namespace frontier_pilot {
 namespace {
@@ -88,8 +88,7 @@ class MapLog : public ::testing::Test {
 
 TEST_F(MapLog, WritesMapTrajectoriesAndPicture) {
   ASSERT_EQ(run({path("drive.csv"), "--out", path("map"), "--mount", "0", "0", "0"}), 0) << errors_;
-  OccupancyGrid map;
-  ASSERT_TRUE(loadGrid(path("map.yaml"), map).ok());
+  const OccupancyGrid map = sim::loadWorld(path("map.yaml")).map;
   EXPECT_EQ(map.get(map.geometry().cellAt({1.5, 0.02}), kUnknown), kFree);
   EXPECT_EQ(map.get(map.geometry().cellAt({1.5, 1.02}), kUnknown), kOccupied);
   EXPECT_TRUE(fs::exists(path("map.bt")));
