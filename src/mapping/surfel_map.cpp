@@ -1,16 +1,17 @@
 #include "frontier_pilot/mapping/surfel_map.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace frontier_pilot {
 namespace {
 
-constexpr std::size_t kNoNormal = 4;
+constexpr std::int32_t kNoNormal = 4;
+constexpr std::int32_t kWays = 5;
 constexpr double kSameWay = 0.5;  ///< cosine of the greatest angle between normals that look the same way
 
 /// Which quadrant, around an axis, a normal points into. Walls are seldom seen at 45 degrees to the submap's frame.
-std::size_t quadrantOf(const Vec2& normal) {
+std::int32_t quadrantOf(const Vec2& normal) {
   if (normal.x() == 0.0 && normal.y() == 0.0) return kNoNormal;
   if (std::abs(normal.x()) > std::abs(normal.y())) return normal.x() > 0.0 ? 0 : 1;
   return normal.y() > 0.0 ? 2 : 3;
@@ -31,15 +32,25 @@ Vec2 Surfel::normal() const {
 
 void SurfelMap::add(const SurfacePoints& points, const Pose2& T_map_points) {
   const Pose2 turn(0.0, 0.0, T_map_points.yaw);
-  CellRect cells;
-  for (const SurfacePoint& point : points) cells.include(index_.cellAt(T_map_points * point.position));
-  if (cells.empty()) return;
-  index_.reserve(cells);
-  for (const SurfacePoint& point : points) add({T_map_points * point.position, turn * point.normal});
+  SurfacePoints placed;
+  placed.reserve(points.size());
+  CellRect needed;
+  for (const SurfacePoint& point : points) {
+    placed.push_back({T_map_points * point.position, turn * point.normal});
+    needed.include(tiles_.cellAt(placed.back().position));
+  }
+  if (placed.empty()) return;
+  tiles_.reserve(needed);
+  for (const SurfacePoint& point : placed) add(point);
 }
 
 void SurfelMap::add(const SurfacePoint& point) {
-  Surfel& surfel = blockAt(index_.cellAt(point.position))[quadrantOf(point.normal)];
+  const Cell tile = tiles_.cellAt(point.position);
+  const auto cell_in = [](double coordinate, int from) {
+    return std::clamp(static_cast<std::int32_t>((coordinate - from * kTile) / kCell), 0, kTileCells - 1);
+  };
+  const std::int32_t cell = cell_in(point.position.y(), tile.y) * kTileCells + cell_in(point.position.x(), tile.x);
+  Surfel& surfel = surfelAt(tile, cell * kWays + quadrantOf(point.normal));
   surfel.count += 1.0F;
   surfel.x += (static_cast<float>(point.position.x()) - surfel.x) / surfel.count;
   surfel.y += (static_cast<float>(point.position.y()) - surfel.y) / surfel.count;
@@ -47,26 +58,28 @@ void SurfelMap::add(const SurfacePoint& point) {
   surfel.normal_y += static_cast<float>(point.normal.y());
 }
 
-SurfelMap::Block& SurfelMap::blockAt(Cell cell) {
-  std::int32_t& index = index_[cell];
-  if (index < 0) {
-    index = static_cast<std::int32_t>(blocks_.size());
-    blocks_.emplace_back();
+Surfel& SurfelMap::surfelAt(Cell tile, std::int32_t place) {
+  std::int32_t& first = tiles_[tile];
+  for (std::int32_t i = first; i != kEnd; i = entries_[static_cast<std::size_t>(i)].next) {
+    Entry& entry = entries_[static_cast<std::size_t>(i)];
+    if (entry.place == place) return entry.surfel;
   }
-  return blocks_[static_cast<std::size_t>(index)];
+  entries_.push_back({Surfel(), first, place});
+  first = static_cast<std::int32_t>(entries_.size()) - 1;
+  return entries_.back().surfel;
 }
 
 const Surfel* SurfelMap::nearest(const SurfacePoint& point) const {
   const Surfel* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  const Cell centre = index_.cellAt(point.position);
-  for (int y = centre.y - 1; y <= centre.y + 1; ++y) {
-    for (int x = centre.x - 1; x <= centre.x + 1; ++x) {
-      const std::int32_t index = index_.get({x, y});
-      if (index < 0) continue;
-      for (const Surfel& surfel : blocks_[static_cast<std::size_t>(index)]) {
+  double least = kReach * kReach;
+  const Cell low = tiles_.cellAt(point.position - Vec2::Constant(kReach));
+  const Cell high = tiles_.cellAt(point.position + Vec2::Constant(kReach));
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      for (std::int32_t i = tiles_.get({x, y}); i != kEnd; i = entries_[static_cast<std::size_t>(i)].next) {
+        const Surfel& surfel = entries_[static_cast<std::size_t>(i)].surfel;
         const double squared = (surfel.position() - point.position).squaredNorm();
-        if (surfel.count == 0.0F || squared >= least || !looksTheSameWay(surfel, point)) continue;
+        if (squared >= least || !looksTheSameWay(surfel, point)) continue;
         least = squared;
         best = &surfel;
       }
@@ -76,7 +89,7 @@ const Surfel* SurfelMap::nearest(const SurfacePoint& point) const {
 }
 
 std::size_t SurfelMap::memory() const {
-  return index_.grid().size() * sizeof(std::int32_t) + blocks_.capacity() * sizeof(Block);
+  return tiles_.grid().size() * sizeof(std::int32_t) + entries_.capacity() * sizeof(Entry);
 }
 
 }  // namespace frontier_pilot

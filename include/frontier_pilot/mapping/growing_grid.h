@@ -49,7 +49,7 @@ class GrowingGrid {
   const Grid<T>& grid() const { return grid_; }
 
  private:
-  static constexpr int kStep = 32;
+  static constexpr int kStep = 16;
 
   void resize(const CellRect& cells) {
     GridGeometry geometry = frame_;

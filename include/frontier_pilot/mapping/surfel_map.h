@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,27 +26,35 @@ struct Surfel {
 /// two walls of a corner remain what they are. It grows where points are added.
 class SurfelMap {
  public:
-  static constexpr double kCell = 0.1;  ///< [m]
+  static constexpr double kCell = 0.1;    ///< [m]
+  static constexpr double kReach = 0.15;  ///< how far a surfel may be from a point that lies on it [m]
 
   /// `points` at `T_map_points`.
   void add(const SurfacePoints& points, const Pose2& T_map_points);
-  /// The nearest surfel in the cell of `point` or its neighbours that looks the same way, within 60 degrees; nullptr if
-  /// there is none.
+  /// The nearest surfel within `kReach` that looks the same way, within 60 degrees; nullptr if there is none.
   const Surfel* nearest(const SurfacePoint& point) const;
 
-  /// How many cells hold something, and what it all takes [bytes].
-  std::size_t cellCount() const { return blocks_.size(); }
+  std::size_t size() const { return entries_.size(); }
+  /// [bytes]
   std::size_t memory() const;
 
  private:
-  /// One per quadrant that a normal may point into, and one for points without normal.
-  using Block = std::array<Surfel, 5>;
+  static constexpr int kTileCells = 3;
+  static constexpr double kTile = kTileCells * kCell;  ///< wider than `kReach`: what is near lies in four tiles
+  static constexpr std::int32_t kEnd = -1;
+
+  /// A surfel in the list of its tile's.
+  struct Entry {
+    Surfel surfel;
+    std::int32_t next = kEnd;
+    std::int32_t place = 0;  ///< which cell of the tile, and which way it looks
+  };
 
   void add(const SurfacePoint& point);
-  Block& blockAt(Cell cell);
+  Surfel& surfelAt(Cell tile, std::int32_t place);
 
-  GrowingGrid<std::int32_t> index_{kCell, -1};
-  std::vector<Block> blocks_;
+  GrowingGrid<std::int32_t> tiles_{kTile, kEnd};  ///< the first entry of each tile
+  std::vector<Entry> entries_;
 };
 
 }  // namespace frontier_pilot
