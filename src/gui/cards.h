@@ -67,8 +67,30 @@ class SourcesCard : public Card {
   QLabel* empty_;
 };
 
-/// Patrols: what, how large, how often, and how far it is.
-class PatrolCard : public Card {
+/// What the card of an action has: buttons that start it, one that stops it, and how far it is.
+class ActionCard : public Card {
+  Q_OBJECT
+
+ signals:
+  void stopAsked();
+
+ protected:
+  /// `name` is that of the stop button, `server` the node that may be down.
+  ActionCard(const QString& title, const QString& name, const QString& server, QWidget* parent);
+  QPushButton* makeStart(const QString& text);
+  QPushButton* stopButton() { return stop_; }
+  QLabel* progressLabel() { return progress_; }
+  void showAction(const ActionView& action, bool emergency_stop);
+
+ private:
+  QString server_;
+  std::vector<QPushButton*> start_;
+  QPushButton* stop_;
+  QLabel* progress_;
+};
+
+/// Patrols: what, how large, how often.
+class PatrolCard : public ActionCard {
   Q_OBJECT
 
  public:
@@ -77,16 +99,28 @@ class PatrolCard : public Card {
 
  signals:
   void startAsked(int shape, double side, int laps);
-  void stopAsked();
 
  private:
-  QPushButton* makeStart(const QString& text, int shape);
+  QLayout* makeButtons();
 
   QDoubleSpinBox* side_;
   QSpinBox* laps_;
-  std::array<QPushButton*, 3> start_;
-  QPushButton* stop_;
-  QLabel* progress_;
+};
+
+/// A turn in place by an angle.
+class SpinCard : public ActionCard {
+  Q_OBJECT
+
+ public:
+  explicit SpinCard(QWidget* parent = nullptr);
+  void setState(const OperatorState& state);
+
+ signals:
+  /// `angle` [rad]
+  void startAsked(double angle);
+
+ private:
+  QSpinBox* angle_;
 };
 
 /// The explorer: what it does and why, and what came of it.

@@ -61,8 +61,12 @@ void ExplorerCard::setState(const OperatorState& state) {
   const bool heard = state.explorer.has_value() && state.explorer->status_age <= kStatusLifetime;
   const bool up = state.explorer_service_up;
   setRemark(!up ? "explorer down" : (heard ? "" : "silent"), Severity::kWarning);
-  start_->setEnabled(up && !(heard && state.explorer->running));
-  pause_->setEnabled(up && (!heard || state.explorer->running));
+  const bool running = heard && state.explorer->running;
+  // The focus of a button that goes grey would otherwise wander to the next one, and Enter would press that.
+  if (running && start_->hasFocus()) pause_->setFocus();
+  if (heard && !running && pause_->hasFocus()) start_->setFocus();
+  start_->setEnabled(up && !running);
+  pause_->setEnabled(up && (!heard || running));
   for (QPushButton* button : {start_, pause_}) button->setToolTip(up ? "" : "set_exploration_enabled is down");
   reset_->setEnabled(state.explorer_reset_up);
   dot_->setSeverity(heard ? state.explorer->severity : Severity::kIdle);

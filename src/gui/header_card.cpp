@@ -26,6 +26,18 @@ struct Headline {
   Severity severity = Severity::kIdle;
 };
 
+/// The arbiter's sentence without what the title says already; what goes to the wheels, if that was all it said.
+QString detailOf(const ArbiterView& arbiter, const QString& title) {
+  QString detail = QString::fromStdString(arbiter.summary);
+  if (detail.startsWith(title, Qt::CaseInsensitive)) detail.remove(0, title.size());
+  while (!detail.isEmpty() && !detail[0].isLetterOrNumber()) detail.remove(0, 1);
+  if (!detail.isEmpty()) return detail;
+  if (arbiter.command.isZero()) return "The wheels stand still.";
+  return QString("The wheels get %1 m/s, %2 rad/s.")
+      .arg(arbiter.command.linear, 0, 'f', 2)
+      .arg(arbiter.command.angular, 0, 'f', 2);
+}
+
 Headline headlineOf(const OperatorState& state) {
   if (!state.connected) return {"No ROS master", "Waiting for it to answer.", Severity::kError};
   const bool stopped = state.emergency_stop.value_or(false);
@@ -37,10 +49,9 @@ Headline headlineOf(const OperatorState& state) {
   if (arbiter.status_age > kStatusLifetime) {
     return {"Arbiter silent", "Last heard " + ageText(arbiter.status_age) + " ago.", Severity::kError};
   }
-  const QString summary = QString::fromStdString(arbiter.summary);
-  if (stopped) return {"Emergency stop", summary, Severity::kError};
-  if (arbiter.active_source.empty()) return {"Nobody drives", summary, arbiter.severity};
-  return {QString::fromStdString(arbiter.active_source) + " drives", summary, arbiter.severity};
+  const QString driver = arbiter.active_source.empty() ? "Nobody" : QString::fromStdString(arbiter.active_source);
+  const QString title = stopped ? "Emergency stop" : driver + " drives";
+  return {title, detailOf(arbiter, title), stopped ? Severity::kError : arbiter.severity};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "cards.h"
+#include "frontier_pilot/teleop/journal.h"
 #include "header_card.h"
 #include "scan_card.h"
 
@@ -46,6 +47,7 @@ void PilotWidget::build() {
   scan_card_ = new ScanCard;
   sources_card_ = new SourcesCard;
   patrol_card_ = new PatrolCard(parameters_);
+  spin_card_ = new SpinCard;
   explorer_card_ = new ExplorerCard;
   log_card_ = new LogCard;
 
@@ -75,7 +77,7 @@ void PilotWidget::build() {
 
 void PilotWidget::connectCards() {
   using Kind = OperatorRequest::Kind;
-  const auto ask = [this](Kind kind, bool on = false) { send({kind, on, {}, 0, 0.0, 0}); };
+  const auto ask = [this](Kind kind, bool on = false) { send({kind, on, {}, 0, 0.0, 0, 0.0}); };
   connect(drive_card_, &DriveCard::pressed, this, &PilotWidget::press);
   connect(drive_card_, &DriveCard::released, this, &PilotWidget::release);
   connect(drive_card_, &DriveCard::letGo, this, &PilotWidget::letGo);
@@ -89,16 +91,24 @@ void PilotWidget::connectCards() {
   });
   connect(header_, &HeaderCard::clearAsked, this, [ask] { ask(Kind::kClearEmergencyStop); });
   connect(sources_card_, &SourcesCard::enableAsked, this, [this](const QString& name, bool on) {
-    send({Kind::kEnableSource, on, name.toStdString(), 0, 0.0, 0});
+    send({Kind::kEnableSource, on, name.toStdString(), 0, 0.0, 0, 0.0});
   });
   connect(scan_card_, &ScanCard::avoiderAsked, this, [ask](bool on) { ask(Kind::kEnableAvoider, on); });
   connect(patrol_card_, &PatrolCard::startAsked, this, [this](int shape, double side, int laps) {
     press(Motion::kStop);
-    send({Kind::kPatrol, true, {}, shape, side, laps});
+    send({Kind::kPatrol, true, {}, shape, side, laps, 0.0});
   });
   connect(patrol_card_, &PatrolCard::stopAsked, this, [this, ask] {
     press(Motion::kStop);
     ask(Kind::kStopPatrol);
+  });
+  connect(spin_card_, &SpinCard::startAsked, this, [this](double angle) {
+    press(Motion::kStop);
+    send({Kind::kSpin, true, {}, 0, 0.0, 0, angle});
+  });
+  connect(spin_card_, &SpinCard::stopAsked, this, [this, ask] {
+    press(Motion::kStop);
+    ask(Kind::kStopSpin);
   });
   connect(explorer_card_, &ExplorerCard::runAsked, this, [ask](bool on) { ask(Kind::kExplore, on); });
   connect(explorer_card_, &ExplorerCard::resetAsked, this, [ask] { ask(Kind::kResetExplorer); });
@@ -109,9 +119,9 @@ void PilotWidget::layOut(int columns) {
   columns_ = columns;
   using Column = std::vector<QWidget*>;
   const std::vector<std::vector<Column>> plans{
-      {{drive_card_, sources_card_, scan_card_, patrol_card_, explorer_card_, log_card_}, {}, {}},
-      {{drive_card_, scan_card_, log_card_}, {sources_card_, patrol_card_, explorer_card_}, {}},
-      {{drive_card_, patrol_card_}, {scan_card_, log_card_}, {sources_card_, explorer_card_}}};
+      {{drive_card_, sources_card_, scan_card_, patrol_card_, spin_card_, explorer_card_, log_card_}, {}, {}},
+      {{drive_card_, scan_card_, log_card_}, {sources_card_, patrol_card_, spin_card_, explorer_card_}, {}},
+      {{drive_card_, patrol_card_, spin_card_}, {scan_card_, log_card_}, {sources_card_, explorer_card_}}};
   const std::vector<Column>& plan = plans[static_cast<std::size_t>(columns - 1)];
   for (QVBoxLayout* layout : column_layouts_) {
     while (QLayoutItem* item = layout->takeAt(0)) delete item;
@@ -144,18 +154,26 @@ void PilotWidget::setState(const OperatorState& state) {
     const std::string why = lock == DriveLock::kNone ? "the wheels changed hands" : toString(lock);
     appendLog({Severity::kWarning, "set-point dropped: " + why});
   }
+  for (const OperatorLogLine& line : whatHappened(last_state_, state)) appendLog(line);
+  last_state_ = state;
+  showCards(state);
+  showSetPoint();
+}
+
+void PilotWidget::showCards(const OperatorState& state) {
   header_->setState(state);
   drive_card_->setState(state);
   scan_card_->setState(state);
   sources_card_->setState(state);
   patrol_card_->setState(state);
+  spin_card_->setState(state);
   explorer_card_->setState(state);
-  showSetPoint();
 }
 
 void PilotWidget::appendLog(const OperatorLogLine& line) { log_card_->append(line); }
 
 void PilotWidget::stopBecause(const std::string& reason) {
+  if (drive_.setPoint().isZero()) return drive_.stop();
   drive_.stop();
   appendLog({Severity::kWarning, "set-point dropped: " + reason});
   showSetPoint();

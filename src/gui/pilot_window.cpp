@@ -13,7 +13,7 @@ namespace {
 /// Wide enough for three columns, if the screen is.
 QSize windowSize(const QWidget& widget) {
   const int em = emOf(widget);
-  const QSize wanted(em * 62, em * 42);
+  const QSize wanted(em * 66, em * 42);
   const QScreen* screen = QGuiApplication::primaryScreen();
   return screen == nullptr ? wanted : wanted.boundedTo(screen->availableSize() * 0.95);
 }

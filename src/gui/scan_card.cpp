@@ -1,6 +1,6 @@
 #include "scan_card.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QPainter>
 #include <QPainterPath>
 #include <QVBoxLayout>
@@ -172,14 +172,16 @@ ScanCard::ScanCard(QWidget* parent)
       dot_(new Dot),
       text_(new ElidedLabel("muted")) {
   text_->setObjectName("avoider_state");
-  auto* line = new QHBoxLayout;
-  line->setSpacing(emOf(*this) / 2);
-  line->addWidget(toggle_);
-  line->addWidget(dot_);
-  line->addWidget(makeLabel("Obstacle avoider", "strong"));
-  line->addWidget(text_, 1);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(emOf(*this) / 2);
+  grid->setVerticalSpacing(0);
+  grid->addWidget(toggle_, 0, 0, 2, 1);
+  grid->addWidget(dot_, 0, 1);
+  grid->addWidget(makeLabel("Obstacle avoider", "strong"), 0, 2);
+  grid->addWidget(text_, 1, 2);
+  grid->setColumnStretch(2, 1);
   content()->addWidget(picture_, 1);
-  content()->addLayout(line);
+  content()->addLayout(grid);
   connect(toggle_, &Switch::asked, this, &ScanCard::avoiderAsked);
 }
 

@@ -25,7 +25,7 @@ std::string stateInWords(const SourceStatus& source, const ArbiterSnapshot& snap
   std::string state = toString(source.state);
   switch (source.state) {
     case SourceState::kNeverHeard:
-      return state + (has_publisher ? ": no message that counts yet" : ": nobody publishes");
+      return state + (has_publisher ? ": nothing that counts yet" : ": nobody publishes");
     case SourceState::kStale:
       return state + ": silent past its timeout";
     case SourceState::kRejected:

@@ -18,6 +18,20 @@ ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
   return node;
 }
 
+PatrolGoal toPatrolGoal(const OperatorRequest& request) {
+  PatrolGoal goal;
+  goal.goal.x = request.shape;
+  goal.goal.y = request.side;
+  goal.goal.z = request.laps;
+  return goal;
+}
+
+SpinGoal toSpinGoal(const OperatorRequest& request) {
+  SpinGoal goal;
+  goal.target_yaw = request.angle;
+  return goal;
+}
+
 }  // namespace
 
 GuiBridge::GuiBridge(const ros::NodeHandle& node, const TeleopParameters& parameters, Manual manual,
@@ -27,9 +41,10 @@ GuiBridge::GuiBridge(const ros::NodeHandle& node, const TeleopParameters& parame
       manual_(manual),
       running_(std::move(running)),
       node_(onQueue(node, queue_)),
-      patrol_(node_, [this](Severity severity, const std::string& text) { log(severity, text); }),
-      caller_(node_, [this](Severity severity, const std::string& text) { log(severity, text); }),
-      stop_caller_(node_, [this](Severity severity, const std::string& text) { log(severity, text); }),
+      patrol_(node_, names::kPatrol, "patrol", logger()),
+      spin_(node_, names::kSpin, "spin", logger()),
+      caller_(node_, logger()),
+      stop_caller_(node_, logger()),
       watch_(node_, [this](const std::string& service) { onServiceUp(service); }),
       spinner_(1, &queue_) {
   watchServices();
@@ -84,6 +99,7 @@ void GuiBridge::close() {
   const Twist2 zero = manual_output_.close();
   if (manual_publisher_) manual_publisher_.publish(toTwistMsg(zero));
   patrol_.cancelOwn();
+  spin_.cancelOwn();
 }
 
 void GuiBridge::request(const OperatorRequest& request) {
@@ -102,15 +118,23 @@ void GuiBridge::request(const OperatorRequest& request) {
     case Kind::kResetExplorer:
       return caller_.trigger(names::kResetExplorer);
     case Kind::kPatrol:
-      return patrol_.start(request.shape, request.side, request.laps);
+      return patrol_.start(toPatrolGoal(request));
     case Kind::kStopPatrol:
       return patrol_.cancelAll();
+    case Kind::kSpin:
+      return spin_.start(toSpinGoal(request));
+    case Kind::kStopSpin:
+      return spin_.cancelAll();
   }
 }
 
 std::vector<OperatorLogLine> GuiBridge::takeLog() {
   const std::lock_guard<std::mutex> lock(log_mutex_);
   return std::exchange(log_, {});
+}
+
+OperatorLog GuiBridge::logger() {
+  return [this](Severity severity, const std::string& text) { log(severity, text); };
 }
 
 void GuiBridge::log(Severity severity, const std::string& text) {

@@ -1,3 +1,5 @@
+#include <geometry_msgs/Twist.h>
+
 #include <algorithm>
 
 #include "frontier_pilot/ros/conversions.h"
@@ -32,6 +34,10 @@ void GuiBridge::subscribe() {
                   node_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1,
                                                   [=](const ExplorerStatus::ConstPtr& msg) { keep(explorer_, *msg); }),
                   node_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this),
+                  node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 1,
+                                                        [=](const geometry_msgs::Twist::ConstPtr& msg) {
+                                                          keep(command_, Twist2{msg->linear.x, msg->angular.z});
+                                                        }),
                   node_.subscribe(names::kScan, 1, &GuiBridge::onScan, this)};
   stop_subscriber_ = node_.subscribe<std_msgs::Bool>(
       names::kEmergencyStopState, 1, [=](const std_msgs::Bool::ConstPtr& msg) { keep(stop_, msg->data != 0); });
@@ -84,6 +90,7 @@ OperatorState GuiBridge::state() {
   state.explorer_service_up = watch_.up(names::kSetExplorationEnabled);
   state.explorer_reset_up = watch_.up(names::kResetExplorer);
   state.patrol = patrol_.view();
+  state.spin = spin_.view();
   const SteadyTime now = steadyNow();
   const std::lock_guard<std::mutex> lock(mutex_);
   state.emergency_stop = stopState(now);
@@ -93,6 +100,8 @@ OperatorState GuiBridge::state() {
   show(explorer_, now, state.explorer);
   if (scan_.has()) state.scan = ScanView{toSeconds(*scan_.age(now)), *scan_.get()};
   if (state.arbiter) {
+    // The status comes once a second: too seldom for a needle.
+    state.arbiter->command = command_.fresh(now, kFresh).value_or(state.arbiter->command);
     for (SourceView& source : state.arbiter->sources) source.service_up = watch_.up(names::setEnabled(source.name));
   }
   return state;

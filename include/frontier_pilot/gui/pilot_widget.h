@@ -19,6 +19,7 @@ class LogCard;
 class PatrolCard;
 class ScanCard;
 class SourcesCard;
+class SpinCard;
 
 /// The operator's side: everything that is seen and can be asked for, in the desktop window and in rviz alike.
 ///
@@ -59,11 +60,13 @@ class PilotWidget : public QWidget {
   void release(Motion motion);
   void letGo();
   void send(const OperatorRequest& request);
+  void showCards(const OperatorState& state);
   void showSetPoint();
   bool handleKey(QWidget& focus, QKeyEvent& event);
 
   TeleopParameters parameters_;
   DriveModel drive_;
+  OperatorState last_state_;
   Twist2 shown_;
   int columns_ = 0;
   bool applying_theme_ = false;
@@ -74,6 +77,7 @@ class PilotWidget : public QWidget {
   ScanCard* scan_card_ = nullptr;
   SourcesCard* sources_card_ = nullptr;
   PatrolCard* patrol_card_ = nullptr;
+  SpinCard* spin_card_ = nullptr;
   ExplorerCard* explorer_card_ = nullptr;
   LogCard* log_card_ = nullptr;
 };

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/ros/action_link.h"
 #include "frontier_pilot/ros/mailbox.h"
-#include "frontier_pilot/ros/patrol_link.h"
 #include "frontier_pilot/ros/service_caller.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 #include "frontier_pilot/teleop/manual_output.h"
@@ -55,6 +55,7 @@ class GuiBridge : public OperatorLink {
   bool manualWanted(SteadyTime now);
   bool manualOn(SteadyTime now) const;
   std::optional<bool> stopState(SteadyTime now) const;
+  OperatorLog logger();
   void log(Severity severity, const std::string& text);
 
   std::mutex log_mutex_;  ///< guards the log alone: lines come from under other locks
@@ -66,6 +67,7 @@ class GuiBridge : public OperatorLink {
   Latest<AvoiderStatus> avoider_;
   Latest<ExplorerStatus> explorer_;
   Latest<bool> stop_;
+  Latest<Twist2> command_;
   Latest<LaserScan2> scan_;
   AvoiderSectors sectors_;
 
@@ -79,6 +81,7 @@ class GuiBridge : public OperatorLink {
   std::vector<ros::Subscriber> subscribers_;
   ros::Subscriber stop_subscriber_;
   PatrolLink patrol_;
+  SpinLink spin_;
   ServiceCaller caller_, stop_caller_;
   ServiceWatch watch_;
   ros::SteadyTimer publish_timer_;

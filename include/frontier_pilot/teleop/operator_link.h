@@ -19,6 +19,8 @@ struct OperatorRequest {
     kResetExplorer,
     kPatrol,  ///< `shape`, `side` [m], `laps`
     kStopPatrol,
+    kSpin,  ///< `angle`
+    kStopSpin,
   };
   Kind kind = Kind::kEmergencyStop;
   bool on = false;
@@ -26,6 +28,7 @@ struct OperatorRequest {
   int shape = 0;  ///< as in Patrol.action: 1 square, 2 triangle, 3 circle
   double side = 0.0;
   int laps = 0;
+  double angle = 0.0;  ///< [rad], positive is to the left
 };
 
 /// A line for the operator's log.

@@ -71,7 +71,8 @@ struct ExplorerView {
   double distance_travelled = 0.0;  ///< [m]
 };
 
-struct PatrolView {
+/// A patrol or a spin.
+struct ActionView {
   bool server_up = false;
   bool active = false;
   std::string feedback;  ///< of the present or last goal
@@ -94,7 +95,7 @@ struct OperatorState {
   AvoiderSectors sectors;
   bool explorer_service_up = false, explorer_reset_up = false;
   std::optional<ExplorerView> explorer;
-  PatrolView patrol;
+  ActionView patrol, spin;
   std::optional<ScanView> scan;
 
   /// The source of that name; nullptr where there is none.

@@ -67,6 +67,8 @@ void ClosedLoop::step() {
   }
 }
 
+void ClosedLoop::setNavEnabled(bool on) { arbiter_.setEnabled(nav_source_, on, instant()); }
+
 void ClosedLoop::sense() {
   const LaserScan2* scan = simulator_.newScan(0);
   on_the_way_.push_back({now(), simulator_.odometry(0), simulator_.velocity(0),

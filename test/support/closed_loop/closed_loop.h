@@ -51,6 +51,8 @@ class ClosedLoop {
   void step();
   /// Switches the explorer off and on.
   void setExploring(bool on) { exploring_ = on; }
+  /// Switches the navigator's source at the arbiter off and on: while it is off the robot is told to stand.
+  void setNavEnabled(bool on);
 
   Time now() const { return simulator_.now(); }
   sim::Simulator& simulator() { return simulator_; }

@@ -65,7 +65,7 @@ TEST_F(Driving, KeysDriveAlsoWhileAButtonHasTheFocus) {
 
 // [GUI-1]
 TEST_F(Driving, SpaceStopsWhereverTheFocusIsAndPressesNothing) {
-  for (const char* name : {"patrol(sqr)", "patrol_side", "emergency_stop", "explore_start", "log"}) {
+  for (const char* name : {"patrol(sqr)", "patrol_side", "spin_angle", "emergency_stop", "explore_start", "log"}) {
     click("Go");
     find(name)->setFocus();
     QTest::keyClick(find(name), Qt::Key_Space);

@@ -75,7 +75,7 @@ inline OperatorState exampleState() {
   explorer.explored_area = 387.4;
   explorer.distance_travelled = 212.7;
   state.explorer = explorer;
-  state.patrol.server_up = true;
+  state.patrol.server_up = state.spin.server_up = true;
   state.patrol.result = "square patrol complete!!";
   state.scan = ScanView{0.06, exampleScan()};
   return state;

@@ -56,6 +56,12 @@ TEST_F(PilotControllerTest, AWindowThatWasFrozenDropsItsSetPoint) {
   EXPECT_TRUE(logText().contains("frozen"));
 }
 
+TEST_F(PilotControllerTest, AWindowThatWasFrozenWithoutASetPointHasNothingToTell) {
+  PilotController controller(widget_, link_, Duration::zero());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
+  EXPECT_FALSE(logText().contains("frozen"));
+}
+
 TEST_F(PilotControllerTest, HandsWishesOnAndShowsTheStateAndTheLog) {
   PilotController controller(widget_, link_, std::chrono::hours(1));
   EXPECT_TRUE(QTest::qWaitFor([this] { return logText().contains("hello from the system"); }));

@@ -61,6 +61,38 @@ TEST_F(Showing, SaysWhoDrivesNow) {
 }
 
 // [GUI-2]
+TEST_F(Showing, TheDetailUnderTheHeadlineDoesNotRepeatIt) {
+  state_.arbiter->active_source = "nav";
+  state_.arbiter->summary = "nav drives";
+  state_.arbiter->command = {0.18, -0.3};
+  widget_->setState(state_);
+  EXPECT_EQ(text("summary"), "The wheels get 0.18 m/s, -0.30 rad/s.");
+  state_.arbiter->summary = "nav drives; avoid is required but silent";
+  widget_->setState(state_);
+  EXPECT_EQ(text("summary"), "avoid is required but silent");
+  state_.emergency_stop = true;
+  state_.arbiter->summary = "emergency stop: called by /somebody";
+  widget_->setState(state_);
+  EXPECT_EQ(text("summary"), "called by /somebody");
+}
+
+// [GUI-2]
+TEST_F(Showing, WhatHappensIsInTheLog) {
+  state_.emergency_stop = true;
+  widget_->setState(state_);
+  EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains("emergency stop"));
+}
+
+TEST_F(Showing, EnterAfterStartPausesAndDoesNotReset) {
+  state_.explorer->running = false;
+  widget_->setState(state_);
+  find("explore_start")->setFocus();
+  state_.explorer->running = true;
+  widget_->setState(state_);
+  EXPECT_TRUE(find("explore_pause")->hasFocus());
+}
+
+// [GUI-2]
 TEST_F(Showing, EverySourceHasASwitchThatAsksAndShowsTheStatusAlone) {
   for (const SourceView& source : state_.arbiter->sources) {
     const std::string name = "enable_" + source.name;
@@ -133,6 +165,22 @@ TEST_F(Showing, PatrolStopCancelsAndStopsTheHand) {
   EXPECT_EQ(requests_[0].kind, Kind::kStopPatrol);
 }
 
+TEST_F(Showing, TheSpinButtonsAskForTheAngleAndForItsEnd) {
+  find<QSpinBox>("spin_angle")->setValue(-90);
+  click("Go");
+  click("spin");
+  EXPECT_TRUE(widget_->setPoint().isZero()) << "the hand does not drive on after the turn";
+  click("spin stop");
+  ASSERT_EQ(requests_.size(), 2U);
+  EXPECT_EQ(requests_[0].kind, Kind::kSpin);
+  EXPECT_NEAR(requests_[0].angle, -kPi / 2.0, 1e-12);
+  EXPECT_EQ(requests_[1].kind, Kind::kStopSpin);
+  state_.spin.active = true;
+  state_.spin.feedback = "turned -40°";
+  widget_->setState(state_);
+  EXPECT_EQ(text("spin_progress"), "turned -40°");
+}
+
 // [GUI-2]
 TEST_F(Showing, PatrolFeedbackAndResultAreShown) {
   state_.patrol.active = true;
@@ -156,12 +204,12 @@ TEST_F(Showing, TheLogIsBoundedAndTakesNoMarkupFromOutside) {
 // [GUI-3]
 TEST_F(Showing, ServicesThatAreDownGreyTheirButtonsAndSaySo) {
   state_.clear_service_up = state_.avoider_service_up = state_.explorer_service_up = state_.explorer_reset_up = false;
-  state_.patrol.server_up = false;
+  state_.patrol.server_up = state_.spin.server_up = false;
   state_.emergency_stop = true;
   for (SourceView& source : state_.arbiter->sources) source.service_up = false;
   widget_->setState(state_);
   for (const char* name : {"clear_emergency_stop", "enable_nav", "enable_avoid", "obstacle_avoider", "explore_start",
-                           "explore_pause", "explore_reset", "patrol(sqr)", "patrol(tri)", "patrol(cir)"}) {
+                           "explore_pause", "explore_reset", "patrol(sqr)", "patrol(tri)", "patrol(cir)", "spin"}) {
     EXPECT_FALSE(find(name)->isEnabled()) << name;
   }
   for (const char* name : {"clear_emergency_stop", "enable_nav", "obstacle_avoider", "explore_start", "patrol(sqr)"}) {

@@ -1,0 +1,36 @@
+#include <QVBoxLayout>
+
+#include "cards.h"
+
+namespace frontier_pilot {
+
+ActionCard::ActionCard(const QString& title, const QString& name, const QString& server, QWidget* parent)
+    : Card(title, parent), server_(server), stop_(new QPushButton(name + " stop")), progress_(makeLabel("", "", true)) {
+  stop_->setObjectName(name + " stop");
+  stop_->setProperty("role", "stop");
+  progress_->setObjectName(name + "_progress");
+  connect(stop_, &QPushButton::clicked, this, &ActionCard::stopAsked);
+}
+
+QPushButton* ActionCard::makeStart(const QString& text) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(text);
+  start_.push_back(button);
+  return button;
+}
+
+void ActionCard::showAction(const ActionView& action, bool emergency_stop) {
+  for (QPushButton* button : start_) {
+    button->setEnabled(action.server_up && !emergency_stop);
+    button->setToolTip(!action.server_up ? server_ + " is down"
+                                         : (emergency_stop ? "the emergency stop is latched" : ""));
+  }
+  setRemark(!action.server_up ? "server down" : (action.active ? "running" : "ready"),
+            action.server_up ? Severity::kIdle : Severity::kWarning);
+  const QString feedback = QString::fromStdString(action.feedback);
+  progress_->setText(action.active ? (feedback.isEmpty() ? "started" : feedback)
+                                   : QString::fromStdString(action.result));
+  progress_->setVisible(!progress_->text().isEmpty());
+}
+
+}  // namespace frontier_pilot

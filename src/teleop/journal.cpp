@@ -1,0 +1,76 @@
+#include "frontier_pilot/teleop/journal.h"
+
+#include <algorithm>
+
+namespace frontier_pilot {
+namespace {
+
+using Lines = std::vector<OperatorLogLine>;
+
+/// A status too old to say anything is none.
+template <class View>
+const View* heard(const std::optional<View>& view) {
+  return view && view->status_age <= kStatusLifetime ? &*view : nullptr;
+}
+
+void noteStop(const OperatorState& before, const OperatorState& now, Lines& lines) {
+  const bool was = before.emergency_stop.value_or(false), is = now.emergency_stop.value_or(false);
+  if (was && !is && now.emergency_stop) lines.push_back({Severity::kGood, "emergency stop cleared"});
+  if (was || !is) return;
+  const std::string cause = now.arbiter ? now.arbiter->stop_cause : "";
+  lines.push_back({Severity::kError, "emergency stop" + (cause.empty() ? "" : ": " + cause)});
+}
+
+void noteArbiter(const OperatorState& before, const OperatorState& now, Lines& lines) {
+  const ArbiterView* was = heard(before.arbiter);
+  const ArbiterView* is = heard(now.arbiter);
+  if (was != nullptr && is == nullptr) lines.push_back({Severity::kError, "the arbiter fell silent"});
+  if (is == nullptr) return;
+  if (was != nullptr && was->active_source != is->active_source) {
+    lines.push_back({Severity::kIdle, is->active_source.empty() ? "nobody drives" : is->active_source + " drives"});
+  }
+  for (const std::string& problem : is->problems) {
+    const bool known = was != nullptr && std::count(was->problems.begin(), was->problems.end(), problem) > 0;
+    if (!known) lines.push_back({Severity::kWarning, problem});
+  }
+}
+
+void noteAvoider(const OperatorState& before, const OperatorState& now, Lines& lines) {
+  const AvoiderView* was = heard(before.avoider);
+  const AvoiderView* is = heard(now.avoider);
+  if (is == nullptr || is->severity != Severity::kError) return;
+  if (was == nullptr || was->severity != Severity::kError) {
+    lines.push_back({Severity::kError, "avoider: " + is->state_text});
+  }
+}
+
+void noteExplorer(const OperatorState& before, const OperatorState& now, Lines& lines) {
+  const ExplorerView* was = heard(before.explorer);
+  const ExplorerView* is = heard(now.explorer);
+  if (was != nullptr && is == nullptr) lines.push_back({Severity::kError, "the explorer fell silent"});
+  if (is == nullptr) return;
+  const bool same = was != nullptr && was->state_text == is->state_text && was->reason_text == is->reason_text;
+  // Grey is a pause, which it usually starts with.
+  if (same || (was == nullptr && is->severity == Severity::kIdle)) return;
+  const Severity severity = is->severity == Severity::kActive ? Severity::kIdle : is->severity;
+  lines.push_back({severity, "explorer: " + is->state_text + ", " + is->reason_text});
+}
+
+void notePatrol(const OperatorState& before, const OperatorState& now, Lines& lines) {
+  const std::string& leg = now.patrol.feedback;
+  if (!leg.empty() && leg != before.patrol.feedback) lines.push_back({Severity::kIdle, "patrol: " + leg});
+}
+
+}  // namespace
+
+std::vector<OperatorLogLine> whatHappened(const OperatorState& before, const OperatorState& now) {
+  Lines lines;
+  noteStop(before, now, lines);
+  noteArbiter(before, now, lines);
+  noteAvoider(before, now, lines);
+  noteExplorer(before, now, lines);
+  notePatrol(before, now, lines);
+  return lines;
+}
+
+}  // namespace frontier_pilot
