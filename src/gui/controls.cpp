@@ -6,6 +6,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <cmath>
 
 namespace frontier_pilot {
 
@@ -124,6 +125,11 @@ void Dot::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(Theme::current().color(severity_));
   painter.drawEllipse(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5));
+}
+
+QString twoDecimals(double value) {
+  // Adding zero makes a positive zero of a negative one.
+  return QString::number(std::round(value * 100.0) / 100.0 + 0.0, 'f', 2);
 }
 
 QString ageText(double seconds) {

@@ -133,6 +133,9 @@ class PadButton : public QPushButton {
   Motion motion_;
 };
 
+/// With two decimals, and never `-0.00`.
+QString twoDecimals(double value);
+
 /// An age as people say it: `now`, `3.2 s`, `4 min`.
 QString ageText(double seconds);
 

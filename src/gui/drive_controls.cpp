@@ -45,8 +45,7 @@ void BarGauge::paintEvent(QPaintEvent*) {
   const QRectF caption(0.0, 0.0, width(), em * 1.15);
   painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter, name_);
   painter.setPen(set_point_ == 0.0 ? theme.muted : theme.text);
-  // Adding zero turns -0.00 into 0.00.
-  const QString text = QString::number(set_point_ + 0.0, 'f', 2) + " " + unit_;
+  const QString text = twoDecimals(set_point_) + " " + unit_;
   painter.drawText(caption, Qt::AlignRight | Qt::AlignVCenter, text);
 
   const QRectF bar(0.0, em * 1.3, width(), em * 0.5);

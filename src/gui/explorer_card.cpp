@@ -6,6 +6,20 @@
 
 namespace frontier_pilot {
 
+namespace {
+
+/// The focus of a button that goes grey would wander to the next one, and Enter would press that: it goes to the other.
+void enableInTurn(QPushButton& first, bool first_on, QPushButton& second, bool second_on) {
+  if (first_on) first.setEnabled(true);
+  if (second_on) second.setEnabled(true);
+  if (!first_on && first.hasFocus()) second.setFocus();
+  if (!second_on && second.hasFocus()) first.setFocus();
+  first.setEnabled(first_on);
+  second.setEnabled(second_on);
+}
+
+}  // namespace
+
 ExplorerCard::ExplorerCard(QWidget* parent)
     : Card("Explore", parent),
       dot_(new Dot),
@@ -62,11 +76,7 @@ void ExplorerCard::setState(const OperatorState& state) {
   const bool up = state.explorer_service_up;
   setRemark(!up ? "explorer down" : (heard ? "" : "silent"), Severity::kWarning);
   const bool running = heard && state.explorer->running;
-  // The focus of a button that goes grey would otherwise wander to the next one, and Enter would press that.
-  if (running && start_->hasFocus()) pause_->setFocus();
-  if (heard && !running && pause_->hasFocus()) start_->setFocus();
-  start_->setEnabled(up && !running);
-  pause_->setEnabled(up && (!heard || running));
+  enableInTurn(*start_, up && !running, *pause_, up && (!heard || running));
   for (QPushButton* button : {start_, pause_}) button->setToolTip(up ? "" : "set_exploration_enabled is down");
   reset_->setEnabled(state.explorer_reset_up);
   dot_->setSeverity(heard ? state.explorer->severity : Severity::kIdle);

@@ -34,8 +34,7 @@ QString detailOf(const ArbiterView& arbiter, const QString& title) {
   if (!detail.isEmpty()) return detail;
   if (arbiter.command.isZero()) return "The wheels stand still.";
   return QString("The wheels get %1 m/s, %2 rad/s.")
-      .arg(arbiter.command.linear, 0, 'f', 2)
-      .arg(arbiter.command.angular, 0, 'f', 2);
+      .arg(twoDecimals(arbiter.command.linear), twoDecimals(arbiter.command.angular));
 }
 
 Headline headlineOf(const OperatorState& state) {
@@ -126,6 +125,7 @@ HeaderCard::HeaderCard(QWidget* parent)
       clear_(new QPushButton("Clear")) {
   driver_->setObjectName("driver");
   summary_->setObjectName("summary");
+  problems_->setObjectName("problems");
   clear_->setObjectName("clear_emergency_stop");
   auto* text = new QVBoxLayout;
   auto* first = new QHBoxLayout;
@@ -174,8 +174,8 @@ void HeaderCard::showDriver(const OperatorState& state) {
   QStringList lines;
   if (state.arbiter) {
     for (const std::string& problem : state.arbiter->problems) {
-      const QString line = QString::fromStdString(problem);
-      if (!headline.detail.contains(line)) lines << line;
+      // Some are the summary itself.
+      if (state.arbiter->summary.find(problem) == std::string::npos) lines << QString::fromStdString(problem);
     }
   }
   problems_->setVisible(!lines.isEmpty());

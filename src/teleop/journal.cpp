@@ -31,7 +31,9 @@ void noteArbiter(const OperatorState& before, const OperatorState& now, Lines& l
   }
   for (const std::string& problem : is->problems) {
     const bool known = was != nullptr && std::count(was->problems.begin(), was->problems.end(), problem) > 0;
-    if (!known) lines.push_back({Severity::kWarning, problem});
+    // A stop is told with its cause already.
+    const bool stop = !is->stop_cause.empty() && problem.find(is->stop_cause) != std::string::npos;
+    if (!known && !stop) lines.push_back({Severity::kWarning, problem});
   }
 }
 

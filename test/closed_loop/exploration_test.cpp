@@ -61,6 +61,20 @@ TEST_P(LateData, AtHalfAMetreASecondMakesNoContact) {
 }
 INSTANTIATE_TEST_SUITE_P(Worlds, LateData, testing::Values("maze", "cave"));
 
+// [EXP-5] [EXP-7]
+TEST(Exploration, GoesOnToTheEndWhenTheNavigatorsSourceIsSwitchedOffAndOnAgainAndAgain) {
+  ClosedLoop loop(load("flat"), seeded(1));
+  for (double change = 2.0; !loop.done() && change < 1800.0; change += 7.0) {
+    explore(loop, change);
+    loop.setNavEnabled(false);
+    explore(loop, change + 5.0);
+    loop.setNavEnabled(true);
+  }
+  EXPECT_EQ(loop.status().reason, ExplorerReason::kNoReachableFrontier) << loop.status().reason_text;
+  EXPECT_EQ(loop.status().goals_failed, 0U) << "to be held up is no failure of the goal";
+  EXPECT_GE(exploredShare(loop), 0.99);
+}
+
 // [SIM-2]
 TEST(Exploration, TheSameSeedGivesTheSameHashAndAnotherSeedAnotherOne) {
   std::uint64_t hashes[3];

@@ -72,8 +72,10 @@ TEST_F(Showing, TheDetailUnderTheHeadlineDoesNotRepeatIt) {
   EXPECT_EQ(text("summary"), "avoid is required but silent");
   state_.emergency_stop = true;
   state_.arbiter->summary = "emergency stop: called by /somebody";
+  state_.arbiter->problems = {state_.arbiter->summary};
   widget_->setState(state_);
   EXPECT_EQ(text("summary"), "called by /somebody");
+  EXPECT_EQ(text("problems"), "");
 }
 
 // [GUI-2]

@@ -39,6 +39,7 @@ TEST_F(Journal, IsSilentWhileNothingHappens) {
 TEST_F(Journal, TellsTheEmergencyStopWithItsCauseAndItsClearing) {
   now_.emergency_stop = true;
   now_.arbiter->stop_cause = "emergency_stop called by /somebody";
+  now_.arbiter->problems = {"emergency stop: emergency_stop called by /somebody"};
   EXPECT_EQ(lines(), Lines{"emergency stop: emergency_stop called by /somebody"});
   std::swap(before_, now_);
   EXPECT_EQ(lines(), Lines{"emergency stop cleared"});
