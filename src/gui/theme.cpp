@@ -30,6 +30,9 @@ QPushButton[role="primary"] { background: %7; color: %8; border-color: %7; font-
 QPushButton[role="primary"]:disabled { background: transparent; color: %6; border-color: %4; font-weight: 400; }
 QPushButton[role="stop"] { color: %9; border-color: %9; font-weight: 700; }
 QPushButton[role="stop"]:pressed { background: %9; color: white; }
+QCheckBox { color: %5; }
+QCheckBox::indicator { width: $i; height: $i; background: %3; border: 1px solid %6; border-radius: $q; }
+QCheckBox::indicator:checked { background: %7; border-color: %7; }
 QPlainTextEdit { background: %3; color: %5; border: 1px solid %4; border-radius: $r; }
 )";
 
@@ -80,7 +83,8 @@ QString Theme::styleSheet(int em) const {
   return rules.replace("$r", length(0.35))
       .replace("$p", length(0.3))
       .replace("$P", length(0.4))
-      .replace("$q", length(0.2));
+      .replace("$q", length(0.2))
+      .replace("$i", length(0.75));
 }
 
 QPalette pilotPalette(bool dark) {
