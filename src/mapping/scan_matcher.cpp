@@ -7,7 +7,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr double kStill = 1e-5;  ///< a step shorter than this ends the iterations [m, rad]
+constexpr double kStill = 1e-4;  ///< a step shorter than this ends the iterations [m, rad]
 
 double square(double x) { return x * x; }
 

@@ -17,16 +17,17 @@ std::int32_t quadrantOf(const Vec2& normal) {
   return normal.y() > 0.0 ? 2 : 3;
 }
 
+// Squares, because this is where a match spends its time.
 bool looksTheSameWay(const Surfel& surfel, const SurfacePoint& point) {
-  const double cosine = surfel.normal_x * point.normal.x() + surfel.normal_y * point.normal.y();
-  const bool has_normal = surfel.normal_x != 0.0F || surfel.normal_y != 0.0F;
-  return has_normal == point.hasNormal() && cosine >= kSameWay * std::hypot(surfel.normal_x, surfel.normal_y);
+  const float squared = surfel.normal_x * surfel.normal_x + surfel.normal_y * surfel.normal_y;
+  const double along = surfel.normal_x * point.normal.x() + surfel.normal_y * point.normal.y();
+  return (squared > 0.0F) == point.hasNormal() && along >= 0.0 && along * along >= kSameWay * kSameWay * squared;
 }
 
 }  // namespace
 
 Vec2 Surfel::normal() const {
-  const double length = std::hypot(normal_x, normal_y);
+  const double length = std::sqrt(normal_x * normal_x + normal_y * normal_y);
   return length > 0.0 ? Vec2(normal_x / length, normal_y / length) : Vec2(0.0, 0.0);
 }
 
