@@ -33,7 +33,7 @@ constexpr const char* kUsage =
     "  --odom-noise       the simulator's odometry noise\n"
     "  --latency SECONDS  from a measurement to those who use it, 0\n"
     "  --curve            explored share every 10 s of simulated time\n"
-    "  --log              every transition of the explorer and end of a goal\n"
+    "  --log              every transition of the explorer, end of a goal and contact\n"
     "  --twice            run each seed twice and compare the hashes\n"
     "  --svg DIRECTORY    draw each trajectory over the map it made\n"
     "Exit status 0: every run ended DONE with no reachable frontier left (or at --until) and without contact.\n";
@@ -154,6 +154,11 @@ class Run {
     const Vec2 position = loop_.simulator().pose(0).position();
     if (last_) report_.distance += (position - *last_).norm();
     last_ = position;
+    const int contacts = loop_.simulator().contactCount(0);
+    if (options_.log && contacts > report_.contacts) {
+      std::printf("    %.2f contact at (%.2f, %.2f)\n", toSeconds(loop_.now()), position.x(), position.y());
+    }
+    report_.contacts = contacts;
   }
 
   void sample() {
@@ -176,7 +181,6 @@ class Run {
     report_.cpu = cpu;
     report_.times = loop_.times();
     report_.wrong = meter_.wrong(loop_.mapper().grid());
-    report_.contacts = loop_.simulator().contactCount(0);
     report_.decisions = static_cast<int>(loop_.status().goals_sent);
     report_.hash = loop_.hash();
     const bool complete = loop_.done() && loop_.status().reason == ExplorerReason::kNoReachableFrontier;

@@ -9,7 +9,8 @@ namespace frontier_pilot {
 namespace {
 
 constexpr double kStep = 0.05;            ///< of a trial [s]
-constexpr double kSpeedMargin = 0.06;     ///< more room at speed, for what is measured late [m per m/s]
+constexpr double kSpeedMargin = 0.08;     ///< more room at speed, for what is measured late [m per m/s]
+constexpr double kNarrowSpeed = 0.12;     ///< at which no more room is needed: where it is narrow one goes slowly [m/s]
 constexpr double kMinGap = 0.004;         ///< between footprint and scan points, whatever happens [m]
 constexpr double kMapSlack = 0.02;        ///< a follower may be this much nearer to walls than a path [m]
 constexpr double kCreep = 0.02;           ///< the speed at which a path is ended [m/s]
@@ -29,8 +30,7 @@ double PathFollower::Trial::score() const { return progress - kDeviationWeight *
 
 bool PathFollower::Surroundings::isFree(const Vec2& position, double speed) const {
   if (least_clearance > 0.0 && map.clearance(position) < least_clearance) return false;
-  // Where it is too narrow for the margin at any speed, the least distance alone holds.
-  return points.distance(position) >= least_distance + std::min(room_for_speed, kSpeedMargin * speed);
+  return points.distance(position) >= least_distance + kSpeedMargin * std::max(0.0, speed - kNarrowSpeed);
 }
 
 void PathFollower::setPath(Path path) {
@@ -42,12 +42,11 @@ PathFollower::Surroundings PathFollower::surroundings(const FollowerInputs& inpu
   const Vec2 position = inputs.T_map_base.position();
   const double reach = limits_.max_linear * params_.horizon + params_.inscribed_radius + params_.scan_margin + 0.1;
   const double least = params_.inscribed_radius + params_.scan_margin;
-  Surroundings around{inputs.scan.near(position, reach), inputs.map, least, 0.0, 0.0};
+  Surroundings around{inputs.scan.near(position, reach), inputs.map, least, 0.0};
   // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
   const double now = around.points.distance(position);
   const double floor = params_.inscribed_radius + kMinGap;
   if (now < around.least_distance) around.least_distance = now < floor ? now : std::max(floor, now - 0.002);
-  around.room_for_speed = std::max(0.0, now - around.least_distance);
   // In the map's inflation only the scan can tell the way out.
   const double needed = inputs.map.leastClearance() - kMapSlack;
   if (inputs.map.clearance(position) >= needed) around.least_clearance = needed;

@@ -13,7 +13,7 @@ namespace frontier_pilot {
 
 struct FollowerParams {
   double inscribed_radius = 0.105;   ///< of the footprint, a disc [m]
-  double scan_margin = 0.01;         ///< room that the footprint keeps to the scan's points [m]
+  double scan_margin = 0.02;         ///< room that the footprint keeps to the scan's points [m]
   double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
   double min_lookahead = 0.2;        ///< [m]
   double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
@@ -92,7 +92,6 @@ class PathFollower {
     const ClearanceMap& map;
     double least_distance;   ///< to the points [m]
     double least_clearance;  ///< in the map [m]; 0 is no check
-    double room_for_speed;   ///< what is left beyond the least distance now [m]
 
     bool isFree(const Vec2& position, double speed) const;
   };
