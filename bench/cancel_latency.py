@@ -8,6 +8,7 @@ import sys
 import time
 
 import actionlib
+import roslib.packages
 import rospy
 from geometry_msgs.msg import Twist
 from std_srvs.srv import Empty
@@ -19,14 +20,14 @@ class Watch:
     """When a topic last turned from motion to zero."""
 
     def __init__(self, topic):
-        self.moving, self.stopped = False, None
+        self.moving, self.stopped, self.heard = False, None, False
         rospy.Subscriber(topic, Twist, self.take, queue_size=100, tcp_nodelay=True)
 
     def take(self, msg):
         zero = msg.linear.x == 0.0 and msg.angular.z == 0.0
         if zero and self.moving:
             self.stopped = time.monotonic()
-        self.moving = not zero
+        self.moving, self.heard = not zero, True
 
 
 def until(condition):
@@ -38,11 +39,12 @@ class Relay:
     """A node that does nothing but hand a message on."""
 
     def __init__(self):
-        self.process = subprocess.Popen(['rosrun', 'topic_tools', 'relay', 'relay_in', 'relay_out'])
+        program = roslib.packages.find_node('topic_tools', 'relay')[0]
+        self.process = subprocess.Popen([program, 'relay_in', 'relay_out'])
         self.back = Watch('relay_out')
         self.publisher = rospy.Publisher('relay_in', Twist, queue_size=1, tcp_nodelay=True)
-        until(lambda: self.publisher.get_num_connections() > 0)
-        self.send(1.0)
+        # It speaks on its topic only once it has heard something.
+        until(lambda: self.publisher.publish(Twist()) or self.back.heard)
 
     def send(self, speed):
         """[ms] there and back."""
@@ -75,7 +77,7 @@ def measure(name, client, goal, source, runs, relay):
         for seen, watch in zip(times, watches):
             seen.append((watch.stopped - asked) * 1e3)
         client.wait_for_result()
-        times[2].append(relay.send(float(run % 2)))
+        times[2].append(relay.send(float((run + 1) % 2)))
     for topic, seen in zip((source, 'cmd_vel', '(bare relay)'), times):
         tell(name, topic, seen)
 
