@@ -2,7 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+
+#include "frontier_pilot/core/ray_casting.h"
 
 namespace frontier_pilot {
 namespace {
@@ -71,6 +74,20 @@ Eigen::Vector3d stepOf(const Linearization& equations, const Pose2& pose, const 
   return -(equations.information + known).ldlt().solve(equations.gradient + known * off);
 }
 
+/// Whether a beam from `origin` that ended at `point` passed a known surface, or ended before one without meeting any.
+bool contradicts(const Grid<std::uint8_t>& field, const Vec2& origin, const Vec2& point) {
+  constexpr std::uint8_t kSurface = 200;
+  constexpr std::uint8_t kNothing = 60;
+  constexpr double kNear = 0.5;    // [m]: a surface as near as this to the point may be the one that it lies on
+  constexpr double kBehind = 3.0;  // [m]
+  const GridGeometry& geometry = field.geometry();
+  const bool on_surface = field.get(geometry.cellAt(point), 0) >= kNothing;
+  const Vec2 end = on_surface ? point : Vec2(point + kBehind * (point - origin).normalized());
+  return !visitCells(geometry, origin, end, [&](Cell cell) {
+    return field.get(cell, 0) < kSurface || (geometry.centre(cell) - point).norm() < kNear;
+  });
+}
+
 }  // namespace
 
 Refinement refine(const SurfelMap& surfels, const SurfacePoints& points, const Pose2& start,
@@ -83,6 +100,13 @@ Refinement refine(const SurfelMap& surfels, const SurfacePoints& points, const P
   }
   const Linearization last(surfels, points, pose, parameters);
   return {pose, last.information, last.inliers / static_cast<double>(points.size())};
+}
+
+double contradictions(const LikelihoodGrid& field, const SurfacePoints& points, const Pose2& T_map_base) {
+  const auto count = std::count_if(points.begin(), points.end(), [&](const SurfacePoint& point) {
+    return contradicts(field.grid(), T_map_base.position(), T_map_base * point.position);
+  });
+  return static_cast<double>(count) / static_cast<double>(points.size());
 }
 
 }  // namespace frontier_pilot

@@ -15,13 +15,15 @@ namespace {
 constexpr double kLeastPosition = 0.003;  ///< [m]
 constexpr double kLeastYaw = 0.002;       ///< [rad]
 
-constexpr double kPenalty = 0.0035;      ///< of score, for a deviation of one standard deviation
-constexpr double kLimit = 3.0;           ///< standard deviations that odometry may be off by
-constexpr double kContradiction = 16.0;  ///< squared Mahalanobis distance: one in a thousand by chance
-constexpr double kRival = 0.95;          ///< a second peak this near to the first makes it ambiguous
-constexpr double kSameRidge = 25.0;      ///< squared Mahalanobis distance of poses that the scan cannot tell apart
-constexpr double kRivalDistance = 4;     ///< poses nearer than this to a peak belong to it [cells]
-constexpr double kRivalAngle = 0.1;      ///< [rad]
+constexpr double kPenalty = 0.0035;          ///< of score, for a deviation of one standard deviation
+constexpr double kLimit = 3.0;               ///< standard deviations that odometry may be off by
+constexpr double kContradiction = 16.0;      ///< squared Mahalanobis distance: one in a thousand by chance
+constexpr double kEvidence = 30.0;           ///< points on surfaces, where most of the scan is not
+constexpr double kMostContradictions = 0.1;  ///< share of the beams
+constexpr double kRival = 0.95;              ///< a second peak this near to the first makes it ambiguous
+constexpr double kSameRidge = 25.0;          ///< squared Mahalanobis distance of poses that the scan cannot tell apart
+constexpr double kRivalDistance = 4;         ///< poses nearer than this to a peak belong to it [cells]
+constexpr double kRivalAngle = 0.1;          ///< [rad]
 
 PoseBelief beliefOf(const Pose2& pose, double position, double yaw) {
   return {pose, Eigen::Vector3d(position, position, yaw).array().square().matrix().asDiagonal()};
@@ -78,8 +80,8 @@ ScanTracker::Sigma ScanTracker::grown(const Sigma& sigma, const Pose2& motion) c
   const OdometryTrust& trust = parameters_.odometry;
   const double driven = motion.position().norm();
   const double turned = std::abs(motion.yaw);
-  return {std::hypot(sigma.position, trust.distance * driven),
-          std::hypot(sigma.yaw, trust.yaw_distance * driven, trust.yaw_turn * turned)};
+  return {std::hypot(sigma.position, trust.distance * std::sqrt(driven)),
+          std::hypot(sigma.yaw, trust.yaw_distance * std::sqrt(driven), trust.yaw_turn * std::sqrt(turned))};
 }
 
 ScanTracker::Prediction ScanTracker::predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const {
@@ -117,6 +119,14 @@ Track ScanTracker::track(const SurfacePoints& points, Time stamp, const Pose2& T
   return track;
 }
 
+bool ScanTracker::fits(const Refinement& refined, const SurfacePoints& points, const SurfaceMap& map) const {
+  if (refined.inliers >= parameters_.min_inliers) return true;
+  // A hand before the scanner is small enough to lie on some surface by chance.
+  const bool evident = refined.inliers * static_cast<double>(points.size()) >= kEvidence;
+  return evident && refined.inliers >= parameters_.new_inliers &&
+         contradictions(map.likelihood(), points, refined.pose) <= kMostContradictions;
+}
+
 Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const {
   Track track;
   track.verdict = MatchVerdict::kTooFew;
@@ -129,7 +139,7 @@ Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target,
   const PoseBelief loose = beliefOf(prediction.T_map_base, prediction.unseen.position, prediction.unseen.yaw);
   const Refinement refined = refine(target.map.surfels(), points, found->pose, loose, parameters_.refinement);
   track.inliers = refined.inliers;
-  if (refined.inliers < parameters_.min_inliers) return track;
+  if (!fits(refined, points, target.map)) return track;
   const PoseBelief seen{refined.pose, (refined.information + loose.covariance.inverse()).inverse()};
   const PoseBelief odometry = beliefOf(prediction.T_map_base, prediction.odometry.position, prediction.odometry.yaw);
   if (!contradict(seen, odometry)) {
@@ -176,7 +186,7 @@ bool ScanTracker::hasRival(const SurfacePoints& points, const MaxPyramid& pyrami
 SearchWindow ScanTracker::usualWindow() const {
   constexpr double kUsualGap = 0.3;
   const double reach =
-      parameters_.odometry.unseen_speed * kUsualGap + kLimit * parameters_.odometry.distance * kUsualGap;
+      parameters_.odometry.unseen_speed * kUsualGap + kLimit * parameters_.odometry.distance * std::sqrt(kUsualGap);
   return {reach, reach, parameters_.odometry.unseen_turn * kUsualGap};
 }
 

@@ -44,4 +44,9 @@ struct Refinement {
 Refinement refine(const SurfelMap& surfels, const SurfacePoints& points, const Pose2& start,
                   const std::optional<PoseBelief>& prior, const RefinementParameters& parameters);
 
+/// Share of the points whose beams from `T_map_base` contradict the map: they pass through a known surface, or end
+/// before one where nothing is known to be. A scan of a new place shares little with the map, and yet contradicts
+/// nothing; one of another place does.
+double contradictions(const LikelihoodGrid& field, const SurfacePoints& points, const Pose2& T_map_base);
+
 }  // namespace frontier_pilot

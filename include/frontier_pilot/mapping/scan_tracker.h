@@ -8,19 +8,19 @@
 
 namespace frontier_pilot {
 
-/// How far odometry is believed.
+/// How far odometry is believed. Variances grow with the way, so that it does not matter how often one looks.
 struct OdometryTrust {
-  double distance = 0.1;      ///< standard deviation of the position per metre driven [m/m]
-  double yaw_distance = 0.1;  ///< of the yaw per metre driven [rad/m]
-  double yaw_turn = 0.1;      ///< of the yaw per radian turned [rad/rad]
-  double unseen_speed = 0.6;  ///< the robot may move this fast unseen by odometry [m/s]
-  double unseen_turn = 1.0;   ///< and turn this fast [rad/s]
+  double distance = 0.06;      ///< standard deviation of the position after a metre [m]
+  double yaw_distance = 0.04;  ///< of the yaw after a metre [rad]
+  double yaw_turn = 0.06;      ///< of the yaw after a radian [rad]
+  double unseen_speed = 0.6;   ///< the robot may move this fast unseen by odometry [m/s]
+  double unseen_turn = 1.0;    ///< and turn this fast [rad/s]
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("distance", distance, "m/m", "standard deviation of the position per metre driven", positive());
-    v.field("yaw_distance", yaw_distance, "rad/m", "standard deviation of the yaw per metre driven", positive());
-    v.field("yaw_turn", yaw_turn, "rad/rad", "standard deviation of the yaw per radian turned", positive());
+    v.field("distance", distance, "m", "standard deviation of the position after a metre", positive());
+    v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre", positive());
+    v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a radian", positive());
     v.field("unseen_speed", unseen_speed, "m/s", "the robot may move this fast unseen by odometry", atLeast(0.0));
     v.field("unseen_turn", unseen_turn, "rad/s", "the robot may turn this fast unseen by odometry", atLeast(0.0));
   }
@@ -29,7 +29,8 @@ struct OdometryTrust {
 struct ScanTrackerParameters {
   int min_points = 25;        ///< fewer are not matched
   double min_score = 0.4;     ///< mean likelihood that a match must reach
-  double min_inliers = 0.5;   ///< share of the points that must lie on surfaces
+  double min_inliers = 0.5;   ///< share of the points that must lie on surfaces, for all to be well
+  double new_inliers = 0.3;   ///< less will do where the others contradict nothing: they are of a new place
   double max_distance = 1.0;  ///< greatest half width of the search [m]
   double max_angle = 0.6;     ///< [rad]
   double max_silence = 5.0;   ///< without a match for so long the robot is lost [s]
@@ -41,6 +42,7 @@ struct ScanTrackerParameters {
     v.field("min_points", min_points, "", "scans with fewer points are not matched", between(3, 10000));
     v.field("min_score", min_score, "", "mean likelihood that a match must reach", between(0.0, 1.0));
     v.field("min_inliers", min_inliers, "", "share of the points that must lie on surfaces", between(0.0, 1.0));
+    v.field("new_inliers", new_inliers, "", "less will do where the others contradict nothing", between(0.0, 1.0));
     v.field("max_distance", max_distance, "m", "greatest half width of the search", positive());
     v.field("max_angle", max_angle, "rad", "greatest half width of the search in yaw", positive());
     v.field("max_silence", max_silence, "s", "without a match for so long a new submap is begun", positive());
@@ -118,6 +120,7 @@ class ScanTracker {
 
   Sigma grown(const Sigma& sigma, const Pose2& motion) const;
   Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
+  bool fits(const Refinement& refined, const SurfacePoints& points, const SurfaceMap& map) const;
   Track match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const;
   std::optional<SearchResult> find(const SurfacePoints& points, const MaxPyramid& pyramid,
                                    const Prediction& prediction) const;

@@ -56,6 +56,19 @@ TEST_F(LocalSlamFaults, SurvivesAScannerThatShowsAnotherPlaceForThreeSeconds) {
   expectTheMapSurvived();
 }
 
+TEST_F(LocalSlamFaults, FindsItsWayAfterThreeSecondsBlindFromOneRoomIntoAnother) {
+  // Blind while it passes each of the doors in turn.
+  for (const double from : {8.0, 14.0, 22.0, 28.0}) {
+    TrackedDrive blind;
+    blind.run(test::aroundTheRooms(), scanner, [&](double now, LaserScan2& scan, test::Wheels&) {
+      if (isBetween(now, from, 3.0)) scan.ranges.assign(scan.ranges.size(), 0.0F);
+      return true;
+    });
+    EXPECT_EQ(blind.count(MatchVerdict::kLost), 0) << "blind from " << from << " s";
+    EXPECT_LT(blind.error.position().norm(), 0.04) << "blind from " << from << " s";
+  }
+}
+
 TEST_F(LocalSlamFaults, LosesNothingWithThreeBeamsOfTenDropped) {
   std::mt19937 random(3);
   run([&](double, LaserScan2& scan, test::Wheels&) {

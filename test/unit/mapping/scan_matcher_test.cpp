@@ -129,5 +129,19 @@ TEST(Refine, SaysWhenAScanFitsNowhere) {
   EXPECT_LT(refined.inliers, 0.4);
 }
 
+TEST(Contradictions, AreFewInANewPlaceAndManyInAnother) {
+  test::Scanner scanner(room(), 0.01);
+  // Mapped from the left of the thin wall; the robot then looks around its end, where nothing is known.
+  const SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.0}, {0.0, 0.02}, 10);
+  const Pose2 at_the_end(3.0, 3.2, 0.0);
+  EXPECT_LT(contradictions(map.likelihood(), look(scanner, at_the_end), at_the_end), 0.1);
+  test::Scanner elsewhere(corridor(), 0.01);
+  EXPECT_GT(contradictions(map.likelihood(), look(elsewhere, {15.0, 1.0, 0.0}), {1.2, 1.1, 0.0}), 0.3);
+  // A hand before the scanner: the walls behind it are known.
+  LaserScan2 hand = scanner.scan(at_the_end, timeFromSeconds(1.0));
+  hand.ranges.assign(hand.ranges.size(), 0.2F);
+  EXPECT_GT(contradictions(map.likelihood(), thinned(readSurface(hand)), {1.2, 1.1, 0.0}), 0.7);
+}
+
 }  // namespace
 }  // namespace frontier_pilot
