@@ -117,10 +117,10 @@ class BehaviorTest(unittest.TestCase):
 
     def test_an_obstacle_in_the_way_of_a_turn_is_seen_before_anything_moves(self):
         """[SPN-2]"""
-        self.spawn(0.16, 1.25)
+        self.spawn(0.15, 2.75)  # 0.2 rad ahead of the corner on the left behind, which is 0.15 m away
         self.spin(1.5)
         self.expect(GoalStatus.ABORTED, SpinResult.COLLISION_AHEAD)
-        self.assertTrue(all(is_zero(command) for command in self.commands))
+        self.assertTrue(all(is_zero(command) for command in self.commands), self.commands)
         self.spin(0.1, unchecked=True)
         self.expect(GoalStatus.SUCCEEDED, SpinResult.NONE)
 
