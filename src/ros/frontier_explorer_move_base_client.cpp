@@ -35,7 +35,8 @@ void MoveBaseClient::send(std::uint32_t goal_id, const Pose2& goal, const std::s
 }
 
 void MoveBaseClient::cancel() {
-  if (active_) client_.cancelGoal();
+  if (!active_) return;
+  client_.cancelGoal();
   client_.stopTrackingGoal();
   active_ = false;
 }

@@ -61,6 +61,9 @@ std::optional<Time> TfBridge::latestStamp(const std::string& target, const std::
 
 void TfBridge::broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source,
                          Time stamp) {
+  const auto [sent, first] = sent_.try_emplace(source, stamp);
+  if (!first && sent->second == stamp) return;
+  sent->second = stamp;
   broadcaster_.sendTransform(stamped(target, source, T_target_source, stamp));
 }
 

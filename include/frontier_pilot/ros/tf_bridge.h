@@ -6,6 +6,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <Eigen/Geometry>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -29,7 +30,8 @@ class TfBridge {
   /// When the latest `T_target_source` is from: the lookup that an age is judged by.
   std::optional<Time> latestStamp(const std::string& target, const std::string& source) const;
 
-  /// Publishes `T_target_source`: `target` becomes the parent of `source`.
+  /// Publishes `T_target_source`: `target` becomes the parent of `source`. Once a stamp: TF keeps the first and warns
+  /// of others, and a timer that catches up with a simulated clock ticks several times at one time.
   void broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source, Time stamp);
   /// The same for ever (latched).
   void broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,
@@ -43,6 +45,7 @@ class TfBridge {
   tf2_ros::TransformListener listener_;
   tf2_ros::TransformBroadcaster broadcaster_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  std::map<std::string, Time> sent_;  ///< the stamp sent last, by source
 };
 
 }  // namespace frontier_pilot
