@@ -4,8 +4,10 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/ros/behavior_server_adapter.h"
@@ -51,10 +53,37 @@ TEST(ParameterTables, TheDocumentedOnesAreThoseOfTheStructs) {
       << path << " is out of date: run this test with FRONTIER_PILOT_WRITE_DOCS=1 to write it anew";
 }
 
+// The names of what a file sets; a list of dictionaries is not looked into.
+std::vector<std::string> namesIn(const ParameterMap& map, const std::string& prefix = {}) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : map) {
+    if (const auto* group = std::get_if<ParameterMap>(&value.value)) {
+      for (const std::string& name : namesIn(*group, prefix + key + "/")) names.push_back(name);
+    } else {
+      names.push_back(prefix + key);
+    }
+  }
+  return names;
+}
+
+template <class P>
+std::map<std::string, std::string> valuesOf(const P& parameters) {
+  std::map<std::string, std::string> values;
+  for (const auto& row : describeParameters(parameters)) values[row.name] = row.value;
+  return values;
+}
+
+// Accepted, and a default stands in its struct alone.
 template <class P>
 void expectGood(const std::string& file) {
   P parameters;
-  const Problems problems = loadParameters(loadYamlFile(kRoot + "/config/" + file), parameters);
+  auto defaults = valuesOf(parameters);
+  const ParameterMap yaml = loadYamlFile(kRoot + "/config/" + file);
+  const Problems problems = loadParameters(yaml, parameters);
+  auto values = valuesOf(parameters);
+  for (const std::string& name : namesIn(yaml)) {
+    if (defaults.count(name) > 0) EXPECT_NE(values[name], defaults[name]) << file << " restates " << name;
+  }
   for (const std::string& problem : problems) {
     // The launch files add what no shipped file can know.
     if (problem.rfind("world:", 0) != 0) ADD_FAILURE() << file << ": " << problem;
