@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Two whole robots in one world: each has its own scan, map, frames and arbiter, and is an obstacle to the other."""
+import math
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from frontier_pilot.msg import ArbiterStatus, SpinAction, SpinGoal
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import OccupancyGrid, Odometry
+from sensor_msgs.msg import LaserScan
+
+from system_watch import wait_until
+
+RADIUS = 0.105  # [m]
+TOPICS = {'scan': LaserScan, 'odom': Odometry, 'base_pose_ground_truth': Odometry, 'map': OccupancyGrid,
+          'cmd_vel_arbiter/status': ArbiterStatus}
+
+
+class Robot:
+    """The latest of each topic of one robot."""
+
+    def __init__(self, name):
+        self.name = name
+        self.latest = {}
+        for topic, kind in TOPICS.items():
+            rospy.Subscriber(name + '/' + topic, kind, self.keep, topic, buff_size=1 << 22)
+        self.manual = rospy.Publisher(name + '/cmd_vel_manual', Twist, queue_size=1)
+
+    def keep(self, message, topic):
+        self.latest[topic] = message
+
+    def silent(self):
+        return set(TOPICS) - set(self.latest)
+
+    def position(self):
+        return self.latest['base_pose_ground_truth'].pose.pose.position
+
+    def yaw(self):
+        q = self.latest['base_pose_ground_truth'].pose.pose.orientation
+        return 2.0 * math.atan2(q.z, q.w)
+
+    def ahead(self):
+        """How far the middle beam sees [m]."""
+        return self.latest['scan'].ranges[0]
+
+    def forward(self, speed):
+        command = Twist()
+        command.linear.x = speed
+        self.manual.publish(command)
+
+
+class SeveralRobots(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('robots_test')
+        cls.one, cls.two = Robot('robot1'), Robot('robot2')
+
+    def setUp(self):
+        self.assertTrue(wait_until(lambda: not self.one.silent() and not self.two.silent(), 60),
+                        (self.one.silent(), self.two.silent()))
+
+    def test_a_each_has_frames_of_its_own(self):
+        for robot in (self.one, self.two):
+            self.assertEqual(robot.latest['scan'].header.frame_id, robot.name + '/base_scan')
+            self.assertEqual(robot.latest['odom'].header.frame_id, robot.name + '/odom')
+            self.assertEqual(robot.latest['map'].header.frame_id, robot.name + '/map')
+
+    def test_b_each_sees_the_other_and_its_arbiter_drives_it_alone(self):
+        """[SIM-2]"""
+        gap = self.two.position().x - self.one.position().x - RADIUS
+        for robot in (self.one, self.two):
+            self.assertTrue(wait_until(lambda: abs(robot.ahead() - gap - 0.032) < 0.1, 10), (robot.name, robot.ahead()))
+        start, other = self.one.position().x, self.two.position().x
+
+        def driven():
+            self.one.forward(0.1)
+            return self.one.position().x > start + 0.3
+        self.assertTrue(wait_until(driven, 30), self.one.position())
+        self.assertEqual(self.two.position().x, other)
+        self.assertEqual(self.two.latest['cmd_vel_arbiter/status'].active_source, '')
+        self.assertTrue(wait_until(lambda: self.two.ahead() < gap - 0.2, 10), self.two.ahead())
+
+    def test_c_each_has_behaviours_of_its_own(self):
+        """[SPN-1]"""
+        standing = self.one.yaw()
+        before = self.two.yaw()
+        client = actionlib.SimpleActionClient('robot2/spin', SpinAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(30)))
+        client.send_goal(SpinGoal(target_yaw=1.0))
+        self.assertTrue(wait_until(lambda: client.get_result() is not None, 30))
+        self.assertEqual(client.get_result().error_code, 0, client.get_result().error_msg)
+        turned = (self.two.yaw() - before + math.pi) % (2.0 * math.pi) - math.pi
+        self.assertAlmostEqual(turned, 1.0, delta=0.1)
+        self.assertAlmostEqual(self.one.yaw(), standing, places=6)
+
+
+if __name__ == '__main__':
+    rostest.rosrun('frontier_pilot', 'robots', SeveralRobots)
