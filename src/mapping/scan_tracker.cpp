@@ -15,13 +15,16 @@ namespace {
 constexpr double kLeastPosition = 0.003;  ///< [m]
 constexpr double kLeastYaw = 0.002;       ///< [rad]
 
-constexpr double kPenalty = 0.0035;          ///< of score, for a deviation of one standard deviation
-constexpr double kLimit = 3.0;               ///< standard deviations that odometry may be off by
+constexpr double kPenalty = 0.0035;  ///< of score, for a deviation of one standard deviation
+constexpr double kLimit = 3.0;       ///< standard deviations that odometry may be off by
+// What a beam shows for the first time counts against the pose that it is seen from. So in a corridor, after a while
+// without scans, poses farther back score more, and it takes this much to stay where odometry says.
+constexpr double kPenaltyLimit = 6.0;        ///< standard deviations, beyond which the penalty does not grow
 constexpr double kContradiction = 16.0;      ///< squared Mahalanobis distance: one in a thousand by chance
 constexpr double kEvidence = 30.0;           ///< points on surfaces, where most of the scan is not
 constexpr double kMostContradictions = 0.1;  ///< share of the beams
 constexpr double kRival = 0.95;              ///< a second peak this near to the first makes it ambiguous
-constexpr double kSameRidge = 25.0;          ///< squared Mahalanobis distance of poses that the scan cannot tell apart
+constexpr double kRidge = 0.9;               ///< of the peak's score: what lies between poses of one ridge
 constexpr double kRivalDistance = 4;         ///< poses nearer than this to a peak belong to it [cells]
 constexpr double kRivalAngle = 0.1;          ///< [rad]
 
@@ -147,7 +150,7 @@ Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target,
     track.T_local_base = moved(target.T_local_map, fused(refined, odometry));
     return track;
   }
-  const bool ambiguous = hasRival(points, target.pyramid, prediction, *found, refined.information);
+  const bool ambiguous = hasRival(points, target.pyramid, prediction, *found);
   track.verdict = ambiguous ? MatchVerdict::kAmbiguous : MatchVerdict::kContradicts;
   track.T_local_base = moved(target.T_local_map, seen);
   return track;
@@ -160,7 +163,7 @@ SearchRequest ScanTracker::request(const Prediction& prediction, double resoluti
       std::min(parameters_.max_distance, kLimit * prediction.odometry.position + prediction.unseen.position);
   const double turn = std::min(parameters_.max_angle, kLimit * prediction.odometry.yaw + prediction.unseen.yaw);
   request.window = {reach, reach, turn};
-  request.penalty = {kPenalty, kLimit, std::max(prediction.odometry.position, 0.5 * resolution),
+  request.penalty = {kPenalty, kPenaltyLimit, std::max(prediction.odometry.position, 0.5 * resolution),
                      std::max(prediction.odometry.yaw, 0.01)};
   request.min_score = parameters_.min_score;
   return request;
@@ -172,15 +175,20 @@ std::optional<SearchResult> ScanTracker::find(const SurfacePoints& points, const
 }
 
 bool ScanTracker::hasRival(const SurfacePoints& points, const MaxPyramid& pyramid, const Prediction& prediction,
-                           const SearchResult& found, const Eigen::Matrix3d& information) const {
+                           const SearchResult& found) const {
   const double cell = pyramid.geometry().resolution;
   SearchRequest other = request(prediction, cell);
   other.exclusion = SearchExclusion{found.pose, kRivalDistance * cell, kRivalAngle};
   other.min_score = kRival * found.score;
   const auto rival = correlativeSearch(pyramid, points, other);
   if (!rival) return false;
-  const Eigen::Vector3d apart = difference(rival->pose, found.pose);
-  return apart.dot(information * apart) > kSameRidge;
+  // Poses along a corridor fit equally well, and so do all between them: that is a ridge, not two peaks.
+  SearchRequest between;
+  const Vec2 middle = 0.5 * (found.pose.position() + rival->pose.position());
+  between.expected = Pose2(middle, found.pose.yaw + 0.5 * angleDifference(rival->pose.yaw, found.pose.yaw));
+  between.window = {cell, cell, 0.0};
+  between.min_score = kRidge * found.score;
+  return !correlativeSearch(pyramid, points, between);
 }
 
 SearchWindow ScanTracker::usualWindow() const {

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace frontier_pilot {
 namespace {
 
-constexpr double kSteepest = 4.0;   ///< beams whose returns lie this many beam spacings apart may be on one surface
+constexpr double kSteepest = 15.0;  ///< beams whose returns lie this many beam spacings apart may be on one surface
 constexpr double kSlack = 0.05;     ///< and this much more, for noise [m]
 constexpr int kMostMissing = 3;     ///< beams without a return between two that may be on one surface
 constexpr double kElongated = 4.0;  ///< a line is this many times longer than it is thick
@@ -61,45 +62,51 @@ class LineFitter {
   std::vector<Sums> sums_;
 };
 
-/// The returns of a scan, and where the surface surely breaks off between them.
-struct Returns {
-  SurfacePoints points;
-  std::vector<std::size_t> run;  ///< for each point the number of its run of connected points
+/// Reads the returns beam by beam, and sees where the surface surely breaks off between them.
+class ReturnReader {
+ public:
+  explicit ReturnReader(const LaserScan2& scan) : scan_(scan) {}
 
-  void add(const Vec2& point, bool connected) {
-    run.push_back(run.empty() ? 0 : run.back() + (connected ? 0 : 1));
-    points.push_back({point, Vec2::Zero()});
+  SurfacePoints read() {
+    for (std::size_t beam = 0; beam < scan_.ranges.size(); ++beam) {
+      const RangeReading reading = readBeam(scan_, beam);
+      if (reading.kind == RangeKind::kHit) add(beam, reading.distance);
+      // A beam that says nothing may have met the same surface; one that met nothing has not.
+      if (reading.kind == RangeKind::kFree) open_ = true;
+    }
+    return std::move(points_);
   }
+
+ private:
+  void add(std::size_t beam, double distance) {
+    const Vec2 point = scan_.T_base_sensor * Vec2(distance * direction(scan_.angle(beam)));
+    const auto apart = static_cast<double>(beam - last_beam_);
+    const double spacing = apart * std::abs(scan_.angle_increment) * std::min(distance, last_distance_);
+    const bool connected = !open_ && beam - last_beam_ <= kMostMissing + 1 &&
+                           (point - points_.back().position).norm() <= kSteepest * spacing + kSlack;
+    points_.push_back({point, Vec2::Zero(), connected});
+    last_beam_ = beam;
+    last_distance_ = distance;
+    open_ = false;
+  }
+
+  const LaserScan2& scan_;
+  SurfacePoints points_;
+  std::size_t last_beam_ = 0;
+  double last_distance_ = 0.0;
+  bool open_ = true;  ///< nothing connects the next return to the last one
 };
 
-Returns readReturns(const LaserScan2& scan) {
-  Returns returns;
-  std::size_t last_beam = 0;
-  double last_distance = 0.0;
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    const RangeReading reading = readBeam(scan, beam);
-    if (reading.kind != RangeKind::kHit) continue;
-    const Vec2 point = scan.T_base_sensor * Vec2(reading.distance * direction(scan.angle(beam)));
-    const auto apart = static_cast<double>(beam - last_beam);
-    const double spacing = apart * std::abs(scan.angle_increment) * std::min(reading.distance, last_distance);
-    const bool connected = !returns.points.empty() && beam - last_beam <= kMostMissing + 1 &&
-                           (point - returns.points.back().position).norm() <= kSteepest * spacing + kSlack;
-    returns.add(point, connected);
-    last_beam = beam;
-    last_distance = reading.distance;
-  }
-  return returns;
-}
-
-/// The points around `i`, of its run, within `radius` but at least two on each side.
-Span around(const Returns& returns, std::size_t i, double radius) {
+/// The connected points around `i` within `radius`, but at least two on each side.
+Span around(const SurfacePoints& points, std::size_t i, double radius) {
   const auto belongs = [&](std::size_t j, std::size_t count) {
-    const double squared = (returns.points[j].position - returns.points[i].position).squaredNorm();
-    return returns.run[j] == returns.run[i] && (count < 2 || squared <= radius * radius);
+    return count < 2 || (points[j].position - points[i].position).squaredNorm() <= radius * radius;
   };
   Span span{i, i};
-  while (span.first > 0 && belongs(span.first - 1, i - span.first)) --span.first;
-  while (span.last + 1 < returns.points.size() && belongs(span.last + 1, span.last - i)) ++span.last;
+  while (points[span.first].connected && belongs(span.first - 1, i - span.first)) --span.first;
+  while (span.last + 1 < points.size() && points[span.last + 1].connected && belongs(span.last + 1, span.last - i)) {
+    ++span.last;
+  }
   return span;
 }
 
@@ -165,10 +172,11 @@ SurfacePoints everyNth(const SurfacePoints& points, std::size_t n) {
   return result;
 }
 
+/// Whether the surface goes on from `a` to `b`, the point after it.
 bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) {
   const Vec2 step = b.position - a.position;
   const double gap = step.norm();
-  if (!a.hasNormal() || !b.hasNormal() || gap > max_gap) return false;
+  if (!b.connected || !a.hasNormal() || !b.hasNormal() || gap > max_gap) return false;
   const double slope = std::max(std::abs(step.dot(a.normal)), std::abs(step.dot(b.normal)));
   return a.normal.dot(b.normal) > kSameWay && slope <= kFlat * gap;
 }
@@ -176,15 +184,14 @@ bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) 
 }  // namespace
 
 SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters) {
-  Returns returns = readReturns(scan);
-  const LineFitter fitter(returns.points);
+  SurfacePoints points = ReturnReader(scan).read();
+  const LineFitter fitter(points);
   const Vec2 sensor = scan.T_base_sensor.position();
-  for (std::size_t i = 0; i < returns.points.size(); ++i) {
-    SurfacePoint& point = returns.points[i];
-    const Vec2 normal = normalAt(fitter, around(returns, i, parameters.fit_radius), i, parameters.fit_error);
-    point.normal = normal.dot(sensor - point.position) < 0.0 ? Vec2(-normal) : normal;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 normal = normalAt(fitter, around(points, i, parameters.fit_radius), i, parameters.fit_error);
+    points[i].normal = normal.dot(sensor - points[i].position) < 0.0 ? Vec2(-normal) : normal;
   }
-  return returns.points;
+  return points;
 }
 
 SurfacePoints thinned(const SurfacePoints& points, const SurfaceParameters& parameters) {

@@ -125,7 +125,7 @@ class ScanTracker {
   std::optional<SearchResult> find(const SurfacePoints& points, const MaxPyramid& pyramid,
                                    const Prediction& prediction) const;
   bool hasRival(const SurfacePoints& points, const MaxPyramid& pyramid, const Prediction& prediction,
-                const SearchResult& found, const Eigen::Matrix3d& information) const;
+                const SearchResult& found) const;
   SearchRequest request(const Prediction& prediction, double resolution) const;
   void remember(Time stamp, const Pose2& T_odom_base, const Track& track);
 

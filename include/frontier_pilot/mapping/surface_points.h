@@ -15,6 +15,8 @@ struct SurfacePoint {
   Vec2 position = Vec2::Zero();  ///< [m]
   Vec2 normal = Vec2::Zero();    ///< unit, out of the matter; zero where the neighbours do not lie on a line
 
+  bool connected = false;  ///< to the point before it: no beam in between saw past
+
   bool hasNormal() const { return normal.x() != 0.0 || normal.y() != 0.0; }
 };
 using SurfacePoints = std::vector<SurfacePoint>;
@@ -25,7 +27,7 @@ struct SurfaceParameters {
   double thinning = 0.1;       ///< points this near to each other are matched as one [m]
   int max_points = 250;        ///< no more points than this are matched
   double fill_spacing = 0.05;  ///< gaps between beams on one surface are filled this densely [m]
-  double max_gap = 0.6;        ///< wider gaps are not filled [m]
+  double max_gap = 1.5;        ///< wider gaps are not filled [m]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -47,7 +49,7 @@ SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& param
 /// points is a biased one: to keep the first in each square of a raster turned the robot by 0.8 degrees in 100 m.
 SurfacePoints thinned(const SurfacePoints& points, const SurfaceParameters& parameters = {});
 
-/// With points in between where successive ones lie on one surface: a map of the wall, not of the beams. Where there
+/// With points in between where connected ones lie on one surface: a map of the wall, not of the beams. Where there
 /// are gaps a scan would match best where its beams meet those of an earlier one, which is where the robot then was.
 SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& parameters = {});
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "drive.h"
 #include "support/ascii_world.h"
@@ -100,12 +102,45 @@ TEST(Thinned, NeverExceedsTheNumberAskedForAndCoversTheSame) {
 
 TEST(Filled, ClosesGapsWithinAWallAndNotBetweenWalls) {
   const Vec2 up(0.0, 1.0);
-  const SurfacePoints wall = {{{0.0, 0.0}, up}, {{0.3, 0.0}, up}, {{0.6, 0.0}, up}, {{3.0, 0.0}, up}, {{3.1, 0.4}, up}};
+  const SurfacePoints wall = {{{0.0, 0.0}, up, false}, {{0.3, 0.0}, up, true}, {{0.6, 0.0}, up, true},
+                              {{3.0, 0.0}, up, true},  {{3.1, 0.4}, up, true}, {{3.3, 0.4}, up, false}};
   const SurfacePoints dense = filled(wall);
   EXPECT_EQ(dense.size(), wall.size() + 10);
   for (const SurfacePoint& point : dense) {
     EXPECT_TRUE(point.position.x() <= 0.6 || point.position.x() >= 3.0);
     EXPECT_TRUE(point.position.y() == 0.0 || point.position.y() == 0.4);
+  }
+}
+
+TEST(ReadSurface, DoesNotBridgeADoorThatBeamsPass) {
+  // A wall 1 m to the left with a door in it, through which nothing is seen; then one with beams that failed.
+  LaserScan2 scan;
+  scan.angle_min = 0.25 * kPi;
+  scan.angle_increment = 0.02;
+  scan.range_min = 0.1;
+  scan.range_max = 8.0;
+  for (std::size_t i = 0; i < 60; ++i) scan.ranges.push_back(static_cast<float>(1.0 / std::sin(scan.angle(i))));
+  std::fill_n(scan.ranges.begin() + 20, 3, std::numeric_limits<float>::infinity());
+  std::fill_n(scan.ranges.begin() + 40, 3, std::nanf(""));
+  const SurfacePoints points = readSurface(scan);
+  ASSERT_EQ(points.size(), 54U);
+  EXPECT_FALSE(points[20].connected) << "beyond the door";
+  EXPECT_TRUE(points[37].connected) << "beyond the failed beams";
+}
+
+TEST(ReadSurface, KnowsTheNormalsOfAWallThatItSeesAtAGrazingAngle) {
+  // A corridor of 2 m, with 1 degree between beams, up to 7 m ahead: there successive returns lie 0.9 m apart.
+  LaserScan2 scan;
+  scan.angle_min = std::asin(1.0 / 7.0);
+  scan.angle_increment = kPi / 180.0;
+  scan.range_min = 0.1;
+  scan.range_max = 8.0;
+  for (std::size_t i = 0; i < 60; ++i) scan.ranges.push_back(static_cast<float>(1.0 / std::sin(scan.angle(i))));
+  const SurfacePoints points = readSurface(scan);
+  for (const SurfacePoint& point : points) EXPECT_LT(point.normal.y(), -0.99);
+  const SurfacePoints dense = filled(points);
+  for (std::size_t i = 1; i < dense.size(); ++i) {
+    EXPECT_LT((dense[i].position - dense[i - 1].position).norm(), 0.06) << "no gaps between the beams";
   }
 }
 
