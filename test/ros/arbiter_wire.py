@@ -245,7 +245,7 @@ class ArbiterOnTheWire(unittest.TestCase):
                            for message in self.diagnostics.since(appeared - 2.0) for status in message.status)
             self.assertTrue(wait_for(reported, 10.0))
             self.assertLess(time.monotonic() - appeared, 2.0, 'within 2 s [ARB-11]')
-            self.assertTrue(any(name in text for text in self.status.last.problems), self.status.last.problems)
+            self.assertTrue(wait_for(lambda: any(name in text for text in self.status.last.problems)), 'in the status')
         finally:
             intruder.end()
 
