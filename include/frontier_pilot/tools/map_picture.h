@@ -13,8 +13,8 @@ using Polyline = std::vector<Vec2>;
 
 /// What is drawn over a map.
 struct MapPicture {
-  Polyline odometry;                               ///< red
-  Polyline trajectory;                             ///< blue
+  Polyline odometry;                            ///< red
+  Polyline trajectory;                          ///< blue
   std::vector<std::pair<Vec2, Vec2>> closures;  ///< green
 };
 
