@@ -1,6 +1,7 @@
 #include "frontier_pilot/core/grid.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace frontier_pilot {
 
@@ -34,6 +35,21 @@ bool operator==(const CellRect& a, const CellRect& b) {
 
 bool operator==(const GridGeometry& a, const GridGeometry& b) {
   return a.resolution == b.resolution && a.origin == b.origin && a.width == b.width && a.height == b.height;
+}
+
+CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b) {
+  CellRect changed;
+  for (int y = 0; y < a.height(); ++y) {
+    const std::int8_t* end = a.row(y) + a.width();
+    const auto first = std::mismatch(a.row(y), end, b.row(y)).first;
+    if (first == end) continue;
+    const auto back = std::mismatch(std::make_reverse_iterator(end), std::make_reverse_iterator(first),
+                                    std::make_reverse_iterator(b.row(y) + b.width()));
+    const int x = static_cast<int>(first - a.row(y));
+    const int past = static_cast<int>(back.first.base() - a.row(y));
+    changed.include(CellRect{x, y, past - x, 1});
+  }
+  return changed;
 }
 
 }  // namespace frontier_pilot

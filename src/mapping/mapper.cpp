@@ -13,6 +13,15 @@ bool isWellFormed(const LaserScan2& scan) {
          !scan.ranges.empty();
 }
 
+/// Whether any beam tells where there is something, or nothing.
+bool saysAnything(const LaserScan2& scan) {
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const RangeKind kind = readBeam(scan, beam).kind;
+    if (kind == RangeKind::kHit || kind == RangeKind::kFree) return true;
+  }
+  return false;
+}
+
 ScanVerdict verdictOf(Insertion insertion) {
   switch (insertion) {
     case Insertion::kInserted:
@@ -25,13 +34,18 @@ ScanVerdict verdictOf(Insertion insertion) {
   return ScanVerdict::kOutOfBounds;
 }
 
+std::unique_ptr<PoseCorrection> correctionFor(const MapperParameters& parameters) {
+  if (parameters.trust_odometry) return std::make_unique<TrustOdometry>();
+  return std::make_unique<GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
+}
+
 }  // namespace
 
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<PoseCorrection> correction)
     : parameters_(parameters),
       map_(parameters.map),
       inserter_(parameters.insertion),
-      correction_(correction ? std::move(correction) : std::make_unique<TrustOdometry>()) {}
+      correction_(correction ? std::move(correction) : correctionFor(parameters)) {}
 
 ScanVerdict Mapper::insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   const ScanVerdict verdict = decide(scan, T_odom_base, now);
@@ -44,17 +58,56 @@ ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T
   if (!isWellFormed(scan)) return ScanVerdict::kMalformed;
   if (!T_odom_base || !T_odom_base->isFinite()) return ScanVerdict::kNoOdometry;
   if (!hasMoved(scan, *T_odom_base)) return ScanVerdict::kNotMoved;
+  if (!saysAnything(scan)) return ScanVerdict::kAllInvalid;
   return integrate(scan, *T_odom_base);
 }
 
 ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) {
-  const Pose2 T_map_odom = correction_->correct(scan, T_odom_base, map_);
-  const ScanVerdict verdict = verdictOf(inserter_.insert(scan, T_map_odom * T_odom_base, map_));
-  if (verdict == ScanVerdict::kInserted) {
-    T_map_odom_ = T_map_odom;
-    last_ = Last{scan.stamp, T_odom_base};
-  }
+  const CorrectedScan corrected = correction_->correct(scan, T_odom_base, map_);
+  last_correction_ = corrected.text;
+  ++correction_counts_[corrected.text];
+  T_map_odom_ = corrected.T_map_odom;
+  const ScanVerdict verdict = corrected.fits_map ? put(scan, T_map_odom_ * T_odom_base) : ScanVerdict::kMisfit;
+  if (verdict == ScanVerdict::kInserted || verdict == ScanVerdict::kMisfit) last_ = Last{scan.stamp, T_odom_base};
   return verdict;
+}
+
+ScanVerdict Mapper::put(const LaserScan2& scan, const Pose2& T_map_base) {
+  const ScanVerdict verdict = verdictOf(inserter_.insert(scan, T_map_base, map_));
+  if (working_ && verdict == ScanVerdict::kInserted) meanwhile_.push_back({scan, T_map_base});
+  return verdict;
+}
+
+RevisionWork Mapper::takeWork() {
+  RevisionWork work = correction_->takeWork();
+  working_ = working_ || work;
+  return work;
+}
+
+bool Mapper::revise(MapRevision& revision) {
+  if (!correction_->accept(revision)) return false;
+  working_ = false;
+  const std::vector<Inserted> meanwhile = std::exchange(meanwhile_, {});
+  T_map_odom_ = revision.T_new_old * T_map_odom_;
+  revisions_.attempts = revision.counts;
+  if (!revision.closures.empty()) {
+    revisions_.closures += revision.closures.size();
+    revisions_.last_jump = revision.T_new_old;
+    revisions_.last_closures = revision.closures;
+  }
+  if (!revision.map || !map_.exchange(*revision.map)) return true;
+  ++revisions_.rendered;
+  for (const Inserted& inserted : meanwhile) {
+    inserter_.insert(inserted.scan, revision.T_new_old * inserted.T_map_base, map_);
+  }
+  return true;
+}
+
+void Mapper::reviseNow() {
+  if (const RevisionWork work = takeWork()) {
+    MapRevision revision = work();
+    revise(revision);
+  }
 }
 
 std::optional<ScanVerdict> Mapper::checkStamp(Time stamp, Time now) {
@@ -77,6 +130,8 @@ void Mapper::reset() {
   correction_->reset();
   T_map_odom_ = Pose2();
   last_.reset();
+  working_ = false;
+  meanwhile_.clear();
 }
 
 }  // namespace frontier_pilot

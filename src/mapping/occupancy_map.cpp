@@ -65,9 +65,20 @@ void OccupancyMap::change(std::size_t index, float step) {
   Entry& entry = entries_[index];
   const float prior = entry.log_odds == kUnknownLogOdds ? 0.0F : entry.log_odds;
   entry.log_odds = model_.clamp(prior + step);
-  const Cell cell = geometry().cell(index);
-  octree_.set({cell.x + extent_.x, cell.y + extent_.y}, entry.log_odds);
+  if (!in_batch_) store(index);
   project(index, entry.log_odds);
+}
+
+void OccupancyMap::store(std::size_t index) {
+  const Cell cell = geometry().cell(index);
+  octree_.set({cell.x + extent_.x, cell.y + extent_.y}, entries_[index].log_odds);
+}
+
+void OccupancyMap::endBatch() {
+  in_batch_ = false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].log_odds != kUnknownLogOdds) store(i);
+  }
 }
 
 void OccupancyMap::project(std::size_t index, float log_odds) {
@@ -91,10 +102,22 @@ void OccupancyMap::clear() {
   changes_.cells = geometry().rect();
 }
 
+bool OccupancyMap::exchange(OccupancyMap& other) {
+  CellRect cells = extent_;
+  cells.include(other.extent_);
+  if (!other.reserveCells(cells)) return false;
+  const bool grown = changes_.geometry_changed || other.geometry() != geometry();
+  CellRect changed = changes_.cells;
+  changed.include(grown ? other.geometry().rect() : difference(grid_, other.grid_));
+  std::swap(*this, other);
+  changes_ = {grown, changed};
+  return true;
+}
+
 bool OccupancyMap::read(std::istream& in) {
   OccupancyMap loaded(parameters_);
   if (!loaded.octree_.read(in)) return false;
-  CellRect cells = extent_;
+  CellRect cells;
   loaded.octree_.forEach([&](Cell cell, float) { cells.include(cell); });
   if (!loaded.reserveCells(cells)) return false;
   loaded.octree_.forEach([&](Cell cell, float log_odds) {
@@ -102,9 +125,7 @@ bool OccupancyMap::read(std::istream& in) {
     loaded.entries_[index].log_odds = log_odds;
     loaded.grid_[index] = loaded.value(log_odds);
   });
-  loaded.changes_ = {changes_.geometry_changed || loaded.geometry() != geometry(), loaded.geometry().rect()};
-  *this = std::move(loaded);
-  return true;
+  return exchange(loaded);
 }
 
 bool OccupancyMap::logOdds(Cell cell, float& value) const {

@@ -24,6 +24,8 @@ const char* toString(ScanVerdict verdict) {
       return "all beams invalid";
     case ScanVerdict::kOutOfBounds:
       return "map too large";
+    case ScanVerdict::kMisfit:
+      return "fits nowhere";
   }
   return "unknown";
 }

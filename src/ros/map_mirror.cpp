@@ -11,22 +11,6 @@ namespace frontier_pilot {
 
 namespace {
 
-/// The smallest block that holds every difference between two grids of one geometry.
-CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b) {
-  CellRect changed;
-  for (int y = 0; y < a.height(); ++y) {
-    const std::int8_t* end = a.row(y) + a.width();
-    const auto first = std::mismatch(a.row(y), end, b.row(y)).first;
-    if (first == end) continue;
-    const auto back = std::mismatch(std::make_reverse_iterator(end), std::make_reverse_iterator(first),
-                                    std::make_reverse_iterator(b.row(y) + b.width()));
-    const int x = static_cast<int>(first - a.row(y));
-    const int past = static_cast<int>(back.first.base() - a.row(y));
-    changed.include(CellRect{x, y, past - x, 1});
-  }
-  return changed;
-}
-
 void copy(const GridUpdate& update, OccupancyGrid& map) {
   const CellRect& rect = update.rect;
   for (int row = 0; row < rect.height; ++row) {

@@ -4,15 +4,18 @@
 #include <ros/console.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 
 namespace frontier_pilot {
 
-MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame, double period)
-    : node_(node), topic_(names::kMap), frame_(std::move(frame)), period_(fromSeconds(period)) {}
+MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame,
+                                 const MapPublishingParameters& parameters)
+    : node_(node), topic_(names::kMap), frame_(std::move(frame)), parameters_(parameters) {}
 
 void MapperPublisher::setPublishers(const std::vector<std::string>& publishers) {
   std::string others;
@@ -32,7 +35,8 @@ void MapperPublisher::setPublishers(const std::vector<std::string>& publishers) 
 
 void MapperPublisher::advertise() {
   if (advertised_) return;
-  map_ = node_.advertise<nav_msgs::OccupancyGrid>(topic_, 1, true);
+  const ros::SubscriberStatusCallback note = [this](const ros::SingleSubscriberPublisher&) { newcomer_ = true; };
+  map_ = node_.advertise<nav_msgs::OccupancyGrid>(topic_, 1, note, {}, {}, true);
   updates_ = node_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10);
   metadata_ = node_.advertise<nav_msgs::MapMetaData>(names::kMapMetadata, 1, true);
   advertised_ = true;
@@ -51,25 +55,46 @@ void MapperPublisher::withdraw() {
 void MapperPublisher::publish(Mapper& mapper, Time now) {
   if (!advertised_ || mapper.grid().empty()) return;
   const MapChanges changes = mapper.takeChanges();
-  grown_ = grown_ || changes.geometry_changed;
-  changed_ = changed_ || !changes.empty();
+  patch(mapper.grid(), changes);
   // What changes while a grown map waits for its turn goes out with it.
-  if (!grown_ && !changes.cells.empty()) updates_.publish(toGridUpdateMsg(mapper.grid(), changes.cells, frame_, now));
-  if ((grown_ || changed_) && isDue(now)) publishWhole(mapper.grid(), now);
+  if (!grown_ && !changes.cells.empty()) {
+    updates_.publish(toGridUpdateMsg(mapper.grid(), changes.cells, frame_, now));
+    changed_ += static_cast<std::size_t>(changes.cells.width) * static_cast<std::size_t>(changes.cells.height);
+  }
+  if (isDue(now)) publishWhole(now);
+}
+
+void MapperPublisher::patch(const OccupancyGrid& grid, const MapChanges& changes) {
+  grown_ = grown_ || changes.geometry_changed;
+  if (changes.geometry_changed || whole_.data.size() != grid.size()) {
+    whole_ = toOccupancyGridMsg(grid, frame_, Time{});
+    return;
+  }
+  const CellRect& rect = changes.cells;
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    const auto offset = static_cast<std::ptrdiff_t>(grid.geometry().index({rect.x, y}));
+    std::copy_n(grid.row(y) + rect.x, rect.width, whole_.data.begin() + offset);
+  }
 }
 
 bool MapperPublisher::isDue(Time now) const {
   // A clock that was set back must not hold the map.
-  return !last_whole_ || now < *last_whole_ || now - *last_whole_ >= period_;
+  if (!last_whole_ || now < *last_whole_) return true;
+  const double waited = toSeconds(now - *last_whole_);
+  if (waited < parameters_.min_period) return false;
+  if (grown_) return true;
+  if (changed_ == 0) return false;
+  return changed_ >= whole_.data.size() || newcomer_ || waited >= parameters_.max_period;
 }
 
-void MapperPublisher::publishWhole(const OccupancyGrid& grid, Time now) {
-  const nav_msgs::OccupancyGrid msg = toOccupancyGridMsg(grid, frame_, now);
-  map_.publish(msg);
-  if (grown_) metadata_.publish(msg.info);
+void MapperPublisher::publishWhole(Time now) {
+  whole_.header.stamp = toRosTime(now);
+  map_.publish(whole_);
+  if (grown_) metadata_.publish(whole_.info);
   last_whole_ = now;
+  newcomer_ = false;
   grown_ = false;
-  changed_ = false;
+  changed_ = 0;
 }
 
 }  // namespace frontier_pilot

@@ -31,9 +31,12 @@ LogTrajectories mapLog(const ScanLog& log, Mapper& mapper) {
   for (const LogRecord& record : log.records) {
     const Time stamp = record.scan.stamp;
     mapper.insert(record.scan, record.T_odom_base, stamp);
+    mapper.reviseNow();
     out.odometry.push_back({stamp, record.T_odom_base});
-    out.corrected.push_back({stamp, mapper.T_map_odom() * record.T_odom_base});
   }
+  Trajectory anchors;
+  for (const KeyframePose& keyframe : mapper.trajectory()) anchors.push_back({keyframe.stamp, keyframe.T_map_base});
+  out.corrected = bend(out.odometry, anchors);
   return out;
 }
 

@@ -64,7 +64,9 @@ void printCounts(const Mapper& mapper, double cpu) {
     if (mapper.counts()[verdict] == 0) continue;
     std::printf(" %s %llu", toString(verdict), static_cast<unsigned long long>(mapper.counts()[verdict]));
   }
-  std::printf("\ncpu: %.2f s\n", cpu);
+  std::printf("\nloops closed: %llu, map rendered again: %llu\ncpu: %.2f s\n",
+              static_cast<unsigned long long>(mapper.revisions().closures),
+              static_cast<unsigned long long>(mapper.revisions().rendered), cpu);
 }
 
 void printError(const char* what, const Trajectory& trajectory, const std::vector<PoseRelation>& relations) {

@@ -104,6 +104,9 @@ class Grid {
 /// Occupancy as in nav_msgs/OccupancyGrid: -1 unknown, 0 (free) ... 100 (occupied).
 using OccupancyGrid = Grid<std::int8_t>;
 
+/// The smallest block that holds every difference between two grids of one geometry.
+CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b);
+
 constexpr std::int8_t kUnknown = -1;
 constexpr std::int8_t kFree = 0;
 constexpr std::int8_t kOccupied = 100;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/mapping/graph_slam.h"
 #include "frontier_pilot/mapping/occupancy_map.h"
 #include "frontier_pilot/mapping/pose_correction.h"
 #include "frontier_pilot/mapping/scan_inserter.h"
@@ -18,8 +22,10 @@ struct MapperParameters {
   double min_travel = 0.01;      ///< a robot that moved less has not moved [m]
   double min_rotation = 0.01;    ///< a robot that turned less has not turned [rad]
   double standing_period = 0.5;  ///< time between scans used while the robot stands [s]
+  bool trust_odometry = false;   ///< take odometry for the truth: no matching, no loops
   OccupancyMapParameters map;
   ScanInsertionParameters insertion;
+  GraphSlamParameters slam;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -29,20 +35,42 @@ struct MapperParameters {
     v.field("min_rotation", min_rotation, "rad", "a robot that turned less since the last scan stands", atLeast(0.0));
     v.field("standing_period", standing_period, "s", "time between the scans used while the robot stands",
             atLeast(0.0));
+    v.field("trust_odometry", trust_odometry, "", "take odometry for the truth: no scan matching, no loop closing");
     v.group("map", map, "the map and its octree");
     v.group("insertion", insertion, "how a scan goes into the map");
+    v.group("slam", slam, "scan matching and loop closing");
   }
+};
+
+/// What second thoughts have come to so far.
+struct RevisionReport {
+  std::uint64_t closures = 0;  ///< loops closed: `T_map_odom` jumps with these, and with nothing else
+  std::uint64_t rendered = 0;  ///< how often the map was rendered again
+  ClosureCounts attempts;      ///< of closing loops
+  Pose2 last_jump;             ///< by what the last closures have moved the robot in the map
+  std::vector<LoopClosure> last_closures;
 };
 
 /// Builds the map from scans and the odometry of the moment each was taken at. Whatever is wrong with a scan, what is
 /// already mapped stays. [MAP-4]
+/// Second thoughts about the past take time: whoever owns the mapper does `takeWork` in the background and hands the
+/// result to `revise`, or calls `reviseNow` after each scan.
 class Mapper {
  public:
-  /// Without a corrector odometry is taken for the truth.
+  /// Without a corrector the parameters choose one.
   explicit Mapper(const MapperParameters& parameters = {}, std::unique_ptr<PoseCorrection> correction = nullptr);
 
   /// Puts `scan`, taken at `T_odom_base`, into the map, or says why not; no pose: there is no odometry for its stamp.
   ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
+
+  /// Work for another thread, if there is some; none while the last one's result has not come back.
+  RevisionWork takeWork();
+  /// Takes over what the work came to; `revision` then holds what is no longer needed. Scans that came meanwhile are
+  /// put into a map that was rendered anew. False, and nothing happens, when the mapper was reset since.
+  bool revise(MapRevision& revision);
+  /// Does all work there is at once.
+  void reviseNow();
+
   /// Counts a scan that could not even be offered.
   void reject(ScanVerdict verdict) { counts_.add(verdict); }
 
@@ -54,6 +82,12 @@ class Mapper {
   MapChanges takeChanges() { return map_.takeChanges(); }
   const Pose2& T_map_odom() const { return T_map_odom_; }
   const ScanCounts& counts() const { return counts_; }
+  const RevisionReport& revisions() const { return revisions_; }
+  /// How often each way to find a scan's pose was taken, and the last one.
+  const std::map<std::string, std::uint64_t>& correctionCounts() const { return correction_counts_; }
+  const char* lastCorrection() const { return last_correction_; }
+  /// The keyframes so far, each where it is by what is known now. Not while work is out.
+  std::vector<KeyframePose> trajectory() const { return correction_->trajectory(); }
 
   /// Forgets the map and the correction; the geometry and the counts stay.
   void reset();
@@ -63,9 +97,14 @@ class Mapper {
     Time stamp;
     Pose2 T_odom_base;
   };
+  struct Inserted {
+    LaserScan2 scan;
+    Pose2 T_map_base;
+  };
 
   ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
   ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
+  ScanVerdict put(const LaserScan2& scan, const Pose2& T_map_base);
   std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
   bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
 
@@ -75,8 +114,13 @@ class Mapper {
   std::unique_ptr<PoseCorrection> correction_;
   Pose2 T_map_odom_;
   Time now_{};
-  std::optional<Last> last_;  ///< the last scan that went in
+  std::optional<Last> last_;  ///< the last scan that was placed
   ScanCounts counts_;
+  bool working_ = false;
+  std::vector<Inserted> meanwhile_;  ///< what went into the map while work is out
+  RevisionReport revisions_;
+  std::map<std::string, std::uint64_t> correction_counts_;
+  const char* last_correction_ = "";
 };
 
 }  // namespace frontier_pilot

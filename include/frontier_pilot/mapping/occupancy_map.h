@@ -75,8 +75,15 @@ class OccupancyMap {
 
   /// What changed since the last call.
   MapChanges takeChanges();
+  /// Between the two the octree lags behind: to put many scans in at once, which is faster so. Only where it is empty.
+  void beginBatch() { in_batch_ = true; }
+  void endBatch();
+
   /// Forgets every cell and keeps the geometry.
   void clear();
+  /// Takes over the content of `other`, of the same parameters, which gets ours. The map may grow by that, and what
+  /// differs counts as changed. False, and nothing happens, when it would get too large.
+  bool exchange(OccupancyMap& other);
 
   /// Octomap's binary format. False when the stream fails.
   bool write(std::ostream& out) { return octree_.write(out); }
@@ -95,6 +102,7 @@ class OccupancyMap {
   };
 
   void change(std::size_t index, float step);
+  void store(std::size_t index);
   void project(std::size_t index, float log_odds);
   std::int8_t value(float log_odds) const;
   CellRect needed(const Vec2& low, const Vec2& high) const;
@@ -108,6 +116,7 @@ class OccupancyMap {
   Grid<Entry> entries_;  ///< the octree's layer, dense
   OccupancyGrid grid_;
   std::uint32_t scan_ = 0;
+  bool in_batch_ = false;
   MapChanges changes_;
 };
 

@@ -1,19 +1,56 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <vector>
+
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/mapping/loop_closure.h"
 #include "frontier_pilot/mapping/occupancy_map.h"
 
 namespace frontier_pilot {
 
-/// The stage between odometry and the map: says where odometry's frame lies in the map when `scan` was taken.
-/// A corrector that changes its mind about the past keeps its keyframes, and renders the map again from them with
-/// `ScanInserter` after `OccupancyMap::clear`.
+/// Where the robot was when a keyframe was taken, by odometry and by what is known now.
+struct KeyframePose {
+  Time stamp;
+  Pose2 T_odom_base;
+  Pose2 T_map_base;
+};
+
+/// What is thought of a scan.
+struct CorrectedScan {
+  Pose2 T_map_odom;       ///< where odometry's frame lay in the map when it was taken
+  bool fits_map = true;   ///< false: it belongs elsewhere, and would only smear the map
+  const char* text = "";  ///< for diagnostics: how the pose was found
+};
+
+/// Second thoughts about the past.
+struct MapRevision {
+  std::uint64_t generation = 0;       ///< of the corrector that the work was taken from: a reset makes it void
+  Pose2 T_new_old;                    ///< takes what was put into the map since the work was taken to its place now
+  std::optional<OccupancyMap> map;    ///< the map, rendered again; none where nothing moved enough to be seen
+  std::vector<LoopClosure> closures;  ///< new ones. Without any `T_new_old` is the identity.
+  ClosureCounts counts;               ///< of the attempts made
+};
+
+/// Work on second thoughts. It shares nothing with its mapper: another thread may run it, once.
+using RevisionWork = std::function<MapRevision()>;
+
+/// The stage between odometry and the map: says where odometry's frame lies in the map when a scan was taken.
+/// Its second thoughts about the past are worked out by whoever calls `takeWork`, in the background or at once.
 class PoseCorrection {
  public:
   virtual ~PoseCorrection() = default;
-  /// `T_map_odom` for a scan taken at `T_odom_base`; `map` is what is known so far, without this scan.
-  virtual Pose2 correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) = 0;
+  /// For a scan taken at `T_odom_base`; `map` is what is known so far, without this scan.
+  virtual CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) = 0;
+  /// Work that should be done, if any; none while the last one's result has not been handed to `accept`.
+  virtual RevisionWork takeWork() { return {}; }
+  /// Takes over what the work came to: from now on `correct` says where things are after it. False, and nothing
+  /// happens, when it is void.
+  virtual bool accept(const MapRevision&) { return false; }
+  /// The keyframes so far, if it keeps any. Not while work is out.
+  virtual std::vector<KeyframePose> trajectory() const { return {}; }
   /// Forgets everything: the map has been reset.
   virtual void reset() = 0;
 };
@@ -21,7 +58,9 @@ class PoseCorrection {
 /// Takes odometry for the truth: `map` and `odom` are the same frame.
 class TrustOdometry final : public PoseCorrection {
  public:
-  Pose2 correct(const LaserScan2&, const Pose2&, const OccupancyMap&) override { return {}; }
+  CorrectedScan correct(const LaserScan2&, const Pose2&, const OccupancyMap&) override {
+    return {Pose2(), true, "odometry taken as given"};
+  }
   void reset() override {}
 };
 

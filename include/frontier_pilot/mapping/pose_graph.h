@@ -75,6 +75,7 @@ class PoseGraph {
   const std::vector<Pose2>& poses() const { return poses_; }
   void setPose(std::size_t node, const Pose2& T_map_node) { poses_[node] = T_map_node; }
   const std::vector<PoseConstraint>& constraints() const { return constraints_; }
+  const PoseGraphParameters& parameters() const { return parameters_; }
 
   /// Squared error of a constraint in standard deviations, at the present poses.
   double chi2(const PoseConstraint& constraint) const;

@@ -18,8 +18,9 @@ enum class ScanVerdict {
   kMalformed,    ///< its numbers make no scan
   kAllInvalid,   ///< no beam says anything
   kOutOfBounds,  ///< the map would get too large
+  kMisfit,       ///< it fits nowhere near, and would only smear the map
 };
-constexpr std::size_t kScanVerdicts = 10;
+constexpr std::size_t kScanVerdicts = 11;
 
 const char* toString(ScanVerdict verdict);
 

@@ -8,6 +8,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/Trigger.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/publisher_watch.h"
 #include "frontier_pilot/ros/tf_bridge.h"
+#include "frontier_pilot/ros/worker.h"
 
 namespace frontier_pilot {
 
@@ -27,12 +29,12 @@ struct MapperNodeParameters {
   std::string odom_frame = names::kOdomFrame;
   std::string base_frame = names::kBaseFootprintFrame;
   double update_period = 0.2;  ///< between two `map_updates` [s]
-  double map_period = 1.0;     ///< between two whole maps, at least [s]
   double tf_period = 0.05;     ///< between two `map -> odom` [s]
   double tf_lead = 0.1;        ///< `map -> odom` is dated this much ahead, so that it holds until the next one [s]
   double silence = 2.0;        ///< without a scan in the map for so long something is wrong [s]
   MapperParameters mapper;
   ScanPairingParameters pairing;
+  MapPublishingParameters publishing;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -40,12 +42,12 @@ struct MapperNodeParameters {
     v.field("odom_frame", odom_frame, "", "frame of odometry");
     v.field("base_frame", base_frame, "", "frame of the robot");
     v.field("update_period", update_period, "s", "between two map updates", positive());
-    v.field("map_period", map_period, "s", "between two whole maps, at least", positive());
     v.field("tf_period", tf_period, "s", "between two transforms map -> odom", positive());
     v.field("tf_lead", tf_lead, "s", "how far map -> odom is dated ahead", atLeast(0.0));
     v.field("silence", silence, "s", "without a scan in the map for so long something is wrong", positive());
     v.group("mapper", mapper, "the mapper");
     v.group("pairing", pairing, "how scans find their odometry");
+    v.group("publishing", publishing, "when the whole map goes out");
   }
 };
 
@@ -56,6 +58,10 @@ class MapperAdapter {
 
  private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
+  struct Thoughts {
+    MapRevision revision;
+    double seconds;  ///< that they took
+  };
 
   void advertiseServices(ros::NodeHandle& node);
   void handleOdometry(const nav_msgs::Odometry& msg);
@@ -63,6 +69,9 @@ class MapperAdapter {
   /// The scan, or what is wrong with it.
   std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg);
   void insertPaired();
+  /// Hands work to the worker and takes its results over.
+  void think();
+  void takeOver(Thoughts& thoughts);
   void note(ScanVerdict verdict, const std::string& detail);
   void broadcast();
   bool handleSave(SaveMap::Request& request, SaveMap::Response& response);
@@ -87,6 +96,9 @@ class MapperAdapter {
   ros::Timer update_timer_;
   ros::Timer tf_timer_;
   ros::SteadyTimer watch_timer_;
+  double revision_seconds_ = 0.0;     ///< what the last second thoughts took
+  std::shared_ptr<MapRevision> old_;  ///< what the last ones replaced
+  Worker<Thoughts> worker_;
 };
 
 }  // namespace frontier_pilot

@@ -80,6 +80,7 @@ void ClosedLoop::sense() {
     scan_ = std::move(*sensed_.scan);
     const Stopwatch watch(wall_clock_, times_.mapper);
     mapper_.insert(scan_, sensed_.T_odom_base, now());
+    mapper_.reviseNow();
   }
 }
 

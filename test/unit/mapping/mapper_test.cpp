@@ -18,6 +18,12 @@ LaserScan2 ring(double seconds, float range = 1.0F) {
   return scan;
 }
 
+MapperParameters trustingOdometry() {
+  MapperParameters parameters;
+  parameters.trust_odometry = true;
+  return parameters;
+}
+
 class MapperTest : public ::testing::Test {
  protected:
   ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base = Pose2()) {
@@ -32,7 +38,7 @@ class MapperTest : public ::testing::Test {
     EXPECT_TRUE(mapper.grid().cells() == before) << "nothing mapped may be lost";
   }
 
-  Mapper mapper;
+  Mapper mapper{trustingOdometry()};
 };
 
 TEST_F(MapperTest, MapsInOdometrysFrameAsLongAsNothingCorrectsIt) {
@@ -118,7 +124,9 @@ TEST_F(MapperTest, ForgetsOnResetAndStartsAnew) {
 /// Says that odometry's frame lies a metre to the left.
 class Shift final : public PoseCorrection {
  public:
-  Pose2 correct(const LaserScan2&, const Pose2&, const OccupancyMap&) override { return {0.0, 1.0, 0.0}; }
+  CorrectedScan correct(const LaserScan2&, const Pose2&, const OccupancyMap&) override {
+    return {Pose2(0.0, 1.0, 0.0), true, "shifted"};
+  }
   void reset() override {}
 };
 

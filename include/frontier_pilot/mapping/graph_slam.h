@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/mapping/local_drift.h"
+#include "frontier_pilot/mapping/local_slam.h"
+#include "frontier_pilot/mapping/loop_closer.h"
+#include "frontier_pilot/mapping/pose_correction.h"
+#include "frontier_pilot/mapping/scan_inserter.h"
+#include "frontier_pilot/mapping/submap_graph.h"
+
+namespace frontier_pilot {
+
+struct RenderingParameters {
+  double min_distance = 0.025;    ///< the map is rendered again when a keyframe moved this far [m]
+  double min_angle = 0.005;       ///< or turned this far [rad]
+  double urgent_distance = 0.05;  ///< at once, when one moved this far [m]
+  double share = 0.02;            ///< else after so many new keyframes, as a share of all
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("min_distance", min_distance, "m", "the map is rendered again when a keyframe moved this far", positive());
+    v.field("min_angle", min_angle, "rad", "or turned this far", positive());
+    v.field("urgent_distance", urgent_distance, "m", "at once, when one moved this far", positive());
+    v.field("share", share, "", "else after so many new keyframes, as a share of all: what rendering may cost",
+            between(0.0, 1.0));
+  }
+};
+
+struct GraphSlamParameters {
+  LocalSlamParameters local;
+  SubmapDrift drift;
+  PoseGraphParameters graph;
+  LoopCloserParameters loops;
+  RenderingParameters rendering;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.group("local", local, "matching of scans with the last few metres");
+    v.group("drift", drift, "how far the local map is believed to drift");
+    v.group("graph", graph, "the pose graph");
+    v.group("loops", loops, "loop closing");
+    v.group("rendering", rendering, "when the map is rendered again");
+  }
+};
+
+/// What is thought about in the background: the graph, the search for loops, and the map that follows from them. A
+/// state machine of its own, fed with keyframes; it shares nothing with who feeds it.
+class GraphBackEnd {
+ public:
+  GraphBackEnd(const GraphSlamParameters& parameters, const OccupancyMapParameters& map,
+               const ScanInsertionParameters& insertion);
+
+  /// Takes `batch` in, keyframe by keyframe.
+  MapRevision update(std::vector<PlacedKeyframe> batch);
+
+  const SubmapGraph& graph() const { return graph_; }
+  std::vector<KeyframePose> trajectory() const;
+
+ private:
+  bool isRenderingDue() const;
+  OccupancyMap render();
+
+  GraphSlamParameters parameters_;
+  OccupancyMapParameters map_parameters_;
+  ScanInserter inserter_;
+  SubmapGraph graph_;
+  LoopCloser closer_;
+  std::vector<Pose2> rendered_;     ///< by keyframe: T_map_base of its trace in the map
+  std::size_t rendered_count_ = 0;  ///< how many keyframes there were when the map was last rendered
+  bool moved_ = false;              ///< the graph has moved since then
+};
+
+/// Simultaneous localisation and mapping: scans are matched with the last few metres by LocalSlam at once, loops are
+/// closed by GraphBackEnd in the background. [MAP-1]
+/// The map's frame is the local one as long as no loop was closed.
+class GraphSlam final : public PoseCorrection {
+ public:
+  /// The map that revisions bring has `map` as its parameters, and scans go into it by `insertion`.
+  explicit GraphSlam(const GraphSlamParameters& parameters = {}, const OccupancyMapParameters& map = {},
+                     const ScanInsertionParameters& insertion = {});
+
+  CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) override;
+  RevisionWork takeWork() override;
+  bool accept(const MapRevision& revision) override;
+  std::vector<KeyframePose> trajectory() const override { return back_end_->trajectory(); }
+  void reset() override;
+
+  /// What became of the last scan.
+  const LocalSlamOutput& last() const { return last_; }
+  const Pose2& T_map_local() const { return T_map_local_; }
+  /// Not while work is out.
+  const GraphBackEnd& backEnd() const { return *back_end_; }
+
+ private:
+  void keep(LocalSlamOutput& output);
+
+  GraphSlamParameters parameters_;
+  OccupancyMapParameters map_parameters_;
+  ScanInsertionParameters insertion_parameters_;
+  LocalSlam local_;
+  LocalDrift drift_;
+  LocalSlamOutput last_;
+  Pose2 T_map_local_;
+  std::shared_ptr<GraphBackEnd> back_end_;  ///< only the work touches it while it is out
+  std::vector<PlacedKeyframe> inbox_;       ///< keyframes for the next work
+  bool working_ = false;
+  std::uint64_t generation_ = 0;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "frontier_pilot/ros/mailbox.h"
+
+namespace frontier_pilot {
+
+/// Does one long job at a time on a thread of its own; the result is fetched like any other input. What a job holds is
+/// destroyed on that thread too. The destructor waits for the job that is running.
+template <class Result>
+class Worker {
+ public:
+  using Job = std::function<Result()>;
+
+  Worker() : thread_(&Worker::run, this) {}
+  ~Worker() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ending_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Whether there is no job whose result was not taken yet.
+  bool idle() const { return idle_; }
+  /// Only when it is idle.
+  void start(Job job) {
+    idle_ = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      job_ = std::move(job);
+    }
+    wake_.notify_all();
+  }
+  /// The result, once.
+  std::optional<Result> take() {
+    std::optional<Result> result = result_.take();
+    idle_ = idle_ || result;
+    return result;
+  }
+
+ private:
+  void run() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (true) {
+      wake_.wait(lock, [this] { return ending_ || job_; });
+      if (ending_) return;
+      {
+        const Job job = std::exchange(job_, nullptr);
+        lock.unlock();
+        result_.put(job());
+      }
+      lock.lock();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  Job job_;
+  bool ending_ = false;
+  bool idle_ = true;  ///< the owner's
+  Mailbox<Result> result_;
+  std::thread thread_;  ///< the last member: everything else is there before it starts
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,79 @@
+#include "frontier_pilot/mapping/graph_slam.h"
+
+#include <utility>
+
+namespace frontier_pilot {
+namespace {
+
+/// Whether a scan that was matched so shows what the map shows.
+bool fits(MatchVerdict verdict) { return verdict != MatchVerdict::kPoor && verdict != MatchVerdict::kAmbiguous; }
+
+void addPlace(const std::shared_ptr<const Submap>& submap, PlacedKeyframe& placed) {
+  const bool inside = !submap->keyframes.empty() && submap->keyframes.back() == placed.keyframe.id;
+  if (inside) placed.places.push_back({submap->id, submap->T_local_submap});
+}
+
+}  // namespace
+
+GraphSlam::GraphSlam(const GraphSlamParameters& parameters, const OccupancyMapParameters& map,
+                     const ScanInsertionParameters& insertion)
+    : parameters_(parameters),
+      map_parameters_(map),
+      insertion_parameters_(insertion),
+      local_(parameters.local),
+      drift_(parameters.local),
+      back_end_(std::make_shared<GraphBackEnd>(parameters, map, insertion)) {}
+
+CorrectedScan GraphSlam::correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap&) {
+  LocalSlamOutput output = local_.update(scan, T_odom_base);
+  if (output.keyframe) keep(output);
+  last_ = std::move(output);
+  const Track& track = last_.track;
+  return {T_map_local_ * track.T_local_base.pose * T_odom_base.inverse(), fits(track.verdict), toString(track.verdict)};
+}
+
+void GraphSlam::keep(LocalSlamOutput& output) {
+  PlacedKeyframe placed;
+  placed.keyframe = std::move(*output.keyframe);
+  output.keyframe.reset();
+  placed.drift = drift_.step(placed.keyframe, output.track.verdict);
+  placed.T_map_base = T_map_local_ * placed.keyframe.T_local_base;
+  for (const auto& submap : output.finished) addPlace(submap, placed);
+  for (const auto& submap : local_.active()) addPlace(submap, placed);
+  if (!placed.places.empty()) inbox_.push_back(std::move(placed));
+}
+
+RevisionWork GraphSlam::takeWork() {
+  if (working_ || inbox_.empty()) return {};
+  working_ = true;
+  auto batch = std::make_shared<std::vector<PlacedKeyframe>>(std::exchange(inbox_, {}));
+  return [back_end = back_end_, batch, generation = generation_] {
+    MapRevision revision = back_end->update(std::move(*batch));
+    revision.generation = generation;
+    return revision;
+  };
+}
+
+bool GraphSlam::accept(const MapRevision& revision) {
+  if (revision.generation != generation_) return false;
+  working_ = false;
+  T_map_local_ = revision.T_new_old * T_map_local_;
+  // What came meanwhile is put into a map that was rendered anew at its new place.
+  if (revision.map) {
+    for (PlacedKeyframe& placed : inbox_) placed.T_map_base = revision.T_new_old * placed.T_map_base;
+  }
+  return true;
+}
+
+void GraphSlam::reset() {
+  local_.reset();
+  drift_.reset();
+  last_ = {};
+  T_map_local_ = Pose2();
+  back_end_ = std::make_shared<GraphBackEnd>(parameters_, map_parameters_, insertion_parameters_);
+  inbox_.clear();
+  working_ = false;
+  ++generation_;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,155 @@
+#include "frontier_pilot/mapping/loop_closer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "covariance.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// How far the keyframes of a submap are from a point at the nearest [m].
+double distanceTo(const SubmapGraph& graph, std::size_t submap, const Vec2& point) {
+  const Vec2 local = graph.T_map_submap(submap).inverse() * point;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::size_t keyframe : graph.submap(submap).keyframes) {
+    nearest = std::min(nearest, (graph.T_submap_keyframe(submap, keyframe).position() - local).norm());
+  }
+  return nearest;
+}
+
+/// Where the newest keyframe is by what is known now.
+Pose2 newestPose(const SubmapGraph& graph) {
+  return graph.T_map_local() * graph.keyframe(graph.keyframeCount() - 1).T_local_base;
+}
+
+/// Whether every closure in the graph is one that it agrees with.
+bool isSound(const SubmapGraph& graph) {
+  const PoseGraph& poses = graph.graph();
+  return std::all_of(poses.constraints().begin(), poses.constraints().end(), [&](const PoseConstraint& constraint) {
+    return !constraint.doubtful || poses.chi2(constraint) < poses.parameters().outlier_chi2;
+  });
+}
+
+}  // namespace
+
+LoopCloser::LoopCloser(const LoopCloserParameters& parameters) : parameters_(parameters), search_(parameters.search) {}
+
+std::vector<LoopClosure> LoopCloser::update(SubmapGraph& graph, const SurfacePoints& points) {
+  const std::size_t newest = graph.keyframeCount() - 1;
+  forget(newest);
+  const Pose2 T_map_keyframe = newestPose(graph);
+  bool found = false;
+  for (const Candidate& candidate : candidates(graph)) {
+    const Pose2 expected = graph.T_map_submap(candidate.submap).inverse() * T_map_keyframe;
+    const LoopSearch::Result result = search_.find(graph, candidate.submap, points, expected, candidate.window);
+    if (result.verdict != ClosureVerdict::kAccepted) {
+      counts_.add(result.verdict);
+      continue;
+    }
+    hypotheses_.push_back({newest, candidate.submap, graph.submapCount() - 1, result.T_submap_keyframe, false});
+    found = true;
+  }
+  if (!found) return {};
+  const std::vector<std::size_t> chosen = confirmed(graph);
+  return chosen.empty() ? std::vector<LoopClosure>{} : accept(graph, chosen);
+}
+
+SearchWindow LoopCloser::windowFor(const Eigen::Matrix3d& covariance) const {
+  const double position = parameters_.sigmas * positionSigma(covariance);
+  const double yaw = parameters_.sigmas * yawSigma(covariance);
+  const double width = std::clamp(position, parameters_.min_window, parameters_.max_window);
+  return {width, width, std::clamp(yaw, parameters_.min_angle, parameters_.max_angle)};
+}
+
+std::vector<LoopCloser::Candidate> LoopCloser::candidates(const SubmapGraph& graph) const {
+  const std::size_t of = graph.submapCount() - 1;
+  const auto gap = static_cast<std::size_t>(parameters_.min_gap);
+  std::vector<Candidate> found;
+  if (of < gap) return found;
+  const Vec2 robot = newestPose(graph).position();
+  const std::vector<Eigen::Matrix3d> uncertainty = graph.uncertaintyFrom(of);
+  for (std::size_t submap = 0; submap + gap <= of; ++submap) {
+    const Eigen::Matrix3d& covariance = uncertainty[submap];
+    const bool known =
+        positionSigma(covariance) < parameters_.known_position && yawSigma(covariance) < parameters_.known_yaw;
+    if (known || isSaturated(graph, submap, of)) continue;
+    const SearchWindow window = windowFor(covariance);
+    const double distance = distanceTo(graph, submap, robot) - window.x;
+    if (distance < parameters_.reach) found.push_back({submap, distance, window});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  if (found.size() > static_cast<std::size_t>(parameters_.max_candidates)) {
+    found.resize(static_cast<std::size_t>(parameters_.max_candidates));
+  }
+  return found;
+}
+
+bool LoopCloser::isSaturated(const SubmapGraph& graph, std::size_t submap, std::size_t of) const {
+  const auto& constraints = graph.graph().constraints();
+  return std::count_if(constraints.begin(), constraints.end(), [&](const PoseConstraint& constraint) {
+           return constraint.doubtful && constraint.from == submap && constraint.to == of;
+         }) >= parameters_.max_per_pair;
+}
+
+bool LoopCloser::agree(const SubmapGraph& graph, const Hypothesis& a, const Hypothesis& b) const {
+  const Pose2 T_a_b = graph.keyframe(a.keyframe).T_local_base.inverse() * graph.keyframe(b.keyframe).T_local_base;
+  const Pose2 by_a = graph.T_map_submap(a.submap) * a.T_submap_keyframe.pose * T_a_b;
+  const Pose2 by_b = graph.T_map_submap(b.submap) * b.T_submap_keyframe.pose;
+  const Pose2 difference = by_a.inverse() * by_b;
+  return difference.position().norm() < parameters_.agree_distance &&
+         std::abs(difference.yaw) < parameters_.agree_angle;
+}
+
+void LoopCloser::forget(std::size_t newest) {
+  const auto isOld = [&](const Hypothesis& hypothesis) {
+    return hypothesis.keyframe + static_cast<std::size_t>(parameters_.confirm_within) < newest;
+  };
+  for (const Hypothesis& hypothesis : hypotheses_) {
+    if (isOld(hypothesis) && !hypothesis.certain) counts_.add(ClosureVerdict::kUnconfirmed);
+  }
+  hypotheses_.erase(std::remove_if(hypotheses_.begin(), hypotheses_.end(), isOld), hypotheses_.end());
+}
+
+std::vector<std::size_t> LoopCloser::confirmed(const SubmapGraph& graph) const {
+  const std::size_t newest = hypotheses_.back().keyframe;
+  const Vec2 here = graph.keyframe(newest).T_local_base.position();
+  for (std::size_t i = hypotheses_.size(); i-- > 0 && hypotheses_[i].keyframe == newest;) {
+    std::vector<std::size_t> chosen = {i};
+    std::vector<std::size_t> keyframes = {newest};
+    double travel = 0.0;
+    for (std::size_t j = 0; j < hypotheses_.size(); ++j) {
+      if (hypotheses_[j].keyframe == newest || !agree(graph, hypotheses_[j], hypotheses_[i])) continue;
+      if (hypotheses_[j].keyframe != keyframes.back()) keyframes.push_back(hypotheses_[j].keyframe);
+      travel = std::max(travel, (graph.keyframe(hypotheses_[j].keyframe).T_local_base.position() - here).norm());
+      if (!hypotheses_[j].certain) chosen.push_back(j);
+    }
+    const bool enough = keyframes.size() >= static_cast<std::size_t>(parameters_.confirmations);
+    if (enough && travel >= parameters_.confirm_travel) return chosen;
+  }
+  return {};
+}
+
+std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen) {
+  const PoseGraph before = graph.graph();
+  std::vector<LoopClosure> closures;
+  for (const std::size_t index : chosen) {
+    Hypothesis& hypothesis = hypotheses_[index];
+    graph.close(hypothesis.submap, hypothesis.of, hypothesis.keyframe, hypothesis.T_submap_keyframe);
+    hypothesis.certain = true;
+    const std::size_t first = graph.submap(hypothesis.submap).keyframes.front();
+    closures.push_back({hypothesis.keyframe, hypothesis.submap, hypothesis.T_submap_keyframe.pose,
+                        graph.keyframe(hypothesis.keyframe).scan.stamp, graph.keyframe(first).scan.stamp});
+  }
+  graph.optimize();
+  const bool sound = isSound(graph);
+  counts_.add(sound ? ClosureVerdict::kAccepted : ClosureVerdict::kDisagrees, chosen.size());
+  if (sound) return closures;
+  graph.setGraph(before);
+  hypotheses_.clear();
+  return {};
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,92 @@
+#include "frontier_pilot/mapping/loop_search.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+SurfaceMap surfaceMapOf(const SubmapGraph& graph, std::size_t submap, const LoopSearchParameters& parameters) {
+  SurfaceMap map(parameters.likelihood);
+  for (const std::size_t keyframe : graph.submap(submap).keyframes) {
+    const SurfacePoints points = readSurface(graph.keyframe(keyframe).scan, parameters.surface);
+    map.add(filled(points, parameters.surface), graph.T_submap_keyframe(submap, keyframe));
+  }
+  return map;
+}
+
+/// What the points leave open the window bounds; what they say is never believed to the last millimetre.
+Eigen::Matrix3d covarianceOf(const Eigen::Matrix3d& information, const SearchWindow& window) {
+  constexpr double kPosition = 0.02;  // [m]
+  constexpr double kYaw = 0.004;      // [rad]
+  const Eigen::Vector3d widths(window.x, window.y, std::min(window.yaw, kPi));
+  const Eigen::Matrix3d known = information + Eigen::Matrix3d(widths.cwiseProduct(widths).cwiseInverse().asDiagonal());
+  const Eigen::Vector3d least(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw);
+  return known.inverse() + Eigen::Matrix3d(least.asDiagonal());
+}
+
+}  // namespace
+
+const char* toString(ClosureVerdict verdict) {
+  switch (verdict) {
+    case ClosureVerdict::kAccepted:
+      return "accepted";
+    case ClosureVerdict::kNotFound:
+      return "not found";
+    case ClosureVerdict::kPoor:
+      return "poor";
+    case ClosureVerdict::kAmbiguous:
+      return "ambiguous";
+    case ClosureVerdict::kUnconfirmed:
+      return "unconfirmed";
+    case ClosureVerdict::kDisagrees:
+      return "disagrees with the graph";
+  }
+  return "unknown";
+}
+
+const LoopSearch::Prepared& LoopSearch::prepare(const SubmapGraph& graph, std::size_t submap, int top) {
+  const auto found = std::find_if(prepared_.begin(), prepared_.end(),
+                                  [&](const Prepared& prepared) { return prepared.submap == submap; });
+  if (found != prepared_.end()) {
+    prepared_.splice(prepared_.begin(), prepared_, found);
+    if (found->pyramid.top() < top) found->pyramid = MaxPyramid(found->map.likelihood().grid(), top);
+    return *found;
+  }
+  SurfaceMap map = surfaceMapOf(graph, submap, parameters_);
+  MaxPyramid pyramid(map.likelihood().grid(), top);
+  prepared_.push_front({submap, std::move(map), std::move(pyramid)});
+  if (prepared_.size() > static_cast<std::size_t>(parameters_.submaps_kept)) prepared_.pop_back();
+  return prepared_.front();
+}
+
+bool LoopSearch::isAmbiguous(const MaxPyramid& pyramid, const SurfacePoints& points, SearchRequest request,
+                             const SearchResult& best) const {
+  request.exclusion = SearchExclusion{best.pose, parameters_.peak_distance, parameters_.peak_angle};
+  request.min_score = parameters_.ambiguity * best.score;
+  return correlativeSearch(pyramid, points, request).has_value();
+}
+
+LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points,
+                                    const Pose2& expected, const SearchWindow& window) {
+  if (points.empty()) return {};
+  const Prepared& prepared = prepare(graph, submap, pyramidTop(window, parameters_.likelihood.resolution));
+  if (prepared.map.empty()) return {};
+  SearchRequest request;
+  request.expected = expected;
+  request.window = window;
+  request.min_score = parameters_.min_score;
+  const auto best = correlativeSearch(prepared.pyramid, points, request);
+  if (!best || best->on_border) return {};
+  if (isAmbiguous(prepared.pyramid, points, request, *best)) return {ClosureVerdict::kAmbiguous, {}};
+  const Refinement refined = refine(prepared.map.surfels(), points, best->pose, std::nullopt, parameters_.refinement);
+  const Pose2 step = best->pose.inverse() * refined.pose;
+  // The refinement only goes below the size of a cell; farther, it has slid along a wall.
+  const double cell = 2.0 * parameters_.likelihood.resolution;
+  const bool slid = step.position().norm() > 2.0 * cell || std::abs(step.yaw) > 0.1;
+  if (slid || refined.inliers < parameters_.min_inliers) return {ClosureVerdict::kPoor, {}};
+  return {ClosureVerdict::kAccepted, {refined.pose, covarianceOf(refined.information, window)}};
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,70 @@
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include <string>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/mapper_adapter.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+constexpr double kDegrees = 180.0 / kPi;
+
+void reportScans(const Mapper& mapper, Status& status) {
+  for (std::size_t i = 0; i < kScanVerdicts; ++i) {
+    const auto verdict = static_cast<ScanVerdict>(i);
+    status.add(std::string("scans, ") + toString(verdict), mapper.counts()[verdict]);
+  }
+  status.add("scans dropped", mapper.counts().dropped());
+}
+
+void reportCorrection(const Mapper& mapper, Status& status) {
+  status.add("last pose", mapper.lastCorrection());
+  for (const auto& [text, count] : mapper.correctionCounts()) status.add("poses, " + text, count);
+  const Pose2& T_map_odom = mapper.T_map_odom();
+  status.addf("map -> odom [m, m, deg]", "%.3f, %.3f, %.2f", T_map_odom.x, T_map_odom.y, T_map_odom.yaw * kDegrees);
+}
+
+void reportRevisions(const RevisionReport& revisions, Status& status) {
+  status.add("loops closed", revisions.closures);
+  for (std::size_t i = 0; i < kClosureVerdicts; ++i) {
+    const auto verdict = static_cast<ClosureVerdict>(i);
+    status.add(std::string("closures, ") + toString(verdict), revisions.attempts[verdict]);
+  }
+  status.addf("last jump [m, deg]", "%.3f, %.2f", revisions.last_jump.position().norm(),
+              revisions.last_jump.yaw * kDegrees);
+  status.add("map rendered again", revisions.rendered);
+}
+
+}  // namespace
+
+void MapperAdapter::report(Status& status) const {
+  summarize(status);
+  reportScans(mapper_, status);
+  bad_scans_.report(status);
+  bad_odometry_.report(status);
+  reportCorrection(mapper_, status);
+  reportRevisions(mapper_.revisions(), status);
+  status.addf("last second thoughts took [s]", "%.3f", revision_seconds_);
+  const GridGeometry& geometry = mapper_.grid().geometry();
+  status.addf("map size [m]", "%.1f x %.1f", geometry.width * geometry.resolution,
+              geometry.height * geometry.resolution);
+}
+
+void MapperAdapter::summarize(Status& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  status.summary(DiagnosticStatus::OK, "mapping");
+  if (!last_inserted_) {
+    status.summary(DiagnosticStatus::WARN, pairing_.hasOdometry() ? "no usable scan yet" : "no odometry yet");
+  } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
+    status.summary(DiagnosticStatus::WARN, "no usable scan any more");
+  }
+  if (!publisher_.foreigners().empty()) {
+    status.summary(DiagnosticStatus::ERROR,
+                   "another node publishes " + publisher_.topic() + ": " + publisher_.foreigners());
+  }
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,42 @@
+#include <ros/console.h>
+
+#include "frontier_pilot/mapping/map_io.h"
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/mapper_adapter.h"
+
+namespace frontier_pilot {
+
+void MapperAdapter::advertiseServices(ros::NodeHandle& node) {
+  services_ = {node.advertiseService(names::kDynamicMap, &MapperAdapter::handleGet, this),
+               node.advertiseService(names::kSaveMap, &MapperAdapter::handleSave, this),
+               node.advertiseService(names::kResetMap, &MapperAdapter::handleReset, this)};
+}
+
+bool MapperAdapter::handleSave(SaveMap::Request& request, SaveMap::Response& response) {
+  const MapIoResult result = saveMap(mapper_.map(), request.path);
+  response.success = static_cast<std::uint8_t>(result.ok());
+  response.message = result.text;
+  if (result.ok()) {
+    ROS_INFO_STREAM(result.text);
+  } else {
+    ROS_ERROR_STREAM("map not saved, " << toString(result.status) << ": " << result.text);
+  }
+  return true;
+}
+
+bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
+  // The response has no field to say so: without a map the call fails.
+  if (mapper_.grid().empty()) return false;
+  response.map = toOccupancyGridMsg(mapper_.grid(), parameters_.map_frame, rosNow());
+  return true;
+}
+
+bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  mapper_.reset();
+  response.success = 1U;
+  response.message = "the map is forgotten; its size stays";
+  return true;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "frontier_pilot/mapping/mapper.h"
+
+namespace frontier_pilot {
+namespace {
+
+LaserScan2 ring(double seconds) {
+  LaserScan2 scan;
+  scan.stamp = timeFromSeconds(seconds);
+  scan.angle_min = -kPi;
+  scan.angle_increment = 2.0 * kPi / 180.0;
+  scan.range_min = 0.12;
+  scan.range_max = 8.0;
+  scan.ranges.assign(180, 1.0F);
+  return scan;
+}
+
+/// Has second thoughts when it is told to: everything so far lies `T_new_old` from where it was put.
+class Thoughtful final : public PoseCorrection {
+ public:
+  struct Script {
+    std::optional<Pose2> T_new_old;
+    bool renders = true;
+  };
+  explicit Thoughtful(std::shared_ptr<Script> script) : script_(std::move(script)) {}
+
+  CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap&) override {
+    scans_.emplace_back(scan, T_map_odom_ * T_odom_base);
+    return {T_map_odom_, true, "scripted"};
+  }
+  RevisionWork takeWork() override {
+    if (!script_->T_new_old) return {};
+    const Pose2 T_new_old = *std::exchange(script_->T_new_old, std::nullopt);
+    return [T_new_old, scans = scans_, renders = script_->renders, generation = generation_] {
+      MapRevision revision;
+      revision.generation = generation;
+      revision.T_new_old = T_new_old;
+      revision.closures.resize(2);
+      if (renders) revision.map.emplace();
+      ScanInserter inserter;
+      for (const auto& [scan, T_map_base] : scans) {
+        if (renders) inserter.insert(scan, T_new_old * T_map_base, *revision.map);
+      }
+      return revision;
+    };
+  }
+  bool accept(const MapRevision& revision) override {
+    if (revision.generation != generation_) return false;
+    T_map_odom_ = revision.T_new_old * T_map_odom_;
+    return true;
+  }
+  void reset() override {
+    T_map_odom_ = Pose2();
+    ++generation_;
+  }
+
+ private:
+  std::shared_ptr<Script> script_;
+  std::vector<std::pair<LaserScan2, Pose2>> scans_;
+  Pose2 T_map_odom_;
+  std::uint64_t generation_ = 0;
+};
+
+class Revisions : public ::testing::Test {
+ protected:
+  void look(double seconds, const Pose2& T_odom_base) {
+    ASSERT_EQ(mapper.insert(ring(seconds), T_odom_base, timeFromSeconds(seconds)), ScanVerdict::kInserted);
+  }
+  std::int8_t at(double x, double y) const {
+    return mapper.grid().get(mapper.grid().geometry().cellAt({x, y}), kUnknown);
+  }
+
+  std::shared_ptr<Thoughtful::Script> script = std::make_shared<Thoughtful::Script>();
+  Mapper mapper{MapperParameters(), std::make_unique<Thoughtful>(script)};
+};
+
+// [MAP-1]
+TEST_F(Revisions, ReplaceTheMapAndMoveTheRobotWithIt) {
+  look(1.0, Pose2());
+  ASSERT_EQ(at(0.0, 0.0), kFree);
+  mapper.takeChanges();
+  script->T_new_old = Pose2(3.0, 0.0, 0.0);
+  mapper.reviseNow();
+  EXPECT_EQ(mapper.T_map_odom(), Pose2(3.0, 0.0, 0.0));
+  EXPECT_EQ(at(3.0, 0.0), kFree);
+  EXPECT_EQ(at(0.0, 0.0), kUnknown) << "nothing is left of what was wrong";
+  EXPECT_EQ(mapper.revisions().closures, 2U);
+  EXPECT_EQ(mapper.revisions().rendered, 1U);
+  EXPECT_EQ(mapper.revisions().last_jump, Pose2(3.0, 0.0, 0.0));
+  std::size_t leaves = 0;
+  mapper.map().octree().forEach([&](Cell, float) { ++leaves; });
+  std::size_t known = 0;
+  for (const std::int8_t value : mapper.grid().cells()) known += value == kUnknown ? 0 : 1;
+  EXPECT_EQ(leaves, known) << "the octree is the new one, too";
+}
+
+// [MAP-2]
+TEST_F(Revisions, ReportWhatTheyChangedAndNothingElse) {
+  look(1.0, Pose2());
+  mapper.takeChanges();
+  const OccupancyGrid before = mapper.grid();
+  script->T_new_old = Pose2(0.5, 0.0, 0.0);
+  mapper.reviseNow();
+  ASSERT_TRUE(mapper.grid().geometry() == before.geometry());
+  const MapChanges changes = mapper.takeChanges();
+  EXPECT_FALSE(changes.geometry_changed);
+  EXPECT_TRUE(changes.cells == difference(before, mapper.grid()));
+  EXPECT_LT(changes.cells.width, before.width() / 2);
+}
+
+// [MAP-2]
+TEST_F(Revisions, SayThatTheMapHasGrownWhenItHas) {
+  look(1.0, Pose2());
+  mapper.takeChanges();
+  const GridGeometry before = mapper.grid().geometry();
+  script->T_new_old = Pose2(25.0, 0.0, 0.0);
+  mapper.reviseNow();
+  const MapChanges changes = mapper.takeChanges();
+  EXPECT_TRUE(changes.geometry_changed);
+  EXPECT_TRUE(changes.cells == mapper.grid().geometry().rect());
+  EXPECT_GT(mapper.grid().width(), before.width);
+  EXPECT_TRUE(mapper.grid().geometry().contains(mapper.grid().geometry().cellAt(before.origin)))
+      << "it never shrinks: what others know of it stays inside";
+}
+
+// [MAP-1]
+TEST_F(Revisions, PutScansThatCameMeanwhileWhereTheyBelongNow) {
+  look(1.0, Pose2());
+  script->T_new_old = Pose2(0.0, 4.0, 0.0);
+  const RevisionWork work = mapper.takeWork();
+  ASSERT_TRUE(work);
+  EXPECT_FALSE(mapper.takeWork()) << "one at a time";
+  look(2.0, Pose2(6.0, 0.0, 0.0));
+  EXPECT_EQ(at(6.0, 0.0), kFree) << "at once where it seems to be";
+  MapRevision revision = work();
+  ASSERT_TRUE(mapper.revise(revision));
+  EXPECT_EQ(at(6.0, 4.0), kFree);
+  EXPECT_EQ(at(6.0, 0.0), kUnknown);
+  look(3.0, Pose2(9.0, 0.0, 0.0));
+  EXPECT_EQ(at(9.0, 4.0), kFree);
+}
+
+TEST_F(Revisions, MoveTheRobotWithoutTouchingTheMapWhereNothingElseMoved) {
+  look(1.0, Pose2());
+  const OccupancyGrid before = mapper.grid();
+  script->T_new_old = Pose2(0.01, 0.0, 0.0);
+  script->renders = false;
+  mapper.reviseNow();
+  EXPECT_EQ(mapper.T_map_odom(), Pose2(0.01, 0.0, 0.0));
+  EXPECT_TRUE(mapper.grid().cells() == before.cells());
+  EXPECT_EQ(mapper.revisions().rendered, 0U);
+}
+
+TEST_F(Revisions, AreVoidAfterAReset) {
+  look(1.0, Pose2());
+  script->T_new_old = Pose2(3.0, 0.0, 0.0);
+  const RevisionWork work = mapper.takeWork();
+  mapper.reset();
+  MapRevision revision = work();
+  EXPECT_FALSE(mapper.revise(revision));
+  EXPECT_EQ(mapper.T_map_odom(), Pose2());
+  EXPECT_EQ(at(3.0, 0.0), kUnknown);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
