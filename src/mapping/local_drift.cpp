@@ -1,7 +1,6 @@
 #include "frontier_pilot/mapping/local_drift.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 
 #include "covariance.h"
@@ -17,29 +16,29 @@ Eigen::Matrix3d LocalDrift::step(const Keyframe& keyframe, MatchVerdict verdict)
   constexpr double kLostPosition = 1.5;  // [m]
   constexpr double kLostYaw = 0.5;       // [rad]
   if (verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
-  const Eigen::Matrix3d error = odometryError(motion);
-  const Eigen::Matrix3d certain = error.inverse();
-  const Eigen::Matrix3d open = (certain + surfaceInformation(keyframe.points)).inverse() * certain;
-  return alongAxes(open * error * open.transpose(), -keyframe.T_local_base.yaw);
+  const Eigen::Matrix3d sigma = odometrySigma(motion).asDiagonal();
+  const Eigen::Matrix3d known = sigma * surfaceInformation(keyframe.points) * sigma;
+  const Eigen::Matrix3d open = (Eigen::Matrix3d::Identity() + known * known).inverse();
+  return alongAxes(sigma * open * open.transpose() * sigma, -keyframe.T_local_base.yaw);
 }
 
-Eigen::Matrix3d LocalDrift::odometryError(const Pose2& motion) const {
+Eigen::Vector3d LocalDrift::odometrySigma(const Pose2& motion) const {
   const OdometryTrust& trust = parameters_.tracker.odometry;
-  constexpr double kLeast = 1e-4;
   const double driven = motion.position().norm();
-  return diagonalCovariance(std::max(kLeast, trust.distance * driven),
-                            std::max(kLeast, trust.yaw_distance * driven + trust.yaw_turn * std::abs(motion.yaw)));
+  const double position = trust.distance * driven;
+  return {position, position, trust.yaw_distance * driven + trust.yaw_turn * std::abs(motion.yaw)};
 }
 
 Eigen::Matrix3d LocalDrift::surfaceInformation(const SurfacePoints& points) const {
-  const RefinementParameters& refinement = parameters_.tracker.refinement;
+  // As if each point said something of its own: the question is which knows more, not how well it knows.
+  const double noise = parameters_.tracker.refinement.noise;
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const SurfacePoint& point : points) {
     const Vec2& n = point.normal;
     const Eigen::Vector3d along(n.x(), n.y(), point.position.x() * n.y() - point.position.y() * n.x());
     sum += along * along.transpose();
   }
-  return refinement.independence / (refinement.noise * refinement.noise) * sum;
+  return sum / (noise * noise);
 }
 
 }  // namespace frontier_pilot

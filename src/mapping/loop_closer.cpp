@@ -115,21 +115,45 @@ void LoopCloser::forget(std::size_t newest) {
 
 std::vector<std::size_t> LoopCloser::confirmed(const SubmapGraph& graph) const {
   const std::size_t newest = hypotheses_.back().keyframe;
-  const Vec2 here = graph.keyframe(newest).T_local_base.position();
   for (std::size_t i = hypotheses_.size(); i-- > 0 && hypotheses_[i].keyframe == newest;) {
-    std::vector<std::size_t> chosen = {i};
-    std::vector<std::size_t> keyframes = {newest};
-    double travel = 0.0;
-    for (std::size_t j = 0; j < hypotheses_.size(); ++j) {
-      if (hypotheses_[j].keyframe == newest || !agree(graph, hypotheses_[j], hypotheses_[i])) continue;
-      if (hypotheses_[j].keyframe != keyframes.back()) keyframes.push_back(hypotheses_[j].keyframe);
-      travel = std::max(travel, (graph.keyframe(hypotheses_[j].keyframe).T_local_base.position() - here).norm());
-      if (!hypotheses_[j].certain) chosen.push_back(j);
-    }
-    const bool enough = keyframes.size() >= static_cast<std::size_t>(parameters_.confirmations);
-    if (enough && travel >= parameters_.confirm_travel) return chosen;
+    std::vector<std::size_t> chosen = supporters(graph, hypotheses_[i]);
+    if (!isEnough(graph, hypotheses_[i], chosen)) continue;
+    chosen.push_back(i);
+    const auto isCertain = [&](std::size_t index) { return hypotheses_[index].certain; };
+    chosen.erase(std::remove_if(chosen.begin(), chosen.end(), isCertain), chosen.end());
+    return chosen;
   }
   return {};
+}
+
+std::vector<std::size_t> LoopCloser::supporters(const SubmapGraph& graph, const Hypothesis& hypothesis) const {
+  std::vector<std::size_t> found;
+  for (std::size_t j = 0; j < hypotheses_.size(); ++j) {
+    const Hypothesis& other = hypotheses_[j];
+    if (other.keyframe != hypothesis.keyframe && agree(graph, other, hypothesis)) found.push_back(j);
+  }
+  return found;
+}
+
+bool LoopCloser::isEnough(const SubmapGraph& graph, const Hypothesis& hypothesis,
+                          const std::vector<std::size_t>& supporters) const {
+  if (supporters.empty()) return false;
+  const Vec2 here = graph.keyframe(hypothesis.keyframe).T_local_base.position();
+  std::size_t keyframes = 1;
+  std::size_t last = hypothesis.keyframe;
+  double travel = 0.0;
+  for (const std::size_t index : supporters) {
+    const std::size_t keyframe = hypotheses_[index].keyframe;
+    if (keyframe != last) ++keyframes;
+    last = keyframe;
+    travel = std::max(travel, (graph.keyframe(keyframe).T_local_base.position() - here).norm());
+  }
+  const Pose2 found = graph.T_map_submap(hypothesis.submap) * hypothesis.T_submap_keyframe.pose;
+  const double jump = (found.position() - newestPose(graph).position()).norm();
+  const std::size_t asked = hypothesis.keyframe - hypotheses_[supporters.front()].keyframe + 1;
+  return keyframes >= static_cast<std::size_t>(parameters_.confirmations) &&
+         static_cast<double>(keyframes) >= parameters_.confirm_share * static_cast<double>(asked) &&
+         travel >= parameters_.confirm_travel + parameters_.confirm_jump * jump;
 }
 
 std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen) {

@@ -16,6 +16,9 @@ SurfaceMap surfaceMapOf(const SubmapGraph& graph, std::size_t submap, const Loop
   return map;
 }
 
+constexpr double kSigmas = 3.0;     // that half a window holds
+constexpr double kPenalty = 0.005;  // of score, for a deviation of one standard deviation
+
 /// What the points leave open the window bounds; what they say is never believed to the last millimetre.
 Eigen::Matrix3d covarianceOf(const Eigen::Matrix3d& information, const SearchWindow& window) {
   constexpr double kPosition = 0.02;  // [m]
@@ -62,10 +65,16 @@ const LoopSearch::Prepared& LoopSearch::prepare(const SubmapGraph& graph, std::s
 }
 
 bool LoopSearch::isAmbiguous(const MaxPyramid& pyramid, const SurfacePoints& points, SearchRequest request,
-                             const SearchResult& best) const {
+                             const SearchResult& best, const Eigen::Matrix3d& information) const {
   request.exclusion = SearchExclusion{best.pose, parameters_.peak_distance, parameters_.peak_angle};
   request.min_score = parameters_.ambiguity * best.score;
-  return correlativeSearch(pyramid, points, request).has_value();
+  const auto rival = correlativeSearch(pyramid, points, request);
+  if (!rival) return false;
+  // Along a bare corridor neighbours are no rivals: the information says that the scan cannot tell them apart.
+  constexpr double kSameRidge = 25.0;
+  const Eigen::Vector3d apart(rival->pose.x - best.pose.x, rival->pose.y - best.pose.y,
+                              angleDifference(rival->pose.yaw, best.pose.yaw));
+  return apart.dot(information * apart) > kSameRidge;
 }
 
 LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points,
@@ -77,15 +86,22 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   request.expected = expected;
   request.window = window;
   request.min_score = parameters_.min_score;
+  // What the scan leaves open the expectation decides; it never outweighs what the scan shows.
+  const Vec2 sigma(window.x / kSigmas, window.yaw / kSigmas);
+  request.penalty = {kPenalty, kSigmas, sigma.x(), sigma.y()};
   const auto best = correlativeSearch(prepared.pyramid, points, request);
   if (!best || best->on_border) return {};
-  if (isAmbiguous(prepared.pyramid, points, request, *best)) return {ClosureVerdict::kAmbiguous, {}};
-  const Refinement refined = refine(prepared.map.surfels(), points, best->pose, std::nullopt, parameters_.refinement);
+  const PoseBelief prior{expected,
+                         Eigen::Vector3d(sigma.x(), sigma.x(), sigma.y()).array().square().matrix().asDiagonal()};
+  const Refinement refined = refine(prepared.map.surfels(), points, best->pose, prior, parameters_.refinement);
   const Pose2 step = best->pose.inverse() * refined.pose;
   // The refinement only goes below the size of a cell; farther, it has slid along a wall.
   const double cell = 2.0 * parameters_.likelihood.resolution;
   const bool slid = step.position().norm() > 2.0 * cell || std::abs(step.yaw) > 0.1;
   if (slid || refined.inliers < parameters_.min_inliers) return {ClosureVerdict::kPoor, {}};
+  if (isAmbiguous(prepared.pyramid, points, request, *best, refined.information)) {
+    return {ClosureVerdict::kAmbiguous, {}};
+  }
   return {ClosureVerdict::kAccepted, {refined.pose, covarianceOf(refined.information, window)}};
 }
 

@@ -8,9 +8,9 @@
 namespace frontier_pilot {
 
 /// How far the local map may drift from keyframe to keyframe. Where a scan shows surfaces on all sides it holds the
-/// robot to what is mapped; along a bare corridor there is nothing but odometry. So of odometry's error stays what the
-/// scan's surfaces leave open: with Q and I, the covariance of odometry's step and the information of the surfaces,
-/// W Q W^T with W = (Q^-1 + I)^-1 Q^-1.
+/// robot to what is mapped; along a bare corridor there is nothing but odometry. So odometry's error stays where it
+/// knows more than the scan, and goes where it knows less: with S S and I, the covariance of odometry's step and the
+/// information of the surfaces, what stays is S (1 + (S I S)^2)^-2 S.
 class LocalDrift {
  public:
   explicit LocalDrift(const LocalSlamParameters& parameters) : parameters_(parameters) {}
@@ -20,7 +20,7 @@ class LocalDrift {
   void reset() { last_.reset(); }
 
  private:
-  Eigen::Matrix3d odometryError(const Pose2& motion) const;
+  Eigen::Vector3d odometrySigma(const Pose2& motion) const;
   Eigen::Matrix3d surfaceInformation(const SurfacePoints& points) const;
 
   LocalSlamParameters parameters_;

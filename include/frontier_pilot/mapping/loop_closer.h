@@ -24,6 +24,8 @@ struct LoopCloserParameters {
   int max_per_pair = 3;          ///< closures between the same two submaps
   int confirmations = 3;         ///< keyframes that must say the same
   double confirm_travel = 0.5;   ///< these lie at least this far apart [m]
+  double confirm_jump = 1.0;     ///< and farther by this for each metre that the robot would jump [m/m]
+  double confirm_share = 0.5;    ///< share of the keyframes between them that must say the same, too
   int confirm_within = 40;       ///< and at most so many keyframes
   double agree_distance = 0.2;   ///< the same: it puts the robot this near [m]
   double agree_angle = 0.04;     ///< and turned by no more than this [rad]
@@ -45,6 +47,10 @@ struct LoopCloserParameters {
     v.field("max_per_pair", max_per_pair, "", "closures between the same two submaps", between(1, 100));
     v.field("confirmations", confirmations, "", "keyframes that must say the same", between(1, 100));
     v.field("confirm_travel", confirm_travel, "m", "these lie at least this far apart", atLeast(0.0));
+    v.field("confirm_jump", confirm_jump, "m/m", "and farther by this for each metre that the robot would jump",
+            atLeast(0.0));
+    v.field("confirm_share", confirm_share, "", "share of the keyframes between them that must say the same, too",
+            between(0.0, 1.0));
     v.field("confirm_within", confirm_within, "", "and at most so many keyframes", between(1, 10000));
     v.field("agree_distance", agree_distance, "m", "the same: it puts the robot this near", positive());
     v.field("agree_angle", agree_angle, "rad", "the same: it turns the robot by no more", positive());
@@ -87,6 +93,9 @@ class LoopCloser {
   bool agree(const SubmapGraph& graph, const Hypothesis& a, const Hypothesis& b) const;
   void forget(std::size_t newest);
   std::vector<std::size_t> confirmed(const SubmapGraph& graph) const;
+  std::vector<std::size_t> supporters(const SubmapGraph& graph, const Hypothesis& hypothesis) const;
+  bool isEnough(const SubmapGraph& graph, const Hypothesis& hypothesis,
+                const std::vector<std::size_t>& supporters) const;
   std::vector<LoopClosure> accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen);
 
   LoopCloserParameters parameters_;

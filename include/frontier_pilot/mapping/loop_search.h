@@ -16,8 +16,8 @@ struct LoopSearchParameters {
   double min_score = 0.55;     ///< mean likelihood of the points, as in LocalSlam
   double min_inliers = 0.6;    ///< share of the points that must lie on a surface
   double ambiguity = 0.9;      ///< a second place that scores this share of the best one makes it ambiguous
-  double peak_distance = 0.5;  ///< nearer than this it is the same place [m]
-  double peak_angle = 0.3;     ///< turned less than this it is the same place [rad]
+  double peak_distance = 0.2;  ///< nearer than this it is the same place [m]
+  double peak_angle = 0.1;     ///< turned less than this it is the same place [rad]
   int submaps_kept = 8;        ///< so many submaps are kept ready for a search
   SurfaceParameters surface;
   LikelihoodParameters likelihood;
@@ -62,7 +62,7 @@ class LoopSearch {
 
   const Prepared& prepare(const SubmapGraph& graph, std::size_t submap, int top);
   bool isAmbiguous(const MaxPyramid& pyramid, const SurfacePoints& points, SearchRequest request,
-                   const SearchResult& best) const;
+                   const SearchResult& best, const Eigen::Matrix3d& information) const;
 
   LoopSearchParameters parameters_;
   std::list<Prepared> prepared_;  ///< the last used one first

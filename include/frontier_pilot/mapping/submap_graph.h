@@ -12,8 +12,8 @@ namespace frontier_pilot {
 
 /// How far a submap is believed to be off, seen from its predecessor, even where the scans show all there is to see.
 struct SubmapDrift {
-  double position = 0.01;  ///< standard deviation [m]
-  double yaw = 0.003;      ///< standard deviation [rad]
+  double position = 0.015;  ///< standard deviation [m]
+  double yaw = 0.004;      ///< standard deviation [rad]
 
   template <class Visitor>
   void describe(Visitor& v) {
