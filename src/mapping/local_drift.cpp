@@ -18,7 +18,8 @@ Eigen::Matrix3d LocalDrift::step(const Keyframe& keyframe, MatchVerdict verdict)
   if (verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
   const Eigen::Matrix3d sigma = odometrySigma(motion).asDiagonal();
   const Eigen::Matrix3d known = sigma * surfaceInformation(keyframe.points) * sigma;
-  const Eigen::Matrix3d open = (Eigen::Matrix3d::Identity() + known * known).inverse();
+  const Eigen::Matrix3d squared = known * known;
+  const Eigen::Matrix3d open = (Eigen::Matrix3d::Identity() + squared * squared).inverse();
   return alongAxes(sigma * open * open.transpose() * sigma, -keyframe.T_local_base.yaw);
 }
 

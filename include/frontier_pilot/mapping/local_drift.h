@@ -10,7 +10,7 @@ namespace frontier_pilot {
 /// How far the local map may drift from keyframe to keyframe. Where a scan shows surfaces on all sides it holds the
 /// robot to what is mapped; along a bare corridor there is nothing but odometry. So odometry's error stays where it
 /// knows more than the scan, and goes where it knows less: with S S and I, the covariance of odometry's step and the
-/// information of the surfaces, what stays is S (1 + (S I S)^2)^-2 S.
+/// information of the surfaces, what stays is S (1 + (S I S)^4)^-2 S.
 class LocalDrift {
  public:
   explicit LocalDrift(const LocalSlamParameters& parameters) : parameters_(parameters) {}
