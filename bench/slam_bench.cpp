@@ -107,6 +107,11 @@ class Run {
   }
 
  private:
+  static MapperParameters matching() {
+    MapperParameters parameters;
+    parameters.trust_odometry = false;
+    return parameters;
+  }
   void take(const LaserScan2& scan) {
     const std::optional<Pose2> odometry = drive_.T_odom_base();
     const double begin = threadSeconds();
@@ -187,7 +192,7 @@ class Run {
   int seed_;
   test::FaultyDrive drive_;
   double heap_before_;
-  Mapper mapper_;
+  Mapper mapper_{matching()};
   std::vector<double> costs_;  ///< of each scan, second thoughts included [s]
   double matching_ = 0.0;      ///< without them, all together [s]
   std::vector<LoopClosure> closures_;

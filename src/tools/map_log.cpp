@@ -104,7 +104,9 @@ void writeResults(const MapLogOptions& options, const LogTrajectories& trajector
 
 int run(const MapLogOptions& options, const BagReader& read_bag) {
   const ScanLog log = readLog(options, read_bag);
-  Mapper mapper(options.mapper);
+  MapperParameters parameters = options.mapper;
+  parameters.trust_odometry = false;
+  Mapper mapper(parameters);
   const double begin = cpuSeconds();
   const LogTrajectories trajectories = mapLog(log, mapper);
   const double cpu = cpuSeconds() - begin;

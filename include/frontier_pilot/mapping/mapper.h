@@ -22,7 +22,7 @@ struct MapperParameters {
   double min_travel = 0.01;      ///< a robot that moved less has not moved [m]
   double min_rotation = 0.01;    ///< a robot that turned less has not turned [rad]
   double standing_period = 0.5;  ///< time between scans used while the robot stands [s]
-  bool trust_odometry = false;   ///< take odometry for the truth: no matching, no loops
+  bool trust_odometry = true;    ///< take odometry for the truth: no matching, no loops
   OccupancyMapParameters map;
   ScanInsertionParameters insertion;
   GraphSlamParameters slam;

@@ -13,7 +13,7 @@ namespace frontier_pilot {
 /// How far a submap is believed to be off, seen from its predecessor, even where the scans show all there is to see.
 struct SubmapDrift {
   double position = 0.015;  ///< standard deviation [m]
-  double yaw = 0.004;      ///< standard deviation [rad]
+  double yaw = 0.004;       ///< standard deviation [rad]
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -25,9 +25,9 @@ struct MapPublishingParameters {
 
 /// Publishes the map: what changed at once, the whole of it seldom, and nothing while another node owns the topic.
 /// [MAP-2] [MAP-3]
-/// The whole map goes out when it has grown, when somebody new listens, when what was sent as updates since the last one
-/// comes to as much, and else after a while: so that all in all publishing costs what changed, not the map's size. It is
-/// kept as a message and patched.
+/// The whole map goes out when it has grown, when somebody new listens, when what was sent as updates since the last
+/// one comes to as much, and else after a while: so that all in all publishing costs what changed, not the map's size.
+/// It is kept as a message and patched.
 class MapperPublisher {
  public:
   /// Nothing is advertised yet.
