@@ -1,24 +1,25 @@
 #include "frontier_pilot/tools/log_mapping.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "frontier_pilot/mapping/odometry_buffer.h"
 
 namespace frontier_pilot {
 namespace {
 
-/// An anchor, and where odometry's frame lies by it.
+/// An anchor, and what it makes of the trajectory around it.
 struct Anchor {
   Time stamp;
-  Pose2 T_map_odom;
+  Pose2 T_new_old;
 };
 
-std::vector<Anchor> anchored(const Trajectory& odometry, const Trajectory& anchors) {
+std::vector<Anchor> anchored(const Trajectory& trajectory, const Trajectory& anchors) {
   std::vector<Anchor> out;
-  auto entry = odometry.begin();
+  auto entry = trajectory.begin();
   for (const TrajectoryPose& anchor : anchors) {
-    entry = std::find_if(entry, odometry.end(), [&](const TrajectoryPose& e) { return e.stamp == anchor.stamp; });
-    if (entry == odometry.end()) break;
+    entry = std::find_if(entry, trajectory.end(), [&](const TrajectoryPose& e) { return e.stamp == anchor.stamp; });
+    if (entry == trajectory.end()) break;
     out.push_back({anchor.stamp, anchor.pose * entry->pose.inverse()});
   }
   return out;
@@ -26,33 +27,45 @@ std::vector<Anchor> anchored(const Trajectory& odometry, const Trajectory& ancho
 
 }  // namespace
 
-LogTrajectories mapLog(const ScanLog& log, Mapper& mapper) {
-  LogTrajectories out;
-  for (const LogRecord& record : log.records) {
-    const Time stamp = record.scan.stamp;
-    mapper.insert(record.scan, record.T_odom_base, stamp);
-    mapper.reviseNow();
-    out.odometry.push_back({stamp, record.T_odom_base});
-  }
-  Trajectory anchors;
-  for (const KeyframePose& keyframe : mapper.trajectory()) anchors.push_back({keyframe.stamp, keyframe.T_map_base});
-  out.corrected = bend(out.odometry, anchors);
+void DriveRecorder::note(const Mapper& mapper, Time stamp, const Pose2& T_odom_base) {
+  drive_.odometry.push_back({stamp, T_odom_base});
+  drive_.online.push_back({stamp, mapper.T_map_odom() * T_odom_base});
+  const RevisionReport& revisions = mapper.revisions();
+  if (revisions.closures == drive_.closures.size()) return;
+  drive_.closures.insert(drive_.closures.end(), revisions.last_closures.begin(), revisions.last_closures.end());
+}
+
+MappedDrive DriveRecorder::drive(const Mapper& mapper) const {
+  MappedDrive out = drive_;
+  Trajectory keyframes;
+  for (const KeyframePose& keyframe : mapper.trajectory()) keyframes.push_back({keyframe.stamp, keyframe.T_map_base});
+  out.corrected = bend(drive_.online, keyframes);
   return out;
 }
 
-Trajectory bend(const Trajectory& odometry, const Trajectory& anchors) {
-  const std::vector<Anchor> fixed = anchored(odometry, anchors);
-  if (fixed.empty()) return odometry;
+MappedDrive mapLog(const ScanLog& log, Mapper& mapper) {
+  DriveRecorder recorder;
+  for (const LogRecord& record : log.records) {
+    mapper.insert(record.scan, record.T_odom_base, record.scan.stamp);
+    mapper.reviseNow();
+    recorder.note(mapper, record.scan.stamp, record.T_odom_base);
+  }
+  return recorder.drive(mapper);
+}
+
+Trajectory bend(const Trajectory& trajectory, const Trajectory& anchors) {
+  const std::vector<Anchor> fixed = anchored(trajectory, anchors);
+  if (fixed.empty()) return trajectory;
   Trajectory out;
   std::size_t next = 0;
-  for (const TrajectoryPose& entry : odometry) {
+  for (const TrajectoryPose& entry : trajectory) {
     while (next < fixed.size() && fixed[next].stamp < entry.stamp) ++next;
     const Anchor& before = fixed[next == 0 ? 0 : next - 1];
     const Anchor& after = fixed[std::min(next, fixed.size() - 1)];
     const double gap = toSeconds(after.stamp - before.stamp);
     const double share = gap > 0.0 ? toSeconds(entry.stamp - before.stamp) / gap : 0.0;
-    // What is interpolated are poses near to each other: odometry's frame may lie far off.
-    out.push_back({entry.stamp, interpolate(before.T_map_odom * entry.pose, after.T_map_odom * entry.pose, share)});
+    // What is interpolated are poses near to each other: the origin may lie far off.
+    out.push_back({entry.stamp, interpolate(before.T_new_old * entry.pose, after.T_new_old * entry.pose, share)});
   }
   return out;
 }

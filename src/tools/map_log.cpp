@@ -1,10 +1,12 @@
 #include "frontier_pilot/tools/map_log.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+#include <utility>
 
 #include "frontier_pilot/logs/trajectory_error.h"
 #include "frontier_pilot/mapping/map_io.h"
@@ -50,11 +52,24 @@ Polyline polylineOf(const Trajectory& trajectory) {
   return track;
 }
 
-void printLog(const ScanLog& log, const LogTrajectories& trajectories) {
+void printLog(const ScanLog& log, const MappedDrive& drive) {
   for (const std::string& note : log.notes) std::printf("note: %s\n", note.c_str());
   const double seconds = toSeconds(log.records.back().scan.stamp - log.records.front().scan.stamp);
   std::printf("log: %zu scans of %zu beams, %.1f s, %.1f m by odometry\n", log.records.size(),
-              log.records.front().scan.ranges.size(), seconds, lengthOf(trajectories.odometry));
+              log.records.front().scan.ranges.size(), seconds, lengthOf(drive.odometry));
+}
+
+/// Where the closures are, corrected: from the place that was recognised to where that happened.
+std::vector<std::pair<Vec2, Vec2>> closuresOf(const MappedDrive& drive) {
+  const auto at = [&](Time stamp) {
+    const auto later = std::lower_bound(drive.corrected.begin(), drive.corrected.end(), stamp,
+                                        [](const TrajectoryPose& entry, Time time) { return entry.stamp < time; });
+    return later->pose.position();
+  };
+  std::vector<std::pair<Vec2, Vec2>> lines;
+  for (const LoopClosure& closure : drive.closures)
+    lines.emplace_back(at(closure.submap_stamp), at(closure.keyframe_stamp));
+  return lines;
 }
 
 void printCounts(const Mapper& mapper, double cpu) {
@@ -64,9 +79,14 @@ void printCounts(const Mapper& mapper, double cpu) {
     if (mapper.counts()[verdict] == 0) continue;
     std::printf(" %s %llu", toString(verdict), static_cast<unsigned long long>(mapper.counts()[verdict]));
   }
-  std::printf("\nloops closed: %llu, map rendered again: %llu\ncpu: %.2f s\n",
+  std::printf("\nmatches:");
+  for (const auto& [text, count] : mapper.correctionCounts()) {
+    std::printf(" %s %llu", text.c_str(), static_cast<unsigned long long>(count));
+  }
+  std::printf("\nclosures: %llu, map rendered anew %llu times\n",
               static_cast<unsigned long long>(mapper.revisions().closures),
-              static_cast<unsigned long long>(mapper.revisions().rendered), cpu);
+              static_cast<unsigned long long>(mapper.revisions().rendered));
+  std::printf("cpu: %.2f s\n", cpu);
 }
 
 void printError(const char* what, const Trajectory& trajectory, const std::vector<PoseRelation>& relations) {
@@ -76,12 +96,12 @@ void printError(const char* what, const Trajectory& trajectory, const std::vecto
               error.rotation.stddev * 180.0 / kPi, relations.size());
 }
 
-void printErrors(const MapLogOptions& options, const LogTrajectories& trajectories) {
+void printErrors(const MapLogOptions& options, const MappedDrive& drive) {
   if (options.relations.empty()) return;
   std::ifstream file = openFile(options.relations);
-  const auto relations = readRelations(file, options.relations, trajectories.odometry.size());
-  printError("odometry ", trajectories.odometry, relations);
-  printError("corrected", trajectories.corrected, relations);
+  const auto relations = readRelations(file, options.relations, drive.odometry.size());
+  printError("odometry ", drive.odometry, relations);
+  printError("corrected", drive.corrected, relations);
 }
 
 void writeTrajectory(const Trajectory& trajectory, const std::string& path) {
@@ -91,12 +111,12 @@ void writeTrajectory(const Trajectory& trajectory, const std::string& path) {
   if (!file) throw LogError(path + ": cannot be written");
 }
 
-void writeResults(const MapLogOptions& options, const LogTrajectories& trajectories, Mapper& mapper) {
+void writeResults(const MapLogOptions& options, const MappedDrive& drive, Mapper& mapper) {
   const MapIoResult saved = saveMap(mapper.map(), options.out);
   if (!saved.ok()) throw LogError(saved.text);
-  writeTrajectory(trajectories.corrected, options.out + ".tum");
-  writeTrajectory(trajectories.odometry, options.out + "_odom.tum");
-  const MapPicture picture{polylineOf(trajectories.odometry), polylineOf(trajectories.corrected), {}};
+  writeTrajectory(drive.corrected, options.out + ".tum");
+  writeTrajectory(drive.odometry, options.out + "_odom.tum");
+  const MapPicture picture{polylineOf(drive.odometry), polylineOf(drive.corrected), closuresOf(drive)};
   const std::string path = options.out + ".png";
   if (!writePicture(mapper.grid(), picture, path)) throw LogError(path + ": cannot be written");
   std::printf("%s\nsaved %s.tum, _odom.tum and .png\n", saved.text.c_str(), options.out.c_str());
@@ -108,12 +128,12 @@ int run(const MapLogOptions& options, const BagReader& read_bag) {
   parameters.trust_odometry = false;
   Mapper mapper(parameters);
   const double begin = cpuSeconds();
-  const LogTrajectories trajectories = mapLog(log, mapper);
+  const MappedDrive drive = mapLog(log, mapper);
   const double cpu = cpuSeconds() - begin;
-  printLog(log, trajectories);
+  printLog(log, drive);
   printCounts(mapper, cpu);
-  printErrors(options, trajectories);
-  writeResults(options, trajectories, mapper);
+  printErrors(options, drive);
+  writeResults(options, drive, mapper);
   return kDone;
 }
 

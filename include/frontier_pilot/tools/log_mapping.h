@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "frontier_pilot/logs/scan_log.h"
@@ -8,18 +9,32 @@
 
 namespace frontier_pilot {
 
-/// The poses of a log's scans, one for each record.
-struct LogTrajectories {
+/// What a mapper made of a drive: the pose of each scan, and the loops that it closed.
+struct MappedDrive {
   Trajectory odometry;
-  Trajectory corrected;  ///< with all that is known at the end of the log
+  Trajectory online;     ///< as it was thought to be at the time
+  Trajectory corrected;  ///< with all that is known at the end
+  std::vector<LoopClosure> closures;
+};
+
+/// Takes down what a mapper thinks while it is at work.
+class DriveRecorder {
+ public:
+  /// To be called for each scan, taken at `T_odom_base`, once the mapper has it and had its second thoughts.
+  void note(const Mapper& mapper, Time stamp, const Pose2& T_odom_base);
+  /// The drive so far. Not while the mapper's work is out.
+  MappedDrive drive(const Mapper& mapper) const;
+
+ private:
+  MappedDrive drive_;
 };
 
 /// Puts a log through a mapper, as if its scans came in now.
-LogTrajectories mapLog(const ScanLog& log, Mapper& mapper);
+MappedDrive mapLog(const ScanLog& log, Mapper& mapper);
 
-/// Odometry bent so that it goes through `anchors`, whose stamps are ascending and are stamps of `odometry` [map].
-/// Before the first and after the last anchor it hangs on that one. Without anchors it stays what it is.
-Trajectory bend(const Trajectory& odometry, const Trajectory& anchors);
+/// `trajectory` bent so that it goes through `anchors`, whose stamps are ascending and are stamps of it. Before the first
+/// and after the last anchor it hangs on that one. Without anchors it stays what it is.
+Trajectory bend(const Trajectory& trajectory, const Trajectory& anchors);
 
 /// The poses alone.
 std::vector<Pose2> posesOf(const Trajectory& trajectory);

@@ -1,5 +1,6 @@
 #include "support/closed_loop/guided_drive.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace frontier_pilot::test {
@@ -8,6 +9,7 @@ namespace {
 constexpr int kStepsPerControl = 10;
 constexpr double kRoom = 0.3;     // [m], of a place to the walls
 constexpr double kArrived = 0.3;  // [m]
+constexpr int kPatience = 20;     // controls, on a way that cannot be followed
 constexpr int kTries = 1000;
 
 FollowerParams followerOf(const sim::SimulatorParameters& parameters) {
@@ -16,14 +18,25 @@ FollowerParams followerOf(const sim::SimulatorParameters& parameters) {
   return params;
 }
 
+/// The way must be one that nobody would call narrow: the follower sees no walls but the map's.
+ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
+  ClearanceParams params;
+  params.inscribed_radius = parameters.radius;
+  params.tight_weight = 0.0;
+  return params;
+}
+
 }  // namespace
 
 GuidedDrive::GuidedDrive(sim::World world, const sim::SimulatorParameters& parameters, double distance)
     : simulator_(std::move(world), parameters),
+      clearance_(roomy(parameters)),
       follower_(followerOf(parameters), parameters.limits),
       wanted_distance_(distance),
       last_(simulator_.pose(0).position()) {
-  const OccupancyGrid& truth = simulator_.map();
+  // What nobody has seen is as solid as a wall here.
+  OccupancyGrid truth = simulator_.map();
+  std::replace_if(truth.cells().begin(), truth.cells().end(), isUnknown, kOccupied);
   clearance_.setMap(truth, truth.geometry().rect());
   clearance_.refresh();
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -45,10 +58,11 @@ const LaserScan2* GuidedDrive::nextScan() {
 }
 
 void GuidedDrive::steer() {
-  if (follower_.remaining() < kArrived) headForNextPlace();
+  if (follower_.remaining() < kArrived || blocked_ > kPatience) headForNextPlace();
   static const ScanPoints kNothingSeen;
   const FollowerOutput output =
       follower_.update({simulator_.pose(0), simulator_.velocity(0), 0.0, kNothingSeen, clearance_});
+  blocked_ = output.blocked ? blocked_ + 1 : 0;
   simulator_.setCommand(0, output.command);
 }
 

@@ -42,6 +42,7 @@ class GuidedDrive {
   double distance_ = 0.0;
   Vec2 last_;
   int steps_ = 0;
+  int blocked_ = 0;  ///< for so many controls
 };
 
 }  // namespace frontier_pilot::test
