@@ -114,7 +114,7 @@ Track ScanTracker::track(const SurfacePoints& points, Time stamp, const Pose2& T
       track.score = matched.score;
       track.inliers = matched.inliers;
     }
-    const bool silent = toSeconds(stamp - last_->matched) > parameters_.max_silence;
+    const bool silent = last_ && toSeconds(stamp - last_->matched) > parameters_.max_silence;
     if (silent && (track.verdict == MatchVerdict::kPoor || track.verdict == MatchVerdict::kAmbiguous))
       track.verdict = MatchVerdict::kLost;
   }
@@ -206,8 +206,8 @@ void ScanTracker::remember(Time stamp, const Pose2& T_odom_base, const Track& tr
   T_local_odom_ = track.T_local_base.pose * T_odom_base.inverse();
 }
 
-void ScanTracker::reset() {
-  T_local_odom_ = Pose2();
+void ScanTracker::reset(const Pose2& T_local_odom) {
+  T_local_odom_ = T_local_odom;
   last_.reset();
 }
 

@@ -14,7 +14,7 @@ struct OdometryTrust {
   double yaw_distance = 0.04;  ///< of the yaw after a metre [rad]
   double yaw_turn = 0.06;      ///< of the yaw after a radian [rad]
   double unseen_speed = 0.6;   ///< the robot may move this fast unseen by odometry [m/s]
-  double unseen_turn = 1.0;    ///< and turn this fast [rad/s]
+  double unseen_turn = 3.0;    ///< and turn this fast [rad/s]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -97,8 +97,8 @@ class ScanTracker {
   /// How far a search may reach, so that pyramids fit.
   SearchWindow usualWindow() const;
   const Pose2& T_local_odom() const { return T_local_odom_; }
-  /// Puts the local frame's origin to odometry's, and forgets everything.
-  void reset();
+  /// Puts odometry's frame there, and forgets everything else.
+  void reset(const Pose2& T_local_odom = {});
 
  private:
   /// Standard deviations, the same in all directions.
