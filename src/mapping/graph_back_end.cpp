@@ -1,4 +1,5 @@
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "frontier_pilot/mapping/graph_slam.h"
@@ -6,10 +7,11 @@
 namespace frontier_pilot {
 
 GraphBackEnd::GraphBackEnd(const GraphSlamParameters& parameters, const OccupancyMapParameters& map,
-                           const ScanInsertionParameters& insertion)
+                           const ScanInsertionParameters& insertion, std::string base)
     : parameters_(parameters),
       map_parameters_(map),
       inserter_(insertion),
+      base_(std::move(base)),
       graph_(parameters.drift, parameters.graph),
       closer_(parameters.loops) {}
 
@@ -46,6 +48,10 @@ bool GraphBackEnd::isRenderingDue() const {
 
 OccupancyMap GraphBackEnd::render() {
   OccupancyMap map(map_parameters_);
+  if (!base_.empty()) {
+    std::istringstream base(base_);
+    map.read(base);
+  }
   map.beginBatch();
   for (std::size_t i = 0; i < rendered_.size(); ++i) {
     rendered_[i] = graph_.T_map_keyframe(i);

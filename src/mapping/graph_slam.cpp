@@ -16,13 +16,14 @@ void addPlace(const std::shared_ptr<const Submap>& submap, PlacedKeyframe& place
 }  // namespace
 
 GraphSlam::GraphSlam(const GraphSlamParameters& parameters, const OccupancyMapParameters& map,
-                     const ScanInsertionParameters& insertion)
+                     const ScanInsertionParameters& insertion, std::string base)
     : parameters_(parameters),
       map_parameters_(map),
       insertion_parameters_(insertion),
+      base_(std::move(base)),
       local_(parameters.local),
       drift_(parameters.local),
-      back_end_(std::make_shared<GraphBackEnd>(parameters, map, insertion)) {}
+      back_end_(std::make_shared<GraphBackEnd>(parameters, map, insertion, base_)) {}
 
 CorrectedScan GraphSlam::correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap&) {
   LocalSlamOutput output = local_.update(scan, T_odom_base);
@@ -70,7 +71,7 @@ void GraphSlam::reset() {
   drift_.reset();
   last_ = {};
   T_map_local_ = Pose2();
-  back_end_ = std::make_shared<GraphBackEnd>(parameters_, map_parameters_, insertion_parameters_);
+  back_end_ = std::make_shared<GraphBackEnd>(parameters_, map_parameters_, insertion_parameters_, base_);
   inbox_.clear();
   working_ = false;
   ++generation_;

@@ -146,6 +146,12 @@ MapIoResult saveMap(OccupancyMap& map, const std::string& path) {
   return result;
 }
 
+MapIoResult loadMap(const std::string& path, OccupancyMap& map) {
+  const fs::path base = withoutExtension(path);
+  if (base.filename().empty()) return failure(MapIoStatus::kBadPath, "'" + path + "'", "names no file");
+  return loadOctree(appended(base, ".bt"), map);
+}
+
 MapIoResult loadOctree(const std::string& bt_path, OccupancyMap& map) {
   std::ifstream file(bt_path, std::ios::binary);
   if (!file) return failure(MapIoStatus::kMissing, bt_path, "no such file");

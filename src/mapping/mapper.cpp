@@ -34,7 +34,20 @@ ScanVerdict verdictOf(Insertion insertion) {
   return ScanVerdict::kOutOfBounds;
 }
 
-std::unique_ptr<PoseCorrection> correctionFor(const MapperParameters& parameters) {
+PoseBelief beliefOf(const Pose2& pose) {
+  constexpr double kPosition = 0.5;  // [m]
+  constexpr double kYaw = 0.25;      // [rad]
+  return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
+}
+
+std::unique_ptr<PoseCorrection> knownMap(const MapperParameters& parameters, OccupancyMap& map,
+                                         const PoseBelief& T_map_base) {
+  const auto use = parameters.localize_only ? KnownMap::Use::kLocalizeOnly : KnownMap::Use::kGoOnMapping;
+  return std::make_unique<KnownMap>(use, parameters.slam, map, parameters.insertion, T_map_base);
+}
+
+std::unique_ptr<PoseCorrection> correctionFor(const MapperParameters& parameters, OccupancyMap& map) {
+  if (parameters.localize_only) return knownMap(parameters, map, beliefOf(Pose2()));
   if (parameters.trust_odometry) return std::make_unique<TrustOdometry>();
   return std::make_unique<GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
 }
@@ -45,7 +58,7 @@ Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<PoseCorrectio
     : parameters_(parameters),
       map_(parameters.map),
       inserter_(parameters.insertion),
-      correction_(correction ? std::move(correction) : correctionFor(parameters)) {}
+      correction_(correction ? std::move(correction) : correctionFor(parameters, map_)) {}
 
 ScanVerdict Mapper::insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   const ScanVerdict verdict = decide(scan, T_odom_base, now);
@@ -67,8 +80,11 @@ ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) 
   last_correction_ = corrected.text;
   ++correction_counts_[corrected.text];
   T_map_odom_ = corrected.T_map_odom;
-  const ScanVerdict verdict = corrected.fits_map ? put(scan, T_map_odom_ * T_odom_base) : ScanVerdict::kMisfit;
-  if (verdict == ScanVerdict::kInserted || verdict == ScanVerdict::kMisfit) last_ = Last{scan.stamp, T_odom_base};
+  ScanVerdict verdict = ScanVerdict::kMisfit;
+  if (corrected.fits_map) {
+    verdict = parameters_.localize_only ? ScanVerdict::kLocalized : put(scan, T_map_odom_ * T_odom_base);
+  }
+  if (verdict == ScanVerdict::kMisfit || !isDropped(verdict)) last_ = Last{scan.stamp, T_odom_base};
   return verdict;
 }
 
@@ -80,12 +96,17 @@ ScanVerdict Mapper::put(const LaserScan2& scan, const Pose2& T_map_base) {
 
 RevisionWork Mapper::takeWork() {
   RevisionWork work = correction_->takeWork();
-  working_ = working_ || work;
-  return work;
+  if (!work) return work;
+  working_ = true;
+  return [work, epoch = epoch_] {
+    MapRevision revision = work();
+    revision.epoch = epoch;
+    return revision;
+  };
 }
 
 bool Mapper::revise(MapRevision& revision) {
-  if (!correction_->accept(revision)) return false;
+  if (revision.epoch != epoch_ || !correction_->accept(revision)) return false;
   working_ = false;
   const std::vector<Inserted> meanwhile = std::exchange(meanwhile_, {});
   T_map_odom_ = revision.T_new_old * T_map_odom_;
@@ -110,6 +131,23 @@ void Mapper::reviseNow() {
   }
 }
 
+PoseBelief Mapper::presentBelief() const { return beliefOf(last_ ? T_map_odom_ * last_->T_odom_base : T_map_odom_); }
+
+bool Mapper::load(OccupancyMap& loaded) {
+  if (!map_.exchange(loaded)) return false;
+  replace(knownMap(parameters_, map_, presentBelief()));
+  return true;
+}
+
+void Mapper::locate(const PoseBelief& T_map_base) { replace(knownMap(parameters_, map_, T_map_base)); }
+
+void Mapper::replace(std::unique_ptr<PoseCorrection> correction) {
+  correction_ = std::move(correction);
+  ++epoch_;
+  working_ = false;
+  meanwhile_.clear();
+}
+
 std::optional<ScanVerdict> Mapper::checkStamp(Time stamp, Time now) {
   // The clock has been set back: stamps that were seen before may come again.
   if (now < now_) last_.reset();
@@ -127,11 +165,13 @@ bool Mapper::hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const {
 
 void Mapper::reset() {
   map_.clear();
-  correction_->reset();
   T_map_odom_ = Pose2();
   last_.reset();
+  correction_->reset();
   working_ = false;
   meanwhile_.clear();
+  // What was known is forgotten too.
+  if (epoch_ > 0) replace(correctionFor(parameters_, map_));
 }
 
 }  // namespace frontier_pilot

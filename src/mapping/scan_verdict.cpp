@@ -6,6 +6,8 @@ const char* toString(ScanVerdict verdict) {
   switch (verdict) {
     case ScanVerdict::kInserted:
       return "inserted";
+    case ScanVerdict::kLocalized:
+      return "localised";
     case ScanVerdict::kNotMoved:
       return "not moved";
     case ScanVerdict::kNoTransform:

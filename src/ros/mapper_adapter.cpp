@@ -15,9 +15,11 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
       publisher_(node, parameters_.map_frame, parameters_.publishing),
       watch_({publisher_.topic()}, std::chrono::seconds(2)),
       diagnostics_(node, private_node) {
+  loadFirstMap(private_node);
   diagnostics_.add("mapping", [this](Status& status) { report(status); });
   advertiseServices(node);
   odometry_subscriber_ = node.subscribe(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
+  initial_pose_subscriber_ = node.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   scan_subscriber_ = node.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
   update_timer_ = node.createTimer(ros::Duration(parameters_.update_period), [this](const ros::TimerEvent&) {
     insertPaired();

@@ -9,6 +9,7 @@ namespace frontier_pilot {
 
 void MapperAdapter::advertiseServices(ros::NodeHandle& node) {
   services_ = {node.advertiseService(names::kDynamicMap, &MapperAdapter::handleGet, this),
+               node.advertiseService(names::kLoadMap, &MapperAdapter::handleLoad, this),
                node.advertiseService(names::kSaveMap, &MapperAdapter::handleSave, this),
                node.advertiseService(names::kResetMap, &MapperAdapter::handleReset, this)};
 }
@@ -33,6 +34,11 @@ bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Resp
 }
 
 bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  if (parameters_.mapper.localize_only) {
+    response.success = 0U;
+    response.message = "localising only: the map stays";
+    return true;
+  }
   mapper_.reset();
   response.success = 1U;
   response.message = "the map is forgotten; its size stays";

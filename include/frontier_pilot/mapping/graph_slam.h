@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "frontier_pilot/mapping/local_drift.h"
@@ -51,8 +52,9 @@ struct GraphSlamParameters {
 /// state machine of its own, fed with keyframes; it shares nothing with who feeds it.
 class GraphBackEnd {
  public:
+  /// `base`, if any, is what every rendering begins with: a map in OctoMap's binary format.
   GraphBackEnd(const GraphSlamParameters& parameters, const OccupancyMapParameters& map,
-               const ScanInsertionParameters& insertion);
+               const ScanInsertionParameters& insertion, std::string base = {});
 
   /// Takes `batch` in, keyframe by keyframe.
   MapRevision update(std::vector<PlacedKeyframe> batch);
@@ -67,6 +69,7 @@ class GraphBackEnd {
   GraphSlamParameters parameters_;
   OccupancyMapParameters map_parameters_;
   ScanInserter inserter_;
+  std::string base_;
   SubmapGraph graph_;
   LoopCloser closer_;
   std::vector<Pose2> rendered_;     ///< by keyframe: T_map_base of its trace in the map
@@ -79,9 +82,10 @@ class GraphBackEnd {
 /// The map's frame is the local one as long as no loop was closed.
 class GraphSlam final : public PoseCorrection {
  public:
-  /// The map that revisions bring has `map` as its parameters, and scans go into it by `insertion`.
+  /// The map that revisions bring has `map` as its parameters, scans go into it by `insertion`, and it begins with
+  /// `base`, a map in OctoMap's binary format, if there is one.
   explicit GraphSlam(const GraphSlamParameters& parameters = {}, const OccupancyMapParameters& map = {},
-                     const ScanInsertionParameters& insertion = {});
+                     const ScanInsertionParameters& insertion = {}, std::string base = {});
 
   CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) override;
   RevisionWork takeWork() override;
@@ -101,6 +105,7 @@ class GraphSlam final : public PoseCorrection {
   GraphSlamParameters parameters_;
   OccupancyMapParameters map_parameters_;
   ScanInsertionParameters insertion_parameters_;
+  std::string base_;
   LocalSlam local_;
   LocalDrift drift_;
   LocalSlamOutput last_;

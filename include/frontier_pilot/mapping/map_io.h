@@ -29,6 +29,10 @@ struct MapIoResult {
 /// of these three is ignored. The files appear whole or not at all.
 MapIoResult saveMap(OccupancyMap& map, const std::string& path);
 
+/// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. On failure it stays as it
+/// was.
+MapIoResult loadMap(const std::string& path, OccupancyMap& map);
+
 /// Replaces `map` by a .bt file's content; on failure it stays as it was.
 MapIoResult loadOctree(const std::string& bt_path, OccupancyMap& map);
 

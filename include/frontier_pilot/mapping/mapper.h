@@ -9,6 +9,7 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/mapping/graph_slam.h"
+#include "frontier_pilot/mapping/known_map.h"
 #include "frontier_pilot/mapping/occupancy_map.h"
 #include "frontier_pilot/mapping/pose_correction.h"
 #include "frontier_pilot/mapping/scan_inserter.h"
@@ -21,8 +22,9 @@ struct MapperParameters {
   double max_lead = 0.5;         ///< a scan may be this much ahead of the clock [s]
   double min_travel = 0.01;      ///< a robot that moved less has not moved [m]
   double min_rotation = 0.01;    ///< a robot that turned less has not turned [rad]
-  double standing_period = 0.5;  ///< time between scans used while the robot stands [s]
-  bool trust_odometry = true;    ///< take odometry for the truth: no matching, no loops
+  double standing_period = 0.2;  ///< time between scans used while the robot stands [s]
+  bool trust_odometry = false;   ///< take odometry for the truth: no matching, no loops
+  bool localize_only = false;    ///< leave the map as it was loaded; described by the node
   OccupancyMapParameters map;
   ScanInsertionParameters insertion;
   GraphSlamParameters slam;
@@ -71,6 +73,12 @@ class Mapper {
   /// Does all work there is at once.
   void reviseNow();
 
+  /// Puts `loaded` in the place of the map and looks for the robot in it, about where it is thought to be. False, and
+  /// nothing happens, when the two together would be too large.
+  bool load(OccupancyMap& loaded);
+  /// The robot is about at `T_map_base`: takes the map as it is for known, looks for the robot there, and goes on.
+  void locate(const PoseBelief& T_map_base);
+
   /// Counts a scan that could not even be offered.
   void reject(ScanVerdict verdict) { counts_.add(verdict); }
 
@@ -104,6 +112,8 @@ class Mapper {
 
   ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
   ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
+  PoseBelief presentBelief() const;
+  void replace(std::unique_ptr<PoseCorrection> correction);
   ScanVerdict put(const LaserScan2& scan, const Pose2& T_map_base);
   std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
   bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
@@ -116,6 +126,7 @@ class Mapper {
   Time now_{};
   std::optional<Last> last_;  ///< the last scan that was placed
   ScanCounts counts_;
+  std::uint64_t epoch_ = 0;  ///< one for each corrector: work for an earlier one is void
   bool working_ = false;
   std::vector<Inserted> meanwhile_;  ///< what went into the map while work is out
   RevisionReport revisions_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -27,6 +28,7 @@ struct CorrectedScan {
 
 /// Second thoughts about the past.
 struct MapRevision {
+  std::uint64_t epoch = 0;            ///< of the mapper that the work was taken from: another map makes it void
   std::uint64_t generation = 0;       ///< of the corrector that the work was taken from: a reset makes it void
   Pose2 T_new_old;                    ///< takes what was put into the map since the work was taken to its place now
   std::optional<OccupancyMap> map;    ///< the map, rendered again; none where nothing moved enough to be seen

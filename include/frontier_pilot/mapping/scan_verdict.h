@@ -9,6 +9,7 @@ namespace frontier_pilot {
 /// What became of a scan. [MAP-4]
 enum class ScanVerdict {
   kInserted,     ///< it is in the map
+  kLocalized,    ///< it told where the robot is; the map stays as it is
   kNotMoved,     ///< the robot has not moved since the last one, and not enough time has passed
   kNoTransform,  ///< it is not known where the scanner sits on the base
   kNoOdometry,   ///< there is no odometry for its stamp
@@ -20,13 +21,13 @@ enum class ScanVerdict {
   kOutOfBounds,  ///< the map would get too large
   kMisfit,       ///< it fits nowhere near, and would only smear the map
 };
-constexpr std::size_t kScanVerdicts = 11;
+constexpr std::size_t kScanVerdicts = 12;
 
 const char* toString(ScanVerdict verdict);
 
 /// Whether the scan was lost to an error (and not just superfluous).
 inline bool isDropped(ScanVerdict verdict) {
-  return verdict != ScanVerdict::kInserted && verdict != ScanVerdict::kNotMoved;
+  return verdict != ScanVerdict::kInserted && verdict != ScanVerdict::kLocalized && verdict != ScanVerdict::kNotMoved;
 }
 
 /// How many scans met each fate.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <frontier_pilot/LoadMap.h>
 #include <frontier_pilot/SaveMap.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/GetMap.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/mapping/map_io.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "frontier_pilot/ros/diagnostics.h"
@@ -28,6 +31,7 @@ struct MapperNodeParameters {
   std::string map_frame = names::kMapFrame;
   std::string odom_frame = names::kOdomFrame;
   std::string base_frame = names::kBaseFootprintFrame;
+  std::string map_file;        ///< loaded at the start; empty: none
   double update_period = 0.2;  ///< between two `map_updates` [s]
   double tf_period = 0.05;     ///< between two `map -> odom` [s]
   double tf_lead = 0.1;        ///< `map -> odom` is dated this much ahead, so that it holds until the next one [s]
@@ -41,6 +45,9 @@ struct MapperNodeParameters {
     v.field("map_frame", map_frame, "", "frame of the map");
     v.field("odom_frame", odom_frame, "", "frame of odometry");
     v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("map_file", map_file, "", "a saved map to begin with; none: an empty one");
+    v.field("localize_only", mapper.localize_only, "",
+            "leave the map as it was loaded, and only say where the robot is");
     v.field("update_period", update_period, "s", "between two map updates", positive());
     v.field("tf_period", tf_period, "s", "between two transforms map -> odom", positive());
     v.field("tf_lead", tf_lead, "s", "how far map -> odom is dated ahead", atLeast(0.0));
@@ -74,6 +81,11 @@ class MapperAdapter {
   void takeOver(Thoughts& thoughts);
   void note(ScanVerdict verdict, const std::string& detail);
   void broadcast();
+  /// Throws a ConfigurationError when the map to begin with cannot be loaded.
+  void loadFirstMap(const ros::NodeHandle& private_node);
+  MapIoResult load(const std::string& path);
+  void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);
+  bool handleLoad(LoadMap::Request& request, LoadMap::Response& response);
   bool handleSave(SaveMap::Request& request, SaveMap::Response& response);
   bool handleGet(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -92,6 +104,7 @@ class MapperAdapter {
   std::optional<SteadyTime> last_inserted_;  ///< when the last scan was found good
   ros::Subscriber scan_subscriber_;
   ros::Subscriber odometry_subscriber_;
+  ros::Subscriber initial_pose_subscriber_;
   std::vector<ros::ServiceServer> services_;
   ros::Timer update_timer_;
   ros::Timer tf_timer_;

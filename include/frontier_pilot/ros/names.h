@@ -54,7 +54,9 @@ constexpr const char* kMapUpdates = "map_updates";
 constexpr const char* kMapMetadata = "map_metadata";
 constexpr const char* kDynamicMap = "dynamic_map";
 constexpr const char* kSaveMap = "mapper/save_map";
+constexpr const char* kLoadMap = "mapper/load_map";
 constexpr const char* kResetMap = "mapper/reset";
+constexpr const char* kInitialPose = "initialpose";  // rviz' own name
 
 // Navigator
 constexpr const char* kMoveBase = "move_base";

@@ -104,6 +104,33 @@ TEST_F(MapIo, KeepsTheMapWhenAnOctreeCannotBeLoaded) {
   EXPECT_TRUE(map.grid().cells() == before);
 }
 
+// [MAP-5]
+TEST_F(MapIo, LoadsWhatItSavedByTheSamePath_MAP_5) {
+  ASSERT_TRUE(saveMap(map, path("floor")).ok());
+  for (const char* name : {"floor", "floor.bt", "floor.yaml"}) {
+    OccupancyMap loaded;
+    const MapIoResult result = loadMap(path(name), loaded);
+    ASSERT_TRUE(result.ok()) << result.text;
+    EXPECT_EQ(loaded.grid()[loaded.geometry().cellAt(map.geometry().centre({17, 120}))], kOccupied);
+  }
+}
+
+// [MAP-5]
+TEST_F(MapIo, KeepsTheMapWhenAnotherCannotBeLoaded_MAP_5) {
+  const auto before = map.grid().cells();
+  EXPECT_EQ(loadMap("", map).status, MapIoStatus::kBadPath);
+  EXPECT_EQ(loadMap(path("none"), map).status, MapIoStatus::kMissing);
+  OccupancyMapParameters coarse;
+  coarse.resolution = 0.1;
+  OccupancyMap other(coarse);
+  ASSERT_TRUE(other.reserve({0.0, 0.0}, {1.0, 1.0}));
+  other.beginScan();
+  other.hit({3, 3});
+  ASSERT_TRUE(saveMap(other, path("coarse")).ok());
+  EXPECT_EQ(loadMap(path("coarse"), map).status, MapIoStatus::kBroken);
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
 TEST(MapIoStatus, HasAWordForEach) {
   for (int i = 0; i <= static_cast<int>(MapIoStatus::kBroken); ++i) {
     EXPECT_STRNE(toString(static_cast<MapIoStatus>(i)), "unknown");

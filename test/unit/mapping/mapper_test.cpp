@@ -99,7 +99,7 @@ TEST_F(MapperTest, LooksSeldomWhileTheRobotStandsAndStillSeesWhatComes) {
   for (int i = 1; i <= 100; ++i) {
     inserted += insert(ring(1.3 + 0.1 * i, 0.5F), Pose2(0.02, 0.0, 0.02)) == ScanVerdict::kInserted ? 1 : 0;
   }
-  EXPECT_EQ(inserted, 20) << "two a second";
+  EXPECT_EQ(inserted, 50) << "five a second";
   EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({0.53, 0.01})], kOccupied) << "someone came near";
   EXPECT_EQ(mapper.counts().dropped(), 0U);
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "frontier_pilot/mapping/graph_slam.h"
+#include "frontier_pilot/mapping/localizer.h"
+
+namespace frontier_pilot {
+
+/// Finds the robot in a map that is known already, and either follows it there and leaves the map as it is, or goes on
+/// mapping from there: then the known map is what everything new is drawn upon. Until the robot is found no scan fits.
+/// [MAP-5]
+class KnownMap final : public PoseCorrection {
+ public:
+  enum class Use { kLocalizeOnly, kGoOnMapping };
+
+  /// `map` is the known one, and what revisions have for its parameters; `T_map_base` where the robot is about now.
+  KnownMap(Use use, const GraphSlamParameters& parameters, OccupancyMap& map, const ScanInsertionParameters& insertion,
+           const PoseBelief& T_map_base);
+
+  CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) override;
+  RevisionWork takeWork() override { return slam_ ? slam_->takeWork() : RevisionWork(); }
+  bool accept(const MapRevision& revision) override { return slam_ && slam_->accept(revision); }
+  std::vector<KeyframePose> trajectory() const override;
+  void reset() override;
+
+ private:
+  Localizer localizer_;
+  std::unique_ptr<GraphSlam> slam_;  ///< none where the map stays as it is
+  /// Where odometry began when mapping went on. `slam_` is given odometry that begins there, and so it thinks in the
+  /// map's frame. None until the robot is found.
+  std::optional<Pose2> T_map_odom_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,78 @@
+#include "frontier_pilot/mapping/localizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kSigmas = 3.0;
+constexpr double kLeastReach = 0.1;   // [m]
+constexpr double kMostReach = 10.0;   // [m]: what is still searched in a moment
+constexpr double kLeastAngle = 0.05;  // [rad]
+constexpr double kPenalty = 0.0035;   // of score, for a deviation of one standard deviation
+
+/// A robot that is lost in a known map stays lost: there is no other map to begin.
+ScanTrackerParameters withoutEnd(ScanTrackerParameters parameters) {
+  parameters.max_silence = std::numeric_limits<double>::infinity();
+  return parameters;
+}
+
+double reachOf(double variance) { return std::clamp(kSigmas * std::sqrt(variance), kLeastReach, kMostReach); }
+
+SearchRequest requestFor(const PoseBelief& belief, double min_score) {
+  SearchRequest request;
+  request.expected = belief.pose;
+  const Eigen::Matrix3d& covariance = belief.covariance;
+  request.window = {reachOf(covariance(0, 0)), reachOf(covariance(1, 1)),
+                    std::clamp(kSigmas * std::sqrt(covariance(2, 2)), kLeastAngle, kPi)};
+  request.penalty = {kPenalty, kSigmas, std::max(request.window.x, request.window.y) / kSigmas,
+                     request.window.yaw / kSigmas};
+  request.min_score = min_score;
+  return request;
+}
+
+}  // namespace
+
+Localizer::Localizer(const LocalSlamParameters& parameters, const OccupancyGrid& map, const PoseBelief& T_map_base)
+    : parameters_(parameters),
+      map_(parameters.likelihood),
+      tracker_(withoutEnd(parameters.tracker)),
+      sought_(T_map_base) {
+  map_.add(surfaceOf(map), Pose2());
+  if (map_.empty()) return;
+  pyramid_.emplace(map_.likelihood().grid(), pyramidTop(tracker_.usualWindow(), parameters.likelihood.resolution));
+}
+
+MatchVerdict Localizer::update(const LaserScan2& scan, const Pose2& T_odom_base) {
+  const SurfacePoints points = thinned(readSurface(scan, parameters_.surface), parameters_.surface);
+  if (sought_) {
+    const MatchVerdict verdict = find(points, T_odom_base);
+    if (sought_) return verdict;
+  }
+  const MatchTarget target{map_, *pyramid_, Pose2()};
+  const Track track = tracker_.track(points, scan.stamp, T_odom_base, target);
+  T_map_odom_ = tracker_.T_local_odom();
+  return track.verdict;
+}
+
+MatchVerdict Localizer::find(const SurfacePoints& points, const Pose2& T_odom_base) {
+  if (!T_odom_sought_) T_odom_sought_ = T_odom_base;
+  PoseBelief belief = *sought_;
+  belief.pose = belief.pose * T_odom_sought_->inverse() * T_odom_base;
+  T_map_odom_ = belief.pose * T_odom_base.inverse();
+  if (!pyramid_) return MatchVerdict::kFirst;
+  if (points.size() < static_cast<std::size_t>(parameters_.tracker.min_points)) return MatchVerdict::kTooFew;
+  const SearchRequest request = requestFor(belief, parameters_.tracker.min_score);
+  const MaxPyramid pyramid(map_.likelihood().grid(), pyramidTop(request.window, parameters_.likelihood.resolution));
+  const auto found = correlativeSearch(pyramid, points, request);
+  if (!found) return MatchVerdict::kPoor;
+  const Refinement refined = refine(map_.surfels(), points, found->pose, belief, parameters_.tracker.refinement);
+  if (refined.inliers < parameters_.tracker.min_inliers) return MatchVerdict::kPoor;
+  tracker_.reset(refined.pose * T_odom_base.inverse());
+  sought_.reset();
+  return MatchVerdict::kMatched;
+}
+
+}  // namespace frontier_pilot

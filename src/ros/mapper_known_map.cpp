@@ -1,0 +1,71 @@
+#include <ros/console.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+
+#include "frontier_pilot/ros/conversions.h"
+#include "frontier_pilot/ros/mapper_adapter.h"
+#include "frontier_pilot/ros/parameters.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// x, y and yaw in the 6 x 6 covariance of a geometry_msgs/PoseWithCovariance; none where it is not one.
+std::optional<Eigen::Matrix3d> covarianceOf(const geometry_msgs::PoseWithCovariance& msg) {
+  constexpr std::array<int, 3> kAxes = {0, 1, 5};
+  Eigen::Matrix3d covariance;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      const auto index =
+          static_cast<std::size_t>(6 * kAxes[static_cast<std::size_t>(row)] + kAxes[static_cast<std::size_t>(column)]);
+      covariance(row, column) = msg.covariance[index];
+    }
+  }
+  const bool usable = covariance.allFinite() && covariance.diagonal().minCoeff() >= 0.0;
+  return usable ? std::optional<Eigen::Matrix3d>(covariance) : std::nullopt;
+}
+
+}  // namespace
+
+void MapperAdapter::loadFirstMap(const ros::NodeHandle& private_node) {
+  if (parameters_.map_file.empty()) return;
+  const MapIoResult result = load(parameters_.map_file);
+  if (!result.ok()) throw ConfigurationError(private_node.getNamespace(), {"map_file: " + result.text});
+}
+
+MapIoResult MapperAdapter::load(const std::string& path) {
+  OccupancyMap loaded(parameters_.mapper.map);
+  MapIoResult result = loadMap(path, loaded);
+  if (result.ok() && !mapper_.load(loaded)) return {MapIoStatus::kBroken, path + ": too large"};
+  return result;
+}
+
+bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& response) {
+  const MapIoResult result = load(request.path);
+  response.success = static_cast<std::uint8_t>(result.ok());
+  response.message = result.text;
+  if (result.ok()) {
+    ROS_INFO_STREAM(result.text);
+  } else {
+    ROS_ERROR_STREAM("map not loaded, " << toString(result.status) << ": " << result.text);
+  }
+  return true;
+}
+
+void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg) {
+  std::string why = "frame '" + msg.header.frame_id + "' is not '" + parameters_.map_frame + "'";
+  const bool in_map = msg.header.frame_id == parameters_.map_frame;
+  const auto pose = in_map ? toPose(msg.pose.pose, &why) : std::nullopt;
+  const auto covariance = covarianceOf(msg.pose);
+  if (!pose) {
+    ROS_ERROR_STREAM("initial pose refused: " << why);
+  } else if (!covariance) {
+    ROS_ERROR("initial pose refused: its covariance is none");
+  } else {
+    ROS_INFO("looking for the robot around %.2f, %.2f", pose->x, pose->y);
+    mapper_.locate({*pose, *covariance});
+  }
+}
+
+}  // namespace frontier_pilot

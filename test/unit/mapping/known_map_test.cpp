@@ -1,0 +1,152 @@
+#include "frontier_pilot/mapping/known_map.h"
+
+#include <gtest/gtest.h>
+
+#include "drive.h"
+#include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/mapping/mapper.h"
+#include "frontier_pilot/mapping/odometry_buffer.h"
+#include "support/ascii_world.h"
+
+namespace frontier_pilot::test {
+namespace {
+
+constexpr const char* kRooms = R"(
+  ########################################
+  #...........#..........................#
+  #...........#.................####.....#
+  #...........#.................####.....#
+  #......................................#
+  #......................................#
+  #...##......#..........................#
+  #...##......#..........................#
+  #...........#.........##...............#
+  #...........#.........##...............#
+  #...........#..........................#
+  ########################################
+)";
+
+/// The rooms, a scanner in them, and a mapper that is not told more than a robot knows.
+class KnownMapTest : public ::testing::Test {
+ protected:
+  KnownMapTest() : world(drawWorld(kRooms, 0.2)), scanner(world.solid(), 0.01) {}
+
+  /// The robot goes from one pose to the other, in steps of 5 cm; odometry begins at zero at the start.
+  void drive(Mapper& mapper, const Pose2& from, const Pose2& to) {
+    const double length = (to.position() - from.position()).norm();
+    const int steps = std::max(5, static_cast<int>(length / 0.05));
+    for (int i = 0; i <= steps; ++i) {
+      T_world_base = interpolate(from, to, static_cast<double>(i) / steps);
+      T_odom_base = from.inverse() * T_world_base;
+      seconds += 0.6;
+      verdict =
+          mapper.insert(scanner.scan(T_world_base, timeFromSeconds(seconds)), T_odom_base, timeFromSeconds(seconds));
+      mapper.reviseNow();
+    }
+  }
+  /// A mapper that knows the rooms; its map begins where the world does.
+  Mapper knowing(bool localize_only) {
+    MapperParameters parameters;
+    parameters.localize_only = localize_only;
+    Mapper mapper(parameters);
+    OccupancyMap rooms(parameters.map);
+    EXPECT_TRUE(rooms.reserve({0.0, 0.0}, 0.2 * Vec2(world.map.width(), world.map.height())));
+    for (int certainty = 0; certainty < 10; ++certainty) draw(rooms);
+    EXPECT_TRUE(mapper.load(rooms));
+    return mapper;
+  }
+  void draw(OccupancyMap& rooms) const {
+    rooms.beginScan();
+    for (int y = 0; y < 4 * world.map.height(); ++y) {
+      for (int x = 0; x < 4 * world.map.width(); ++x) {
+        const Cell cell = rooms.geometry().cellAt({0.05 * (x + 0.5), 0.05 * (y + 0.5)});
+        world.map[Cell{x / 4, y / 4}] == kOccupied ? rooms.hit(cell) : rooms.miss(cell);
+      }
+    }
+  }
+  static PoseBelief about(const Pose2& pose) { return {pose, Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()}; }
+  void expectKnown(const Mapper& mapper, double distance) const {
+    const Pose2 T_map_base = mapper.T_map_odom() * T_odom_base;
+    EXPECT_FALSE(isJump(T_world_base, T_map_base, distance, 0.03))
+        << T_map_base.x << " " << T_map_base.y << " " << T_map_base.yaw;
+  }
+
+  AsciiWorld world;
+  Scanner scanner;
+  Pose2 T_world_base;
+  Pose2 T_odom_base;
+  double seconds = 1.0;
+  ScanVerdict verdict = ScanVerdict::kInserted;
+};
+
+// [MAP-5]
+TEST_F(KnownMapTest, FindsTheRobotNearWhereItIsSaidToBeAndLeavesTheMapAsItIs_MAP_5) {
+  Mapper mapper = knowing(true);
+  const auto before = mapper.grid().cells();
+  mapper.locate(about({4.3, 1.0, -0.3}));
+  drive(mapper, {4.0, 1.2, 0.0}, {6.5, 1.2, 0.0});
+  EXPECT_EQ(verdict, ScanVerdict::kLocalized);
+  expectKnown(mapper, 0.05);
+  EXPECT_TRUE(mapper.grid().cells() == before);
+  EXPECT_EQ(mapper.counts()[ScanVerdict::kInserted], 0U);
+}
+
+// [MAP-5]
+TEST_F(KnownMapTest, DoesNotFindItWhereItIsNot_MAP_5) {
+  Mapper mapper = knowing(true);
+  mapper.locate({{1.0, 2.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4});
+  drive(mapper, {6.0, 0.8, 1.0}, {6.4, 0.8, 1.0});
+  EXPECT_EQ(verdict, ScanVerdict::kMisfit);
+}
+
+// [MAP-5]
+TEST_F(KnownMapTest, WithoutAMapThereIsNothingToLocaliseOn_MAP_5) {
+  MapperParameters parameters;
+  parameters.localize_only = true;
+  Mapper mapper(parameters);
+  drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
+  EXPECT_EQ(verdict, ScanVerdict::kMisfit);
+  EXPECT_TRUE(mapper.grid().empty());
+}
+
+// [MAP-5]
+TEST_F(KnownMapTest, GoesOnMappingUponALoadedMapAndLosesNothing_MAP_5) {
+  Mapper mapper = knowing(false);
+  mapper.locate(about({4.3, 1.0, -0.2}));
+  world.map[Cell{30, 4}] = kOccupied;  // something new
+  scanner = Scanner(world.solid(), 0.01);
+  drive(mapper, {4.0, 1.2, 0.0}, {5.2, 1.2, 0.0});
+  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  expectKnown(mapper, 0.05);
+  const auto valueAt = [&](const Vec2& point) { return mapper.grid()[mapper.grid().geometry().cellAt(point)]; };
+  EXPECT_EQ(valueAt({6.02, 0.9}), kOccupied) << "what is new is in the map";
+  EXPECT_EQ(valueAt({1.1, 1.3}), kFree) << "what was known stays";
+  EXPECT_EQ(valueAt({0.9, 0.9}), kOccupied);
+  EXPECT_FALSE(mapper.trajectory().empty());
+}
+
+TEST_F(KnownMapTest, AResetForgetsAlsoWhatWasLoaded) {
+  Mapper mapper = knowing(false);
+  mapper.reset();
+  drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
+  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  EXPECT_FALSE(isJump(mapper.T_map_odom(), Pose2(), 0.02, 0.02)) << "a map of its own, from where the robot is";
+}
+
+// [MAP-5]
+TEST_F(KnownMapTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
+  Mapper mapper;
+  drive(mapper, {4.0, 1.2, 0.0}, {4.2, 1.2, 0.0});
+  seconds += 0.6;
+  mapper.insert(scanner.scan({4.5, 1.2, 0.0}, timeFromSeconds(seconds)), Pose2(0.5, 0.0, 0.0),
+                timeFromSeconds(seconds));
+  const RevisionWork work = mapper.takeWork();
+  ASSERT_TRUE(work);
+  OccupancyMap empty(MapperParameters{}.map);
+  ASSERT_TRUE(mapper.load(empty));
+  MapRevision revision = work();
+  EXPECT_FALSE(mapper.revise(revision));
+}
+
+}  // namespace
+}  // namespace frontier_pilot::test
