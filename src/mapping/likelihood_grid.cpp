@@ -82,7 +82,10 @@ void LikelihoodGrid::stamp(const Vec2& point) {
   for (int j = 0; j < width; ++j) {
     std::uint8_t* row = &field_[{cell.x - reach_, cell.y - reach_ + j}];
     const float peak = 255.0F * along_y[j];
-    for (int i = 0; i < width; ++i) row[i] = std::max(row[i], static_cast<std::uint8_t>(peak * along_x[i] + 0.5F));
+    for (int i = 0; i < width; ++i) {
+      const float rounded = peak * along_x[i] + 0.5F;
+      row[i] = std::max(row[i], static_cast<std::uint8_t>(rounded));
+    }
   }
 }
 
