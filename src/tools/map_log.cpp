@@ -124,9 +124,7 @@ void writeResults(const MapLogOptions& options, const MappedDrive& drive, Mapper
 
 int run(const MapLogOptions& options, const BagReader& read_bag) {
   const ScanLog log = readLog(options, read_bag);
-  MapperParameters parameters = options.mapper;
-  parameters.trust_odometry = false;
-  Mapper mapper(parameters);
+  Mapper mapper(options.mapper);
   const double begin = cpuSeconds();
   const MappedDrive drive = mapLog(log, mapper);
   const double cpu = cpuSeconds() - begin;

@@ -19,12 +19,17 @@ namespace frontier_pilot::test {
 /// The parameters of every part, as the nodes have them.
 struct ClosedLoopParameters {
   sim::SimulatorParameters simulator;
-  MapperParameters mapper;
+  MapperParameters mapper = trustingOdometry();  ///< as config/mapper.yaml has it
   NavigatorParams navigator;
   ExplorerParameters explorer;
   ArbiterParameters arbiter;
   double latency = 0.0;  ///< from a measurement to those who use it [s]
 
+  static MapperParameters trustingOdometry() {
+    MapperParameters parameters;
+    parameters.trust_odometry = true;
+    return parameters;
+  }
   /// One set of limits for everybody who needs to know them.
   void setLimits(const RobotLimits& limits);
 };
