@@ -13,15 +13,9 @@ namespace {
 
 /// x, y and yaw in the 6 x 6 covariance of a geometry_msgs/PoseWithCovariance; none where it is not one.
 std::optional<Eigen::Matrix3d> covarianceOf(const geometry_msgs::PoseWithCovariance& msg) {
-  constexpr std::array<int, 3> kAxes = {0, 1, 5};
-  Eigen::Matrix3d covariance;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      const auto index =
-          static_cast<std::size_t>(6 * kAxes[static_cast<std::size_t>(row)] + kAxes[static_cast<std::size_t>(column)]);
-      covariance(row, column) = msg.covariance[index];
-    }
-  }
+  using Covariance6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  const std::array<int, 3> axes = {0, 1, 5};
+  const Eigen::Matrix3d covariance = Eigen::Map<const Covariance6>(msg.covariance.data())(axes, axes);
   const bool usable = covariance.allFinite() && covariance.diagonal().minCoeff() >= 0.0;
   return usable ? std::optional<Eigen::Matrix3d>(covariance) : std::nullopt;
 }

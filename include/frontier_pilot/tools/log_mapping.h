@@ -32,8 +32,8 @@ class DriveRecorder {
 /// Puts a log through a mapper, as if its scans came in now.
 MappedDrive mapLog(const ScanLog& log, Mapper& mapper);
 
-/// `trajectory` bent so that it goes through `anchors`, whose stamps are ascending and are stamps of it. Before the first
-/// and after the last anchor it hangs on that one. Without anchors it stays what it is.
+/// `trajectory` bent so that it goes through `anchors`, whose stamps are ascending and are stamps of it. Before the
+/// first and after the last anchor it hangs on that one. Without anchors it stays what it is.
 Trajectory bend(const Trajectory& trajectory, const Trajectory& anchors);
 
 /// The poses alone.
