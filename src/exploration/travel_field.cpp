@@ -17,17 +17,17 @@ constexpr unsigned kNoDirection = 8;  ///< of a seed: it expands to all sides
 /// the natural ones, and those forced because the obstacle beside them blocks the other way around.
 class SuccessorTable {
  public:
-  SuccessorTable() {
+  constexpr SuccessorTable() {
     for (unsigned open = 0; open < 256; ++open) {
       for (unsigned d = 0; d < 8; ++d) at(d, open) = static_cast<std::uint8_t>(successors(d, open) & open);
       at(kNoDirection, open) = static_cast<std::uint8_t>(open);
     }
   }
-  unsigned operator()(unsigned direction, unsigned open) const { return table_[direction * 256 + open]; }
+  constexpr unsigned operator()(unsigned direction, unsigned open) const { return table_[direction * 256 + open]; }
 
  private:
-  static unsigned bit(unsigned direction) { return 1U << (direction & 7U); }
-  static unsigned successors(unsigned d, unsigned open) {
+  static constexpr unsigned bit(unsigned direction) { return 1U << (direction & 7U); }
+  static constexpr unsigned successors(unsigned d, unsigned open) {
     const bool diagonal = (d & 1U) != 0;
     const unsigned side = diagonal ? 3 : 2;  // where an obstacle forces, seen from the direction of travel
     unsigned result = bit(d);
@@ -36,14 +36,18 @@ class SuccessorTable {
     if ((open & bit(d + 8 - side)) == 0) result |= bit(d + 9 - side);
     return result;
   }
-  std::uint8_t& at(unsigned direction, unsigned open) { return table_[direction * 256 + open]; }
+  constexpr std::uint8_t& at(unsigned direction, unsigned open) { return table_[direction * 256 + open]; }
 
   std::array<std::uint8_t, std::size_t{9} * 256> table_{};
 };
 
-std::array<std::ptrdiff_t, 8> stepOffsets(int width) {
-  std::array<std::ptrdiff_t, 8> offsets{};
-  for (std::size_t d = 0; d < 8; ++d) offsets[d] = kStepX[d] + static_cast<std::ptrdiff_t>(kStepY[d]) * width;
+constexpr SuccessorTable kSuccessors;
+
+/// What to add to a cell's index, modulo its range, for a step in each direction.
+std::array<std::size_t, 8> stepOffsets(int width) {
+  std::array<std::size_t, 8> offsets{};
+  for (std::size_t d = 0; d < 8; ++d)
+    offsets[d] = static_cast<std::size_t>(kStepX[d] + std::ptrdiff_t{kStepY[d]} * width);
   return offsets;
 }
 
@@ -56,6 +60,7 @@ void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& ma
     std::fill(units_.cells().begin(), units_.cells().end(), kUnreached);
   }
   reached_count_ = 0;
+  offsets_ = stepOffsets(map.width());
   if (!map.contains(start)) return;
   seed(space, map, start, escape_radius);
   for (std::uint32_t units = 0; pending_ > 0; ++units) expandBucket(buckets_[units % kBuckets], space, units);
@@ -77,8 +82,13 @@ double TravelField::distance(Cell c) const {
   return units * geometry().resolution / kStraight;
 }
 
-void TravelField::push(std::size_t index, unsigned direction, std::uint32_t units) {
+void TravelField::label(std::size_t index, std::uint32_t units) {
+  if (units_[index] == kUnreached) ++reached_count_;
   units_[index] = units;
+}
+
+void TravelField::push(std::size_t index, unsigned direction, std::uint32_t units) {
+  label(index, units);
   buckets_[units % kBuckets].push_back(static_cast<std::uint32_t>(index << 4U | direction));
   ++pending_;
 }
@@ -108,23 +118,39 @@ void TravelField::seed(const TraversableSpace& space, const OccupancyGrid& map, 
 }
 
 void TravelField::expandBucket(std::vector<std::uint32_t>& bucket, const TraversableSpace& space, std::uint32_t units) {
-  static const SuccessorTable table;
-  const std::array<std::ptrdiff_t, 8> offsets = stepOffsets(space.geometry().width);
-  const std::uint8_t* open = space.neighbours().cells().data();
   for (const std::uint32_t entry : bucket) {  // no step ends in its own bucket
     const std::size_t index = entry >> 4U;
-    if (units_[index] != units) continue;  // reached on a shorter way since
-    ++reached_count_;
-    unsigned successors = table(entry & 15U, open[index]);
-    for (unsigned d = 0; successors != 0; ++d, successors >>= 1U) {
-      if ((successors & 1U) == 0) continue;
-      const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) + offsets[d]);
-      const std::uint32_t reach = units + ((d & 1U) != 0 ? kDiagonal : kStraight);
-      if (reach < units_[next]) push(next, d, reach);
-    }
+    if (units_[index] == units) expandCell(index, entry & 15U, units, space);  // else reached on a shorter way since
   }
   pending_ -= bucket.size();
   bucket.clear();
+}
+
+void TravelField::expandCell(std::size_t index, unsigned direction, std::uint32_t units,
+                             const TraversableSpace& space) {
+  const std::uint8_t* open = space.neighbours().cells().data();
+  for (unsigned left = kSuccessors(direction, open[index]); left != 0; left &= left - 1) {
+    const auto d = static_cast<unsigned>(__builtin_ctz(left));
+    if ((d & 1U) == 0) {
+      goStraight(index, d, units, open);
+    } else if (const std::size_t next = index + offsets_[d]; units + kDiagonal < units_[next]) {
+      push(next, d, units + kDiagonal);
+    }
+  }
+}
+
+/// Labels what lies straight ahead up to where somebody was before, and leaves the rest to the bucket of the cell where
+/// there is more to do than to go on. What this labels ahead of its time a shorter way may label again.
+void TravelField::goStraight(std::size_t index, unsigned direction, std::uint32_t units, const std::uint8_t* open) {
+  const std::size_t step = offsets_[direction];
+  for (const std::uint32_t end = units + kRun * kStraight; units < end;) {
+    index += step;
+    units += kStraight;
+    if (units >= units_[index]) return;
+    label(index, units);
+    if (kSuccessors(direction, open[index]) != (1U << direction)) break;
+  }
+  push(index, direction, units);
 }
 
 }  // namespace frontier_pilot
