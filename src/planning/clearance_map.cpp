@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <utility>
 
 #include "frontier_pilot/core/ray_casting.h"
 
@@ -14,8 +13,6 @@ namespace {
 constexpr double kDiscretisation = 0.9;
 /// The same for a tight place: diagonally between obstacle cells two off the footprint just fits.
 constexpr double kTightDiscretisation = 0.4;
-/// The same where the robot has been: a cell drawn too thick leaves that much of what the footprint proved to be free.
-constexpr double kTroddenDiscretisation = -0.5;
 /// Keeps a distance that equals the required one valid, however it was rounded [m].
 constexpr double kRounding = 1e-5;
 
@@ -53,8 +50,6 @@ bool ClearanceMap::setMap(const OccupancyGrid& map, const CellRect& changed) {
 void ClearanceMap::reset(const OccupancyGrid& map) {
   required_ = params_.inscribed_radius + kDiscretisation * map.resolution() - kRounding;
   least_ = params_.tight_weight > 0.0 ? params_.inscribed_radius + kTightDiscretisation * map.resolution() : required_;
-  trodden_least_ =
-      params_.tight_weight > 0.0 ? params_.inscribed_radius + kTroddenDiscretisation * map.resolution() : required_;
   const double preferred = std::max(params_.preferred_clearance, required_);
   weights_[kTightClass] = std::max(params_.tight_weight, 1.0 + params_.wall_weight);
   for (int i = 1; i < kTightClass; ++i) {
@@ -62,7 +57,6 @@ void ClearanceMap::reset(const OccupancyGrid& map) {
     weights_[static_cast<std::size_t>(i)] = 1.0 + params_.wall_weight * nearness * nearness;
   }
   const GridGeometry& cells = map.geometry();
-  moveTrodden(cells);
   state_ = Grid<std::uint8_t>(cells, kStateUnknown);
   live_ = Grid<std::uint8_t>(cells, 0);
   obstacle_ = Grid<std::uint8_t>(cells, 0);
@@ -105,30 +99,6 @@ void ClearanceMap::setLive(Cell cell, bool obstacle) {
   dirty_tiles_[Cell{cell.x / kTile, cell.y / kTile}] = kTileField;
 }
 
-void ClearanceMap::tread(const Vec2& point) {
-  if (empty() || !geometry().contains(geometry().cellAt(point))) return;
-  const Cell centre = geometry().cellAt(point);
-  const CellRect cells = CellRect{centre.x, centre.y, 1, 1}.grown(1).intersection(geometry().rect());
-  for (int y = cells.y; y < cells.y + cells.height; ++y) {
-    for (int x = cells.x; x < cells.x + cells.width; ++x) {
-      if (trodden_[Cell{x, y}] != 0) continue;
-      trodden_[Cell{x, y}] = 1;
-      std::uint8_t& tile = dirty_tiles_[Cell{x / kTile, y / kTile}];
-      tile = std::max<std::uint8_t>(tile, kTileCost);
-    }
-  }
-}
-
-void ClearanceMap::moveTrodden(const GridGeometry& to) {
-  Grid<std::uint8_t> moved(to, 0);
-  for (std::size_t i = 0; i < trodden_.size(); ++i) {
-    if (trodden_[i] == 0) continue;
-    const Cell cell = to.cellAt(trodden_.geometry().centre(trodden_.geometry().cell(i)));
-    if (to.contains(cell)) moved[cell] = 1;
-  }
-  trodden_ = std::move(moved);
-}
-
 int ClearanceMap::fieldReach() const {
   // One more cell: whether a cell is roomy depends on its neighbours.
   return static_cast<int>(std::ceil(field_.maxDistance() / geometry().resolution)) + 1;
@@ -167,7 +137,7 @@ void ClearanceMap::rateCells(const CellRect& cells) {
 
 std::uint8_t ClearanceMap::rate(Cell cell) const {
   const double distance = static_cast<double>(field_[cell]);
-  if (distance < leastAt(cell)) return 0;
+  if (distance < least_) return 0;
   if (state_[cell] != kStateFree && !(params_.unknown_is_traversable && state_[cell] == kStateUnknown)) return 0;
   if (distance < required_) return kTightClass;
   const double span = std::max(params_.preferred_clearance, required_) - required_;
@@ -218,7 +188,7 @@ bool ClearanceMap::isValid(const Vec2& point) const {
   const Cell cell = geometry().cellAt(point);
   if (!geometry().contains(cell)) return false;
   if (state_[cell] != kStateFree && !(params_.unknown_is_traversable && state_[cell] == kStateUnknown)) return false;
-  return clearance(point) >= leastAt(cell) - kRounding;
+  return clearance(point) >= least_ - kRounding;
 }
 
 double ClearanceMap::leastAlong(Cell cell, const Vec2& from, const Vec2& to) const {
@@ -243,7 +213,7 @@ double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to) const {
       // A cell whose centre is too near may still be cut at a corner.
       if (cost == 0 && !isKnownFree(cell)) return false;
       const double distance = leastAlong(cell, from, to);
-      if (distance < leastAt(cell) - kRounding) return false;
+      if (distance < least_ - kRounding) return false;
       if (distance < required_ - kRounding) cost = kTightClass;
     }
     sum += weights_[std::max(1, cost & kClassMask)];

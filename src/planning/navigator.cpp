@@ -95,7 +95,6 @@ void Navigator::takeIn(const NavigatorInputs& inputs, Time now) {
   if (inputs.pose && inputs.pose->T_map_base.isFinite()) {
     pose_ = inputs.pose;
     poses_.add(pose_->stamp, pose_->T_map_base);
-    clearance_.tread(pose_->T_map_base.position());
   }
   if (inputs.scan == nullptr || (scan_stamp_ && inputs.scan->stamp == *scan_stamp_) || !isUsable(*inputs.scan)) return;
   const auto T_map_base = poses_.at(inputs.scan->stamp);

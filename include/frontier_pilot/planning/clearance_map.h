@@ -43,9 +43,6 @@ struct ClearanceParams {
 /// less, but at least the radius plus 0.4 cells, a cell is tight: passable at a price that makes it the last resort.
 /// There the follower and the live scan decide.
 ///
-/// A gap that was passable from one side may be drawn narrower once it has been seen from the other, and shut the robot
-/// in. But its footprint has been there: where it has stood a cell stays tight at a cell's width less.
-///
 /// Changes are collected and take effect at `refresh`, at a cost that goes with the tiles they touch.
 class ClearanceMap {
  public:
@@ -56,8 +53,6 @@ class ClearanceMap {
   bool setMap(const OccupancyGrid& map, const CellRect& changed);
   /// Adds or removes an obstacle that the map does not know of. `cell` must be in the map.
   void setLive(Cell cell, bool obstacle);
-  /// The robot's centre is at `point`; what it has trodden is kept when the geometry changes.
-  void tread(const Vec2& point);
   /// Brings field and costs up to date. Gives the cells whose clearance may have changed.
   CellRect refresh();
 
@@ -67,7 +62,7 @@ class ClearanceMap {
   const DistanceField& field() const { return field_; }
   /// Least interpolated distance at which a touch is impossible [m].
   double requiredClearance() const { return required_; }
-  /// Least interpolated distance that a path keeps, tight places included, where the robot has not yet been [m].
+  /// Least interpolated distance that a path keeps, tight places included [m].
   double leastClearance() const { return least_; }
 
   bool isKnownFree(Cell c) const { return state_.get(c, kStateUnknown) == kStateFree; }
@@ -102,8 +97,6 @@ class ClearanceMap {
   enum : std::uint8_t { kTileClean = 0, kTileCost = 1, kTileField = 2 };
 
   void reset(const OccupancyGrid& map);
-  void moveTrodden(const GridGeometry& to);
-  double leastAt(Cell c) const { return trodden_[c] != 0 ? trodden_least_ : least_; }
   void takeRow(const std::int8_t* map, Cell from, int count);
   void setCell(Cell cell, std::uint8_t state);
   void refreshTiles(Cell first_tile, int count, std::uint8_t level, CellRect& touched);
@@ -116,12 +109,10 @@ class ClearanceMap {
   ClearanceParams params_;
   double required_ = 0.0;
   double least_ = 0.0;
-  double trodden_least_ = 0.0;
   std::array<double, kClasses> weights_{};
   Grid<std::uint8_t> state_;     ///< of the map
   Grid<std::uint8_t> live_;      ///< 1 where a live obstacle is
   Grid<std::uint8_t> obstacle_;  ///< either of both
-  Grid<std::uint8_t> trodden_;   ///< 1 where the robot has been, a cell of margin included
   DistanceField field_;
   Grid<std::uint8_t> cost_;  ///< class and kRoomy
   Grid<std::uint8_t> dirty_tiles_;

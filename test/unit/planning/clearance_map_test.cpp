@@ -70,38 +70,6 @@ TEST(ClearanceMap, TakesATightPlaceOnlyAsTheLastResort_NAV_2) {
   EXPECT_FALSE(strict.isPassable({20, 20}));
 }
 
-/// A wall across the map with a gap of `width` cells in the middle.
-OccupancyGrid wallWithGap(int width) {
-  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 41, 41}, kFree);
-  for (int x = 0; x < 41; ++x) {
-    if (std::abs(x - 20) > width / 2) map[Cell{x, 20}] = kOccupied;
-  }
-  return map;
-}
-
-TEST(ClearanceMap, DoesNotShutTheRobotInWhereItHasBeen_NAV_2) {
-  const Vec2 south(1.025, 0.625);
-  const Vec2 north(1.025, 1.425);
-  for (const bool trodden : {false, true}) {
-    ClearanceMap clearance;
-    clearance.setMap(wallWithGap(5), {0, 0, 41, 41});
-    ASSERT_TRUE(clearance.isValid(south, north));
-    for (double y = south.y(); trodden && y < north.y(); y += 0.02) clearance.tread({south.x(), y});
-    clearance.setMap(wallWithGap(3), {0, 0, 41, 41});
-    clearance.refresh();
-    EXPECT_EQ(clearance.isValid(north, south), trodden) << "drawn a cell too thick on both sides";
-    EXPECT_EQ(clearance.isPassable({20, 20}), trodden);
-    OccupancyGrid grown(GridGeometry{0.05, Vec2(-0.5, -0.25), 60, 60}, kFree);
-    for (int x = 0; x < 60; ++x) grown[Cell{x, 25}] = std::abs(x - 30) > 1 ? kOccupied : kFree;
-    clearance.setMap(grown, grown.geometry().rect());
-    EXPECT_EQ(clearance.isValid(north, south), trodden) << "and the map has grown";
-    for (int x = 0; x < 60; ++x) grown[Cell{x, 25}] = x == 30 ? kFree : kOccupied;
-    clearance.setMap(grown, grown.geometry().rect());
-    clearance.refresh();
-    EXPECT_FALSE(clearance.isValid(north, south)) << "a door has closed";
-  }
-}
-
 TEST(ClearanceMap, LetsThroughWhatADiscOf15CentimetresReaches_NAV_2) {
   // Cells whose centres are more than three cells from every obstacle's are reachable floor for such a disc.
   std::mt19937 random(2);
