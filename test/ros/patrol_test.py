@@ -3,6 +3,7 @@
 import math
 import os
 import signal
+import statistics
 import subprocess
 import time
 import unittest
@@ -14,13 +15,10 @@ import rostest
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from std_srvs.srv import SetBool, Trigger
+from std_srvs.srv import Empty, SetBool, Trigger
 
 from frontier_pilot.msg import PatrolAction, PatrolGoal
-
-
-def is_zero(twist):
-    return twist.linear.x == 0.0 and twist.angular.z == 0.0
+from wire import Record, moves
 
 
 def yaw_of(odometry):
@@ -40,22 +38,18 @@ def program(name):
 
 class PatrolTest(unittest.TestCase):
     def setUp(self):
-        self.commands, self.feedback = [], []
-        self.odometry = None
-        self.subscribers = [
-            rospy.Subscriber('cmd_vel_patrol', Twist, self.commands.append, queue_size=1000),
-            rospy.Subscriber('odom', Odometry, self.on_odometry, queue_size=1)]
+        self.feedback, self.ended_at = [], None
+        rospy.wait_for_service('reset_positions', 60)
+        rospy.ServiceProxy('reset_positions', Empty)()
+        self.commands, self.odometry = Record('cmd_vel_patrol', Twist), Record('odom', Odometry)
         self.client = actionlib.SimpleActionClient('turtlebot3', PatrolAction)
         self.assertTrue(self.client.wait_for_server(rospy.Duration(60)))
-        self.until(lambda: self.odometry is not None, 'odometry')
+        self.until(lambda: self.odometry.items, 'odometry')
 
     def tearDown(self):
         self.client.cancel_all_goals()
-        for subscriber in self.subscribers:
-            subscriber.unregister()
-
-    def on_odometry(self, msg):
-        self.odometry = msg
+        for record in (self.commands, self.odometry):
+            record.subscriber.unregister()
 
     def until(self, condition, what, seconds=30.0):
         end = time.monotonic() + seconds
@@ -64,36 +58,49 @@ class PatrolTest(unittest.TestCase):
             time.sleep(0.005)
 
     def send(self, msg):
-        self.client.send_goal(msg, feedback_cb=lambda f: self.feedback.append(f.state))
+        self.feedback = []
+        self.client.send_goal(msg, done_cb=self.on_end, feedback_cb=lambda f: self.feedback.append(f.state))
+
+    def on_end(self, *_):
+        self.ended_at = time.monotonic()
 
     def end(self, seconds=200.0):
         self.assertTrue(self.client.wait_for_result(rospy.Duration(seconds)))
         return self.client.get_state(), self.client.get_result().result
 
     def moving(self):
-        self.until(lambda: self.commands and not is_zero(self.commands[-1]), 'motion')
+        self.until(lambda: self.commands.items and moves(self.commands.last), 'motion')
 
     def assert_silent_after_zero(self):
         """[PAT-6] Zero was the last word."""
         rospy.sleep(0.5)
-        self.assertTrue(is_zero(self.commands[-1]))
-        said = len(self.commands)
+        self.assertFalse(moves(self.commands.last))
+        said = len(self.commands.items)
         rospy.sleep(2.0)
-        self.assertEqual(len(self.commands), said)
+        self.assertEqual(len(self.commands.items), said)
 
-    def test_every_shape_completes_with_its_text_and_comes_back(self):
+    def closing_error(self, mode, size, laps, text):
+        """Drives a shape to its end; by how many metres and degrees it does not close."""
+        start = self.odometry.last
+        self.send(goal(mode, size, laps))
+        self.assertEqual(self.end(), (GoalStatus.SUCCEEDED, text))
+        rospy.sleep(0.5)  # until the base stands
+        here, there = self.odometry.last.pose.pose.position, start.pose.pose.position
+        turned = math.remainder(yaw_of(self.odometry.last) - yaw_of(start), 2.0 * math.pi)
+        return math.hypot(here.x - there.x, here.y - there.y), abs(math.degrees(turned))
+
+    def test_every_shape_completes_with_its_text_and_closes_to_two_centimetres_and_one_degree(self):
         """[PAT-2] [PAT-3]"""
-        for mode, name, legs in ((1, 'square', 4), (2, 'triangle', 3), (3, 'circle', 2)):
-            start, self.feedback = self.odometry, []
-            self.send(goal(mode, 0.3, 2 if mode == 3 else 1))
-            self.assertEqual(self.end(), (GoalStatus.SUCCEEDED, name + ' patrol complete!!'))
-            rospy.sleep(0.5)
-            # What the law promises is tested in lockstep; here a busy machine delays odometry and commands.
-            here, there = self.odometry.pose.pose.position, start.pose.pose.position
-            self.assertLess(math.hypot(here.x - there.x, here.y - there.y), 0.04)
-            turned = yaw_of(self.odometry) - yaw_of(start)
-            self.assertLess(abs(math.remainder(turned, 2.0 * math.pi)), math.radians(4.0))
-            self.assertEqual(self.feedback, ['line %d' % (leg + 1) for leg in range(legs)])
+        for mode, name, size, laps, legs in ((1, 'square', 1.0, 1, 4), (2, 'triangle', 0.3, 1, 3), (3, 'circle', 0.15, 2, 2)):
+            # A machine that is held up delays odometry and commands, but not three times running.
+            for attempt in range(3):
+                metres, degrees = self.closing_error(mode, size, laps, name + ' patrol complete!!')
+                print('%s closes to %.1f mm and %.2f degrees' % (name, metres * 1e3, degrees))
+                self.assertEqual(self.feedback, ['line %d' % (leg + 1) for leg in range(legs)])
+                if metres <= 0.02 and degrees <= 1.0:
+                    break
+            else:
+                self.fail('%s does not close' % name)
         self.assert_silent_after_zero()
 
     def test_a_bad_goal_is_aborted_with_its_text_and_without_motion(self):
@@ -104,30 +111,43 @@ class PatrolTest(unittest.TestCase):
             state, result = self.end()
             self.assertEqual(state, GoalStatus.ABORTED)
             self.assertIn(text, result)
-        self.assertTrue(all(is_zero(command) for command in self.commands))
+        self.assertFalse(any(moves(command) for _, command in self.commands.items))
 
-    def test_cancel_sends_zero_and_then_the_result(self):
-        """[PAT-4]"""
-        self.send(goal(1, 2.0))
+    def cancel_after(self, seconds):
+        """How long after a cancel zero and the result come, by the steady clock."""
+        self.send(goal(1, 0.3))
         self.moving()
+        rospy.sleep(seconds)
         asked = time.monotonic()
         self.client.cancel_goal()
-        self.until(lambda: is_zero(self.commands[-1]), 'zero')
-        print('cancel to zero: %.1f ms' % ((time.monotonic() - asked) * 1e3))
         self.assertEqual(self.end(), (GoalStatus.PREEMPTED, 'patrol canceled'))
+        self.until(lambda: not moves(self.commands.last), 'zero')
+        zero_at = next(at for at, command in self.commands.items if at > asked and not moves(command))
+        return zero_at - asked, self.ended_at - asked
+
+    def test_cancel_sends_zero_within_a_tenth_of_a_second_and_then_the_result(self):
+        """[PAT-4]"""
+        # On a line, while it brakes, at the corner, in the turn, on the next line.
+        both = [self.cancel_after(seconds) for seconds in (0.5, 1.7, 2.1, 2.8, 4.5)]
+        zero, result = (statistics.median(times) for times in zip(*both))
+        print('cancel to zero %.1f ms, to the result %.1f ms' % (zero * 1e3, result * 1e3))
+        self.assertLess(zero, 0.1)
+        # They come by two connections, each read by a thread of its own.
+        self.assertLess(zero, result + 0.01)
         self.assert_silent_after_zero()
 
     def test_a_new_goal_preempts_the_old_one_with_zero_between(self):
         """[PAT-4]"""
         self.send(goal(1, 2.0))
         self.moving()
-        said = len(self.commands)
+        asked = time.monotonic()
         other = actionlib.SimpleActionClient('turtlebot3', PatrolAction)
         self.assertTrue(other.wait_for_server(rospy.Duration(60)))
         other.send_goal(goal(2, 0.3))
         self.assertEqual(self.end(), (GoalStatus.PREEMPTED, 'patrol canceled'))
-        self.until(lambda: any(is_zero(command) for command in self.commands[said:]), 'zero between the two')
-        self.until(lambda: not is_zero(self.commands[-1]), 'the second patrol')
+        # Not the zero of its first corner, which is some seconds away.
+        self.until(lambda: not all(map(moves, self.commands.since(asked))), 'zero between the two', 0.5)
+        self.moving()
         self.assertTrue(other.wait_for_result(rospy.Duration(200)))
         self.assertEqual(other.get_result().result, 'triangle patrol complete!!')
 
@@ -179,32 +199,37 @@ class PatrolTest(unittest.TestCase):
         self.assertEqual(client.returncode, 130)
         self.assert_silent_after_zero()
 
-    def test_the_client_notices_a_server_that_is_not_there_or_dies(self):
+    def assert_noticed(self, client, text, asked):
+        """A client that gives up on its server within 2 s, and half a second for the machine."""
+        self.assertIn(text, client.communicate(timeout=60)[0])
+        seconds = time.monotonic() - asked
+        print('%s: noticed after %.2f s' % (text, seconds))
+        self.assertEqual(client.returncode, 3)
+        self.assertLess(seconds, 2.5)
+
+    def test_the_client_notices_a_server_that_is_not_there(self):
         asked = time.monotonic()
-        alone = self.run_client('square', '__ns:=nowhere')
-        self.assertIn('no patrol server', alone.communicate(timeout=60)[0])
-        self.assertEqual(alone.returncode, 3)
-        print('no server noticed after %.2f s' % (time.monotonic() - asked))
-        server = subprocess.Popen([program('patrol_server'), '__ns:=second', 'odom:=/odom'])
-        client = None
-        try:
-            commands = []
-            subscriber = rospy.Subscriber('/second/cmd_vel_patrol', Twist, commands.append)
-            watch = actionlib.SimpleActionClient('/second/turtlebot3', PatrolAction)
-            self.assertTrue(watch.wait_for_server(rospy.Duration(60)))
-            client = self.run_client('square', '--side', '2', '__ns:=second')
-            self.until(lambda: commands, 'the second patrol')
-            os.kill(server.pid, signal.SIGKILL)
-            asked = time.monotonic()
-            self.assertIn('server is gone', client.communicate(timeout=60)[0])
-            print('death noticed after %.2f s' % (time.monotonic() - asked))
-            self.assertEqual(client.returncode, 3)
-            subscriber.unregister()
-        finally:
-            for process in (server, client):
-                if process is not None and process.poll() is None:
-                    process.kill()
-                    process.wait()
+        self.assert_noticed(self.run_client('square', '__ns:=nowhere'), 'no patrol server', asked)
+
+    def test_the_client_notices_a_server_that_dies_or_hangs(self):
+        for number in (signal.SIGKILL, signal.SIGSTOP):
+            server = subprocess.Popen([program('patrol_server'), '__ns:=second', 'odom:=/odom'])
+            client = None
+            try:
+                commands = Record('/second/cmd_vel_patrol', Twist)
+                watch = actionlib.SimpleActionClient('/second/turtlebot3', PatrolAction)
+                self.assertTrue(watch.wait_for_server(rospy.Duration(60)))
+                client = self.run_client('square', '--side', '2', '__ns:=second')
+                self.until(lambda: any(moves(command) for _, command in commands.items), 'the second patrol')
+                asked = time.monotonic()
+                os.kill(server.pid, number)
+                self.assert_noticed(client, 'server is gone', asked)
+                commands.subscriber.unregister()
+            finally:
+                for process in (server, client):
+                    if process is not None and process.poll() is None:
+                        process.kill()
+                        process.wait()
 
 
 if __name__ == '__main__':
