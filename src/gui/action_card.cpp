@@ -5,7 +5,7 @@
 namespace frontier_pilot {
 
 ActionCard::ActionCard(const QString& title, const QString& name, const QString& server, QWidget* parent)
-    : Card(title, parent), server_(server), stop_(new QPushButton(name + " stop")), progress_(makeLabel("", "", true)) {
+    : Card(title, parent), server_(server), stop_(new QPushButton(name + " stop")), progress_(new ElidedLabel) {
   stop_->setObjectName(name + " stop");
   stop_->setProperty("role", "stop");
   progress_->setObjectName(name + "_progress");
@@ -28,9 +28,10 @@ void ActionCard::showAction(const ActionView& action, bool emergency_stop) {
   setRemark(!action.server_up ? "server down" : (action.active ? "running" : "ready"),
             action.server_up ? Severity::kIdle : Severity::kWarning);
   const QString feedback = QString::fromStdString(action.feedback);
-  progress_->setText(action.active ? (feedback.isEmpty() ? "started" : feedback)
-                                   : QString::fromStdString(action.result));
-  progress_->setVisible(!progress_->text().isEmpty());
+  const QString result = QString::fromStdString(action.result);
+  // One line, always: a card that grew would move the buttons under it away from the pointer.
+  progress_->setFullText(action.active ? (feedback.isEmpty() ? "started" : feedback)
+                                       : (result.isEmpty() ? "not asked for yet" : result));
 }
 
 }  // namespace frontier_pilot

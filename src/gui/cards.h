@@ -79,14 +79,14 @@ class ActionCard : public Card {
   ActionCard(const QString& title, const QString& name, const QString& server, QWidget* parent);
   QPushButton* makeStart(const QString& text);
   QPushButton* stopButton() { return stop_; }
-  QLabel* progressLabel() { return progress_; }
+  ElidedLabel* progressLabel() { return progress_; }
   void showAction(const ActionView& action, bool emergency_stop);
 
  private:
   QString server_;
   std::vector<QPushButton*> start_;
   QPushButton* stop_;
-  QLabel* progress_;
+  ElidedLabel* progress_;
 };
 
 /// Patrols: what, how large, how often.

@@ -64,7 +64,8 @@ void DriveCard::showDrive(const DriveModel& drive) {
 
 QString DriveCard::hint(const DriveModel& drive) const {
   if (drive.lock() != DriveLock::kNone) return QString("Locked: ") + toString(drive.lock()) + ".";
-  if (!driver_.isEmpty() && driver_ != "manual") return driver_ + " holds the wheels; your set-point waits.";
+  if (driver_ == "avoid") return "avoid holds the wheels; your set-point waits.";
+  if (drive.machineDrives()) return driver_ + " holds the wheels; what you set is dropped.";
   return drive.holdToRun() ? "Hold arrows or WASD. Release stops." : "Arrows or WASD step, space stops.";
 }
 

@@ -36,10 +36,12 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   start_->setProperty("role", "primary");
   pause_->setObjectName("explore_pause");
   reset_->setObjectName("explore_reset");
-  reset_->setToolTip("Forgets the blacklist, the visits and the phase");
   area_->setObjectName("explored_area");
   state_->setObjectName("explorer_state");
   reason_->setTextFormat(Qt::PlainText);
+  // Room for what it mostly says, so that the buttons under it keep their place.
+  reason_->setMinimumHeight(emOf(*this) * 9 / 4);
+  reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* line = new QHBoxLayout;
   line->addWidget(dot_);
   line->addWidget(state_, 1);
@@ -79,8 +81,9 @@ void ExplorerCard::setState(const OperatorState& state) {
   enableInTurn(*start_, up && !running, *pause_, up && (!heard || running));
   for (QPushButton* button : {start_, pause_}) button->setToolTip(up ? "" : "set_exploration_enabled is down");
   reset_->setEnabled(state.explorer_reset_up);
+  reset_->setToolTip(state.explorer_reset_up ? "Forgets the blacklist, the visits and the phase"
+                                             : "frontier_explorer/reset is down");
   dot_->setSeverity(heard ? state.explorer->severity : Severity::kIdle);
-  reason_->setVisible(heard);
   if (!state.explorer) {
     state_->setFullText("not heard of");
     for (QLabel* label : {area_, distance_, frontiers_, goals_}) label->setText("–");
@@ -90,7 +93,7 @@ void ExplorerCard::setState(const OperatorState& state) {
   const QString phase = QString::fromStdString(explorer.phase_text);
   const QString now = QString::fromStdString(explorer.state_text) + (phase.isEmpty() ? "" : "  ·  " + phase);
   state_->setFullText(heard ? now : "silent for " + ageText(explorer.status_age));
-  reason_->setText(QString::fromStdString(explorer.reason_text));
+  reason_->setText(heard ? QString::fromStdString(explorer.reason_text) : QString());
   area_->setText(QString("%1 m²").arg(explorer.explored_area, 0, 'f', 1));
   distance_->setText(QString("%1 m").arg(explorer.distance_travelled, 0, 'f', 1));
   frontiers_->setText(QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));

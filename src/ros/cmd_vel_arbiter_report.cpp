@@ -25,6 +25,8 @@ std::string stateInWords(const SourceStatus& source, const ArbiterSnapshot& snap
   std::string state = toString(source.state);
   switch (source.state) {
     case SourceState::kNeverHeard:
+      // It was heard, but before it was switched on or a stop was cleared.
+      if (source.age) return "forgotten: waits for a new message";
       return state + (has_publisher ? ": nothing that counts yet" : ": nobody publishes");
     case SourceState::kStale:
       return state + ": silent past its timeout";

@@ -3,65 +3,31 @@
 
 #include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/PatrolAction.h>
-#include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
-#include <nav_msgs/Odometry.h>
 #include <signal.h>
 #include <std_srvs/SetBool.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <QApplication>
+#include <QRegularExpression>
+#include <QSpinBox>
 #include <atomic>
 #include <cmath>
 #include <cstring>
 
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/names.h"
+#include "ros/gui_robot.h"
 #include "ros/gui_window.h"
 
 namespace frontier_pilot {
 namespace {
 
+using test::GuiOnTheWire;
 using test::waitFor;
 using test::Window;
-
-/// What goes to the base and what the base does, kept by a thread of its own.
-class Robot {
- public:
-  Robot() {
-    commands_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 50, [this](const auto& msg) {
-      command = msg->linear.x;
-      ++command_count;
-    });
-    manual_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVelManual, 50, [this](const auto& msg) {
-      manual_command = msg->linear.x;
-      ++manual_count;
-    });
-    odometry_ = node_.subscribe<nav_msgs::Odometry>(names::kOdom, 50,
-                                                    [this](const auto& msg) { speed = msg->twist.twist.linear.x; });
-  }
-
-  std::atomic<double> command{0.0}, speed{0.0}, manual_command{0.0};
-  std::atomic<int> command_count{0}, manual_count{0};
-
- private:
-  ros::NodeHandle node_;
-  ros::Subscriber commands_, manual_, odometry_;
-};
-
-class GuiOnTheWire : public ::testing::Test {
- protected:
-  /// The arbiter is heard, the switches are up, nothing is latched.
-  static bool ready(const Window& window) {
-    return waitFor([&] {
-      return window.find("enable_manual") != nullptr && window.find("enable_manual")->isEnabled() &&
-             window.text("driver") == "manual drives";
-    });
-  }
-
-  Robot robot_;
-};
 
 // [GUI-1]
 TEST_F(GuiOnTheWire, ButtonsMoveTheRobotThroughTheArbiterAtTenHertz) {
@@ -240,6 +206,50 @@ TEST_F(GuiOnTheWire, PatrolsAreStartedShownStoppedAndCancelledOnClosing) {
   EXPECT_TRUE(waitFor([&] { return goals == 2 && cancels == 1; }));
   window->controller.close();
   EXPECT_TRUE(waitFor([&] { return cancels == 2; })) << "closing cancels what the window has started";
+}
+
+// [GUI-2] [GUI-3] [SPN-5]
+TEST_F(GuiOnTheWire, TurnsInPlaceAreMadeShownStoppedAndCancelledOnClosing) {
+  auto window = std::make_unique<Window>();
+  ASSERT_TRUE(ready(*window));
+  ASSERT_TRUE(waitFor([&] { return window->find("spin")->isEnabled(); }));
+  auto* angle = window->widget.findChild<QSpinBox*>("spin_angle");
+  const double before = robot_.yaw;
+  angle->setValue(-60);
+  window->click("spin");
+  EXPECT_TRUE(waitFor([&] { return window->text("driver") == "behavior drives"; }));
+  EXPECT_TRUE(waitFor([&] { return window->text("driver") != "behavior drives" && robot_.stands(); }));
+  EXPECT_NEAR(angleDifference(robot_.yaw, before), -kPi / 3.0, 0.05);
+  // What it was to the degree is the behaviour's affair: 0.05 rad are allowed.
+  const QRegularExpressionMatch told = QRegularExpression("^turned (-\\d+)°$").match(window->text("spin_progress"));
+  EXPECT_NEAR(told.captured(1).toDouble(), -60.0, 3.0) << window->text("spin_progress").toStdString();
+
+  angle->setValue(360);
+  window->click("spin");
+  EXPECT_TRUE(waitFor([&] { return robot_.turns() && window->text("spin_progress").startsWith("turned "); }));
+  window->click("spin stop");
+  EXPECT_TRUE(waitFor([&] { return window->text("spin_progress").contains("canceled") && robot_.stands(); }));
+
+  window->click("spin");
+  EXPECT_TRUE(waitFor([&] { return robot_.turns(); }));
+  window->controller.close();
+  EXPECT_TRUE(waitFor([&] { return robot_.stands(); })) << "closing cancels what the window has started";
+  EXPECT_LT(std::abs(angleDifference(robot_.yaw, before)), kPi) << "not because the turn was over";
+}
+
+// [GUI-4]
+TEST_F(GuiOnTheWire, HeldToRunTheRobotMovesFromPressToRelease) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  window.widget.findChild<QAbstractButton*>("hold_to_run")->click();
+  QTest::mousePress(window.find("Left"), Qt::LeftButton);
+  EXPECT_TRUE(waitFor([&] { return robot_.turn_rate > 0.1; }));
+  QTest::mouseRelease(window.find("Left"), Qt::LeftButton);
+  EXPECT_TRUE(waitFor([&] { return robot_.stands(); }));
+  QTest::keyPress(&window.widget, Qt::Key_D);
+  EXPECT_TRUE(waitFor([&] { return robot_.turn_rate < -0.1; }));
+  window.widget.hide();
+  EXPECT_TRUE(waitFor([&] { return robot_.stands(); }));
 }
 
 // [GUI-3]

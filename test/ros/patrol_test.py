@@ -91,7 +91,8 @@ class PatrolTest(unittest.TestCase):
 
     def test_every_shape_completes_with_its_text_and_closes_to_two_centimetres_and_one_degree(self):
         """[PAT-2] [PAT-3]"""
-        for mode, name, size, laps, legs in ((1, 'square', 1.0, 1, 4), (2, 'triangle', 0.3, 1, 3), (3, 'circle', 0.15, 2, 2)):
+        shapes = ((1, 'square', 1.0, 1, 4), (2, 'triangle', 0.3, 1, 3), (3, 'circle', 0.15, 2, 2))
+        for mode, name, size, laps, legs in shapes:
             # A machine that is held up delays odometry and commands, but not three times running.
             for attempt in range(3):
                 metres, degrees = self.closing_error(mode, size, laps, name + ' patrol complete!!')

@@ -48,6 +48,7 @@ class DriveModel {
   /// the set-point is dropped, so that the robot does not run off by itself; the avoider only interrupts.
   /// True if that dropped a set-point that was not zero.
   bool setDriver(const std::string& source);
+  bool machineDrives() const { return machine_drives_; }
 
   Twist2 setPoint() const;
 

@@ -3,6 +3,7 @@
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QSpinBox>
+#include <array>
 
 #include "gui_fixture.h"
 
@@ -183,6 +184,35 @@ TEST_F(Showing, TheSpinButtonsAskForTheAngleAndForItsEnd) {
   EXPECT_EQ(text("spin_progress"), "turned -40°");
 }
 
+/// What comes and goes above a button must not push it away from the pointer.
+TEST_F(Showing, ButtonsKeepTheirPlacesWhateverIsTold) {
+  const std::array<const char*, 5> buttons{"patrol stop", "spin", "spin stop", "explore_start", "explore_pause"};
+  const auto places = [&] {
+    QApplication::processEvents();
+    std::vector<QPoint> out;
+    for (const char* name : buttons) out.push_back(find(name)->mapTo(widget_.get(), QPoint()));
+    return out;
+  };
+  widget_->resize(1200, 800);
+  state_.patrol.result = state_.spin.result = state_.explorer->reason_text = "";
+  widget_->setState(state_);
+  const std::vector<QPoint> before = places();
+  state_.patrol.result =
+      "aborted: blocked for 10 s: avoid holds the wheels, and more of it than one line could ever hold";
+  state_.explorer->reason_text = "a better goal: (-12.08, -14.82), 14.5 m away, 11.38 m2 to see, score -1.87";
+  widget_->setState(state_);
+  EXPECT_EQ(places(), before);
+}
+
+TEST_F(Showing, TheHintTellsWhetherTheSetPointWaitsOrIsDropped) {
+  state_.arbiter->active_source = "avoid";
+  widget_->setState(state_);
+  EXPECT_EQ(text("drive_hint"), "avoid holds the wheels; your set-point waits.");
+  state_.arbiter->active_source = "nav";
+  widget_->setState(state_);
+  EXPECT_EQ(text("drive_hint"), "nav holds the wheels; what you set is dropped.");
+}
+
 // [GUI-2]
 TEST_F(Showing, PatrolFeedbackAndResultAreShown) {
   state_.patrol.active = true;
@@ -213,8 +243,6 @@ TEST_F(Showing, ServicesThatAreDownGreyTheirButtonsAndSaySo) {
   for (const char* name : {"clear_emergency_stop", "enable_nav", "enable_avoid", "obstacle_avoider", "explore_start",
                            "explore_pause", "explore_reset", "patrol(sqr)", "patrol(tri)", "patrol(cir)", "spin"}) {
     EXPECT_FALSE(find(name)->isEnabled()) << name;
-  }
-  for (const char* name : {"clear_emergency_stop", "enable_nav", "obstacle_avoider", "explore_start", "patrol(sqr)"}) {
     EXPECT_TRUE(find(name)->toolTip().contains("down")) << name;
   }
   EXPECT_TRUE(text("source_state_nav").contains("down"));

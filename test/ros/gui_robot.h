@@ -1,0 +1,58 @@
+#pragma once
+
+#include <geometry_msgs/Twist.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "frontier_pilot/ros/names.h"
+#include "ros/gui_window.h"
+
+namespace frontier_pilot::test {
+
+/// What goes to the base and what the base does, kept by a thread of its own.
+class Robot {
+ public:
+  Robot() {
+    commands_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 50, [this](const auto& msg) {
+      command = msg->linear.x;
+      ++command_count;
+    });
+    manual_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVelManual, 50, [this](const auto& msg) {
+      manual_command = msg->linear.x;
+      ++manual_count;
+    });
+    odometry_ = node_.subscribe<nav_msgs::Odometry>(names::kOdom, 50, [this](const auto& msg) {
+      speed = msg->twist.twist.linear.x;
+      turn_rate = msg->twist.twist.angular.z;
+      yaw = 2.0 * std::atan2(msg->pose.pose.orientation.z, msg->pose.pose.orientation.w);
+    });
+  }
+  bool turns() const { return std::abs(turn_rate) > 0.3; }
+  bool stands() const { return std::abs(turn_rate) < 1e-6 && std::abs(speed) < 1e-6; }
+
+  std::atomic<double> command{0.0}, speed{0.0}, turn_rate{0.0}, yaw{0.0}, manual_command{0.0};
+  std::atomic<int> command_count{0}, manual_count{0};
+
+ private:
+  ros::NodeHandle node_;
+  ros::Subscriber commands_, manual_, odometry_;
+};
+
+class GuiOnTheWire : public ::testing::Test {
+ protected:
+  /// The arbiter is heard, the switches are up, nothing is latched.
+  static bool ready(const Window& window) {
+    return waitFor([&] {
+      return window.find("enable_manual") != nullptr && window.find("enable_manual")->isEnabled() &&
+             window.text("driver") == "manual drives";
+    });
+  }
+
+  Robot robot_;
+};
+
+}  // namespace frontier_pilot::test
