@@ -103,14 +103,19 @@ class Node:
     def signal(self, number):
         os.killpg(self.process.pid, number)
 
+    def has_ended(self):
+        return self.process.poll() is not None
+
     def finish(self, timeout=10.0):
         """Gives the exit code and all that was said."""
         said, _ = self.process.communicate(timeout=timeout)
         return self.process.returncode, said
 
     def end(self):
-        """By SIGINT, so that it says goodbye to the master."""
-        if self.process.poll() is None:
+        """By SIGINT, so that it says goodbye to the master; nothing where it has been finished."""
+        if self.process.stdout.closed:
+            return
+        if not self.has_ended():
             self.signal(signal.SIGINT)
         self.process.communicate()
 
