@@ -5,6 +5,7 @@ import subprocess
 import threading
 import time
 
+import roslib.packages
 import rospy
 from geometry_msgs.msg import Twist
 from std_srvs.srv import SetBool, Trigger
@@ -97,8 +98,9 @@ class Node:
     """A node of the package in a process of its own."""
 
     def __init__(self, executable, *arguments, package='frontier_pilot'):
-        self.process = subprocess.Popen(['rosrun', package, executable, *arguments], stdout=subprocess.PIPE,
-                                        stderr=subprocess.STDOUT, universal_newlines=True, preexec_fn=os.setsid)
+        self.process = subprocess.Popen([roslib.packages.find_node(package, executable)[0], *arguments],
+                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
+                                        preexec_fn=os.setsid)
 
     def signal(self, number):
         os.killpg(self.process.pid, number)
