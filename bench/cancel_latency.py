@@ -64,6 +64,7 @@ def tell(name, topic, seen):
 def measure(name, client, goal, source, runs, relay):
     watches = [Watch(source), Watch('cmd_vel')]
     client.wait_for_server()
+    rospy.wait_for_service('reset_positions')
     times = [[], [], []]
     for run in range(runs):
         rospy.ServiceProxy('reset_positions', Empty)()

@@ -36,7 +36,7 @@ class DriveCard : public Card {
   BarGauge* linear_;
   BarGauge* angular_;
   QCheckBox* hold_;
-  QLabel* hint_;
+  ElidedLabel* hint_;
   QString driver_;  ///< who holds the wheels instead
 };
 

@@ -10,7 +10,7 @@ DriveCard::DriveCard(const TeleopParameters& parameters, QWidget* parent)
       linear_(new BarGauge("Forward", "m/s", parameters.limits.max_linear, false)),
       angular_(new BarGauge("Turn left", "rad/s", parameters.limits.max_angular, true)),
       hold_(new QCheckBox("Hold to run")),
-      hint_(makeLabel("", "muted", true)) {
+      hint_(new ElidedLabel("muted")) {
   content()->addLayout(makePad());
   content()->addWidget(linear_);
   content()->addWidget(angular_);
@@ -59,13 +59,13 @@ void DriveCard::showDrive(const DriveModel& drive) {
     button->setEnabled(drive.lock() == DriveLock::kNone || button->objectName() == toString(Motion::kStop));
     button->setToolTip(toString(drive.lock()));
   }
-  hint_->setText(hint(drive));
+  hint_->setFullText(hint(drive));
 }
 
 QString DriveCard::hint(const DriveModel& drive) const {
   if (drive.lock() != DriveLock::kNone) return QString("Locked: ") + toString(drive.lock()) + ".";
-  if (driver_ == "avoid") return "avoid holds the wheels; your set-point waits.";
-  if (drive.machineDrives()) return driver_ + " holds the wheels; what you set is dropped.";
+  if (driver_ == "avoid") return "avoid drives; your set-point waits.";
+  if (drive.machineDrives()) return driver_ + " drives; what you set is dropped.";
   return drive.holdToRun() ? "Hold arrows or WASD. Release stops." : "Arrows or WASD step, space stops.";
 }
 

@@ -199,6 +199,7 @@ TEST_F(Showing, ButtonsKeepTheirPlacesWhateverIsTold) {
   const std::vector<QPoint> before = places();
   state_.patrol.result =
       "aborted: blocked for 10 s: avoid holds the wheels, and more of it than one line could ever hold";
+  state_.arbiter->active_source = "behavior";
   state_.explorer->reason_text = "a better goal: (-12.08, -14.82), 14.5 m away, 11.38 m2 to see, score -1.87";
   widget_->setState(state_);
   EXPECT_EQ(places(), before);
@@ -207,10 +208,10 @@ TEST_F(Showing, ButtonsKeepTheirPlacesWhateverIsTold) {
 TEST_F(Showing, TheHintTellsWhetherTheSetPointWaitsOrIsDropped) {
   state_.arbiter->active_source = "avoid";
   widget_->setState(state_);
-  EXPECT_EQ(text("drive_hint"), "avoid holds the wheels; your set-point waits.");
+  EXPECT_EQ(find("drive_hint")->toolTip(), "avoid drives; your set-point waits.");
   state_.arbiter->active_source = "nav";
   widget_->setState(state_);
-  EXPECT_EQ(text("drive_hint"), "nav holds the wheels; what you set is dropped.");
+  EXPECT_EQ(find("drive_hint")->toolTip(), "nav drives; what you set is dropped.");
 }
 
 // [GUI-2]
