@@ -156,6 +156,36 @@ bool LoopCloser::isEnough(const SubmapGraph& graph, const Hypothesis& hypothesis
          travel >= parameters_.confirm_travel + parameters_.confirm_jump * jump;
 }
 
+double LoopCloser::contradiction(const SubmapGraph& graph) {
+  constexpr std::size_t kStride = 5;  // keyframes next to each other see the same
+  constexpr double kReach = 3.0;      // [m]: what is farther off they hardly see
+  const std::size_t newest = graph.keyframeCount() - 1;
+  const auto within = static_cast<std::size_t>(parameters_.confirm_within);
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t back = 0; back <= std::min(within, newest); back += kStride) {
+    const Vec2 here = graph.T_map_keyframe(newest - back).position();
+    for (std::size_t submap = 0; submap + static_cast<std::size_t>(parameters_.min_gap) < graph.submapCount();
+         ++submap) {
+      if (distanceTo(graph, submap, here) > kReach) continue;
+      sum += search_.contradiction(graph, submap, newest - back);
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+bool LoopCloser::makesSense(SubmapGraph& graph, const PoseGraph& before, const Pose2& expected) {
+  const double jump = (newestPose(graph).position() - expected.position()).norm();
+  if (jump < parameters_.verify_jump) return true;
+  const double now = contradiction(graph);
+  const PoseGraph after = graph.graph();
+  graph.setGraph(before);
+  const double then = contradiction(graph);
+  graph.setGraph(after);
+  return now - then <= parameters_.max_contradiction;
+}
+
 std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen) {
   const PoseGraph before = graph.graph();
   std::vector<LoopClosure> closures;
@@ -167,10 +197,16 @@ std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vecto
     closures.push_back({hypothesis.keyframe, hypothesis.submap, hypothesis.T_submap_keyframe.pose,
                         graph.keyframe(hypothesis.keyframe).scan.stamp, graph.keyframe(first).scan.stamp});
   }
+  const Pose2 expected = newestPose(graph);
   graph.optimize();
-  const bool sound = isSound(graph);
-  counts_.add(sound ? ClosureVerdict::kAccepted : ClosureVerdict::kDisagrees, chosen.size());
-  if (sound) return closures;
+  ClosureVerdict verdict = ClosureVerdict::kAccepted;
+  if (!isSound(graph)) {
+    verdict = ClosureVerdict::kDisagrees;
+  } else if (!makesSense(graph, before, expected)) {
+    verdict = ClosureVerdict::kContradicts;
+  }
+  counts_.add(verdict, chosen.size());
+  if (verdict == ClosureVerdict::kAccepted) return closures;
   graph.setGraph(before);
   hypotheses_.clear();
   return {};

@@ -45,6 +45,8 @@ const char* toString(ClosureVerdict verdict) {
       return "unconfirmed";
     case ClosureVerdict::kDisagrees:
       return "disagrees with the graph";
+    case ClosureVerdict::kContradicts:
+      return "contradicts the map";
   }
   return "unknown";
 }
@@ -75,6 +77,15 @@ bool LoopSearch::isAmbiguous(const MaxPyramid& pyramid, const SurfacePoints& poi
   const Eigen::Vector3d apart(rival->pose.x - best.pose.x, rival->pose.y - best.pose.y,
                               angleDifference(rival->pose.yaw, best.pose.yaw));
   return apart.dot(information * apart) > kSameRidge;
+}
+
+double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe) {
+  const Prepared& prepared = prepare(graph, submap, 0);
+  const Keyframe& seen = graph.keyframe(keyframe);
+  const SurfacePoints points = thinned(readSurface(seen.scan, parameters_.surface), parameters_.surface);
+  if (prepared.map.empty() || points.empty()) return 0.0;
+  const Pose2 T_submap_keyframe = graph.T_map_submap(submap).inverse() * graph.T_map_keyframe(keyframe);
+  return contradictions(prepared.map.likelihood(), points, T_submap_keyframe);
 }
 
 LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points,

@@ -17,8 +17,9 @@ enum class ClosureVerdict {
   kAmbiguous,    ///< it fits elsewhere in the window nearly as well
   kUnconfirmed,  ///< too few keyframes near it said the same
   kDisagrees,    ///< with it the graph as a whole contradicts itself
+  kContradicts,  ///< with it what the robot has seen of late contradicts the map
 };
-constexpr std::size_t kClosureVerdicts = 6;
+constexpr std::size_t kClosureVerdicts = 7;
 const char* toString(ClosureVerdict verdict);
 
 /// A place seen again: where a keyframe is, seen from an older submap.

@@ -51,6 +51,8 @@ class LoopSearch {
   /// Around `expected`, T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
   Result find(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points, const Pose2& expected,
               const SearchWindow& window);
+  /// Share of a keyframe's beams that contradict a submap, as in `contradictions`, by where the graph has both.
+  double contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe);
 
  private:
   /// What a search needs of a submap, made of its keyframes.
