@@ -8,6 +8,10 @@ namespace {
 /// Whether a scan that was matched so shows what the map shows.
 bool fits(MatchVerdict verdict) { return verdict != MatchVerdict::kPoor && verdict != MatchVerdict::kAmbiguous; }
 
+bool isSound(const Track& track) {
+  return track.verdict == MatchVerdict::kFirst || (track.verdict == MatchVerdict::kMatched && !track.slides);
+}
+
 void addPlace(const std::shared_ptr<const Submap>& submap, PlacedKeyframe& placed) {
   const bool inside = !submap->keyframes.empty() && submap->keyframes.back() == placed.keyframe.id;
   if (inside) placed.places.push_back({submap->id, submap->T_local_submap});
@@ -30,7 +34,8 @@ CorrectedScan GraphSlam::correct(const LaserScan2& scan, const Pose2& T_odom_bas
   if (output.keyframe) keep(output);
   last_ = std::move(output);
   const Track& track = last_.track;
-  return {T_map_local_ * track.T_local_base.pose * T_odom_base.inverse(), fits(track.verdict), toString(track.verdict)};
+  return {T_map_local_ * track.T_local_base.pose * T_odom_base.inverse(), fits(track.verdict), describe(track),
+          isSound(track)};
 }
 
 void GraphSlam::keep(LocalSlamOutput& output) {

@@ -24,7 +24,8 @@ CorrectedScan KnownMap::correct(const LaserScan2& scan, const Pose2& T_odom_base
   if (!slam_ || !T_map_odom_) {
     const MatchVerdict verdict = localizer_.update(scan, T_odom_base);
     const char* text = localizer_.isLocated() ? toString(verdict) : "looking for the robot in the known map";
-    if (!slam_ || !localizer_.isLocated()) return {localizer_.T_map_odom(), isMatched(verdict), text};
+    if (!slam_ || !localizer_.isLocated())
+      return {localizer_.T_map_odom(), isMatched(verdict), text, verdict == MatchVerdict::kMatched};
     T_map_odom_ = localizer_.T_map_odom();
   }
   CorrectedScan corrected = slam_->correct(scan, *T_map_odom_ * T_odom_base, map);

@@ -13,13 +13,14 @@ bool isWellFormed(const LaserScan2& scan) {
          !scan.ranges.empty();
 }
 
-/// Whether any beam tells where there is something, or nothing.
-bool saysAnything(const LaserScan2& scan) {
+/// Share of the beams that tell where there is something, or nothing.
+double shareOfUsable(const LaserScan2& scan) {
+  std::size_t usable = 0;
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
     const RangeKind kind = readBeam(scan, beam).kind;
-    if (kind == RangeKind::kHit || kind == RangeKind::kFree) return true;
+    if (kind == RangeKind::kHit || kind == RangeKind::kFree) ++usable;
   }
-  return false;
+  return static_cast<double>(usable) / static_cast<double>(scan.ranges.size());
 }
 
 ScanVerdict verdictOf(Insertion insertion) {
@@ -62,8 +63,18 @@ Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<PoseCorrectio
 
 ScanVerdict Mapper::insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   const ScanVerdict verdict = decide(scan, T_odom_base, now);
-  counts_.add(verdict);
+  note(verdict, now);
   return verdict;
+}
+
+void Mapper::reject(ScanVerdict verdict, Time now) { note(verdict, now); }
+
+void Mapper::note(ScanVerdict verdict, Time now) {
+  counts_.add(verdict);
+  if (verdict == ScanVerdict::kNotMoved) return;
+  const bool corrected = verdict == ScanVerdict::kMisfit || !isDropped(verdict);
+  const char* remark = corrected ? last_correction_ : toString(verdict);
+  health_.add(now, corrected && sound_ ? nullptr : remark);
 }
 
 ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
@@ -71,7 +82,8 @@ ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T
   if (!isWellFormed(scan)) return ScanVerdict::kMalformed;
   if (!T_odom_base || !T_odom_base->isFinite()) return ScanVerdict::kNoOdometry;
   if (!hasMoved(scan, *T_odom_base)) return ScanVerdict::kNotMoved;
-  if (!saysAnything(scan)) return ScanVerdict::kAllInvalid;
+  usable_share_ = shareOfUsable(scan);
+  if (usable_share_ == 0.0) return ScanVerdict::kAllInvalid;
   return integrate(scan, *T_odom_base);
 }
 
@@ -79,6 +91,7 @@ ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) 
   const CorrectedScan corrected = correction_->correct(scan, T_odom_base, map_);
   last_correction_ = corrected.text;
   ++correction_counts_[corrected.text];
+  sound_ = corrected.sound && corrected.fits_map;
   T_map_odom_ = corrected.T_map_odom;
   ScanVerdict verdict = ScanVerdict::kMisfit;
   if (corrected.fits_map) {

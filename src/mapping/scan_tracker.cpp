@@ -1,6 +1,7 @@
 #include "frontier_pilot/mapping/scan_tracker.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -27,6 +28,7 @@ constexpr double kRival = 0.95;              ///< a second peak this near to the
 constexpr double kRidge = 0.9;               ///< of the peak's score: what lies between poses of one ridge
 constexpr double kRivalDistance = 4;         ///< poses nearer than this to a peak belong to it [cells]
 constexpr double kRivalAngle = 0.1;          ///< [rad]
+constexpr double kSlide = 0.01;  ///< what a scan says along a corridor, at most, as a share of what it says across it
 
 PoseBelief beliefOf(const Pose2& pose, double position, double yaw) {
   return {pose, Eigen::Vector3d(position, position, yaw).array().square().matrix().asDiagonal()};
@@ -57,6 +59,13 @@ PoseBelief moved(const Pose2& T_local_map, const PoseBelief& belief) {
   return {T_local_map * belief.pose, turn * belief.covariance * turn.transpose()};
 }
 
+/// Whether the points tell next to nothing about where the robot is along some direction.
+bool slidesAlong(const Eigen::Matrix3d& information) {
+  const Eigen::Matrix2d position = information.topLeftCorner<2, 2>();
+  const Eigen::Vector2d known = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues();
+  return known(0) < kSlide * known(1);
+}
+
 }  // namespace
 
 const char* toString(MatchVerdict verdict) {
@@ -77,6 +86,12 @@ const char* toString(MatchVerdict verdict) {
       return "lost, begun anew";
   }
   return "unknown";
+}
+
+const char* describe(const Track& track) {
+  if (track.verdict == MatchVerdict::kMatched && track.slides)
+    return "matched, but the way along the walls is odometry's";
+  return toString(track.verdict);
 }
 
 ScanTracker::Sigma ScanTracker::grown(const Sigma& sigma, const Pose2& motion) const {
@@ -142,6 +157,7 @@ Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target,
   const PoseBelief loose = beliefOf(prediction.T_map_base, prediction.unseen.position, prediction.unseen.yaw);
   const Refinement refined = refine(target.map.surfels(), points, found->pose, loose, parameters_.refinement);
   track.inliers = refined.inliers;
+  track.slides = slidesAlong(refined.information);
   if (!fits(refined, points, target.map)) return track;
   const PoseBelief seen{refined.pose, (refined.information + loose.covariance.inverse()).inverse()};
   const PoseBelief odometry = beliefOf(prediction.T_map_base, prediction.odometry.position, prediction.odometry.yaw);

@@ -52,7 +52,7 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
   const std::string& frame = msg.header.frame_id;
   std::string why;
   const auto reject = [&](ScanVerdict verdict) {
-    mapper_.reject(verdict);
+    mapper_.reject(verdict, rosNow());
     note(verdict, why);
     return std::nullopt;
   };

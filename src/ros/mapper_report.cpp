@@ -18,6 +18,7 @@ void reportScans(const Mapper& mapper, Status& status) {
     status.add(std::string("scans, ") + toString(verdict), mapper.counts()[verdict]);
   }
   status.add("scans dropped", mapper.counts().dropped());
+  status.addf("beams of the last scan that say nothing [%]", "%.0f", 100.0 * (1.0 - mapper.usableShare()));
 }
 
 void reportCorrection(const Mapper& mapper, Status& status) {
@@ -60,6 +61,9 @@ void MapperAdapter::summarize(Status& status) const {
     status.summary(DiagnosticStatus::WARN, pairing_.hasOdometry() ? "no usable scan yet" : "no odometry yet");
   } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
+  } else if (const auto remark = mapper_.health().worst(rosNow())) {
+    status.summaryf(DiagnosticStatus::WARN, "%.0f %% of the last scans: %s", 100.0 * remark->share,
+                    remark->text.c_str());
   }
   if (!publisher_.foreigners().empty()) {
     status.summary(DiagnosticStatus::ERROR,

@@ -10,6 +10,7 @@
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/mapping/graph_slam.h"
 #include "frontier_pilot/mapping/known_map.h"
+#include "frontier_pilot/mapping/mapping_health.h"
 #include "frontier_pilot/mapping/occupancy_map.h"
 #include "frontier_pilot/mapping/pose_correction.h"
 #include "frontier_pilot/mapping/scan_inserter.h"
@@ -80,7 +81,7 @@ class Mapper {
   void locate(const PoseBelief& T_map_base);
 
   /// Counts a scan that could not even be offered.
-  void reject(ScanVerdict verdict) { counts_.add(verdict); }
+  void reject(ScanVerdict verdict, Time now);
 
   /// The map's projection; empty until the first scan.
   const OccupancyGrid& grid() const { return map_.grid(); }
@@ -94,6 +95,10 @@ class Mapper {
   /// How often each way to find a scan's pose was taken, and the last one.
   const std::map<std::string, std::uint64_t>& correctionCounts() const { return correction_counts_; }
   const char* lastCorrection() const { return last_correction_; }
+  /// Share of the last scan's beams that tell where there is something, or nothing; 1 before the first.
+  double usableShare() const { return usable_share_; }
+  /// What has been remarkable about the scans of the last seconds.
+  const MappingHealth& health() const { return health_; }
   /// The keyframes so far, each where it is by what is known now. Not while work is out.
   std::vector<KeyframePose> trajectory() const { return correction_->trajectory(); }
 
@@ -110,6 +115,7 @@ class Mapper {
     Pose2 T_map_base;
   };
 
+  void note(ScanVerdict verdict, Time now);
   ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
   ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
   PoseBelief presentBelief() const;
@@ -132,6 +138,9 @@ class Mapper {
   RevisionReport revisions_;
   std::map<std::string, std::uint64_t> correction_counts_;
   const char* last_correction_ = "";
+  bool sound_ = true;  ///< the last correction was
+  double usable_share_ = 1.0;
+  MappingHealth health_;
 };
 
 }  // namespace frontier_pilot

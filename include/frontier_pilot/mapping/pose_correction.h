@@ -24,6 +24,7 @@ struct CorrectedScan {
   Pose2 T_map_odom;       ///< where odometry's frame lay in the map when it was taken
   bool fits_map = true;   ///< false: it belongs elsewhere, and would only smear the map
   const char* text = "";  ///< for diagnostics: how the pose was found
+  bool sound = true;      ///< false: that is worth the operator's attention
 };
 
 /// Second thoughts about the past.

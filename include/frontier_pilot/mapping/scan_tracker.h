@@ -81,7 +81,11 @@ struct Track {
   PoseBelief T_local_base;  ///< the covariance is relative to what it was matched with
   double score = 0.0;       ///< mean likelihood of the points, 0 ... 1
   double inliers = 0.0;     ///< share of the points that lie on surfaces, 0 ... 1
+  bool slides = false;      ///< matched, but along some direction the scan shows nothing, as in a bare corridor
 };
+
+/// How the pose was found, for diagnostics.
+const char* describe(const Track& track);
 
 /// Follows a robot from scan to scan: odometry says where to look and how sure it is of that, the map where the robot
 /// is, and odometry again what the map does not show. Where scan and odometry contradict each other, the scan is right:

@@ -84,7 +84,7 @@ TEST_F(MapperTest, DropsAndCountsScansThatSayNothingOrCannotBePlaced_MAP_4) {
   expectDrop(ring(2.0), Pose2(std::nan(""), 0.0, 0.0), 2.0, ScanVerdict::kNoOdometry);
   expectDrop(ring(2.0), std::nullopt, 2.0, ScanVerdict::kNoOdometry);
   expectDrop(ring(2.0), Pose2(1e5, 0.0, 0.0), 2.0, ScanVerdict::kOutOfBounds);
-  mapper.reject(ScanVerdict::kWrongFrame);
+  mapper.reject(ScanVerdict::kWrongFrame, timeFromSeconds(2.0));
   EXPECT_EQ(mapper.counts()[ScanVerdict::kWrongFrame], 1U);
   EXPECT_EQ(mapper.counts().dropped(), 5U);
   EXPECT_EQ(insert(ring(2.0), Pose2(1.0, 0.0, 0.0)), ScanVerdict::kInserted) << "and the next good one goes in";

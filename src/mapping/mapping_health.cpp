@@ -1,0 +1,38 @@
+#include "frontier_pilot/mapping/mapping_health.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kWindow = std::chrono::seconds(5);
+constexpr int kSlips = 2;            ///< so many are not worth a word
+constexpr double kLeastShare = 0.1;  ///< nor is less than this
+
+}  // namespace
+
+void MappingHealth::add(Time now, const char* remark) {
+  if (!entries_.empty() && now < entries_.back().time) entries_.clear();
+  entries_.push_back({now, remark});
+  while (now - entries_.front().time > kWindow) entries_.pop_front();
+}
+
+std::optional<MappingHealth::Remark> MappingHealth::worst(Time now) const {
+  std::map<std::string, int> counts;
+  int scans = 0;
+  for (const Entry& entry : entries_) {
+    if (now - entry.time > kWindow) continue;
+    ++scans;
+    if (entry.remark != nullptr) ++counts[entry.remark];
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == counts.end() || most->second <= kSlips) return std::nullopt;
+  const double share = static_cast<double>(most->second) / scans;
+  if (share < kLeastShare) return std::nullopt;
+  return Remark{most->first, share};
+}
+
+}  // namespace frontier_pilot
