@@ -30,7 +30,7 @@ constexpr const char* kUsage =
     "  --start X Y YAW    start pose in the world [m, m, rad]; the world's own otherwise\n"
     "  --until SHARE      stop at this explored share instead of DONE\n"
     "  --limit SECONDS    of simulated time, 7200\n"
-    "  --odom-noise       the simulator's odometry noise\n"
+    "  --odom-noise       the simulator's odometry noise; the mapper then matches scans and closes loops\n"
     "  --latency SECONDS  from a measurement to those who use it, 0\n"
     "  --curve            explored share every 10 s of simulated time\n"
     "  --log              every transition of the explorer, end of a goal and contact\n"
@@ -104,6 +104,7 @@ test::ClosedLoopParameters parametersFor(const Options& options, const std::stri
   parameters.simulator.world = world;
   parameters.simulator.seed = seed;
   parameters.simulator.odom_noise = options.odom_noise;
+  parameters.mapper.trust_odometry = !options.odom_noise;
   parameters.latency = options.latency;
   if (options.start) {
     parameters.simulator.x = options.start->x;
@@ -170,10 +171,26 @@ class Run {
     for (const std::string& line : loop_.takeLog()) {
       if (options_.log) std::printf("    %s\n", line.c_str());
     }
+    if (options_.log) logMapper();
     if (options_.curve && static_cast<int>(t) % 10 == 0) {
       std::printf("    t %6.0f s  explored %.4f  distance %7.1f m\n", t, report_.explored, report_.distance);
     }
     metering_ += threadSeconds() - begin;
+  }
+
+  /// What the mapper thinks of its scans, each time it thinks something else, and how far it is off.
+  void logMapper() {
+    const Mapper& mapper = loop_.mapper();
+    const auto remark = mapper.health().worst(loop_.now());
+    std::string text = std::to_string(mapper.revisions().closures) + " loops closed";
+    if (remark) text += ", " + remark->text;
+    if (text == last_remark_) return;
+    last_remark_ = text;
+    const sim::Simulator& simulator = loop_.simulator();
+    const Pose2 truth = simulator.startPose(0).inverse() * simulator.pose(0);
+    const Pose2 error = truth.inverse() * mapper.T_map_odom() * simulator.odometry(0);
+    std::printf("    %.2f mapper: %s; off by %.3f m, %.2f deg\n", toSeconds(loop_.now()), text.c_str(),
+                error.position().norm(), error.yaw * 180.0 / kPi);
   }
 
   void conclude(double cpu) {
@@ -196,6 +213,7 @@ class Run {
   ExploreReport report_;
   SvgTrack track_;
   std::optional<Vec2> last_;
+  std::string last_remark_;
   double metering_ = 0.0;
 };
 

@@ -19,7 +19,7 @@ namespace frontier_pilot::test {
 /// The parameters of every part, as the nodes have them.
 struct ClosedLoopParameters {
   sim::SimulatorParameters simulator;
-  MapperParameters mapper = trustingOdometry();  ///< as config/mapper.yaml has it
+  MapperParameters mapper = trustingOdometry();  ///< as system.launch has it without noise
   NavigatorParams navigator;
   ExplorerParameters explorer;
   ArbiterParameters arbiter;
