@@ -127,6 +127,18 @@ Vec2 frontCornerAt(double yaw) { return Pose2(0.0, 0.0, yaw) * Vec2(0.047, 0.099
 /// The same for the rear left one, which reaches farthest; a little inside of it.
 Vec2 rearCornerAt(double yaw) { return Pose2(0.0, 0.0, yaw) * Vec2(0.975 * Vec2(-0.111, 0.099)); }
 
+// [SPN-1]
+TEST(Spin, ATargetThatIsReachedComesBeforeWhatIsAhead) {
+  for (const double target : {0.3, 3.0}) {
+    BehaviorLoop loop;
+    loop.start(spin(target));
+    loop.cycle();
+    loop.base.run({0.0, 1.0}, 0.7);
+    loop.points = {rearCornerAt(loop.base.pose().yaw), rearCornerAt(loop.base.pose().yaw + 0.3)};
+    expectEnd(loop.run(2.0), target < 1.0 ? BehaviorOutcome::kSucceeded : BehaviorOutcome::kCollisionAhead);
+  }
+}
+
 // [SPN-2]
 TEST(Spin, AnObstacleWhereTheFirstTenthOfASecondSweepsIsSeenBeforeAnythingMoves) {
   SurroundingsParameters fine;
