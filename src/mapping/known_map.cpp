@@ -15,19 +15,20 @@ std::string bytesOf(OccupancyMap& map) {
 
 KnownMap::KnownMap(Use use, const GraphSlamParameters& parameters, OccupancyMap& map,
                    const ScanInsertionParameters& insertion, const PoseBelief& T_map_base)
-    : localizer_(parameters.local, map.grid(), T_map_base) {
-  if (use == Use::kLocalizeOnly) return;
+    : use_(use), localizer_(parameters.local, map.grid(), T_map_base) {
+  if (use != Use::kGoOnMapping) return;
   slam_ = std::make_unique<GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
 }
 
 CorrectedScan KnownMap::correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) {
-  if (!slam_ || !T_map_odom_) {
+  if (!T_map_odom_) {
     const MatchVerdict verdict = localizer_.update(scan, T_odom_base);
     const char* text = localizer_.isLocated() ? toString(verdict) : "looking for the robot in the known map";
-    if (!slam_ || !localizer_.isLocated())
+    if (use_ == Use::kLocalizeOnly || !localizer_.isLocated())
       return {localizer_.T_map_odom(), isMatched(verdict), text, verdict == MatchVerdict::kMatched};
     T_map_odom_ = localizer_.T_map_odom();
   }
+  if (!slam_) return {*T_map_odom_, true, "odometry taken as given"};
   CorrectedScan corrected = slam_->correct(scan, *T_map_odom_ * T_odom_base, map);
   corrected.T_map_odom = corrected.T_map_odom * *T_map_odom_;
   return corrected;

@@ -68,7 +68,10 @@ MatchVerdict Localizer::find(const SurfacePoints& points, const Pose2& T_odom_ba
   const MaxPyramid pyramid(map_.likelihood().grid(), pyramidTop(request.window, parameters_.likelihood.resolution));
   const auto found = correlativeSearch(pyramid, points, request);
   if (!found) return MatchVerdict::kPoor;
-  const Refinement refined = refine(map_.surfels(), points, found->pose, belief, parameters_.tracker.refinement);
+  // As sure as the window was wide: what is said to be certain may be a covariance that nobody filled in.
+  const Eigen::Vector3d sigma = Eigen::Vector3d(request.window.x, request.window.y, request.window.yaw) / kSigmas;
+  const PoseBelief prior{belief.pose, sigma.cwiseAbs2().asDiagonal()};
+  const Refinement refined = refine(map_.surfels(), points, found->pose, prior, parameters_.tracker.refinement);
   if (refined.inliers < parameters_.tracker.min_inliers) return MatchVerdict::kPoor;
   tracker_.reset(refined.pose * T_odom_base.inverse());
   sought_.reset();

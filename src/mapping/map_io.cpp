@@ -155,7 +155,9 @@ MapIoResult loadMap(const std::string& path, OccupancyMap& map) {
 MapIoResult loadOctree(const std::string& bt_path, OccupancyMap& map) {
   std::ifstream file(bt_path, std::ios::binary);
   if (!file) return failure(MapIoStatus::kMissing, bt_path, "no such file");
-  if (!map.read(file)) return failure(MapIoStatus::kBroken, bt_path, "no octree of this resolution, or too large");
+  if (!map.read(file))
+    return failure(MapIoStatus::kBroken, bt_path,
+                   "no octree of this resolution with anything at the scanner's height, or too large");
   return {MapIoStatus::kOk, "loaded " + bt_path};
 }
 

@@ -43,7 +43,8 @@ PoseBelief beliefOf(const Pose2& pose) {
 
 std::unique_ptr<PoseCorrection> knownMap(const MapperParameters& parameters, OccupancyMap& map,
                                          const PoseBelief& T_map_base) {
-  const auto use = parameters.localize_only ? KnownMap::Use::kLocalizeOnly : KnownMap::Use::kGoOnMapping;
+  auto use = parameters.trust_odometry ? KnownMap::Use::kTrustOdometry : KnownMap::Use::kGoOnMapping;
+  if (parameters.localize_only) use = KnownMap::Use::kLocalizeOnly;
   return std::make_unique<KnownMap>(use, parameters.slam, map, parameters.insertion, T_map_base);
 }
 
@@ -152,7 +153,12 @@ bool Mapper::load(OccupancyMap& loaded) {
   return true;
 }
 
-void Mapper::locate(const PoseBelief& T_map_base) { replace(knownMap(parameters_, map_, T_map_base)); }
+bool Mapper::locate(const PoseBelief& T_map_base) {
+  const auto& cells = grid().cells();
+  if (std::none_of(cells.begin(), cells.end(), isOccupied)) return false;
+  replace(knownMap(parameters_, map_, T_map_base));
+  return true;
+}
 
 void Mapper::replace(std::unique_ptr<PoseCorrection> correction) {
   correction_ = std::move(correction);

@@ -119,7 +119,8 @@ bool OccupancyMap::read(std::istream& in) {
   if (!loaded.octree_.read(in)) return false;
   CellRect cells;
   loaded.octree_.forEach([&](Cell cell, float) { cells.include(cell); });
-  if (!loaded.reserveCells(cells)) return false;
+  // A tree that holds nothing at the scanner's height is another's: it must not take the place of what is known.
+  if (cells.empty() || !loaded.reserveCells(cells)) return false;
   loaded.octree_.forEach([&](Cell cell, float log_odds) {
     const std::size_t index = loaded.geometry().index({cell.x - loaded.extent_.x, cell.y - loaded.extent_.y});
     loaded.entries_[index].log_odds = log_odds;

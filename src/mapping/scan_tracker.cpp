@@ -116,6 +116,8 @@ ScanTracker::Prediction ScanTracker::predict(Time stamp, const Pose2& T_odom_bas
 
 Track ScanTracker::track(const SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
                          const std::optional<MatchTarget>& target) {
+  // The clock has been set back: silence is counted from now.
+  if (last_ && stamp < last_->stamp) last_->matched = stamp;
   Track track;
   track.T_local_base.pose = T_local_odom_ * T_odom_base;
   if (target) {

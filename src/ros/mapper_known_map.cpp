@@ -56,9 +56,10 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
     ROS_ERROR_STREAM("initial pose refused: " << why);
   } else if (!covariance) {
     ROS_ERROR("initial pose refused: its covariance is none");
+  } else if (!mapper_.locate({*pose, *covariance})) {
+    ROS_ERROR("initial pose refused: there is nothing in the map yet that could be recognised");
   } else {
     ROS_INFO("looking for the robot around %.2f, %.2f", pose->x, pose->y);
-    mapper_.locate({*pose, *covariance});
   }
 }
 

@@ -57,13 +57,13 @@ void MapperAdapter::report(Status& status) const {
 void MapperAdapter::summarize(Status& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   status.summary(DiagnosticStatus::OK, "mapping");
-  if (!last_inserted_) {
+  if (const auto remark = mapper_.health().worst(rosNow())) {
+    status.summaryf(DiagnosticStatus::WARN, "%.0f %% of the last scans: %s", 100.0 * remark->share,
+                    remark->text.c_str());
+  } else if (!last_inserted_) {
     status.summary(DiagnosticStatus::WARN, pairing_.hasOdometry() ? "no usable scan yet" : "no odometry yet");
   } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
-  } else if (const auto remark = mapper_.health().worst(rosNow())) {
-    status.summaryf(DiagnosticStatus::WARN, "%.0f %% of the last scans: %s", 100.0 * remark->share,
-                    remark->text.c_str());
   }
   if (!publisher_.foreigners().empty()) {
     status.summary(DiagnosticStatus::ERROR,

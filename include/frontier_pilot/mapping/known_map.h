@@ -13,7 +13,11 @@ namespace frontier_pilot {
 /// [MAP-5]
 class KnownMap final : public PoseCorrection {
  public:
-  enum class Use { kLocalizeOnly, kGoOnMapping };
+  enum class Use {
+    kLocalizeOnly,   ///< the map stays as it is
+    kGoOnMapping,    ///< with scan matching and loop closing
+    kTrustOdometry,  ///< with odometry taken for the truth from where the robot was found
+  };
 
   /// `map` is the known one, and what revisions have for its parameters; `T_map_base` where the robot is about now.
   KnownMap(Use use, const GraphSlamParameters& parameters, OccupancyMap& map, const ScanInsertionParameters& insertion,
@@ -26,8 +30,9 @@ class KnownMap final : public PoseCorrection {
   void reset() override;
 
  private:
+  Use use_;
   Localizer localizer_;
-  std::unique_ptr<GraphSlam> slam_;  ///< none where the map stays as it is
+  std::unique_ptr<GraphSlam> slam_;  ///< to go on mapping
   /// Where odometry began when mapping went on. `slam_` is given odometry that begins there, and so it thinks in the
   /// map's frame. None until the robot is found.
   std::optional<Pose2> T_map_odom_;

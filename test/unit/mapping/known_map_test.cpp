@@ -45,9 +45,10 @@ class KnownMapTest : public ::testing::Test {
     }
   }
   /// A mapper that knows the rooms; its map begins where the world does.
-  Mapper knowing(bool localize_only) {
+  Mapper knowing(bool localize_only, bool trust_odometry = false) {
     MapperParameters parameters;
     parameters.localize_only = localize_only;
+    parameters.trust_odometry = trust_odometry;
     Mapper mapper(parameters);
     OccupancyMap rooms(parameters.map);
     EXPECT_TRUE(rooms.reserve({0.0, 0.0}, 0.2 * Vec2(world.map.width(), world.map.height())));
@@ -123,6 +124,37 @@ TEST_F(KnownMapTest, GoesOnMappingUponALoadedMapAndLosesNothing_MAP_5) {
   EXPECT_EQ(valueAt({1.1, 1.3}), kFree) << "what was known stays";
   EXPECT_EQ(valueAt({0.9, 0.9}), kOccupied);
   EXPECT_FALSE(mapper.trajectory().empty());
+}
+
+// [MAP-5]
+TEST_F(KnownMapTest, APoseThatIsSaidToBeCertainIsLookedForAllTheSame_MAP_5) {
+  Mapper mapper = knowing(true);
+  mapper.locate({{4.05, 1.17, 0.02}, Eigen::Matrix3d::Zero()});
+  drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
+  EXPECT_EQ(verdict, ScanVerdict::kLocalized);
+  expectKnown(mapper, 0.05);
+}
+
+// [MAP-5]
+TEST_F(KnownMapTest, OdometryThatIsTrustedIsTrustedFromWhereTheRobotWasFound_MAP_5) {
+  Mapper mapper = knowing(false, true);
+  mapper.locate(about({4.3, 1.0, -0.2}));
+  drive(mapper, {4.0, 1.2, 0.0}, {4.2, 1.2, 0.0});
+  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  expectKnown(mapper, 0.05);
+  const Pose2 found = mapper.T_map_odom();
+  drive(mapper, {4.0, 1.2, 0.0}, {5.2, 1.2, 0.0});
+  EXPECT_EQ(mapper.T_map_odom(), found);
+  EXPECT_TRUE(mapper.trajectory().empty()) << "no graph";
+}
+
+// [MAP-5]
+TEST_F(KnownMapTest, WithoutAnythingInTheMapThereIsNoPlaceToLookForTheRobotIn_MAP_5) {
+  Mapper mapper;
+  EXPECT_FALSE(mapper.locate(about({4.0, 1.2, 0.0})));
+  drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
+  EXPECT_EQ(verdict, ScanVerdict::kInserted) << "and mapping goes on";
+  EXPECT_TRUE(mapper.locate(about({0.5, 0.0, 0.0})));
 }
 
 TEST_F(KnownMapTest, AResetForgetsAlsoWhatWasLoaded) {

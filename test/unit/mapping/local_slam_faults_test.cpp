@@ -144,6 +144,16 @@ TEST_F(LocalSlamFaults, StandsStillInACorridorWithoutFeatures) {
   EXPECT_LT(drive.worst, 0.02);
 }
 
+TEST_F(LocalSlamFaults, NoticesThatItIsLostAlsoWhenTheClockWasSetBack) {
+  test::Scanner elsewhere(test::longCorridor(), 0.01);
+  const std::vector<Pose2> standing(200, Pose2(2.0, 2.0, 0.0));
+  drive.run(standing, scanner, [&](double now, LaserScan2& scan, test::Wheels&) {
+    if (now > 9.95) scan = elsewhere.scan({4.0, 1.3, 0.0}, scan.stamp - std::chrono::seconds(60));
+    return true;
+  });
+  EXPECT_EQ(drive.count(MatchVerdict::kLost), 1);
+}
+
 TEST_F(LocalSlamFaults, BeginsANewMapWhereOdometrySaysWhenNothingFitsForLong) {
   test::Scanner elsewhere(test::longCorridor(), 0.01);
   const std::vector<Pose2> standing(200, Pose2(2.0, 2.0, 0.0));

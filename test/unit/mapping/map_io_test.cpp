@@ -131,6 +131,20 @@ TEST_F(MapIo, KeepsTheMapWhenAnotherCannotBeLoaded_MAP_5) {
   EXPECT_TRUE(map.grid().cells() == before);
 }
 
+// [MAP-5]
+TEST_F(MapIo, KeepsTheMapWhenTheOtherIsOfAnotherHeight_MAP_5) {
+  const auto before = map.grid().cells();
+  OccupancyMapParameters high;
+  high.scanner_height += 0.5;
+  OccupancyMap other(high);
+  ASSERT_TRUE(other.reserve({0.0, 0.0}, {1.0, 1.0}));
+  other.beginScan();
+  other.hit({3, 3});
+  ASSERT_TRUE(saveMap(other, path("high")).ok());
+  EXPECT_EQ(loadMap(path("high"), map).status, MapIoStatus::kBroken);
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
 TEST(MapIoStatus, HasAWordForEach) {
   for (int i = 0; i <= static_cast<int>(MapIoStatus::kBroken); ++i) {
     EXPECT_STRNE(toString(static_cast<MapIoStatus>(i)), "unknown");
