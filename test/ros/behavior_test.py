@@ -33,6 +33,7 @@ class BehaviorTest(unittest.TestCase):
         self.clients = {}
         rospy.wait_for_service('reset_positions', 60)
         rospy.ServiceProxy('reset_positions', Empty)()
+        self.until(lambda: all(s.get_num_connections() > 0 for s in self.subscribers), 'connections')
         self.until(lambda: self.truth is not None, 'the truth')
         self.until_scans(10)  # the first ones, and what a jump leaves behind
         del self.commands[:]
