@@ -77,8 +77,8 @@ class Mapper {
   /// Puts `loaded` in the place of the map and looks for the robot in it, about where it is thought to be. False, and
   /// nothing happens, when the two together would be too large.
   bool load(OccupancyMap& loaded);
-  /// The robot is about at `T_map_base`: takes the map as it is for known, looks for the robot there, and goes on. False, and
-  /// nothing happens, when the map shows nothing that could be recognised.
+  /// The robot is about at `T_map_base`: takes the map as it is for known, looks for the robot there, and goes on.
+  /// False, and nothing happens, when the map shows nothing that could be recognised.
   bool locate(const PoseBelief& T_map_base);
 
   /// Counts a scan that could not even be offered.
