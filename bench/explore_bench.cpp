@@ -32,7 +32,7 @@ constexpr const char* kUsage =
     "  --limit SECONDS    of simulated time, 7200\n"
     "  --odom-noise       the simulator's odometry noise; the mapper then matches scans and closes loops\n"
     "  --latency SECONDS  from a measurement to those who use it, 0\n"
-    "  --curve            explored share every 10 s of simulated time\n"
+    "  --curve            explored share and the mapper's error every 10 s of simulated time\n"
     "  --log              every transition of the explorer, end of a goal and contact\n"
     "  --twice            run each seed twice and compare the hashes\n"
     "  --svg DIRECTORY    draw each trajectory over the map it made\n"
@@ -173,7 +173,9 @@ class Run {
     }
     if (options_.log) logMapper();
     if (options_.curve && static_cast<int>(t) % 10 == 0) {
-      std::printf("    t %6.0f s  explored %.4f  distance %7.1f m\n", t, report_.explored, report_.distance);
+      const Pose2 error = mapperError();
+      std::printf("    t %6.0f s  explored %.4f  distance %7.1f m  off by %.3f m, %.2f deg\n", t, report_.explored,
+                  report_.distance, error.position().norm(), error.yaw * 180.0 / kPi);
     }
     metering_ += threadSeconds() - begin;
   }
@@ -186,11 +188,16 @@ class Run {
     if (remark) text += ", " + remark->text;
     if (text == last_remark_) return;
     last_remark_ = text;
-    const sim::Simulator& simulator = loop_.simulator();
-    const Pose2 truth = simulator.startPose(0).inverse() * simulator.pose(0);
-    const Pose2 error = truth.inverse() * mapper.T_map_odom() * simulator.odometry(0);
+    const Pose2 error = mapperError();
     std::printf("    %.2f mapper: %s; off by %.3f m, %.2f deg\n", toSeconds(loop_.now()), text.c_str(),
                 error.position().norm(), error.yaw * 180.0 / kPi);
+  }
+
+  /// Where the mapper has the robot, seen from where it is.
+  Pose2 mapperError() {
+    const sim::Simulator& simulator = loop_.simulator();
+    const Pose2 T_map_base = simulator.startPose(0).inverse() * simulator.pose(0);
+    return T_map_base.inverse() * loop_.mapper().T_map_odom() * simulator.odometry(0);
   }
 
   void conclude(double cpu) {

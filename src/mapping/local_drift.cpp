@@ -1,11 +1,23 @@
 #include "frontier_pilot/mapping/local_drift.h"
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "covariance.h"
 
 namespace frontier_pilot {
+namespace {
+
+/// (1 + K^4)^-2 of a symmetric K, direction by direction: what is known next to nothing in one must not drown in the
+/// rounding of what is known a million times better in another.
+Eigen::Matrix3d unknownShare(const Eigen::Matrix3d& known) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions(known);
+  const Eigen::Array3d squared = directions.eigenvalues().array().square();
+  const Eigen::Vector3d share = (1.0 + squared.square()).square().inverse();
+  return directions.eigenvectors() * share.asDiagonal() * directions.eigenvectors().transpose();
+}
+
+}  // namespace
 
 Eigen::Matrix3d LocalDrift::step(const Keyframe& keyframe, MatchVerdict verdict) {
   const Pose2 motion = last_ ? last_->inverse() * keyframe.T_local_base : Pose2();
@@ -18,9 +30,8 @@ Eigen::Matrix3d LocalDrift::step(const Keyframe& keyframe, MatchVerdict verdict)
   if (verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
   const Eigen::Matrix3d sigma = odometrySigma(motion).asDiagonal();
   const Eigen::Matrix3d known = sigma * surfaceInformation(keyframe.points) * sigma;
-  const Eigen::Matrix3d squared = known * known;
-  const Eigen::Matrix3d open = (Eigen::Matrix3d::Identity() + squared * squared).inverse();
-  return alongAxes(sigma * open * open.transpose() * sigma, -keyframe.T_local_base.yaw);
+  const Eigen::Matrix3d open = sigma * unknownShare(known) * sigma;
+  return alongAxes(open, -keyframe.T_local_base.yaw);
 }
 
 Eigen::Vector3d LocalDrift::odometrySigma(const Pose2& motion) const {
