@@ -23,6 +23,17 @@ def is_zero(twist):
 
 
 class BehaviorTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """Until the server sees: what has just started turns nowhere."""
+        client = actionlib.SimpleActionClient('spin', SpinAction)
+        if not client.wait_for_server(rospy.Duration(60)):
+            raise RuntimeError('no server')
+        end = time.monotonic() + 60.0
+        while client.send_goal_and_wait(SpinGoal(0.05, rospy.Duration(0), False)) != GoalStatus.SUCCEEDED:
+            if time.monotonic() > end:
+                raise RuntimeError('the server never turns: ' + client.get_result().error_msg)
+
     def setUp(self):
         self.commands, self.truth, self.scan_stamps = [], None, []
         self.subscribers = [
@@ -93,8 +104,13 @@ class BehaviorTest(unittest.TestCase):
         self.assertEqual((got, result.error_code), (state, code), result.error_msg)
         return result
 
-    def moving(self):
-        self.until(lambda: self.commands and not is_zero(self.commands[-1]), 'motion')
+    def moving(self, name='spin'):
+        """Until it moves; a goal that has ended by then says why it did."""
+        def begun():
+            result = self.clients[name].get_result()
+            self.assertIsNone(result, result and result.error_msg)
+            return self.commands and not is_zero(self.commands[-1])
+        self.until(begun, 'motion')
 
     def assert_silent_after_zero(self):
         rospy.sleep(0.3)
