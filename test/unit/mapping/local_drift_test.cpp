@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kSpacing = 0.1;  // [m]
 
-/// The two walls of a corridor 2 m wide that runs at `yaw` in the base frame, ahead of the robot, as far as a scanner sees.
+/// The two walls of a corridor 2 m wide that runs at `yaw` in the base frame, ahead of the robot, as far as a scanner
+/// sees.
 SurfacePoints corridor(double yaw) {
   const Pose2 turn(0.0, 0.0, yaw);
   SurfacePoints points;
@@ -57,9 +58,7 @@ TEST(LocalDrift, MAP_1_IsOdometrysAlongACorridorWhicheverWayThatRuns) {
   }
 }
 
-TEST(LocalDrift, MAP_1_IsNextToNothingWhereWallsAreOnAllSides) {
-  EXPECT_LT(sigmasOf(room())(1), 1e-3 * kOdometry);
-}
+TEST(LocalDrift, MAP_1_IsNextToNothingWhereWallsAreOnAllSides) { EXPECT_LT(sigmasOf(room())(1), 1e-3 * kOdometry); }
 
 TEST(LocalDrift, MAP_1_IsThatOfARobotPickedUpWhereTheMapIsBegunAnew) {
   LocalDrift drift((LocalSlamParameters()));
