@@ -30,7 +30,17 @@ double PathFollower::Trial::score() const { return progress - kDeviationWeight *
 
 bool PathFollower::Surroundings::isFree(const Vec2& position, double speed) const {
   if (least_clearance > 0.0 && map.clearance(position) < least_clearance) return false;
-  return points.distance(position) >= least_distance + kSpeedMargin * std::max(0.0, speed - kNarrowSpeed);
+  const auto x = static_cast<float>(position.x());
+  const auto y = static_cast<float>(position.y());
+  const auto more = static_cast<float>(kSpeedMargin * std::max(0.0, speed - kNarrowSpeed));
+  bool touched = false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float dx = points.x[i] - x;
+    const float dy = points.y[i] - y;
+    const float least = least_distances[i] + more;
+    touched |= dx * dx + dy * dy < least * least;
+  }
+  return !touched;
 }
 
 void PathFollower::setPath(Path path) {
@@ -41,16 +51,24 @@ void PathFollower::setPath(Path path) {
 PathFollower::Surroundings PathFollower::surroundings(const FollowerInputs& inputs) const {
   const Vec2 position = inputs.T_map_base.position();
   const double reach = limits_.max_linear * params_.horizon + params_.inscribed_radius + params_.scan_margin + 0.1;
-  const double least = params_.inscribed_radius + params_.scan_margin;
-  Surroundings around{inputs.scan.near(position, reach), inputs.map, least, 0.0};
-  // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
-  const double now = around.points.distance(position);
-  const double floor = params_.inscribed_radius + kMinGap;
-  if (now < around.least_distance) around.least_distance = now < floor ? now : std::max(floor, now - 0.002);
+  Surroundings around{inputs.scan.near(position, reach), inputs.map, {}, 0.0};
+  around.least_distances.reserve(around.points.size());
+  for (std::size_t i = 0; i < around.points.size(); ++i) {
+    const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));
+    around.least_distances.push_back(static_cast<float>(leastDistance((point - position).norm())));
+  }
   // In the map's inflation only the scan can tell the way out.
   const double needed = inputs.map.leastClearance() - kMapSlack;
   if (inputs.map.clearance(position) >= needed) around.least_clearance = needed;
   return around;
+}
+
+double PathFollower::leastDistance(double now) const {
+  const double least = params_.inscribed_radius + params_.scan_margin;
+  if (now >= least) return least;
+  // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
+  const double floor = params_.inscribed_radius + kMinGap;
+  return now < floor ? now : std::max(floor, now - 0.002);
 }
 
 double PathFollower::turnRate(double angle, const Twist2& twist) const {

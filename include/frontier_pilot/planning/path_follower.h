@@ -90,13 +90,15 @@ class PathFollower {
   struct Surroundings {
     ScanPoints points;
     const ClearanceMap& map;
-    double least_distance;   ///< to the points [m]
-    double least_clearance;  ///< in the map [m]; 0 is no check
+    std::vector<float> least_distances;  ///< to each of the points: one too near must not let others come as near [m]
+    double least_clearance;              ///< in the map [m]; 0 is no check
 
     bool isFree(const Vec2& position, double speed) const;
   };
 
   Surroundings surroundings(const FollowerInputs& inputs) const;
+  /// How near a point may come that is as far away as `now` [m].
+  double leastDistance(double now) const;
   Twist2 pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const;
   double turnRate(double angle, const Twist2& twist) const;
   Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Surroundings& around) const;
