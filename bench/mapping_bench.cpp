@@ -5,6 +5,8 @@
 //   Mapped      the same tour once more, through a map that is complete
 //   Fresh       single scans, each into an empty map: the worst case
 //
+//   Publishing  what is sent of the map on both tours, and what it takes to copy that
+//
 // `cells` is the mean number of cells that the beams of a scan pass through, and so the floor: one load for each.
 
 #include <benchmark/benchmark.h>
@@ -15,6 +17,7 @@
 
 #include "frontier_pilot/core/ray_casting.h"
 #include "frontier_pilot/mapping/map_io.h"
+#include "frontier_pilot/mapping/map_schedule.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
@@ -106,6 +109,69 @@ void fresh(benchmark::State& state) {
   }
 }
 BENCHMARK(fresh)->Name("Fresh")->Iterations(1)->Unit(benchmark::kMillisecond);
+
+/// What a publisher does: each change is copied into the message of the whole map and into its own; now and then the
+/// whole is sent.
+class Publishing {
+ public:
+  void publish(Mapper& mapper, Time now) {
+    const OccupancyGrid& grid = mapper.grid();
+    const MapChanges changes = mapper.takeChanges();
+    watch_.time([&] { copy(grid, changes); });
+    if (schedule_.note(changes, now)) changed_ += static_cast<double>(message_.size());
+    if (!schedule_.isDue(grid.size(), now)) return;
+    watch_.time([&] { message_ = whole_; });
+    whole_maps_ += static_cast<double>(grid.size());
+    schedule_.sent(now);
+  }
+  void report(benchmark::State& state, double scans) {
+    watch_.report(state);
+    state.counters["changed"] = changed_ / scans;
+    state.counters["whole"] = whole_maps_ / scans;
+  }
+
+ private:
+  void copy(const OccupancyGrid& grid, const MapChanges& changes) {
+    const CellRect& rect = changes.cells;
+    message_.clear();
+    if (changes.geometry_changed) {
+      whole_ = grid.cells();
+      return;
+    }
+    for (int y = rect.y; y < rect.y + rect.height; ++y) {
+      const std::int8_t* row = grid.row(y) + rect.x;
+      std::copy_n(row, rect.width, whole_.begin() + static_cast<std::ptrdiff_t>(grid.geometry().index({rect.x, y})));
+      message_.insert(message_.end(), row, row + rect.width);
+    }
+  }
+
+  MapSchedule schedule_;
+  std::vector<std::int8_t> whole_;
+  std::vector<std::int8_t> message_;
+  Stopwatch watch_;
+  double changed_ = 0.0;
+  double whole_maps_ = 0.0;
+};
+
+void publishing(benchmark::State& state) {
+  if (tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
+  for (auto _ : state) {
+    Mapper mapper(insertionOnly());
+    Scanner scanner(tour()->caster());
+    Publishing publisher;
+    Stopwatch unused;
+    for (int round = 0; round < 2; ++round) {
+      for (const Pose2& pose : tour()->poses()) {
+        const LaserScan2& scan = scanner.at(pose);
+        insert(mapper, scan, pose, unused);
+        publisher.publish(mapper, scan.stamp);
+      }
+    }
+    publisher.report(state, 2.0 * static_cast<double>(tour()->poses().size()));
+    state.counters["map_cells"] = static_cast<double>(mapper.grid().size());
+  }
+}
+BENCHMARK(publishing)->Name("Publishing")->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void save(benchmark::State& state) {
   if (tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");

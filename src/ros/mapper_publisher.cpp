@@ -13,9 +13,8 @@
 
 namespace frontier_pilot {
 
-MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame,
-                                 const MapPublishingParameters& parameters)
-    : node_(node), topic_(names::kMap), frame_(std::move(frame)), parameters_(parameters) {}
+MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame, const MapScheduleParameters& schedule)
+    : node_(node), topic_(names::kMap), frame_(std::move(frame)), schedule_(schedule) {}
 
 void MapperPublisher::setPublishers(const std::vector<std::string>& publishers) {
   std::string others;
@@ -35,7 +34,9 @@ void MapperPublisher::setPublishers(const std::vector<std::string>& publishers) 
 
 void MapperPublisher::advertise() {
   if (advertised_) return;
-  const ros::SubscriberStatusCallback note = [this](const ros::SingleSubscriberPublisher&) { newcomer_ = true; };
+  const ros::SubscriberStatusCallback note = [this](const ros::SingleSubscriberPublisher&) {
+    schedule_.noteNewcomer();
+  };
   map_ = node_.advertise<nav_msgs::OccupancyGrid>(topic_, 1, note, {}, {}, true);
   updates_ = node_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10);
   metadata_ = node_.advertise<nav_msgs::MapMetaData>(names::kMapMetadata, 1, true);
@@ -48,24 +49,20 @@ void MapperPublisher::withdraw() {
   updates_.shutdown();
   metadata_.shutdown();
   advertised_ = false;
-  last_whole_.reset();
-  grown_ = true;
+  schedule_.reset();
 }
 
 void MapperPublisher::publish(Mapper& mapper, Time now) {
   if (!advertised_ || mapper.grid().empty()) return;
   const MapChanges changes = mapper.takeChanges();
   patch(mapper.grid(), changes);
-  // What changes while a grown map waits for its turn goes out with it.
-  if (!grown_ && !changes.cells.empty()) {
+  if (schedule_.note(changes, now)) {
     updates_.publish(toGridUpdateMsg(mapper.grid(), changes.cells, frame_, now));
-    changed_ += static_cast<std::size_t>(changes.cells.width) * static_cast<std::size_t>(changes.cells.height);
   }
-  if (isDue(now)) publishWhole(now);
+  if (schedule_.isDue(whole_.data.size(), now)) publishWhole(now);
 }
 
 void MapperPublisher::patch(const OccupancyGrid& grid, const MapChanges& changes) {
-  grown_ = grown_ || changes.geometry_changed;
   if (changes.geometry_changed || whole_.data.size() != grid.size()) {
     whole_ = toOccupancyGridMsg(grid, frame_, Time{});
     return;
@@ -77,24 +74,10 @@ void MapperPublisher::patch(const OccupancyGrid& grid, const MapChanges& changes
   }
 }
 
-bool MapperPublisher::isDue(Time now) const {
-  // A clock that was set back must not hold the map.
-  if (!last_whole_ || now < *last_whole_) return true;
-  const double waited = toSeconds(now - *last_whole_);
-  if (waited < parameters_.min_period) return false;
-  if (grown_) return true;
-  if (changed_ == 0) return false;
-  return changed_ >= whole_.data.size() || newcomer_ || waited >= parameters_.max_period;
-}
-
 void MapperPublisher::publishWhole(Time now) {
   whole_.header.stamp = toRosTime(now);
   map_.publish(whole_);
-  if (grown_) metadata_.publish(whole_.info);
-  last_whole_ = now;
-  newcomer_ = false;
-  grown_ = false;
-  changed_ = 0;
+  if (schedule_.sent(now)) metadata_.publish(whole_.info);
 }
 
 }  // namespace frontier_pilot

@@ -38,7 +38,7 @@ struct MapperNodeParameters {
   double silence = 2.0;        ///< without a scan in the map for so long something is wrong [s]
   MapperParameters mapper;
   ScanPairingParameters pairing;
-  MapPublishingParameters publishing;
+  MapScheduleParameters publishing;
 
   template <class Visitor>
   void describe(Visitor& v) {
