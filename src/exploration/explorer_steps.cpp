@@ -10,8 +10,8 @@ bool passed(Time since, double seconds, Time now) { return now - since >= fromSe
 
 std::string describeGoal(const char* what, const Frontier& frontier) {
   char text[160];
-  std::snprintf(text, sizeof text, "%s: (%.2f, %.2f), %.1f m away, %.2f m2 to see, score %.2f", what, frontier.goal.x(),
-                frontier.goal.y(), frontier.distance, frontier.info.area, frontier.score);
+  std::snprintf(text, sizeof text, "%s, now to (%.2f, %.2f), %.1f m away, %.2f m2 to see, score %.2f", what,
+                frontier.goal.x(), frontier.goal.y(), frontier.distance, frontier.info.area, frontier.score);
   return text;
 }
 

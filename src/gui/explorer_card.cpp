@@ -39,8 +39,8 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   area_->setObjectName("explored_area");
   state_->setObjectName("explorer_state");
   reason_->setTextFormat(Qt::PlainText);
-  // Room for what it mostly says, so that the buttons under it keep their place.
-  reason_->setMinimumHeight(emOf(*this) * 9 / 4);
+  // Room for the longest that it says, so that the buttons under it keep their place.
+  reason_->setMinimumHeight(emOf(*this) * 13 / 4);
   reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* line = new QHBoxLayout;
   line->addWidget(dot_);

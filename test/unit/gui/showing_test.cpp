@@ -200,7 +200,8 @@ TEST_F(Showing, ButtonsKeepTheirPlacesWhateverIsTold) {
   state_.patrol.result =
       "aborted: blocked for 10 s: avoid holds the wheels, and more of it than one line could ever hold";
   state_.arbiter->active_source = "behavior";
-  state_.explorer->reason_text = "a better goal: (-12.08, -14.82), 14.5 m away, 11.38 m2 to see, score -1.87";
+  state_.explorer->reason_text =
+      "nothing left to see at the goal, now to (-12.08, -14.82), 14.5 m away, 11.38 m2 to see, score -1.87";
   widget_->setState(state_);
   EXPECT_EQ(places(), before);
 }
