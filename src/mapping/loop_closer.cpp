@@ -5,16 +5,18 @@
 #include <limits>
 
 #include "covariance.h"
+#include "frontier_pilot/core/motion.h"
 
 namespace frontier_pilot {
 namespace {
 
-/// How far the keyframes of a submap are from a point at the nearest [m].
+constexpr double kSight = 3.0;  ///< what is farther off a scan hardly sees [m]
+
+/// How far the keyframes of a submap are from a point in its frame at the nearest [m].
 double distanceTo(const SubmapGraph& graph, std::size_t submap, const Vec2& point) {
-  const Vec2 local = graph.T_map_submap(submap).inverse() * point;
   double nearest = std::numeric_limits<double>::infinity();
   for (const std::size_t keyframe : graph.submap(submap).keyframes) {
-    nearest = std::min(nearest, (graph.T_submap_keyframe(submap, keyframe).position() - local).norm());
+    nearest = std::min(nearest, (graph.T_submap_keyframe(submap, keyframe).position() - point).norm());
   }
   return nearest;
 }
@@ -22,6 +24,19 @@ double distanceTo(const SubmapGraph& graph, std::size_t submap, const Vec2& poin
 /// Where the newest keyframe is by what is known now.
 Pose2 newestPose(const SubmapGraph& graph) {
   return graph.T_map_local() * graph.keyframe(graph.keyframeCount() - 1).T_local_base;
+}
+
+/// Of so many keyframes one is looked at when the map is held against itself: neighbours see the same.
+std::size_t sampling(const SubmapGraph& graph) {
+  constexpr std::size_t kLeast = 5;
+  constexpr std::size_t kMost = 200;  // keyframes that are looked at
+  return std::max(kLeast, graph.keyframeCount() / kMost);
+}
+
+std::vector<Pose2> sampledPoses(const SubmapGraph& graph) {
+  std::vector<Pose2> poses;
+  for (std::size_t i = 0; i < graph.keyframeCount(); i += sampling(graph)) poses.push_back(graph.T_map_keyframe(i));
+  return poses;
 }
 
 /// Whether every closure in the graph is one that it agrees with.
@@ -76,7 +91,7 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(const SubmapGraph& gra
         positionSigma(covariance) < parameters_.known_position && yawSigma(covariance) < parameters_.known_yaw;
     if (known || isSaturated(graph, submap, of)) continue;
     const SearchWindow window = windowFor(covariance);
-    const double distance = distanceTo(graph, submap, robot) - window.x;
+    const double distance = distanceTo(graph, submap, graph.T_map_submap(submap).inverse() * robot) - window.x;
     if (distance < parameters_.reach) found.push_back({submap, distance, window});
   }
   std::stable_sort(found.begin(), found.end(),
@@ -156,34 +171,28 @@ bool LoopCloser::isEnough(const SubmapGraph& graph, const Hypothesis& hypothesis
          travel >= parameters_.confirm_travel + parameters_.confirm_jump * jump;
 }
 
-double LoopCloser::contradiction(const SubmapGraph& graph) {
-  constexpr std::size_t kStride = 5;  // keyframes next to each other see the same
-  constexpr double kReach = 3.0;      // [m]: what is farther off they hardly see
-  const std::size_t newest = graph.keyframeCount() - 1;
-  const auto within = static_cast<std::size_t>(parameters_.confirm_within);
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t back = 0; back <= std::min(within, newest); back += kStride) {
-    const Vec2 here = graph.T_map_keyframe(newest - back).position();
-    for (std::size_t submap = 0; submap + static_cast<std::size_t>(parameters_.min_gap) < graph.submapCount();
-         ++submap) {
-      if (distanceTo(graph, submap, here) > kReach) continue;
-      sum += search_.contradiction(graph, submap, newest - back);
-      ++count;
+bool LoopCloser::makesSense(SubmapGraph& graph, const PoseGraph& before) {
+  const PoseGraph after = graph.graph();
+  const std::vector<Pose2> now = sampledPoses(graph);
+  graph.setGraph(before);
+  const std::vector<Pose2> then = sampledPoses(graph);
+  graph.setGraph(after);
+  double worse = 0.0;
+  int views = 0;
+  for (std::size_t submap = 0; submap < graph.submapCount(); ++submap) {
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const std::size_t keyframe = i * sampling(graph);
+      if (graph.gap(submap, keyframe) < static_cast<std::size_t>(parameters_.min_gap)) continue;
+      const Pose2 seen_now = after.pose(submap).inverse() * now[i];
+      const Pose2 seen_then = before.pose(submap).inverse() * then[i];
+      const bool moved = isJump(seen_then, seen_now, parameters_.verify_jump, parameters_.verify_jump / kSight);
+      if (!moved || distanceTo(graph, submap, seen_now.position()) > kSight) continue;
+      worse += search_.contradiction(graph, submap, keyframe, seen_now) -
+               search_.contradiction(graph, submap, keyframe, seen_then);
+      ++views;
     }
   }
-  return count > 0 ? sum / count : 0.0;
-}
-
-bool LoopCloser::makesSense(SubmapGraph& graph, const PoseGraph& before, const Pose2& expected) {
-  const double jump = (newestPose(graph).position() - expected.position()).norm();
-  if (jump < parameters_.verify_jump) return true;
-  const double now = contradiction(graph);
-  const PoseGraph after = graph.graph();
-  graph.setGraph(before);
-  const double then = contradiction(graph);
-  graph.setGraph(after);
-  return now - then <= parameters_.max_contradiction;
+  return worse <= parameters_.max_contradiction * views;
 }
 
 std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen) {
@@ -197,12 +206,11 @@ std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vecto
     closures.push_back({hypothesis.keyframe, hypothesis.submap, hypothesis.T_submap_keyframe.pose,
                         graph.keyframe(hypothesis.keyframe).scan.stamp, graph.keyframe(first).scan.stamp});
   }
-  const Pose2 expected = newestPose(graph);
   graph.optimize();
   ClosureVerdict verdict = ClosureVerdict::kAccepted;
   if (!isSound(graph)) {
     verdict = ClosureVerdict::kDisagrees;
-  } else if (!makesSense(graph, before, expected)) {
+  } else if (!makesSense(graph, before)) {
     verdict = ClosureVerdict::kContradicts;
   }
   counts_.add(verdict, chosen.size());

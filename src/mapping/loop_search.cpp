@@ -79,12 +79,12 @@ bool LoopSearch::isAmbiguous(const MaxPyramid& pyramid, const SurfacePoints& poi
   return apart.dot(information * apart) > kSameRidge;
 }
 
-double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe) {
+double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe,
+                                 const Pose2& T_submap_keyframe) {
   const Prepared& prepared = prepare(graph, submap, 0);
-  const Keyframe& seen = graph.keyframe(keyframe);
-  const SurfacePoints points = thinned(readSurface(seen.scan, parameters_.surface), parameters_.surface);
+  const SurfacePoints surface = readSurface(graph.keyframe(keyframe).scan, parameters_.surface);
+  const SurfacePoints points = thinned(surface, parameters_.surface);
   if (prepared.map.empty() || points.empty()) return 0.0;
-  const Pose2 T_submap_keyframe = graph.T_map_submap(submap).inverse() * graph.T_map_keyframe(keyframe);
   return contradictions(prepared.map.likelihood(), points, T_submap_keyframe);
 }
 
@@ -106,7 +106,7 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
                          Eigen::Vector3d(sigma.x(), sigma.x(), sigma.y()).array().square().matrix().asDiagonal()};
   const Refinement refined = refine(prepared.map.surfels(), points, best->pose, prior, parameters_.refinement);
   const Pose2 step = best->pose.inverse() * refined.pose;
-  // The refinement only goes below the size of a cell; farther, it has slid along a wall.
+  // The refinement is of a few cells at most; farther, it has slid along a wall.
   const double cell = 2.0 * parameters_.likelihood.resolution;
   const bool slid = step.position().norm() > 2.0 * cell || std::abs(step.yaw) > 0.1;
   if (slid || refined.inliers < parameters_.min_inliers) return {ClosureVerdict::kPoor, {}};

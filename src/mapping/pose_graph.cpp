@@ -141,10 +141,6 @@ std::size_t PoseGraph::addNode(const Pose2& T_map_node) {
   return poses_.size() - 1;
 }
 
-void PoseGraph::removeConstraint(std::size_t index) {
-  constraints_.erase(constraints_.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
 double PoseGraph::chi2(const PoseConstraint& constraint) const { return chi2Of(constraint, poses_); }
 
 PoseGraphReport PoseGraph::optimize() {

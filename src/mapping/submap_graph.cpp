@@ -56,8 +56,10 @@ void SubmapGraph::begin(const PlacedKeyframe::Place& place) {
   graph_.addConstraint({node - 1, node, T_local_before.inverse() * place.T_local_submap, covariance.inverse(), false});
 }
 
-bool SubmapGraph::isFinished(std::size_t submap) const {
-  return submaps_[submap].keyframes.back() + 1 != keyframes_.size();
+std::size_t SubmapGraph::gap(std::size_t submap, std::size_t keyframe) const {
+  const auto [first, last] = places_[keyframe];
+  if (submap < first) return first - submap;
+  return submap > last ? submap - last : 0;
 }
 
 Pose2 SubmapGraph::T_submap_keyframe(std::size_t submap, std::size_t keyframe) const {

@@ -21,14 +21,14 @@ struct LoopCloserParameters {
   double known_position = 0.05;     ///< a submap is not looked for where it is known this well [m]
   double known_yaw = 0.01;          ///< and this well [rad]
   int max_candidates = 2;           ///< submaps looked at for each keyframe
-  int max_per_pair = 3;             ///< closures between the same two submaps
+  int max_per_pair = 3;             ///< closures between the same two submaps, then no more are sought
   int confirmations = 3;            ///< keyframes that must say the same
   double confirm_travel = 0.5;      ///< these lie at least this far apart [m]
   double confirm_jump = 1.0;        ///< and farther by this for each metre that the robot would jump [m/m]
   double confirm_share = 0.5;       ///< share of the keyframes between them that must say the same, too
   int confirm_within = 40;          ///< and at most so many keyframes
-  double verify_jump = 0.1;         ///< closures that move the robot this far are held against the map [m]
-  double max_contradiction = 0.03;  ///< so much more of the last keyframes' beams may contradict it than did before
+  double verify_jump = 0.1;         ///< what a closure moves this far is held against the map [m]
+  double max_contradiction = 0.03;  ///< so much more of its beams may contradict it than did before
   double agree_distance = 0.2;      ///< the same: it puts the robot this near [m]
   double agree_angle = 0.04;        ///< and turned by no more than this [rad]
   LoopSearchParameters search;
@@ -46,7 +46,8 @@ struct LoopCloserParameters {
             atLeast(0.0));
     v.field("known_yaw", known_yaw, "rad", "and this well", atLeast(0.0));
     v.field("max_candidates", max_candidates, "", "submaps looked at for each keyframe", between(1, 100));
-    v.field("max_per_pair", max_per_pair, "", "closures between the same two submaps", between(1, 100));
+    v.field("max_per_pair", max_per_pair, "", "closures between the same two submaps, then no more are sought",
+            between(1, 100));
     v.field("confirmations", confirmations, "", "keyframes that must say the same", between(1, 100));
     v.field("confirm_travel", confirm_travel, "m", "these lie at least this far apart", atLeast(0.0));
     v.field("confirm_jump", confirm_jump, "m/m", "and farther by this for each metre that the robot would jump",
@@ -54,10 +55,9 @@ struct LoopCloserParameters {
     v.field("confirm_share", confirm_share, "", "share of the keyframes between them that must say the same, too",
             between(0.0, 1.0));
     v.field("confirm_within", confirm_within, "", "and at most so many keyframes", between(1, 10000));
-    v.field("verify_jump", verify_jump, "m", "closures that move the robot this far are held against the map",
-            atLeast(0.0));
+    v.field("verify_jump", verify_jump, "m", "what a closure moves this far is held against the map", atLeast(0.0));
     v.field("max_contradiction", max_contradiction, "",
-            "so much more of the last keyframes' beams may contradict the map than did before", between(0.0, 1.0));
+            "so much more of its beams may contradict the map than did before", between(0.0, 1.0));
     v.field("agree_distance", agree_distance, "m", "the same: it puts the robot this near", positive());
     v.field("agree_angle", agree_angle, "rad", "the same: it turns the robot by no more", positive());
     v.group("search", search, "the search for one keyframe in one submap");
@@ -102,8 +102,8 @@ class LoopCloser {
   std::vector<std::size_t> supporters(const SubmapGraph& graph, const Hypothesis& hypothesis) const;
   bool isEnough(const SubmapGraph& graph, const Hypothesis& hypothesis,
                 const std::vector<std::size_t>& supporters) const;
-  double contradiction(const SubmapGraph& graph);
-  bool makesSense(SubmapGraph& graph, const PoseGraph& before, const Pose2& expected);
+  /// Whether what has moved since `before` does not contradict the rest of the map more than it did then.
+  bool makesSense(SubmapGraph& graph, const PoseGraph& before);
   std::vector<LoopClosure> accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen);
 
   LoopCloserParameters parameters_;

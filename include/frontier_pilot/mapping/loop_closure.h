@@ -17,7 +17,7 @@ enum class ClosureVerdict {
   kAmbiguous,    ///< it fits elsewhere in the window nearly as well
   kUnconfirmed,  ///< too few keyframes near it said the same
   kDisagrees,    ///< with it the graph as a whole contradicts itself
-  kContradicts,  ///< with it what the robot has seen of late contradicts the map
+  kContradicts,  ///< with it what was seen from where it moves contradicts the map
 };
 constexpr std::size_t kClosureVerdicts = 7;
 const char* toString(ClosureVerdict verdict);

@@ -51,8 +51,9 @@ class LoopSearch {
   /// Around `expected`, T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
   Result find(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points, const Pose2& expected,
               const SearchWindow& window);
-  /// Share of a keyframe's beams that contradict a submap, as in `contradictions`, by where the graph has both.
-  double contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe);
+  /// Share of a keyframe's beams that contradict a submap, as in `contradictions`, if it is at `T_submap_keyframe`.
+  double contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe,
+                       const Pose2& T_submap_keyframe);
 
  private:
   /// What a search needs of a submap, made of its keyframes.

@@ -67,8 +67,6 @@ class PoseGraph {
   std::size_t addNode(const Pose2& T_map_node);
   /// Both nodes must exist and differ, and the information be symmetric and positive semidefinite.
   void addConstraint(const PoseConstraint& constraint) { constraints_.push_back(constraint); }
-  /// Takes constraint number `index` away; those after it move up.
-  void removeConstraint(std::size_t index);
 
   std::size_t size() const { return poses_.size(); }
   const Pose2& pose(std::size_t node) const { return poses_[node]; }

@@ -12,8 +12,8 @@ namespace frontier_pilot {
 
 /// How far a submap is believed to be off, seen from its predecessor, even where the scans show all there is to see.
 struct SubmapDrift {
-  double position = 0.015;  ///< standard deviation [m]
-  double yaw = 0.004;       ///< standard deviation [rad]
+  double position = 0.008;  ///< standard deviation [m]
+  double yaw = 0.002;       ///< standard deviation [rad]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -54,8 +54,9 @@ class SubmapGraph {
   std::size_t submapCount() const { return submaps_.size(); }
   const Keyframe& keyframe(std::size_t id) const { return keyframes_[id]; }
   const Submap& submap(std::size_t id) const { return submaps_[id]; }
-  /// No keyframe will be added to it any more.
-  bool isFinished(std::size_t submap) const;
+
+  /// How many submaps later or earlier the nearest one with the keyframe in it was begun.
+  std::size_t gap(std::size_t submap, std::size_t keyframe) const;
 
   Pose2 T_map_submap(std::size_t submap) const { return graph_.pose(submap); }
   Pose2 T_map_keyframe(std::size_t keyframe) const;
