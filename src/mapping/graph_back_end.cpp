@@ -10,7 +10,7 @@ GraphBackEnd::GraphBackEnd(const GraphSlamParameters& parameters, const Occupanc
                            const ScanInsertionParameters& insertion, std::string base)
     : parameters_(parameters),
       map_parameters_(map),
-      inserter_(insertion),
+      inserter_(insertion, parameters.local.surface),
       base_(std::move(base)),
       graph_(parameters.drift, parameters.graph),
       closer_(parameters.loops) {}

@@ -32,8 +32,7 @@ GraphSlam::GraphSlam(const GraphSlamParameters& parameters, const OccupancyMapPa
 CorrectedScan GraphSlam::correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap&) {
   LocalSlamOutput output = local_.update(scan, T_odom_base);
   if (output.keyframe) keep(output);
-  last_ = std::move(output);
-  const Track& track = last_.track;
+  const Track& track = output.track;
   return {T_map_local_ * track.T_local_base.pose * T_odom_base.inverse(), fits(track.verdict), describe(track),
           isSound(track)};
 }
@@ -74,7 +73,6 @@ bool GraphSlam::accept(const MapRevision& revision) {
 void GraphSlam::reset() {
   local_.reset();
   drift_.reset();
-  last_ = {};
   T_map_local_ = Pose2();
   back_end_ = std::make_shared<GraphBackEnd>(parameters_, map_parameters_, insertion_parameters_, base_);
   inbox_.clear();

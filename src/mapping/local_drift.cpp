@@ -42,15 +42,16 @@ Eigen::Vector3d LocalDrift::odometrySigma(const Pose2& motion) const {
 }
 
 Eigen::Matrix3d LocalDrift::surfaceInformation(const SurfacePoints& points) const {
-  // As if each point said something of its own: the question is which knows more, not how well it knows.
-  const double noise = parameters_.tracker.refinement.noise;
+  // As if each point said something of its own: the question is which knows more, not how well it knows. Less than the
+  // points know of themselves: the normals of a corridor's walls are off by a little, and must not look like features.
+  constexpr double kNoise = 0.02;  // [m]
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const SurfacePoint& point : points) {
     const Vec2& n = point.normal;
     const Eigen::Vector3d along(n.x(), n.y(), point.position.x() * n.y() - point.position.y() * n.x());
     sum += along * along.transpose();
   }
-  return sum / (noise * noise);
+  return sum / (kNoise * kNoise);
 }
 
 }  // namespace frontier_pilot

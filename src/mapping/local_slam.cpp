@@ -13,7 +13,10 @@ LocalSlamOutput LocalSlam::update(const LaserScan2& scan, const Pose2& T_odom_ba
   SurfacePoints points = thinned(surface, parameters_.surface);
   LocalSlamOutput output;
   output.track = tracker_.track(points, scan.stamp, T_odom_base, target());
-  if (!isKeyframe(output.track) || points.empty()) return output;
+  if (!isKeyframe(output.track) || points.empty()) {
+    if (isMatched(output.track.verdict)) sharpen(surface, output.track.T_local_base.pose);
+    return output;
+  }
   if (output.track.verdict == MatchVerdict::kLost) output.finished = takeFinished(1);
   output.keyframe = Keyframe{keyframes_++, scan, std::move(points), output.track.T_local_base.pose, T_odom_base};
   insert(*output.keyframe, surface);
@@ -52,6 +55,11 @@ void LocalSlam::insert(const Keyframe& keyframe, const SurfacePoints& surface) {
   }
   T_local_keyframe_ = keyframe.T_local_base;
   pyramid_.reset();
+}
+
+void LocalSlam::sharpen(const SurfacePoints& surface, const Pose2& T_local_base) {
+  const SurfacePoints dense = filled(surface, parameters_.surface);
+  for (const auto& submap : active_) submap->map.sharpen(dense, submap->T_local_submap.inverse() * T_local_base);
 }
 
 std::vector<std::shared_ptr<const Submap>> LocalSlam::takeFinished(std::size_t keyframes) {

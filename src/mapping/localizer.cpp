@@ -65,8 +65,11 @@ MatchVerdict Localizer::find(const SurfacePoints& points, const Pose2& T_odom_ba
   if (!pyramid_) return MatchVerdict::kFirst;
   if (points.size() < static_cast<std::size_t>(parameters_.tracker.min_points)) return MatchVerdict::kTooFew;
   const SearchRequest request = requestFor(belief, parameters_.tracker.min_score);
-  const MaxPyramid pyramid(map_.likelihood().grid(), pyramidTop(request.window, parameters_.likelihood.resolution));
-  const auto found = correlativeSearch(pyramid, points, request);
+  if (!wide_pyramid_) {
+    const int top = pyramidTop(request.window, parameters_.likelihood.resolution);
+    wide_pyramid_.emplace(map_.likelihood().grid(), top);
+  }
+  const auto found = correlativeSearch(*wide_pyramid_, points, request);
   if (!found) return MatchVerdict::kPoor;
   // As sure as the window was wide: what is said to be certain may be a covariance that nobody filled in.
   const Eigen::Vector3d sigma = Eigen::Vector3d(request.window.x, request.window.y, request.window.yaw) / kSigmas;
@@ -75,6 +78,7 @@ MatchVerdict Localizer::find(const SurfacePoints& points, const Pose2& T_odom_ba
   if (refined.inliers < parameters_.tracker.min_inliers) return MatchVerdict::kPoor;
   tracker_.reset(refined.pose * T_odom_base.inverse());
   sought_.reset();
+  wide_pyramid_.reset();
   return MatchVerdict::kMatched;
 }
 

@@ -59,7 +59,7 @@ std::unique_ptr<PoseCorrection> correctionFor(const MapperParameters& parameters
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<PoseCorrection> correction)
     : parameters_(parameters),
       map_(parameters.map),
-      inserter_(parameters.insertion),
+      inserter_(parameters.insertion, parameters.slam.local.surface),
       correction_(correction ? std::move(correction) : correctionFor(parameters, map_)) {}
 
 ScanVerdict Mapper::insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
@@ -74,8 +74,9 @@ void Mapper::note(ScanVerdict verdict, Time now) {
   counts_.add(verdict);
   if (verdict == ScanVerdict::kNotMoved) return;
   const bool corrected = verdict == ScanVerdict::kMisfit || !isDropped(verdict);
-  const char* remark = corrected ? last_correction_ : toString(verdict);
-  health_.add(now, corrected && sound_ ? nullptr : remark);
+  if (!corrected) return health_.add(now, toString(verdict));
+  if (!sound_) return health_.add(now, last_correction_);
+  health_.add(now, overgrown_ ? "corrected map too large, the old one is kept" : nullptr);
 }
 
 ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
@@ -130,7 +131,9 @@ bool Mapper::revise(MapRevision& revision) {
     revisions_.last_jump = revision.T_new_old;
     revisions_.last_closures = revision.closures;
   }
-  if (!revision.map || !map_.exchange(*revision.map)) return true;
+  if (!revision.map) return true;
+  overgrown_ = !map_.exchange(*revision.map);
+  if (overgrown_) return true;
   ++revisions_.rendered;
   for (const Inserted& inserted : meanwhile) {
     inserter_.insert(inserted.scan, revision.T_new_old * inserted.T_map_base, map_);
@@ -164,6 +167,7 @@ void Mapper::replace(std::unique_ptr<PoseCorrection> correction) {
   correction_ = std::move(correction);
   ++epoch_;
   working_ = false;
+  overgrown_ = false;
   meanwhile_.clear();
 }
 

@@ -8,9 +8,8 @@
 namespace frontier_pilot {
 
 Insertion ScanInserter::insert(const LaserScan2& scan, const Pose2& T_map_base, OccupancyMap& map) {
-  const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
-  const Vec2 sensor = T_map_sensor.position();
-  readRays(scan, T_map_sensor, map.parameters().resolution);
+  const Vec2 sensor = T_map_base * scan.T_base_sensor.position();
+  readRays(scan, T_map_base, map.parameters().resolution);
   if (rays_.empty()) return Insertion::kAllInvalid;
   if (!reserve(T_map_base, sensor, map)) return Insertion::kOutOfBounds;
   map.beginScan();
@@ -20,25 +19,33 @@ Insertion ScanInserter::insert(const LaserScan2& scan, const Pose2& T_map_base, 
   return Insertion::kInserted;
 }
 
-void ScanInserter::readRays(const LaserScan2& scan, const Pose2& T_map_sensor, double resolution) {
+void ScanInserter::readRays(const LaserScan2& scan, const Pose2& T_map_base, double resolution) {
+  const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
+  const Vec2 sensor = T_map_sensor.position();
   rays_.clear();
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    if (const auto read = ray(scan, beam, T_map_sensor, resolution)) rays_.push_back(*read);
+    // Too near says that something is there, but not where.
+    const RangeReading reading = readBeam(scan, beam);
+    if (reading.kind != RangeKind::kFree) continue;
+    const Vec2 unit = direction(T_map_sensor.yaw + scan.angle(beam));
+    rays_.push_back({sensor + std::min(reading.distance, parameters_.max_clear_range) * unit, std::nullopt});
+  }
+  const Pose2 turn(0.0, 0.0, T_map_base.yaw);
+  for (SurfacePoint point : readSurface(scan, surface_parameters_)) {
+    point.position = T_map_base * point.position;
+    point.normal = turn * point.normal;
+    rays_.push_back(rayThatMet(point, sensor, resolution));
   }
 }
 
-std::optional<ScanInserter::Ray> ScanInserter::ray(const LaserScan2& scan, std::size_t beam, const Pose2& T_map_sensor,
-                                                   double resolution) const {
-  const RangeReading reading = readBeam(scan, beam);
-  // Too near says that something is there, but not where.
-  if (reading.kind == RangeKind::kInvalid || reading.kind == RangeKind::kTooNear) return std::nullopt;
-  const Vec2 sensor = T_map_sensor.position();
-  const Vec2 unit = direction(T_map_sensor.yaw + scan.angle(beam));
-  if (reading.kind == RangeKind::kFree) {
-    return Ray{sensor + std::min(reading.distance, parameters_.max_clear_range) * unit, std::nullopt};
-  }
-  const double clear = std::max(0.0, reading.distance - parameters_.clear_margin * resolution);
-  return Ray{sensor + clear * unit, sensor + (reading.distance + parameters_.hit_offset * resolution) * unit};
+ScanInserter::Ray ScanInserter::rayThatMet(const SurfacePoint& point, const Vec2& sensor, double resolution) const {
+  constexpr double kFlattest = 0.1;  // cosine: at a flatter angle a beam would clear nothing far before the surface
+  const double range = (point.position - sensor).norm();
+  // Eigen leaves a vector of no length as it is.
+  const Vec2 unit = (point.position - sensor).normalized();
+  const Vec2 behind = point.hasNormal() ? Vec2(-point.normal) : unit;
+  const double margin = parameters_.clear_margin * resolution / std::max(kFlattest, unit.dot(behind));
+  return {sensor + std::max(0.0, range - margin) * unit, point.position + parameters_.hit_offset * resolution * behind};
 }
 
 bool ScanInserter::reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const {

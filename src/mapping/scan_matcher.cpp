@@ -25,12 +25,11 @@ class Linearization {
     for (const SurfacePoint& point : points) {
       const Vec2 arm(c * point.position.x() - s * point.position.y(), s * point.position.x() + c * point.position.y());
       const Vec2 normal(c * point.normal.x() - s * point.normal.y(), s * point.normal.x() + c * point.normal.y());
-      const SurfacePoint placed{pose.position() + arm, normal};
-      if (const Surfel* surfel = surfels.nearest(placed)) add(*surfel, placed.position, arm);
+      const SurfacePoint placed{pose.position() + arm, normal, false, point.noise, point.roughness};
+      if (const Surfel* surfel = surfels.nearest(placed)) add(*surfel, placed, arm);
     }
-    const double scale = parameters.independence / square(parameters.noise);
-    information *= scale;
-    gradient *= scale;
+    information *= parameters.independence;
+    gradient *= parameters.independence;
   }
 
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -38,15 +37,16 @@ class Linearization {
   int inliers = 0;
 
  private:
-  void add(const Surfel& surfel, const Vec2& point, const Vec2& arm) {
-    const Vec2 error = point - surfel.position();
+  void add(const Surfel& surfel, const SurfacePoint& point, const Vec2& arm) {
+    const Vec2 error = point.position - surfel.position();
     const Vec2 normal = surfel.normal();
+    const double share = 1.0 / (point.variance() + 1.0 / surfel.weight);
     if (normal.isZero()) {
       // No line to slide along, but no surface that would say where exactly either.
-      add(error.x(), {1.0, 0.0, -arm.y()}, 0.1);
-      add(error.y(), {0.0, 1.0, arm.x()}, 0.1);
+      add(error.x(), {1.0, 0.0, -arm.y()}, 0.1 * share);
+      add(error.y(), {0.0, 1.0, arm.x()}, 0.1 * share);
     } else {
-      add(normal.dot(error), {normal.x(), normal.y(), normal.dot(Vec2(-arm.y(), arm.x()))}, 1.0);
+      add(normal.dot(error), {normal.x(), normal.y(), normal.dot(Vec2(-arm.y(), arm.x()))}, share);
     }
     if (std::abs(normal.isZero() ? error.norm() : normal.dot(error)) <= parameters_.outlier) ++inliers;
   }

@@ -16,6 +16,10 @@ namespace {
 constexpr double kLeastPosition = 0.003;  ///< [m]
 constexpr double kLeastYaw = 0.002;       ///< [rad]
 
+// And while its wheels do not turn at all: then what a scan seems to move by is mostly noise.
+constexpr double kStanding = 0.0003;       ///< [m, rad]
+constexpr double kTurningWheels = 0.0001;  ///< odometry moves by more than this [m, rad]
+
 constexpr double kPenalty = 0.0035;  ///< of score, for a deviation of one standard deviation
 constexpr double kLimit = 3.0;       ///< standard deviations that odometry may be off by
 // What a beam shows for the first time counts against the pose that it is seen from. So in a corridor, after a while
@@ -105,8 +109,11 @@ ScanTracker::Sigma ScanTracker::grown(const Sigma& sigma, const Pose2& motion) c
 ScanTracker::Prediction ScanTracker::predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const {
   const Pose2 T_map_base = T_local_map.inverse() * T_local_odom_ * T_odom_base;
   if (!last_) return {T_map_base, {kLeastPosition, kLeastYaw}, {kLeastPosition, kLeastYaw}};
-  const Sigma sigma = grown(last_->sigma, last_->T_odom_base.inverse() * T_odom_base);
-  const Sigma odometry{std::hypot(sigma.position, kLeastPosition), std::hypot(sigma.yaw, kLeastYaw)};
+  const Pose2 motion = last_->T_odom_base.inverse() * T_odom_base;
+  const bool stands = last_->matched == last_->stamp && !isJump(Pose2(), motion, kTurningWheels, kTurningWheels);
+  const Sigma sigma = grown(last_->sigma, motion);
+  const Sigma odometry = stands ? Sigma{kStanding, kStanding}
+                                : Sigma{std::hypot(sigma.position, kLeastPosition), std::hypot(sigma.yaw, kLeastYaw)};
   const double silence = std::max(0.0, toSeconds(stamp - last_->matched));
   return {T_map_base,
           odometry,
@@ -147,6 +154,13 @@ bool ScanTracker::fits(const Refinement& refined, const SurfacePoints& points, c
          contradictions(map.likelihood(), points, refined.pose) <= kMostContradictions;
 }
 
+bool ScanTracker::overrulesOdometry(const Refinement& refined, const SurfacePoints& points,
+                                    const SurfaceMap& map) const {
+  // Half of what is seen elsewhere lies on some surface by chance, in a window that silence has made wide.
+  constexpr double kSure = 0.8;
+  return refined.inliers >= kSure || contradictions(map.likelihood(), points, refined.pose) <= kMostContradictions;
+}
+
 Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const {
   Track track;
   track.verdict = MatchVerdict::kTooFew;
@@ -168,6 +182,7 @@ Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target,
     track.T_local_base = moved(target.T_local_map, fused(refined, odometry));
     return track;
   }
+  if (!overrulesOdometry(refined, points, target.map)) return track;
   const bool ambiguous = hasRival(points, target.pyramid, prediction, *found);
   track.verdict = ambiguous ? MatchVerdict::kAmbiguous : MatchVerdict::kContradicts;
   track.T_local_base = moved(target.T_local_map, seen);

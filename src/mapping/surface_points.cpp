@@ -50,11 +50,14 @@ class LineFitter {
     const double xx = mean[2] - mean[0] * mean[0];
     const double xy = mean[3] - mean[0] * mean[1];
     const double yy = mean[4] - mean[1] * mean[1];
-    const double half = std::hypot(0.5 * (xx - yy), xy);
+    const double difference = 0.5 * (xx - yy);
+    const double half = std::sqrt(difference * difference + xy * xy);
     const double across = std::max(0.0, 0.5 * (xx + yy) - half);
     const double along = 0.5 * (xx + yy) + half;
-    if (across > max_error * max_error || along < kElongated * kElongated * across) return std::nullopt;
-    return Line{direction(0.5 * std::atan2(2.0 * xy, xx - yy) + 0.5 * kPi), across * n / (n - 2.0)};
+    if (across > max_error * max_error || along <= kElongated * kElongated * across) return std::nullopt;
+    // The eigenvector of the lesser eigenvalue, from the row of the matrix that is not near zero.
+    const Vec2 normal = difference > 0.0 ? Vec2(-xy, half + difference) : Vec2(half - difference, -xy);
+    return Line{normal.normalized(), across * n / (n - 2.0)};
   }
 
  private:
@@ -110,59 +113,115 @@ Span around(const SurfacePoints& points, std::size_t i, double radius) {
   return span;
 }
 
-/// The normal at `i` by the neighbours on both sides; on one side only where that fits much better: next to a corner.
-/// A side must not win by being asked first, or all corners would turn the same way, and the robot's yaw drift.
-Vec2 normalAt(const LineFitter& fitter, const Span& span, std::size_t i, double max_error) {
-  constexpr double kMuchBetter = 0.5;
-  std::optional<Line> best = fitter.line(span, max_error);
-  double least = best ? kMuchBetter * best->variance : std::numeric_limits<double>::infinity();
-  for (const Span& side : {Span{span.first, i}, Span{i, span.last}}) {
-    const auto line = fitter.line(side, max_error);
-    if (!line || line->variance >= least) continue;
-    least = line->variance;
-    best = line;
-  }
-  return best ? best->normal : Vec2(0.0, 0.0);
+/// Sine of the angle by which the surface bends at `i`, on arms of `radius`; zero where it has not two.
+double bendAt(const LineFitter& fitter, const Span& span, std::size_t i, double max_error) {
+  const auto before = fitter.line({span.first, i}, max_error);
+  const auto after = fitter.line({i, span.last}, max_error);
+  if (!before || !after) return 0.0;
+  return std::abs(before->normal.x() * after->normal.y() - before->normal.y() * after->normal.x());
 }
 
-/// Successive points that look the same way, to be replaced by their mean.
-class Group {
- public:
-  explicit Group(const SurfacePoint& first) : first_(first) { add(first); }
-  bool takes(const SurfacePoint& point, double spacing) const {
-    if (point.hasNormal() != first_.hasNormal()) return false;
-    const bool same_way = !point.hasNormal() || point.normal.dot(first_.normal) > kSameWay;
-    return same_way && (point.position - first_.position).squaredNorm() < spacing * spacing;
+/// Where one surface ends and another begins, though beams met nothing in between: the sharpest bends around. A line
+/// across a corner would be the normal of neither wall.
+std::vector<bool> cornersOf(const SurfacePoints& points, const LineFitter& fitter,
+                            const SurfaceParameters& parameters) {
+  constexpr double kArm = 0.5;     // of the radius that normals are fitted in
+  constexpr double kApart = 0.25;  // of it, the least distance between corners
+  constexpr double kSharp = 0.5;
+  std::vector<double> bends;
+  bends.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bends.push_back(bendAt(fitter, around(points, i, kArm * parameters.fit_radius), i, parameters.fit_error));
   }
-  void add(const SurfacePoint& point) {
-    position_ += point.position;
-    normal_ += point.normal;
-    ++count_;
+  std::vector<bool> corners(points.size(), false);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (bends[i] < kSharp) continue;
+    const Span span = around(points, i, kApart * parameters.fit_radius);
+    const auto first = bends.begin() + static_cast<std::ptrdiff_t>(span.first);
+    const auto last = bends.begin() + static_cast<std::ptrdiff_t>(span.last);
+    corners[i] = bends[i] >= *std::max_element(first, last + 1);
   }
-  SurfacePoint mean() const {
-    return {position_ / count_, first_.hasNormal() ? Vec2(normal_.normalized()) : Vec2(0.0, 0.0)};
-  }
+  return corners;
+}
 
- private:
-  SurfacePoint first_;
-  Vec2 position_ = Vec2::Zero();
-  Vec2 normal_ = Vec2::Zero();
-  int count_ = 0;
-};
+/// What is left of `span` around `i` between the nearest corners, these included.
+Span withinCorners(const Span& span, std::size_t i, const std::vector<bool>& corners) {
+  Span within{i, i};
+  while (within.first > span.first && (within.first == i || !corners[within.first])) --within.first;
+  while (within.last < span.last && (within.last == i || !corners[within.last])) ++within.last;
+  return within;
+}
 
-SurfacePoints groupMeans(const SurfacePoints& points, double spacing) {
-  SurfacePoints result;
-  std::optional<Group> group;
-  for (const SurfacePoint& point : points) {
-    if (group && group->takes(point, spacing)) {
-      group->add(point);
-      continue;
+double square(double x) { return x * x; }
+
+/// Cosine of the angle between a beam and the normal where it ended; one where there is no normal.
+double facingOf(const SurfacePoint& point, const Vec2& beam) {
+  constexpr double kFlattest = 0.05;
+  const double range = beam.norm();
+  return point.hasNormal() && range > 0.0 ? std::max(kFlattest, std::abs(beam.dot(point.normal)) / range) : 1.0;
+}
+
+/// What the range and the bearing are off by, across the surface: along it a point may slide. [m^2]
+double noiseOf(double range, double facing, const SurfaceParameters& parameters) {
+  return square(parameters.range_noise * facing) + square(parameters.bearing_noise * range) * (1.0 - square(facing));
+}
+
+/// Whether a point and the one after it may be replaced by their mean.
+bool belongTogether(const SurfacePoint& a, const SurfacePoint& b, double spacing) {
+  if (a.hasNormal() != b.hasNormal() || (b.position - a.position).squaredNorm() >= spacing * spacing) return false;
+  return !a.hasNormal() || a.normal.dot(b.normal) > kSameWay;
+}
+
+SurfacePoint meanOf(const SurfacePoints& points, const Span& span) {
+  SurfacePoint mean{Vec2::Zero(), Vec2::Zero(), false, 0.0, 0.0};
+  for (std::size_t i = span.first; i <= span.last; ++i) {
+    mean.position += points[i].position;
+    mean.normal += points[i].normal;
+    mean.noise += points[i].noise;
+    mean.roughness += points[i].roughness;
+  }
+  const auto count = static_cast<double>(span.size());
+  mean.position /= count;
+  mean.normal.normalize();
+  // The noise is each point's own, the roughness is one for all.
+  mean.noise /= square(count);
+  mean.roughness /= count;
+  return mean;
+}
+
+/// Adds the means of equal parts of `span`, none longer than `spacing`.
+void addMeans(const SurfacePoints& points, const Span& span, double spacing, SurfacePoints& means) {
+  std::vector<double> along = {0.0};
+  for (std::size_t i = span.first; i < span.last; ++i) {
+    along.push_back(along.back() + (points[i + 1].position - points[i].position).norm());
+  }
+  const double parts = std::max(1.0, std::ceil(along.back() / spacing));
+  const auto partOf = [&](std::size_t i) {
+    return std::min(parts - 1.0, std::floor(along[i - span.first] / along.back() * parts));
+  };
+  Span part{span.first, span.first};
+  for (std::size_t i = span.first + 1; i <= span.last; ++i) {
+    if (partOf(i) != partOf(part.first)) {
+      means.push_back(meanOf(points, part));
+      part.first = i;
     }
-    if (group) result.push_back(group->mean());
-    group.emplace(point);
+    part.last = i;
   }
-  if (group) result.push_back(group->mean());
-  return result;
+  means.push_back(meanOf(points, part));
+}
+
+/// Groups that begin where the last one is full would be others if the beams ran the other way round, and on rough
+/// walls that turns the robot: so a stretch of wall is divided evenly.
+SurfacePoints groupMeans(const SurfacePoints& points, double spacing) {
+  SurfacePoints means;
+  Span span{0, 0};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    span.last = i;
+    if (i + 1 < points.size() && belongTogether(points[i], points[i + 1], spacing)) continue;
+    addMeans(points, span, spacing, means);
+    span.first = i + 1;
+  }
+  return means;
 }
 
 /// Evenly spread, in their order.
@@ -187,9 +246,18 @@ SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& param
   SurfacePoints points = ReturnReader(scan).read();
   const LineFitter fitter(points);
   const Vec2 sensor = scan.T_base_sensor.position();
+  const std::vector<bool> corners = cornersOf(points, fitter, parameters);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2 normal = normalAt(fitter, around(points, i, parameters.fit_radius), i, parameters.fit_error);
-    points[i].normal = normal.dot(sensor - points[i].position) < 0.0 ? Vec2(-normal) : normal;
+    const Span span = withinCorners(around(points, i, parameters.fit_radius), i, corners);
+    // A corner is on both walls: which of them it is counted to must not depend on the order of the beams.
+    const auto line = corners[i] ? std::nullopt : fitter.line(span, parameters.fit_error);
+    SurfacePoint& point = points[i];
+    const Vec2 beam = point.position - sensor;
+    if (line) point.normal = line->normal.dot(beam) > 0.0 ? Vec2(-line->normal) : line->normal;
+    const double facing = facingOf(point, beam);
+    point.noise = noiseOf(beam.norm(), facing, parameters);
+    point.roughness = square(parameters.roughness);
+    if (line) point.roughness += std::max(0.0, line->variance - point.noise) / square(facing);
   }
   return points;
 }
@@ -215,7 +283,12 @@ SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& param
     const Vec2 step = points[i + 1].position - points[i].position;
     const int pieces = static_cast<int>(std::ceil(step.norm() / parameters.fill_spacing));
     const Vec2 normal = (points[i].normal + points[i + 1].normal).normalized();
-    for (int k = 1; k < pieces; ++k) result.push_back({points[i].position + step * k / pieces, normal});
+    // What is filled in is known no better for it.
+    const double noise = 0.5 * (points[i].noise + points[i + 1].noise) * pieces;
+    const double roughness = 0.5 * (points[i].roughness + points[i + 1].roughness) * pieces;
+    for (int k = 1; k < pieces; ++k) {
+      result.push_back({points[i].position + step * k / pieces, normal, true, noise, roughness});
+    }
   }
   return result;
 }

@@ -6,22 +6,25 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr std::int32_t kNoNormal = 4;
-constexpr std::int32_t kWays = 5;
 constexpr double kSameWay = 0.5;  ///< cosine of the greatest angle between normals that look the same way
-
-/// Which quadrant, around an axis, a normal points into. Walls are seldom seen at 45 degrees to the submap's frame.
-std::int32_t quadrantOf(const Vec2& normal) {
-  if (normal.x() == 0.0 && normal.y() == 0.0) return kNoNormal;
-  if (std::abs(normal.x()) > std::abs(normal.y())) return normal.x() > 0.0 ? 0 : 1;
-  return normal.y() > 0.0 ? 2 : 3;
-}
 
 // Squares, because this is where a match spends its time.
 bool looksTheSameWay(const Surfel& surfel, const SurfacePoint& point) {
   const float squared = surfel.normal_x * surfel.normal_x + surfel.normal_y * surfel.normal_y;
   const double along = surfel.normal_x * point.normal.x() + surfel.normal_y * point.normal.y();
   return (squared > 0.0F) == point.hasNormal() && along >= 0.0 && along * along >= kSameWay * kSameWay * squared;
+}
+
+/// Whether `point` is one more of the points that the surfel is the mean of. Across the surface it may be off by its
+/// noise, and that must not decide: points on either side of a border that ran along the wall would be two walls.
+bool belongsTo(const Surfel& surfel, const SurfacePoint& point) {
+  constexpr double kAcross = 0.05;  // [m]
+  if (!looksTheSameWay(surfel, point)) return false;
+  const Vec2 apart = point.position - surfel.position();
+  const double along = 0.5 * SurfelMap::kSpacing;
+  if (!point.hasNormal()) return apart.squaredNorm() < along * along;
+  const double across = apart.dot(point.normal);
+  return std::abs(across) < kAcross && apart.squaredNorm() - across * across < along * along;
 }
 
 }  // namespace
@@ -37,7 +40,9 @@ void SurfelMap::add(const SurfacePoints& points, const Pose2& T_map_points) {
   placed.reserve(points.size());
   CellRect needed;
   for (const SurfacePoint& point : points) {
-    placed.push_back({T_map_points * point.position, turn * point.normal});
+    placed.push_back(point);
+    placed.back().position = T_map_points * point.position;
+    placed.back().normal = turn * point.normal;
     needed.include(tiles_.cellAt(placed.back().position));
   }
   if (placed.empty()) return;
@@ -46,26 +51,28 @@ void SurfelMap::add(const SurfacePoints& points, const Pose2& T_map_points) {
 }
 
 void SurfelMap::add(const SurfacePoint& point) {
-  const Cell tile = tiles_.cellAt(point.position);
-  const auto cell_in = [](double coordinate, int from) {
-    return std::clamp(static_cast<std::int32_t>((coordinate - from * kTile) / kCell), 0, kTileCells - 1);
-  };
-  const std::int32_t cell = cell_in(point.position.y(), tile.y) * kTileCells + cell_in(point.position.x(), tile.x);
-  Surfel& surfel = surfelAt(tile, cell * kWays + quadrantOf(point.normal));
-  surfel.count += 1.0F;
-  surfel.x += (static_cast<float>(point.position.x()) - surfel.x) / surfel.count;
-  surfel.y += (static_cast<float>(point.position.y()) - surfel.y) / surfel.count;
-  surfel.normal_x += static_cast<float>(point.normal.x());
-  surfel.normal_y += static_cast<float>(point.normal.y());
+  const auto weight = static_cast<float>(1.0 / point.variance());
+  Surfel& surfel = surfelFor(point);
+  surfel.weight += weight;
+  const float share = weight / surfel.weight;
+  surfel.x += (static_cast<float>(point.position.x()) - surfel.x) * share;
+  surfel.y += (static_cast<float>(point.position.y()) - surfel.y) * share;
+  surfel.normal_x += static_cast<float>(point.normal.x()) * weight;
+  surfel.normal_y += static_cast<float>(point.normal.y()) * weight;
 }
 
-Surfel& SurfelMap::surfelAt(Cell tile, std::int32_t place) {
-  std::int32_t& first = tiles_[tile];
-  for (std::int32_t i = first; i != kEnd; i = entries_[static_cast<std::size_t>(i)].next) {
-    Entry& entry = entries_[static_cast<std::size_t>(i)];
-    if (entry.place == place) return entry.surfel;
-  }
-  entries_.push_back({Surfel(), first, place});
+Surfel& SurfelMap::surfelFor(const SurfacePoint& point) {
+  Surfel* best = nullptr;
+  double least = kReach * kReach;
+  visitNear(point.position, kMerge, [&](const Surfel& surfel) {
+    const double squared = (surfel.position() - point.position).squaredNorm();
+    if (squared >= least || !belongsTo(surfel, point)) return;
+    least = squared;
+    best = const_cast<Surfel*>(&surfel);
+  });
+  if (best) return *best;
+  std::int32_t& first = tiles_[tiles_.cellAt(point.position)];
+  entries_.push_back({Surfel(), first});
   first = static_cast<std::int32_t>(entries_.size()) - 1;
   return entries_.back().surfel;
 }
@@ -73,19 +80,12 @@ Surfel& SurfelMap::surfelAt(Cell tile, std::int32_t place) {
 const Surfel* SurfelMap::nearest(const SurfacePoint& point) const {
   const Surfel* best = nullptr;
   double least = kReach * kReach;
-  const Cell low = tiles_.cellAt(point.position - Vec2::Constant(kReach));
-  const Cell high = tiles_.cellAt(point.position + Vec2::Constant(kReach));
-  for (int y = low.y; y <= high.y; ++y) {
-    for (int x = low.x; x <= high.x; ++x) {
-      for (std::int32_t i = tiles_.get({x, y}); i != kEnd; i = entries_[static_cast<std::size_t>(i)].next) {
-        const Surfel& surfel = entries_[static_cast<std::size_t>(i)].surfel;
-        const double squared = (surfel.position() - point.position).squaredNorm();
-        if (squared >= least || !looksTheSameWay(surfel, point)) continue;
-        least = squared;
-        best = &surfel;
-      }
-    }
-  }
+  visitNear(point.position, kReach, [&](const Surfel& surfel) {
+    const double squared = (surfel.position() - point.position).squaredNorm();
+    if (squared >= least || !looksTheSameWay(surfel, point)) return;
+    least = squared;
+    best = &surfel;
+  });
   return best;
 }
 

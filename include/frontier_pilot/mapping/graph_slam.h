@@ -93,12 +93,6 @@ class GraphSlam final : public PoseCorrection {
   std::vector<KeyframePose> trajectory() const override { return back_end_->trajectory(); }
   void reset() override;
 
-  /// What became of the last scan.
-  const LocalSlamOutput& last() const { return last_; }
-  const Pose2& T_map_local() const { return T_map_local_; }
-  /// Not while work is out.
-  const GraphBackEnd& backEnd() const { return *back_end_; }
-
  private:
   void keep(LocalSlamOutput& output);
 
@@ -108,7 +102,6 @@ class GraphSlam final : public PoseCorrection {
   std::string base_;
   LocalSlam local_;
   LocalDrift drift_;
-  LocalSlamOutput last_;
   Pose2 T_map_local_;
   std::shared_ptr<GraphBackEnd> back_end_;  ///< only the work touches it while it is out
   std::vector<PlacedKeyframe> inbox_;       ///< keyframes for the next work

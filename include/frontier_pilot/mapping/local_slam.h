@@ -81,6 +81,7 @@ class LocalSlam {
  private:
   bool isKeyframe(const Track& track) const;
   void insert(const Keyframe& keyframe, const SurfacePoints& surface);
+  void sharpen(const SurfacePoints& surface, const Pose2& T_local_base);
   std::vector<std::shared_ptr<const Submap>> takeFinished(std::size_t keyframes);
   void begin(const Pose2& T_local_submap);
   std::optional<MatchTarget> target();

@@ -26,7 +26,8 @@ class Localizer {
 
   LocalSlamParameters parameters_;
   SurfaceMap map_;
-  std::optional<MaxPyramid> pyramid_;  ///< none without a map
+  std::optional<MaxPyramid> pyramid_;       ///< none without a map
+  std::optional<MaxPyramid> wide_pyramid_;  ///< while the robot is sought
   ScanTracker tracker_;
   std::optional<PoseBelief> sought_;    ///< T_map_base of the next scan; none once the robot is found
   std::optional<Pose2> T_odom_sought_;  ///< the base's pose that `sought_` is the map's pose of

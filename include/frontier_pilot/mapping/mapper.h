@@ -139,7 +139,8 @@ class Mapper {
   RevisionReport revisions_;
   std::map<std::string, std::uint64_t> correction_counts_;
   const char* last_correction_ = "";
-  bool sound_ = true;  ///< the last correction was
+  bool sound_ = true;       ///< the last correction was
+  bool overgrown_ = false;  ///< the last revision's map would have been larger than a map may be
   double usable_share_ = 1.0;
   MappingHealth health_;
 };

@@ -6,6 +6,7 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/mapping/occupancy_map.h"
+#include "frontier_pilot/mapping/surface_points.h"
 
 namespace frontier_pilot {
 
@@ -32,10 +33,14 @@ enum class Insertion {
 };
 
 /// Puts scans into a map. A measured surface is the border of a cell, and noise moves it to either side: so the hit
-/// goes half a cell behind it, and the cells before it are cleared. Hits win over misses within a scan.
+/// goes half a cell behind it, and the cells before it are cleared up to a margin. Both are measured across the
+/// surface, where the neighbours of a beam show how that lies: along a beam that meets a wall at a flat angle half a
+/// cell is hardly behind it, and what is before it may be the wall itself if the pose is off by a centimetre. Hits win
+/// over misses within a scan.
 class ScanInserter {
  public:
-  explicit ScanInserter(const ScanInsertionParameters& parameters = {}) : parameters_(parameters) {}
+  explicit ScanInserter(const ScanInsertionParameters& parameters = {}, const SurfaceParameters& surface = {})
+      : parameters_(parameters), surface_parameters_(surface) {}
 
   /// `scan` was taken at `T_map_base`; both must be well-formed and finite. On failure the map is untouched.
   Insertion insert(const LaserScan2& scan, const Pose2& T_map_base, OccupancyMap& map);
@@ -43,17 +48,18 @@ class ScanInserter {
  private:
   struct Ray {
     Vec2 clear_to;            ///< cells are free from the sensor to here [m, map]
-    std::optional<Vec2> hit;  ///< a point in the surface [m, map]; a beam without a return has none
+    std::optional<Vec2> hit;  ///< a point behind the surface [m, map]; a beam without a return has none
   };
 
-  std::optional<Ray> ray(const LaserScan2& scan, std::size_t beam, const Pose2& T_map_sensor, double resolution) const;
-  void readRays(const LaserScan2& scan, const Pose2& T_map_sensor, double resolution);
+  void readRays(const LaserScan2& scan, const Pose2& T_map_base, double resolution);
+  Ray rayThatMet(const SurfacePoint& point, const Vec2& sensor, double resolution) const;
   bool reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const;
   void markHits(OccupancyMap& map) const;
   void clearRays(const Vec2& sensor, OccupancyMap& map) const;
   void clearFootprint(const Vec2& robot, OccupancyMap& map) const;
 
   ScanInsertionParameters parameters_;
+  SurfaceParameters surface_parameters_;
   std::vector<Ray> rays_;  ///< of the present scan
 };
 

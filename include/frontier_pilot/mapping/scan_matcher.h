@@ -17,15 +17,13 @@ struct PoseBelief {
 };
 
 struct RefinementParameters {
-  int iterations = 12;        ///< at most
-  double noise = 0.02;        ///< standard deviation of a point from its surface [m]
-  double outlier = 0.05;      ///< a point this far from its surface counts a quarter [m]
-  double independence = 1.0;  ///< share of the points that count as independent of each other
+  int iterations = 12;         ///< at most
+  double outlier = 0.05;       ///< a point this far from its surface counts a quarter [m]
+  double independence = 0.25;  ///< share of the points that count as independent of each other
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("iterations", iterations, "", "greatest number of iterations", between(1, 100));
-    v.field("noise", noise, "m", "standard deviation of a point from its surface", positive());
     v.field("outlier", outlier, "m", "a point this far from its surface counts a quarter", positive());
     v.field("independence", independence, "", "share of the points that count as independent", {0.0, 1.0, true});
   }

@@ -61,7 +61,6 @@ enum class MatchVerdict {
   kAmbiguous,    ///< it fits in several places, and not where odometry says: odometry only
   kLost,         ///< nothing has matched for so long that the map is begun anew, where odometry says
 };
-constexpr std::size_t kMatchVerdicts = 7;
 const char* toString(MatchVerdict verdict);
 
 /// Whether the pose is one that the map confirms.
@@ -125,6 +124,8 @@ class ScanTracker {
   Sigma grown(const Sigma& sigma, const Pose2& motion) const;
   Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
   bool fits(const Refinement& refined, const SurfacePoints& points, const SurfaceMap& map) const;
+  /// Whether a match is sure enough to be right against odometry.
+  bool overrulesOdometry(const Refinement& refined, const SurfacePoints& points, const SurfaceMap& map) const;
   Track match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const;
   std::optional<SearchResult> find(const SurfacePoints& points, const MaxPyramid& pyramid,
                                    const Prediction& prediction) const;

@@ -8,12 +8,12 @@
 
 namespace frontier_pilot {
 
-/// The mean of the points of one surface in one cell.
+/// The mean of the points of one surface in one cell, weighted by what they know.
 struct Surfel {
-  float count = 0.0F;
-  float x = 0.0F;  ///< mean of the positions [m]
+  float weight = 0.0F;  ///< sum of the inverse variances [1/m^2]
+  float x = 0.0F;       ///< mean of the positions [m]
   float y = 0.0F;
-  float normal_x = 0.0F;  ///< sum of the normals
+  float normal_x = 0.0F;  ///< weighted sum of the normals
   float normal_y = 0.0F;
 
   Vec2 position() const { return {x, y}; }
@@ -26,8 +26,8 @@ struct Surfel {
 /// two walls of a corner remain what they are. It grows where points are added.
 class SurfelMap {
  public:
-  static constexpr double kCell = 0.1;    ///< [m]
-  static constexpr double kReach = 0.15;  ///< how far a surfel may be from a point that lies on it [m]
+  static constexpr double kSpacing = 0.1;  ///< of the surfels of a wall [m]
+  static constexpr double kReach = 0.15;   ///< how far a surfel may be from a point that lies on it [m]
 
   /// `points` at `T_map_points`.
   void add(const SurfacePoints& points, const Pose2& T_map_points);
@@ -39,19 +39,32 @@ class SurfelMap {
   std::size_t memory() const;
 
  private:
-  static constexpr int kTileCells = 3;
-  static constexpr double kTile = kTileCells * kCell;  ///< wider than `kReach`: what is near lies in four tiles
+  static constexpr double kTile = 2.0 * kReach;  ///< so what is near lies in four tiles
+  static constexpr double kMerge = 0.075;        ///< a point farther than this from a surfel is not of it [m]
   static constexpr std::int32_t kEnd = -1;
 
   /// A surfel in the list of its tile's.
   struct Entry {
     Surfel surfel;
     std::int32_t next = kEnd;
-    std::int32_t place = 0;  ///< which cell of the tile, and which way it looks
   };
 
   void add(const SurfacePoint& point);
-  Surfel& surfelAt(Cell tile, std::int32_t place);
+  /// The one that `point` is of; a new one if there is none.
+  Surfel& surfelFor(const SurfacePoint& point);
+
+  template <class Visit>
+  void visitNear(const Vec2& position, double reach, const Visit& visit) const {
+    const Cell low = tiles_.cellAt(position - Vec2::Constant(reach));
+    const Cell high = tiles_.cellAt(position + Vec2::Constant(reach));
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        for (std::int32_t i = tiles_.get({x, y}); i != kEnd; i = entries_[static_cast<std::size_t>(i)].next) {
+          visit(entries_[static_cast<std::size_t>(i)].surfel);
+        }
+      }
+    }
+  }
 
   GrowingGrid<std::int32_t> tiles_{kTile, kEnd};  ///< the first entry of each tile
   std::vector<Entry> entries_;

@@ -42,7 +42,7 @@ TEST_F(LocalSlamFaults, SurvivesAHandBeforeTheScannerForThreeSeconds) {
     if (isBetween(now, 20.0, 3.0)) scan.ranges.assign(scan.ranges.size(), 0.2F);
     return true;
   });
-  EXPECT_EQ(drive.count(MatchVerdict::kPoor) + drive.count(MatchVerdict::kAmbiguous), 30);
+  EXPECT_EQ(drive.count(MatchVerdict::kTooFew) + drive.count(MatchVerdict::kPoor), 30) << "it is small";
   expectTheMapSurvived();
 }
 

@@ -94,5 +94,57 @@ TEST(LocalSlam, StartsAnewAfterAReset) {
   EXPECT_EQ(output.keyframe->id, 0U);
 }
 
+TEST(LocalSlam, MAP_1_KeepsARobotThatStandsWhereItIs) {
+  test::Scanner scanner(test::rooms(), 0.01);
+  TrackedDrive drive;
+  drive.run(std::vector<Pose2>(100, Pose2(2.0, 2.0, 0.3)), scanner);
+  EXPECT_LT(drive.worst, 0.001);
+  EXPECT_LT(drive.worst_yaw, 0.0005);
+}
+
+TEST(LocalSlam, MAP_1_KeepsItsYawInAMazeOfNarrowCorridors) {
+  // Legs of 2 m, 0.6 m wide, around corner after corner: no scan sees far.
+  GridGeometry geometry;
+  geometry.width = 400;
+  geometry.height = 400;
+  Grid<std::uint8_t> solid(geometry, 1);
+  std::vector<Vec2> way = {{1.3, 1.3}};
+  for (int i = 0; i < 8; ++i) {
+    test::fill(solid, {20 + 40 * i, 20 + 40 * i, 52, 12}, 0);
+    test::fill(solid, {60 + 40 * i, 20 + 40 * i, 12, 52}, 0);
+    way.push_back({3.3 + 2.0 * i, 1.3 + 2.0 * i});
+    way.push_back({3.3 + 2.0 * i, 3.3 + 2.0 * i});
+  }
+  double sum = 0.0;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    test::Scanner scanner(solid, 0.01, seed);
+    TrackedDrive drive;
+    drive.run(test::driveAlong(way), scanner);
+    sum += drive.error.yaw * drive.error.yaw;
+  }
+  EXPECT_LT(std::sqrt(sum / 5.0), 0.006) << "[rad], after 32 m and 15 corners";
+}
+
+TEST(LocalSlam, MAP_1_KeepsTheLengthOfAWayBetweenRoughWalls) {
+  // Walls that run to and fro at 45 degrees, made of the edges of cells of 5 cm: what a scan sees of them depends on
+  // the angle that it sees them at.
+  GridGeometry geometry;
+  geometry.width = 560;
+  geometry.height = 80;
+  Grid<std::uint8_t> solid(geometry, 1);
+  for (int x = 10; x < 550; ++x) {
+    const int half = 20 + std::abs(x % 32 - 16) / 2;
+    test::fill(solid, {x, 40 - half, 1, 2 * half}, 0);
+  }
+  double sum = 0.0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    test::Scanner scanner(solid, 0.01, seed);
+    TrackedDrive drive;
+    drive.run(test::driveAlong({{2.0, 2.0}, {26.0, 2.0}}), scanner);
+    sum += drive.error.x;
+  }
+  EXPECT_LT(std::abs(sum / 4.0), 0.06) << "[m], in 24 m; 0.09 where roughness does not count";
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -126,6 +126,18 @@ TEST_F(Revisions, SayThatTheMapHasGrownWhenItHas) {
       << "it never shrinks: what others know of it stays inside";
 }
 
+// [MAP-4]
+TEST_F(Revisions, SayWhenTheMapWouldBeTooLargeAndLeaveItAsItIs) {
+  look(1.0, Pose2());
+  script->T_new_old = Pose2(250.0, 0.0, 0.0);
+  mapper.reviseNow();
+  EXPECT_EQ(mapper.revisions().rendered, 0U);
+  EXPECT_EQ(at(0.0, 0.0), kFree);
+  for (int i = 2; i < 10; ++i) mapper.insert(ring(i), Pose2(-250.0 + i, 0.0, 0.0), timeFromSeconds(i));
+  ASSERT_TRUE(mapper.health().worst(timeFromSeconds(10.0)).has_value());
+  EXPECT_EQ(mapper.health().worst(timeFromSeconds(10.0))->text, "corrected map too large, the old one is kept");
+}
+
 // [MAP-1]
 TEST_F(Revisions, PutScansThatCameMeanwhileWhereTheyBelongNow) {
   look(1.0, Pose2());

@@ -177,6 +177,33 @@ TEST(ScanInserter, ClearsUpToTheSurfaceAndMarksIt) {
   EXPECT_EQ(valueAt(map, 1.07, 0.026), kUnknown);
 }
 
+TEST(ScanInserter, KeepsAWallWhereItIsHoweverFlatItIsSeenAndIfThePoseIsOffByALittle_MAP_2) {
+  // Down the middle of a corridor of 0.6 m: nearly every beam meets a wall at a flat angle.
+  GridGeometry geometry;
+  geometry.width = 240;
+  geometry.height = 20;
+  Grid<std::uint8_t> solid(geometry, 1);
+  for (int y = 4; y < 16; ++y) {
+    for (int x = 4; x < 236; ++x) solid[Cell{x, y}] = 0;
+  }
+  Scanner scanner(solid, 0.01);
+  OccupancyMap map;
+  ScanInserter inserter;
+  for (int i = 0; i < 200; ++i) {
+    const Pose2 pose(1.0 + 0.05 * i, 0.5, 0.01 * i);
+    const Pose2 estimate(pose.x, pose.y + (i % 2 == 0 ? 0.012 : -0.012), pose.yaw);
+    inserter.insert(scanner.scan(pose, Time{}), estimate, map);
+  }
+  int wide = 0;
+  int holes = 0;
+  for (double x = 1.025; x < 11.0; x += 0.05) {
+    for (const double y : {0.225, 0.775}) wide += valueAt(map, x, y) == kFree ? 0 : 1;
+    for (const double y : {0.175, 0.825}) holes += valueAt(map, x, y) == kOccupied ? 0 : 1;
+  }
+  EXPECT_LT(wide, 10) << "of 400 cells beside a wall";
+  EXPECT_LT(holes, 10) << "of 400 cells of a wall";
+}
+
 // [MAP-2] beams without a return clear free space
 TEST(ScanInserter, ClearsAlongABeamWithoutReturnUpToTheLimit_MAP_2) {
   ScanInsertionParameters parameters;

@@ -62,6 +62,58 @@ TEST(ReadSurface, KnowsWhichWayEachWallLooks) {
   EXPECT_GT(with_normal, 330);
 }
 
+TEST(ReadSurface, MAP_1_TakesTheNormalOfAWallUpToItsCorners) {
+  test::Scanner scanner(room(), 0.01);
+  const Pose2 pose(1.1, 1.1, 0.4);  // 0.6 m from two of the walls
+  double sum = 0.0;
+  int count = 0;
+  for (int i = 0; i < 50; ++i) {
+    for (const SurfacePoint& point : readSurface(scanOfRoom(scanner, pose))) {
+      if (!point.hasNormal()) continue;
+      const Vec2 normal = Pose2(0.0, 0.0, pose.yaw) * point.normal;
+      const double tilt = std::min(std::abs(normal.x()), std::abs(normal.y()));
+      sum += tilt * tilt;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 50 * 330) << "nearly every point has one";
+  EXPECT_LT(std::sqrt(sum / count), 0.06);
+}
+
+TEST(ReadSurface, MAP_1_KnowsAWallTheBetterAcrossItTheFlatterItIsSeen) {
+  test::Scanner scanner(room(), 0.0);
+  const Pose2 pose(2.0, 0.8, 0.0);  // 0.3 m beside a wall
+  for (const SurfacePoint& point : readSurface(scanOfRoom(scanner, pose))) {
+    const Vec2 p = pose * point.position;
+    if (!point.hasNormal() || std::abs(p.y() - 0.5) > 0.01 || point.position.norm() > 1.0) continue;
+    const double facing = 0.3 / point.position.norm();
+    EXPECT_LT(point.variance(), 1.2e-4 * facing * facing + 2.5e-5);
+    EXPECT_GT(point.variance(), 1e-4 * facing * facing);
+  }
+}
+
+TEST(ReadSurface, MAP_1_KnowsARoughWallTheWorseTheFlatterItIsSeen) {
+  // Steps of 5 cm, every 5 cm, along a wall at 45 degrees: 1.4 m away where the beam meets it at a right angle.
+  LaserScan2 scan;
+  scan.angle_min = 0.25 * kPi;
+  scan.angle_increment = 0.01;
+  scan.range_min = 0.1;
+  scan.range_max = 8.0;
+  const auto isSolid = [](const Vec2& p) { return std::floor(p.x() / 0.05) + std::floor(p.y() / 0.05) >= 40.0; };
+  for (std::size_t i = 0; i < 70; ++i) {
+    double range = 1.0;
+    while (!isSolid(range * direction(scan.angle(i)))) range += 0.001;
+    scan.ranges.push_back(static_cast<float>(range));
+  }
+  double front = 0.0;
+  double flat = 0.0;
+  const SurfacePoints points = readSurface(scan);
+  for (std::size_t i = 0; i < 10; ++i) front += 0.1 * points[i].roughness;
+  for (std::size_t i = 60; i < 70; ++i) flat += 0.1 * points[i].roughness;
+  EXPECT_GT(front, 3e-5) << "more than nothing";
+  EXPECT_GT(flat, 2.0 * front);
+}
+
 TEST(ReadSurface, LeavesOutBeamsThatSayNothing) {
   LaserScan2 scan;
   scan.angle_increment = 0.01;
@@ -82,6 +134,26 @@ TEST(ReadSurface, SeesNoSurfaceWhereBeamsMeetSinglePoints) {
   scan.range_max = 8.0;
   scan.ranges = {1.0F, 3.0F, 5.0F, 2.0F, 7.0F, 4.0F};
   for (const SurfacePoint& point : readSurface(scan)) EXPECT_FALSE(point.hasNormal());
+}
+
+TEST(Thinned, MAP_1_IsTheSameWhicheverWayTheBeamsRun) {
+  test::Scanner scanner(room(), 0.01);
+  for (int i = 0; i < 20; ++i) {
+    const LaserScan2 scan = scanOfRoom(scanner, {1.0 + 0.1 * i, 1.5, 0.3 * i});
+    LaserScan2 reversed = scan;
+    std::reverse(reversed.ranges.begin(), reversed.ranges.end());
+    reversed.angle_min = scan.angle(scan.ranges.size() - 1);
+    reversed.angle_increment = -scan.angle_increment;
+    const SurfacePoints one = thinned(readSurface(scan));
+    const SurfacePoints other = thinned(readSurface(reversed));
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      const SurfacePoint& mirrored = other[other.size() - 1 - k];
+      EXPECT_LT((one[k].position - mirrored.position).norm(), 1e-6);
+      EXPECT_LT((one[k].normal - mirrored.normal).norm(), 1e-6);
+      EXPECT_NEAR(one[k].variance() / mirrored.variance(), 1.0, 1e-6);
+    }
+  }
 }
 
 TEST(Thinned, NeverExceedsTheNumberAskedForAndCoversTheSame) {

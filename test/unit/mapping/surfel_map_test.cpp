@@ -1,0 +1,61 @@
+#include "frontier_pilot/mapping/surfel_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace frontier_pilot {
+namespace {
+
+/// Points every centimetre along 3 m of a wall at `y` that looks towards +y, seen so many times with noise [m].
+SurfelMap wallAt(double y, int times, double noise) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> off(0.0, noise);
+  SurfelMap map;
+  for (int i = 0; i < times; ++i) {
+    SurfacePoints points;
+    for (int k = 0; k < 300; ++k) points.push_back({Vec2(0.01 * k, y + off(random)), Vec2(0.0, 1.0)});
+    map.add(points, Pose2());
+  }
+  return map;
+}
+
+TEST(SurfelMap, MAP_1_IsOneWallWhereverInItsRasterThatStands) {
+  for (int i = 0; i < 60; ++i) {
+    const double y = 1.0 + 0.01 * i;
+    const SurfelMap map = wallAt(y, 20, 0.01);
+    EXPECT_LT(map.size(), 60U) << "for a wall at " << y;
+    for (int k = 0; k < 300; ++k) {
+      const Surfel* surfel = map.nearest({Vec2(0.01 * k, y), Vec2(0.0, 1.0)});
+      ASSERT_TRUE(surfel) << "at " << y;
+      EXPECT_NEAR(surfel->position().y(), y, 0.003) << "as the mean of what was seen of it";
+    }
+  }
+}
+
+TEST(SurfelMap, MAP_1_KeepsTheTwoSidesOfAThinWallApart) {
+  SurfelMap map = wallAt(1.0, 5, 0.005);
+  SurfacePoints behind;
+  for (int k = 0; k < 300; ++k) behind.push_back({Vec2(0.01 * k, 0.98), Vec2(0.0, -1.0)});
+  map.add(behind, Pose2());
+  EXPECT_NEAR(map.nearest({Vec2(1.5, 0.99), Vec2(0.0, 1.0)})->position().y(), 1.0, 0.003);
+  EXPECT_NEAR(map.nearest({Vec2(1.5, 0.99), Vec2(0.0, -1.0)})->position().y(), 0.98, 0.003);
+}
+
+TEST(SurfelMap, MAP_1_BelievesMoreWhatIsKnownBetter) {
+  SurfelMap map;
+  map.add({{Vec2(1.0, 1.0), Vec2(0.0, 1.0), false, 1e-6}}, Pose2());
+  map.add({{Vec2(1.0, 1.03), Vec2(0.0, 1.0), false, 1e-4}}, Pose2());
+  EXPECT_NEAR(map.nearest({Vec2(1.0, 1.0), Vec2(0.0, 1.0)})->position().y(), 1.0, 0.001);
+}
+
+TEST(SurfelMap, FindsNothingThatIsFarOrLooksAnotherWay) {
+  const SurfelMap map = wallAt(1.0, 1, 0.001);
+  EXPECT_FALSE(map.nearest({Vec2(1.5, 1.2), Vec2(0.0, 1.0)}));
+  EXPECT_FALSE(map.nearest({Vec2(1.5, 1.0), Vec2(1.0, 0.0)}));
+  EXPECT_FALSE(map.nearest({Vec2(1.5, 1.0), Vec2(0.0, 0.0)}));
+}
+
+}  // namespace
+}  // namespace frontier_pilot
