@@ -105,6 +105,9 @@ test::ClosedLoopParameters parametersFor(const Options& options, const std::stri
   parameters.simulator.seed = seed;
   parameters.simulator.odom_noise = options.odom_noise;
   parameters.mapper.trust_odometry = !options.odom_noise;
+  // The map is laid down by what is seen from the start: the mapper has a look before the robot leaves.
+  constexpr double kLook = 2.0;  // [s]
+  if (options.odom_noise) parameters.head_start = kLook;
   parameters.latency = options.latency;
   if (options.start) {
     parameters.simulator.x = options.start->x;

@@ -51,6 +51,7 @@ ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters,
       arbiter_(parameters.arbiter),
       nav_source_(arbiter_.find("nav").value()),
       wall_clock_(wall_clock),
+      head_start_(fromSeconds(parameters.head_start)),
       latency_(fromSeconds(parameters.latency)) {}
 
 void ClosedLoop::step() {
@@ -107,7 +108,7 @@ Instant ClosedLoop::instant() const { return {now(), SteadyTime(now().time_since
 void ClosedLoop::explore() {
   const Stopwatch watch(wall_clock_, times_.explorer);
   ExplorerInputs inputs;
-  inputs.enabled = exploring_;
+  inputs.enabled = exploring_ && now().time_since_epoch() >= head_start_;
   inputs.map_available = !mapper_.grid().empty();
   inputs.T_map_base = StampedPose2{lastPose().T_map_base, sensed_.stamp};
   inputs.odometry_stamp = sensed_.stamp;

@@ -24,6 +24,8 @@ struct ClosedLoopParameters {
   ExplorerParameters explorer;
   ArbiterParameters arbiter;
   double latency = 0.0;  ///< from a measurement to those who use it [s]
+  double head_start =
+      0.0;  ///< of all others before the explorer, as nodes that are launched one after another have [s]
 
   static MapperParameters trustingOdometry() {
     MapperParameters parameters;
@@ -103,6 +105,7 @@ class ClosedLoop {
   double (*wall_clock_)();
 
   bool exploring_ = true;
+  Duration head_start_;
   Duration latency_;
   std::deque<Sensed> on_the_way_;
   Sensed sensed_;  ///< the newest that has arrived

@@ -11,6 +11,7 @@ constexpr double kRoom = 0.3;     // [m], of a place to the walls
 constexpr double kArrived = 0.3;  // [m]
 constexpr int kPatience = 20;     // controls, on a way that cannot be followed
 constexpr int kTries = 1000;
+constexpr int kStuck = 20000;  // steps without a move
 
 FollowerParams followerOf(const sim::SimulatorParameters& parameters) {
   FollowerParams params;
@@ -48,9 +49,13 @@ GuidedDrive::GuidedDrive(sim::World world, const sim::SimulatorParameters& param
 
 const LaserScan2* GuidedDrive::nextScan() {
   while (distance_ < wanted_distance_) {
+    if (steps_ - moved_ > kStuck)
+      throw std::runtime_error("the drive is stuck: the ways are too narrow for its follower");
     if (steps_++ % kStepsPerControl == 0) steer();
     simulator_.step();
-    distance_ += (simulator_.pose(0).position() - last_).norm();
+    const double moved = (simulator_.pose(0).position() - last_).norm();
+    if (moved > 0.0) moved_ = steps_;
+    distance_ += moved;
     last_ = simulator_.pose(0).position();
     if (const LaserScan2* scan = simulator_.newScan(0)) return scan;
   }

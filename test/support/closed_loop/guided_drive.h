@@ -18,7 +18,7 @@ class GuidedDrive {
   /// Throws as sim::Simulator does. Ends when the robot has driven `distance` [m].
   GuidedDrive(sim::World world, const sim::SimulatorParameters& parameters, double distance);
 
-  /// Drives on until there is a new scan; nullptr at the end of the drive.
+  /// Drives on until there is a new scan; nullptr at the end of the drive. Throws std::runtime_error when stuck.
   const LaserScan2* nextScan();
 
   sim::Simulator& simulator() { return simulator_; }
@@ -42,6 +42,7 @@ class GuidedDrive {
   double distance_ = 0.0;
   Vec2 last_;
   int steps_ = 0;
+  int moved_ = 0;    ///< the last step that moved the robot
   int blocked_ = 0;  ///< for so many controls
 };
 
