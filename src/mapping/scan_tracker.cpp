@@ -154,11 +154,13 @@ bool ScanTracker::fits(const Refinement& refined, const SurfacePoints& points, c
          contradictions(map.likelihood(), points, refined.pose) <= kMostContradictions;
 }
 
-bool ScanTracker::overrulesOdometry(const Refinement& refined, const SurfacePoints& points,
-                                    const SurfaceMap& map) const {
+bool ScanTracker::overrulesOdometry(const Refinement& refined, const SurfacePoints& points, const MatchTarget& target,
+                                    const Prediction& prediction) const {
   // Half of what is seen elsewhere lies on some surface by chance, in a window that silence has made wide.
+  constexpr double kWide = 0.75;  // [m]
   constexpr double kSure = 0.8;
-  return refined.inliers >= kSure || contradictions(map.likelihood(), points, refined.pose) <= kMostContradictions;
+  return prediction.unseen.position < kWide || refined.inliers >= kSure ||
+         contradictions(target.map.likelihood(), points, refined.pose) <= kMostContradictions;
 }
 
 Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const {
@@ -182,7 +184,7 @@ Track ScanTracker::match(const SurfacePoints& points, const MatchTarget& target,
     track.T_local_base = moved(target.T_local_map, fused(refined, odometry));
     return track;
   }
-  if (!overrulesOdometry(refined, points, target.map)) return track;
+  if (!overrulesOdometry(refined, points, target, prediction)) return track;
   const bool ambiguous = hasRival(points, target.pyramid, prediction, *found);
   track.verdict = ambiguous ? MatchVerdict::kAmbiguous : MatchVerdict::kContradicts;
   track.T_local_base = moved(target.T_local_map, seen);

@@ -125,7 +125,8 @@ class ScanTracker {
   Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
   bool fits(const Refinement& refined, const SurfacePoints& points, const SurfaceMap& map) const;
   /// Whether a match is sure enough to be right against odometry.
-  bool overrulesOdometry(const Refinement& refined, const SurfacePoints& points, const SurfaceMap& map) const;
+  bool overrulesOdometry(const Refinement& refined, const SurfacePoints& points, const MatchTarget& target,
+                         const Prediction& prediction) const;
   Track match(const SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const;
   std::optional<SearchResult> find(const SurfacePoints& points, const MaxPyramid& pyramid,
                                    const Prediction& prediction) const;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -105,6 +107,24 @@ TEST_F(MapLog, PrintsTheErrorAgainstRelations) {
   ASSERT_EQ(run({path("drive.csv"), "--out", path("map"), "--relations", path("relations")}), 0) << errors_;
   EXPECT_NE(out_.find("odometry : translation 0.250 +- 0.000 m, rotation 0.00"), std::string::npos) << out_;
   EXPECT_NE(out_.find("corrected: translation 0.2"), std::string::npos) << out_;
+}
+
+// [MAP-1] A real robot with bad odometry: 4.8 m and 17 degrees off, where there is the log.
+TEST_F(MapLog, MapsARealLogAccurately_MAP_1) {
+  const char* folder = std::getenv("FRONTIER_PILOT_LOGS");
+  const std::string log = std::string(folder != nullptr ? folder : PROJECT_ROOT "/../shared/logs") + "/telecom_loop";
+  if (!fs::exists(log + ".csv")) GTEST_SKIP() << "no " << log << ".csv";
+  ASSERT_EQ(run({log + ".csv", "--out", path("map"), "--relations", log + ".relations"}), 0) << errors_;
+  const std::string mark = "corrected: translation ";
+  ASSERT_NE(out_.find(mark), std::string::npos) << out_;
+  double translation = 0.0;
+  double rotation = 0.0;
+  ASSERT_EQ(
+      std::sscanf(out_.c_str() + out_.find(mark) + mark.size(), "%lf +- %*f m, rotation %lf", &translation, &rotation),
+      2)
+      << out_;
+  EXPECT_LT(translation, 0.15) << "[m]";
+  EXPECT_LT(rotation, 1.0) << "[degrees]";
 }
 
 TEST_F(MapLog, SaysWhatItCannotReadOrWrite) {
