@@ -52,6 +52,8 @@ const char* toString(ClosureVerdict verdict) {
 }
 
 const LoopSearch::Prepared& LoopSearch::prepare(const SubmapGraph& graph, std::size_t submap, int top) {
+  const std::size_t keyframes = graph.submap(submap).keyframes.size();
+  prepared_.remove_if([&](const Prepared& old) { return old.submap == submap && old.keyframes != keyframes; });
   const auto found = std::find_if(prepared_.begin(), prepared_.end(),
                                   [&](const Prepared& prepared) { return prepared.submap == submap; });
   if (found != prepared_.end()) {
@@ -61,7 +63,7 @@ const LoopSearch::Prepared& LoopSearch::prepare(const SubmapGraph& graph, std::s
   }
   SurfaceMap map = surfaceMapOf(graph, submap, parameters_);
   MaxPyramid pyramid(map.likelihood().grid(), top);
-  prepared_.push_front({submap, std::move(map), std::move(pyramid)});
+  prepared_.push_front({submap, keyframes, std::move(map), std::move(pyramid)});
   if (prepared_.size() > static_cast<std::size_t>(parameters_.submaps_kept)) prepared_.pop_back();
   return prepared_.front();
 }

@@ -14,6 +14,7 @@ bool MapSchedule::note(const MapChanges& changes, Time now) {
 
 bool MapSchedule::isDue(std::size_t cells, Time now) const {
   constexpr std::size_t kFew = 8;
+  constexpr double kPatience = 12.0;
   // A clock that was set back must not hold the map.
   if (!last_ || now < *last_) return true;
   const double waited = toSeconds(now - *last_);
@@ -21,8 +22,9 @@ bool MapSchedule::isDue(std::size_t cells, Time now) const {
   if (grown_) return true;
   if (changed_ == 0) return false;
   if (changed_ >= cells || newcomer_) return true;
+  if (waited < parameters_.max_period) return false;
   const bool over = toSeconds(now - last_change_) >= parameters_.max_period;
-  return waited >= parameters_.max_period && (over || changed_ >= cells / kFew);
+  return over || changed_ >= cells / kFew || waited >= kPatience * parameters_.max_period;
 }
 
 bool MapSchedule::sent(Time now) {

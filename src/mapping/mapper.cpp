@@ -192,6 +192,7 @@ void Mapper::reset() {
   last_.reset();
   correction_->reset();
   working_ = false;
+  overgrown_ = false;
   meanwhile_.clear();
   // What was known is forgotten too.
   if (epoch_ > 0) replace(correctionFor(parameters_, map_));

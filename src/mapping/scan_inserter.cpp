@@ -54,8 +54,8 @@ bool ScanInserter::reserve(const Pose2& T_map_base, const Vec2& sensor, Occupanc
   Vec2 high = sensor.cwiseMax(T_map_base.position() + radius);
   for (const Ray& ray : rays_) {
     const Vec2& end = ray.hit ? *ray.hit : ray.clear_to;
-    low = low.cwiseMin(end);
-    high = high.cwiseMax(end);
+    low = low.cwiseMin(end).cwiseMin(ray.clear_to);
+    high = high.cwiseMax(end).cwiseMax(ray.clear_to);
   }
   return map.reserve(low, high);
 }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
+
+#include "line_fitter.h"
 
 namespace frontier_pilot {
 namespace {
@@ -13,57 +14,8 @@ namespace {
 constexpr double kSteepest = 15.0;  ///< beams whose returns lie this many beam spacings apart may be on one surface
 constexpr double kSlack = 0.05;     ///< and this much more, for noise [m]
 constexpr int kMostMissing = 3;     ///< beams without a return between two that may be on one surface
-constexpr double kElongated = 4.0;  ///< a line is this many times longer than it is thick
 constexpr double kSameWay = 0.9;    ///< cosine of the greatest angle between normals of one surface
 constexpr double kFlat = 0.25;      ///< greatest slope between two points of one surface
-
-/// First and last of some successive points.
-struct Span {
-  std::size_t first, last;
-  std::size_t size() const { return last - first + 1; }
-};
-
-struct Line {
-  Vec2 normal;      ///< unit, either way round
-  double variance;  ///< of the points from it [m^2]
-};
-
-/// Sums of the moments of the first n points, so that any span's line costs the same.
-class LineFitter {
- public:
-  explicit LineFitter(const SurfacePoints& points) {
-    sums_.push_back({});
-    for (const SurfacePoint& point : points) {
-      const double x = point.position.x();
-      const double y = point.position.y();
-      const Sums& s = sums_.back();
-      sums_.push_back({s[0] + x, s[1] + y, s[2] + x * x, s[3] + x * y, s[4] + y * y});
-    }
-  }
-
-  /// The line through a span; none if its points are none.
-  std::optional<Line> line(const Span& span, double max_error) const {
-    if (span.size() < 3) return std::nullopt;
-    const auto n = static_cast<double>(span.size());
-    Sums mean{};
-    for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = (sums_[span.last + 1][k] - sums_[span.first][k]) / n;
-    const double xx = mean[2] - mean[0] * mean[0];
-    const double xy = mean[3] - mean[0] * mean[1];
-    const double yy = mean[4] - mean[1] * mean[1];
-    const double difference = 0.5 * (xx - yy);
-    const double half = std::sqrt(difference * difference + xy * xy);
-    const double across = std::max(0.0, 0.5 * (xx + yy) - half);
-    const double along = 0.5 * (xx + yy) + half;
-    if (across > max_error * max_error || along <= kElongated * kElongated * across) return std::nullopt;
-    // The eigenvector of the lesser eigenvalue, from the row of the matrix that is not near zero.
-    const Vec2 normal = difference > 0.0 ? Vec2(-xy, half + difference) : Vec2(half - difference, -xy);
-    return Line{normal.normalized(), across * n / (n - 2.0)};
-  }
-
- private:
-  using Sums = std::array<double, 5>;
-  std::vector<Sums> sums_;
-};
 
 /// Reads the returns beam by beam, and sees where the surface surely breaks off between them.
 class ReturnReader {
@@ -115,8 +67,8 @@ Span around(const SurfacePoints& points, std::size_t i, double radius) {
 
 /// Sine of the angle by which the surface bends at `i`, on arms of `radius`; zero where it has not two.
 double bendAt(const LineFitter& fitter, const Span& span, std::size_t i, double max_error) {
-  const auto before = fitter.line({span.first, i}, max_error);
-  const auto after = fitter.line({i, span.last}, max_error);
+  const auto before = fitter.arm({span.first, i}, max_error);
+  const auto after = fitter.arm({i, span.last}, max_error);
   if (!before || !after) return 0.0;
   return std::abs(before->normal.x() * after->normal.y() - before->normal.y() * after->normal.x());
 }
@@ -191,13 +143,16 @@ SurfacePoint meanOf(const SurfacePoints& points, const Span& span) {
 
 /// Adds the means of equal parts of `span`, none longer than `spacing`.
 void addMeans(const SurfacePoints& points, const Span& span, double spacing, SurfacePoints& means) {
+  // Along the surface: noise across it makes the way from point to point longer than it is.
   std::vector<double> along = {0.0};
   for (std::size_t i = span.first; i < span.last; ++i) {
-    along.push_back(along.back() + (points[i + 1].position - points[i].position).norm());
+    const Vec2 step = points[i + 1].position - points[i].position;
+    const double across = step.dot((points[i].normal + points[i + 1].normal).normalized());
+    along.push_back(along.back() + std::sqrt(std::max(0.0, step.squaredNorm() - across * across)));
   }
   const double parts = std::max(1.0, std::ceil(along.back() / spacing));
   const auto partOf = [&](std::size_t i) {
-    return std::min(parts - 1.0, std::floor(along[i - span.first] / along.back() * parts));
+    return parts > 1.0 ? std::min(parts - 1.0, std::floor(along[i - span.first] / along.back() * parts)) : 0.0;
   };
   Span part{span.first, span.first};
   for (std::size_t i = span.first + 1; i <= span.last; ++i) {
@@ -283,7 +238,7 @@ SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& param
     const Vec2 step = points[i + 1].position - points[i].position;
     const int pieces = static_cast<int>(std::ceil(step.norm() / parameters.fill_spacing));
     const Vec2 normal = (points[i].normal + points[i + 1].normal).normalized();
-    // What is filled in is known no better for it.
+    // All that is filled in counts as much as one point more.
     const double noise = 0.5 * (points[i].noise + points[i + 1].noise) * pieces;
     const double roughness = 0.5 * (points[i].roughness + points[i + 1].roughness) * pieces;
     for (int k = 1; k < pieces; ++k) {

@@ -1,12 +1,13 @@
 #include "frontier_pilot/mapping/surfel_map.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace frontier_pilot {
 namespace {
 
 constexpr double kSameWay = 0.5;  ///< cosine of the greatest angle between normals that look the same way
+constexpr double kAlong = 0.5 * SurfelMap::kSpacing;  ///< a point farther along the surface is of another surfel [m]
+constexpr double kAcross = 0.05;                      ///< and one farther across it of another surface [m]
 
 // Squares, because this is where a match spends its time.
 bool looksTheSameWay(const Surfel& surfel, const SurfacePoint& point) {
@@ -18,13 +19,17 @@ bool looksTheSameWay(const Surfel& surfel, const SurfacePoint& point) {
 /// Whether `point` is one more of the points that the surfel is the mean of. Across the surface it may be off by its
 /// noise, and that must not decide: points on either side of a border that ran along the wall would be two walls.
 bool belongsTo(const Surfel& surfel, const SurfacePoint& point) {
-  constexpr double kAcross = 0.05;  // [m]
   if (!looksTheSameWay(surfel, point)) return false;
   const Vec2 apart = point.position - surfel.position();
-  const double along = 0.5 * SurfelMap::kSpacing;
-  if (!point.hasNormal()) return apart.squaredNorm() < along * along;
+  if (!point.hasNormal()) return apart.squaredNorm() < kAlong * kAlong;
   const double across = apart.dot(point.normal);
-  return std::abs(across) < kAcross && apart.squaredNorm() - across * across < along * along;
+  return std::abs(across) < kAcross && apart.squaredNorm() - across * across < kAlong * kAlong;
+}
+
+SurfacePoint placed(const Pose2& T_map_points, SurfacePoint point) {
+  point.position = T_map_points * point.position;
+  point.normal = Pose2(0.0, 0.0, T_map_points.yaw) * point.normal;
+  return point;
 }
 
 }  // namespace
@@ -34,59 +39,68 @@ Vec2 Surfel::normal() const {
   return length > 0.0 ? Vec2(normal_x / length, normal_y / length) : Vec2(0.0, 0.0);
 }
 
+void Surfel::add(const SurfacePoint& point) {
+  const auto more = static_cast<float>(1.0 / point.variance());
+  weight += more;
+  x += (static_cast<float>(point.position.x()) - x) * more / weight;
+  y += (static_cast<float>(point.position.y()) - y) * more / weight;
+  normal_x += static_cast<float>(point.normal.x()) * more;
+  normal_y += static_cast<float>(point.normal.y()) * more;
+}
+
 void SurfelMap::add(const SurfacePoints& points, const Pose2& T_map_points) {
-  const Pose2 turn(0.0, 0.0, T_map_points.yaw);
-  SurfacePoints placed;
-  placed.reserve(points.size());
-  CellRect needed;
-  for (const SurfacePoint& point : points) {
-    placed.push_back(point);
-    placed.back().position = T_map_points * point.position;
-    placed.back().normal = turn * point.normal;
-    needed.include(tiles_.cellAt(placed.back().position));
+  for (const SurfacePoint& point : points) add(placed(T_map_points, point));
+}
+
+void SurfelMap::sharpen(const SurfacePoints& points, const Pose2& T_map_points) {
+  for (const SurfacePoint& each : points) {
+    const SurfacePoint point = placed(T_map_points, each);
+    const std::int32_t index = surfelOf(point);
+    if (index != kNone) add(point, index);
   }
-  if (placed.empty()) return;
-  tiles_.reserve(needed);
-  for (const SurfacePoint& point : placed) add(point);
 }
 
 void SurfelMap::add(const SurfacePoint& point) {
-  const auto weight = static_cast<float>(1.0 / point.variance());
-  Surfel& surfel = surfelFor(point);
-  surfel.weight += weight;
-  const float share = weight / surfel.weight;
-  surfel.x += (static_cast<float>(point.position.x()) - surfel.x) * share;
-  surfel.y += (static_cast<float>(point.position.y()) - surfel.y) * share;
-  surfel.normal_x += static_cast<float>(point.normal.x()) * weight;
-  surfel.normal_y += static_cast<float>(point.normal.y()) * weight;
+  std::int32_t index = surfelOf(point);
+  if (index != kNone) return add(point, index);
+  index = static_cast<std::int32_t>(entries_.size());
+  entries_.push_back({});
+  entry(index).surfel.add(point);
+  link(index);
 }
 
-Surfel& SurfelMap::surfelFor(const SurfacePoint& point) {
-  Surfel* best = nullptr;
-  double least = kReach * kReach;
-  visitNear(point.position, kMerge, [&](const Surfel& surfel) {
-    const double squared = (surfel.position() - point.position).squaredNorm();
-    if (squared >= least || !belongsTo(surfel, point)) return;
-    least = squared;
-    best = const_cast<Surfel*>(&surfel);
-  });
-  if (best) return *best;
-  std::int32_t& first = tiles_[tiles_.cellAt(point.position)];
-  entries_.push_back({Surfel(), first});
-  first = static_cast<std::int32_t>(entries_.size()) - 1;
-  return entries_.back().surfel;
+void SurfelMap::add(const SurfacePoint& point, std::int32_t index) {
+  Surfel moved = entry(index).surfel;
+  moved.add(point);
+  const bool leaves = tiles_.cellAt(moved.position()) != tiles_.cellAt(entry(index).surfel.position());
+  if (leaves) unlink(index);
+  entry(index).surfel = moved;
+  if (leaves) link(index);
+}
+
+void SurfelMap::link(std::int32_t index) {
+  const Cell tile = tiles_.cellAt(entry(index).surfel.position());
+  tiles_.reserve({tile.x, tile.y, 1, 1});
+  std::int32_t& first = tiles_[tile];
+  entry(index).next = first;
+  first = index;
+}
+
+void SurfelMap::unlink(std::int32_t index) {
+  std::int32_t* at = &tiles_[tiles_.cellAt(entry(index).surfel.position())];
+  while (*at != index) at = &entry(*at).next;
+  *at = entry(index).next;
+}
+
+std::int32_t SurfelMap::surfelOf(const SurfacePoint& point) const {
+  const double reach = std::hypot(kAlong, kAcross);
+  return find(point.position, reach, [&](const Surfel& surfel) { return belongsTo(surfel, point); });
 }
 
 const Surfel* SurfelMap::nearest(const SurfacePoint& point) const {
-  const Surfel* best = nullptr;
-  double least = kReach * kReach;
-  visitNear(point.position, kReach, [&](const Surfel& surfel) {
-    const double squared = (surfel.position() - point.position).squaredNorm();
-    if (squared >= least || !looksTheSameWay(surfel, point)) return;
-    least = squared;
-    best = &surfel;
-  });
-  return best;
+  const std::int32_t index =
+      find(point.position, kReach, [&](const Surfel& surfel) { return looksTheSameWay(surfel, point); });
+  return index == kNone ? nullptr : &entry(index).surfel;
 }
 
 std::size_t SurfelMap::memory() const {

@@ -68,7 +68,8 @@ double PathFollower::leastDistance(double now) const {
   if (now >= least) return least;
   // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
   const double floor = params_.inscribed_radius + kMinGap;
-  return now < floor ? now : std::max(floor, now - 0.002);
+  constexpr double kRounding = 1e-4;  // of what is compared with it
+  return now < floor ? now - kRounding : std::max(floor, now - 0.002);
 }
 
 double PathFollower::turnRate(double angle, const Twist2& twist) const {

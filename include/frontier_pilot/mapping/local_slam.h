@@ -47,7 +47,7 @@ struct LocalSlamParameters {
             "or after a tenth of either where the map shows less of the scan than this share", between(0.0, 1.0));
     v.field("submap_keyframes", submap_keyframes, "",
             "a submap is finished with so many keyframes; the next one begins at half of them", between(2, 10000));
-    v.group("surface", surface, "how scans are read");
+    v.group("surface", surface, "how scans are read, to be matched and to be mapped");
     v.group("likelihood", likelihood, "the field that is searched");
     v.group("tracker", tracker, "how the robot is followed");
   }

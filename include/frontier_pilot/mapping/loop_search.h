@@ -59,6 +59,7 @@ class LoopSearch {
   /// What a search needs of a submap, made of its keyframes.
   struct Prepared {
     std::size_t submap;
+    std::size_t keyframes;  ///< of it that are in the map: the newest submaps still grow
     SurfaceMap map;
     MaxPyramid pyramid;
   };

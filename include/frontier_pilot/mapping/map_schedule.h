@@ -11,20 +11,20 @@ namespace frontier_pilot {
 
 struct MapScheduleParameters {
   double min_period = 1.0;  ///< between two whole maps, at least [s]
-  double max_period = 5.0;  ///< changes wait for a whole map this long, longer while there are few of them [s]
+  double max_period = 5.0;  ///< changes wait for a whole map this long, 12 times that while there are few [s]
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("min_period", min_period, "s", "between two whole maps, at least", positive());
-    v.field("max_period", max_period, "s", "changes wait for a whole map this long, longer while there are few",
+    v.field("max_period", max_period, "s", "changes wait for a whole map this long, 12 times that while there are few",
             positive());
   }
 };
 
 /// Says when the whole of a map is to be sent, besides the changes that are sent at once: when it has grown, when
 /// somebody new listens, when what was sent as changes since the last one comes to as much; after a while when it comes
-/// to an eighth, or when there have been no more for as long. So all in all publishing costs what changed, however
-/// large the map. [MAP-2]
+/// to an eighth, or when there have been no more for as long; and never later than 12 times that. So all in all
+/// publishing costs what changed, and the map once a minute. [MAP-2]
 class MapSchedule {
  public:
   explicit MapSchedule(const MapScheduleParameters& parameters = {}) : parameters_(parameters) {}

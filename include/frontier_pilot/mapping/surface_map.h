@@ -14,7 +14,7 @@ class SurfaceMap {
   /// `points` at `T_map_points`; dense, see `filled`.
   void add(const SurfacePoints& points, const Pose2& T_map_points);
   /// As `add`, but for the surfels only: what is known well becomes known better, nothing is found that was not.
-  void sharpen(const SurfacePoints& points, const Pose2& T_map_points) { surfels_.add(points, T_map_points); }
+  void sharpen(const SurfacePoints& points, const Pose2& T_map_points) { surfels_.sharpen(points, T_map_points); }
 
   const LikelihoodGrid& likelihood() const { return likelihood_; }
   const SurfelMap& surfels() const { return surfels_; }

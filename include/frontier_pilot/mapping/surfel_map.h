@@ -8,7 +8,7 @@
 
 namespace frontier_pilot {
 
-/// The mean of the points of one surface in one cell, weighted by what they know.
+/// The mean of the points of one surface within `SurfelMap::kSpacing`, weighted by what they know.
 struct Surfel {
   float weight = 0.0F;  ///< sum of the inverse variances [1/m^2]
   float x = 0.0F;       ///< mean of the positions [m]
@@ -19,11 +19,12 @@ struct Surfel {
   Vec2 position() const { return {x, y}; }
   /// Unit; zero when the points had none.
   Vec2 normal() const;
+  void add(const SurfacePoint& point);
 };
 
 /// Surfaces as means of the points that were seen of them: where a wall is, more precisely than any cell and better
-/// with each scan. Surfaces of one cell that look different ways are kept apart, so both sides of a thin wall and the
-/// two walls of a corner remain what they are. It grows where points are added.
+/// with each scan. Surfaces that look different ways are kept apart, so both sides of a thin wall and the two walls of
+/// a corner remain what they are. It grows where points are added.
 class SurfelMap {
  public:
   static constexpr double kSpacing = 0.1;  ///< of the surfels of a wall [m]
@@ -31,6 +32,8 @@ class SurfelMap {
 
   /// `points` at `T_map_points`.
   void add(const SurfacePoints& points, const Pose2& T_map_points);
+  /// The same for those of them that lie on surfels: what is known becomes known better.
+  void sharpen(const SurfacePoints& points, const Pose2& T_map_points);
   /// The nearest surfel within `kReach` that looks the same way, within 60 degrees; nullptr if there is none.
   const Surfel* nearest(const SurfacePoint& point) const;
 
@@ -40,33 +43,45 @@ class SurfelMap {
 
  private:
   static constexpr double kTile = 2.0 * kReach;  ///< so what is near lies in four tiles
-  static constexpr double kMerge = 0.075;        ///< a point farther than this from a surfel is not of it [m]
-  static constexpr std::int32_t kEnd = -1;
+  static constexpr std::int32_t kNone = -1;
 
   /// A surfel in the list of its tile's.
   struct Entry {
     Surfel surfel;
-    std::int32_t next = kEnd;
+    std::int32_t next = kNone;
   };
 
+  Entry& entry(std::int32_t index) { return entries_[static_cast<std::size_t>(index)]; }
+  const Entry& entry(std::int32_t index) const { return entries_[static_cast<std::size_t>(index)]; }
   void add(const SurfacePoint& point);
-  /// The one that `point` is of; a new one if there is none.
-  Surfel& surfelFor(const SurfacePoint& point);
+  /// Adds `point` to a surfel, which may then lie in another tile.
+  void add(const SurfacePoint& point, std::int32_t index);
+  void link(std::int32_t index);
+  void unlink(std::int32_t index);
 
-  template <class Visit>
-  void visitNear(const Vec2& position, double reach, const Visit& visit) const {
+  /// The surfel nearest to `position` within `reach` that is accepted; kNone if there is none.
+  template <class Accept>
+  std::int32_t find(const Vec2& position, double reach, const Accept& accept) const {
     const Cell low = tiles_.cellAt(position - Vec2::Constant(reach));
     const Cell high = tiles_.cellAt(position + Vec2::Constant(reach));
+    std::int32_t best = kNone;
+    double least = reach * reach;
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
-        for (std::int32_t i = tiles_.get({x, y}); i != kEnd; i = entries_[static_cast<std::size_t>(i)].next) {
-          visit(entries_[static_cast<std::size_t>(i)].surfel);
+        for (std::int32_t i = tiles_.get({x, y}); i != kNone; i = entry(i).next) {
+          const double squared = (entry(i).surfel.position() - position).squaredNorm();
+          if (squared >= least || !accept(entry(i).surfel)) continue;
+          least = squared;
+          best = i;
         }
       }
     }
+    return best;
   }
+  /// The surfel that `point` is of; kNone if there is none.
+  std::int32_t surfelOf(const SurfacePoint& point) const;
 
-  GrowingGrid<std::int32_t> tiles_{kTile, kEnd};  ///< the first entry of each tile
+  GrowingGrid<std::int32_t> tiles_{kTile, kNone};  ///< the first entry of each tile
   std::vector<Entry> entries_;
 };
 

@@ -108,7 +108,7 @@ Instant ClosedLoop::instant() const { return {now(), SteadyTime(now().time_since
 void ClosedLoop::explore() {
   const Stopwatch watch(wall_clock_, times_.explorer);
   ExplorerInputs inputs;
-  inputs.enabled = exploring_ && now().time_since_epoch() >= head_start_;
+  inputs.enabled = now().time_since_epoch() >= head_start_;
   inputs.map_available = !mapper_.grid().empty();
   inputs.T_map_base = StampedPose2{lastPose().T_map_base, sensed_.stamp};
   inputs.odometry_stamp = sensed_.stamp;

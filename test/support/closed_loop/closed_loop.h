@@ -56,8 +56,6 @@ class ClosedLoop {
 
   /// One step of the simulator, and what falls due in it.
   void step();
-  /// Switches the explorer off and on.
-  void setExploring(bool on) { exploring_ = on; }
   /// Switches the navigator's source at the arbiter off and on: while it is off the robot is told to stand.
   void setNavEnabled(bool on);
 
@@ -104,7 +102,6 @@ class ClosedLoop {
   std::size_t nav_source_;
   double (*wall_clock_)();
 
-  bool exploring_ = true;
   Duration head_start_;
   Duration latency_;
   std::deque<Sensed> on_the_way_;

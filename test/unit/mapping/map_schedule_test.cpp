@@ -58,6 +58,9 @@ TEST(MapSchedule, WaitsWhileThereAreFewChangesButNotForEver_MAP_2) {
   }
   EXPECT_FALSE(schedule.isDue(kCells, at(14.9)));
   EXPECT_TRUE(schedule.isDue(kCells, at(15.1)));
+  schedule.note(changed(1), at(59.0));
+  EXPECT_FALSE(schedule.isDue(kCells, at(59.9)));
+  EXPECT_TRUE(schedule.isDue(kCells, at(60.0)));
 }
 
 TEST(MapSchedule, TellsANewcomerWhatHasChanged_MAP_2) {

@@ -31,6 +31,9 @@ TEST(SubmapGraph, PutsEverythingWhereTheLocalMapHasItUntilSomethingIsClosed) {
     EXPECT_NEAR(graph.T_map_keyframe(i).x, static_cast<double>(i), 1e-9);
   }
   EXPECT_NEAR(graph.T_map_local().position().norm(), 0.0, 1e-9);
+  EXPECT_EQ(graph.gap(9, 19), 0U) << "it is in it";
+  EXPECT_EQ(graph.gap(9, 0), 9U);
+  EXPECT_EQ(graph.gap(0, 19), 8U) << "it is in the last two";
 }
 
 TEST(SubmapGraph, BendsSmoothlyFromSubmapToSubmap) {

@@ -50,6 +50,32 @@ TEST(SurfelMap, MAP_1_BelievesMoreWhatIsKnownBetter) {
   EXPECT_NEAR(map.nearest({Vec2(1.0, 1.0), Vec2(0.0, 1.0)})->position().y(), 1.0, 0.001);
 }
 
+TEST(SurfelMap, FindsASurfelThatHasMovedOnSinceItWasBegun) {
+  // Begun at one side of a border of what it is looked up by, every 1.5 cm, and drawn 4 cm down the wall.
+  const Vec2 up(0.0, 1.0);
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.015 * i;
+    SurfelMap map;
+    map.add({{Vec2(x, 1.0), up}}, Pose2());
+    for (int k = 0; k < 20; ++k) map.add({{Vec2(x - 0.04, 1.0), up}}, Pose2());
+    ASSERT_EQ(map.size(), 1U);
+    EXPECT_TRUE(map.nearest({Vec2(x - 0.17, 1.0), up})) << x;
+    EXPECT_TRUE(map.nearest({Vec2(x + 0.10, 1.0), up})) << x;
+    EXPECT_FALSE(map.nearest({Vec2(x + 0.15, 1.0), up})) << x;
+  }
+}
+
+TEST(SurfelMap, MAP_1_SharpensWhatItHasAndAddsNothing) {
+  SurfelMap map = wallAt(1.0, 1, 0.0);
+  const std::size_t size = map.size();
+  SurfacePoints points = {{Vec2(1.0, 2.0), Vec2(0.0, 1.0)}};
+  for (int k = 0; k < 300; ++k) points.push_back({Vec2(0.01 * k, 1.02), Vec2(0.0, 1.0)});
+  map.sharpen(points, Pose2());
+  EXPECT_EQ(map.size(), size);
+  EXPECT_NEAR(map.nearest({Vec2(1.5, 1.0), Vec2(0.0, 1.0)})->position().y(), 1.01, 0.001);
+  EXPECT_FALSE(map.nearest(points.front()));
+}
+
 TEST(SurfelMap, FindsNothingThatIsFarOrLooksAnotherWay) {
   const SurfelMap map = wallAt(1.0, 1, 0.001);
   EXPECT_FALSE(map.nearest({Vec2(1.5, 1.2), Vec2(0.0, 1.0)}));

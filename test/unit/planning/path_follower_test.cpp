@@ -62,5 +62,22 @@ TEST(PathFollower, KeepsItsDistanceFromBothSidesOfAPassageThatIsTooNarrow_NAV_4)
   }
 }
 
+TEST(PathFollower, IsFreeToLeaveWhatItIsTooNearTo_NAV_4) {
+  // Somewhere on a large map, where a float is coarse: straight behind the robot something touches its edge.
+  ClearanceMap open;
+  open.setMap(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 800, 800}, kFree), {0, 0, 800, 800});
+  open.refresh();
+  for (int i = 0; i < 50; ++i) {
+    const Vec2 position(30.0 + 0.0137 * i, 30.0 + 0.0071 * i);
+    ScanPoints scan;
+    scan.add(position - Vec2(0.105, 0.0));
+    PathFollower follower({}, fast());
+    follower.setPath(Path({position, position + Vec2(1.0, 0.0)}));
+    const FollowerOutput output = follower.update({Pose2(position, 0.0), {}, 0.05, scan, open});
+    EXPECT_FALSE(output.blocked) << i;
+    EXPECT_GT(output.command.linear, 0.1) << i;
+  }
+}
+
 }  // namespace
 }  // namespace frontier_pilot
