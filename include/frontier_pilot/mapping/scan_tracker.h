@@ -88,8 +88,8 @@ const char* describe(const Track& track);
 
 /// Follows a robot from scan to scan: odometry says where to look and how sure it is of that, the map where the robot
 /// is, and odometry again what the map does not show. Where scan and odometry contradict each other, the scan is right:
-/// wheels slip and encoders freeze, walls do not. After a long silence it has to fit well for that: the scanner may have
-/// been carried away. Where the scan shows nothing known, odometry carries on.
+/// wheels slip and encoders freeze, walls do not. After a long silence it has to fit well for that: the scanner may
+/// have been carried away. Where the scan shows nothing known, odometry carries on.
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParameters& parameters = {}) : parameters_(parameters) {}
