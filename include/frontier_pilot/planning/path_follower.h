@@ -13,7 +13,7 @@ namespace frontier_pilot {
 
 struct FollowerParams {
   double inscribed_radius = 0.105;   ///< of the footprint, a disc [m]
-  double scan_margin = 0.02;         ///< room that the footprint keeps to the scan's points [m]
+  double scan_margin = 0.014;        ///< room that the footprint keeps to the scan's points [m]
   double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
   double min_lookahead = 0.2;        ///< [m]
   double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
