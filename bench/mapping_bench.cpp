@@ -4,7 +4,6 @@
 //   Exploring   the first tour through an empty map: 0.5 m/s at 10 Hz
 //   Mapped      the same tour once more, through a map that is complete
 //   Fresh       single scans, each into an empty map: the worst case
-//
 //   Publishing  what is sent of the map on both tours, and what it takes to copy that
 //
 // `cells` is the mean number of cells that the beams of a scan pass through, and so the floor: one load for each.

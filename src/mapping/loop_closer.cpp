@@ -171,24 +171,21 @@ bool LoopCloser::isEnough(const SubmapGraph& graph, const Hypothesis& hypothesis
          travel >= parameters_.confirm_travel + parameters_.confirm_jump * jump;
 }
 
-bool LoopCloser::makesSense(SubmapGraph& graph, const PoseGraph& before) {
-  const PoseGraph after = graph.graph();
+bool LoopCloser::makesSense(const SubmapGraph& graph, const PoseGraph& before, const std::vector<Pose2>& then) {
   const std::vector<Pose2> now = sampledPoses(graph);
-  graph.setGraph(before);
-  const std::vector<Pose2> then = sampledPoses(graph);
-  graph.setGraph(after);
   double worse = 0.0;
   int views = 0;
   for (std::size_t submap = 0; submap < graph.submapCount(); ++submap) {
     for (std::size_t i = 0; i < now.size(); ++i) {
       const std::size_t keyframe = i * sampling(graph);
       if (graph.gap(submap, keyframe) < static_cast<std::size_t>(parameters_.min_gap)) continue;
-      const Pose2 seen_now = after.pose(submap).inverse() * now[i];
+      const Pose2 seen_now = graph.T_map_submap(submap).inverse() * now[i];
       const Pose2 seen_then = before.pose(submap).inverse() * then[i];
       const bool moved = isJump(seen_then, seen_now, parameters_.verify_jump, parameters_.verify_jump / kSight);
       if (!moved || distanceTo(graph, submap, seen_now.position()) > kSight) continue;
-      worse += search_.contradiction(graph, submap, keyframe, seen_now) -
-               search_.contradiction(graph, submap, keyframe, seen_then);
+      const SurfacePoints points = search_.pointsOf(graph.keyframe(keyframe));
+      worse += search_.contradiction(graph, submap, points, seen_now) -
+               search_.contradiction(graph, submap, points, seen_then);
       ++views;
     }
   }
@@ -197,6 +194,7 @@ bool LoopCloser::makesSense(SubmapGraph& graph, const PoseGraph& before) {
 
 std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen) {
   const PoseGraph before = graph.graph();
+  const std::vector<Pose2> then = sampledPoses(graph);
   std::vector<LoopClosure> closures;
   for (const std::size_t index : chosen) {
     Hypothesis& hypothesis = hypotheses_[index];
@@ -210,7 +208,7 @@ std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vecto
   ClosureVerdict verdict = ClosureVerdict::kAccepted;
   if (!isSound(graph)) {
     verdict = ClosureVerdict::kDisagrees;
-  } else if (!makesSense(graph, before)) {
+  } else if (!makesSense(graph, before, then)) {
     verdict = ClosureVerdict::kContradicts;
   }
   counts_.add(verdict, chosen.size());

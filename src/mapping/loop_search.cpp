@@ -81,11 +81,13 @@ bool LoopSearch::isAmbiguous(const MaxPyramid& pyramid, const SurfacePoints& poi
   return apart.dot(information * apart) > kSameRidge;
 }
 
-double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe,
+SurfacePoints LoopSearch::pointsOf(const Keyframe& keyframe) const {
+  return thinned(readSurface(keyframe.scan, parameters_.surface), parameters_.surface);
+}
+
+double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points,
                                  const Pose2& T_submap_keyframe) {
   const Prepared& prepared = prepare(graph, submap, 0);
-  const SurfacePoints surface = readSurface(graph.keyframe(keyframe).scan, parameters_.surface);
-  const SurfacePoints points = thinned(surface, parameters_.surface);
   if (prepared.map.empty() || points.empty()) return 0.0;
   return contradictions(prepared.map.likelihood(), points, T_submap_keyframe);
 }

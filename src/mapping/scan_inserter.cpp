@@ -30,10 +30,7 @@ void ScanInserter::readRays(const LaserScan2& scan, const Pose2& T_map_base, dou
     const Vec2 unit = direction(T_map_sensor.yaw + scan.angle(beam));
     rays_.push_back({sensor + std::min(reading.distance, parameters_.max_clear_range) * unit, std::nullopt});
   }
-  const Pose2 turn(0.0, 0.0, T_map_base.yaw);
-  for (SurfacePoint point : readSurface(scan, surface_parameters_)) {
-    point.position = T_map_base * point.position;
-    point.normal = turn * point.normal;
+  for (const SurfacePoint& point : placed(T_map_base, readSurface(scan, surface_parameters_))) {
     rays_.push_back(rayThatMet(point, sensor, resolution));
   }
 }
@@ -53,9 +50,9 @@ bool ScanInserter::reserve(const Pose2& T_map_base, const Vec2& sensor, Occupanc
   Vec2 low = sensor.cwiseMin(T_map_base.position() - radius);
   Vec2 high = sensor.cwiseMax(T_map_base.position() + radius);
   for (const Ray& ray : rays_) {
-    const Vec2& end = ray.hit ? *ray.hit : ray.clear_to;
-    low = low.cwiseMin(end).cwiseMin(ray.clear_to);
-    high = high.cwiseMax(end).cwiseMax(ray.clear_to);
+    const Vec2 hit = ray.hit.value_or(ray.clear_to);
+    low = low.cwiseMin(ray.clear_to).cwiseMin(hit);
+    high = high.cwiseMax(ray.clear_to).cwiseMax(hit);
   }
   return map.reserve(low, high);
 }

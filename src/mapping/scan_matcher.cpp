@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kStill = 1e-4;  ///< a step shorter than this ends the iterations [m, rad]
 
-double square(double x) { return x * x; }
-
 /// All distances, made linear at one pose: the normal equations.
 class Linearization {
  public:

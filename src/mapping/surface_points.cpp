@@ -104,8 +104,6 @@ Span withinCorners(const Span& span, std::size_t i, const std::vector<bool>& cor
   return within;
 }
 
-double square(double x) { return x * x; }
-
 /// Cosine of the angle between a beam and the normal where it ended; one where there is no normal.
 double facingOf(const SurfacePoint& point, const Vec2& beam) {
   constexpr double kFlattest = 0.05;
@@ -213,6 +211,18 @@ SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& param
     point.noise = noiseOf(beam.norm(), facing, parameters);
     point.roughness = square(parameters.roughness);
     if (line) point.roughness += std::max(0.0, line->variance - point.noise) / square(facing);
+  }
+  return points;
+}
+
+SurfacePoints placed(const Pose2& T_other_points, SurfacePoints points) {
+  const double c = std::cos(T_other_points.yaw);
+  const double s = std::sin(T_other_points.yaw);
+  for (SurfacePoint& point : points) {
+    const Vec2 p = point.position;
+    const Vec2 n = point.normal;
+    point.position = {T_other_points.x + c * p.x() - s * p.y(), T_other_points.y + s * p.x() + c * p.y()};
+    point.normal = {c * n.x() - s * n.y(), s * n.x() + c * n.y()};
   }
   return points;
 }

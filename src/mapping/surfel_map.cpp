@@ -26,12 +26,6 @@ bool belongsTo(const Surfel& surfel, const SurfacePoint& point) {
   return std::abs(across) < kAcross && apart.squaredNorm() - across * across < kAlong * kAlong;
 }
 
-SurfacePoint placed(const Pose2& T_map_points, SurfacePoint point) {
-  point.position = T_map_points * point.position;
-  point.normal = Pose2(0.0, 0.0, T_map_points.yaw) * point.normal;
-  return point;
-}
-
 }  // namespace
 
 Vec2 Surfel::normal() const {
@@ -49,12 +43,11 @@ void Surfel::add(const SurfacePoint& point) {
 }
 
 void SurfelMap::add(const SurfacePoints& points, const Pose2& T_map_points) {
-  for (const SurfacePoint& point : points) add(placed(T_map_points, point));
+  for (const SurfacePoint& point : placed(T_map_points, points)) add(point);
 }
 
 void SurfelMap::sharpen(const SurfacePoints& points, const Pose2& T_map_points) {
-  for (const SurfacePoint& each : points) {
-    const SurfacePoint point = placed(T_map_points, each);
+  for (const SurfacePoint& point : placed(T_map_points, points)) {
     const std::int32_t index = surfelOf(point);
     if (index != kNone) add(point, index);
   }

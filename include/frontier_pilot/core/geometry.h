@@ -10,6 +10,8 @@ using Vec2 = Eigen::Vector2d;
 
 constexpr double kPi = 3.14159265358979323846;
 
+inline double square(double x) { return x * x; }
+
 /// The same angle in [-pi, pi) [rad]. Not finite in, not finite out.
 double normalizeAngle(double angle);
 

@@ -102,8 +102,9 @@ class LoopCloser {
   std::vector<std::size_t> supporters(const SubmapGraph& graph, const Hypothesis& hypothesis) const;
   bool isEnough(const SubmapGraph& graph, const Hypothesis& hypothesis,
                 const std::vector<std::size_t>& supporters) const;
-  /// Whether what has moved since `before` does not contradict the rest of the map more than it did then.
-  bool makesSense(SubmapGraph& graph, const PoseGraph& before);
+  /// Whether what has moved since `before`, when the sampled keyframes were at `then`, does not contradict the rest of
+  /// the map more than it did.
+  bool makesSense(const SubmapGraph& graph, const PoseGraph& before, const std::vector<Pose2>& then);
   std::vector<LoopClosure> accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen);
 
   LoopCloserParameters parameters_;

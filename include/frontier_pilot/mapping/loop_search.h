@@ -51,8 +51,10 @@ class LoopSearch {
   /// Around `expected`, T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
   Result find(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points, const Pose2& expected,
               const SearchWindow& window);
-  /// Share of a keyframe's beams that contradict a submap, as in `contradictions`, if it is at `T_submap_keyframe`.
-  double contradiction(const SubmapGraph& graph, std::size_t submap, std::size_t keyframe,
+  /// What is matched of a keyframe.
+  SurfacePoints pointsOf(const Keyframe& keyframe) const;
+  /// Share of a keyframe's points that contradict a submap, as in `contradictions`, if it is at `T_submap_keyframe`.
+  double contradiction(const SubmapGraph& graph, std::size_t submap, const SurfacePoints& points,
                        const Pose2& T_submap_keyframe);
 
  private:

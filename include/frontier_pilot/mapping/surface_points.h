@@ -56,6 +56,9 @@ struct SurfaceParameters {
 /// walls seemed to drive 0.15 % farther than it did.
 SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters = {});
 
+/// `points`, which lie in one frame, in another.
+SurfacePoints placed(const Pose2& T_other_points, SurfacePoints points);
+
 /// The means of successive points that look the same way and lie within `thinning`, or farther apart if there would be
 /// more than `max_points`: what a match costs does not depend on the scanner. Means, because any choice among noisy
 /// points is a biased one: to keep the first in each square of a raster turned the robot by 0.8 degrees in 100 m.

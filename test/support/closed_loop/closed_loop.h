@@ -23,9 +23,8 @@ struct ClosedLoopParameters {
   NavigatorParams navigator;
   ExplorerParameters explorer;
   ArbiterParameters arbiter;
-  double latency = 0.0;  ///< from a measurement to those who use it [s]
-  double head_start =
-      0.0;  ///< of all others before the explorer, as nodes that are launched one after another have [s]
+  double latency = 0.0;     ///< from a measurement to those who use it [s]
+  double head_start = 0.0;  ///< of all others before the explorer [s]
 
   static MapperParameters trustingOdometry() {
     MapperParameters parameters;

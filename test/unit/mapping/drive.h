@@ -9,6 +9,12 @@
 
 namespace frontier_pilot::test {
 
+inline void fill(Grid<std::uint8_t>& solid, const CellRect& cells, std::uint8_t value) {
+  for (int y = cells.y; y < cells.y + cells.height; ++y) {
+    for (int x = cells.x; x < cells.x + cells.width; ++x) solid[Cell{x, y}] = value;
+  }
+}
+
 /// Makes noisy scans of a drawn world; the same seed, the same scans.
 class Scanner {
  public:

@@ -104,10 +104,7 @@ TEST(LocalSlam, MAP_1_KeepsARobotThatStandsWhereItIs) {
 
 TEST(LocalSlam, MAP_1_KeepsItsYawInAMazeOfNarrowCorridors) {
   // Legs of 2 m, 0.6 m wide, around corner after corner: no scan sees far.
-  GridGeometry geometry;
-  geometry.width = 400;
-  geometry.height = 400;
-  Grid<std::uint8_t> solid(geometry, 1);
+  Grid<std::uint8_t> solid(GridGeometry{0.05, Vec2::Zero(), 400, 400}, 1);
   std::vector<Vec2> way = {{1.3, 1.3}};
   for (int i = 0; i < 8; ++i) {
     test::fill(solid, {20 + 40 * i, 20 + 40 * i, 52, 12}, 0);
@@ -128,10 +125,7 @@ TEST(LocalSlam, MAP_1_KeepsItsYawInAMazeOfNarrowCorridors) {
 TEST(LocalSlam, MAP_1_KeepsTheLengthOfAWayBetweenRoughWalls) {
   // Walls that run to and fro at 45 degrees, made of the edges of cells of 5 cm: what a scan sees of them depends on
   // the angle that it sees them at.
-  GridGeometry geometry;
-  geometry.width = 560;
-  geometry.height = 80;
-  Grid<std::uint8_t> solid(geometry, 1);
+  Grid<std::uint8_t> solid(GridGeometry{0.05, Vec2::Zero(), 560, 80}, 1);
   for (int x = 10; x < 550; ++x) {
     const int half = 20 + std::abs(x % 32 - 16) / 2;
     test::fill(solid, {x, 40 - half, 1, 2 * half}, 0);

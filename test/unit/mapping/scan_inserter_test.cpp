@@ -179,13 +179,8 @@ TEST(ScanInserter, ClearsUpToTheSurfaceAndMarksIt) {
 
 TEST(ScanInserter, KeepsAWallWhereItIsHoweverFlatItIsSeenAndIfThePoseIsOffByALittle_MAP_2) {
   // Down the middle of a corridor of 0.6 m: nearly every beam meets a wall at a flat angle.
-  GridGeometry geometry;
-  geometry.width = 240;
-  geometry.height = 20;
-  Grid<std::uint8_t> solid(geometry, 1);
-  for (int y = 4; y < 16; ++y) {
-    for (int x = 4; x < 236; ++x) solid[Cell{x, y}] = 0;
-  }
+  Grid<std::uint8_t> solid(GridGeometry{0.05, Vec2::Zero(), 240, 20}, 1);
+  test::fill(solid, {4, 4, 232, 12}, 0);
   Scanner scanner(solid, 0.01);
   OccupancyMap map;
   ScanInserter inserter;

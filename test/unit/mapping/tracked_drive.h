@@ -12,12 +12,6 @@
 
 namespace frontier_pilot::test {
 
-inline void fill(Grid<std::uint8_t>& solid, const CellRect& cells, std::uint8_t value) {
-  for (int y = cells.y; y < cells.y + cells.height; ++y) {
-    for (int x = cells.x; x < cells.x + cells.width; ++x) solid[Cell{x, y}] = value;
-  }
-}
-
 /// Four rooms of 5 m x 4 m around a cross of doors, with a pillar or a desk in each; cells of 5 cm.
 inline Grid<std::uint8_t> rooms() {
   GridGeometry geometry;
