@@ -110,6 +110,7 @@ bool Arbiter::claims(const Source& source, Time now) const {
 
 Arbiter::Decision Arbiter::decide(Time now) const {
   if (latched_) return {ArbiterState::kEmergencyStop, nullptr, {}};
+  if (contested()) return {ArbiterState::kContested, nullptr, {}};
   if (clock_.stopped()) return {ArbiterState::kClockStopped, nullptr, {}};
   bool forward_allowed = true;
   for (const Source& source : sources_) {
@@ -159,6 +160,14 @@ ArbiterAnswer Arbiter::clear(SteadyTime requested, const Instant& now) {
   stop_cause_.clear();
   forgetAll();
   return {true, "cleared: the robot stays until a new command arrives", update(now)};
+}
+
+std::optional<Twist2> Arbiter::contest(const std::string& rival, const Instant& now) {
+  observe(now);
+  if (rival == rival_) return std::nullopt;
+  rival_ = rival;
+  if (parameters_.stand_when_contested) forgetAll();
+  return putOut(decide(now.ros), true);
 }
 
 std::string Arbiter::refusalToClear(SteadyTime requested, const Instant& now) const {

@@ -19,6 +19,8 @@ std::string whoDrives(const ArbiterSnapshot& status) {
       return "emergency stop: " + status.stop_cause;
     case ArbiterState::kClockStopped:
       return "ROS time stands still: stopped";
+    case ArbiterState::kContested:
+      return status.rival + " could answer an emergency stop in this arbiter's place: stopped";
     case ArbiterState::kDriving:
       return status.active_source + " drives";
     case ArbiterState::kIdle:
@@ -30,7 +32,7 @@ std::string whoDrives(const ArbiterSnapshot& status) {
 }  // namespace
 
 const char* toString(ArbiterState state) {
-  constexpr const char* kNames[] = {"idle", "driving", "emergency stop", "clock stopped"};
+  constexpr const char* kNames[] = {"idle", "driving", "emergency stop", "clock stopped", "contested"};
   return kNames[static_cast<int>(state)];
 }
 
@@ -87,6 +89,7 @@ ArbiterSnapshot Arbiter::status(const Instant& now) const {
   status.state = decision.state;
   if (decision.winner != nullptr) status.active_source = config(*decision.winner).name;
   status.stop_cause = stop_cause_;
+  status.rival = rival_;
   status.command = last_.command;
   for (const Source& source : sources_) {
     status.sources.push_back(statusOf(source, decision, now.ros));

@@ -2,5 +2,6 @@
 #include "frontier_pilot/ros/node_main.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::CmdVelArbiterNode>(argc, argv, "cmd_vel_arbiter");
+  return frontier_pilot::runNode<frontier_pilot::CmdVelArbiterNode>(argc, argv, "cmd_vel_arbiter",
+                                                                    frontier_pilot::refuseASecondArbiter);
 }

@@ -12,17 +12,20 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
     : node_(node),
       parameters_(loadNodeParameters<BehaviorServerParameters>(private_node)),
       behavior_(parameters_.behavior),
-      around_(node_, parameters_.surroundings, parameters_.frames, tf_),
+      around_(parameters_.surroundings, parameters_.frames, tf_),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelBehavior, 10)),
-      diagnostics_(node, private_node) {
-  stop_ = node_.subscribe(names::kEmergencyStopState, 1, &BehaviorServerNode::handleStop, this,
-                          ros::TransportHints().tcpNoDelay());
+      diagnostics_(node, private_node),
+      connections_(node) {
+  around_.subscribe(connections_);
+  connections_.subscribe(names::kEmergencyStopState, 1, &BehaviorServerNode::handleStop, this,
+                         ros::TransportHints().tcpNoDelay());
   diagnostics_.add("behaviours", [this](auto& status) { fillDiagnostics(status); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   addPort<SpinAction, SpinResult, SpinFeedback>(names::kSpin);
   addPort<BackUpAction, BackUpResult, BackUpFeedback>(names::kBackUp);
   addPort<DriveOnHeadingAction, DriveOnHeadingResult, DriveOnHeadingFeedback>(names::kDriveOnHeading);
   addPort<WaitAction, WaitResult, WaitFeedback>(names::kWait);
-  tick_ = node_.createTimer(ros::Duration(1.0 / parameters_.behavior.frequency), [this](const auto&) { tick(); });
+  connections_.every(ros::Duration(1.0 / parameters_.behavior.frequency), [this] { tick(); });
 }
 
 BehaviorServerNode::~BehaviorServerNode() {

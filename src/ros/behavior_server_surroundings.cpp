@@ -3,10 +3,12 @@
 
 namespace frontier_pilot {
 
-BehaviorSurroundings::BehaviorSurroundings(ros::NodeHandle& node, const SurroundingsParameters& parameters,
-                                           const BehaviorFrames& frames, const TfBridge& tf)
-    : surroundings_(parameters), frames_(frames), tf_(tf) {
-  scan_ = node.subscribe(names::kScan, 1, &BehaviorSurroundings::handleScan, this, ros::TransportHints().tcpNoDelay());
+BehaviorSurroundings::BehaviorSurroundings(const SurroundingsParameters& parameters, const BehaviorFrames& frames,
+                                           const TfBridge& tf)
+    : surroundings_(parameters), frames_(frames), tf_(tf) {}
+
+void BehaviorSurroundings::subscribe(NodeConnections& connections) {
+  connections.subscribe(names::kScan, 1, &BehaviorSurroundings::handleScan, this, ros::TransportHints().tcpNoDelay());
 }
 
 void BehaviorSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {

@@ -2,17 +2,16 @@
 
 #include <ros/console.h>
 #include <ros/this_node.h>
-#include <std_msgs/Bool.h>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
 
 constexpr double kTick = 0.05;  // [s]
-constexpr Duration kWatchPeriod = std::chrono::milliseconds(700);
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
 
 /// A zero on purpose says so on an axis that the base does not have: the message is not all zero.
@@ -29,25 +28,28 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
       status_(node_.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
-      diagnostics_(node, private_node) {
+      diagnostics_(node, private_node),
+      connections_(node) {
   around_.own_name = ros::this_node::getName();
   around_.cmd_vel = cmd_vel_.getTopic();
+  around_.status = status_.getTopic();
+  around_.emergency_stop_state = stop_state_.getTopic();
   restoreStop();
-  const auto& sources = arbiter_.parameters().sources;
-  std::vector<std::string> topics = {around_.cmd_vel};
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    addSource(i);
-    topics.push_back(around_.source_topics[sources[i].name]);
-  }
+  for (std::size_t i = 0; i < arbiter_.parameters().sources.size(); ++i) addSource(i);
   addStopServices();
-  watch_.emplace(topics, kWatchPeriod);
+  connections_.subscribeToEvents<std_msgs::Bool>(
+      names::kEmergencyStopState, 10, [this](const auto& event) { handleStopState(event); },
+      ros::TransportHints().tcpNoDelay());
+  connections_.master().claimTopic(around_.status);  // another node that publishes it is another arbiter
   last_found_ = steadyNow();
   diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
+    connections_.guard().report(status);
   });
-  tick_ = node_.createSteadyTimer(ros::WallDuration(kTick), [this](const ros::SteadyTimerEvent&) { tick(); });
-  status_tick_ = node_.createSteadyTimer(ros::WallDuration(1.0), [this](const auto&) { publishStatus(true); });
-  expiry_ = node_.createTimer(ros::Duration(kTick), [this](const auto&) { publish(arbiter_.update(instantNow())); });
+  connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
+  connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });
+  // In ROS time as well, so that a fast simulation sees expiry in time.
+  connections_.every(ros::Duration(kTick), [this] { publish(arbiter_.update(instantNow())); });
   tick();
 }
 
@@ -70,13 +72,13 @@ void CmdVelArbiterNode::restoreStop() {
 void CmdVelArbiterNode::addSource(std::size_t source) {
   const SourceParameters& settings = arbiter_.parameters().sources[source];
   rejections_.emplace_back(settings.topic);
-  subscribers_.push_back(node_.subscribe<geometry_msgs::Twist>(
-      settings.topic, 1, [this, source](const geometry_msgs::Twist::ConstPtr& msg) { handleCommand(source, *msg); },
-      ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
-  around_.source_topics[settings.name] = subscribers_.back().getTopic();
-  const boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)> enable =
-      [this, source](auto& request, auto& response) { return handleEnable(source, request, response); };
-  services_.push_back(node_.advertiseService(names::setEnabled(settings.name), enable));
+  const ros::Subscriber commands = connections_.subscribe<geometry_msgs::Twist>(
+      settings.topic, 1, [this, source](const geometry_msgs::Twist& msg) { handleCommand(source, msg); },
+      ros::TransportHints().tcpNoDelay());
+  around_.source_topics[settings.name] = commands.getTopic();
+  connections_.serve<std_srvs::SetBool::Request, std_srvs::SetBool::Response>(
+      names::setEnabled(settings.name),
+      [this, source](auto& request, auto& response) { return handleEnable(source, request, response); });
 }
 
 void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {
@@ -89,16 +91,25 @@ void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::T
 
 void CmdVelArbiterNode::tick() {
   publish(arbiter_.tick(instantNow()));
-  takePublishers();
+  takeMasterReport();
   publishStatus(false);
 }
 
-void CmdVelArbiterNode::takePublishers() {
-  if (auto found = watch_->take()) {
-    around_.publishers = std::move(*found);
+void CmdVelArbiterNode::takeMasterReport() {
+  if (auto report = connections_.master().take()) {
+    around_.publishers = std::move(report->publishers);
+    around_.rivals = std::move(report->rivals);
     last_found_ = steadyNow();
+    publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
   }
+  around_.registration_problems = connections_.master().problems();
   around_.master_answers = steadyNow() - last_found_ < kMasterPatience;
+}
+
+void CmdVelArbiterNode::handleStopState(const ros::MessageEvent<const std_msgs::Bool>& event) {
+  const std::string& node = event.getPublisherName();
+  if (node == around_.own_name || event.getConstMessage()->data == 0) return;
+  if (!arbiter_.stopped()) stop(around_.emergency_stop_state, node);
 }
 
 void CmdVelArbiterNode::publish(const std::optional<Twist2>& twist) {
@@ -118,7 +129,7 @@ void CmdVelArbiterNode::publishStatus(bool anyway) {
   last_essence_ = now;
   if (changed || anyway) status_.publish(status);
   if (changed) diagnostics_.publish();
-  if (status.summary != last_summary_) ROS_INFO_STREAM(status.summary);
+  if (status.summary != last_summary_) THROTTLED_INFO(status.summary);
   last_summary_ = status.summary;
 }
 

@@ -17,8 +17,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::vector<std::string> publishersOn(const std::string& topic, const ArbiterSurroundings& around) {
-  const auto entry = around.publishers.find(topic);
-  return entry == around.publishers.end() ? std::vector<std::string>() : entry->second;
+  return nodesOf(around.publishers, topic);
 }
 
 std::string stateInWords(const SourceStatus& source, const ArbiterSnapshot& snapshot, bool has_publisher) {
@@ -84,6 +83,7 @@ void findSourceProblems(const SourceStatus& source, const ArbiterSurroundings& a
 
 std::vector<ArbiterProblem> findProblems(const ArbiterSnapshot& snapshot, const ArbiterSurroundings& around) {
   std::vector<ArbiterProblem> problems;
+  for (const std::string& text : around.registration_problems) problems.push_back({Level::ERROR, text});
   findForeignPublishers(around, problems);
   for (const std::string& name : snapshot.missing_sources) {
     problems.push_back({Level::ERROR, name + " is required but silent: no forward motion below it"});
@@ -95,7 +95,7 @@ std::vector<ArbiterProblem> findProblems(const ArbiterSnapshot& snapshot, const 
   if (!snapshot.stop_cause.empty()) problems.push_back({Level::WARN, "emergency stop: " + snapshot.stop_cause});
   for (const SourceStatus& source : snapshot.sources) findSourceProblems(source, around, problems);
   if (!around.master_answers) {
-    problems.push_back({Level::WARN, "the master does not answer: another publisher would not be noticed"});
+    problems.push_back({Level::ERROR, "the master does not answer: no emergency stop can be called"});
   }
   return problems;
 }

@@ -3,9 +3,13 @@
 
 #include "frontier_pilot/ros/cmd_vel_arbiter_adapter.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
+
+/// For the zero to reach the wire before the answer does. A subscriber that does not read must not hold the stop up.
+constexpr Duration kFlushPatience = std::chrono::milliseconds(50);
 
 template <class Response>
 bool reply(const ArbiterAnswer& answer, Response& response) {
@@ -20,11 +24,11 @@ void CmdVelArbiterNode::addStopServices() {
   ros::AdvertiseServiceOptions set;
   set.initBySpecType<SetBoolCall>(names::kSetEmergencyStop, [this](SetBoolCall& call) { return handleSetStop(call); });
   set.callback_queue = &calls_;
-  services_.push_back(node_.advertiseService(set));
+  connections_.serve(set);
   ros::AdvertiseServiceOptions trigger;
   trigger.initBySpecType<TriggerCall>(names::kEmergencyStop, [this](TriggerCall& call) { return handleStop(call); });
   trigger.callback_queue = &calls_;
-  services_.push_back(node_.advertiseService(trigger));
+  connections_.serve(trigger);
 }
 
 bool CmdVelArbiterNode::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,
@@ -37,17 +41,23 @@ bool CmdVelArbiterNode::handleEnable(std::size_t source, std_srvs::SetBool::Requ
 
 bool CmdVelArbiterNode::handleSetStop(SetBoolCall& call) {
   const bool on = call.getRequest().data != 0;
-  return reply(on ? stop(names::kSetEmergencyStop, call.getCallerName()) : clear(call.getCallerName()),
+  return reply(signedBy(on ? stop(names::kSetEmergencyStop, call.getCallerName()) : clear(call.getCallerName())),
                call.getResponse());
 }
 
 bool CmdVelArbiterNode::handleStop(TriggerCall& call) {
-  return reply(stop(names::kEmergencyStop, call.getCallerName()), call.getResponse());
+  return reply(signedBy(stop(names::kEmergencyStop, call.getCallerName())), call.getResponse());
+}
+
+ArbiterAnswer CmdVelArbiterNode::signedBy(ArbiterAnswer answer) const {
+  answer.message += " (answered by " + around_.own_name + ")";
+  return answer;
 }
 
 ArbiterAnswer CmdVelArbiterNode::stop(const std::string& service, const std::string& caller) {
   ArbiterAnswer answer = arbiter_.stop(service + " called by " + caller, instantNow());
   publish(answer.publish);
+  flush_.wait(kFlushPatience);
   around_.memory_problem = memory_.remember(arbiter_.stopCause());
   if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
   publishStopState();
@@ -59,7 +69,7 @@ ArbiterAnswer CmdVelArbiterNode::clear(const std::string& caller) {
   ArbiterAnswer answer = arbiter_.clear(calls_.arrival(), instantNow());
   publish(answer.publish);
   if (!arbiter_.stopped()) around_.memory_problem = memory_.forget();
-  ROS_INFO_STREAM("set_emergency_stop false called by " << caller << ": " << answer.message);
+  THROTTLED_INFO("set_emergency_stop false called by " << caller << ": " << answer.message);
   publishStopState();
   publishStatus(false);
   return answer;

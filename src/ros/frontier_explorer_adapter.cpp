@@ -16,18 +16,19 @@ ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private
       explorer_(parameters_.explorer),
       navigation_(node),
       diagnostics_(node, private_node),
-      enabled_(parameters_.autostart) {
+      enabled_(parameters_.autostart),
+      connections_(node) {
   diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
-  map_.subscribe(node, parameters_.map_frame);
-  odometry_subscriber_ = node.subscribe(names::kOdom, 20, &ExplorerAdapter::handleOdometry, this);
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  map_.subscribe(connections_, parameters_.map_frame);
+  connections_.subscribe(names::kOdom, 20, &ExplorerAdapter::handleOdometry, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
-  enable_server_ = node.advertiseService(names::kSetExplorationEnabled, &ExplorerAdapter::handleEnable, this);
-  reset_server_ = node.advertiseService(names::kResetExplorer, &ExplorerAdapter::handleReset, this);
-  timer_ = node.createTimer(ros::Duration(1.0 / parameters_.rate), [this](const ros::TimerEvent&) { tick(); });
-  clock_timer_ = node.createSteadyTimer(ros::WallDuration(parameters_.explorer.report_period),
-                                        [this](const ros::SteadyTimerEvent&) { watchClock(); });
+  connections_.serve(names::kSetExplorationEnabled, &ExplorerAdapter::handleEnable, this);
+  connections_.serve(names::kResetExplorer, &ExplorerAdapter::handleReset, this);
+  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
+  connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
 }
 
 void ExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
@@ -131,19 +132,6 @@ void ExplorerAdapter::watchClock() {
   const Time now = rosNow();
   if (now == watched_clock_) ROS_WARN("exploration waits for: /clock (ROS time stands still)");
   watched_clock_ = now;
-}
-
-void ExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  using diagnostic_msgs::DiagnosticStatus;
-  const bool waits = status_.state == ExplorerState::kIdle && status_.reason != ExplorerReason::kPaused;
-  status.summary(waits ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
-                 std::string(toString(status_.state)) + ": " + status_.reason_text);
-  status.add("frontiers", status_.frontiers_found);
-  status.add("selectable", status_.frontiers_selectable);
-  status.add("goals sent", status_.goals_sent);
-  status.add("explored [m2]", status_.explored_area);
-  map_.rejections().report(status);
-  bad_odometry_.report(status);
 }
 
 }  // namespace frontier_pilot

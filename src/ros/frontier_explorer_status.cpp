@@ -1,4 +1,5 @@
 #include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/explorer_adapter.h"
 #include "frontier_pilot/ros/explorer_status.h"
 
 namespace frontier_pilot {
@@ -31,6 +32,19 @@ ExplorerStatus toStatusMsg(const ExplorerProgress& progress, const std::string& 
   msg.explored_area = progress.explored_area;
   msg.distance_travelled = progress.distance_travelled;
   return msg;
+}
+
+void ExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  const bool waits = status_.state == ExplorerState::kIdle && status_.reason != ExplorerReason::kPaused;
+  status.summary(waits ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+                 std::string(toString(status_.state)) + ": " + status_.reason_text);
+  status.add("frontiers", status_.frontiers_found);
+  status.add("selectable", status_.frontiers_selectable);
+  status.add("goals sent", status_.goals_sent);
+  status.add("explored [m2]", status_.explored_area);
+  map_.rejections().report(status);
+  bad_odometry_.report(status);
 }
 
 }  // namespace frontier_pilot

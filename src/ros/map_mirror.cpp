@@ -21,10 +21,10 @@ void copy(const GridUpdate& update, OccupancyGrid& map) {
 
 }  // namespace
 
-void MapMirror::subscribe(ros::NodeHandle& node, const std::string& frame) {
+void MapMirror::subscribe(NodeConnections& connections, const std::string& frame) {
   frame_ = frame;
-  map_subscriber_ = node.subscribe(names::kMap, 1, &MapMirror::handleMap, this);
-  update_subscriber_ = node.subscribe(names::kMapUpdates, 100, &MapMirror::handleUpdate, this);
+  map_subscriber_ = connections.subscribe(names::kMap, 1, &MapMirror::handleMap, this);
+  connections.subscribe(names::kMapUpdates, 100, &MapMirror::handleUpdate, this);
 }
 
 bool MapMirror::rightFrame(const std::string& frame) {

@@ -13,22 +13,28 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
       mapper_(parameters_.mapper),
       pairing_(parameters_.pairing),
       publisher_(node, parameters_.map_frame, parameters_.publishing),
-      watch_({publisher_.topic()}, std::chrono::seconds(2)),
-      diagnostics_(node, private_node) {
+      diagnostics_(node, private_node),
+      connections_(node) {
   loadFirstMap(private_node);
   diagnostics_.add("mapping", [this](Status& status) { report(status); });
-  advertiseServices(node);
-  odometry_subscriber_ = node.subscribe(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
-  initial_pose_subscriber_ = node.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
-  scan_subscriber_ = node.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
-  update_timer_ = node.createTimer(ros::Duration(parameters_.update_period), [this](const ros::TimerEvent&) {
+  diagnostics_.add("connections", [this](Status& status) { connections_.report(status); });
+  advertiseServices();
+  connect();
+}
+
+void MapperAdapter::connect() {
+  connections_.subscribe(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
+  connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
+  connections_.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
+  connections_.every(ros::Duration(parameters_.update_period), [this] {
     insertPaired();
     think();
     publisher_.publish(mapper_, rosNow());
   });
-  tf_timer_ = node.createTimer(ros::Duration(parameters_.tf_period), [this](const ros::TimerEvent&) { broadcast(); });
-  watch_timer_ = node.createSteadyTimer(ros::WallDuration(0.1), [this](const ros::SteadyTimerEvent&) {
-    if (const auto found = watch_.take()) publisher_.setPublishers(found->at(publisher_.topic()));
+  connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
+  connections_.everySteady(ros::WallDuration(0.1), [this] {
+    const auto report = connections_.master().take();
+    if (report) publisher_.setPublishers(nodesOf(report->publishers, publisher_.topic()));
   });
 }
 

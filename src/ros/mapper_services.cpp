@@ -7,11 +7,11 @@
 
 namespace frontier_pilot {
 
-void MapperAdapter::advertiseServices(ros::NodeHandle& node) {
-  services_ = {node.advertiseService(names::kDynamicMap, &MapperAdapter::handleGet, this),
-               node.advertiseService(names::kLoadMap, &MapperAdapter::handleLoad, this),
-               node.advertiseService(names::kSaveMap, &MapperAdapter::handleSave, this),
-               node.advertiseService(names::kResetMap, &MapperAdapter::handleReset, this)};
+void MapperAdapter::advertiseServices() {
+  connections_.serve(names::kDynamicMap, &MapperAdapter::handleGet, this);
+  connections_.serve(names::kLoadMap, &MapperAdapter::handleLoad, this);
+  connections_.serve(names::kSaveMap, &MapperAdapter::handleSave, this);
+  connections_.serve(names::kResetMap, &MapperAdapter::handleReset, this);
 }
 
 bool MapperAdapter::handleSave(SaveMap::Request& request, SaveMap::Response& response) {

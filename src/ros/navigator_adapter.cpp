@@ -15,15 +15,17 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       navigator_(parameters_, behaviorLadder(parameters_.recovery, parameters_.limits, parameters_.rate)),
       server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
       publisher_(node, parameters_.map_frame),
-      diagnostics_(node, private_node) {
+      diagnostics_(node, private_node),
+      connections_(node) {
   command_ = node.advertise<geometry_msgs::Twist>(names::kCmdVelNav, 1);
   diagnostics_.add("navigation", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
-  map_.subscribe(node, parameters_.map_frame);
-  scan_subscriber_ = node.subscribe(names::kScan, 1, &NavigatorAdapter::handleScan, this);
-  odometry_subscriber_ = node.subscribe(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
-  plan_service_ = node.advertiseService(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
-  clear_service_ = node.advertiseService(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
-  timer_ = node.createTimer(ros::Duration(1.0 / parameters_.rate), [this](const ros::TimerEvent&) { tick(); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  map_.subscribe(connections_, parameters_.map_frame);
+  connections_.subscribe(names::kScan, 1, &NavigatorAdapter::handleScan, this);
+  connections_.subscribe(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
+  connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
+  connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
+  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
 }
 
 NavigatorAdapter::~NavigatorAdapter() {

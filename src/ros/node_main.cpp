@@ -48,20 +48,25 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 }  // namespace
 
 int runNode(int argc, char** argv, const std::string& name,
-            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make) {
-  return runNodeWithLoop(argc, argv, name,
-                         [&make](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn&) {
-                           const std::shared_ptr<void> running = make(node, private_node);
-                           spinUntilStopped();
-                           return 0;
-                         });
+            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make,
+            const std::function<void()>& check) {
+  return runNodeWithLoop(
+      argc, argv, name,
+      [&make](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn&) {
+        const std::shared_ptr<void> running = make(node, private_node);
+        spinUntilStopped();
+        return 0;
+      },
+      check);
 }
 
 int runNodeWithLoop(int& argc, char** argv, const std::string& name,
-                    const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body) {
+                    const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,
+                    const std::function<void()>& check) {
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
   catchSignals();
   try {
+    if (check) check();
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     const int exit_code = body(node, private_node, isRunning);

@@ -29,20 +29,20 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
       avoider_(parameters_.avoider),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelAvoid, 1)),
       status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
-      enable_(node_.advertiseService(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this)),
-      diagnostics_(node, private_node) {
+      diagnostics_(node, private_node),
+      connections_(node) {
   if (!parameters_.enabled) avoider_.setEnabled(false, rosNow());
-  scan_ = node_.subscribe<sensor_msgs::LaserScan>(
-      names::kScan, 1, [this](const sensor_msgs::LaserScan::ConstPtr& msg) { handleScan(*msg); }, ros::VoidConstPtr(),
-      ros::TransportHints().tcpNoDelay());
+  connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this);
+  connections_.subscribe(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this, ros::TransportHints().tcpNoDelay());
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
     rejections_.report(status);
   });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
-  tick_ = node_.createTimer(ros::Duration(kTick), [this](const ros::TimerEvent&) { tick(); });
-  update_ = node_.createTimer(ros::Duration(kUpdate), [this](const auto&) { publish(avoider_.update(rosNow())); });
-  status_tick_ = node_.createSteadyTimer(ros::WallDuration(1.0), [this](const auto&) { publishStatus(true); });
+  connections_.every(ros::Duration(kTick), [this] { tick(); });
+  connections_.every(ros::Duration(kUpdate), [this] { publish(avoider_.update(rosNow())); });
+  connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });
   publishStatus(true);
 }
 

@@ -15,13 +15,15 @@ PatrolServerNode::PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& priva
       patrol_(parameters_.patrol),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelPatrol, 10)),
       server_(node_, names::kPatrol, false),
-      diagnostics_(node, private_node) {
+      diagnostics_(node, private_node),
+      connections_(node) {
   subscribe();
   diagnostics_.add("patrol", [this](auto& status) { fillDiagnostics(status); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   server_.registerGoalCallback([this] { handleGoal(); });
   server_.registerPreemptCallback([this] { put(patrol_.cancel()); });
   server_.start();
-  tick_ = node_.createTimer(ros::Duration(1.0 / parameters_.patrol.frequency), [this](const auto&) { tick(); });
+  connections_.every(ros::Duration(1.0 / parameters_.patrol.frequency), [this] { tick(); });
 }
 
 PatrolServerNode::~PatrolServerNode() {
@@ -32,9 +34,9 @@ PatrolServerNode::~PatrolServerNode() {
 
 void PatrolServerNode::subscribe() {
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-  odometry_ = node_.subscribe(names::kOdom, 1, &PatrolServerNode::handleOdometry, this, hints);
-  stop_ = node_.subscribe(names::kEmergencyStopState, 1, &PatrolServerNode::handleStop, this, hints);
-  arbiter_ = node_.subscribe(names::kArbiterStatus, 1, &PatrolServerNode::handleArbiter, this, hints);
+  connections_.subscribe(names::kOdom, 1, &PatrolServerNode::handleOdometry, this, hints);
+  connections_.subscribe(names::kEmergencyStopState, 1, &PatrolServerNode::handleStop, this, hints);
+  connections_.subscribe(names::kArbiterStatus, 1, &PatrolServerNode::handleArbiter, this, hints);
 }
 
 void PatrolServerNode::handleGoal() {

@@ -34,26 +34,28 @@ SimulatorAdapter::SimulatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       simulator_(sim::loadWorld(parameters_.world), parameters_),
       pace_(parameters_.speed, sim::Simulator::kStep),
       state_period_(fromSeconds(1.0 / parameters_.state_rate)),
-      diagnostics_(node, private_node) {
+      diagnostics_(node, private_node),
+      connections_(node) {
   // As stage_ros does: whoever starts from here on follows /clock. A launch file has said so before.
   ros::param::set("/use_sim_time", true);
   advertise(node);
   publishWorld();
   for (std::size_t i = 0; i < simulator_.robotCount(); ++i) {
-    robots_.emplace_back(node, tf_, simulator_, i, parameters_.lidar);
+    robots_.emplace_back(node, connections_, tf_, simulator_, i, parameters_.lidar);
   }
   diagnostics_.add("simulation", [this](auto& status) { report(status); });
-  timer_ = node.createSteadyTimer(tickPeriod(parameters_.speed), [this](const ros::SteadyTimerEvent&) { tick(); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  connections_.everySteady(tickPeriod(parameters_.speed), [this] { tick(); });
 }
 
 void SimulatorAdapter::advertise(ros::NodeHandle& node) {
   clock_ = node.advertise<rosgraph_msgs::Clock>(names::kClock, 100, true);
   world_ = node.advertise<nav_msgs::OccupancyGrid>(names::kWorld, 1, true);
-  services_ = {node.advertiseService(names::kResetPositions, &SimulatorAdapter::resetPositions, this),
-               node.advertiseService(names::kSetPose, &SimulatorAdapter::setPose, this),
-               node.advertiseService(names::kSpawnObstacle, &SimulatorAdapter::spawnObstacle, this),
-               node.advertiseService(names::kRemoveObstacle, &SimulatorAdapter::removeObstacle, this),
-               node.advertiseService(names::kPauseSimulator, &SimulatorAdapter::pause, this)};
+  connections_.serve(names::kResetPositions, &SimulatorAdapter::resetPositions, this);
+  connections_.serve(names::kSetPose, &SimulatorAdapter::setPose, this);
+  connections_.serve(names::kSpawnObstacle, &SimulatorAdapter::spawnObstacle, this);
+  connections_.serve(names::kRemoveObstacle, &SimulatorAdapter::removeObstacle, this);
+  connections_.serve(names::kPauseSimulator, &SimulatorAdapter::pause, this);
 }
 
 void SimulatorAdapter::publishWorld() {

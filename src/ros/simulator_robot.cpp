@@ -14,20 +14,20 @@ constexpr double kScannerHeight = 0.172;
 
 }  // namespace
 
-SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, TfBridge& tf, sim::Simulator& simulator, std::size_t index,
-                               const sim::LidarParameters& lidar)
+SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf,
+                               sim::Simulator& simulator, std::size_t index, const sim::LidarParameters& lidar)
     : tf_(tf),
       simulator_(simulator),
       index_(index),
       scan_time_(1.0 / lidar.rate),
-      rejections_(simulator.name(index) + (simulator.name(index).empty() ? "" : "/") + names::kCmdVel) {
+      command_topic_((simulator.name(index).empty() ? "" : simulator.name(index) + "/") + names::kCmdVel),
+      rejections_(command_topic_) {
   ros::NodeHandle robot(node, simulator.name(index));
   odometry_ = robot.advertise<nav_msgs::Odometry>(names::kOdom, 50);
   truth_ = robot.advertise<nav_msgs::Odometry>(names::kGroundTruth, 50);
   scan_ = robot.advertise<sensor_msgs::LaserScan>(names::kScan, 10);
   stalled_topic_ = robot.advertise<std_msgs::Bool>(names::kStalled, 50);
-  command_ =
-      robot.subscribe(names::kCmdVel, 10, &SimulatorRobot::handleCommand, this, ros::TransportHints().tcpNoDelay());
+  connections.subscribe(command_topic_, 10, &SimulatorRobot::handleCommand, this, ros::TransportHints().tcpNoDelay());
   publishStaticFrames(lidar.T_base_sensor());
 }
 

@@ -167,7 +167,8 @@ class ArbiterOnTheWire(unittest.TestCase):
         self.assertFalse(any(moves(m) for m in self.out.since(cleared)), 'clearing never moves [ARB-8]')
         self.assertTrue(wait_for(lambda: not self.stop_state.last.data))
         again = set_emergency_stop(False)
-        self.assertEqual((again.success, again.message), (True, 'not stopped: nothing changed'), '[ARB-8]')
+        self.assertTrue(again.success, '[ARB-8]')
+        self.assertIn('not stopped: nothing changed', again.message)
 
     # [ARB-7]
     def test_the_latch_survives_sigkill_and_respawn(self):

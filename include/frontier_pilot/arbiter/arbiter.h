@@ -24,7 +24,7 @@ struct ArbiterAnswer {
 ///
 /// Every method is one input at one moment, in the order of steady time; the twist that it gives, if any, is to be
 /// published at once. What leaves is always the command of the highest valid source, or zero: never stale, never
-/// beyond the limits, never non-finite. Requirements: behaviour.md, ARB-1 to ARB-9.
+/// beyond the limits, never non-finite. Requirements: behaviour.md, ARB-1 to ARB-9, ARB-12.
 class Arbiter {
  public:
   /// Throws std::invalid_argument when the parameters do not pass their own check.
@@ -46,6 +46,11 @@ class Arbiter {
   /// Clears the emergency stop, or says why not. `requested` is when the call arrived: a stop that was given after that
   /// wins, whoever is served first. [ARB-8]
   ArbiterAnswer clear(SteadyTime requested, const Instant& now);
+
+  /// `rival` is another node that could answer an emergency stop in this one's place; empty: there is none. While there
+  /// is one only zeros leave, unless the parameters say otherwise, and what was commanded meanwhile is forgotten.
+  /// [ARB-12]
+  std::optional<Twist2> contest(const std::string& rival, const Instant& now);
 
   bool stopped() const { return latched_; }
   const std::string& stopCause() const { return stop_cause_; }
@@ -80,6 +85,7 @@ class Arbiter {
   static void forget(Source& source);
   void forgetAll();
   void store(Source& source, const Twist2& command, bool hold, const Instant& now);
+  bool contested() const { return parameters_.stand_when_contested && !rival_.empty(); }
   bool alive(const Source& source, Time now) const;
   bool claims(const Source& source, Time now) const;
   Decision decide(Time now) const;
@@ -95,6 +101,7 @@ class Arbiter {
   ClockWatch clock_;
   bool latched_ = false;
   std::string stop_cause_;
+  std::string rival_;
   SteadyTime last_stop_;
   SteadyTime rate_window_;
   Decision last_;

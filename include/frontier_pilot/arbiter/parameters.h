@@ -46,6 +46,7 @@ struct ArbiterParameters {
   RobotLimits limits;
   double clear_quiet_time = 0.5;
   double clock_stall_time = 0.5;
+  bool stand_when_contested = true;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -55,6 +56,8 @@ struct ArbiterParameters {
             "an emergency stop is not cleared while a non-zero command is younger than this", between(0.0, 60.0));
     v.field("clock_stall_time", clock_stall_time, "s",
             "ROS time that stands still for so long of steady time makes every source stale", Bounds{0.0, 60.0, true});
+    v.field("stand_when_contested", stand_when_contested, "",
+            "send zeros while another node offers one of the arbiter's services, and could answer an emergency stop");
   }
   /// Names, topics and priorities must be unique, and no source may read `cmd_vel` itself.
   void check(Problems& problems) const;

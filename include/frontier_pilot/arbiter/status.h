@@ -10,7 +10,13 @@
 namespace frontier_pilot {
 
 /// Why `cmd_vel` is what it is.
-enum class ArbiterState : std::uint8_t { kIdle = 0, kDriving = 1, kEmergencyStop = 2, kClockStopped = 3 };
+enum class ArbiterState : std::uint8_t {
+  kIdle = 0,
+  kDriving = 1,
+  kEmergencyStop = 2,
+  kClockStopped = 3,
+  kContested = 4,  ///< another node could answer an emergency stop in this one's place
+};
 const char* toString(ArbiterState state);
 
 /// What a source is to the arbiter.
@@ -42,6 +48,7 @@ struct ArbiterSnapshot {
   ArbiterState state = ArbiterState::kIdle;
   std::string active_source;                 ///< empty: nobody
   std::string stop_cause;                    ///< empty: not stopped
+  std::string rival;                         ///< who could answer a stop in this arbiter's place; empty: nobody
   Twist2 command;                            ///< what was last put out
   std::vector<std::string> missing_sources;  ///< required, enabled and silent
   std::vector<SourceStatus> sources;         ///< highest priority first

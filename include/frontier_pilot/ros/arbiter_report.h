@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "frontier_pilot/arbiter/status.h"
-#include "frontier_pilot/ros/publisher_watch.h"
+#include "frontier_pilot/ros/master_state.h"
 
 namespace frontier_pilot {
 
 /// What the arbiter's node knows beyond the arbiter itself.
 struct ArbiterSurroundings {
   std::string own_name;
-  std::string cmd_vel;                               ///< resolved topic
-  std::map<std::string, std::string> source_topics;  ///< resolved, by source
-  Publishers publishers;
+  std::string cmd_vel, status, emergency_stop_state;  ///< resolved topics
+  std::map<std::string, std::string> source_topics;   ///< resolved, by source
+  NodesByName publishers;                             ///< by topic
+  std::map<std::string, std::string> rivals;          ///< by service or topic of the arbiter alone: who has it too
+  std::vector<std::string> registration_problems;     ///< one sentence each
   bool master_answers = true;
   std::string memory_problem;  ///< why a stop would not survive the node; empty: it would
 };

@@ -11,6 +11,7 @@
 #include "frontier_pilot/ros/behavior_actions.h"
 #include "frontier_pilot/ros/behavior_surroundings.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -56,11 +57,10 @@ class BehaviorServerNode {
   bool emergency_stop_ = false;
   std::string last_result_ = "none yet";
   ros::Publisher cmd_vel_;
-  ros::Subscriber stop_;
   BehaviorPort* port_ = nullptr;  ///< whose goal is under way
   std::vector<std::unique_ptr<BehaviorPort>> ports_;
   NodeDiagnostics diagnostics_;
-  ros::Timer tick_;
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
 
 #include <optional>
@@ -9,6 +8,7 @@
 #include "frontier_pilot/behavior/surroundings.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -28,8 +28,10 @@ struct BehaviorFrames {
 /// Keeps a behaviour's surroundings from `scan` and TF, and its inputs.
 class BehaviorSurroundings {
  public:
-  BehaviorSurroundings(ros::NodeHandle& node, const SurroundingsParameters& parameters, const BehaviorFrames& frames,
-                       const TfBridge& tf);
+  BehaviorSurroundings(const SurroundingsParameters& parameters, const BehaviorFrames& frames, const TfBridge& tf);
+
+  /// Begins to listen.
+  void subscribe(NodeConnections& connections);
 
   /// Pose and look-ahead at `now`, with a costmap at most `max_age` [s] old.
   BehaviorInputs inputs(double max_age, Time now);
@@ -46,7 +48,6 @@ class BehaviorSurroundings {
   const TfBridge& tf_;
   std::optional<LaserScan2> waiting_;  ///< until TF knows where the robot was
   Rejections rejections_{"scan"};
-  ros::Subscriber scan_;
 };
 
 }  // namespace frontier_pilot

@@ -2,7 +2,7 @@
 
 #include <geometry_msgs/Twist.h>
 #include <ros/node_handle.h>
-#include <ros/service_server.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -14,13 +14,18 @@
 #include "frontier_pilot/ros/arbiter_report.h"
 #include "frontier_pilot/ros/arrival_queue.h"
 #include "frontier_pilot/ros/diagnostics.h"
-#include "frontier_pilot/ros/publisher_watch.h"
+#include "frontier_pilot/ros/node_connections.h"
+#include "frontier_pilot/ros/publish_flush.h"
 #include "frontier_pilot/ros/stop_memory.h"
 
 namespace frontier_pilot {
 
 /// Now, on both clocks.
 inline Instant instantNow() { return {rosNow(), steadyNow()}; }
+
+/// Throws std::runtime_error, naming it, if an arbiter of this namespace lives already, whatever its name. To be called
+/// before the node is started: a node that starts under the name of another ends that one. [ARB-12]
+void refuseASecondArbiter();
 
 /// The node `cmd_vel_arbiter`: the only publisher of `cmd_vel`. A source's callback is convert, decide, publish; all
 /// that is not needed to move the wheels happens at the tick.
@@ -44,7 +49,10 @@ class CmdVelArbiterNode {
   ArbiterAnswer stop(const std::string& service, const std::string& caller);
   ArbiterAnswer clear(const std::string& caller);
   void tick();
-  void takePublishers();
+  void takeMasterReport();
+  void handleStopState(const ros::MessageEvent<const std_msgs::Bool>& event);
+  /// Who answered, for people who cannot tell otherwise.
+  ArbiterAnswer signedBy(ArbiterAnswer answer) const;
   void publish(const std::optional<Twist2>& twist);
   void publishStopState();
   void publishStatus(bool anyway);
@@ -56,14 +64,11 @@ class CmdVelArbiterNode {
   std::vector<Rejections> rejections_;
   ArrivalQueue calls_;
   ros::Publisher cmd_vel_, status_, stop_state_;
-  std::vector<ros::Subscriber> subscribers_;
-  std::vector<ros::ServiceServer> services_;
+  PublishFlush flush_;
   NodeDiagnostics diagnostics_;
-  std::optional<PublisherWatch> watch_;
-  ros::SteadyTimer tick_, status_tick_;
-  ros::Timer expiry_;  ///< in ROS time, so that a fast simulation sees expiry in time
   std::string last_essence_, last_summary_;
   SteadyTime last_found_{};
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

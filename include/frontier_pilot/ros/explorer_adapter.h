@@ -2,7 +2,6 @@
 
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
-#include <ros/steady_timer.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -14,6 +13,7 @@
 #include "frontier_pilot/ros/map_mirror.h"
 #include "frontier_pilot/ros/move_base_client.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -70,14 +70,10 @@ class ExplorerAdapter {
   std::optional<Time> last_tick_;
   std::optional<Time> last_status_;
   Time watched_clock_{};
-  ros::Subscriber odometry_subscriber_;
   ros::Publisher status_publisher_;
   ros::Publisher markers_publisher_;
   ros::Publisher goal_publisher_;
-  ros::ServiceServer enable_server_;
-  ros::ServiceServer reset_server_;
-  ros::Timer timer_;
-  ros::SteadyTimer clock_timer_;
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

@@ -2,13 +2,13 @@
 
 #include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
-#include <ros/node_handle.h>
 
 #include <string>
 
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/node_connections.h"
 
 namespace frontier_pilot {
 
@@ -18,7 +18,7 @@ namespace frontier_pilot {
 class MapMirror {
  public:
   /// Begins to listen. Maps in another frame than `frame` are refused.
-  void subscribe(ros::NodeHandle& node, const std::string& frame);
+  void subscribe(NodeConnections& connections, const std::string& frame);
 
   void handleMap(const nav_msgs::OccupancyGrid& msg);
   void handleUpdate(const map_msgs::OccupancyGridUpdate& msg);
@@ -44,7 +44,6 @@ class MapMirror {
   Time stamp_{};
   Rejections rejections_{"map message"};
   ros::Subscriber map_subscriber_;
-  ros::Subscriber update_subscriber_;
 };
 
 }  // namespace frontier_pilot

@@ -6,7 +6,6 @@
 #include <nav_msgs/GetMap.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
-#include <ros/steady_timer.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/Trigger.h>
 
@@ -21,7 +20,7 @@
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/mapper_publisher.h"
 #include "frontier_pilot/ros/names.h"
-#include "frontier_pilot/ros/publisher_watch.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 #include "frontier_pilot/ros/worker.h"
 
@@ -70,7 +69,8 @@ class MapperAdapter {
     double seconds;  ///< that they took
   };
 
-  void advertiseServices(ros::NodeHandle& node);
+  void connect();
+  void advertiseServices();
   void handleOdometry(const nav_msgs::Odometry& msg);
   void handleScan(const sensor_msgs::LaserScan& msg);
   /// The scan, or what is wrong with it.
@@ -97,21 +97,14 @@ class MapperAdapter {
   ScanPairing pairing_;
   TfBridge tf_;
   MapperPublisher publisher_;
-  PublisherWatch watch_;
   NodeDiagnostics diagnostics_;
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
   std::optional<SteadyTime> last_inserted_;  ///< when the last scan was found good
-  ros::Subscriber scan_subscriber_;
-  ros::Subscriber odometry_subscriber_;
-  ros::Subscriber initial_pose_subscriber_;
-  std::vector<ros::ServiceServer> services_;
-  ros::Timer update_timer_;
-  ros::Timer tf_timer_;
-  ros::SteadyTimer watch_timer_;
-  double revision_seconds_ = 0.0;     ///< what the last second thoughts took
-  std::shared_ptr<MapRevision> old_;  ///< what the last ones replaced
+  double revision_seconds_ = 0.0;            ///< what the last second thoughts took
+  std::shared_ptr<MapRevision> old_;         ///< what the last ones replaced
   Worker<Thoughts> worker_;
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

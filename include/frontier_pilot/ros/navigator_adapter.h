@@ -16,6 +16,7 @@
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/navigator_action.h"
 #include "frontier_pilot/ros/navigator_publisher.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -72,11 +73,7 @@ class NavigatorAdapter {
   NavState state_ = NavState::kIdle;
   std::string failure_;  ///< why the last goal was aborted, until one is not
   ros::Publisher command_;
-  ros::Subscriber scan_subscriber_;
-  ros::Subscriber odometry_subscriber_;
-  ros::ServiceServer plan_service_;
-  ros::ServiceServer clear_service_;
-  ros::Timer timer_;
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

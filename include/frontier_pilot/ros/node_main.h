@@ -10,22 +10,26 @@ namespace frontier_pilot {
 /// A node's life: `make(node, private_node)` builds it, then callbacks run on this one thread until SIGINT, SIGTERM or
 /// a ROS shutdown; the node is destroyed while its publishers still work, so that a destructor's last words get out.
 /// What `make` or a callback throws is said on the log and on stderr. Gives the exit code: 0, or 1 after an exception,
-/// or 2 for a ConfigurationError.
+/// or 2 for a ConfigurationError. `check`, if given, is called before the node is known to the master, and may throw to
+/// prevent that.
 int runNode(int argc, char** argv, const std::string& name,
-            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make);
+            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make,
+            const std::function<void()>& check = {});
 
 /// The same for a class with a constructor `Node(ros::NodeHandle& node, ros::NodeHandle& private_node)`.
 template <class Node>
-int runNode(int argc, char** argv, const std::string& name) {
-  return runNode(argc, argv, name, [](ros::NodeHandle& node, ros::NodeHandle& private_node) {
-    return std::make_shared<Node>(node, private_node);
-  });
+int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& check = {}) {
+  return runNode(
+      argc, argv, name,
+      [](ros::NodeHandle& node, ros::NodeHandle& private_node) { return std::make_shared<Node>(node, private_node); },
+      check);
 }
 
 /// The same for a node with a main loop of its own, such as a window's: `body(node, private_node, running)` is the
 /// whole of it, has to end soon after `running()` has become false, and gives the exit code.
 using RunningFn = std::function<bool()>;
 int runNodeWithLoop(int& argc, char** argv, const std::string& name,
-                    const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body);
+                    const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,
+                    const std::function<void()>& check = {});
 
 }  // namespace frontier_pilot

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <ros/service_server.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/SetBool.h>
 
@@ -11,6 +10,7 @@
 #include "frontier_pilot/avoid/avoider.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -51,12 +51,9 @@ class ObstacleAvoiderNode {
   TfBridge tf_;
   Rejections rejections_{"scan"};
   ros::Publisher cmd_vel_, status_;
-  ros::ServiceServer enable_;
-  ros::Subscriber scan_;
   NodeDiagnostics diagnostics_;
-  ros::Timer tick_, update_;
-  ros::SteadyTimer status_tick_;
   std::string last_essence_;
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

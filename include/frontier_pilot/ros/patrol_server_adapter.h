@@ -11,6 +11,7 @@
 
 #include "frontier_pilot/patrol/patrol.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/node_connections.h"
 
 namespace frontier_pilot {
 
@@ -55,10 +56,9 @@ class PatrolServerNode {
   std::string last_text_ = "no patrol yet";
   Rejections bad_odometry_{"odometry"};
   ros::Publisher cmd_vel_;
-  ros::Subscriber odometry_, stop_, arbiter_;
   Server server_;
   NodeDiagnostics diagnostics_;
-  ros::Timer tick_;
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

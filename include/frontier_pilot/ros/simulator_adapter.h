@@ -4,7 +4,6 @@
 #include <frontier_pilot/SetPose.h>
 #include <frontier_pilot/SpawnObstacle.h>
 #include <ros/node_handle.h>
-#include <ros/steady_timer.h>
 #include <std_srvs/Empty.h>
 #include <std_srvs/SetBool.h>
 
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/simulator_robot.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 #include "frontier_pilot/sim/pace.h"
@@ -67,9 +67,8 @@ class SimulatorAdapter {
   SteadyTime reported_real_{};
   ros::Publisher clock_;
   ros::Publisher world_;
-  std::vector<ros::ServiceServer> services_;
   NodeDiagnostics diagnostics_;
-  ros::SteadyTimer timer_;
+  NodeConnections connections_;
 };
 
 }  // namespace frontier_pilot

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 #include "frontier_pilot/sim/simulator.h"
 
@@ -14,8 +15,8 @@ namespace frontier_pilot {
 /// One simulated robot on the wire: its topics in its namespace, its frames behind its name.
 class SimulatorRobot {
  public:
-  SimulatorRobot(const ros::NodeHandle& node, TfBridge& tf, sim::Simulator& simulator, std::size_t index,
-                 const sim::LidarParameters& lidar);
+  SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf, sim::Simulator& simulator,
+                 std::size_t index, const sim::LidarParameters& lidar);
 
   /// Odometry, truth, contact and the transform of it.
   void publishState();
@@ -34,12 +35,12 @@ class SimulatorRobot {
   std::size_t index_;
   double scan_time_;  ///< [s]
   bool stalled_ = false;
+  std::string command_topic_;  ///< relative
   Rejections rejections_;
   ros::Publisher odometry_;
   ros::Publisher truth_;
   ros::Publisher scan_;
   ros::Publisher stalled_topic_;
-  ros::Subscriber command_;
 };
 
 }  // namespace frontier_pilot

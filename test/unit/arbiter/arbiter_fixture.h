@@ -49,6 +49,7 @@ class ArbiterTest : public ::testing::Test {
   ArbiterAnswer enable(const std::string& source, bool enabled) {
     return answer(arbiter.setEnabled(*arbiter.find(source), enabled, now));
   }
+  std::optional<Twist2> contest(const std::string& rival) { return out(arbiter.contest(rival, now)); }
   ArbiterAnswer stop() { return answer(arbiter.stop("test", now)); }
   ArbiterAnswer clear() { return answer(arbiter.clear(now.steady, now)); }
   SourceStatus source(const std::string& name) {

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/ros/mailbox.h"
+#include "frontier_pilot/ros/master_state.h"
+
+namespace frontier_pilot {
+
+/// What the master says of this node and of those around it.
+struct MasterReport {
+  NodesByName publishers;                     ///< by topic, of all topics
+  std::map<std::string, std::string> rivals;  ///< by what belongs to this node alone: another living node that has it
+};
+
+/// Asks the master twice a second, on a thread of its own (the master may be slow to answer, or gone), whether it still
+/// has this node registered for its topics and services, and registers again what is missing: a new master knows
+/// nobody, and a node that takes a service from this one and ends leaves no provider behind. A service that is held by
+/// a node that no longer lives is taken back; one that a living node holds is an error that names it. [ARB-12] [FLT-1]
+class MasterWatch {
+ public:
+  MasterWatch();
+  ~MasterWatch();
+  MasterWatch(const MasterWatch&) = delete;
+  MasterWatch& operator=(const MasterWatch&) = delete;
+
+  /// `service`, a resolved name, belongs to this node alone from now on.
+  void claimService(const std::string& service);
+  /// The same for a topic that only this node may publish.
+  void claimTopic(const std::string& topic);
+  /// What the master said since the last call, if it said anything.
+  std::optional<MasterReport> take() { return report_.take(); }
+  /// ERROR while another node has what belongs to this one alone, or for some seconds after something was registered
+  /// again.
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  /// What `diagnose` calls an error now, one sentence each.
+  std::vector<std::string> problems() const;
+
+ private:
+  void run();
+  void look();
+  struct Claims {
+    std::vector<std::string> services, topics;
+  };
+
+  Claims claims() const;
+  void lookAtTopics(const MasterState& state);
+  void lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals);
+  /// True if `what` was missing the last time too: a registration that is under way is not a lost one.
+  bool missingTwice(const std::string& what);
+  void note(const std::string& what);
+  void setRivals(const std::map<std::string, std::string>& rivals);
+
+  Mailbox<MasterReport> report_;
+  mutable std::mutex mutex_;  ///< guards the four that follow
+  std::condition_variable wake_;
+  bool ending_ = false;
+  Claims claims_;
+  std::vector<std::string> problems_;
+  std::set<std::string> missing_, missing_before_;  ///< the thread's own, as the two that follow
+  std::map<std::string, std::string> rivals_;
+  std::map<std::string, SteadyTime> renewed_;
+  std::thread thread_;  ///< the last member: everything else is there before it starts
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/master_watch.h"
+
+namespace frontier_pilot {
+
+/// A node's subscriptions, services and timers, for as long as this object lives. Every callback is guarded: what it
+/// throws is counted and said, and the node goes on (roscpp itself would end the node, or never call that timer again).
+/// What the master has forgotten is registered again. To be a node's last member: its callbacks use the others. [FLT-1]
+class NodeConnections {
+ public:
+  explicit NodeConnections(const ros::NodeHandle& node) : node_(node) {}
+
+  /// `handle(const Msg&)` for each message of `topic`.
+  template <class Msg, class F>
+  ros::Subscriber subscribe(const std::string& topic, std::uint32_t queue_size, F handle,
+                            const ros::TransportHints& hints = {}) {
+    return subscribeToEvents<Msg>(
+        topic, queue_size, [handle](const ros::MessageEvent<const Msg>& event) { handle(*event.getConstMessage()); },
+        hints);
+  }
+  template <class Node, class Msg>
+  ros::Subscriber subscribe(const std::string& topic, std::uint32_t queue_size, void (Node::*handle)(const Msg&),
+                            Node* node, const ros::TransportHints& hints = {}) {
+    return subscribe<Msg>(
+        topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
+  }
+  /// The same with the message's event, which knows the node that published it.
+  template <class Msg, class F>
+  ros::Subscriber subscribeToEvents(const std::string& topic, std::uint32_t queue_size, F handle,
+                                    const ros::TransportHints& hints = {}) {
+    const boost::function<void(const ros::MessageEvent<const Msg>&)> guarded =
+        [this, what = messageOf(topic), handle](const ros::MessageEvent<const Msg>& event) {
+          guard_.run(what, [&] { handle(event); });
+        };
+    ros::SubscribeOptions options;
+    options.template initByFullCallbackType<const ros::MessageEvent<const Msg>&>(topic, queue_size, guarded);
+    options.transport_hints = hints;
+    subscribers_.push_back(node_.subscribe(options));
+    return subscribers_.back();
+  }
+
+  /// `handle(request, response)` answers calls of `service`; the call fails where it gives false or throws.
+  template <class Node, class Request, class Response>
+  void serve(const std::string& service, bool (Node::*handle)(Request&, Response&), Node* node) {
+    serve<Request, Response>(
+        service, [node, handle](Request& request, Response& response) { return (node->*handle)(request, response); });
+  }
+  template <class Request, class Response, class F>
+  void serve(const std::string& service, F handle) {
+    const boost::function<bool(Request&, Response&)> guarded = [this, what = requestTo(service), handle](
+                                                                   Request& request, Response& response) {
+      bool answered = false;
+      guard_.run(what, [&] { answered = handle(request, response); });
+      return answered;
+    };
+    ros::AdvertiseServiceOptions options;
+    options.init(service, guarded);
+    serve(options);
+  }
+  /// For a service with options of its own; roscpp guards these calls itself.
+  void serve(ros::AdvertiseServiceOptions& options) {
+    services_.push_back(node_.advertiseService(options));
+    master_.claimService(services_.back().getService());
+  }
+
+  /// Calls `tick()` every `period` of ROS time.
+  template <class F>
+  void every(const ros::Duration& period, F tick) {
+    timers_.push_back(node_.createTimer(period, [this, tick](const ros::TimerEvent&) { guard_.run("a timer", tick); }));
+  }
+  /// Calls `tick()` every `period` of steady time.
+  template <class F>
+  void everySteady(const ros::WallDuration& period, F tick) {
+    steady_timers_.push_back(
+        node_.createSteadyTimer(period, [this, tick](const ros::SteadyTimerEvent&) { guard_.run("a timer", tick); }));
+  }
+
+  CallbackGuard& guard() { return guard_; }
+  MasterWatch& master() { return master_; }
+  const MasterWatch& master() const { return master_; }
+  /// For /diagnostics: whether this node is registered at the master, and what callbacks threw.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+    master_.diagnose(status);
+    guard_.report(status);
+  }
+
+ private:
+  static std::string messageOf(const std::string& topic) { return "a message of " + topic; }
+  static std::string requestTo(const std::string& service) { return "a request to " + service; }
+
+  ros::NodeHandle node_;
+  CallbackGuard guard_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+  std::vector<ros::Timer> timers_;
+  std::vector<ros::SteadyTimer> steady_timers_;
+  MasterWatch master_;  ///< the last member: it ends before anything is taken back
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Nodes whose registration at the master is lost register again: a new master, a second node that took their services."""
+import os
+import signal
+import socket
+import subprocess
+import time
+import unittest
+
+import roslib.packages
+import rosgraph
+import rospy
+import rostest
+
+from wire import wait_for
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+class Registration(unittest.TestCase):
+    """The nodes here have a master of their own, which is killed and comes back empty."""
+
+    def setUp(self):
+        self.uri = 'http://127.0.0.1:%d' % free_port()
+        self.environment = dict(os.environ, ROS_MASTER_URI=self.uri)
+        self.processes = []
+        self.master = self.new_master()
+
+    def tearDown(self):
+        for process in reversed(self.processes):
+            if process.poll() is None:
+                process.send_signal(signal.SIGINT)
+        for process in reversed(self.processes):
+            try:
+                process.wait(10.0)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+    def new_master(self):
+        process = subprocess.Popen(['rosmaster', '--core', '-p', self.uri.rsplit(':', 1)[1]],
+                                   env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.processes.append(process)
+        self.assertTrue(wait_for(lambda: self.state() is not None, 15.0))
+        return process
+
+    def node(self, executable, *arguments):
+        path = roslib.packages.find_node('frontier_pilot', executable)[0]
+        process = subprocess.Popen([path, *arguments], env=self.environment, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        self.processes.append(process)
+        return process
+
+    def state(self):
+        try:
+            return rosgraph.Master('/test', master_uri=self.uri).getSystemState()
+        except (OSError, rosgraph.MasterException):
+            return None
+
+    def services(self):
+        state = self.state()
+        return {name: nodes for name, nodes in state[2]} if state else {}
+
+    # [ARB-12] [FLT-1]
+    def test_every_node_is_registered_again_at_a_new_master(self):
+        wanted = {'/emergency_stop': 'cmd_vel_arbiter', '/set_nav_enabled': 'cmd_vel_arbiter',
+                  '/set_obstacle_avoid_enabled': 'obstacle_avoider', '/mapper/reset': 'mapper',
+                  '/make_plan': 'navigator', '/set_exploration_enabled': 'frontier_explorer'}
+        for node in sorted(set(wanted.values())) + ['patrol_server', 'behavior_server']:
+            self.node(node)
+        self.assertTrue(wait_for(lambda: set(wanted) <= set(self.services()), 20.0))
+        self.master.kill()
+        self.master.wait()
+        self.new_master()
+        back = time.monotonic()
+        self.assertTrue(wait_for(lambda: set(wanted) <= set(self.services()), 10.0), '[ARB-12]')
+        self.assertLess(time.monotonic() - back, 2.0, '[ARB-12]')
+        for service, node in wanted.items():
+            self.assertEqual(self.services()[service], ['/' + node])
+
+        def known(part, topic):
+            return [node for name, nodes in self.state()[part] if name == topic for node in nodes]
+        self.assertTrue(wait_for(lambda: known(0, '/cmd_vel') == ['/cmd_vel_arbiter']), '[ARB-12]')
+        self.assertTrue(wait_for(lambda: known(1, '/cmd_vel_nav') == ['/cmd_vel_arbiter']), '[ARB-12]')
+        self.assertTrue(wait_for(lambda: '/patrol_server' in known(1, '/turtlebot3/goal')), '[FLT-1]')
+
+    # [FLT-1]
+    def test_services_that_a_second_node_took_and_left_are_offered_again(self):
+        first = {'/mapper/reset': 'mapper', '/set_obstacle_avoid_enabled': 'obstacle_avoider', '/make_plan': 'navigator'}
+        for node in first.values():
+            self.node(node)
+        self.assertTrue(wait_for(lambda: set(first) <= set(self.services()), 20.0))
+        seconds = [self.node(node, '__name:=second_' + node) for node in first.values()]
+        taken = {service: ['/second_' + node] for service, node in first.items()}
+        self.assertTrue(wait_for(lambda: taken.items() <= self.services().items(), 20.0))
+        for second in seconds:
+            second.send_signal(signal.SIGINT)
+            second.wait(10.0)
+        gone = time.monotonic()
+        back = {service: ['/' + node] for service, node in first.items()}
+        self.assertTrue(wait_for(lambda: back.items() <= self.services().items(), 5.0), '[FLT-1]')
+        self.assertLess(time.monotonic() - gone, 2.0, '[FLT-1]')
+
+
+if __name__ == '__main__':
+    rospy.init_node('registration_test')
+    rostest.rosrun('frontier_pilot', 'registration', Registration)
