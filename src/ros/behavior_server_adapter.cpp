@@ -12,6 +12,7 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
     : node_(node),
       parameters_(loadNodeParameters<BehaviorServerParameters>(private_node)),
       behavior_(parameters_.behavior),
+      clock_(node_),
       around_(node_, parameters_.surroundings, parameters_.frames, tf_),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelBehavior, 10)),
       diagnostics_(node, private_node) {
@@ -23,6 +24,11 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
   addPort<DriveOnHeadingAction, DriveOnHeadingResult, DriveOnHeadingFeedback>(names::kDriveOnHeading);
   addPort<WaitAction, WaitResult, WaitFeedback>(names::kWait);
   tick_ = node_.createTimer(ros::Duration(1.0 / parameters_.behavior.frequency), [this](const auto&) { tick(); });
+  clock_.restart(tick_);
+  clock_.onJump([this] {
+    around_.clear();
+    put(behavior_.update({}, Time{}));  // which is before any other time: it ends as after any jump back
+  });
 }
 
 BehaviorServerNode::~BehaviorServerNode() {
@@ -54,10 +60,11 @@ void BehaviorServerNode::handleStop(const std_msgs::Bool& msg) {
 
 void BehaviorServerNode::tick() {
   if (!behavior_.active()) return;
-  const Time now = rosNow();
-  BehaviorInputs inputs = around_.inputs(parameters_.behavior.costmap_timeout, now);
+  const std::optional<Time> now = clock_.now();
+  if (!now || !behavior_.active()) return;
+  BehaviorInputs inputs = around_.inputs(parameters_.behavior.costmap_timeout, *now);
   inputs.emergency_stop = emergency_stop_;
-  put(behavior_.update(inputs, now));
+  put(behavior_.update(inputs, *now));
 }
 
 void BehaviorServerNode::put(const BehaviorOutput& output) {
@@ -77,6 +84,9 @@ void BehaviorServerNode::fillDiagnostics(diagnostic_updater::DiagnosticStatusWra
                  emergency_stop_ ? "emergency stop" : (behavior_.active() ? toString(behavior_.goal().kind) : "ready"));
   status.add("last result", last_result_);
   around_.rejections().report(status);
+  for (const auto& port : ports_) port->report(status);
+  tf_.report(status);
+  clock_.report(status);
 }
 
 }  // namespace frontier_pilot

@@ -29,6 +29,7 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
       status_(node_.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
+      clock_(node_),
       diagnostics_(node, private_node) {
   around_.own_name = ros::this_node::getName();
   around_.cmd_vel = cmd_vel_.getTopic();
@@ -44,10 +45,12 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
   last_found_ = steadyNow();
   diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
+    clock_.report(status);
   });
   tick_ = node_.createSteadyTimer(ros::WallDuration(kTick), [this](const ros::SteadyTimerEvent&) { tick(); });
   status_tick_ = node_.createSteadyTimer(ros::WallDuration(1.0), [this](const auto&) { publishStatus(true); });
   expiry_ = node_.createTimer(ros::Duration(kTick), [this](const auto&) { publish(arbiter_.update(instantNow())); });
+  clock_.restart(expiry_);
   tick();
 }
 

@@ -14,6 +14,7 @@ namespace frontier_pilot {
 ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<ExplorerNodeParameters>(private_node)),
       explorer_(parameters_.explorer),
+      clock_(node),
       navigation_(node),
       diagnostics_(node, private_node),
       enabled_(parameters_.autostart) {
@@ -26,6 +27,8 @@ ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private
   enable_server_ = node.advertiseService(names::kSetExplorationEnabled, &ExplorerAdapter::handleEnable, this);
   reset_server_ = node.advertiseService(names::kResetExplorer, &ExplorerAdapter::handleReset, this);
   timer_ = node.createTimer(ros::Duration(1.0 / parameters_.rate), [this](const ros::TimerEvent&) { tick(); });
+  clock_.restart(timer_);
+  clock_.onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });
   clock_timer_ = node.createSteadyTimer(ros::WallDuration(parameters_.explorer.report_period),
                                         [this](const ros::SteadyTimerEvent&) { watchClock(); });
 }
@@ -55,14 +58,7 @@ bool ExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger
   return true;
 }
 
-void ExplorerAdapter::tick() {
-  const Time now = rosNow();
-  if (last_tick_ && now < *last_tick_) {
-    tf_.clear();
-    odometry_stamp_.reset();
-    last_status_.reset();
-  }
-  last_tick_ = now;
+void ExplorerAdapter::update(Time now) {
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
   const ExplorerOutput output = explorer_.update(gather(now), now);
@@ -144,6 +140,8 @@ void ExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("explored [m2]", status_.explored_area);
   map_.rejections().report(status);
   bad_odometry_.report(status);
+  tf_.report(status);
+  clock_.report(status);
 }
 
 }  // namespace frontier_pilot

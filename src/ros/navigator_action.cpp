@@ -16,9 +16,7 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
       simple_(node.subscribe(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this)),
       server_(
           node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
-          [this](const Server::GoalHandle& handle) { handleCancel(handle); }, false) {
-  server_.start();
-}
+          [this](const Server::GoalHandle& handle) { handleCancel(handle); }) {}
 
 std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg, std::string& why) const {
   const auto pose = toPose(msg.pose, &why);

@@ -13,6 +13,7 @@ namespace frontier_pilot {
 NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<NavigatorNodeParameters>(private_node)),
       navigator_(parameters_, behaviorLadder(parameters_.recovery, parameters_.limits, parameters_.rate)),
+      clock_(node),
       server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
       publisher_(node, parameters_.map_frame),
       diagnostics_(node, private_node) {
@@ -23,7 +24,14 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   odometry_subscriber_ = node.subscribe(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
   plan_service_ = node.advertiseService(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   clear_service_ = node.advertiseService(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
-  timer_ = node.createTimer(ros::Duration(1.0 / parameters_.rate), [this](const ros::TimerEvent&) { tick(); });
+  timer_ = node.createTimer(ros::Duration(1.0 / parameters_.rate), [this](const ros::TimerEvent&) {
+    if (const auto now = clock_.now()) tick(*now);
+  });
+  clock_.restart(timer_);
+  clock_.onJump([this] {  // the goal stays
+    scan_.reset();
+    if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
+  });
 }
 
 NavigatorAdapter::~NavigatorAdapter() {
@@ -79,8 +87,7 @@ NavigatorInputs NavigatorAdapter::gather() {
   return inputs;
 }
 
-void NavigatorAdapter::tick() {
-  const Time now = rosNow();
+void NavigatorAdapter::tick(Time now) {
   const NavigatorInputs inputs = gather();
   const NavigatorOutput output = navigator_.update(inputs, now);
   state_ = output.state;
@@ -90,8 +97,7 @@ void NavigatorAdapter::tick() {
     failure_ = finished.result == NavResult::kAborted ? toString(finished.reason) : "";
     server_.settle(finished);
   }
-  std::optional<Pose2> T_map_base;
-  if (inputs.pose) T_map_base = inputs.pose->T_map_base;
+  const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->T_map_base) : std::nullopt;
   if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
   publisher_.publish(navigator_, output, T_map_base, now);
 }
@@ -135,6 +141,9 @@ void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& statu
   map_.rejections().report(status);
   bad_scans_.report(status);
   bad_odometry_.report(status);
+  server_.report(status);
+  tf_.report(status);
+  clock_.report(status);
 }
 
 }  // namespace frontier_pilot

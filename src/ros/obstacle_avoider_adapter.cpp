@@ -27,6 +27,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
     : node_(node),
       parameters_(loadNodeParameters<ObstacleAvoiderNodeParameters>(private_node)),
       avoider_(parameters_.avoider),
+      clock_(node_),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelAvoid, 1)),
       status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
       enable_(node_.advertiseService(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this)),
@@ -38,10 +39,14 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
     rejections_.report(status);
+    tf_.report(status);
+    clock_.report(status);
   });
   // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
   tick_ = node_.createTimer(ros::Duration(kTick), [this](const ros::TimerEvent&) { tick(); });
   update_ = node_.createTimer(ros::Duration(kUpdate), [this](const auto&) { publish(avoider_.update(rosNow())); });
+  clock_.restart(tick_);
+  clock_.restart(update_);
   status_tick_ = node_.createSteadyTimer(ros::WallDuration(1.0), [this](const auto&) { publishStatus(true); });
   publishStatus(true);
 }

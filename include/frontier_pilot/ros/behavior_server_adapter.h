@@ -10,6 +10,7 @@
 #include "frontier_pilot/behavior/timed_behavior.h"
 #include "frontier_pilot/ros/behavior_actions.h"
 #include "frontier_pilot/ros/behavior_surroundings.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
@@ -52,6 +53,7 @@ class BehaviorServerNode {
   BehaviorServerParameters parameters_;
   TimedBehavior behavior_;
   TfBridge tf_;
+  ClockMonitor clock_;
   BehaviorSurroundings around_;
   bool emergency_stop_ = false;
   std::string last_result_ = "none yet";

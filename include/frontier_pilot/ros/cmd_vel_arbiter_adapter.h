@@ -13,6 +13,7 @@
 #include "frontier_pilot/arbiter/arbiter.h"
 #include "frontier_pilot/ros/arbiter_report.h"
 #include "frontier_pilot/ros/arrival_queue.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/publisher_watch.h"
 #include "frontier_pilot/ros/stop_memory.h"
@@ -58,6 +59,7 @@ class CmdVelArbiterNode {
   ros::Publisher cmd_vel_, status_, stop_state_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
+  ClockMonitor clock_;
   NodeDiagnostics diagnostics_;
   std::optional<PublisherWatch> watch_;
   ros::SteadyTimer tick_, status_tick_;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "frontier_pilot/exploration/explorer.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/map_mirror.h"
 #include "frontier_pilot/ros/move_base_client.h"
@@ -46,7 +47,10 @@ class ExplorerAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-  void tick();
+  void tick() {
+    if (const auto now = clock_.now()) update(*now);
+  }
+  void update(Time now);
   ExplorerInputs gather(Time now);
   void obey(const GoalCommand& command, Time now);
   void publishStatus(const ExplorerProgress& status, Time now);
@@ -59,6 +63,7 @@ class ExplorerAdapter {
   Explorer explorer_;
   MapMirror map_;
   TfBridge tf_;
+  ClockMonitor clock_;
   MoveBaseClient navigation_;
   NodeDiagnostics diagnostics_;
   Rejections bad_odometry_{"odometry"};
@@ -67,7 +72,6 @@ class ExplorerAdapter {
   bool reset_ = false;
   bool markers_due_ = false;
   std::optional<Time> odometry_stamp_;
-  std::optional<Time> last_tick_;
   std::optional<Time> last_status_;
   Time watched_clock_{};
   ros::Subscriber odometry_subscriber_;

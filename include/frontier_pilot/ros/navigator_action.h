@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/server/action_server.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
@@ -11,6 +10,7 @@
 #include <string>
 
 #include "frontier_pilot/planning/navigator_types.h"
+#include "frontier_pilot/ros/action_server.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -26,9 +26,11 @@ class MoveBaseServer {
   /// Tells the clients what became of their goals.
   void settle(const NavFinished& finished);
   void feedback(const Pose2& T_map_base, Time stamp);
+  /// For /diagnostics: what was refused.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { server_.report(status); }
 
  private:
-  using Server = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
+  using Server = ActionServer<move_base_msgs::MoveBaseAction>;
 
   void handleGoal(const Server::GoalHandle& offered);
   void handleCancel(const Server::GoalHandle& handle);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "frontier_pilot/planning/navigator.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/mailbox.h"
 #include "frontier_pilot/ros/map_mirror.h"
@@ -47,7 +48,7 @@ class NavigatorAdapter {
   NavigatorAdapter& operator=(const NavigatorAdapter&) = delete;
 
  private:
-  void tick();
+  void tick(Time now);
   NavigatorInputs gather();
   void handleScan(const sensor_msgs::LaserScan& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);
@@ -61,6 +62,7 @@ class NavigatorAdapter {
   NavigatorNodeParameters parameters_;
   Navigator navigator_;
   TfBridge tf_;
+  ClockMonitor clock_;
   MapMirror map_;
   MoveBaseServer server_;
   NavigatorPublisher publisher_;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "frontier_pilot/avoid/avoider.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/tf_bridge.h"
@@ -49,6 +50,7 @@ class ObstacleAvoiderNode {
   ObstacleAvoiderNodeParameters parameters_;
   Avoider avoider_;
   TfBridge tf_;
+  ClockMonitor clock_;
   Rejections rejections_{"scan"};
   ros::Publisher cmd_vel_, status_;
   ros::ServiceServer enable_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <nav_msgs/Odometry.h>
@@ -10,6 +9,8 @@
 #include <string>
 
 #include "frontier_pilot/patrol/patrol.h"
+#include "frontier_pilot/ros/action_server.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/diagnostics.h"
 
 namespace frontier_pilot {
@@ -36,10 +37,10 @@ class PatrolServerNode {
   ~PatrolServerNode();
 
  private:
-  using Server = actionlib::SimpleActionServer<PatrolAction>;
+  using Server = SingleGoalServer<PatrolAction>;
 
   void subscribe();
-  void handleGoal();
+  void handleGoal(const PatrolGoal& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);
   void handleStop(const std_msgs::Bool& msg);
   void handleArbiter(const ArbiterStatus& msg);
@@ -51,6 +52,7 @@ class PatrolServerNode {
   ros::NodeHandle node_;
   PatrolServerParameters parameters_;
   Patrol patrol_;
+  ClockMonitor clock_;
   PatrolInputs inputs_;
   std::string last_text_ = "no patrol yet";
   Rejections bad_odometry_{"odometry"};
