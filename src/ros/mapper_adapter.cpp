@@ -8,10 +8,17 @@
 
 namespace frontier_pilot {
 
+namespace {
+
+constexpr Duration kFuture = std::chrono::seconds(10);  ///< of odometry in a fast simulation, read late
+
+}  // namespace
+
 MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<MapperNodeParameters>(private_node)),
       mapper_(parameters_.mapper),
       pairing_(parameters_.pairing),
+      clock_(node),
       publisher_(node, parameters_.map_frame, parameters_.publishing),
       watch_({publisher_.topic()}, std::chrono::seconds(2)),
       diagnostics_(node, private_node) {
@@ -22,11 +29,16 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
   initial_pose_subscriber_ = node.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   scan_subscriber_ = node.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
   update_timer_ = node.createTimer(ros::Duration(parameters_.update_period), [this](const ros::TimerEvent&) {
+    const auto now = clock_.now();
+    if (!now) return;
     insertPaired();
     think();
-    publisher_.publish(mapper_, rosNow());
+    publisher_.publish(mapper_, *now);
   });
   tf_timer_ = node.createTimer(ros::Duration(parameters_.tf_period), [this](const ros::TimerEvent&) { broadcast(); });
+  clock_.restart(update_timer_);
+  clock_.restart(tf_timer_);
+  clock_.onJump([this] { pairing_.clear(); });
   watch_timer_ = node.createSteadyTimer(ros::WallDuration(0.1), [this](const ros::SteadyTimerEvent&) {
     if (const auto found = watch_.take()) publisher_.setPublishers(found->at(publisher_.topic()));
   });
@@ -39,11 +51,15 @@ void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   std::string why;
   const auto odometry = toOdometry(msg, &why);
   if (!odometry) return bad_odometry_.add(why);
+  const auto now = clock_.now();
+  if (!now) return bad_odometry_.add("the clock jumped");
+  if (odometry->stamp - *now > kFuture) return bad_odometry_.add("stamp more than 10 s in the future");
   pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
   insertPaired();
 }
 
 void MapperAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
+  if (!clock_.now()) return bad_scans_.add("the clock jumped");
   if (auto scan = read(msg)) pairing_.addScan(std::move(*scan));
   insertPaired();
 }
@@ -75,6 +91,10 @@ void MapperAdapter::insertPaired() {
 
 void MapperAdapter::think() {
   if (auto done = worker_.take()) takeOver(*done);
+  if (const auto failure = worker_.takeFailure(); failure && mapper_.abandonWork()) {
+    thoughts_failure_ = *failure;
+    ROS_ERROR_STREAM("no loop is closed any more until a reset, the map is kept: " << *failure);
+  }
   if (!worker_.idle()) return;
   RevisionWork work = mapper_.takeWork();
   if (!work) return;
@@ -108,7 +128,9 @@ void MapperAdapter::note(ScanVerdict verdict, const std::string& detail) {
 }
 
 void MapperAdapter::broadcast() {
-  const Time stamp = rosNow() + fromSeconds(parameters_.tf_lead);
+  const auto now = clock_.now();
+  if (!now) return;  // others would believe a future that never was
+  const Time stamp = *now + fromSeconds(parameters_.tf_lead);
   tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, mapper_.T_map_odom(), stamp);
 }
 

@@ -18,6 +18,7 @@
 #include "frontier_pilot/mapping/map_io.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/mapper_publisher.h"
 #include "frontier_pilot/ros/names.h"
@@ -96,6 +97,7 @@ class MapperAdapter {
   Mapper mapper_;
   ScanPairing pairing_;
   TfBridge tf_;
+  ClockMonitor clock_;
   MapperPublisher publisher_;
   PublisherWatch watch_;
   NodeDiagnostics diagnostics_;
@@ -109,6 +111,7 @@ class MapperAdapter {
   ros::Timer update_timer_;
   ros::Timer tf_timer_;
   ros::SteadyTimer watch_timer_;
+  std::string thoughts_failure_;      ///< what ended the second thoughts, until a reset
   double revision_seconds_ = 0.0;     ///< what the last second thoughts took
   std::shared_ptr<MapRevision> old_;  ///< what the last ones replaced
   Worker<Thoughts> worker_;
