@@ -66,7 +66,7 @@ BehaviorOutput TimedBehavior::cancel(const std::string& why, Time now) {
 
 BehaviorOutput TimedBehavior::update(const BehaviorInputs& inputs, Time now) {
   if (!active_) return {};
-  if (now < last_update_) return end(BehaviorOutcome::kPoseLost, "the clock jumped back");
+  if (now < last_update_) return end(BehaviorOutcome::kPoseLost, "the clock jumped");
   elapsed_ = toSeconds(now - started_);
   if (!settling_since_ && goal_.time_allowance > 0.0 && elapsed_ > goal_.time_allowance) {
     return end(BehaviorOutcome::kTimeout, "not done within " + seconds(goal_.time_allowance));

@@ -45,7 +45,7 @@ void GraphSlam::keep(LocalSlamOutput& output) {
   placed.T_map_base = T_map_local_ * placed.keyframe.T_local_base;
   for (const auto& submap : output.finished) addPlace(submap, placed);
   for (const auto& submap : local_.active()) addPlace(submap, placed);
-  if (!placed.places.empty()) inbox_.push_back(std::move(placed));
+  if (!placed.places.empty() && !abandoned_) inbox_.push_back(std::move(placed));
 }
 
 RevisionWork GraphSlam::takeWork() {
@@ -70,7 +70,14 @@ bool GraphSlam::accept(const MapRevision& revision) {
   return true;
 }
 
+void GraphSlam::abandonWork() {
+  working_ = false;
+  abandoned_ = true;
+  inbox_.clear();
+}
+
 void GraphSlam::reset() {
+  abandoned_ = false;
   local_.reset();
   drift_.reset();
   T_map_local_ = Pose2();

@@ -141,6 +141,14 @@ bool Mapper::revise(MapRevision& revision) {
   return true;
 }
 
+bool Mapper::abandonWork() {
+  if (!working_) return false;
+  correction_->abandonWork();
+  working_ = false;
+  meanwhile_.clear();
+  return true;
+}
+
 void Mapper::reviseNow() {
   if (const RevisionWork work = takeWork()) {
     MapRevision revision = work();

@@ -64,7 +64,7 @@ PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) {
 }
 
 std::optional<Patrol::Fault> Patrol::fault(const PatrolInputs& inputs, Time now) const {
-  if (now < last_update_) return Fault{PatrolOutcome::kClockJump, "aborted: the clock jumped back"};
+  if (now < last_update_) return Fault{PatrolOutcome::kClockJump, "aborted: the clock jumped"};
   if (inputs.emergency_stop) return Fault{PatrolOutcome::kEmergencyStop, "aborted: emergency stop"};
   if (inputs.odometry_problem) {
     return Fault{PatrolOutcome::kBadOdometry, "aborted: bad odometry: " + *inputs.odometry_problem};

@@ -55,7 +55,7 @@ void fillFeedback(const BehaviorOutput& output, const BehaviorGoal&, DriveOnHead
 }
 
 void fillFeedback(const BehaviorOutput& output, const BehaviorGoal& goal, WaitFeedback& feedback) {
-  feedback.time_left.fromSec(std::max(0.0, goal.target - output.progress));
+  feedback.time_left = toRosDuration(std::max(0.0, goal.target - output.progress));
 }
 
 }  // namespace frontier_pilot

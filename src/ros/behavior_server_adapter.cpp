@@ -26,6 +26,10 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
   addPort<DriveOnHeadingAction, DriveOnHeadingResult, DriveOnHeadingFeedback>(names::kDriveOnHeading);
   addPort<WaitAction, WaitResult, WaitFeedback>(names::kWait);
   connections_.every(ros::Duration(1.0 / parameters_.behavior.frequency), [this] { tick(); });
+  connections_.clock().onJump([this] {
+    around_.clear();
+    put(behavior_.update({}, Time{}));  // which is before any other time: it ends as after any jump back
+  });
 }
 
 BehaviorServerNode::~BehaviorServerNode() {
@@ -57,10 +61,11 @@ void BehaviorServerNode::handleStop(const std_msgs::Bool& msg) {
 
 void BehaviorServerNode::tick() {
   if (!behavior_.active()) return;
-  const Time now = rosNow();
-  BehaviorInputs inputs = around_.inputs(parameters_.behavior.costmap_timeout, now);
+  const std::optional<Time> now = connections_.clock().now();
+  if (!now || !behavior_.active()) return;
+  BehaviorInputs inputs = around_.inputs(parameters_.behavior.costmap_timeout, *now);
   inputs.emergency_stop = emergency_stop_;
-  put(behavior_.update(inputs, now));
+  put(behavior_.update(inputs, *now));
 }
 
 void BehaviorServerNode::put(const BehaviorOutput& output) {
@@ -80,6 +85,8 @@ void BehaviorServerNode::fillDiagnostics(diagnostic_updater::DiagnosticStatusWra
                  emergency_stop_ ? "emergency stop" : (behavior_.active() ? toString(behavior_.goal().kind) : "ready"));
   status.add("last result", last_result_);
   around_.rejections().report(status);
+  for (const auto& port : ports_) port->report(status);
+  tf_.report(status);
 }
 
 }  // namespace frontier_pilot

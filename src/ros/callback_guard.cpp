@@ -9,7 +9,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kLogPeriod = std::chrono::seconds(5);
-constexpr Duration kRecent = std::chrono::seconds(10);
+constexpr Duration kRecentException = std::chrono::seconds(10);
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void CallbackGuard::report(diagnostic_updater::DiagnosticStatusWrapper& status) 
   for (const auto& [what, caught] : caught_) {
     status.add("exceptions in " + what, std::to_string(caught.count) + ", the latest: " + caught.latest);
   }
-  if (total_ > 0 && steadyNow() - latest_ < kRecent) {
+  if (total_ > 0 && steadyNow() - latest_ < kRecentException) {
     status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "exception caught");
   }
 }

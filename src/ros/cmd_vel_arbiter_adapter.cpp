@@ -45,6 +45,7 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
   diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
     connections_.guard().report(status);
+    connections_.clock().report(status);
   });
   connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });

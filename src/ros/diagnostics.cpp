@@ -27,6 +27,10 @@ NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHan
                                                    [this](const ros::SteadyTimerEvent&) { publish(); });
 }
 
+void NodeDiagnostics::publish() {
+  guard_.run("diagnostics", [this] { updater_.force_update(); });
+}
+
 void NodeDiagnostics::add(const std::string& name, Fill fill) { updater_.add(name, std::move(fill)); }
 
 }  // namespace frontier_pilot

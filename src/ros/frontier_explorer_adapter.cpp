@@ -29,6 +29,7 @@ ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private
   connections_.serve(names::kResetExplorer, &ExplorerAdapter::handleReset, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
+  connections_.clock().onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });
 }
 
 void ExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
@@ -56,14 +57,7 @@ bool ExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger
   return true;
 }
 
-void ExplorerAdapter::tick() {
-  const Time now = rosNow();
-  if (last_tick_ && now < *last_tick_) {
-    tf_.clear();
-    odometry_stamp_.reset();
-    last_status_.reset();
-  }
-  last_tick_ = now;
+void ExplorerAdapter::update(Time now) {
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
   const ExplorerOutput output = explorer_.update(gather(now), now);

@@ -45,6 +45,7 @@ void ExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("explored [m2]", status_.explored_area);
   map_.rejections().report(status);
   bad_odometry_.report(status);
+  tf_.report(status);
 }
 
 }  // namespace frontier_pilot

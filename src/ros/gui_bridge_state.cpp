@@ -61,11 +61,13 @@ void GuiBridge::onScan(const sensor_msgs::LaserScan& msg) {
 /// The avoider's sectors are its configuration, to be had when it is there.
 void GuiBridge::onServiceUp(const std::string& service) {
   if (service != names::kSetObstacleAvoidEnabled) return;
-  AvoiderParameters parameters;
-  const ParameterMap map = readParameters(ros::NodeHandle(node_, names::kObstacleAvoiderNode));
-  loadParameters(map, parameters);  // the avoider itself complains of what is wrong with them
-  const std::lock_guard<std::mutex> lock(mutex_);
-  sectors_ = toSectors(parameters);
+  guard_.run("the avoider's parameters", [this] {
+    AvoiderParameters parameters;
+    const ParameterMap map = readParameters(ros::NodeHandle(node_, names::kObstacleAvoiderNode));
+    loadParameters(map, parameters);  // the avoider itself complains of what is wrong with them
+    const std::lock_guard<std::mutex> lock(mutex_);
+    sectors_ = toSectors(parameters);
+  });
 }
 
 bool GuiBridge::manualOn(SteadyTime now) const {

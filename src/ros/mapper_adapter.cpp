@@ -8,6 +8,12 @@
 
 namespace frontier_pilot {
 
+namespace {
+
+constexpr Duration kFuture = std::chrono::seconds(10);  ///< of odometry in a fast simulation, read late
+
+}  // namespace
+
 MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<MapperNodeParameters>(private_node)),
       mapper_(parameters_.mapper),
@@ -27,11 +33,14 @@ void MapperAdapter::connect() {
   connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   connections_.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
   connections_.every(ros::Duration(parameters_.update_period), [this] {
+    const auto now = connections_.clock().now();
+    if (!now) return;
     insertPaired();
     think();
-    publisher_.publish(mapper_, rosNow());
+    publisher_.publish(mapper_, *now);
   });
   connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
+  connections_.clock().onJump([this] { pairing_.clear(); });
   connections_.everySteady(ros::WallDuration(0.1), [this] {
     const auto report = connections_.master().take();
     if (report) publisher_.setPublishers(nodesOf(report->publishers, publisher_.topic()));
@@ -45,11 +54,15 @@ void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   std::string why;
   const auto odometry = toOdometry(msg, &why);
   if (!odometry) return bad_odometry_.add(why);
+  const auto now = connections_.clock().now();
+  if (!now) return bad_odometry_.add("the clock jumped");
+  if (odometry->stamp - *now > kFuture) return bad_odometry_.add("stamp more than 10 s in the future");
   pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
   insertPaired();
 }
 
 void MapperAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
+  if (!connections_.clock().now()) return bad_scans_.add("the clock jumped");
   if (auto scan = read(msg)) pairing_.addScan(std::move(*scan));
   insertPaired();
 }
@@ -81,6 +94,10 @@ void MapperAdapter::insertPaired() {
 
 void MapperAdapter::think() {
   if (auto done = worker_.take()) takeOver(*done);
+  if (const auto failure = worker_.takeFailure(); failure && mapper_.abandonWork()) {
+    thoughts_failure_ = *failure;
+    ROS_ERROR_STREAM("no loop is closed any more until a reset, the map is kept: " << *failure);
+  }
   if (!worker_.idle()) return;
   RevisionWork work = mapper_.takeWork();
   if (!work) return;
@@ -114,7 +131,9 @@ void MapperAdapter::note(ScanVerdict verdict, const std::string& detail) {
 }
 
 void MapperAdapter::broadcast() {
-  const Time stamp = rosNow() + fromSeconds(parameters_.tf_lead);
+  const auto now = connections_.clock().now();
+  if (!now) return;  // others would believe a future that never was
+  const Time stamp = *now + fromSeconds(parameters_.tf_lead);
   tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, mapper_.T_map_odom(), stamp);
 }
 

@@ -32,6 +32,7 @@ MapIoResult MapperAdapter::load(const std::string& path) {
   OccupancyMap loaded(parameters_.mapper.map);
   MapIoResult result = loadMap(path, loaded);
   if (result.ok() && !mapper_.load(loaded)) return {MapIoStatus::kBroken, path + ": too large"};
+  if (result.ok()) thoughts_failure_.clear();
   return result;
 }
 

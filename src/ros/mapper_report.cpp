@@ -46,6 +46,7 @@ void MapperAdapter::report(Status& status) const {
   reportScans(mapper_, status);
   bad_scans_.report(status);
   bad_odometry_.report(status);
+  tf_.report(status);
   reportCorrection(mapper_, status);
   reportRevisions(mapper_.revisions(), status);
   status.addf("last second thoughts took [s]", "%.3f", revision_seconds_);
@@ -64,6 +65,9 @@ void MapperAdapter::summarize(Status& status) const {
     status.summary(DiagnosticStatus::WARN, pairing_.hasOdometry() ? "no usable scan yet" : "no odometry yet");
   } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
+  }
+  if (!thoughts_failure_.empty()) {
+    status.mergeSummary(DiagnosticStatus::WARN, "no loop is closed any more until a reset: " + thoughts_failure_);
   }
   if (!publisher_.foreigners().empty()) {
     status.summary(DiagnosticStatus::ERROR,

@@ -40,6 +40,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
     return true;
   }
   mapper_.reset();
+  thoughts_failure_.clear();
   response.success = 1U;
   response.message = "the map is forgotten; its size stays";
   return true;

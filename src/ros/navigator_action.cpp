@@ -13,11 +13,12 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
     : tf_(tf),
       map_frame_(std::move(map_frame)),
       use_yaw_(use_yaw),
-      simple_(node.subscribe(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this)),
       server_(
           node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
-          [this](const Server::GoalHandle& handle) { handleCancel(handle); }, false) {
-  server_.start();
+          [this](const Server::GoalHandle& handle) { handleCancel(handle); }) {}
+
+void MoveBaseServer::subscribe(NodeConnections& connections) {
+  connections.subscribe(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this);
 }
 
 std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg, std::string& why) const {

@@ -21,11 +21,18 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   diagnostics_.add("navigation", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
+  server_.subscribe(connections_);
   connections_.subscribe(names::kScan, 1, &NavigatorAdapter::handleScan, this);
   connections_.subscribe(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
-  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
+  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
+    if (const auto now = connections_.clock().now()) tick(*now);
+  });
+  connections_.clock().onJump([this] {  // the goal stays
+    scan_.reset();
+    if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
+  });
 }
 
 NavigatorAdapter::~NavigatorAdapter() {
@@ -81,8 +88,7 @@ NavigatorInputs NavigatorAdapter::gather() {
   return inputs;
 }
 
-void NavigatorAdapter::tick() {
-  const Time now = rosNow();
+void NavigatorAdapter::tick(Time now) {
   const NavigatorInputs inputs = gather();
   const NavigatorOutput output = navigator_.update(inputs, now);
   state_ = output.state;
@@ -92,8 +98,7 @@ void NavigatorAdapter::tick() {
     failure_ = finished.result == NavResult::kAborted ? toString(finished.reason) : "";
     server_.settle(finished);
   }
-  std::optional<Pose2> T_map_base;
-  if (inputs.pose) T_map_base = inputs.pose->T_map_base;
+  const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->T_map_base) : std::nullopt;
   if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
   publisher_.publish(navigator_, output, T_map_base, now);
 }
@@ -137,6 +142,8 @@ void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& statu
   map_.rejections().report(status);
   bad_scans_.report(status);
   bad_odometry_.report(status);
+  server_.report(status);
+  tf_.report(status);
 }
 
 }  // namespace frontier_pilot

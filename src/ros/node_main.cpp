@@ -6,6 +6,7 @@
 #include <csignal>
 #include <iostream>
 
+#include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/parameters.h"
 
 namespace frontier_pilot {
@@ -34,8 +35,12 @@ bool isRunning() {
   return ros::ok() && g_stop == 0;
 }
 
+/// Callbacks guard themselves; what is left comes from libraries.
 void spinUntilStopped() {
-  while (isRunning()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+  CallbackGuard guard;
+  while (isRunning()) {
+    guard.run("a callback", [] { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1)); });
+  }
 }
 
 int fail(const std::string& name, const std::exception& error, int exit_code) {

@@ -37,6 +37,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
     rejections_.report(status);
+    tf_.report(status);
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.

@@ -14,16 +14,19 @@ PatrolServerNode::PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& priva
       parameters_(loadNodeParameters<PatrolServerParameters>(private_node)),
       patrol_(parameters_.patrol),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelPatrol, 10)),
-      server_(node_, names::kPatrol, false),
+      server_(
+          node_, names::kPatrol, [this](const PatrolGoal& goal) { handleGoal(goal); },
+          [this](bool) { put(patrol_.cancel()); }),
       diagnostics_(node, private_node),
       connections_(node) {
   subscribe();
   diagnostics_.add("patrol", [this](auto& status) { fillDiagnostics(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
-  server_.registerGoalCallback([this] { handleGoal(); });
-  server_.registerPreemptCallback([this] { put(patrol_.cancel()); });
-  server_.start();
   connections_.every(ros::Duration(1.0 / parameters_.patrol.frequency), [this] { tick(); });
+  connections_.clock().onJump([this] {
+    inputs_.odometry.reset();
+    put(patrol_.update(inputs_, Time{}));  // which is before any other time: it ends as after any jump back
+  });
 }
 
 PatrolServerNode::~PatrolServerNode() {
@@ -39,12 +42,9 @@ void PatrolServerNode::subscribe() {
   connections_.subscribe(names::kArbiterStatus, 1, &PatrolServerNode::handleArbiter, this, hints);
 }
 
-void PatrolServerNode::handleGoal() {
-  // A patrol that was going on has been ended by the preempt callback, which comes first.
-  const PatrolOrder order = [&] {
-    const auto msg = server_.acceptNewGoal();
-    return PatrolOrder{msg->goal.x, msg->goal.y, msg->goal.z};
-  }();
+void PatrolServerNode::handleGoal(const PatrolGoal& msg) {
+  // A patrol that was going on has been ended before.
+  const PatrolOrder order{msg.goal.x, msg.goal.y, msg.goal.z};
   ROS_INFO("patrol asked for: mode %g, size %g m, %g laps", order.mode, order.size, order.laps);
   put(patrol_.start(order, rosNow()));
 }
@@ -72,7 +72,9 @@ void PatrolServerNode::handleArbiter(const ArbiterStatus& msg) {
   inputs_.wheels_held_by = other ? std::make_optional(msg.active_source) : std::nullopt;
 }
 
-void PatrolServerNode::tick() { put(patrol_.update(inputs_, rosNow())); }
+void PatrolServerNode::tick() {
+  if (const auto now = connections_.clock().now()) put(patrol_.update(inputs_, *now));
+}
 
 void PatrolServerNode::put(const PatrolOutput& output) {
   if (output.command) cmd_vel_.publish(toTwistMsg(*output.command));
@@ -112,6 +114,7 @@ void PatrolServerNode::fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapp
   status.add("last result", last_text_);
   status.add("wheels held by", inputs_.wheels_held_by.value_or("nobody else"));
   bad_odometry_.report(status);
+  server_.report(status);
 }
 
 }  // namespace frontier_pilot

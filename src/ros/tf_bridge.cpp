@@ -1,6 +1,7 @@
 #include "frontier_pilot/ros/tf_bridge.h"
 
 #include <chrono>
+#include <exception>
 #include <thread>
 
 #include "frontier_pilot/ros/clock.h"
@@ -18,7 +19,7 @@ std::optional<geometry_msgs::TransformStamped> wait(const tf2_ros::Buffer& buffe
   while (true) {
     try {
       return buffer.lookupTransform(target, source, toRosTime(stamp));
-    } catch (const tf2::TransformException& error) {
+    } catch (const std::exception& error) {  // not only TF's own: the arithmetic of ROS time throws, too
       if (steadyNow() >= deadline) {
         if (why != nullptr) *why = error.what();
         return std::nullopt;

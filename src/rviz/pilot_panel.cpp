@@ -4,7 +4,9 @@
 #include <ros/init.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <QLabel>
 #include <QVBoxLayout>
+#include <exception>
 
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
@@ -14,22 +16,37 @@ namespace {
 
 /// Those of teleop_gui, or the defaults if there is something wrong with them: rviz has to come up all the same.
 TeleopParameters panelParameters(const ros::NodeHandle& node) {
-  TeleopParameters parameters;
-  const Problems problems = loadParameters(readParameters(ros::NodeHandle(node, names::kTeleopGuiNode)), parameters);
-  for (const std::string& problem : problems) ROS_WARN_STREAM("PilotPanel: " << problem);
-  return problems.empty() ? parameters : TeleopParameters{};
+  try {
+    TeleopParameters parameters;
+    const Problems problems = loadParameters(readParameters(ros::NodeHandle(node, names::kTeleopGuiNode)), parameters);
+    for (const std::string& problem : problems) ROS_WARN_STREAM("PilotPanel: " << problem);
+    if (problems.empty()) return parameters;
+  } catch (const std::exception& error) {
+    ROS_WARN_STREAM("PilotPanel: " << error.what());
+  }
+  return TeleopParameters{};
 }
 
 }  // namespace
 
 PilotPanel::PilotPanel(QWidget* parent) : rviz::Panel(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  // rviz does not expect a panel to throw.
+  try {
+    fill(*layout);
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM("PilotPanel: " << error.what());
+    layout->addWidget(new QLabel(QString("This panel could not be built: ") + error.what()));
+  }
+}
+
+void PilotPanel::fill(QVBoxLayout& layout) {
   const ros::NodeHandle node;
   const TeleopParameters parameters = panelParameters(node);
   bridge_ = std::make_unique<GuiBridge>(node, parameters, GuiBridge::Manual::kOnDemand, [] { return ros::ok(); });
   widget_ = new PilotWidget(parameters);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(widget_);
+  layout.addWidget(widget_);
   controller_ = std::make_unique<PilotController>(*widget_, *bridge_, fromSeconds(parameters.liveness_timeout));
 }
 

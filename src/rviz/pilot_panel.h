@@ -2,6 +2,7 @@
 
 #include <rviz/panel.h>
 
+#include <QVBoxLayout>
 #include <memory>
 
 #include "frontier_pilot/gui/pilot_controller.h"
@@ -19,8 +20,10 @@ class PilotPanel : public rviz::Panel {
   ~PilotPanel() override;
 
  private:
+  void fill(QVBoxLayout& layout);
+
   std::unique_ptr<GuiBridge> bridge_;
-  PilotWidget* widget_;
+  PilotWidget* widget_ = nullptr;
   std::unique_ptr<PilotController> controller_;
 };
 

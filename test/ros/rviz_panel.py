@@ -42,6 +42,9 @@ class RvizPanel(unittest.TestCase):
         if shutil.which('Xvfb') is None or shutil.which('rviz') is None:
             self.skipTest('needs Xvfb and rviz')
         self.folder = tempfile.mkdtemp()
+        self.screen = self.rviz = None
+
+    def start(self):
         config = os.path.join(self.folder, 'panel.rviz')
         with open(config, 'w') as file:
             yaml.safe_dump(CONFIG, file)
@@ -60,17 +63,33 @@ class RvizPanel(unittest.TestCase):
 
     def tearDown(self):
         for process in (self.rviz, self.screen):
+            if process is None:
+                continue
             if process.poll() is None:
                 process.kill()
             process.wait()
         self.log.close()
         shutil.rmtree(self.folder)
 
-    def test_the_panel_loads_listens_keeps_silent_and_closes(self):
-        """[GUI-2] what the window shows is heard by the panel too; [GUI-3] it leaves without hanging."""
+    def loads(self):
+        """Whether the panel listens to what the window shows."""
         wanted = {'/cmd_vel_arbiter/status', '/emergency_stop_state', '/scan', '/obstacle_avoider/status',
                   '/frontier_explorer/status', '/turtlebot3/feedback'}
-        self.assertTrue(waited_for(lambda: wanted <= topics_of(NODE)[1]), self.output())
+        return waited_for(lambda: wanted <= topics_of(NODE)[1] or self.rviz.poll() is not None) \
+            and self.rviz.poll() is None
+
+    def test_parameters_that_are_none_leave_the_defaults(self):
+        """[FLT-1]"""
+        rospy.set_param('/teleop_gui', 5)
+        self.addCleanup(rospy.delete_param, '/teleop_gui')
+        self.start()
+        self.assertTrue(self.loads(), self.output())
+        self.assertIn('single value', self.output())
+
+    def test_the_panel_loads_listens_keeps_silent_and_closes(self):
+        """[GUI-2] what the window shows is heard by the panel too; [GUI-3] it leaves without hanging."""
+        self.start()
+        self.assertTrue(self.loads(), self.output())
         time.sleep(1.0)  # that nothing comes can only be seen by waiting
         self.assertNotIn('/cmd_vel_manual', topics_of(NODE)[0], 'a panel that nobody drives with must not speak')
         self.assertNotIn('PilotPanel', self.output(), 'rviz complains of the panel')

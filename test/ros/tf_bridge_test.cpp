@@ -1,4 +1,4 @@
-// What the bridge says on /tf.
+// What the bridge says on /tf, and what it makes of what others say there.
 
 #include "frontier_pilot/ros/tf_bridge.h"
 
@@ -48,6 +48,79 @@ TEST(TfBridge, SaysATransformOnceAStampAlsoAfterTheClockWasSetBack) {
   }
   ASSERT_TRUE(serveUntilSaid("last"));
   EXPECT_EQ(said, wanted);
+}
+
+geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped msg;
+  msg.header.frame_id = parent;
+  msg.header.stamp = stamp;
+  msg.child_frame_id = child;
+  msg.transform.rotation.w = 1.0;
+  return msg;
+}
+
+/// Whether `bridge` comes to know `T_target_source` within ten seconds.
+bool comesToKnow(const TfBridge& bridge, const std::string& target, const std::string& source) {
+  return bridge.lookup(target, source, Time{}, 10 * kSecond).has_value();
+}
+
+struct Speaker {
+  explicit Speaker(const std::string& topic) : publisher(ros::NodeHandle().advertise<tf2_msgs::TFMessage>(topic, 100)) {
+    const SteadyTime end = steadyNow() + 10 * kSecond;
+    while (steadyNow() < end && publisher.getNumSubscribers() == 0) ros::WallDuration(0.005).sleep();
+  }
+  void say(const std::vector<geometry_msgs::TransformStamped>& transforms) const {
+    tf2_msgs::TFMessage msg;
+    msg.transforms = transforms;
+    publisher.publish(msg);
+  }
+  ros::Publisher publisher;
+};
+
+std::string reportOf(const TfBridge& bridge) {
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  bridge.report(status);
+  std::string text;
+  for (const auto& entry : status.values) text += entry.key + ": " + entry.value + "\n";
+  return text;
+}
+
+// [FLT-1]
+TEST(TfBridge, OutlivesTransformsOfTheEndOfTimeAndSaysWhatItRefused) {
+  const TfBridge bridge;
+  const ros::Time end_of_time(4294967295U, 999999999U);
+  for (const char* topic : {"/tf", "/tf_static"}) {
+    const Speaker speaker(topic);
+    const std::string child = std::string("child_on") + (topic[3] == '_' ? "_static" : "");
+    for (int i = 0; i < 3; ++i) speaker.say({transform("world", child, end_of_time)});
+    speaker.say({transform("world", child, ros::Time::now())});
+    EXPECT_TRUE(comesToKnow(bridge, "world", child)) << topic;
+  }
+  EXPECT_NE(reportOf(bridge).find("transform refused: stamp out of range: 6"), std::string::npos) << reportOf(bridge);
+}
+
+// [FLT-1]
+TEST(TfBridge, FindsNothingAtTimesThatRosDoesNotHave) {
+  const TfBridge bridge;
+  const Speaker speaker("/tf");
+  speaker.say({transform("here", "there", ros::Time::now())});
+  ASSERT_TRUE(comesToKnow(bridge, "here", "there"));
+  std::string why;
+  EXPECT_FALSE(bridge.lookup("here", "there", Time::max(), Duration::zero(), &why));
+  EXPECT_NE(why, "");
+  EXPECT_FALSE(bridge.lookup("here", "there", toTime(ros::TIME_MAX), Duration::zero(), &why));
+}
+
+// [FLT-1]
+TEST(TfBridge, KeepsABoundedNumberOfFrames) {
+  const TfBridge bridge;
+  const Speaker speaker("/tf");
+  std::vector<geometry_msgs::TransformStamped> many;
+  for (int i = 0; i < 2000; ++i) many.push_back(transform("root", "leaf" + std::to_string(i), ros::Time::now()));
+  speaker.say(many);
+  speaker.say({transform("root", "leaf1", ros::Time::now())});
+  EXPECT_TRUE(comesToKnow(bridge, "leaf1", "leaf998"));
+  EXPECT_FALSE(bridge.lookup("root", "leaf1500", Time{}));
 }
 
 }  // namespace

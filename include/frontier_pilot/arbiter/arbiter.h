@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/arbiter/clock_watch.h"
 #include "frontier_pilot/arbiter/parameters.h"
 #include "frontier_pilot/arbiter/status.h"
+#include "frontier_pilot/core/clock_watch.h"
 #include "frontier_pilot/core/geometry.h"
 
 namespace frontier_pilot {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -28,8 +29,12 @@ struct SteadyClock {
 };
 using SteadyTime = SteadyClock::time_point;
 
-/// `seconds` [s], rounded to the nearest nanosecond.
-inline Duration fromSeconds(double seconds) { return Duration(std::llround(seconds * 1e9)); }
+/// `seconds` [s], rounded to the nearest nanosecond; 146 years at most, and zero for what is not a number.
+inline Duration fromSeconds(double seconds) {
+  constexpr double kMost = 4.6e9;  // so that sums of two still fit
+  if (std::isnan(seconds)) return Duration::zero();
+  return Duration(std::llround(std::clamp(seconds, -kMost, kMost) * 1e9));
+}
 
 /// `duration` in [s].
 inline double toSeconds(Duration duration) { return static_cast<double>(duration.count()) * 1e-9; }

@@ -90,6 +90,7 @@ class GraphSlam final : public PoseCorrection {
   CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) override;
   RevisionWork takeWork() override;
   bool accept(const MapRevision& revision) override;
+  void abandonWork() override;
   std::vector<KeyframePose> trajectory() const override { return back_end_->trajectory(); }
   void reset() override;
 
@@ -106,6 +107,7 @@ class GraphSlam final : public PoseCorrection {
   std::shared_ptr<GraphBackEnd> back_end_;  ///< only the work touches it while it is out
   std::vector<PlacedKeyframe> inbox_;       ///< keyframes for the next work
   bool working_ = false;
+  bool abandoned_ = false;  ///< the back end threw: it gets nothing any more
   std::uint64_t generation_ = 0;
 };
 

@@ -71,6 +71,9 @@ class Mapper {
   /// Takes over what the work came to; `revision` then holds what is no longer needed. Scans that came meanwhile are
   /// put into a map that was rendered anew. False, and nothing happens, when the mapper was reset since.
   bool revise(MapRevision& revision);
+  /// The work taken last threw: the map stays as it is, and mapping goes on without second thoughts until a reset.
+  /// False, and nothing happens, when the mapper was reset since.
+  bool abandonWork();
   /// Does all work there is at once.
   void reviseNow();
 

@@ -52,6 +52,8 @@ class PoseCorrection {
   /// Takes over what the work came to: from now on `correct` says where things are after it. False, and nothing
   /// happens, when it is void.
   virtual bool accept(const MapRevision&) { return false; }
+  /// The work taken last threw, and may have left anything behind: there are no second thoughts until a reset.
+  virtual void abandonWork() {}
   /// The keyframes so far, if it keeps any. Not while work is out.
   virtual std::vector<KeyframePose> trajectory() const { return {}; }
   /// Forgets everything: the map has been reset.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/BackUpAction.h>
 #include <frontier_pilot/DriveOnHeadingAction.h>
 #include <frontier_pilot/SpinAction.h>
@@ -12,6 +11,7 @@
 #include <string>
 
 #include "frontier_pilot/behavior/timed_behavior.h"
+#include "frontier_pilot/ros/action_server.h"
 
 namespace frontier_pilot {
 
@@ -43,6 +43,8 @@ class BehaviorPort {
   virtual void publishFeedback(const BehaviorOutput& output, const BehaviorGoal& goal) = 0;
   /// Tells the result; the velocity must be zero already.
   virtual void finish(const BehaviorOutput& output, const BehaviorGoal& goal) = 0;
+  /// For /diagnostics: what was refused.
+  virtual void report(diagnostic_updater::DiagnosticStatusWrapper& status) const = 0;
 };
 
 /// A port for one type of action. It ticks with its node: there is no execute loop.
@@ -51,12 +53,10 @@ class BehaviorActionPort : public BehaviorPort {
  public:
   /// `cancel` is called when the goal under way is cancelled or replaced, before `start`.
   BehaviorActionPort(ros::NodeHandle& node, const char* name, const Start& start, const Cancel& cancel)
-      : server_(node, name, false) {
-    server_.registerGoalCallback([this, start] { start(*this, toBehaviorGoal(*server_.acceptNewGoal())); });
-    server_.registerPreemptCallback(
-        [this, cancel] { cancel(server_.isNewGoalAvailable() ? "replaced by a newer goal" : "canceled"); });
-    server_.start();
-  }
+      : server_(
+            node, name,
+            [this, start](const typename SingleGoalServer<Action>::Goal& goal) { start(*this, toBehaviorGoal(goal)); },
+            [cancel](bool replaced) { cancel(replaced ? "replaced by a newer goal" : "canceled"); }) {}
 
   void publishFeedback(const BehaviorOutput& output, const BehaviorGoal& goal) override {
     Feedback feedback;
@@ -66,7 +66,7 @@ class BehaviorActionPort : public BehaviorPort {
 
   void finish(const BehaviorOutput& output, const BehaviorGoal& goal) override {
     Result result;
-    result.total_elapsed_time.fromSec(output.elapsed);
+    result.total_elapsed_time = toRosDuration(output.elapsed);
     result.error_code = errorCode(goal.kind, output.outcome);
     result.error_msg = output.outcome == BehaviorOutcome::kSucceeded ? "" : output.message;
     fillResult(output, result);
@@ -75,8 +75,10 @@ class BehaviorActionPort : public BehaviorPort {
     server_.setAborted(result, output.message);
   }
 
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const override { server_.report(status); }
+
  private:
-  actionlib::SimpleActionServer<Action> server_;
+  SingleGoalServer<Action> server_;
 };
 
 }  // namespace frontier_pilot

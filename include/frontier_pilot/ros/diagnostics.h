@@ -11,6 +11,7 @@
 #include <string>
 
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/ros/callback_guard.h"
 
 namespace frontier_pilot {
 
@@ -42,9 +43,10 @@ class NodeDiagnostics {
   /// `fill` says how it stands: `status.summary(level, text)` and `status.add(key, value)`.
   void add(const std::string& name, Fill fill);
   /// Publishes now, for a change that should not wait.
-  void publish() { updater_.force_update(); }
+  void publish();
 
  private:
+  CallbackGuard guard_;
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer timer_;
 };

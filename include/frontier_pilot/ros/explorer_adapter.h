@@ -46,7 +46,10 @@ class ExplorerAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-  void tick();
+  void tick() {
+    if (const auto now = connections_.clock().now()) update(*now);
+  }
+  void update(Time now);
   ExplorerInputs gather(Time now);
   void obey(const GoalCommand& command, Time now);
   void publishStatus(const ExplorerProgress& status, Time now);
@@ -67,7 +70,6 @@ class ExplorerAdapter {
   bool reset_ = false;
   bool markers_due_ = false;
   std::optional<Time> odometry_stamp_;
-  std::optional<Time> last_tick_;
   std::optional<Time> last_status_;
   Time watched_clock_{};
   ros::Publisher status_publisher_;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "frontier_pilot/ros/action_link.h"
+#include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/mailbox.h"
 #include "frontier_pilot/ros/service_caller.h"
 #include "frontier_pilot/ros/tf_bridge.h"
@@ -58,6 +59,7 @@ class GuiBridge : public OperatorLink {
   OperatorLog logger();
   void log(Severity severity, const std::string& text);
 
+  CallbackGuard guard_;
   std::mutex log_mutex_;  ///< guards the log alone: lines come from under other locks
   std::vector<OperatorLogLine> log_;
   mutable std::mutex mutex_;  ///< guards what follows, up to the parameters

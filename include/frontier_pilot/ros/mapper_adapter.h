@@ -101,6 +101,7 @@ class MapperAdapter {
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
   std::optional<SteadyTime> last_inserted_;  ///< when the last scan was found good
+  std::string thoughts_failure_;             ///< what ended the second thoughts, until a reset
   double revision_seconds_ = 0.0;            ///< what the last second thoughts took
   std::shared_ptr<MapRevision> old_;         ///< what the last ones replaced
   Worker<Thoughts> worker_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/server/action_server.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
@@ -11,6 +10,8 @@
 #include <string>
 
 #include "frontier_pilot/planning/navigator_types.h"
+#include "frontier_pilot/ros/action_server.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -21,14 +22,18 @@ class MoveBaseServer {
  public:
   MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw);
 
+  /// Begins to listen to rviz' goals.
+  void subscribe(NodeConnections& connections);
   /// Moves the events since the last call into `inputs`.
   void fill(NavigatorInputs& inputs);
   /// Tells the clients what became of their goals.
   void settle(const NavFinished& finished);
   void feedback(const Pose2& T_map_base, Time stamp);
+  /// For /diagnostics: what was refused.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { server_.report(status); }
 
  private:
-  using Server = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
+  using Server = ActionServer<move_base_msgs::MoveBaseAction>;
 
   void handleGoal(const Server::GoalHandle& offered);
   void handleCancel(const Server::GoalHandle& handle);
@@ -45,7 +50,6 @@ class MoveBaseServer {
   std::optional<NavGoal> pending_;
   bool cancel_ = false;
   std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< goals from rviz have none
-  ros::Subscriber simple_;
   Server server_;
 };
 

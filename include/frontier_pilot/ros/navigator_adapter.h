@@ -48,7 +48,7 @@ class NavigatorAdapter {
   NavigatorAdapter& operator=(const NavigatorAdapter&) = delete;
 
  private:
-  void tick();
+  void tick(Time now);
   NavigatorInputs gather();
   void handleScan(const sensor_msgs::LaserScan& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/master_watch.h"
 
 namespace frontier_pilot {
@@ -17,7 +18,7 @@ namespace frontier_pilot {
 /// What the master has forgotten is registered again. To be a node's last member: its callbacks use the others. [FLT-1]
 class NodeConnections {
  public:
-  explicit NodeConnections(const ros::NodeHandle& node) : node_(node) {}
+  explicit NodeConnections(const ros::NodeHandle& node) : node_(node), clock_(node) {}
 
   /// `handle(const Msg&)` for each message of `topic`.
   template <class Msg, class F>
@@ -76,6 +77,7 @@ class NodeConnections {
   template <class F>
   void every(const ros::Duration& period, F tick) {
     timers_.push_back(node_.createTimer(period, [this, tick](const ros::TimerEvent&) { guard_.run("a timer", tick); }));
+    clock_.restart(timers_.back());
   }
   /// Calls `tick()` every `period` of steady time.
   template <class F>
@@ -85,11 +87,14 @@ class NodeConnections {
   }
 
   CallbackGuard& guard() { return guard_; }
+  ClockMonitor& clock() { return clock_; }
   MasterWatch& master() { return master_; }
   const MasterWatch& master() const { return master_; }
-  /// For /diagnostics: whether this node is registered at the master, and what callbacks threw.
+  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, and what callbacks
+  /// threw.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     master_.diagnose(status);
+    clock_.report(status);
     guard_.report(status);
   }
 
@@ -99,6 +104,7 @@ class NodeConnections {
 
   ros::NodeHandle node_;
   CallbackGuard guard_;
+  ClockMonitor clock_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
   std::vector<ros::Timer> timers_;

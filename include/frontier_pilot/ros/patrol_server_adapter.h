@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <nav_msgs/Odometry.h>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "frontier_pilot/patrol/patrol.h"
+#include "frontier_pilot/ros/action_server.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/node_connections.h"
 
@@ -37,10 +37,10 @@ class PatrolServerNode {
   ~PatrolServerNode();
 
  private:
-  using Server = actionlib::SimpleActionServer<PatrolAction>;
+  using Server = SingleGoalServer<PatrolAction>;
 
   void subscribe();
-  void handleGoal();
+  void handleGoal(const PatrolGoal& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);
   void handleStop(const std_msgs::Bool& msg);
   void handleArbiter(const ArbiterStatus& msg);

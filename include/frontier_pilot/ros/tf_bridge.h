@@ -3,7 +3,6 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <Eigen/Geometry>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/ros/tf_listener.h"
 
 namespace frontier_pilot {
 
@@ -37,12 +37,12 @@ class TfBridge {
   void broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,
                        double height = 0.0);
 
-  /// Forgets everything, after the clock has jumped back.
-  void clear() { buffer_.clear(); }
+  /// For /diagnostics: which transforms were refused.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { listener_.report(status); }
 
  private:
   tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  TfListener listener_;
   tf2_ros::TransformBroadcaster broadcaster_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   std::map<std::string, Time> sent_;  ///< the stamp sent last, by source

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -12,7 +14,8 @@
 namespace frontier_pilot {
 
 /// Does one long job at a time on a thread of its own; the result is fetched like any other input. What a job holds is
-/// destroyed on that thread too. The destructor waits for the job that is running.
+/// destroyed on that thread too. A job that throws gives no result; what it threw is fetched instead. The destructor
+/// waits for the job that is running.
 template <class Result>
 class Worker {
  public:
@@ -30,7 +33,7 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Whether there is no job whose result was not taken yet.
+  /// Whether there is no job whose result or failure was not taken yet.
   bool idle() const { return idle_; }
   /// Only when it is idle.
   void start(Job job) {
@@ -47,6 +50,12 @@ class Worker {
     idle_ = idle_ || result;
     return result;
   }
+  /// The text of what the job threw, once.
+  std::optional<std::string> takeFailure() {
+    std::optional<std::string> failure = failure_.take();
+    idle_ = idle_ || failure;
+    return failure;
+  }
 
  private:
   void run() {
@@ -54,12 +63,21 @@ class Worker {
     while (true) {
       wake_.wait(lock, [this] { return ending_ || job_; });
       if (ending_) return;
-      {
-        const Job job = std::exchange(job_, nullptr);
-        lock.unlock();
-        result_.put(job());
-      }
+      Job job = std::exchange(job_, nullptr);
+      lock.unlock();
+      perform(std::move(job));
       lock.lock();
+    }
+  }
+
+  /// Takes `job` by value: it is destroyed here.
+  void perform(Job job) {
+    try {
+      result_.put(job());
+    } catch (const std::exception& error) {
+      failure_.put(error.what());
+    } catch (...) {
+      failure_.put("an exception of unknown type");
     }
   }
 
@@ -69,6 +87,7 @@ class Worker {
   bool ending_ = false;
   bool idle_ = true;  ///< the owner's
   Mailbox<Result> result_;
+  Mailbox<std::string> failure_;
   std::thread thread_;  ///< the last member: everything else is there before it starts
 };
 

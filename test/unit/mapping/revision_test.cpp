@@ -166,6 +166,26 @@ TEST_F(Revisions, MoveTheRobotWithoutTouchingTheMapWhereNothingElseMoved) {
   EXPECT_EQ(mapper.revisions().rendered, 0U);
 }
 
+// [FLT-1]
+TEST_F(Revisions, ThatFailLeaveTheMapAndMappingGoesOn) {
+  look(1.0, Pose2());
+  script->T_new_old = Pose2(3.0, 0.0, 0.0);
+  ASSERT_TRUE(mapper.takeWork());
+  EXPECT_TRUE(mapper.abandonWork());
+  EXPECT_FALSE(mapper.abandonWork()) << "there is none any more";
+  EXPECT_EQ(mapper.T_map_odom(), Pose2());
+  look(2.0, Pose2(6.0, 0.0, 0.0));
+  EXPECT_EQ(at(0.0, 0.0), kFree);
+  EXPECT_EQ(at(6.0, 0.0), kFree);
+}
+
+TEST_F(Revisions, ThatFailAfterAResetAreNoneOfTheNewMap) {
+  look(1.0, Pose2());
+  ASSERT_TRUE(mapper.takeWork());
+  mapper.reset();
+  EXPECT_FALSE(mapper.abandonWork());
+}
+
 TEST_F(Revisions, AreVoidAfterAReset) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(3.0, 0.0, 0.0);

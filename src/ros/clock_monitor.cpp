@@ -1,0 +1,56 @@
+#include "frontier_pilot/ros/clock_monitor.h"
+
+#include <ros/console.h>
+
+#include "frontier_pilot/ros/clock.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+constexpr double kMonitorPeriod = 0.02;  // [s]
+constexpr Duration kRecentJump = std::chrono::seconds(10);
+
+}  // namespace
+
+ClockPace clockPace() { return ros::Time::isSimTime() ? kSimulatedPace : kRealPace; }
+
+ClockMonitor::ClockMonitor(const ros::NodeHandle& node) : trust_(clockPace()) {
+  poll_ = ros::NodeHandle(node).createSteadyTimer(ros::WallDuration(kMonitorPeriod),
+                                                  [this](const ros::SteadyTimerEvent&) { look(); });
+}
+
+std::optional<Time> ClockMonitor::now() {
+  const Time time = look();
+  return trust_.trusted() ? std::optional<Time>(time) : std::nullopt;
+}
+
+Time ClockMonitor::look() {
+  const Instant now{rosNow(), steadyNow()};
+  const TrustChange change = trust_.observe(now);
+  if (change == TrustChange::kNone) return now.ros;
+  for (const auto& forget : forget_) forget();
+  if (change == TrustChange::kLost) {
+    ROS_WARN("the clock jumped by %+.3f s: waiting until it runs on", trust_.jump());
+  } else {
+    ROS_WARN("the clock runs on after %lu jumps so far", static_cast<unsigned long>(trust_.jumps()));
+    restartTimers();
+  }
+  return now.ros;
+}
+
+void ClockMonitor::restartTimers() {
+  for (ros::Timer& timer : timers_) {
+    timer.stop();
+    timer.start();
+  }
+}
+
+void ClockMonitor::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  status.add("jumps of the clock", trust_.jumps());
+  if (trust_.jumps() == 0 || steadyNow() - trust_.lastJumped() > kRecentJump) return;
+  status.mergeSummaryf(DiagnosticStatus::WARN, "the clock jumped by %+.3f s", trust_.jump());
+}
+
+}  // namespace frontier_pilot

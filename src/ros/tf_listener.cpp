@@ -1,0 +1,106 @@
+#include "frontier_pilot/ros/tf_listener.h"
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/clock_monitor.h"
+#include "frontier_pilot/ros/conversions.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+constexpr double kListenPeriod = 0.01;                    // [s]
+constexpr std::uint32_t kTfQueue = 100;                   // as TransformListener has
+constexpr Duration kFarAhead = std::chrono::seconds(10);  // of a fast simulation's transforms, read late
+constexpr Duration kMargin = std::chrono::seconds(600);   // from the end of ROS time, for what tf2 adds to a stamp
+constexpr std::size_t kLongestName = 256;
+
+/// As tf2 does: "/base" and "base" are the same frame.
+std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
+
+}  // namespace
+
+const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now, bool is_static) {
+  const std::string parent = plain(transform.header.frame_id);
+  const std::string child = plain(transform.child_frame_id);
+  if (parent.empty() || child.empty()) return "frame without a name";
+  if (parent.size() > kLongestName || child.size() > kLongestName) return "frame's name longer than 256 characters";
+  if (parent == child) return "frame that is its own parent";
+  if (!toIsometry(transform.transform)) return "not finite, or its quaternion not of unit length";
+  const Time stamp = toTime(transform.header.stamp);
+  if (transform.header.stamp.nsec >= 1'000'000'000U || stamp > toTime(ros::TIME_MAX) - kMargin) {
+    return "stamp out of range";
+  }
+  // Before the first /clock there is no telling.
+  if (!is_static && now > Time{} && stamp > now + kFarAhead) return "stamp more than 10 s in the future";
+  return nullptr;
+}
+
+TfListener::TfListener(tf2_ros::Buffer& buffer) : buffer_(buffer), trust_(clockPace()) {
+  node_.setCallbackQueue(&queue_);
+  const auto listen = [this](const std::string& topic, bool is_static) {
+    const boost::function<void(const tf2_msgs::TFMessage::ConstPtr&)> guarded =
+        [this, topic, is_static](const tf2_msgs::TFMessage::ConstPtr& msg) {
+          guard_.run(topic, [&] { take(*msg, is_static); });
+        };
+    return node_.subscribe<tf2_msgs::TFMessage>(topic, kTfQueue, guarded);
+  };
+  transforms_ = listen("/tf", false);
+  static_transforms_ = listen("/tf_static", true);
+  thread_ = std::thread(&TfListener::run, this);
+}
+
+TfListener::~TfListener() {
+  ending_ = true;
+  thread_.join();
+  transforms_.shutdown();
+  static_transforms_.shutdown();
+}
+
+void TfListener::run() {
+  while (!ending_) {
+    guard_.run("tf", [this] {
+      watchClock();
+      queue_.callAvailable(ros::WallDuration(kListenPeriod));
+    });
+  }
+}
+
+void TfListener::watchClock() {
+  // Static transforms stay: they are of no time.
+  if (trust_.observe({rosNow(), steadyNow()}) != TrustChange::kNone) buffer_.clear();
+}
+
+void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
+  watchClock();
+  const Time now = rosNow();
+  for (const geometry_msgs::TransformStamped& transform : msg.transforms) {
+    if (const char* why = problemOf(transform, now, is_static)) {
+      refuse(why);
+    } else if (!mayKeep(transform)) {
+      refuse("there are 1000 frames already");
+    } else {
+      buffer_.setTransform(transform, "", is_static);
+    }
+  }
+}
+
+void TfListener::refuse(const std::string& why) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rejections_.add(why);
+}
+
+bool TfListener::mayKeep(const geometry_msgs::TransformStamped& transform) {
+  for (const std::string& frame : {plain(transform.header.frame_id), plain(transform.child_frame_id)}) {
+    if (frames_.count(frame) > 0) continue;
+    if (frames_.size() >= kMostFrames) return false;
+    frames_.insert(frame);
+  }
+  return true;
+}
+
+void TfListener::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rejections_.report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/tf_listener.h"
+
+namespace frontier_pilot {
+namespace {
+
+const Time kNow = timeFromSeconds(100.0);
+
+geometry_msgs::TransformStamped transform() {
+  geometry_msgs::TransformStamped msg;
+  msg.header.stamp = ros::Time(100);
+  msg.header.frame_id = "map";
+  msg.child_frame_id = "odom";
+  msg.transform.rotation.w = 1.0;
+  return msg;
+}
+
+TEST(Transforms, AreTakenAsRobotsSendThem) {
+  auto msg = transform();
+  EXPECT_EQ(problemOf(msg, kNow, false), nullptr);
+  msg.header.stamp = ros::Time(100.1);
+  EXPECT_EQ(problemOf(msg, kNow, false), nullptr) << "a mapper dates them ahead";
+  EXPECT_EQ(problemOf(msg, Time{}, false), nullptr) << "before the first /clock";
+  msg.header.stamp = ros::Time(5000);
+  EXPECT_EQ(problemOf(msg, kNow, true), nullptr) << "a static one holds at any time";
+}
+
+// [FLT-1]
+TEST(Transforms, AreRefusedWithStampsThatTimeArithmeticCannotTake) {
+  auto msg = transform();
+  for (const ros::Time& stamp : {ros::Time(4294967295U, 999999999U), ros::Time(4294967290U, 0U)}) {
+    msg.header.stamp = stamp;
+    EXPECT_STREQ(problemOf(msg, kNow, false), "stamp out of range");
+    EXPECT_STREQ(problemOf(msg, kNow, true), "stamp out of range");
+  }
+  msg.header.stamp = ros::Time(1000100);
+  EXPECT_STREQ(problemOf(msg, kNow, false), "stamp more than 10 s in the future");
+}
+
+// [FLT-1]
+TEST(Transforms, AreRefusedWithoutNameOrOrientationAndWithEndlessNames) {
+  for (const char* frame : {"", "/"}) {
+    auto msg = transform();
+    msg.child_frame_id = frame;
+    EXPECT_STREQ(problemOf(msg, kNow, false), "frame without a name");
+  }
+  auto self = transform();
+  self.child_frame_id = "/map";
+  EXPECT_STREQ(problemOf(self, kNow, false), "frame that is its own parent");
+  auto endless = transform();
+  endless.child_frame_id.assign(100000, 'x');
+  EXPECT_STREQ(problemOf(endless, kNow, false), "frame's name longer than 256 characters");
+  for (const double w : {0.0, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
+    auto msg = transform();
+    msg.transform.rotation.w = w;
+    EXPECT_STREQ(problemOf(msg, kNow, false), "not finite, or its quaternion not of unit length");
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot
