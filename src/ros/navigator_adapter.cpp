@@ -133,6 +133,7 @@ void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& statu
   if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
   if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
   map_.rejections().report(status);
+  server_.rejections().report(status);
   bad_scans_.report(status);
   bad_odometry_.report(status);
 }

@@ -101,6 +101,7 @@ class MapperAdapter {
   NodeDiagnostics diagnostics_;
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
+  Rejections bad_initial_poses_{"initial pose"};
   std::optional<SteadyTime> last_inserted_;  ///< when the last scan was found good
   ros::Subscriber scan_subscriber_;
   ros::Subscriber odometry_subscriber_;

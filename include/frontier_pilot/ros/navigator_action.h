@@ -11,6 +11,7 @@
 #include <string>
 
 #include "frontier_pilot/planning/navigator_types.h"
+#include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -26,6 +27,8 @@ class MoveBaseServer {
   /// Tells the clients what became of their goals.
   void settle(const NavFinished& finished);
   void feedback(const Pose2& T_map_base, Time stamp);
+  /// Of goals that came without a client who could be told.
+  const Rejections& rejections() const { return bad_simple_goals_; }
 
  private:
   using Server = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
@@ -44,6 +47,7 @@ class MoveBaseServer {
   std::uint64_t active_id_ = 0;  ///< 0 is none
   std::optional<NavGoal> pending_;
   bool cancel_ = false;
+  Rejections bad_simple_goals_{"goal of move_base_simple"};
   std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< goals from rviz have none
   ros::Subscriber simple_;
   Server server_;
