@@ -2,8 +2,35 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace frontier_pilot {
+namespace {
+
+/// Successive cells along one axis, [low, high), wider than an int so that nothing overflows.
+struct Extent {
+  std::int64_t low, high;
+  int first() const { return cut(low); }
+  int size() const { return cut(high - first()); }
+
+ private:
+  static int cut(std::int64_t value) {
+    using Ints = std::numeric_limits<int>;
+    return static_cast<int>(std::clamp<std::int64_t>(value, Ints::min(), Ints::max()));
+  }
+};
+
+Extent extent(int first, int size) { return {first, std::int64_t{first} + size}; }
+Extent join(const Extent& a, const Extent& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+Extent meet(const Extent& a, const Extent& b) {
+  const std::int64_t low = std::max(a.low, b.low);
+  return {low, std::max(low, std::min(a.high, b.high))};
+}
+Extent widen(const Extent& a, int margin) { return {a.low - margin, a.high + margin}; }
+
+CellRect block(const Extent& x, const Extent& y) { return {x.first(), y.first(), x.size(), y.size()}; }
+
+}  // namespace
 
 void CellRect::include(Cell c) { include(CellRect{c.x, c.y, 1, 1}); }
 
@@ -13,20 +40,17 @@ void CellRect::include(const CellRect& other) {
     *this = other;
     return;
   }
-  const int right = std::max(x + width, other.x + other.width);
-  const int top = std::max(y + height, other.y + other.height);
-  x = std::min(x, other.x);
-  y = std::min(y, other.y);
-  width = right - x;
-  height = top - y;
+  *this = block(join(extent(x, width), extent(other.x, other.width)),
+                join(extent(y, height), extent(other.y, other.height)));
+}
+
+CellRect CellRect::grown(int margin) const {
+  return block(widen(extent(x, width), margin), widen(extent(y, height), margin));
 }
 
 CellRect CellRect::intersection(const CellRect& other) const {
-  const int left = std::max(x, other.x);
-  const int bottom = std::max(y, other.y);
-  const int right = std::min(x + width, other.x + other.width);
-  const int top = std::min(y + height, other.y + other.height);
-  return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
+  return block(meet(extent(x, width), extent(other.x, other.width)),
+               meet(extent(y, height), extent(other.y, other.height)));
 }
 
 bool operator==(const CellRect& a, const CellRect& b) {

@@ -5,15 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "frontier_pilot/mapping/span_finder.h"
 #include "frontier_pilot/mapping/surface_points.h"
 
 namespace frontier_pilot {
-
-/// First and last of some successive points.
-struct Span {
-  std::size_t first, last;
-  std::size_t size() const { return last - first + 1; }
-};
 
 struct Line {
   Vec2 normal;      ///< unit, either way round

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frontier_pilot/core/bounds.h"
+
 namespace frontier_pilot {
 
 Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
@@ -13,7 +15,10 @@ void OdometryBuffer::add(Time stamp, const Pose2& T_odom_base) {
   if (!entries_.empty() && stamp == entries_.back().stamp) return;
   if (!entries_.empty() && stamp < entries_.back().stamp) entries_.clear();
   entries_.push_back({stamp, T_odom_base});
-  while (toSeconds(stamp - entries_.front().stamp) > parameters_.length) entries_.pop_front();
+  // By number as well: stamps may follow one another by nanoseconds. [FLT-1]
+  while (toSeconds(stamp - entries_.front().stamp) > parameters_.length || entries_.size() > bounds::kMostOdometry) {
+    entries_.pop_front();
+  }
 }
 
 OdometryLookup OdometryBuffer::at(Time stamp, Pose2& T_odom_base) const {

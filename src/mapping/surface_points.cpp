@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "frontier_pilot/mapping/span_finder.h"
 #include "line_fitter.h"
 
 namespace frontier_pilot {
@@ -52,19 +53,6 @@ class ReturnReader {
   bool open_ = true;  ///< nothing connects the next return to the last one
 };
 
-/// The connected points around `i` within `radius`, but at least two on each side.
-Span around(const SurfacePoints& points, std::size_t i, double radius) {
-  const auto belongs = [&](std::size_t j, std::size_t count) {
-    return count < 2 || (points[j].position - points[i].position).squaredNorm() <= radius * radius;
-  };
-  Span span{i, i};
-  while (points[span.first].connected && belongs(span.first - 1, i - span.first)) --span.first;
-  while (span.last + 1 < points.size() && points[span.last + 1].connected && belongs(span.last + 1, span.last - i)) {
-    ++span.last;
-  }
-  return span;
-}
-
 /// Sine of the angle by which the surface bends at `i`, on arms of `radius`; zero where it has not two.
 double bendAt(const LineFitter& fitter, const Span& span, std::size_t i, double max_error) {
   const auto before = fitter.arm({span.first, i}, max_error);
@@ -75,33 +63,39 @@ double bendAt(const LineFitter& fitter, const Span& span, std::size_t i, double 
 
 /// Where one surface ends and another begins, though beams met nothing in between: the sharpest bends around. A line
 /// across a corner would be the normal of neither wall.
-std::vector<bool> cornersOf(const SurfacePoints& points, const LineFitter& fitter,
+std::vector<bool> cornersOf(const SurfacePoints& points, const SpanFinder& neighbours, const LineFitter& fitter,
                             const SurfaceParameters& parameters) {
   constexpr double kArm = 0.5;     // of the radius that normals are fitted in
   constexpr double kApart = 0.25;  // of it, the least distance between corners
   constexpr double kSharp = 0.5;
-  std::vector<double> bends;
-  bends.reserve(points.size());
+  std::vector<double> values;
+  values.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    bends.push_back(bendAt(fitter, around(points, i, kArm * parameters.fit_radius), i, parameters.fit_error));
+    values.push_back(bendAt(fitter, neighbours.around(i, kArm * parameters.fit_radius), i, parameters.fit_error));
   }
+  const RangeMaximum bends(std::move(values));
   std::vector<bool> corners(points.size(), false);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (bends[i] < kSharp) continue;
-    const Span span = around(points, i, kApart * parameters.fit_radius);
-    const auto first = bends.begin() + static_cast<std::ptrdiff_t>(span.first);
-    const auto last = bends.begin() + static_cast<std::ptrdiff_t>(span.last);
-    corners[i] = bends[i] >= *std::max_element(first, last + 1);
+    corners[i] = bends[i] >= bends(neighbours.around(i, kApart * parameters.fit_radius));
   }
   return corners;
 }
 
-/// What is left of `span` around `i` between the nearest corners, these included.
-Span withinCorners(const Span& span, std::size_t i, const std::vector<bool>& corners) {
-  Span within{i, i};
-  while (within.first > span.first && (within.first == i || !corners[within.first])) --within.first;
-  while (within.last < span.last && (within.last == i || !corners[within.last])) ++within.last;
-  return within;
+/// Of each point, the nearest corner before it and after it; the first and the last point where there is none.
+std::vector<Span> betweenCorners(const std::vector<bool>& corners) {
+  std::vector<Span> between(corners.size(), {0, 0});
+  for (std::size_t i = 1; i < corners.size(); ++i) between[i].first = corners[i - 1] ? i - 1 : between[i - 1].first;
+  for (std::size_t i = corners.size(); i-- > 0;) {
+    const bool is_last = i + 1 == corners.size();
+    between[i].last = is_last || corners[i + 1] ? std::min(i + 1, corners.size() - 1) : between[i + 1].last;
+  }
+  return between;
+}
+
+/// What is left of `span` between the nearest corners, these included.
+Span overlapOf(const Span& span, const Span& between) {
+  return {std::max(span.first, between.first), std::min(span.last, between.last)};
 }
 
 /// Cosine of the angle between a beam and the normal where it ended; one where there is no normal.
@@ -198,10 +192,12 @@ bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) 
 SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters) {
   SurfacePoints points = ReturnReader(scan).read();
   const LineFitter fitter(points);
+  const SpanFinder neighbours(points);
   const Vec2 sensor = scan.T_base_sensor.position();
-  const std::vector<bool> corners = cornersOf(points, fitter, parameters);
+  const std::vector<bool> corners = cornersOf(points, neighbours, fitter, parameters);
+  const std::vector<Span> between = betweenCorners(corners);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Span span = withinCorners(around(points, i, parameters.fit_radius), i, corners);
+    const Span span = overlapOf(neighbours.around(i, parameters.fit_radius), between[i]);
     // A corner is on both walls: which of them it is counted to must not depend on the order of the beams.
     const auto line = corners[i] ? std::nullopt : fitter.line(span, parameters.fit_error);
     SurfacePoint& point = points[i];

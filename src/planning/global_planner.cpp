@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/planning/escape.h"
 #include "frontier_pilot/planning/path_smoothing.h"
 #include "ompl_planner.h"
@@ -32,20 +33,23 @@ void silenceAndSeedOmpl() {
   static_cast<void>(done);
 }
 
-/// Passable cells within `tolerance` [m] of `goal`, the nearest first; only the goal's own cell if that is passable.
+/// Passable cells within `tolerance` [m] of `goal`, the nearest first and no more than a plan may end in; only the
+/// goal's own cell if that is passable.
 std::vector<Cell> goalCells(const ClearanceMap& map, const Vec2& goal, double tolerance) {
   const GridGeometry& grid = map.geometry();
   const Cell own = grid.cellAt(goal);
   if (map.isPassable(own)) return {own};
   std::vector<std::pair<double, Cell>> near;
   const int reach = static_cast<int>(std::ceil(tolerance / grid.resolution));
-  for (int y = own.y - reach; y <= own.y + reach; ++y) {
-    for (int x = own.x - reach; x <= own.x + reach; ++x) {
+  const CellRect around = CellRect{own.x, own.y, 1, 1}.grown(reach).intersection(grid.rect());
+  for (int y = around.y; y < around.y + around.height; ++y) {
+    for (int x = around.x; x < around.x + around.width; ++x) {
       const double distance = (grid.centre({x, y}) - goal).norm();
       if (distance <= tolerance && map.isPassable({x, y})) near.emplace_back(distance, Cell{x, y});
     }
   }
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  near.resize(std::min(near.size(), bounds::kMostGoalCells));
   std::vector<Cell> cells;
   for (const auto& candidate : near) cells.push_back(candidate.second);
   return cells;
@@ -201,7 +205,8 @@ PlanResult GlobalPlanner::plan(const ClearanceMap& map, const PlanRequest& reque
   PlanResult result;
   result.status = checkRequest(map, request);
   if (!result.found()) return result;
-  const double tolerance = request.goal_tolerance < 0.0 ? impl_->params.goal_tolerance : request.goal_tolerance;
+  const double asked = request.goal_tolerance >= 0.0 ? request.goal_tolerance : impl_->params.goal_tolerance;
+  const double tolerance = std::min(asked, bounds::kMostGoalTolerance);
   const std::vector<Cell> goals = goalCells(map, request.goal, tolerance);
   const Cell start = map.geometry().cellAt(request.start);
   const double radius = impl_->params.escape_radius;

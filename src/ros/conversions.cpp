@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frontier_pilot/core/bounds.h"
+#include "message_problems.h"
+
 namespace frontier_pilot {
 
 namespace {
 
 /// Says `what`, if anyone asked, and is the nothing to return.
-std::nullopt_t malformed(std::string* why, const char* what) {
+std::nullopt_t malformed(std::string* why, const std::string& what) {
   if (why != nullptr) *why = what;
   return std::nullopt;
-}
-
-template <class T>
-bool isFinite3(const T& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// Null unless of unit length within 1 %, which covers single precision; a quaternion nobody filled in is all zero.
@@ -33,7 +31,9 @@ double yawOf(const Eigen::Quaterniond& q) {
 
 template <class Position>
 std::optional<Pose2> toPose2(const Position& position, const geometry_msgs::Quaternion& rotation, std::string* why) {
-  if (!isFinite3(position)) return malformed(why, "position not finite");
+  if (const std::string problem = problemOfPlace(position.x, position.y, position.z); !problem.empty()) {
+    return malformed(why, problem);
+  }
   const auto q = toQuaternion(rotation);
   if (!q) return malformed(why, "quaternion not of unit length");
   return Pose2(position.x, position.y, yawOf(*q));
@@ -52,20 +52,6 @@ Message stamped(const std::string& frame, Time stamp) {
   msg.header.frame_id = frame;
   msg.header.stamp = toRosTime(stamp);
   return msg;
-}
-
-/// What is wrong with the numbers of a scan that its ranges are read by; null if nothing is.
-const char* problemOf(const sensor_msgs::LaserScan& msg) {
-  if (msg.ranges.empty()) return "no ranges";
-  if (!std::isfinite(msg.angle_min) || !std::isfinite(msg.angle_max)) return "angles not finite";
-  if (!std::isfinite(msg.angle_increment) || msg.angle_increment == 0.0F) return "angle increment zero or not finite";
-  if (!std::isfinite(msg.range_min) || !std::isfinite(msg.range_max)) return "range limits not finite";
-  if (msg.range_min < 0.0F || msg.range_max <= msg.range_min) return "range limits not in order";
-  const double steps = (static_cast<double>(msg.angle_max) - msg.angle_min) / msg.angle_increment;
-  // Drivers disagree on whether angle_max is the last beam or one past it, and single precision adds up over the beams.
-  const double expected = static_cast<double>(msg.ranges.size()) - 1.0;
-  if (steps < expected - 1.5 || steps > expected + 1.5) return "number of ranges does not match the angles";
-  return nullptr;
 }
 
 bool validCells(const std::vector<std::int8_t>& cells) {
@@ -87,7 +73,10 @@ std::optional<Pose2> toPose(const geometry_msgs::Transform& msg, std::string* wh
 }
 
 std::optional<Eigen::Isometry3d> toIsometry(const geometry_msgs::Transform& msg, std::string* why) {
-  if (!isFinite3(msg.translation)) return malformed(why, "position not finite");
+  const auto& place = msg.translation;
+  if (const std::string problem = problemOfPlace(place.x, place.y, place.z); !problem.empty()) {
+    return malformed(why, problem);
+  }
   const auto q = toQuaternion(msg.rotation);
   if (!q) return malformed(why, "quaternion not of unit length");
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -119,7 +108,7 @@ geometry_msgs::PoseStamped toPoseStampedMsg(const Pose2& pose, const std::string
 }
 
 std::optional<Twist2> toTwist(const geometry_msgs::Twist& msg, std::string* why) {
-  if (!isFinite3(msg.linear) || !isFinite3(msg.angular)) return malformed(why, "velocity not finite");
+  if (!isFinite(msg.linear) || !isFinite(msg.angular)) return malformed(why, "velocity not finite");
   return Twist2{msg.linear.x, msg.angular.z};
 }
 
@@ -135,6 +124,7 @@ std::optional<Odometry2> toOdometry(const nav_msgs::Odometry& msg, std::string* 
   if (!pose) return std::nullopt;
   const auto twist = toTwist(msg.twist.twist, why);
   if (!twist) return std::nullopt;
+  if (const std::string problem = problemOf(*twist); !problem.empty()) return malformed(why, problem);
   return Odometry2{toTime(msg.header.stamp), *pose, *twist};
 }
 
@@ -148,8 +138,8 @@ nav_msgs::Odometry toOdometryMsg(const Odometry2& odometry, const std::string& f
 
 std::optional<LaserScan2> toLaserScan(const sensor_msgs::LaserScan& msg, const Eigen::Isometry3d& T_base_sensor,
                                       std::string* why) {
-  if (const char* problem = problemOf(msg)) return malformed(why, problem);
-  if (!T_base_sensor.matrix().allFinite()) return malformed(why, "mount not finite");
+  if (const std::string problem = problemOf(msg); !problem.empty()) return malformed(why, problem);
+  if (const std::string problem = problemOfMount(T_base_sensor); !problem.empty()) return malformed(why, problem);
   const Eigen::Matrix3d R = T_base_sensor.linear();
   const double uprightness = R(2, 2);  // cosine of the angle between the two z axes
   if (std::abs(uprightness) < std::cos(10.0 * kPi / 180.0)) return malformed(why, "scanner tilted");
@@ -159,7 +149,7 @@ std::optional<LaserScan2> toLaserScan(const sensor_msgs::LaserScan& msg, const E
   scan.angle_min = turn * static_cast<double>(msg.angle_min);
   scan.angle_increment = turn * static_cast<double>(msg.angle_increment);
   scan.range_min = static_cast<double>(msg.range_min);
-  scan.range_max = static_cast<double>(msg.range_max);
+  scan.range_max = std::min(static_cast<double>(msg.range_max), bounds::kUsedRange);
   scan.T_base_sensor =
       Pose2(T_base_sensor.translation().x(), T_base_sensor.translation().y(), std::atan2(R(1, 0), R(0, 0)));
   scan.ranges = msg.ranges;
@@ -184,7 +174,7 @@ std::optional<OccupancyGrid> toOccupancyGrid(const nav_msgs::OccupancyGrid& msg,
   if (msg.data.size() != area(info.width, info.height)) {
     return malformed(why, "number of cells does not match the map's size");
   }
-  if (!std::isfinite(info.resolution) || info.resolution <= 0.0F) return malformed(why, "resolution not positive");
+  if (const std::string problem = problemOf(info); !problem.empty()) return malformed(why, problem);
   const auto origin = toPose(info.origin, why);
   if (!origin) return std::nullopt;
   if (std::abs(origin->yaw) > 1e-6) return malformed(why, "map rotated");
@@ -211,6 +201,9 @@ nav_msgs::OccupancyGrid toOccupancyGridMsg(const OccupancyGrid& grid, const std:
 std::optional<GridUpdate> toGridUpdate(const map_msgs::OccupancyGridUpdate& msg, std::string* why) {
   if (msg.data.empty()) return malformed(why, "update empty");
   if (msg.x < 0 || msg.y < 0) return malformed(why, "update begins outside of the map");
+  if (msg.x + std::int64_t{msg.width} > bounds::kMostSide || msg.y + std::int64_t{msg.height} > bounds::kMostSide) {
+    return malformed(why, "update reaches beyond any map");
+  }
   if (msg.data.size() != area(msg.width, msg.height)) {
     return malformed(why, "number of cells does not match the update's size");
   }
@@ -233,6 +226,7 @@ map_msgs::OccupancyGridUpdate toGridUpdateMsg(const OccupancyGrid& grid, const C
 }
 
 std::optional<std::vector<Pose2>> toPath(const nav_msgs::Path& msg, std::string* why) {
+  if (msg.poses.size() > bounds::kMostPathPoses) return malformed(why, "too many poses");
   std::vector<Pose2> path;
   path.reserve(msg.poses.size());
   for (const auto& stamped_pose : msg.poses) {

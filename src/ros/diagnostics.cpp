@@ -2,12 +2,16 @@
 
 #include <ros/console.h>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/clock.h"
 
 namespace frontier_pilot {
 
-void Rejections::add(const std::string& why) {
+void Rejections::add(const std::string& reason) {
   ++total_;
+  std::string why = reason.substr(0, bounds::kMostReason);
+  const bool known = by_reason_.count(why) > 0;
+  if (!known && by_reason_.size() >= bounds::kMostReasons) why = "for other reasons";
   const std::uint64_t count = ++by_reason_[why];
   const SteadyTime now = steadyNow();
   if (last_warning_ && now - *last_warning_ < std::chrono::seconds(5)) return;

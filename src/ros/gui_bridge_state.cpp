@@ -1,7 +1,10 @@
 #include <geometry_msgs/Twist.h>
+#include <ros/console.h>
+#include <ros/serialization.h>
 
 #include <algorithm>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/gui_bridge.h"
 #include "frontier_pilot/ros/names.h"
@@ -15,6 +18,14 @@ namespace {
 const Duration kFresh = fromSeconds(kStatusLifetime);
 
 constexpr const char* kManualSource = "manual";
+
+/// Whether a message is no larger than what the window can show. [FLT-1]
+template <class Msg>
+bool isShown(const Msg& msg) {
+  const bool shown = ros::serialization::serializationLength(msg) <= bounds::kMostStatus;
+  if (!shown) ROS_WARN_THROTTLE(5.0, "a status of more than %u bytes is not shown", bounds::kMostStatus);
+  return shown;
+}
 
 /// The message as the view of it, if there is one.
 template <class View, class Msg>
@@ -30,9 +41,13 @@ void GuiBridge::subscribe() {
     latest.put(std::move(value), steadyNow());
   };
   subscribers_ = {node_.subscribe<AvoiderStatus>(names::kAvoiderStatus, 1,
-                                                 [=](const AvoiderStatus::ConstPtr& msg) { keep(avoider_, *msg); }),
+                                                 [=](const AvoiderStatus::ConstPtr& msg) {
+                                                   if (isShown(*msg)) keep(avoider_, *msg);
+                                                 }),
                   node_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1,
-                                                  [=](const ExplorerStatus::ConstPtr& msg) { keep(explorer_, *msg); }),
+                                                  [=](const ExplorerStatus::ConstPtr& msg) {
+                                                    if (isShown(*msg)) keep(explorer_, *msg);
+                                                  }),
                   node_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this),
                   node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 1,
                                                         [=](const geometry_msgs::Twist::ConstPtr& msg) {
@@ -44,6 +59,7 @@ void GuiBridge::subscribe() {
 }
 
 void GuiBridge::onArbiter(const ArbiterStatus& msg) {
+  if (!isShown(msg)) return;
   for (const ArbiterSource& source : msg.sources) watch_.watch(names::setEnabled(source.name));
   const std::lock_guard<std::mutex> lock(mutex_);
   arbiter_.put(msg, steadyNow());

@@ -53,15 +53,12 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
   const bool in_map = msg.header.frame_id == parameters_.map_frame;
   const auto pose = in_map ? toPose(msg.pose.pose, &why) : std::nullopt;
   const auto covariance = covarianceOf(msg.pose);
-  if (!pose) {
-    ROS_ERROR_STREAM("initial pose refused: " << why);
-  } else if (!covariance) {
-    ROS_ERROR("initial pose refused: its covariance is none");
-  } else if (!mapper_.locate({*pose, *covariance})) {
-    ROS_ERROR("initial pose refused: there is nothing in the map yet that could be recognised");
-  } else {
-    ROS_INFO("looking for the robot around %.2f, %.2f", pose->x, pose->y);
+  if (pose && !covariance) why = "its covariance is none";
+  if (!pose || !covariance) return bad_initial_poses_.add(why);
+  if (!mapper_.locate({*pose, *covariance})) {
+    return bad_initial_poses_.add("there is nothing in the map yet that could be recognised");
   }
+  ROS_INFO("looking for the robot around %.2f, %.2f", pose->x, pose->y);
 }
 
 }  // namespace frontier_pilot

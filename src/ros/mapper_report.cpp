@@ -47,6 +47,7 @@ void MapperAdapter::report(Status& status) const {
   bad_scans_.report(status);
   bad_odometry_.report(status);
   tf_.report(status);
+  bad_initial_poses_.report(status);
   reportCorrection(mapper_, status);
   reportRevisions(mapper_.revisions(), status);
   status.addf("last second thoughts took [s]", "%.3f", revision_seconds_);

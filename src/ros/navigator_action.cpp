@@ -55,7 +55,7 @@ void MoveBaseServer::handleSimple(const geometry_msgs::PoseStamped& msg) {
   if (const auto goal = read(msg, why)) {
     submit(*goal);
   } else {
-    ROS_WARN_STREAM("goal of " << names::kSimpleGoal << " ignored: " << why);
+    bad_simple_goals_.add(why);
   }
 }
 

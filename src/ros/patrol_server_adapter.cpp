@@ -3,6 +3,7 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/console.h>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
@@ -69,7 +70,7 @@ void PatrolServerNode::handleStop(const std_msgs::Bool& msg) {
 
 void PatrolServerNode::handleArbiter(const ArbiterStatus& msg) {
   const bool other = msg.state == ArbiterStatus::DRIVING && msg.active_source != parameters_.source;
-  inputs_.wheels_held_by = other ? std::make_optional(msg.active_source) : std::nullopt;
+  inputs_.wheels_held_by = other ? std::make_optional(msg.active_source.substr(0, bounds::kMostName)) : std::nullopt;
 }
 
 void PatrolServerNode::tick() {

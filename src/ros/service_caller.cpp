@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/clock.h"
 
 namespace frontier_pilot {
@@ -110,7 +111,7 @@ ServiceWatch::~ServiceWatch() {
 
 void ServiceWatch::watch(const std::string& service) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (up_.emplace(service, false).second) wake_.notify_all();
+  if (up_.size() < bounds::kMostServices && up_.emplace(service, false).second) wake_.notify_all();
 }
 
 bool ServiceWatch::up(const std::string& service) const {

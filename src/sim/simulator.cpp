@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
+
 namespace frontier_pilot::sim {
 namespace {
 
@@ -39,6 +41,14 @@ const char* toString(Placement placement) {
       return "there is an obstacle of that name already";
     case Placement::kBadRadius:
       return "the radius must be positive";
+    case Placement::kTooLarge:
+      return "the radius must be at most 10 m: draw larger things into the world";
+    case Placement::kTooFar:
+      return "the place is farther than 1000 km from the origin";
+    case Placement::kTooMany:
+      return "there are 1000 obstacles already";
+    case Placement::kNameTooLong:
+      return "the name must have at most 256 characters";
     case Placement::kNotFinite:
       return "the pose is not finite";
     case Placement::kOutside:
@@ -204,9 +214,13 @@ Placement Simulator::setPose(const std::string& name, const Pose2& pose) {
 }
 
 Placement Simulator::spawnObstacle(const std::string& name, const Pose2& pose, double radius) {
+  if (name.size() > bounds::kMostName) return Placement::kNameTooLong;
   if (obstacles_.count(name) > 0) return Placement::kNameTaken;
+  if (obstacles_.size() >= bounds::kMostObstacles) return Placement::kTooMany;
   if (!pose.isFinite() || !std::isfinite(radius)) return Placement::kNotFinite;
+  if (!bounds::isWithin(pose.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate)) return Placement::kTooFar;
   if (radius <= 0.0) return Placement::kBadRadius;
+  if (radius > bounds::kMostObstacleRadius) return Placement::kTooLarge;
   for (const Robot& robot : robots_) {
     if (overlap(robot.pose.position(), radius_, {pose.position(), radius})) return Placement::kOnRobot;
   }

@@ -180,6 +180,20 @@ TEST_P(PlannerConformance, MovesAGoalInAWallOrInTheUnknownWithinTheTolerance_NAV
   EXPECT_TRUE(map.isValid(in_unknown.path.goal()));
 }
 
+TEST_P(PlannerConformance, LooksOnlySoFarAroundAGoal_FLT_1) {  // [FLT-1]
+  // 60 m of wall, its middle farther from the floor than any tolerance: the cells within 1e30 m do not fit a number.
+  GridGeometry geometry;
+  geometry.width = geometry.height = 1200;
+  OccupancyGrid map(geometry, kOccupied);
+  for (int y = 0; y < 40; ++y) std::fill_n(map.row(y), map.width(), kFree);
+  const ClearanceMap clearance = clearanceOf(map);
+  for (const double tolerance : {1e30, 1e300, HUGE_VAL}) {
+    EXPECT_EQ(planner().plan(clearance, {{1.0, 1.0}, {30.0, 30.0}, tolerance}).status, PlanStatus::kGoalOccupied);
+    EXPECT_TRUE(planner().plan(clearance, {{20.0, 1.0}, {30.0, 4.0}, tolerance}).found())
+        << "within 5 m there is floor";
+  }
+}
+
 TEST_P(PlannerConformance, NamesWhatIsWrong_NAV_1) {
   const test::AsciiWorld world = magnified("#####\n#S#G#\n#####", 12);
   const ClearanceMap map = clearanceOf(world.map);

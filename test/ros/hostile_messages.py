@@ -1,186 +1,255 @@
 #!/usr/bin/env python3
-"""Goals, cancels and transforms with stamps, durations and names that nobody means well with: no node ends. [FLT-1]"""
+"""Messages and calls whose numbers would size memory or work: each is refused by name, and every node answers on."""
+import io
+import math
+import struct
+import time
 import unittest
+import xmlrpc.client
 
-import actionlib
+import rosgraph
 import rospy
 import rostest
-from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
-from geometry_msgs.msg import TransformStamped
-from move_base_msgs.msg import MoveBaseAction, MoveBaseActionGoal, MoveBaseGoal
-from nav_msgs.msg import Odometry
-from rosgraph_msgs.msg import Log
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
+from frontier_pilot.srv import RemoveObstacle, SetPose, SpawnObstacle
+from geometry_msgs.msg import Pose2D, PoseStamped, PoseWithCovarianceStamped, TransformStamped
+from map_msgs.msg import OccupancyGridUpdate
+from nav_msgs.msg import OccupancyGrid, Odometry
+from nav_msgs.srv import GetPlan
 from sensor_msgs.msg import LaserScan
-from std_srvs.srv import SetBool
-from tf2_msgs.msg import TFMessage
 
-from frontier_pilot.msg import (PatrolAction, PatrolActionGoal, PatrolGoal, SpinAction, SpinActionGoal, SpinGoal,
-                                WaitAction, WaitActionGoal, WaitGoal)
-from wire import Node, Record, wait_for
+from wire import Record, call, wait_for
 
-END_OF_TIME = rospy.Time(4294967295, 999999999)
-LONGEST = rospy.Duration(2147483647, 999999999)
-SHORTEST = rospy.Duration(-2147483648, 0)
-NODES = ('navigator', 'behavior_server', 'patrol_server', 'mapper', 'frontier_explorer', 'obstacle_avoider')
+MAP_READERS = ('reader/navigator', 'reader/frontier_explorer')
+SCAN_READERS = ('mapper', 'obstacle_avoider', 'behavior_server', 'reader/navigator')
+NODES = SCAN_READERS + ('reader/frontier_explorer', 'patrol_server', 'simulator')
+MOST_MEMORY = 700.0  # [MB], at any time: the largest map that is taken, and a message of 64 MB that is not
+MOST_SILENCE = 10.0  # [s] of a node on a busy machine
 
 
-def move_base_goal(frame='nowhere'):
-    goal = MoveBaseGoal()
-    goal.target_pose.header.frame_id = frame
-    goal.target_pose.pose.orientation.w = 1.0
-    return goal
+class BigMap(OccupancyGrid):
+    """A map of one value that is not a Python object for each cell."""
+
+    def __init__(self, width, height, value=0, resolution=0.05):
+        super().__init__()
+        self.header.frame_id = 'map'
+        self.info.width, self.info.height, self.info.resolution = width, height, resolution
+        self.info.origin.orientation.w = 1.0
+        self.cells = bytes([value]) * (width * height)
+
+    def serialize(self, buff):
+        head = io.BytesIO()
+        super().serialize(head)
+        buff.write(head.getvalue()[:-4] + struct.pack('<I', len(self.cells)) + self.cells)
 
 
-# What ends at once, with what the node itself says of it: the state, and a word of the text.
-ACTIONS = {
-    'move_base': (MoveBaseAction, MoveBaseActionGoal, move_base_goal(), GoalStatus.REJECTED, 'invalid goal'),
-    'spin': (SpinAction, SpinActionGoal, SpinGoal(0.0, rospy.Duration(0), False), GoalStatus.SUCCEEDED, 'nothing'),
-    'wait': (WaitAction, WaitActionGoal, WaitGoal(rospy.Duration(0.1), rospy.Duration(0)), GoalStatus.SUCCEEDED, ''),
-    'turtlebot3': (PatrolAction, PatrolActionGoal, PatrolGoal(), GoalStatus.ABORTED, ''),
-}
+def map_of(cells, width, resolution=0.05, frame='map'):
+    msg = OccupancyGrid()
+    msg.header.frame_id = frame
+    msg.info.width, msg.info.height, msg.info.resolution = width, len(cells) // width, resolution
+    msg.info.origin.orientation.w = 1.0
+    msg.data = cells
+    return msg
+
+
+def box_in_a_room():
+    """10 m x 10 m of floor with a solid box in the middle."""
+    return [100 if 60 <= i % 200 < 140 and 60 <= i // 200 < 140 else 0 for i in range(200 * 200)]
+
+
+def update(x, y, width=1, height=1):
+    msg = OccupancyGridUpdate(x=x, y=y, width=width, height=height, data=[0] * (width * height))
+    msg.header.frame_id = 'map'
+    return msg
+
+
+def scan(ranges, frame='base_scan', range_max=3.5):
+    msg = LaserScan(angle_min=-math.pi, angle_max=math.pi, range_min=0.12, range_max=range_max, ranges=ranges)
+    msg.angle_increment = 2 * math.pi / max(1, len(ranges) - 1)
+    msg.header.frame_id = frame
+    msg.header.stamp = rospy.Time.now()
+    return msg
+
+
+def pose(x, y=0.0, frame='map'):
+    msg = PoseStamped()
+    msg.header.frame_id = frame
+    msg.pose.position.x, msg.pose.position.y, msg.pose.orientation.w = x, y, 1.0
+    return msg
+
+
+def memory_of(pid):
+    """What it holds now, and what it has held at most [MB]."""
+    with open('/proc/%d/status' % pid) as file:
+        sizes = dict(line.split(':', 1) for line in file if line.startswith('Vm'))
+    return tuple(int(sizes[key].split()[0]) / 1024.0 for key in ('VmRSS', 'VmHWM'))
 
 
 class HostileMessages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.odometry = Record('odom', Odometry)
-        assert wait_for(lambda: cls.odometry.last is not None, 30.0), 'the simulator'
-        cls.nodes = {name: Node(name) for name in NODES}
-        cls.clients = {name: actionlib.SimpleActionClient(name, action[0]) for name, action in ACTIONS.items()}
-        for name, client in cls.clients.items():
-            assert client.wait_for_server(rospy.Duration(60.0)), name
-        cls.goals = {name: cls.publisher(name + '/goal', action[1]) for name, action in ACTIONS.items()}
-        cls.cancels = {name: cls.publisher(name + '/cancel', GoalID) for name in ACTIONS}
-        cls.statuses = {name: Record(name + '/status', GoalStatusArray) for name in ACTIONS}
-        cls.tf = cls.publisher('/tf', TFMessage)
-        cls.tf_static = cls.publisher('/tf_static', TFMessage)
-        cls.scans = cls.publisher('scan', LaserScan)
+        rospy.init_node('hostile_messages')
+        cls.words = Record('/diagnostics', DiagnosticArray)
+        assert wait_for(lambda: all(cls.said(node) for node in NODES), 60.0)
+        cls.pids = {node: cls.pid_of(node) for node in NODES}
+        cls.frames = tf2_ros.StaticTransformBroadcaster()
+        cls.maps = rospy.Publisher('/reader/map', OccupancyGrid, queue_size=5, latch=True)
+        cls.updates = rospy.Publisher('/reader/map_updates', OccupancyGridUpdate, queue_size=100)
+        cls.goals = rospy.Publisher('/reader/move_base_simple/goal', PoseStamped, queue_size=5)
+        cls.scans = rospy.Publisher('/scan', LaserScan, queue_size=5)
+        cls.odometry = rospy.Publisher('/odom', Odometry, queue_size=5)
+        cls.poses = rospy.Publisher('/initialpose', PoseWithCovarianceStamped, queue_size=5)
+        connections = ((cls.maps, 2), (cls.updates, 2), (cls.goals, 1), (cls.scans, 4), (cls.odometry, 4), (cls.poses, 1))
+        assert wait_for(lambda: all(topic.get_num_connections() >= count for topic, count in connections), 30.0)
+        cls.maps.publish(map_of(box_in_a_room(), 200))
 
     @classmethod
-    def tearDownClass(cls):
-        for node in cls.nodes.values():
-            node.end()
+    def pid_of(cls, node):
+        uri = rosgraph.Master('/hostile_messages').lookupNode('/' + node)
+        return xmlrpc.client.ServerProxy(uri).getPid('/hostile_messages')[2]
 
-    @staticmethod
-    def publisher(topic, kind):
-        publisher = rospy.Publisher(topic, kind, queue_size=5000, tcp_nodelay=True)
-        assert wait_for(lambda: publisher.get_num_connections() > 0, 30.0), topic
-        return publisher
+    @classmethod
+    def said(cls, node, since=0.0):
+        """The last diagnostics of a node as a dictionary, empty if there are none since then."""
+        for message in reversed(cls.words.since(since)):
+            for status in message.status:
+                if status.name.startswith(node + ':'):
+                    return dict({pair.key: pair.value for pair in status.values}, level=status.level)
+        return {}
 
-    def assert_all_live(self):
-        for name, node in self.nodes.items():
-            self.assertFalse(node.has_ended(), '%s has ended:\n%s' % (name, node.process.stdout.read()[-2000:]
-                                                                        if node.has_ended() else ''))
+    @classmethod
+    def refused(cls, node, what, why):
+        """How many inputs a node has refused for a reason. The mapper says of a scan first what became of it."""
+        return sum(int(count) for key, count in cls.said(node).items()
+                   if key.startswith(what + ' refused: ') and key.endswith(why))
 
-    def assert_all_work(self):
-        """Each action's next goal is judged by its node: it is neither lost nor recalled."""
-        for name, (_, _, goal, state, word) in ACTIONS.items():
-            self.assertTrue(wait_for(lambda: self.answered(name, goal, state), 15.0),
-                            (name, self.clients[name].get_state(), self.clients[name].get_goal_status_text()))
-            self.assertIn(word, self.clients[name].get_goal_status_text(), name)
-        self.assert_all_live()
+    def tearDown(self):
+        start = time.monotonic()
+        for node in NODES:
+            self.assertTrue(wait_for(lambda: self.said(node, start), MOST_SILENCE), node + ' answers no more [FLT-1]')
+            self.assertEqual(self.pid_of(node), self.pids[node], node + ' is another one [FLT-1]')
+            self.assertLess(memory_of(self.pids[node])[1], MOST_MEMORY, node + ' [MB] [FLT-1]')
 
-    def answered(self, name, goal, state):
-        self.clients[name].send_goal(goal)
-        self.clients[name].wait_for_result(rospy.Duration(5.0))
-        return self.clients[name].get_state() == state
+    def expect_refusal(self, nodes, what, why, send):
+        """That each of `nodes` counts one more for the message that is sent."""
+        counts = {node: self.refused(node, what, why) for node in nodes}
+        send()
+        for node, count in counts.items():
+            self.assertTrue(wait_for(lambda: self.refused(node, what, why) > count, MOST_SILENCE),
+                            '%s: %s refused: %s [FLT-1], but %s' % (node, what, why, self.said(node)))
 
-    def with_id(self, name, goal_id):
-        message = ACTIONS[name][1]()
-        message.goal, message.goal_id = ACTIONS[name][2], goal_id
-        return message
+    def test_an_update_at_the_end_of_an_int(self):  # [FLT-1]
+        for x, y in ((2147483647, 0), (0, 2147483647), (2147483647, 2147483647)):
+            self.expect_refusal(MAP_READERS, 'map message', 'update reaches beyond any map',
+                                lambda: self.updates.publish(update(x, y)))
+        self.expect_refusal(MAP_READERS, 'map message', 'update reaches beyond the map',
+                            lambda: self.updates.publish(update(199, 199, 2, 1)))
 
-    def test_cancels_of_the_end_of_time(self):
-        for name in ACTIONS:
-            self.cancels[name].publish(GoalID(END_OF_TIME, ''))
-            self.cancels[name].publish(GoalID(END_OF_TIME, 'unknown'))
-            self.cancels[name].publish(GoalID(rospy.Time(4294967290, 0), 'unknown too'))
-        self.assert_all_work()
+    def test_cells_too_small(self):  # [FLT-1]
+        for resolution in (1e-10, 1e-40, 1e30):
+            self.expect_refusal(MAP_READERS, 'map message', 'resolution not within 0.01 m ... 10 m',
+                                lambda: self.maps.publish(map_of([0] * 100, 10, resolution)))
 
-    def test_a_cancel_of_everything_until_tomorrow_does_not_recall_the_goals_of_today(self):
-        for name in ACTIONS:
-            self.cancels[name].publish(GoalID(rospy.Time.now() + rospy.Duration(86400.0), ''))
-        self.assert_all_work()
+    def test_maps_too_large(self):  # [FLT-1]
+        text = 'map of more than 25000000 cells: make its cells larger, or leave out what nobody drives in'
+        before = {node: memory_of(self.pids[node])[0] for node in MAP_READERS}
+        self.expect_refusal(MAP_READERS, 'map message', text, lambda: self.maps.publish(BigMap(8000, 8000)))
+        for node in MAP_READERS:
+            self.assertLess(memory_of(self.pids[node])[0] - before[node], 250.0, node + ' keeps nothing of it [MB] [FLT-1]')
 
-    def test_goals_of_the_end_of_time_and_of_tomorrow_do_not_outrank_those_of_today(self):
-        for name in ACTIONS:
-            for number, stamp in enumerate((END_OF_TIME, rospy.Time.now() + rospy.Duration(86400.0))):
-                self.goals[name].publish(self.with_id(name, GoalID(stamp, 'late %d' % number)))
-                self.goals[name].publish(self.with_id(name, GoalID(stamp, 'late %d' % number)))
-        self.assert_all_work()
+    def test_the_largest_maps_that_are_taken(self):  # [FLT-1]
+        before = {node: memory_of(self.pids[node])[0] for node in MAP_READERS}
+        refused = {node: self.said(node).get('map message refused') for node in MAP_READERS}
+        self.maps.publish(BigMap(4000, 4000))
+        for node in MAP_READERS:
+            start = time.monotonic() + 2.0
+            self.assertTrue(wait_for(lambda: self.said(node, start), 30.0), node)
+            bytes_per_cell = (memory_of(self.pids[node])[0] - before[node]) * 1024 * 1024 / 16e6
+            print('%s: %.1f bytes for each cell, at most %.0f MB' % (node, bytes_per_cell, memory_of(self.pids[node])[1]))
+            self.assertGreater(bytes_per_cell, 2.0, node + ' has taken it')
+            self.assertLess(bytes_per_cell, 30.0, node + ' [FLT-1]')
+            self.assertEqual(self.said(node).get('map message refused'), refused[node])
+        self.maps.publish(map_of(box_in_a_room(), 200))
 
-    def test_cancels_of_unknown_goals_are_not_kept_for_ever(self):
-        for name in ACTIONS:
-            for number in range(1000):
-                self.cancels[name].publish(GoalID(END_OF_TIME if number % 2 else rospy.Time(), 'u%d' % number))
-        self.assert_all_work()
-        for name in ACTIONS:
-            self.assertTrue(wait_for(lambda: len(self.statuses[name].last.status_list) < 100, 5.0),
-                            (name, len(self.statuses[name].last.status_list)))
+    def test_scans_too_large(self):  # [FLT-1]
+        self.expect_refusal(SCAN_READERS, 'scan', 'more than 36000 ranges',
+                            lambda: self.scans.publish(scan([1.0] * 1000000)))
 
-    def test_names_that_are_empty_or_endless(self):
-        for name in ACTIONS:
-            for goal_id in ('', 'x' * 100000):
-                self.goals[name].publish(self.with_id(name, GoalID(rospy.Time(), goal_id)))
-                self.cancels[name].publish(GoalID(rospy.Time(), goal_id))
-        self.assert_all_work()
+    def test_numbers_of_a_scan(self):  # [FLT-1]
+        self.expect_refusal(SCAN_READERS, 'scan', 'range limit beyond 1000 m',
+                            lambda: self.scans.publish(scan([1.0] * 360, range_max=1e30)))
+        fine = scan([1.0])
+        fine.angle_max, fine.angle_increment = fine.angle_min, 1e-30
+        self.expect_refusal(SCAN_READERS, 'scan', 'angle increment too small', lambda: self.scans.publish(fine))
 
-    def test_waits_and_allowances_without_end(self):
-        for duration in (LONGEST, SHORTEST, rospy.Duration(-1)):
-            for goal in (WaitGoal(duration, rospy.Duration(0)), WaitGoal(rospy.Duration(1000), duration)):
-                self.goals['wait'].publish(WaitActionGoal(goal=goal))
-            self.goals['spin'].publish(SpinActionGoal(goal=SpinGoal(0.1, duration, False)))
-        self.goals['wait'].publish(WaitActionGoal(goal=WaitGoal(LONGEST, LONGEST)))
-        self.assert_all_work()
+    def test_a_scanner_far_away(self):  # [FLT-1]
+        transform = TransformStamped()
+        transform.header.frame_id, transform.child_frame_id = 'base_footprint', 'far_scanner'
+        transform.transform.translation.x, transform.transform.rotation.w = 9e5, 1.0
+        self.frames.sendTransform(transform)
+        text = 'scanner mounted farther than 10 m from the base'
 
-    def test_a_wait_without_end_does_not_keep_its_node_from_ending(self):
-        node = Node('behavior_server', '__ns:=leaving')
-        self.addCleanup(node.end)
-        client = actionlib.SimpleActionClient('/leaving/wait', WaitAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(30.0)))
-        client.send_goal(WaitGoal(LONGEST, rospy.Duration(0)))
-        self.assertTrue(wait_for(lambda: node.has_ended() or client.get_state() == GoalStatus.ACTIVE, 10.0))
-        self.assertFalse(node.has_ended(), 'the wait has ended its node')
-        node.signal(2)
-        code, said = node.finish()
-        self.assertEqual(code, 0, said)
+        def sent_and_refused():  # the transform may come after the first scan
+            self.scans.publish(scan([1.0] * 360, 'far_scanner'))
+            rospy.rostime.wallsleep(0.1)
+            return all(self.refused(node, 'scan', text) > 0 for node in SCAN_READERS)
+        self.assertTrue(wait_for(sent_and_refused, MOST_SILENCE), '[FLT-1]')
 
-    def test_transforms_that_cannot_be(self):
-        def transform(stamp, parent, child, w=1.0):
-            message = TransformStamped()
-            message.header.stamp, message.header.frame_id, message.child_frame_id = stamp, parent, child
-            message.transform.rotation.w = w
-            return message
-        for stamp in (END_OF_TIME, rospy.Time(4294967290, 0), rospy.Time.now() + rospy.Duration(1e6)):
-            for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('', 'odom'), ('odom', 'odom')):
-                for w in (1.0, 0.0, float('nan')):
-                    self.tf.publish(TFMessage([transform(stamp, parent, child, w)]))
-                    self.tf_static.publish(TFMessage([transform(stamp, parent, child + '_static', w)]))
-        self.assert_all_work()
+    def test_the_densest_scans_that_are_taken(self):  # [FLT-1]
+        for _ in range(3):
+            self.scans.publish(scan([0.13] * 36000))
 
-    def test_parameters_that_are_none(self):
-        """The window asks for the avoider's as soon as that is there."""
-        rospy.set_param('/window/obstacle_avoider', 7)
-        said = Record('/rosout', Log)
-        service = rospy.Service('/window/set_obstacle_avoid_enabled', SetBool, lambda _: (True, ''))
-        self.addCleanup(service.shutdown)
-        window = Node('teleop_gui', '__ns:=/window')
-        self.addCleanup(window.end)
-        refused = lambda: any(m.name == '/window/teleop_gui' and 'single value' in m.msg for _, m in list(said.items))
-        self.assertTrue(wait_for(lambda: window.has_ended() or refused(), 20.0))
-        self.assertFalse(window.has_ended(), 'the window has ended')
+    def test_poses_far_away(self):  # [FLT-1]
+        far = 'position farther than 1000 km from the origin'
+        msg = PoseWithCovarianceStamped()
+        msg.header.frame_id = 'map'
+        msg.pose.pose = pose(1e300).pose
+        self.expect_refusal(('mapper',), 'initial pose', far, lambda: self.poses.publish(msg))
+        self.expect_refusal(('reader/navigator',), 'goal of move_base_simple', far,
+                            lambda: self.goals.publish(pose(1e300)))
+        odometry = Odometry()
+        odometry.header.frame_id, odometry.header.stamp = 'odom', rospy.Time.now()
+        odometry.pose.pose = pose(1e300).pose
+        self.expect_refusal(('mapper', 'patrol_server') + MAP_READERS, 'odometry', far,
+                            lambda: self.odometry.publish(odometry))
 
-    def test_scans_and_goals_in_frames_and_at_times_that_are_not(self):
-        for frame in ('', 'nowhere', '/', 'x' * 10000, 'base_scan'):
-            scan = LaserScan(angle_min=-1.0, angle_max=1.0, angle_increment=0.5, range_max=3.5, ranges=[1.0] * 5)
-            scan.header.stamp, scan.header.frame_id = END_OF_TIME, frame
-            self.scans.publish(scan)
-            goal = MoveBaseActionGoal(goal=move_base_goal(frame))
-            goal.goal.target_pose.header.stamp = END_OF_TIME
-            self.goals['move_base'].publish(goal)
-        self.assert_all_work()
+    def test_frames_that_nobody_knows_do_not_pile_up(self):  # [FLT-1]
+        for i in range(200):
+            msg = update(0, 0)
+            msg.header.frame_id = 'frame_%d' % i + 1000 * 'x'
+            self.updates.publish(msg)
+            rospy.rostime.wallsleep(0.002)
+        for node in MAP_READERS:
+            self.assertTrue(wait_for(lambda: self.refused(node, 'map message', 'for other reasons') > 50,
+                                     MOST_SILENCE), node)
+            self.assertLess(len(self.said(node)), 60, node + ' [FLT-1]')
+            self.assertLess(max(len(key) for key in self.said(node)), 300, node + ' [FLT-1]')
+
+    def test_a_plan_to_anywhere(self):  # [FLT-1]
+        def plan():
+            return call('/reader/make_plan', GetPlan, pose(1.0, 1.0), pose(5.0, 5.0), 1e30).plan.poses
+        end = time.monotonic() + MOST_SILENCE
+        while not plan() and time.monotonic() < end:  # another test's map may have come in between
+            self.maps.publish(map_of(box_in_a_room(), 200))
+        self.assertGreater(len(plan()), 5, 'beside the box')
+
+    def test_obstacles_too_many_or_too_large(self):  # [FLT-1]
+        def spawn(name, x, radius):
+            return call('/simulator/spawn_obstacle', SpawnObstacle, name, Pose2D(x, 1e5, 0.0), radius).message
+        self.assertIn('at most 256 characters', spawn('x' * 1000000, 1.0, 0.1))
+        self.assertIn('farther than 1000 km', spawn('far', 1e300, 0.1))
+        self.assertIn('at most 10 m', spawn('wide', 1.0, 1e300))
+        self.assertIn('no robot', call('/simulator/set_pose', SetPose, 'x' * 1000000, Pose2D()).message)
+        self.assertIn('outside', call('/simulator/set_pose', SetPose, '', Pose2D(1e300, 0.0, 0.0)).message)
+        spawn_obstacle = rospy.ServiceProxy('/simulator/spawn_obstacle', SpawnObstacle, persistent=True)
+        names = ['box%d' % i for i in range(1001)]
+        answers = [spawn_obstacle(name, Pose2D(1.0, 1e5, 0.0), 0.1).message for name in names]
+        self.assertEqual(answers[:1000], ['done'] * 1000)
+        self.assertIn('1000 obstacles already', answers[1000])
+        remove_obstacle = rospy.ServiceProxy('/simulator/remove_obstacle', RemoveObstacle, persistent=True)
+        self.assertTrue(all(remove_obstacle(name).success for name in names[:1000]))
 
 
 if __name__ == '__main__':
-    rospy.init_node('hostile_messages')
     rostest.rosrun('frontier_pilot', 'hostile_messages', HostileMessages)

@@ -18,7 +18,9 @@ struct Cell {
 inline bool operator==(Cell a, Cell b) { return a.x == b.x && a.y == b.y; }
 inline bool operator!=(Cell a, Cell b) { return !(a == b); }
 
-/// A block of cells [x, x + width) x [y, y + height). Empty where a side is not positive.
+/// A block of cells [x, x + width) x [y, y + height). Empty where a side is not positive. All of its arithmetic holds
+/// for any int, since it judges what comes from outside: a block that would reach farther ends where the ints do.
+/// [FLT-1]
 struct CellRect {
   int x = 0;
   int y = 0;
@@ -26,13 +28,15 @@ struct CellRect {
   int height = 0;
 
   bool empty() const { return width <= 0 || height <= 0; }
-  bool contains(Cell c) const { return c.x >= x && c.y >= y && c.x < x + width && c.y < y + height; }
+  bool contains(Cell c) const {
+    return c.x >= x && c.y >= y && c.x < std::int64_t{x} + width && c.y < std::int64_t{y} + height;
+  }
   /// Grows so that `c` is inside.
   void include(Cell c);
   /// Grows so that all of `other` is inside.
   void include(const CellRect& other);
   /// The same block, `margin` cells wider on each side.
-  CellRect grown(int margin) const { return {x - margin, y - margin, width + 2 * margin, height + 2 * margin}; }
+  CellRect grown(int margin) const;
   /// The cells that lie in both.
   CellRect intersection(const CellRect& other) const;
 };
@@ -48,7 +52,7 @@ struct GridGeometry {
   std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   CellRect rect() const { return {0, 0, width, height}; }
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
-  /// The cell that `point` [m] lies in; it may be outside of the grid. `point` must be finite and within 10^8 cells.
+  /// The cell that `point` [m] lies in; it may be outside of the grid. `point` must be finite and within 10^9 cells.
   Cell cellAt(const Vec2& point) const {
     return {static_cast<int>(std::floor((point.x() - origin.x()) / resolution)),
             static_cast<int>(std::floor((point.y() - origin.y()) / resolution))};

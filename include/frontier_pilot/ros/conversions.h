@@ -21,7 +21,8 @@
 #include "frontier_pilot/ros/clock.h"
 
 /// Between messages and core types, in one place. Malformed input becomes std::nullopt, and `why`, if given, says what
-/// was wrong with it: a default value never stands in for missing data.
+/// was wrong with it: a default value never stands in for missing data. What would size too much is malformed, too: the
+/// bounds are those of core/bounds.h. [FLT-1]
 namespace frontier_pilot {
 
 /// Unless a coordinate is not finite or the quaternion is not of unit length. Height, roll and pitch are dropped.

@@ -15,13 +15,14 @@
 
 namespace frontier_pilot {
 
-/// What a node had to refuse: counted by reason, with a warning of it at most every five seconds of steady time.
+/// What a node had to refuse: counted by reason, with a warning of it at most every five seconds of steady time. A
+/// reason may quote what came in: long ones are cut, and only so many are told apart. [FLT-1]
 class Rejections {
  public:
   /// `what` is the input, for the log: "scan".
   explicit Rejections(std::string what) : what_(std::move(what)) {}
 
-  void add(const std::string& why);
+  void add(const std::string& reason);
   std::uint64_t total() const { return total_; }
   /// Adds one `what: why` line with its count for each reason.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;

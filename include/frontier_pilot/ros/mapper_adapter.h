@@ -100,6 +100,7 @@ class MapperAdapter {
   NodeDiagnostics diagnostics_;
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
+  Rejections bad_initial_poses_{"initial pose"};
   std::optional<SteadyTime> last_inserted_;  ///< when the last scan was found good
   std::string thoughts_failure_;             ///< what ended the second thoughts, until a reset
   double revision_seconds_ = 0.0;            ///< what the last second thoughts took

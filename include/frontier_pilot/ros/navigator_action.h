@@ -11,6 +11,7 @@
 
 #include "frontier_pilot/planning/navigator_types.h"
 #include "frontier_pilot/ros/action_server.h"
+#include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
@@ -29,8 +30,11 @@ class MoveBaseServer {
   /// Tells the clients what became of their goals.
   void settle(const NavFinished& finished);
   void feedback(const Pose2& T_map_base, Time stamp);
-  /// For /diagnostics: what was refused.
-  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { server_.report(status); }
+  /// For /diagnostics: what was refused, also of goals that came without a client who could be told.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+    server_.report(status);
+    bad_simple_goals_.report(status);
+  }
 
  private:
   using Server = ActionServer<move_base_msgs::MoveBaseAction>;
@@ -49,6 +53,7 @@ class MoveBaseServer {
   std::uint64_t active_id_ = 0;  ///< 0 is none
   std::optional<NavGoal> pending_;
   bool cancel_ = false;
+  Rejections bad_simple_goals_{"goal of move_base_simple"};
   std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< goals from rviz have none
   Server server_;
 };

@@ -36,6 +36,14 @@ TEST(OdometryBuffer, NeverExtrapolatesAndSaysWhichWayItLacks) {
   EXPECT_EQ(pose, Pose2(7.0, 7.0, 7.0)) << "untouched unless found";
 }
 
+TEST(OdometryBuffer, FLT_1_KeepsALimitedNumberHoweverFastItComes) {  // [FLT-1]
+  OdometryBuffer buffer;
+  Pose2 pose;
+  for (int i = 0; i < 6000; ++i) buffer.add(Time{} + Duration(i), {});
+  EXPECT_EQ(buffer.at(Time{} + Duration(999), pose), OdometryLookup::kTooOld);
+  EXPECT_EQ(buffer.at(Time{} + Duration(1000), pose), OdometryLookup::kFound);
+}
+
 TEST(OdometryBuffer, KeepsALimitedTimeAndRestartsWhenTheClockIsSetBack) {
   OdometryBuffer buffer;
   for (int i = 0; i <= 1000; ++i) buffer.add(timeFromSeconds(0.01 * i), Pose2());

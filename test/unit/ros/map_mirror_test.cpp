@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+#include <random>
+
 #include "frontier_pilot/ros/conversions.h"
 #include "support/ascii_world.h"
 
@@ -68,6 +72,45 @@ TEST(MapMirror, KeepsWhatItHasWhenAMapOrAnUpdateIsMalformed) {
   EXPECT_EQ(mirror.map().cells(), message(kRoom).data);
   EXPECT_TRUE(mirror.takeChanged().empty());
   EXPECT_EQ(mirror.rejections().total(), 4U);
+}
+
+TEST(MapMirror, FLT_1_AnUpdateAtTheEndOfAnIntChangesNothing) {  // [FLT-1]
+  constexpr int kMost = std::numeric_limits<int>::max();
+  MapMirror mirror;
+  mirror.handleMap(message(kRoom));
+  mirror.takeChanged();
+  for (const auto& msg : {update(kMost, 0, 1, 1, kFree), update(0, kMost, 1, 1, kFree), update(kMost, kMost, 2, 2, 50),
+                          update(kMost - 1, 1, 3, 1, kOccupied)}) {
+    mirror.handleUpdate(msg);
+  }
+  EXPECT_EQ(mirror.map().cells(), message(kRoom).data);
+  EXPECT_TRUE(mirror.takeChanged().empty());
+  EXPECT_EQ(mirror.rejections().total(), 4U);
+}
+
+TEST(MapMirror, FLT_1_AnUpdateIsTakenExactlyWhereItLiesInTheMapWhateverItsNumbers) {  // [FLT-1]
+  constexpr std::array<std::int64_t, 12> kEdges = {0, 1, 2, 3, 4, 5, 6, -1, 65536, 1 << 30, 2147483647, 4294967295};
+  std::mt19937 random(3);
+  const auto edge = [&] { return kEdges[random() % kEdges.size()]; };
+  MapMirror mirror;
+  mirror.handleMap(message(kRoom));
+  int taken = 0;
+  for (int i = 0; i < 100000; ++i) {
+    map_msgs::OccupancyGridUpdate msg;
+    msg.x = static_cast<std::int32_t>(edge());
+    msg.y = static_cast<std::int32_t>(edge());
+    msg.width = static_cast<std::uint32_t>(edge());
+    msg.height = static_cast<std::uint32_t>(edge());
+    msg.data.assign(random() % 25, kFree);
+    const bool fits = msg.x >= 0 && msg.y >= 0 && !msg.data.empty() &&
+                      msg.data.size() == std::uint64_t{msg.width} * msg.height &&
+                      std::int64_t{msg.x} + msg.width <= 5 && std::int64_t{msg.y} + msg.height <= 4;
+    const auto before = mirror.rejections().total();
+    mirror.handleUpdate(msg);
+    ASSERT_EQ(mirror.rejections().total() == before, fits) << msg;
+    taken += fits ? 1 : 0;
+  }
+  EXPECT_GT(taken, 10);
 }
 
 TEST(MapMirror, TakesASmallerMapWhole) {

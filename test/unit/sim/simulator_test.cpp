@@ -185,6 +185,28 @@ TEST(Simulator, SaysWhyItRefusesAPlace) {
   EXPECT_EQ(simulator.removeObstacle("bag"), Placement::kUnknownObstacle);
 }
 
+TEST(Simulator, FLT_1_TakesOnlySoManyObstaclesOfSoMuchSize) {  // [FLT-1]
+  Simulator simulator(world(room()), quiet());
+  const std::string large(1000000, 'x');
+  EXPECT_EQ(simulator.setPose(large, {0.8, 0.45, 0.0}), Placement::kUnknownRobot);
+  EXPECT_EQ(simulator.setPose("", {0.8, 0.45, 1e300}), Placement::kDone) << "a turn is a turn";
+  EXPECT_LE(std::abs(simulator.pose(0).yaw), kPi);
+  EXPECT_EQ(simulator.spawnObstacle(large, {1.2, 0.45, 0.0}, 0.1), Placement::kNameTooLong);
+  EXPECT_EQ(simulator.spawnObstacle("box", {1e300, 0.45, 0.0}, 0.1), Placement::kTooFar);
+  EXPECT_EQ(simulator.spawnObstacle("box", {1e5, 0.45, 0.0}, 1e300), Placement::kTooLarge);
+  EXPECT_EQ(simulator.spawnObstacle("box", {1e5, 0.45, 0.0}, 10.0), Placement::kDone)
+      << "outside, where it is not seen";
+  int spawned = 1;
+  while (spawned < 2000 &&
+         simulator.spawnObstacle(std::to_string(spawned), {1.2, 0.45, 0.0}, 0.1) == Placement::kDone) {
+    ++spawned;
+  }
+  EXPECT_EQ(spawned, 1000);
+  EXPECT_EQ(simulator.spawnObstacle("more", {1.2, 0.45, 0.0}, 0.1), Placement::kTooMany);
+  EXPECT_EQ(simulator.removeObstacle("7"), Placement::kDone);
+  EXPECT_EQ(simulator.spawnObstacle("more", {1.2, 0.45, 0.0}, 0.1), Placement::kDone);
+}
+
 TEST(Simulator, CarriesARobotWithoutItsOdometryNoticing) {
   Simulator simulator(world(room()), quiet());
   drive(simulator, {0.1, 0.0}, 1.0);

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+/// The bounds of every number from outside that sizes memory or work, in one place. What lies beyond is refused by name
+/// and counted. docs/limits.md has the same as a table, for operators. [FLT-1]
+namespace frontier_pilot::bounds {
+
+/// Coordinates of poses [m]. A robot on wheels stays far within, and at the finest resolution the cells that lie so far
+/// away, and a few such distances added up, still have numbers that an int holds.
+constexpr double kMostCoordinate = 1e6;
+/// Speeds that odometry may report [m/s, rad/s]: what it is extrapolated with must stay near.
+constexpr double kMostSpeed = 100.0;
+
+/// Odometry that is kept for finding the pose at a stamp: 1 kHz for five seconds.
+constexpr std::size_t kMostOdometry = 5000;
+
+/// From the base to a sensor on it [m]. The largest vehicles are as long; what is farther away is not mounted on it.
+constexpr double kMostMount = 10.0;
+/// Beams of a scan: a whole turn in steps of a hundredth of a degree. Scanners have up to a few thousand.
+constexpr std::size_t kMostRanges = 36000;
+/// The angle between beams, at least [rad]: a tenth of the step above. It divides.
+constexpr double kLeastAngleIncrement = 1.7e-5;
+/// The first and the last angle of a scan, either way [rad]: drivers count from -pi, from 0, or a turn on.
+constexpr double kMostAngle = 12.6;
+/// A scanner's range [m]: none sees farther.
+constexpr double kMostRange = 1000.0;
+/// What of that is used [m]: beams that end farther away count as free up to here. A map has sides of 200 m.
+constexpr double kUsedRange = 100.0;
+
+/// Side of a map's cell [m]. Distances are divided by it, so that it sizes windows of cells around the robot: 1 cm is
+/// finer than any scanner can tell, 10 m wider than any robot that drives by it.
+constexpr double kLeastResolution = 0.01;
+constexpr double kMostResolution = 10.0;
+/// Cells along a side of a map: one kilometre at 5 cm.
+constexpr int kMostSide = 20000;
+/// Cells of a map that a node takes: 5000 x 5000. The navigator and the explorer need about 25 bytes for each.
+constexpr std::size_t kMostMapCells = 25'000'000;
+
+/// Poses of a path.
+constexpr std::size_t kMostPathPoses = 100'000;
+/// How far from the goal a plan may end [m]: all cells within are looked at.
+constexpr double kMostGoalTolerance = 5.0;
+/// Cells around the goal that a plan may end in, the nearest ones.
+constexpr std::size_t kMostGoalCells = 10'000;
+
+/// Obstacles in the simulated world, and their radius [m]: each is filed in every square of 2 m that it touches.
+constexpr std::size_t kMostObstacles = 1000;
+constexpr double kMostObstacleRadius = 10.0;
+/// Characters of a name that is kept: of an obstacle, of a source.
+constexpr std::size_t kMostName = 256;
+
+/// Characters of a reason for a refusal, and different ones that are counted apart: they quote what came in.
+constexpr std::size_t kMostReason = 256;
+constexpr std::size_t kMostReasons = 32;
+
+/// Bytes of a status that the window shows, and services that it watches because a status named their source.
+constexpr unsigned kMostStatus = 65536;
+constexpr std::size_t kMostServices = 256;
+
+/// Whether `value` lies within -most...most; false for what is not a number.
+inline bool isWithin(double value, double most) { return std::abs(value) <= most; }
+
+}  // namespace frontier_pilot::bounds

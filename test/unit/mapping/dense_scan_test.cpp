@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <random>
+
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/mapping/scan_inserter.h"
+#include "frontier_pilot/mapping/surface_points.h"
+
+/// Scans of as many beams as are taken, each of which has all the others for neighbours. [FLT-1]
+namespace frontier_pilot {
+namespace {
+
+/// A robot in a pot: `roughness` [m] on top of the least range.
+LaserScan2 scanOfPot(std::size_t beams, double roughness) {
+  LaserScan2 scan;
+  scan.angle_min = -kPi;
+  scan.angle_increment = 2.0 * kPi / static_cast<double>(beams);
+  scan.range_min = 0.12;
+  scan.range_max = bounds::kUsedRange;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> rough(0.0F, static_cast<float>(roughness));
+  for (std::size_t i = 0; i < beams; ++i) scan.ranges.push_back(0.125F + rough(random));
+  return scan;
+}
+
+/// Processor time that `work` takes [s].
+template <class Work>
+double secondsOf(const Work& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+TEST(DenseScan, FLT_1_IsReadInTimeThatItsSizeBounds) {  // [FLT-1]
+  for (const double roughness : {0.0, 0.01, 0.05}) {
+    const LaserScan2 scan = scanOfPot(bounds::kMostRanges, roughness);
+    EXPECT_LT(secondsOf([&] { EXPECT_GT(thinned(readSurface(scan)).size(), 2U); }), 2.0) << roughness;
+  }
+}
+
+TEST(DenseScan, FLT_1_IsPutIntoTheMapInTimeThatItsSizeBounds) {  // [FLT-1]
+  LaserScan2 scan = scanOfPot(bounds::kMostRanges, 0.0);
+  for (float& range : scan.ranges) range = 60.0F;
+  OccupancyMap map;
+  ScanInserter inserter;
+  EXPECT_LT(secondsOf([&] { EXPECT_EQ(inserter.insert(scan, Pose2(), map), Insertion::kInserted); }), 8.0);
+}
+
+}  // namespace
+}  // namespace frontier_pilot

@@ -1,0 +1,29 @@
+#include <gtest/gtest.h>
+
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/ros/diagnostics.h"
+
+namespace frontier_pilot {
+namespace {
+
+TEST(Rejections, FLT_1_AreCountedByReasonAsLongAsTheReasonsAreFewAndShort) {  // [FLT-1]
+  Rejections rejections("scan");
+  for (int i = 0; i < 1000; ++i) {
+    rejections.add("frame '" + std::to_string(i) + std::string(1000, 'x') + "'");
+    rejections.add("no ranges");
+  }
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  rejections.report(status);
+  EXPECT_EQ(rejections.total(), 2000U);
+  EXPECT_LE(status.values.size(), bounds::kMostReasons + 2);
+  std::size_t counted = 0;
+  for (const auto& value : status.values) {
+    EXPECT_LE(value.key.size(), bounds::kMostReason + 20);
+    if (value.key != "scan refused") counted += std::stoul(value.value);
+    if (value.key == "scan refused: no ranges") EXPECT_EQ(value.value, "1000");
+  }
+  EXPECT_EQ(counted, 2000U);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
