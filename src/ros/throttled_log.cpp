@@ -1,0 +1,48 @@
+#include "frontier_pilot/ros/throttled_log.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "frontier_pilot/ros/clock.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr std::size_t kLongestLine = 500;  // [bytes]
+
+/// Control characters could forge lines of a log, or speak to the terminal that shows it.
+char printable(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c; }
+
+/// Not in the middle of a character of several bytes (UTF-8).
+std::size_t cutAt(const std::string& text, std::size_t length) {
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
+  return length;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> LogThrottle::admit(SteadyTime now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const SteadyTime filled = filled_.value_or(now);
+  const auto periods = static_cast<std::uint64_t>(std::max<Duration::rep>(0, (now - filled) / kPeriod));
+  tokens_ = std::min(kBurst, tokens_ + std::min(kBurst, periods));
+  // What is left of a period counts for the next line.
+  filled_ = tokens_ == kBurst ? now : filled + kPeriod * static_cast<Duration::rep>(periods);
+  if (tokens_ == 0) {
+    ++left_out_;
+    return std::nullopt;
+  }
+  --tokens_;
+  return std::exchange(left_out_, 0);
+}
+
+std::optional<std::uint64_t> admitNow(LogThrottle& throttle) { return throttle.admit(steadyNow()); }
+
+std::string throttledLine(const std::string& text, std::uint64_t left_out) {
+  std::string line = text.size() <= kLongestLine ? text : text.substr(0, cutAt(text, kLongestLine)) + " ...";
+  std::transform(line.begin(), line.end(), line.begin(), printable);
+  if (left_out > 0) line += " (" + std::to_string(left_out) + " lines like this one left out before it)";
+  return line;
+}
+
+}  // namespace frontier_pilot
