@@ -1,12 +1,12 @@
-#include <ros/console.h>
-
 #include <Eigen/Core>
 #include <array>
+#include <iomanip>
 #include <optional>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/mapper_adapter.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -40,9 +40,9 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   response.success = static_cast<std::uint8_t>(result.ok());
   response.message = result.text;
   if (result.ok()) {
-    ROS_INFO_STREAM(result.text);
+    THROTTLED_INFO(result.text);
   } else {
-    ROS_ERROR_STREAM("map not loaded, " << toString(result.status) << ": " << result.text);
+    THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
   }
   return true;
 }
@@ -53,13 +53,13 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
   const auto pose = in_map ? toPose(msg.pose.pose, &why) : std::nullopt;
   const auto covariance = covarianceOf(msg.pose);
   if (!pose) {
-    ROS_ERROR_STREAM("initial pose refused: " << why);
+    THROTTLED_ERROR("initial pose refused: " << why);
   } else if (!covariance) {
-    ROS_ERROR("initial pose refused: its covariance is none");
+    THROTTLED_ERROR("initial pose refused: its covariance is none");
   } else if (!mapper_.locate({*pose, *covariance})) {
-    ROS_ERROR("initial pose refused: there is nothing in the map yet that could be recognised");
+    THROTTLED_ERROR("initial pose refused: there is nothing in the map yet that could be recognised");
   } else {
-    ROS_INFO("looking for the robot around %.2f, %.2f", pose->x, pose->y);
+    THROTTLED_INFO("looking for the robot around " << std::fixed << std::setprecision(2) << pose->x << ", " << pose->y);
   }
 }
 

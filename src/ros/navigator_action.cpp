@@ -1,11 +1,10 @@
 #include "frontier_pilot/ros/navigator_action.h"
 
-#include <ros/console.h>
-
 #include <utility>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -41,7 +40,7 @@ void MoveBaseServer::handleGoal(const Server::GoalHandle& offered) {
   std::string why;
   const auto goal = read(handle.getGoal()->target_pose, why);
   if (!goal) {
-    ROS_WARN_STREAM("goal rejected: " << why);
+    THROTTLED_WARN("goal rejected: " << why);
     handle.setRejected({}, "invalid goal: " + why);
     return;
   }
@@ -54,7 +53,7 @@ void MoveBaseServer::handleSimple(const geometry_msgs::PoseStamped& msg) {
   if (const auto goal = read(msg, why)) {
     submit(*goal);
   } else {
-    ROS_WARN_STREAM("goal of " << names::kSimpleGoal << " ignored: " << why);
+    THROTTLED_WARN("goal of " << names::kSimpleGoal << " ignored: " << why);
   }
 }
 

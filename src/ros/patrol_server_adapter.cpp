@@ -1,11 +1,11 @@
 #include "frontier_pilot/ros/patrol_server_adapter.h"
 
 #include <geometry_msgs/Twist.h>
-#include <ros/console.h>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -43,7 +43,7 @@ void PatrolServerNode::handleGoal() {
     const auto msg = server_.acceptNewGoal();
     return PatrolOrder{msg->goal.x, msg->goal.y, msg->goal.z};
   }();
-  ROS_INFO("patrol asked for: mode %g, size %g m, %g laps", order.mode, order.size, order.laps);
+  THROTTLED_INFO("patrol asked for: mode " << order.mode << ", size " << order.size << " m, " << order.laps << " laps");
   put(patrol_.start(order, rosNow()));
 }
 
@@ -93,7 +93,7 @@ void PatrolServerNode::finish(const PatrolOutput& output) {
   } else {
     server_.setAborted(result, output.text);
   }
-  ROS_INFO_STREAM(output.text);
+  THROTTLED_INFO(output.text);
   diagnostics_.publish();
 }
 
