@@ -39,8 +39,9 @@ class OctreeLayer {
 
   /// OctoMap's binary format (.bt): each cell free or occupied. False when the stream fails.
   bool write(std::ostream& out);
-  /// Replaces the content by an octree in OctoMap's binary format. Gives an empty text; or what is wrong with the bytes,
-  /// and nothing is changed, when they are not such an octree of this resolution and of at most `most_nodes`, whole.
+  /// Replaces the content by an octree in OctoMap's binary format. Gives an empty text; or what is wrong with the
+  /// bytes, and nothing is changed, when they are not such an octree of this resolution and of at most `most_nodes`,
+  /// whole.
   std::string read(const std::string& bytes, std::uint64_t most_nodes);
 
  private:
