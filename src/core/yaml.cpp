@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
 
 namespace frontier_pilot {
@@ -52,11 +53,18 @@ ParameterMap parseYaml(const std::string& text) {
   }
 }
 
+std::string yamlText(const std::string& text) {
+  YAML::Emitter emitter;
+  emitter << text;
+  return emitter.c_str();
+}
+
 ParameterMap loadYamlFile(const std::string& path) {
+  constexpr std::size_t kMostBytes = 1000000;
+  const FileContent file = readFile(path, kMostBytes);
+  if (!file.ok()) throw std::invalid_argument(path + ": cannot be read: " + file.problem);
   try {
-    return rootMap(YAML::LoadFile(path));
-  } catch (const YAML::BadFile&) {
-    throw std::invalid_argument(path + ": cannot be read");
+    return rootMap(YAML::Load(file.bytes));
   } catch (const std::exception& error) {
     throw std::invalid_argument(path + ": " + error.what());
   }

@@ -8,6 +8,9 @@
 namespace frontier_pilot {
 namespace {
 
+// ROS' last second since the epoch; nothing else in a log comes near it, and what is beyond cannot be a time.
+constexpr double kLargest = 4294967295.0;
+
 /// The whole word as a number, whatever the locale.
 template <class T>
 bool parse(std::string_view word, T& value) {
@@ -48,6 +51,7 @@ double TextReader::number(const char* what) {
   double value = 0.0;
   if (!parse(text, value) || !std::isfinite(value))
     fail(std::string(what) + " is no number: '" + std::string(text) + "'");
+  if (std::abs(value) > kLargest) fail(std::string(what) + " is too large: '" + std::string(text) + "'");
   return value;
 }
 

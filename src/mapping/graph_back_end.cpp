@@ -1,5 +1,4 @@
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "frontier_pilot/mapping/graph_slam.h"
@@ -49,8 +48,8 @@ bool GraphBackEnd::isRenderingDue() const {
 OccupancyMap GraphBackEnd::render() {
   OccupancyMap map(map_parameters_);
   if (!base_.empty()) {
-    std::istringstream base(base_);
-    map.read(base);
+    std::string ignored;  // it was this map's own once
+    map.read(base_, ignored);
   }
   map.beginBatch();
   for (std::size_t i = 0; i < rendered_.size(); ++i) {

@@ -1,60 +1,33 @@
 #include "frontier_pilot/mapping/map_io.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "frontier_pilot/core/files.h"
+#include "map_yaml.h"
 
 namespace frontier_pilot {
 namespace {
 
 namespace fs = std::filesystem;
 
-// map_server's trinary format: how dark a pixel is says how occupied it is.
-constexpr double kOccupiedThreshold = 0.65;
-constexpr double kFreeThreshold = 0.196;
 constexpr unsigned char kFreePixel = 254;
 constexpr unsigned char kOccupiedPixel = 0;
 constexpr unsigned char kUnknownPixel = 205;
+constexpr std::size_t kLongestExtension = 5;  // .yaml
+constexpr std::size_t kLongestYaml = 65536;   // [bytes]
 
 MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what) {
   return {status, file + ": " + what};
 }
-
-/// A file that takes its place only when it is whole; one that does not get there is removed.
-class PendingFile {
- public:
-  explicit PendingFile(fs::path path) : path_(std::move(path)), temporary_(path_.string() + ".part") {}
-  ~PendingFile() {
-    std::error_code ignored;
-    fs::remove(temporary_, ignored);
-  }
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-
-  bool write(const std::string& content) const {
-    std::ofstream file(temporary_, std::ios::binary);
-    file.write(content.data(), static_cast<std::streamsize>(content.size()));
-    file.close();
-    return file.good();
-  }
-  bool commit() const {
-    std::error_code error;
-    fs::rename(temporary_, path_, error);
-    return !error;
-  }
-  std::string name() const { return path_.string(); }
-
- private:
-  fs::path path_;
-  fs::path temporary_;
-};
 
 unsigned char pixelOf(std::int8_t value) {
   if (isUnknown(value)) return kUnknownPixel;
@@ -72,15 +45,6 @@ std::string pgmOf(const OccupancyGrid& grid) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::string yamlOf(const GridGeometry& geometry, const std::string& image) {
-  std::ostringstream yaml;
-  yaml << std::setprecision(std::numeric_limits<double>::digits10);
-  yaml << "image: " << image << "\nresolution: " << geometry.resolution << "\norigin: [" << geometry.origin.x() << ", "
-       << geometry.origin.y() << ", 0.0]\nnegate: 0\noccupied_thresh: " << kOccupiedThreshold
-       << "\nfree_thresh: " << kFreeThreshold << "\n";
-  return yaml.str();
-}
-
 fs::path withoutExtension(const std::string& path) {
   const fs::path whole(path);
   const std::string extension = whole.extension().string();
@@ -88,8 +52,11 @@ fs::path withoutExtension(const std::string& path) {
   return ours ? fs::path(whole).replace_extension() : whole;
 }
 
-MapIoResult checkTarget(const fs::path& base, const std::string& path) {
-  if (base.filename().empty()) return failure(MapIoStatus::kBadPath, "'" + path + "'", "names no file");
+MapIoResult checkTarget(const fs::path& base) {
+  const std::string problem = fileNameProblem(base.filename().string(), kLongestExtension);
+  // The name is not repeated: what is wrong with it would do harm in a log as well.
+  if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
+  if (base.string().find('\0') != std::string::npos) return {MapIoStatus::kBadPath, "the folder's name ends early"};
   const fs::path directory = base.has_parent_path() ? base.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(directory, error))
@@ -97,17 +64,86 @@ MapIoResult checkTarget(const fs::path& base, const std::string& path) {
   return {};
 }
 
-MapIoResult writeAll(const std::vector<std::pair<const PendingFile*, std::string>>& files) {
-  for (const auto& [file, content] : files) {
-    if (!file->write(content)) return failure(MapIoStatus::kCannotWrite, file->name(), "cannot be written");
+/// A file that is to be written, and what it is to hold.
+struct MapFile {
+  MapFile(fs::path path, std::string bytes) : file(std::move(path)), content(std::move(bytes)) {}
+
+  std::string name() const { return file.target().string(); }
+  MapIoResult cannot(const std::string& what, const std::string& problem) const {
+    return failure(MapIoStatus::kCannotWrite, name(), what + ": " + problem);
   }
-  for (const auto& [file, content] : files) {
-    if (!file->commit()) return failure(MapIoStatus::kCannotWrite, file->name(), "cannot be put in its place");
+
+  AtomicFile file;
+  std::string content;
+};
+
+/// Nothing takes its place before all that can be foreseen is known to be well.
+MapIoResult prepare(std::array<MapFile, 3>& files) {
+  for (MapFile& file : files) {
+    std::error_code error;
+    if (fs::symlink_status(file.name(), error).type() == fs::file_type::directory)
+      return file.cannot("cannot be written", "it is a directory");
+    const std::string problem = file.file.write(file.content);
+    if (!problem.empty()) return file.cannot("cannot be written", problem);
+  }
+  return {};
+}
+
+MapIoResult putInPlace(std::array<MapFile, 3>& files) {
+  std::string done;
+  for (MapFile& file : files) {
+    const std::string problem = file.file.commit();
+    if (!problem.empty())
+      return file.cannot("cannot be put in its place",
+                         problem + (done.empty() ? "; nothing was replaced" : "; replaced were only" + done));
+    done += (done.empty() ? " " : ", ") + file.name();
+  }
+  return {};
+}
+
+/// Whether what is on the disk now is what was written.
+MapIoResult readBack(const std::array<MapFile, 3>& files) {
+  for (const MapFile& file : files) {
+    const FileContent content = readFile(file.name(), file.content.size());
+    if (!content.ok()) return file.cannot("cannot be read back", content.problem);
+    if (content.bytes != file.content) return file.cannot("cannot be read back", "it holds something else");
   }
   return {};
 }
 
 std::string appended(const fs::path& base, const char* extension) { return base.string() + extension; }
+
+MapIoResult cannotRead(const std::string& path, const FileContent& content) {
+  const bool missing = content.status == FileContent::Status::kMissing;
+  return failure(missing ? MapIoStatus::kMissing : MapIoStatus::kBroken, path, content.problem);
+}
+
+/// Whether the YAML beside a .bt, if there is one, was written with it; the text then says if that is not known.
+MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_path, const std::string& octree) {
+  const FileContent yaml = readFile(yaml_path, kLongestYaml);
+  if (yaml.status == FileContent::Status::kMissing) return {MapIoStatus::kOk, ", not verified: it has no YAML"};
+  if (!yaml.ok()) return cannotRead(yaml_path, yaml);
+  try {
+    switch (compareOctree(yaml.bytes, octree)) {
+      case OctreeMatch::kSame:
+        return {};
+      case OctreeMatch::kNotMentioned:
+        return {MapIoStatus::kOk, ", not verified: its YAML holds no checksum"};
+      case OctreeMatch::kAnother:
+        break;
+    }
+  } catch (const std::invalid_argument& error) {
+    return failure(MapIoStatus::kBroken, yaml_path, error.what());
+  }
+  return failure(MapIoStatus::kBroken, bt_path,
+                 "is not the one that " + yaml_path + " was written with: length or checksum differ");
+}
+
+MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, OccupancyMap& map) {
+  std::string why;
+  if (!map.read(bytes, why)) return failure(MapIoStatus::kBroken, bt_path, why);
+  return {MapIoStatus::kOk, "loaded " + bt_path};
+}
 
 }  // namespace
 
@@ -131,34 +167,43 @@ const char* toString(MapIoStatus status) {
 
 MapIoResult saveMap(OccupancyMap& map, const std::string& path) {
   const fs::path base = withoutExtension(path);
-  MapIoResult target = checkTarget(base, path);
-  if (!target.ok()) return target;
+  MapIoResult result = checkTarget(base);
+  if (!result.ok()) return result;
   if (map.grid().empty()) return {MapIoStatus::kEmptyMap, "there is no map yet"};
   std::ostringstream octree;
   if (!map.write(octree)) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
-  const PendingFile pgm(appended(base, ".pgm"));
-  const PendingFile yaml(appended(base, ".yaml"));
-  const PendingFile bt(appended(base, ".bt"));
-  const std::string image = fs::path(pgm.name()).filename().string();
-  MapIoResult result =
-      writeAll({{&pgm, pgmOf(map.grid())}, {&yaml, yamlOf(map.geometry(), image)}, {&bt, octree.str()}});
+  const std::string name = base.filename().string();
+  const std::string yaml = mapYaml(map.geometry(), name, octree.str());
+  // The YAML comes last: until then it says that the .bt is not the one it was written with.
+  std::array<MapFile, 3> files = {MapFile(appended(base, ".pgm"), pgmOf(map.grid())),
+                                  MapFile(appended(base, ".bt"), octree.str()), MapFile(appended(base, ".yaml"), yaml)};
+  if (!readsAs(yaml, name, octree.str())) return files.back().cannot("cannot be written", "it could not be read again");
+  for (const auto step : {prepare, putInPlace}) {
+    result = step(files);
+    if (!result.ok()) return result;
+  }
+  result = readBack(files);
   if (result.ok()) result.text = "saved " + base.string() + ".pgm, .yaml and .bt";
   return result;
 }
 
 MapIoResult loadMap(const std::string& path, OccupancyMap& map) {
   const fs::path base = withoutExtension(path);
-  if (base.filename().empty()) return failure(MapIoStatus::kBadPath, "'" + path + "'", "names no file");
-  return loadOctree(appended(base, ".bt"), map);
+  const std::string problem = fileNameProblem(base.filename().string(), kLongestExtension);
+  if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
+  const std::string bt = appended(base, ".bt");
+  const FileContent octree = readFile(bt, map.mostBytes());
+  if (!octree.ok()) return cannotRead(bt, octree);
+  const MapIoResult belongs = compareWithYaml(appended(base, ".yaml"), bt, octree.bytes);
+  if (!belongs.ok()) return belongs;
+  MapIoResult result = loadBytes(bt, octree.bytes, map);
+  if (result.ok()) result.text += belongs.text;
+  return result;
 }
 
 MapIoResult loadOctree(const std::string& bt_path, OccupancyMap& map) {
-  std::ifstream file(bt_path, std::ios::binary);
-  if (!file) return failure(MapIoStatus::kMissing, bt_path, "no such file");
-  if (!map.read(file))
-    return failure(MapIoStatus::kBroken, bt_path,
-                   "no octree of this resolution with anything at the scanner's height, or too large");
-  return {MapIoStatus::kOk, "loaded " + bt_path};
+  const FileContent octree = readFile(bt_path, map.mostBytes());
+  return octree.ok() ? loadBytes(bt_path, octree.bytes, map) : cannotRead(bt_path, octree);
 }
 
 }  // namespace frontier_pilot

@@ -114,13 +114,26 @@ bool OccupancyMap::exchange(OccupancyMap& other) {
   return true;
 }
 
-bool OccupancyMap::read(std::istream& in) {
+std::uint64_t OccupancyMap::mostNodes() const {
+  // A layer whose cells are all known, the levels above it, and as much again for what lies at other heights.
+  const double side = parameters_.max_side / parameters_.resolution;
+  return static_cast<std::uint64_t>(2.0 * side * side * 4.0 / 3.0);
+}
+
+std::size_t OccupancyMap::mostBytes() const {
+  constexpr std::size_t kHeader = 4096;
+  return kHeader + 2 * mostNodes();
+}
+
+bool OccupancyMap::read(const std::string& bytes, std::string& why) {
   OccupancyMap loaded(parameters_);
-  if (!loaded.octree_.read(in)) return false;
-  CellRect cells;
-  loaded.octree_.forEach([&](Cell cell, float) { cells.include(cell); });
+  why = loaded.octree_.read(bytes, mostNodes());
+  if (!why.empty()) return false;
+  const CellRect cells = loaded.octree_.extent();
   // A tree that holds nothing at the scanner's height is another's: it must not take the place of what is known.
-  if (cells.empty() || !loaded.reserveCells(cells)) return false;
+  if (cells.empty()) return why = "holds nothing at the scanner's height", false;
+  why = "is larger than the map may be";
+  if (!loaded.reserveCells(cells)) return false;
   loaded.octree_.forEach([&](Cell cell, float log_odds) {
     const std::size_t index = loaded.geometry().index({cell.x - loaded.extent_.x, cell.y - loaded.extent_.y});
     loaded.entries_[index].log_odds = log_odds;

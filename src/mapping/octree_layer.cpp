@@ -2,9 +2,10 @@
 
 #include <octomap/OcTree.h>
 
-#include <cmath>
-#include <istream>
 #include <ostream>
+#include <sstream>
+
+#include "octree_check.h"
 
 namespace frontier_pilot {
 
@@ -17,6 +18,19 @@ void configure(octomap::OcTree& tree, const OccupancyModel& model) {
   tree.setClampingThresMax(model.clamp_max);
   tree.setOccupancyThres(0.5);
 }
+
+/// A leaf, which above the lowest level stands for a cube of cells.
+struct LeafCube {
+  octomap::OcTreeKey low;
+  int side;
+
+  LeafCube(const octomap::OcTree& tree, const octomap::OcTree::leaf_iterator& leaf)
+      : low(leaf.getIndexKey()), side(1 << (tree.getTreeDepth() - leaf.getDepth())) {}
+
+  /// One layer of the cube lies in ours, or none.
+  bool holds(octomap::key_type z) const { return z >= low[2] && z < low[2] + side; }
+  CellRect cells() const { return {low[0] - OctreeLayer::kHalfSide, low[1] - OctreeLayer::kHalfSide, side, side}; }
+};
 
 }  // namespace
 
@@ -47,15 +61,22 @@ void OctreeLayer::set(Cell cell, float log_odds) {
   impl_->tree.setNodeValue(impl_->key(cell), log_odds, true);
 }
 
-void OctreeLayer::forEach(const std::function<void(Cell, float)>& visit) const {
-  const unsigned depth = impl_->tree.getTreeDepth();
+CellRect OctreeLayer::extent() const {
+  CellRect extent;
   for (auto leaf = impl_->tree.begin_leafs(); leaf != impl_->tree.end_leafs(); ++leaf) {
-    // A leaf above the lowest level stands for a cube of cells: one layer of it lies in ours, or none.
-    const int side = 1 << (depth - leaf.getDepth());
-    const octomap::OcTreeKey low = leaf.getIndexKey();
-    if (impl_->z < low[2] || impl_->z >= low[2] + side) continue;
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) visit({low[0] + x - kHalfSide, low[1] + y - kHalfSide}, leaf->getLogOdds());
+    const LeafCube cube(impl_->tree, leaf);
+    if (cube.holds(impl_->z)) extent.include(cube.cells());
+  }
+  return extent;
+}
+
+void OctreeLayer::forEach(const std::function<void(Cell, float)>& visit) const {
+  for (auto leaf = impl_->tree.begin_leafs(); leaf != impl_->tree.end_leafs(); ++leaf) {
+    const LeafCube cube(impl_->tree, leaf);
+    if (!cube.holds(impl_->z)) continue;
+    const CellRect cells = cube.cells();
+    for (int y = 0; y < cells.height; ++y) {
+      for (int x = 0; x < cells.width; ++x) visit({cells.x + x, cells.y + y}, leaf->getLogOdds());
     }
   }
 }
@@ -72,13 +93,16 @@ bool OctreeLayer::write(std::ostream& out) {
   return impl_->tree.writeBinaryConst(out) && out.good();
 }
 
-bool OctreeLayer::read(std::istream& in) {
+std::string OctreeLayer::read(const std::string& bytes, std::uint64_t most_nodes) {
+  const OctreeFile file = checkOctree(bytes, impl_->tree.getResolution(), most_nodes);
+  if (!file.ok()) return file.problem;
   octomap::OcTree tree(impl_->tree.getResolution());
   configure(tree, impl_->model);
-  if (!tree.readBinary(in)) return false;
-  if (std::abs(tree.getResolution() - impl_->tree.getResolution()) > 1e-6) return false;
+  std::istringstream in{std::string(file.tree)};
+  // The tree alone: the header has been read, and OctoMap's reader of it would take more than that.
+  if (!tree.readBinaryData(in).good() || tree.size() != file.nodes) return "its tree cannot be read";
   impl_->tree.swapContent(tree);
-  return true;
+  return {};
 }
 
 }  // namespace frontier_pilot

@@ -2,5 +2,8 @@
 #include "frontier_pilot/tools/map_log.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runMapLog({argv + 1, argv + argc}, frontier_pilot::readBagLog);
+  return frontier_pilot::runMapLog({argv + 1, argv + argc},
+                                   [](const std::string& path, const frontier_pilot::BagTopics& topics) {
+                                     return frontier_pilot::readBagLogApart(path, topics);
+                                   });
 }

@@ -1,10 +1,10 @@
 #include "frontier_pilot/ros/behavior_server_adapter.h"
 
 #include <geometry_msgs/Twist.h>
-#include <ros/console.h>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -48,7 +48,7 @@ void BehaviorServerNode::addPort(const char* name) {
 void BehaviorServerNode::start(BehaviorPort& port, const BehaviorGoal& goal) {
   cancel("replaced by a newer goal");
   port_ = &port;
-  ROS_INFO("%s asked for: %g", toString(goal.kind), goal.target);
+  THROTTLED_INFO(toString(goal.kind) << " asked for: " << goal.target);
   put(behavior_.start(goal, rosNow()));
 }
 
@@ -74,7 +74,7 @@ void BehaviorServerNode::put(const BehaviorOutput& output) {
   port_->publishFeedback(output, behavior_.goal());
   if (behavior_.active()) return;
   last_result_ = std::string(toString(behavior_.goal().kind)) + ": " + toString(output.outcome) + ", " + output.message;
-  ROS_INFO_STREAM(last_result_);
+  THROTTLED_INFO(last_result_);
   port_->finish(output, behavior_.goal());
   diagnostics_.publish();
 }

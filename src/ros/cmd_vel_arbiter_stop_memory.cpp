@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <system_error>
 
+#include "frontier_pilot/core/files.h"
 #include "frontier_pilot/ros/stop_memory.h"
 
 namespace frontier_pilot {
 namespace {
+
+constexpr std::size_t kLongestCause = 65536;  // [bytes]
 
 std::string asFileName(std::string name) {
   std::replace(name.begin(), name.end(), '/', '.');
@@ -25,21 +27,21 @@ StopMemory::StopMemory(const std::filesystem::path& ros_home, const std::string&
 
 std::optional<std::string> StopMemory::recall() const {
   std::error_code error;
-  const bool none = !std::filesystem::exists(file_, error) && !error;
-  if (none) return std::nullopt;
-  // A file that is there but cannot be read is a stop all the same.
-  std::string cause;
-  std::getline(std::ifstream(file_), cause);
-  return cause;
+  if (std::filesystem::symlink_status(file_, error).type() == std::filesystem::file_type::not_found)
+    return std::nullopt;
+  // Whatever else is there is a stop all the same, even if it cannot be read.
+  const std::string cause = readFile(file_, kLongestCause).bytes;
+  return cause.substr(0, cause.find('\n'));
 }
 
 std::string StopMemory::remember(const std::string& cause) const {
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
   if (error) return error.message();
-  std::ofstream file(file_, std::ios::trunc);
-  file << cause << std::endl;
-  return file ? std::string() : "cannot write " + file_.string();
+  // It has to survive this process and not the machine: a new master starts free, and the zeros must not wait for a
+  // disk.
+  const std::string problem = writeFile(file_, cause + "\n", Survives::kProcessDeath);
+  return problem.empty() ? std::string() : "cannot write " + file_.string() + ": " + problem;
 }
 
 std::string StopMemory::forget() const {

@@ -1,6 +1,5 @@
 #include <frontier_pilot/ExplorerStatus.h>
 #include <geometry_msgs/PoseStamped.h>
-#include <ros/console.h>
 
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
@@ -8,6 +7,7 @@
 #include "frontier_pilot/ros/explorer_markers.h"
 #include "frontier_pilot/ros/explorer_status.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -100,11 +100,11 @@ void ExplorerAdapter::publishStatus(const ExplorerProgress& status, Time now) {
 
 void ExplorerAdapter::report(const ExplorerOutput& output) const {
   for (const ExplorerProgress& to : output.transitions) {
-    ROS_INFO_STREAM(toString(to.state) << " (" << toString(to.phase) << "): " << to.reason_text);
+    THROTTLED_INFO(toString(to.state) << " (" << toString(to.phase) << "): " << to.reason_text);
   }
   for (const ExplorerNote& note : output.notes) {
-    if (note.warning) ROS_WARN_STREAM(note.text);
-    if (!note.warning) ROS_INFO_STREAM(note.text);
+    if (note.warning) THROTTLED_WARN(note.text);
+    if (!note.warning) THROTTLED_INFO(note.text);
   }
   if (!output.frontiers_judged) return;
   for (const Frontier& f : explorer_.frontiers()) {
@@ -124,7 +124,7 @@ void ExplorerAdapter::showFrontiers(bool news, Time now) {
 /// Ticks are on ROS time: without a clock nothing else would ever say so.
 void ExplorerAdapter::watchClock() {
   const Time now = rosNow();
-  if (now == watched_clock_) ROS_WARN("exploration waits for: /clock (ROS time stands still)");
+  if (now == watched_clock_) THROTTLED_WARN("exploration waits for: /clock (ROS time stands still)");
   watched_clock_ = now;
 }
 

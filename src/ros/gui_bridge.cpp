@@ -1,11 +1,11 @@
 #include "frontier_pilot/ros/gui_bridge.h"
 
 #include <geometry_msgs/Twist.h>
-#include <ros/console.h>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/operator_views.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -86,7 +86,7 @@ void GuiBridge::publishManual() {
   const auto before = manual_output_.state();
   const std::optional<Twist2> command = manual_output_.update(manualOn(now), now);
   if (manual_output_.state() == ManualOutput::State::kFrozen && before != ManualOutput::State::kFrozen) {
-    ROS_WARN("the window gives no sign of life: zero sent, manual is silent");
+    THROTTLED_WARN("the window gives no sign of life: zero sent, manual is silent");
   }
   if (!command) return;
   if (!manual_publisher_) manual_publisher_ = node_.advertise<geometry_msgs::Twist>(names::kCmdVelManual, 1);
@@ -139,9 +139,9 @@ OperatorLog GuiBridge::logger() {
 
 void GuiBridge::log(Severity severity, const std::string& text) {
   if (severity == Severity::kError || severity == Severity::kWarning) {
-    ROS_WARN_STREAM(text);
+    THROTTLED_WARN(text);
   } else {
-    ROS_INFO_STREAM(text);
+    THROTTLED_INFO(text);
   }
   const std::lock_guard<std::mutex> lock(log_mutex_);
   if (log_.size() < kMostLogLines) log_.push_back({severity, text});

@@ -6,6 +6,7 @@
 #include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -19,8 +20,10 @@ namespace {
 
 /// Whether two names are the same topic: bags hold them with or without the leading slash.
 bool isTopic(const std::string& name, const std::string& wanted) {
-  const auto bare = [](const std::string& text) { return text.substr(text.find_first_not_of('/')); };
-  return bare(name) == bare(wanted);
+  const auto bare = [](const std::string& text) {
+    return text.substr(std::min(text.find_first_not_of('/'), text.size()));
+  };
+  return !bare(wanted).empty() && bare(name) == bare(wanted);
 }
 
 /// Goes through the messages of a bag and collects scans with their odometry.

@@ -1,11 +1,10 @@
 #include "frontier_pilot/ros/map_mirror.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -49,8 +48,8 @@ void MapMirror::replace(OccupancyGrid map) {
     changed_.include(difference(map_, map));
   } else {
     if (ready() && (is.width < was.width || is.height < was.height)) {
-      ROS_WARN("map shrank from %d x %d to %d x %d cells: the smaller one counts", was.width, was.height, is.width,
-               is.height);
+      THROTTLED_WARN("map shrank from " << was.width << " x " << was.height << " to " << is.width << " x " << is.height
+                                        << " cells: the smaller one counts");
     }
     changed_ = is.rect();
   }

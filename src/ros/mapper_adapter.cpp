@@ -1,10 +1,11 @@
 #include "frontier_pilot/ros/mapper_adapter.h"
 
-#include <ros/console.h>
+#include <iomanip>
 
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -115,8 +116,10 @@ void MapperAdapter::takeOver(Thoughts& thoughts) {
   revision_seconds_ = thoughts.seconds;
   const MapRevision& revision = thoughts.revision;
   if (!revision.closures.empty()) {
-    ROS_INFO("loop closed: %zu closures, the robot moved by %.3f m and %.2f deg in the map", revision.closures.size(),
-             revision.T_new_old.position().norm(), revision.T_new_old.yaw * 180.0 / kPi);
+    THROTTLED_INFO("loop closed: " << revision.closures.size() << " closures, the robot moved by " << std::fixed
+                                   << std::setprecision(3) << revision.T_new_old.position().norm() << " m and "
+                                   << std::setprecision(2) << revision.T_new_old.yaw * 180.0 / kPi
+                                   << " deg in the map");
     broadcast();
   }
   if (revision.map) old_ = std::make_shared<MapRevision>(std::move(thoughts.revision));

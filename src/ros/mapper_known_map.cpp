@@ -1,12 +1,12 @@
-#include <ros/console.h>
-
 #include <Eigen/Core>
 #include <array>
+#include <iomanip>
 #include <optional>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/mapper_adapter.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -41,9 +41,9 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   response.success = static_cast<std::uint8_t>(result.ok());
   response.message = result.text;
   if (result.ok()) {
-    ROS_INFO_STREAM(result.text);
+    THROTTLED_INFO(result.text);
   } else {
-    ROS_ERROR_STREAM("map not loaded, " << toString(result.status) << ": " << result.text);
+    THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
   }
   return true;
 }
@@ -58,7 +58,7 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
   if (!mapper_.locate({*pose, *covariance})) {
     return bad_initial_poses_.add("there is nothing in the map yet that could be recognised");
   }
-  ROS_INFO("looking for the robot around %.2f, %.2f", pose->x, pose->y);
+  THROTTLED_INFO("looking for the robot around " << std::fixed << std::setprecision(2) << pose->x << ", " << pose->y);
 }
 
 }  // namespace frontier_pilot

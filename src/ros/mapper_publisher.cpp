@@ -1,7 +1,6 @@
 #include "frontier_pilot/ros/mapper_publisher.h"
 
 #include <nav_msgs/MapMetaData.h>
-#include <ros/console.h>
 #include <ros/this_node.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -22,7 +22,7 @@ void MapperPublisher::setPublishers(const std::vector<std::string>& publishers) 
     if (name != ros::this_node::getName()) others += (others.empty() ? "" : ", ") + name;
   }
   if (!others.empty() && others != foreigners_) {
-    ROS_ERROR_STREAM("another node publishes " << topic() << ": " << others << "; this mapper keeps silent");
+    THROTTLED_ERROR("another node publishes " << topic() << ": " << others << "; this mapper keeps silent");
   }
   foreigners_ = others;
   if (others.empty()) {

@@ -1,9 +1,8 @@
-#include <ros/console.h>
-
 #include "frontier_pilot/mapping/map_io.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/mapper_adapter.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -19,9 +18,9 @@ bool MapperAdapter::handleSave(SaveMap::Request& request, SaveMap::Response& res
   response.success = static_cast<std::uint8_t>(result.ok());
   response.message = result.text;
   if (result.ok()) {
-    ROS_INFO_STREAM(result.text);
+    THROTTLED_INFO(result.text);
   } else {
-    ROS_ERROR_STREAM("map not saved, " << toString(result.status) << ": " << result.text);
+    THROTTLED_ERROR("map not saved, " << toString(result.status) << ": " << result.text);
   }
   return true;
 }

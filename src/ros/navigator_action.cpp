@@ -1,11 +1,10 @@
 #include "frontier_pilot/ros/navigator_action.h"
 
-#include <ros/console.h>
-
 #include <utility>
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -42,7 +41,7 @@ void MoveBaseServer::handleGoal(const Server::GoalHandle& offered) {
   std::string why;
   const auto goal = read(handle.getGoal()->target_pose, why);
   if (!goal) {
-    ROS_WARN_STREAM("goal rejected: " << why);
+    THROTTLED_WARN("goal rejected: " << why);
     handle.setRejected({}, "invalid goal: " + why);
     return;
   }

@@ -1,12 +1,12 @@
 #include "frontier_pilot/ros/navigator_adapter.h"
 
 #include <geometry_msgs/Twist.h>
-#include <ros/console.h>
 
 #include "frontier_pilot/ros/behavior_ladder.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -116,12 +116,12 @@ bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs:
   const auto goal = in_map(request.goal);
   response.plan.header.frame_id = parameters_.map_frame;
   if (!start || !goal) {
-    ROS_WARN("make_plan: start or goal is malformed or in a frame that is not known");
+    THROTTLED_WARN("make_plan: start or goal is malformed or in a frame that is not known");
     return false;
   }
   const double tolerance = request.tolerance > 0.0F ? static_cast<double>(request.tolerance) : -1.0;
   const PlanResult result = navigator_.makePlan({*start, *goal, tolerance});
-  if (!result.found()) ROS_WARN_STREAM("make_plan: " << toString(result.status));
+  if (!result.found()) THROTTLED_WARN("make_plan: " << toString(result.status));
   response.plan = toPathMsg(withYaw(result.path.sampled(0.1)), parameters_.map_frame, rosNow());
   return true;
 }

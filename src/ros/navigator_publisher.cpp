@@ -1,7 +1,6 @@
 #include "frontier_pilot/ros/navigator_publisher.h"
 
 #include <nav_msgs/Path.h>
-#include <ros/console.h>
 #include <std_msgs/String.h>
 
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -87,7 +87,7 @@ void NavigatorPublisher::publishStatus(const NavigatorOutput& output) {
   // The reason of an end stays until there is something new to say.
   if (text == status_ || (output.state == NavState::kIdle && output.finished.empty() && !status_.empty())) return;
   status_ = text;
-  ROS_INFO_STREAM(status_);
+  THROTTLED_INFO(status_);
   std_msgs::String msg;
   msg.data = status_;
   status_publisher_.publish(msg);

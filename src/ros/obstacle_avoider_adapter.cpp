@@ -1,12 +1,12 @@
 #include "frontier_pilot/ros/obstacle_avoider_adapter.h"
 
 #include <geometry_msgs/Twist.h>
-#include <ros/console.h>
 
 #include "frontier_pilot/ros/avoider_report.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -93,7 +93,7 @@ void ObstacleAvoiderNode::publishStatus(bool anyway) {
   last_essence_ = essence;
   if (changed || anyway) status_.publish(toStatusMsg(snapshot));
   if (!changed) return;
-  ROS_INFO_STREAM(essence);
+  THROTTLED_INFO(essence);
   diagnostics_.publish();
 }
 

@@ -1,12 +1,12 @@
 #include "frontier_pilot/ros/patrol_server_adapter.h"
 
 #include <geometry_msgs/Twist.h>
-#include <ros/console.h>
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -46,7 +46,7 @@ void PatrolServerNode::subscribe() {
 void PatrolServerNode::handleGoal(const PatrolGoal& msg) {
   // A patrol that was going on has been ended before.
   const PatrolOrder order{msg.goal.x, msg.goal.y, msg.goal.z};
-  ROS_INFO("patrol asked for: mode %g, size %g m, %g laps", order.mode, order.size, order.laps);
+  THROTTLED_INFO("patrol asked for: mode " << order.mode << ", size " << order.size << " m, " << order.laps << " laps");
   put(patrol_.start(order, rosNow()));
 }
 
@@ -98,7 +98,7 @@ void PatrolServerNode::finish(const PatrolOutput& output) {
   } else {
     server_.setAborted(result, output.text);
   }
-  ROS_INFO_STREAM(output.text);
+  THROTTLED_INFO(output.text);
   diagnostics_.publish();
 }
 

@@ -7,6 +7,7 @@
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -88,7 +89,7 @@ void SimulatorAdapter::publishClock() {
 
 bool SimulatorAdapter::resetPositions(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
   for (const std::string& name : simulator_.resetPositions()) {
-    ROS_WARN_STREAM("reset_positions: robot '" << name << "' stays, an obstacle or robot stands on its start");
+    THROTTLED_WARN("reset_positions: robot '" << name << "' stays, an obstacle or robot stands on its start");
   }
   return true;
 }

@@ -1,16 +1,30 @@
 #include "frontier_pilot/sim/world_image.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
+#include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
 
 namespace frontier_pilot::sim {
 namespace {
+
+// What a simulator can hold, with room to spare: a world sizes grids and indices. [FLT-1]
+constexpr std::streamsize kLongestHeader = 4096;  // of an image [bytes]
+constexpr double kFinest = 0.001;                 // [m]
+constexpr double kCoarsest = 1.0;                 // [m]
+constexpr double kFarthest = 1e5;                 // [m]
+constexpr std::uint64_t kMostPixels = 64000000;   // 8000 x 8000
+constexpr double kLongestSide = 5000.0;           // [m]
+constexpr std::size_t kMostImageBytes = 300000000;
 
 // The keys of a map_server file. The defaults of what must be given are invalid on purpose.
 struct WorldFile {
@@ -26,8 +40,8 @@ struct WorldFile {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("image", image, "", "the picture, relative to this file");
-    v.field("resolution", resolution, "m", "side of a pixel", positive());
-    v.field("origin", origin, "m, m, rad", "pose of the lower left corner", anyNumber());
+    v.field("resolution", resolution, "m", "side of a pixel", between(kFinest, kCoarsest));
+    v.field("origin", origin, "m, m, rad", "pose of the lower left corner", between(-kFarthest, kFarthest));
     v.field("negate", negate, "", "1: white is occupied", between(0, 1));
     v.field("occupied_thresh", occupied_thresh, "", "darker than this is occupied", between(0.0, 1.0));
     v.field("free_thresh", free_thresh, "", "lighter than this is free", between(0.0, 1.0));
@@ -81,16 +95,62 @@ WorldFile readFile(const std::string& path) {
   return file;
 }
 
-cv::Mat readImage(const std::string& yaml_path, const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / name;
-  if (!std::filesystem::exists(path)) fail(yaml_path, "its image " + path.string() + " does not exist");
+// What an image says of its size before it is decoded; nothing if it is neither PGM nor PNG.
+struct ImageSize {
+  std::uint64_t width = 0;
+  std::uint64_t height = 0;
+};
+
+std::optional<ImageSize> sizeOfPgm(const std::string& bytes) {
+  std::istringstream header(bytes.substr(2, kLongestHeader));
+  std::array<std::uint64_t, 2> sides{};
+  for (std::uint64_t& side : sides) {
+    while ((header >> std::ws).peek() == '#') header.ignore(kLongestHeader, '\n');
+    if (!(header >> side)) return std::nullopt;
+  }
+  return ImageSize{sides[0], sides[1]};
+}
+
+std::optional<ImageSize> sizeOfPng(const std::string& bytes) {
+  const auto number = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  if (bytes.size() < 24 || bytes.compare(12, 4, "IHDR") != 0) return std::nullopt;
+  return ImageSize{number(16), number(20)};
+}
+
+std::optional<ImageSize> sizeOf(const std::string& bytes) {
+  if (bytes.rfind("P2", 0) == 0 || bytes.rfind("P5", 0) == 0) return sizeOfPgm(bytes);
+  return bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0 ? sizeOfPng(bytes) : std::nullopt;
+}
+
+void checkSize(const ImageSize& size, double resolution, const std::string& yaml_path, const std::string& image) {
+  // Each side first, so that the product cannot overflow.
+  const std::uint64_t longest = std::max(size.width, size.height);
+  if (longest > kMostPixels || size.width * size.height > kMostPixels)
+    fail(yaml_path, image + " has more than " + std::to_string(kMostPixels) + " pixels");
+  if (static_cast<double>(longest) * resolution > kLongestSide)
+    fail(yaml_path, image + " is longer than " + std::to_string(static_cast<int>(kLongestSide)) + " m on one side");
+}
+
+cv::Mat readImage(const std::string& yaml_path, const WorldFile& file) {
+  const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / file.image;
+  const std::string name = "its image " + path.string();
+  const FileContent content = frontier_pilot::readFile(path, kMostImageBytes);
+  if (content.status == FileContent::Status::kMissing) fail(yaml_path, name + " does not exist");
+  if (!content.ok()) fail(yaml_path, name + " cannot be read: " + content.problem);
+  const std::optional<ImageSize> size = sizeOf(content.bytes);
+  if (!size) fail(yaml_path, name + " cannot be read as PGM or PNG");
+  checkSize(*size, file.resolution, yaml_path, name);
   cv::Mat image;
   try {
-    image = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+    image = cv::imdecode(std::vector<char>(content.bytes.begin(), content.bytes.end()), cv::IMREAD_GRAYSCALE);
   } catch (const cv::Exception& error) {
-    fail(yaml_path, "its image " + path.string() + " cannot be read: " + error.what());
+    fail(yaml_path, name + " cannot be read: " + error.what());
   }
-  if (image.empty()) fail(yaml_path, "its image " + path.string() + " cannot be read as PGM or PNG");
+  if (image.empty()) fail(yaml_path, name + " cannot be read as PGM or PNG");
   return image;
 }
 
@@ -104,7 +164,7 @@ std::int8_t cellOf(std::uint8_t pixel, const WorldFile& file) {
 
 World loadWorld(const std::string& yaml_path) {
   const WorldFile file = readFile(yaml_path);
-  const cv::Mat image = readImage(yaml_path, file.image);
+  const cv::Mat image = readImage(yaml_path, file);
   World world;
   world.map = OccupancyGrid(GridGeometry{file.resolution, {file.origin[0], file.origin[1]}, image.cols, image.rows});
   for (int y = 0; y < image.rows; ++y) {

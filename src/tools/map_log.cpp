@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "frontier_pilot/core/files.h"
 #include "frontier_pilot/logs/trajectory_error.h"
 #include "frontier_pilot/mapping/map_io.h"
 #include "frontier_pilot/tools/log_mapping.h"
@@ -27,6 +30,9 @@ double cpuSeconds() {
 }
 
 std::ifstream openFile(const std::string& path) {
+  std::error_code error;
+  const bool odd = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+  if (odd) throw LogError(path + ": is no file");
   std::ifstream file(path, std::ios::binary);
   if (!file || file.peek() == std::ifstream::traits_type::eof()) throw LogError(path + ": cannot be read, or is empty");
   return file;
@@ -105,10 +111,10 @@ void printErrors(const MapLogOptions& options, const MappedDrive& drive) {
 }
 
 void writeTrajectory(const Trajectory& trajectory, const std::string& path) {
-  std::ofstream file(path);
-  writeTum(file, trajectory);
-  file.close();
-  if (!file) throw LogError(path + ": cannot be written");
+  std::ostringstream text;
+  writeTum(text, trajectory);
+  const std::string problem = writeFile(path, text.str());
+  if (!problem.empty()) throw LogError(path + ": cannot be written: " + problem);
 }
 
 void writeResults(const MapLogOptions& options, const MappedDrive& drive, Mapper& mapper) {

@@ -1,5 +1,6 @@
 #include "frontier_pilot/tools/map_log_options.h"
 
+#include <regex>
 #include <stdexcept>
 
 #include "frontier_pilot/tools/arguments.h"
@@ -19,6 +20,14 @@ Pose2 poseOf(Arguments& arguments) {
   return {x, y, normalizeAngle(arguments.number())};
 }
 
+/// A name as ROS has them for topics and frames: letters, digits and underscores, with slashes between.
+std::string rosName(Arguments& arguments, const std::string& option, const std::string& what) {
+  static const std::regex pattern("/?[A-Za-z][A-Za-z0-9_]*(/[A-Za-z0-9_]+)*");
+  std::string name = arguments.text();
+  if (name.size() < 256 && std::regex_match(name, pattern)) return name;
+  throw std::invalid_argument(option + " needs the name of a " + what + ", not '" + name + "'");
+}
+
 void takeOption(const std::string& word, Arguments& arguments, MapLogOptions& o) {
   if (word == "--help" || word == "-h") return void(o.help = true);
   if (word == "--out") return void(o.out = arguments.text());
@@ -27,9 +36,9 @@ void takeOption(const std::string& word, Arguments& arguments, MapLogOptions& o)
   if (word == "--range") return void(o.scanner.range_max = positiveNumber(arguments, word));
   if (word == "--fov") return void(o.scanner.field_of_view = positiveNumber(arguments, word) * kPi / 180.0);
   if (word == "--mount") return void(o.scanner.T_base_sensor = poseOf(arguments));
-  if (word == "--scan") return void(o.topics.scan = arguments.text());
-  if (word == "--odom") return void(o.topics.odom = arguments.text());
-  if (word == "--base") return void(o.topics.base_frame = arguments.text());
+  if (word == "--scan") return void(o.topics.scan = rosName(arguments, word, "topic"));
+  if (word == "--odom") return void(o.topics.odom = rosName(arguments, word, "topic"));
+  if (word == "--base") return void(o.topics.base_frame = rosName(arguments, word, "frame"));
   if (Arguments::isOption(word)) throw std::invalid_argument("unknown option " + word);
   if (!o.log.empty()) throw std::invalid_argument("more than one log: " + o.log + " and " + word);
   o.log = word;

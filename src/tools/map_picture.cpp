@@ -5,6 +5,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "frontier_pilot/core/files.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -95,7 +97,9 @@ bool writePicture(const OccupancyGrid& map, const MapPicture& picture, const std
   for (const auto& [from, to] : picture.closures) drawLine(from, to, kGreen, canvas);
   drawTrack(picture.trajectory, kBlue, canvas);
   try {
-    return cv::imwrite(path, canvas.image());
+    std::vector<unsigned char> bytes;
+    if (!cv::imencode(".png", canvas.image(), bytes)) return false;
+    return writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}).empty();
   } catch (const cv::Exception&) {
     return false;
   }

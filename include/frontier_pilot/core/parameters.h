@@ -129,8 +129,11 @@ std::string tabulateRows(const std::vector<detail::Describer::Row>& rows);
 /// Reads a YAML text into a map. Throws std::invalid_argument with the parser's message and position.
 ParameterMap parseYaml(const std::string& text);
 
-/// Reads a YAML file. Throws std::invalid_argument when it is missing or broken.
+/// Reads a YAML file. Throws std::invalid_argument when it is missing, no file, larger than 1 MB or broken.
 ParameterMap loadYamlFile(const std::string& path);
+
+/// `text` as a value in YAML: in quotes where it would be read as something else without them.
+std::string yamlText(const std::string& text);
 
 namespace detail {
 

@@ -9,7 +9,7 @@ namespace frontier_pilot {
 
 enum class MapIoStatus {
   kOk,
-  kBadPath,      ///< the path is empty or a directory, or its directory does not exist
+  kBadPath,      ///< the path names no file, or one that cannot be read again, or its directory does not exist
   kEmptyMap,     ///< there is nothing to save yet
   kCannotWrite,  ///< the disk is full, or writing is not allowed
   kMissing,      ///< a file to load does not exist
@@ -26,11 +26,12 @@ struct MapIoResult {
 };
 
 /// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary one); an extension
-/// of these three is ignored. The files appear whole or not at all.
+/// of these three is ignored. Each file appears whole or not at all, the YAML last, with the length and the checksum of
+/// the .bt; they are read back before success is told. Where only some could be put in place the text names them.
 MapIoResult saveMap(OccupancyMap& map, const std::string& path);
 
-/// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. On failure it stays as it
-/// was.
+/// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. If a YAML is there the two
+/// must belong together; the text says where that is not known. On failure the map stays as it was. [MAP-5]
 MapIoResult loadMap(const std::string& path, OccupancyMap& map);
 
 /// Replaces `map` by a .bt file's content; on failure it stays as it was.

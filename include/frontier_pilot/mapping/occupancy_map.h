@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <string>
 
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/parameters.h"
@@ -87,9 +89,11 @@ class OccupancyMap {
 
   /// Octomap's binary format. False when the stream fails.
   bool write(std::ostream& out) { return octree_.write(out); }
-  /// Replaces the map. False, and nothing is changed, when the stream holds no octree of this resolution or one that
-  /// is too large.
-  bool read(std::istream& in);
+  /// Replaces the map by what `write` gave. False, nothing is changed, and `why` says the reason, when the bytes are
+  /// not all of an octree of this resolution, or one that is too large.
+  bool read(const std::string& bytes, std::string& why);
+  /// What `read` takes at most [bytes].
+  std::size_t mostBytes() const;
 
   /// The dense copy's log-odds; no value where unknown. For tests and pictures.
   bool logOdds(Cell cell, float& value) const;
@@ -105,6 +109,7 @@ class OccupancyMap {
   void store(std::size_t index);
   void project(std::size_t index, float log_odds);
   std::int8_t value(float log_odds) const;
+  std::uint64_t mostNodes() const;
   CellRect needed(const Vec2& low, const Vec2& high) const;
   bool reserveCells(const CellRect& cells);
   void resize(const CellRect& cells);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <string>
 
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/mapping/log_odds.h"
@@ -24,6 +26,8 @@ class OctreeLayer {
   OctreeLayer& operator=(OctreeLayer&&) noexcept;
 
   void set(Cell cell, float log_odds);
+  /// The smallest rectangle that holds every known cell of the layer.
+  CellRect extent() const;
   /// The log-odds of every known cell of the layer.
   void forEach(const std::function<void(Cell, float)>& visit) const;
   void clear();
@@ -35,8 +39,10 @@ class OctreeLayer {
 
   /// OctoMap's binary format (.bt): each cell free or occupied. False when the stream fails.
   bool write(std::ostream& out);
-  /// Replaces the content. False, and nothing is changed, when the stream is no binary octree of this resolution.
-  bool read(std::istream& in);
+  /// Replaces the content by an octree in OctoMap's binary format. Gives an empty text; or what is wrong with the
+  /// bytes, and nothing is changed, when they are not such an octree of this resolution and of at most `most_nodes`,
+  /// whole.
+  std::string read(const std::string& bytes, std::uint64_t most_nodes);
 
  private:
   struct Impl;

@@ -83,7 +83,7 @@ TEST_F(MapIo, SaysWhyItCannotSave) {
   EXPECT_NE(nowhere.text.find("no such directory"), std::string::npos);
   OccupancyMap empty;
   EXPECT_EQ(saveMap(empty, path("floor")).status, MapIoStatus::kEmptyMap);
-  fs::create_directory(path("floor.pgm.part"));
+  fs::create_directory(path("floor.pgm"));
   EXPECT_EQ(saveMap(map, path("floor")).status, MapIoStatus::kCannotWrite);
 }
 
@@ -91,7 +91,8 @@ TEST_F(MapIo, KeepsAnOlderMapWhenSavingFails) {
   ASSERT_TRUE(saveMap(map, path("floor")).ok());
   const auto before = map.grid().cells();
   map.clear();
-  fs::create_directory(path("floor.bt.part"));
+  fs::remove(path("floor.bt"));
+  fs::create_directory(path("floor.bt"));
   ASSERT_EQ(saveMap(map, path("floor")).status, MapIoStatus::kCannotWrite);
   EXPECT_TRUE(sim::loadWorld(path("floor.yaml")).map.cells() == before);
 }

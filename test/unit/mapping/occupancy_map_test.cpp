@@ -190,7 +190,8 @@ TEST(OccupancyMap, IsTheSameAfterAWriteAndARead_MAP_2) {
   ASSERT_TRUE(map.write(file));
   OccupancyMap copy;
   ASSERT_TRUE(copy.reserve(map.geometry().origin + Vec2(1.0, 1.0), Vec2(9.0, 9.0)));
-  ASSERT_TRUE(copy.read(file));
+  std::string why;
+  ASSERT_TRUE(copy.read(file.str(), why)) << why;
   EXPECT_EQ(copy.geometry(), map.geometry());
   EXPECT_TRUE(copy.grid().cells() == map.grid().cells());
 }
@@ -215,8 +216,9 @@ TEST(OccupancyMap, KeepsItsContentWhenReadingFails) {
   OccupancyMap map;
   scribble(map, 20);
   const auto before = map.grid().cells();
-  std::stringstream nonsense("this is no octree\n");
-  EXPECT_FALSE(map.read(nonsense));
+  std::string why;
+  EXPECT_FALSE(map.read("this is no octree\n", why));
+  EXPECT_NE(why.find("no octree"), std::string::npos) << why;
   OccupancyMapParameters coarse;
   coarse.resolution = 0.1;
   OccupancyMap other(coarse);
@@ -224,7 +226,7 @@ TEST(OccupancyMap, KeepsItsContentWhenReadingFails) {
   hit(other, {3, 3});
   std::stringstream file;
   ASSERT_TRUE(other.write(file));
-  EXPECT_FALSE(map.read(file)) << "another resolution";
+  EXPECT_FALSE(map.read(file.str(), why)) << "another resolution";
   EXPECT_TRUE(map.grid().cells() == before);
 }
 
@@ -234,7 +236,8 @@ TEST(OccupancyMap, GoesOnMappingAfterARead) {
   hit(map, cell);
   std::stringstream file;
   ASSERT_TRUE(map.write(file));
-  ASSERT_TRUE(map.read(file));
+  std::string why;
+  ASSERT_TRUE(map.read(file.str(), why)) << why;
   for (int i = 0; i < 9; ++i) miss(map, cellAt(map, 0.2, 0.2));
   EXPECT_EQ(map.grid()[cellAt(map, 0.2, 0.2)], kFree);
   std::size_t free = 0;

@@ -10,6 +10,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <random>
 
 #include "frontier_pilot/core/motion.h"
 
@@ -128,11 +130,101 @@ TEST_F(BagLog, ReadsOtherTopicsWhenTold) {
   EXPECT_EQ(readBagLog(path_, topics).records.size(), 3U);
 }
 
+// [FLT-1] A slash, or nothing, is no name of a topic, and none of the bag's.
+TEST_F(BagLog, FindsNothingOnATopicWithoutAName_FLT_1) {
+  writeMounts();
+  writeDrive(3);
+  for (const char* topic : {"", "/", "///"}) {
+    BagTopics topics;
+    topics.scan = topic;
+    EXPECT_NE(problem(topics).find("holds no usable scan"), std::string::npos) << topic;
+  }
+}
+
+TEST_F(BagLog, IsTheSameFromAnotherProcess) {
+  writeMounts();
+  writeScan(90.0);
+  writeDrive(20);
+  const ScanLog here = read();
+  const ScanLog there = readBagLogApart(path_, {});
+  EXPECT_EQ(here.notes, there.notes);
+  ASSERT_EQ(here.records.size(), there.records.size());
+  for (std::size_t i = 0; i < here.records.size(); ++i) {
+    const LogRecord& a = here.records[i];
+    const LogRecord& b = there.records[i];
+    EXPECT_EQ(a.T_odom_base, b.T_odom_base);
+    EXPECT_EQ(a.scan.stamp, b.scan.stamp);
+    EXPECT_EQ(a.scan.T_base_sensor, b.scan.T_base_sensor);
+    EXPECT_EQ(a.scan.angle_min, b.scan.angle_min);
+    EXPECT_EQ(a.scan.angle_increment, b.scan.angle_increment);
+    EXPECT_EQ(a.scan.range_min, b.scan.range_min);
+    EXPECT_EQ(a.scan.range_max, b.scan.range_max);
+    EXPECT_EQ(a.scan.ranges, b.scan.ranges);
+  }
+}
+
+// [FLT-1] rosbag's own code ends the process on some of these.
+TEST_F(BagLog, IsReadOrRefusedWhateverItHolds_FLT_1) {
+  writeMounts();
+  writeDrive(10);
+  bag_.close();
+  std::ifstream file(path_, std::ios::binary);
+  const std::string whole((std::istreambuf_iterator<char>(file)), {});
+  std::mt19937 random(20);
+  const auto below = [&](std::size_t limit) {
+    return std::uniform_int_distribution<std::size_t>(0, limit - 1)(random);
+  };
+  BagReadLimits limits;
+  limits.time = std::chrono::seconds(5);
+  std::size_t refused = 0;
+  for (int i = 0; i < 120; ++i) {
+    std::string bytes = whole;
+    for (std::size_t flips = below(30); flips > 0; --flips) {
+      bytes[below(bytes.size())] = static_cast<char>(below(256));
+    }
+    if (below(3) == 0) bytes.resize(below(bytes.size()));
+    if (below(4) == 0) bytes.insert(below(bytes.size() + 1), whole, below(whole.size()), below(500));
+    std::ofstream(path_, std::ios::binary) << bytes;
+    try {
+      readBagLogApart(path_, {}, limits);
+    } catch (const LogError& error) {
+      ++refused;
+      EXPECT_NE(std::string(error.what()).find("drive.bag"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(refused, 0U);
+}
+
+// [FLT-1] A compressed bag may be far larger inside than outside.
+TEST_F(BagLog, IsRefusedWhenItNeedsTooMuch_FLT_1) {
+  writeMounts();
+  writeDrive(10);
+  bag_.close();
+  BagReadLimits limits;
+  limits.memory = 1;
+  try {
+    readBagLogApart(path_, {}, limits);
+    FAIL() << "it was read";
+  } catch (const LogError& error) {
+    EXPECT_NE(std::string(error.what()).find("more memory than"), std::string::npos) << error.what();
+  }
+  limits = BagReadLimits();
+  limits.time = std::chrono::seconds(0);
+  try {
+    readBagLogApart(path_, {}, limits);
+    FAIL() << "it was read";
+  } catch (const LogError& error) {
+    EXPECT_NE(std::string(error.what()).find("longer than"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(BagLog, SaysThatAFileIsNoBag) {
   bag_.close();
   std::ofstream(path_) << "#ROSBAG V2.0\nand nothing else";
   EXPECT_THROW(readBagLog(path_, {}), LogError);
   EXPECT_THROW(readBagLog(path_ + ".none", {}), LogError);
+  EXPECT_THROW(readBagLogApart(path_, {}), LogError);
+  EXPECT_THROW(readBagLogApart(path_ + ".none", {}), LogError);
 }
 
 }  // namespace

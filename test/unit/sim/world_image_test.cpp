@@ -1,10 +1,12 @@
 #include "frontier_pilot/sim/world_image.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 namespace frontier_pilot::sim {
 namespace {
@@ -75,6 +77,59 @@ TEST_F(WorldFiles, NamesEveryDefect_SIM_1) {
   EXPECT_NE(refusal(writeYaml("image: world.pgm\nmode: scale\n" + rest_)).find("only trinary"), std::string::npos);
   EXPECT_NE(refusal(writeYaml("image: world.pgm\nresolution: .nan\norigin: [0, 0, 0]\n")).find("resolution"),
             std::string::npos);
+}
+
+// [FLT-1] [SIM-1] A pipe would keep the simulator waiting, a device would never end.
+TEST_F(WorldFiles, AreFilesAndNothingElse_FLT_1_SIM_1) {
+  const std::string pipe = (folder_ / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& odd : {pipe, folder_.string(), std::string("/dev/zero")}) {
+    EXPECT_NE(refusal(odd).find("is no file"), std::string::npos) << odd << ": " << refusal(odd);
+    EXPECT_NE(refusal(writeYaml("image: " + odd + "\n" + rest_)).find("is no file"), std::string::npos) << odd;
+  }
+}
+
+// [FLT-1] [SIM-1] What a world announces sizes grids before it is known to be there.
+TEST_F(WorldFiles, AreOfASizeThatCanBeHeld_FLT_1_SIM_1) {
+  for (const char* header : {"P5\n30000 30000\n255\n", "P5 2147483647 2147483647 255\n", "P2\n#\n99999999 1\n255\n",
+                             "P5\n18446744073709551615 3\n255\n", "P5 -3 2 255\n"}) {
+    write("huge.pgm", std::string(header) + "xxx");
+    EXPECT_NE(refusal(writeYaml("image: huge.pgm\n" + rest_)), "") << header;
+  }
+  write("huge.pgm", "P5\n30000 30000\n255\nxxx");
+  EXPECT_NE(refusal(writeYaml("image: huge.pgm\n" + rest_)).find("more than 64000000 pixels"), std::string::npos);
+  for (const char* resolution : {".nan", ".inf", "-.inf", "0", "-0.1", "1e-10", "1e10", "1e-320"}) {
+    const std::string text = std::string("image: world.pgm\norigin: [0, 0, 0]\nresolution: ") + resolution + "\n";
+    EXPECT_NE(refusal(writeYaml(text)).find("resolution"), std::string::npos) << resolution;
+  }
+  for (const char* origin : {"[.nan, 0, 0]", "[0, .inf, 0]", "[1e300, 0, 0]", "[0]", "{}", "[0, 0, 0, 0]"}) {
+    const std::string text = std::string("image: world.pgm\nresolution: 0.1\norigin: ") + origin + "\n";
+    EXPECT_NE(refusal(writeYaml(text)).find("origin"), std::string::npos) << origin;
+  }
+  EXPECT_NE(refusal(writeYaml(std::string(200000, '['))), "");
+  EXPECT_NE(refusal(writeYaml(std::string(2000000, ' ') + "image: world.pgm\n" + rest_)).find("larger"),
+            std::string::npos);
+}
+
+// [FLT-1] [SIM-1]
+TEST_F(WorldFiles, AreReadOrRefusedWhateverTheyHold_FLT_1_SIM_1) {
+  const std::string yaml = "image: world.pgm\n" + rest_;
+  const std::string pgm = "P5\n3 2\n255\n\xfe\xcd\x01\x02\xfe\xfe";
+  std::mt19937 random(20);
+  const auto below = [&](std::size_t limit) {
+    return std::uniform_int_distribution<std::size_t>(0, limit - 1)(random);
+  };
+  const auto spoilt = [&](std::string bytes) {
+    for (std::size_t flips = below(5); flips > 0; --flips) bytes[below(bytes.size())] = static_cast<char>(below(256));
+    if (below(4) == 0) bytes.resize(below(bytes.size()));
+    return bytes;
+  };
+  std::size_t refused = 0;
+  for (int i = 0; i < 600; ++i) {
+    write("world.pgm", spoilt(pgm));
+    refused += refusal(writeYaml(i % 2 == 0 ? yaml : spoilt(yaml))).empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 150U);
 }
 
 }  // namespace

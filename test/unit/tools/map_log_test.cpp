@@ -1,6 +1,7 @@
 #include "frontier_pilot/tools/map_log.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -48,6 +49,19 @@ TEST(MapLogOptions, SayWhatIsWrong) {
   EXPECT_EQ(problemOf({"a", "--fast"}), "unknown option --fast");
   EXPECT_EQ(problemOf({"a", "--out", "x", "--range", "0"}), "--range must be positive");
   EXPECT_TRUE(parseMapLogOptions({"--help"}).help);
+}
+
+// [FLT-1]
+TEST(MapLogOptions, WantNamesOfTopicsThatThereCanBe_FLT_1) {
+  for (const char* name : {"/", "", "//scan", "scan/", "a b", "1scan", "/scan//b", "sc\nan", "~scan", "-"}) {
+    EXPECT_EQ(problemOf({"a", "--out", "x", "--scan", name}),
+              std::string("--scan needs the name of a topic, not '") + name + "'");
+    EXPECT_NE(problemOf({"a", "--out", "x", "--odom", name}), "none") << name;
+    EXPECT_NE(problemOf({"a", "--out", "x", "--base", name}), "none") << name;
+  }
+  for (const char* name : {"scan", "/scan", "robot1/scan_2", "/a/1"}) {
+    EXPECT_EQ(problemOf({"a", "--out", "x", "--scan", name}), "none") << name;
+  }
 }
 
 /// A drive of 2 m along the middle of a corridor 2 m wide, 40 scans of 181 beams.
@@ -137,6 +151,21 @@ TEST_F(MapLog, SaysWhatItCannotReadOrWrite) {
   EXPECT_NE(errors_.find("no such directory"), std::string::npos) << errors_;
   EXPECT_EQ(run({path("drive.csv")}), 2);
   EXPECT_NE(errors_.find("usage: map_log"), std::string::npos);
+}
+
+// [FLT-1] Nothing that lies about under a result's name is followed, and a pipe is not waited for.
+TEST_F(MapLog, ReplacesLinksAndReadsFilesOnly_FLT_1) {
+  std::ofstream(path("victim")) << "precious";
+  for (const char* name : {"map.tum", "map_odom.tum", "map.png", "map.bt"})
+    fs::create_symlink(path("victim"), path(name));
+  ASSERT_EQ(run({path("drive.csv"), "--out", path("map")}), 0) << errors_;
+  std::ifstream victim(path("victim"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(victim), {}), "precious");
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path("map.tum"))));
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(run({path("pipe"), "--out", path("map")}), 1);
+  EXPECT_NE(errors_.find("pipe: is no file"), std::string::npos) << errors_;
+  EXPECT_EQ(run({folder_.string(), "--out", path("map")}), 1);
 }
 
 TEST_F(MapLog, HandsARosbagToItsReader) {

@@ -1,0 +1,67 @@
+#include "frontier_pilot/ros/stop_memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StopMemoryFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "stop_memory_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    home = pattern;
+  }
+  void TearDown() override { fs::remove_all(home); }
+  fs::path file() const { return home / "frontier_pilot" / "session" / "stopped.robot.arbiter"; }
+
+  fs::path home;
+  StopMemory memory() const { return {home, "session", "/robot/arbiter"}; }
+};
+
+// [ARB-7]
+TEST_F(StopMemoryFile, IsThereUntilItIsForgotten_ARB_7) {
+  EXPECT_FALSE(memory().recall());
+  EXPECT_EQ(memory().remember("called by /me"), "");
+  EXPECT_EQ(memory().recall(), "called by /me");
+  EXPECT_EQ(memory().remember("called by /you"), "");
+  EXPECT_EQ(memory().recall(), "called by /you");
+  EXPECT_EQ(std::distance(fs::directory_iterator(file().parent_path()), fs::directory_iterator()), 1);
+  EXPECT_EQ(memory().forget(), "");
+  EXPECT_FALSE(memory().recall());
+}
+
+// [ARB-7] [FLT-1]
+TEST_F(StopMemoryFile, OverwritesNothingThatALinkPointsAt_ARB_7_FLT_1) {
+  fs::create_directories(file().parent_path());
+  std::ofstream(home / "victim") << "precious";
+  fs::create_symlink(home / "victim", file());
+  EXPECT_EQ(memory().remember("called by /me"), "");
+  std::ifstream victim(home / "victim");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(victim), {}), "precious");
+  EXPECT_EQ(memory().recall(), "called by /me");
+}
+
+// [ARB-7] [FLT-1]
+TEST_F(StopMemoryFile, TakesWhatItCannotReadForAStop_ARB_7_FLT_1) {
+  fs::create_directories(file().parent_path());
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  EXPECT_EQ(memory().recall(), "");
+  fs::remove(file());
+  fs::create_symlink(home / "nowhere", file());
+  EXPECT_EQ(memory().recall(), "");
+  fs::remove(file());
+  fs::create_directory(file());
+  EXPECT_EQ(memory().recall(), "");
+  EXPECT_NE(memory().remember("called by /me"), "");
+}
+
+}  // namespace
+}  // namespace frontier_pilot
