@@ -34,16 +34,8 @@ Time ClockMonitor::look() {
     ROS_WARN("the clock jumped by %+.3f s: waiting until it runs on", trust_.jump());
   } else {
     ROS_WARN("the clock runs on after %lu jumps so far", static_cast<unsigned long>(trust_.jumps()));
-    restartTimers();
   }
   return now.ros;
-}
-
-void ClockMonitor::restartTimers() {
-  for (ros::Timer& timer : timers_) {
-    timer.stop();
-    timer.start();
-  }
 }
 
 void ClockMonitor::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {

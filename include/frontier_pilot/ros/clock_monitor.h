@@ -3,7 +3,6 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
-#include <ros/timer.h>
 
 #include <functional>
 #include <optional>
@@ -14,7 +13,7 @@
 namespace frontier_pilot {
 
 /// Keeps jumps of ROS time from a node: it gets no time until the clock can be trusted again, forgets then what is
-/// stamped, and its timers tick. Says so on the log and in the diagnostics. For the node's own thread. [FLT-1]
+/// stamped. Says so on the log and in the diagnostics. For the node's own thread. [FLT-1]
 class ClockMonitor {
  public:
   explicit ClockMonitor(const ros::NodeHandle& node);
@@ -23,19 +22,14 @@ class ClockMonitor {
   std::optional<Time> now();
   /// `forget` is called when the clock has jumped, and again when it can be trusted.
   void onJump(std::function<void()> forget) { forget_.push_back(std::move(forget)); }
-  /// Restarts `timer` when the clock can be trusted again: a timer of roscpp that ticked in a future that never was
-  /// waits for it.
-  void restart(const ros::Timer& timer) { timers_.push_back(timer); }
   /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
   Time look();
-  void restartTimers();
 
   ClockTrust trust_;
   std::vector<std::function<void()>> forget_;
-  std::vector<ros::Timer> timers_;
   ros::SteadyTimer poll_;
 };
 

@@ -3,13 +3,16 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/master_watch.h"
+#include "frontier_pilot/ros/ros_timer.h"
 
 namespace frontier_pilot {
 
@@ -76,8 +79,8 @@ class NodeConnections {
   /// Calls `tick()` every `period` of ROS time.
   template <class F>
   void every(const ros::Duration& period, F tick) {
-    timers_.push_back(node_.createTimer(period, [this, tick](const ros::TimerEvent&) { guard_.run("a timer", tick); }));
-    clock_.restart(timers_.back());
+    timers_.push_back(
+        std::make_unique<RosTimer>(node_, toDuration(period), [this, tick] { guard_.run("a timer", tick); }));
   }
   /// Calls `tick()` every `period` of steady time.
   template <class F>
@@ -107,7 +110,7 @@ class NodeConnections {
   ClockMonitor clock_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
-  std::vector<ros::Timer> timers_;
+  std::vector<std::unique_ptr<RosTimer>> timers_;
   std::vector<ros::SteadyTimer> steady_timers_;
   MasterWatch master_;  ///< the last member: it ends before anything is taken back
 };

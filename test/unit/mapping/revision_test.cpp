@@ -181,6 +181,7 @@ TEST_F(Revisions, ThatFailLeaveTheMapAndMappingGoesOn) {
 
 TEST_F(Revisions, ThatFailAfterAResetAreNoneOfTheNewMap) {
   look(1.0, Pose2());
+  script->T_new_old = Pose2(3.0, 0.0, 0.0);
   ASSERT_TRUE(mapper.takeWork());
   mapper.reset();
   EXPECT_FALSE(mapper.abandonWork());

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "frontier_pilot/core/time.h"
+
+namespace frontier_pilot {
+
+/// When a periodic tick is due by a clock that may stand still, run fast or jump.
+class TickSchedule {
+ public:
+  explicit TickSchedule(Duration period) : period_(period) {}
+
+  /// Whether a tick is due at `now`, once for each. Ticks that were missed by more than a period are left out. A clock
+  /// that was set back begins a new period.
+  bool isDue(Time now);
+
+ private:
+  Duration period_;
+  std::optional<Time> next_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include <functional>
+
+#include "frontier_pilot/core/tick_schedule.h"
+
+namespace frontier_pilot {
+
+/// Ticks once per period of ROS time, as ros::Timer does, on the node's own queue. Unlike that one it polls the clock
+/// from a steady timer: no jump of the clock silences it, and no time, be it the last that ROS has, ends the process in
+/// the arithmetic of roscpp's timer thread. [FLT-1]
+class RosTimer {
+ public:
+  RosTimer(const ros::NodeHandle& node, Duration period, std::function<void()> tick);
+  RosTimer(const RosTimer&) = delete;
+  RosTimer& operator=(const RosTimer&) = delete;
+
+ private:
+  void poll();
+
+  TickSchedule schedule_;
+  std::function<void()> tick_;
+  ros::SteadyTimer poll_;
+};
+
+}  // namespace frontier_pilot
