@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
+
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/clock.h"
 
@@ -9,9 +11,8 @@ namespace frontier_pilot {
 
 void Rejections::add(const std::string& reason) {
   ++total_;
-  std::string why = reason.substr(0, bounds::kMostReason);
-  const bool known = by_reason_.count(why) > 0;
-  if (!known && by_reason_.size() >= bounds::kMostReasons) why = "for other reasons";
+  const std::string why = reason.substr(0, bounds::kMostReason);
+  if (by_reason_.count(why) == 0 && by_reason_.size() >= bounds::kMostReasons) forgetRarest();
   const std::uint64_t count = ++by_reason_[why];
   const SteadyTime now = steadyNow();
   if (last_warning_ && now - *last_warning_ < std::chrono::seconds(5)) return;
@@ -19,9 +20,18 @@ void Rejections::add(const std::string& reason) {
   ROS_WARN_STREAM(what_ << " refused: " << why << " (" << count << " so far)");
 }
 
+/// So that the newest reason always has its name.
+void Rejections::forgetRarest() {
+  const auto rarest = std::min_element(by_reason_.begin(), by_reason_.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  for_other_reasons_ += rarest->second;
+  by_reason_.erase(rarest);
+}
+
 void Rejections::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   status.add(what_ + " refused", total_);
   for (const auto& [why, count] : by_reason_) status.add(what_ + " refused: " + why, count);
+  if (for_other_reasons_ > 0) status.add(what_ + " refused: for other reasons", for_other_reasons_);
 }
 
 NodeDiagnostics::NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node)

@@ -16,7 +16,7 @@
 namespace frontier_pilot {
 
 /// What a node had to refuse: counted by reason, with a warning of it at most every five seconds of steady time. A
-/// reason may quote what came in: long ones are cut, and only so many are told apart. [FLT-1]
+/// reason may quote what came in: long ones are cut, and of too many the rarest count together. [FLT-1]
 class Rejections {
  public:
   /// `what` is the input, for the log: "scan".
@@ -28,9 +28,12 @@ class Rejections {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
+  void forgetRarest();
+
   std::string what_;
   std::uint64_t total_ = 0;
   std::map<std::string, std::uint64_t> by_reason_;
+  std::uint64_t for_other_reasons_ = 0;
   std::optional<SteadyTime> last_warning_;
 };
 

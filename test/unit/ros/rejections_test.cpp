@@ -12,17 +12,21 @@ TEST(Rejections, FLT_1_AreCountedByReasonAsLongAsTheReasonsAreFewAndShort) {  //
     rejections.add("frame '" + std::to_string(i) + std::string(1000, 'x') + "'");
     rejections.add("no ranges");
   }
+  rejections.add("the newest");
   diagnostic_updater::DiagnosticStatusWrapper status;
   rejections.report(status);
-  EXPECT_EQ(rejections.total(), 2000U);
-  EXPECT_LE(status.values.size(), bounds::kMostReasons + 2);
+  EXPECT_EQ(rejections.total(), 2001U);
+  bool newest = false;
+  EXPECT_LE(status.values.size(), bounds::kMostReasons + 3);
   std::size_t counted = 0;
   for (const auto& value : status.values) {
     EXPECT_LE(value.key.size(), bounds::kMostReason + 20);
     if (value.key != "scan refused") counted += std::stoul(value.value);
+    newest = newest || value.key == "scan refused: the newest";
     if (value.key == "scan refused: no ranges") EXPECT_EQ(value.value, "1000");
   }
-  EXPECT_EQ(counted, 2000U);
+  EXPECT_EQ(counted, 2001U);
+  EXPECT_TRUE(newest);
 }
 
 }  // namespace
