@@ -23,7 +23,7 @@ class Ints {
   int next() {
     constexpr std::array<int, 12> kEdges = {0,     1,         -1,        2,          kLeast,  kLeast + 1,
                                             kMost, kMost - 1, kMost / 2, kLeast / 2, 1 << 30, 46341};
-    const unsigned draw = random_();
+    const auto draw = random_();
     if (draw % 4 == 0) return static_cast<int>(random_());
     if (draw % 4 == 1) return static_cast<int>(random_() % 20) - 10;
     return kEdges[random_() % kEdges.size()];
@@ -84,7 +84,7 @@ TEST(CellRect, FLT_1_ABlockInsideOfTheMapIsItsOwnIntersectionAndNoOtherIs) {  //
     const CellRect block = ints.rect();
     const bool inside = !block.empty() && alongX(block).low >= 0 && alongX(block).high <= 5 && alongY(block).low >= 0 &&
                         alongY(block).high <= 4;
-    if (!block.empty()) ASSERT_EQ(block.intersection(map) == block, inside);
+    ASSERT_EQ(!block.empty() && block.intersection(map) == block, inside);
   }
 }
 
@@ -126,7 +126,7 @@ TEST(CellRect, FLT_1_GrowingStopsWhereAnIntEnds) {  // [FLT-1]
                         Cells{alongY(rect).low - margin, alongY(rect).high + margin}.has(c.y);
       // A side is as long as an int holds, from the low end.
       const bool reached = std::int64_t{c.x} - grown.x < kMost && std::int64_t{c.y} - grown.y < kMost;
-      if (reached) ASSERT_EQ(has(grown, c), near) << c.x << ", " << c.y;
+      ASSERT_EQ(has(grown, c), near && reached) << c.x << ", " << c.y;
     }
   }
 }
