@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
+#include <std_srvs/Empty.h>
 
 #include <atomic>
 #include <cmath>
@@ -44,6 +45,13 @@ class Robot {
 
 class GuiOnTheWire : public ::testing::Test {
  protected:
+  /// Each test begins where the robot has room: how far those before it have driven depends on the machine.
+  void SetUp() override {
+    std_srvs::Empty call;
+    ASSERT_TRUE(ros::service::waitForService(names::kResetPositions, 30000));
+    ASSERT_TRUE(ros::service::call(names::kResetPositions, call));
+  }
+
   /// The arbiter is heard, the switches are up, nothing is latched.
   static bool ready(const Window& window) {
     return waitFor([&] {

@@ -45,13 +45,14 @@ std::optional<std::uint64_t> admitNow(LogThrottle& throttle);
 
 }  // namespace frontier_pilot
 
-// Macros, because a log line says where in the source code it stands, and its budget belongs to that place.
+// Macros, because a log line says where in the source code it stands, and its budget belongs to that place. In
+// parentheses `stream` would be an expression of its own, without the stream that it is written to.
 #define FRONTIER_PILOT_THROTTLED(level, stream)                                         \
   do {                                                                                  \
     static ::frontier_pilot::LogThrottle line_throttle;                                 \
     if (const auto line_left_out = ::frontier_pilot::admitNow(line_throttle)) {         \
       std::ostringstream line_text;                                                     \
-      line_text << stream;                                                              \
+      line_text << stream; /* NOLINT(bugprone-macro-parentheses) */                     \
       ROS_LOG_STREAM(level, ROSCONSOLE_DEFAULT_NAME,                                    \
                      ::frontier_pilot::throttledLine(line_text.str(), *line_left_out)); \
     }                                                                                   \
