@@ -8,8 +8,6 @@
 namespace frontier_pilot {
 namespace {
 
-ParameterValue convert(const YAML::Node& node);
-
 ParameterValue scalar(const YAML::Node& node) {
   // A quoted scalar carries the tag "!": it is a text, whatever it looks like.
   if (node.Tag() == "!") return {node.Scalar()};
@@ -22,25 +20,45 @@ ParameterValue scalar(const YAML::Node& node) {
   return {node.Scalar()};
 }
 
-ParameterMap convertMap(const YAML::Node& node) {
-  ParameterMap map;
-  for (const auto& entry : node) map[entry.first.Scalar()] = convert(entry.second);
-  return map;
-}
+/// Copies what the parser gives. Aliases make a graph of it, of which a few lines can be a cycle or have more values
+/// than memory holds: what is copied is bounded in depth and number. [FLT-1]
+class Copy {
+ public:
+  ParameterMap map(const YAML::Node& node) {
+    ParameterMap map;
+    for (const auto& entry : node) map[entry.first.Scalar()] = value(entry.second);
+    return map;
+  }
 
-ParameterValue convert(const YAML::Node& node) {
-  if (node.IsMap()) return {convertMap(node)};
-  if (node.IsScalar()) return scalar(node);
-  if (!node.IsSequence()) return {};
-  ParameterList list;
-  for (const auto& item : node) list.push_back(convert(item));
-  return {list};
-}
+ private:
+  static constexpr int kDeepest = 32;
+  static constexpr int kMostValues = 100000;
+
+  ParameterValue value(const YAML::Node& node) {
+    if (depth_ >= kDeepest) throw std::invalid_argument("values are nested more than 32 deep");
+    if (++values_ > kMostValues) throw std::invalid_argument("more than 100000 values");
+    ++depth_;
+    ParameterValue copy = inner(node);
+    --depth_;
+    return copy;
+  }
+  ParameterValue inner(const YAML::Node& node) {
+    if (node.IsMap()) return {map(node)};
+    if (node.IsScalar()) return scalar(node);
+    if (!node.IsSequence()) return {};
+    ParameterList list;
+    for (const auto& item : node) list.push_back(value(item));
+    return {list};
+  }
+
+  int depth_ = 0;
+  int values_ = 0;
+};
 
 ParameterMap rootMap(const YAML::Node& node) {
   if (node.IsNull()) return {};
   if (!node.IsMap()) throw std::invalid_argument("the top level must be a dictionary");
-  return convertMap(node);
+  return Copy().map(node);
 }
 
 }  // namespace

@@ -26,15 +26,16 @@ std::string textOf(const SpinResult& result) {
 }  // namespace
 
 template <class Action>
-ActionLink<Action>::ActionLink(ros::NodeHandle& node, const std::string& action, std::string name, OperatorLog log)
+ActionLink<Action>::ActionLink(ros::NodeHandle& node, NodeConnections& connections, const std::string& action,
+                               std::string name, OperatorLog log)
     : name_(std::move(name)), log_(std::move(log)) {
   const std::string goal = action + "/goal", cancel = action + "/cancel", status = action + "/status";
   const std::string feedback = action + "/feedback", result = action + "/result";
   goal_publisher_ = node.advertise<ActionGoal>(goal, 2);
   cancel_publisher_ = node.advertise<actionlib_msgs::GoalID>(cancel, 2);
-  status_subscriber_ = node.subscribe(status, 2, &ActionLink::onStatus, this);
-  feedback_subscriber_ = node.subscribe(feedback, 10, &ActionLink::onFeedback, this);
-  result_subscriber_ = node.subscribe(result, 10, &ActionLink::onResult, this);
+  status_subscriber_ = connections.subscribe(status, 2, &ActionLink::onStatus, this);
+  connections.subscribe(feedback, 10, &ActionLink::onFeedback, this);
+  connections.subscribe(result, 10, &ActionLink::onResult, this);
 }
 
 template <class Action>

@@ -1,8 +1,7 @@
 #include "frontier_pilot/ros/clock_monitor.h"
 
-#include <ros/console.h>
-
 #include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
@@ -29,11 +28,11 @@ Time ClockMonitor::look() {
   const Instant now{rosNow(), steadyNow()};
   const TrustChange change = trust_.observe(now);
   if (change == TrustChange::kNone) return now.ros;
-  for (const auto& forget : forget_) forget();
+  for (const auto& forget : forget_) guard_.run("a jump of the clock", forget);
   if (change == TrustChange::kLost) {
-    ROS_WARN("the clock jumped by %+.3f s: waiting until it runs on", trust_.jump());
+    THROTTLED_WARN("the clock jumped by " << trust_.jump() << " s: waiting until it runs on");
   } else {
-    ROS_WARN("the clock runs on after %lu jumps so far", static_cast<unsigned long>(trust_.jumps()));
+    THROTTLED_WARN("the clock runs on, after " << trust_.jumps() << " jumps so far");
   }
   return now.ros;
 }
@@ -41,6 +40,7 @@ Time ClockMonitor::look() {
 void ClockMonitor::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   status.add("jumps of the clock", trust_.jumps());
+  guard_.report(status);
   if (trust_.jumps() == 0 || steadyNow() - trust_.lastJumped() > kRecentJump) return;
   status.mergeSummaryf(DiagnosticStatus::WARN, "the clock jumped by %+.3f s", trust_.jump());
 }

@@ -11,7 +11,8 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr double kTick = 0.05;  // [s]
+constexpr double kTick = 0.05;                                      // [s]
+constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop is offered again within 2 s [ARB-12]
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
 
 /// A zero on purpose says so on an axis that the base does not have: the message is not all zero.
@@ -29,7 +30,7 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
       status_(node_.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
       diagnostics_(node, private_node),
-      connections_(node) {
+      connections_(node, kMasterPeriod) {
   around_.own_name = ros::this_node::getName();
   around_.cmd_vel = cmd_vel_.getTopic();
   around_.status = status_.getTopic();
@@ -40,13 +41,13 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
   connections_.subscribeToEvents<std_msgs::Bool>(
       names::kEmergencyStopState, 10, [this](const auto& event) { handleStopState(event); },
       ros::TransportHints().tcpNoDelay());
-  connections_.master().claimTopic(around_.status);  // another node that publishes it is another arbiter
-  last_found_ = steadyNow();
+  connections_.master().claimTopics({around_.status, around_.cmd_vel});  // who publishes both is an arbiter too
+  // A new master means a new session, in which the arbiter has to find its stop again.
+  connections_.master().onRenewal([this] { session_.put(rosSession()); });
   diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
-    connections_.guard().report(status);
-    connections_.clock().report(status);
   });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });
   // In ROS time as well, so that a fast simulation sees expiry in time.
@@ -100,17 +101,20 @@ void CmdVelArbiterNode::takeMasterReport() {
   if (auto report = connections_.master().take()) {
     around_.publishers = std::move(report->publishers);
     around_.rivals = std::move(report->rivals);
-    last_found_ = steadyNow();
     publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
   }
   around_.registration_problems = connections_.master().problems();
-  around_.master_answers = steadyNow() - last_found_ < kMasterPatience;
+  around_.master_answers = steadyNow() - connections_.master().lastAnswer() < kMasterPatience;
+  const std::optional<std::string> session = session_.take();
+  if (session && memory_.enter(*session) && arbiter_.stopped()) {
+    around_.memory_problem = memory_.remember(arbiter_.stopCause());
+  }
 }
 
 void CmdVelArbiterNode::handleStopState(const ros::MessageEvent<const std_msgs::Bool>& event) {
   const std::string& node = event.getPublisherName();
   if (node == around_.own_name || event.getConstMessage()->data == 0) return;
-  if (!arbiter_.stopped()) stop(around_.emergency_stop_state, node);
+  if (!arbiter_.stopped()) stop("told by " + node + " on " + around_.emergency_stop_state);
 }
 
 void CmdVelArbiterNode::publish(const std::optional<Twist2>& twist) {

@@ -18,6 +18,8 @@ bool reply(const ArbiterAnswer& answer, Response& response) {
   return true;
 }
 
+std::string calledBy(const std::string& service, const std::string& caller) { return service + " called by " + caller; }
+
 }  // namespace
 
 void CmdVelArbiterNode::addStopServices() {
@@ -35,18 +37,20 @@ bool CmdVelArbiterNode::handleEnable(std::size_t source, std_srvs::SetBool::Requ
                                      std_srvs::SetBool::Response& response) {
   const ArbiterAnswer answer = arbiter_.setEnabled(source, request.data != 0, instantNow());
   publish(answer.publish);
+  if (answer.publish) flush_.wait(kFlushPatience);
   publishStatus(false);
   return reply(answer, response);
 }
 
 bool CmdVelArbiterNode::handleSetStop(SetBoolCall& call) {
   const bool on = call.getRequest().data != 0;
-  return reply(signedBy(on ? stop(names::kSetEmergencyStop, call.getCallerName()) : clear(call.getCallerName())),
-               call.getResponse());
+  return reply(
+      signedBy(on ? stop(calledBy(names::kSetEmergencyStop, call.getCallerName())) : clear(call.getCallerName())),
+      call.getResponse());
 }
 
 bool CmdVelArbiterNode::handleStop(TriggerCall& call) {
-  return reply(signedBy(stop(names::kEmergencyStop, call.getCallerName())), call.getResponse());
+  return reply(signedBy(stop(calledBy(names::kEmergencyStop, call.getCallerName()))), call.getResponse());
 }
 
 ArbiterAnswer CmdVelArbiterNode::signedBy(ArbiterAnswer answer) const {
@@ -54,10 +58,10 @@ ArbiterAnswer CmdVelArbiterNode::signedBy(ArbiterAnswer answer) const {
   return answer;
 }
 
-ArbiterAnswer CmdVelArbiterNode::stop(const std::string& service, const std::string& caller) {
-  ArbiterAnswer answer = arbiter_.stop(service + " called by " + caller, instantNow());
+ArbiterAnswer CmdVelArbiterNode::stop(const std::string& cause) {
+  ArbiterAnswer answer = arbiter_.stop(cause, instantNow());
   publish(answer.publish);
-  flush_.wait(kFlushPatience);
+  if (!flush_.wait(kFlushPatience)) answer.message += "; its zero may still be under way";
   around_.memory_problem = memory_.remember(arbiter_.stopCause());
   if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
   publishStopState();

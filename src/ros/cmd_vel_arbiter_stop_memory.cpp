@@ -23,7 +23,15 @@ std::string asFileName(std::string name) {
 }  // namespace
 
 StopMemory::StopMemory(const std::filesystem::path& ros_home, const std::string& session, const std::string& node)
-    : file_(ros_home / "frontier_pilot" / asFileName(session) / ("stopped" + asFileName(node))) {}
+    : ros_home_(ros_home), node_(node) {
+  enter(session);
+}
+
+bool StopMemory::enter(const std::string& session) {
+  const std::filesystem::path before = file_;
+  file_ = ros_home_ / "frontier_pilot" / asFileName(session) / ("stopped" + asFileName(node_));
+  return file_ != before;
+}
 
 std::optional<std::string> StopMemory::recall() const {
   std::error_code error;

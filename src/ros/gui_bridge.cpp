@@ -41,16 +41,16 @@ GuiBridge::GuiBridge(const ros::NodeHandle& node, const TeleopParameters& parame
       manual_(manual),
       running_(std::move(running)),
       node_(onQueue(node, queue_)),
-      patrol_(node_, names::kPatrol, "patrol", logger()),
-      spin_(node_, names::kSpin, "spin", logger()),
+      connections_(node_),
+      patrol_(node_, connections_, names::kPatrol, "patrol", logger()),
+      spin_(node_, connections_, names::kSpin, "spin", logger()),
       caller_(node_, logger()),
       stop_caller_(node_, logger()),
       watch_(node_, [this](const std::string& service) { onServiceUp(service); }),
       spinner_(1, &queue_) {
   watchServices();
   subscribe();
-  publish_timer_ = node_.createSteadyTimer(ros::WallDuration(1.0 / parameters_.publish_rate),
-                                           [this](const ros::SteadyTimerEvent&) { publishManual(); });
+  connections_.everySteady(ros::WallDuration(1.0 / parameters_.publish_rate), [this] { publishManual(); });
   spinner_.start();
 }
 

@@ -10,6 +10,7 @@
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/operator_views.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 /// What the bridge hears, and what of it the window is shown.
 namespace frontier_pilot {
@@ -23,7 +24,7 @@ constexpr const char* kManualSource = "manual";
 template <class Msg>
 bool isShown(const Msg& msg) {
   const bool shown = ros::serialization::serializationLength(msg) <= bounds::kMostStatus;
-  if (!shown) ROS_WARN_THROTTLE(5.0, "a status of more than %u bytes is not shown", bounds::kMostStatus);
+  if (!shown) THROTTLED_WARN("a status of more than " << bounds::kMostStatus << " bytes is not shown");
   return shown;
 }
 
@@ -40,22 +41,19 @@ void GuiBridge::subscribe() {
     const std::lock_guard<std::mutex> lock(mutex_);
     latest.put(std::move(value), steadyNow());
   };
-  subscribers_ = {node_.subscribe<AvoiderStatus>(names::kAvoiderStatus, 1,
-                                                 [=](const AvoiderStatus::ConstPtr& msg) {
-                                                   if (isShown(*msg)) keep(avoider_, *msg);
-                                                 }),
-                  node_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1,
-                                                  [=](const ExplorerStatus::ConstPtr& msg) {
-                                                    if (isShown(*msg)) keep(explorer_, *msg);
-                                                  }),
-                  node_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this),
-                  node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 1,
-                                                        [=](const geometry_msgs::Twist::ConstPtr& msg) {
-                                                          keep(command_, Twist2{msg->linear.x, msg->angular.z});
-                                                        }),
-                  node_.subscribe(names::kScan, 1, &GuiBridge::onScan, this)};
-  stop_subscriber_ = node_.subscribe<std_msgs::Bool>(
-      names::kEmergencyStopState, 1, [=](const std_msgs::Bool::ConstPtr& msg) { keep(stop_, msg->data != 0); });
+  connections_.subscribe<AvoiderStatus>(names::kAvoiderStatus, 1, [=](const AvoiderStatus& msg) {
+    if (isShown(msg)) keep(avoider_, msg);
+  });
+  connections_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1, [=](const ExplorerStatus& msg) {
+    if (isShown(msg)) keep(explorer_, msg);
+  });
+  connections_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this);
+  connections_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 1, [=](const geometry_msgs::Twist& msg) {
+    keep(command_, Twist2{msg.linear.x, msg.angular.z});
+  });
+  connections_.subscribe(names::kScan, 1, &GuiBridge::onScan, this);
+  stop_subscriber_ = connections_.subscribe<std_msgs::Bool>(
+      names::kEmergencyStopState, 1, [=](const std_msgs::Bool& msg) { keep(stop_, msg.data != 0); });
 }
 
 void GuiBridge::onArbiter(const ArbiterStatus& msg) {
@@ -77,7 +75,7 @@ void GuiBridge::onScan(const sensor_msgs::LaserScan& msg) {
 /// The avoider's sectors are its configuration, to be had when it is there.
 void GuiBridge::onServiceUp(const std::string& service) {
   if (service != names::kSetObstacleAvoidEnabled) return;
-  guard_.run("the avoider's parameters", [this] {
+  connections_.guard().run("the avoider's parameters", [this] {
     AvoiderParameters parameters;
     const ParameterMap map = readParameters(ros::NodeHandle(node_, names::kObstacleAvoiderNode));
     loadParameters(map, parameters);  // the avoider itself complains of what is wrong with them

@@ -30,6 +30,7 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
 }
 
 void MapperAdapter::connect() {
+  connections_.master().claimTopics({publisher_.topic()});
   connections_.subscribe(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
   connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   connections_.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
@@ -44,7 +45,9 @@ void MapperAdapter::connect() {
   connections_.clock().onJump([this] { pairing_.clear(); });
   connections_.everySteady(ros::WallDuration(0.1), [this] {
     const auto report = connections_.master().take();
-    if (report) publisher_.setPublishers(nodesOf(report->publishers, publisher_.topic()));
+    if (!report) return;
+    const auto other = report->rivals.find(publisher_.topic());
+    publisher_.setOther(other == report->rivals.end() ? "" : other->second);
   });
 }
 

@@ -1,7 +1,6 @@
 #include "frontier_pilot/ros/mapper_publisher.h"
 
 #include <nav_msgs/MapMetaData.h>
-#include <ros/this_node.h>
 
 #include <algorithm>
 #include <utility>
@@ -16,16 +15,12 @@ namespace frontier_pilot {
 MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame, const MapScheduleParameters& schedule)
     : node_(node), topic_(names::kMap), frame_(std::move(frame)), schedule_(schedule) {}
 
-void MapperPublisher::setPublishers(const std::vector<std::string>& publishers) {
-  std::string others;
-  for (const std::string& name : publishers) {
-    if (name != ros::this_node::getName()) others += (others.empty() ? "" : ", ") + name;
+void MapperPublisher::setOther(const std::string& node) {
+  if (!node.empty() && node != other_) {
+    THROTTLED_ERROR(node << " publishes " << topic() << " as well; this mapper keeps silent");
   }
-  if (!others.empty() && others != foreigners_) {
-    THROTTLED_ERROR("another node publishes " << topic() << ": " << others << "; this mapper keeps silent");
-  }
-  foreigners_ = others;
-  if (others.empty()) {
+  other_ = node;
+  if (node.empty()) {
     advertise();
   } else {
     withdraw();

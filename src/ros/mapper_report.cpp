@@ -70,9 +70,8 @@ void MapperAdapter::summarize(Status& status) const {
   if (!thoughts_failure_.empty()) {
     status.mergeSummary(DiagnosticStatus::WARN, "no loop is closed any more until a reset: " + thoughts_failure_);
   }
-  if (!publisher_.foreigners().empty()) {
-    status.summary(DiagnosticStatus::ERROR,
-                   "another node publishes " + publisher_.topic() + ": " + publisher_.foreigners());
+  if (!publisher_.other().empty()) {
+    status.summary(DiagnosticStatus::ERROR, publisher_.other() + " publishes " + publisher_.topic() + " as well");
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <netdb.h>
 #include <poll.h>
-#include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
 #include <sys/socket.h>
@@ -71,11 +70,12 @@ bool takesConnections(const std::string& host, std::uint32_t port) {
 }  // namespace
 
 std::optional<MasterState> askMaster() {
-  XmlRpc::XmlRpcValue request, response, state;
+  XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
-  if (!ros::master::execute("getSystemState", request, response, state, false)) return std::nullopt;
   try {
-    return MasterState{toNodes(state[0]), toNodes(state[1]), toNodes(state[2])};
+    std::optional<XmlRpc::XmlRpcValue> state = callMaster("getSystemState", request);
+    if (!state) return std::nullopt;
+    return MasterState{toNodes((*state)[0]), toNodes((*state)[1]), toNodes((*state)[2])};
   } catch (const XmlRpc::XmlRpcException&) {
     return std::nullopt;  // whatever listens there is no master
   }
@@ -87,14 +87,14 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
 }
 
 bool nodeLives(const std::string& node) {
-  XmlRpc::XmlRpcValue request, response, uri;
+  XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
   request[1] = node;
-  if (!ros::master::execute("lookupNode", request, response, uri, false)) return false;
+  std::optional<XmlRpc::XmlRpcValue> uri = callMaster("lookupNode", request);
   std::string host;
   std::uint32_t port = 0;
-  if (uri.getType() != XmlRpc::XmlRpcValue::TypeString) return false;
-  if (!ros::network::splitURI(static_cast<std::string>(uri), host, port)) return false;
+  if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return false;
+  if (!ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return false;
   return takesConnections(host, port);
 }
 

@@ -1,19 +1,17 @@
 #include "frontier_pilot/ros/master_watch.h"
 
-#include <ros/console.h>
 #include <ros/this_node.h>
-#include <xmlrpcpp/XmlRpcException.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/registration.h"
+#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
 
-constexpr Duration kPeriod = std::chrono::milliseconds(500);
 constexpr Duration kRemembered = std::chrono::seconds(10);  // so that an operator sees what has been mended
 
 /// Whether a node lives, asked once in a look.
@@ -23,19 +21,35 @@ bool isIn(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void findRival(const std::string& what, const NodesByName& registered, LivingNodes& living,
-               std::map<std::string, std::string>& rivals) {
-  for (const std::string& node : nodesOf(registered, what)) {
-    if (node == ros::this_node::getName()) continue;
-    const auto [entry, unknown] = living.try_emplace(node);
-    if (unknown) entry->second = nodeLives(node);
-    if (entry->second) rivals[what] = node;
+bool lives(const std::string& node, LivingNodes& known) {
+  const auto [entry, unknown] = known.try_emplace(node);
+  if (unknown) entry->second = nodeLives(node);
+  return entry->second;
+}
+
+/// Another living node of `nodes`; empty if there is none.
+std::string findOther(const std::vector<std::string>& nodes, LivingNodes& known) {
+  for (const std::string& node : nodes) {
+    if (node != ros::this_node::getName() && lives(node, known)) return node;
   }
+  return {};
+}
+
+/// The nodes that publish all of `topics`.
+std::vector<std::string> publishersOfAll(const std::vector<std::string>& topics, const NodesByName& publishers) {
+  std::vector<std::string> nodes = nodesOf(publishers, topics.front());
+  const auto lacksOne = [&](const std::string& node) {
+    return !std::all_of(topics.begin(), topics.end(),
+                        [&](const std::string& topic) { return isIn(nodesOf(publishers, topic), node); });
+  };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), lacksOne), nodes.end());
+  return nodes;
 }
 
 }  // namespace
 
-MasterWatch::MasterWatch() : thread_(&MasterWatch::run, this) {}
+MasterWatch::MasterWatch(Duration period)
+    : period_(period), last_answer_(steadyNow()), thread_(&MasterWatch::run, this) {}
 
 MasterWatch::~MasterWatch() {
   {
@@ -51,9 +65,9 @@ void MasterWatch::claimService(const std::string& service) {
   claims_.services.push_back(service);
 }
 
-void MasterWatch::claimTopic(const std::string& topic) {
+void MasterWatch::claimTopics(const std::vector<std::string>& topics) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  claims_.topics.push_back(topic);
+  claims_.topics.push_back(topics);
 }
 
 MasterWatch::Claims MasterWatch::claims() const {
@@ -61,36 +75,47 @@ MasterWatch::Claims MasterWatch::claims() const {
   return claims_;
 }
 
+void MasterWatch::onRenewal(std::function<void()> f) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  renewal_ = std::move(f);
+}
+
 void MasterWatch::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
     lock.unlock();
-    try {
-      look();
-    } catch (const std::exception& error) {
-      ROS_ERROR_STREAM_THROTTLE(5.0, "the master's state could not be read: " << error.what());
-    } catch (const XmlRpc::XmlRpcException& error) {  // which is no std::exception
-      ROS_ERROR_STREAM_THROTTLE(5.0, "the master's state could not be read: " << error.getMessage());
-    }
+    guard_.run("what the master says", [this] { look(); });
     lock.lock();
-    wake_.wait_for(lock, kPeriod, [this] { return ending_; });
+    wake_.wait_for(lock, period_, [this] { return ending_; });
   }
 }
 
 void MasterWatch::look() {
   std::optional<MasterState> state = askMaster();
   if (!state) return;
+  last_answer_ = steadyNow();
   MasterReport report;
   missing_before_ = std::exchange(missing_, {});
-  const Claims own = claims();
-  LivingNodes living;
-  for (const std::string& service : own.services) findRival(service, state->providers, living, report.rivals);
-  for (const std::string& topic : own.topics) findRival(topic, state->publishers, living, report.rivals);
+  report.rivals = findRivals(*state);
   lookAtTopics(*state);
   lookAtServices(*state, report.rivals);
+  sayWhatWasRenewed();
   setRivals(report.rivals);
   report.publishers = std::move(state->publishers);
   report_.put(std::move(report));
+}
+
+std::map<std::string, std::string> MasterWatch::findRivals(const MasterState& state) const {
+  const Claims own = claims();
+  LivingNodes known;
+  std::map<std::string, std::string> rivals;
+  const auto note = [&](const std::string& what, const std::vector<std::string>& nodes) {
+    const std::string other = findOther(nodes, known);
+    if (!other.empty()) rivals[what] = other;
+  };
+  for (const std::string& service : own.services) note(service, nodesOf(state.providers, service));
+  for (const auto& topics : own.topics) note(topics.front(), publishersOfAll(topics, state.publishers));
+  return rivals;
 }
 
 void MasterWatch::lookAtTopics(const MasterState& state) {
@@ -100,11 +125,13 @@ void MasterWatch::lookAtTopics(const MasterState& state) {
   ros::this_node::getSubscribedTopics(subscribed);
   for (const std::string& topic : advertised) {
     const bool known = isIn(nodesOf(state.publishers, topic), self);
-    if (!known && missingTwice("publisher of " + topic) && registerPublisher(topic)) note("publisher of " + topic);
+    if (!known && missingTwice("publisher of " + topic) && registerPublisher(topic))
+      renewed_.push_back("publisher of " + topic);
   }
   for (const std::string& topic : subscribed) {
     const bool known = isIn(nodesOf(state.subscribers, topic), self);
-    if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic)) note("subscriber of " + topic);
+    if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic))
+      renewed_.push_back("subscriber of " + topic);
   }
 }
 
@@ -112,7 +139,7 @@ void MasterWatch::lookAtServices(const MasterState& state, const std::map<std::s
   const std::string& self = ros::this_node::getName();
   for (const std::string& service : claims().services) {
     if (isIn(nodesOf(state.providers, service), self) || rivals.count(service) > 0) continue;
-    if (missingTwice("service " + service) && registerService(service)) note("service " + service);
+    if (missingTwice("service " + service) && registerService(service)) renewed_.push_back("service " + service);
   }
 }
 
@@ -121,24 +148,34 @@ bool MasterWatch::missingTwice(const std::string& what) {
   return missing_before_.count(what) > 0;
 }
 
-void MasterWatch::note(const std::string& what) {
-  renewed_[what] = steadyNow();
-  ROS_ERROR_STREAM("the master did not know this node as " << what << " any more: registered again");
+void MasterWatch::sayWhatWasRenewed() {
+  const std::vector<std::string> renewed = std::exchange(renewed_, {});
+  if (renewed.empty()) return;
+  const std::string more = renewed.size() > 1 ? " and " + std::to_string(renewed.size() - 1) + " more" : "";
+  THROTTLED_ERROR("the master had forgotten this node: registered again as " << renewed.front() << more);
+  for (const std::string& what : renewed) remembered_[what] = steadyNow();
+  std::function<void()> renewal;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    renewal = renewal_;
+  }
+  if (renewal) renewal();
 }
 
 void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {
   std::vector<std::string> problems;
   for (const auto& [what, node] : rivals) {
-    problems.push_back(node + " offers " + what + " as well");
+    const bool offered = isIn(claims().services, what);
+    problems.push_back(node + (offered ? " offers " : " publishes ") + what + " as well");
     const auto before = rivals_.find(what);
-    if (before == rivals_.end() || before->second != node) ROS_ERROR_STREAM(problems.back());
+    if (before == rivals_.end() || before->second != node) THROTTLED_ERROR(problems.back());
   }
   rivals_ = rivals;
   const SteadyTime now = steadyNow();
-  for (auto entry = renewed_.begin(); entry != renewed_.end();) {
+  for (auto entry = remembered_.begin(); entry != remembered_.end();) {
     const bool recent = now - entry->second < kRemembered;
     if (recent) problems.push_back("the master had forgotten this node as " + entry->first + ": registered again");
-    entry = recent ? std::next(entry) : renewed_.erase(entry);
+    entry = recent ? std::next(entry) : remembered_.erase(entry);
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   problems_ = std::move(problems);

@@ -42,7 +42,8 @@ SourceView toView(const ArbiterSource& msg, double status_age) {
 }
 
 Severity severityOf(const ArbiterStatus& msg) {
-  if (msg.emergency_stop || msg.state >= ArbiterStatus::CLOCK_STOPPED) return Severity::kError;
+  if (msg.emergency_stop || msg.state == ArbiterStatus::CLOCK_STOPPED || msg.state == ArbiterStatus::CONTESTED)
+    return Severity::kError;
   if (!msg.problems.empty()) return Severity::kWarning;
   return msg.active_source.empty() ? Severity::kIdle : Severity::kGood;
 }

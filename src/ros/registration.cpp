@@ -1,14 +1,13 @@
 #include "frontier_pilot/ros/registration.h"
 
 #include <ros/connection_manager.h>
-#include <ros/master.h>
 #include <ros/network.h>
 #include <ros/publication.h>
 #include <ros/this_node.h>
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
-#include <xmlrpcpp/XmlRpcClient.h>
 
+#include <optional>
 #include <set>
 
 #include "frontier_pilot/ros/xml_rpc.h"
@@ -20,32 +19,32 @@ using Value = XmlRpc::XmlRpcValue;
 
 const std::string& ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
-/// The registration calls of the master API differ in the arguments between the caller's name and its URI.
-bool askMasterApi(const char* method, const std::string& name, const std::string& detail, Value& answer) {
-  Value request, response;
+/// The registration calls of the master API differ in the argument between the name and this node's URI.
+std::optional<Value> askMasterApi(const char* method, const std::string& name, const std::string& detail) {
+  Value request;
   request[0] = ros::this_node::getName();
   request[1] = name;
   request[2] = detail;
   request[3] = ownUri();
-  return ros::master::execute(method, request, response, answer, false);
+  return callMaster(method, request);
 }
 
 /// Calls a method of this node's own slave API, which roscpp offers to the master and not to its own process.
-bool askSlaveApi(const char* method, const Value& arguments, Value& answer) {
+std::optional<Value> askSlaveApi(const char* method, const Value& arguments) {
   std::string host;
   std::uint32_t port = 0;
-  if (!ros::network::splitURI(ownUri(), host, port)) return false;
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  return client.execute(method, arguments, answer) && !client.isFault() && answer.getType() == Value::TypeArray;
+  if (!ros::network::splitURI(ownUri(), host, port)) return std::nullopt;
+  return callApi(host, port, method, arguments);
 }
 
 /// The publishers of `topic` that this node is connected to, by their URIs.
 std::set<std::string> connectedPublishers(const std::string& topic) {
-  Value arguments, answer;
+  Value arguments;
   arguments[0] = ros::this_node::getName();
   std::set<std::string> uris;
-  if (!askSlaveApi("getBusInfo", arguments, answer) || answer[2].getType() != Value::TypeArray) return uris;
-  for (Value& connection : elements(answer[2])) {
+  std::optional<Value> connections = askSlaveApi("getBusInfo", arguments);
+  if (!connections || connections->getType() != Value::TypeArray) return uris;
+  for (Value& connection : elements(*connections)) {
     // [id, URI of the other node, direction, transport, topic, ...]
     const bool inbound = static_cast<std::string>(connection[2]) == "i";
     if (inbound && static_cast<std::string>(connection[4]) == topic) {
@@ -57,36 +56,34 @@ std::set<std::string> connectedPublishers(const std::string& topic) {
 
 /// What the master would tell this node: who publishes on `topic` now.
 bool updatePublishers(const std::string& topic, const std::set<std::string>& uris) {
-  Value arguments, answer;
+  Value arguments;
   arguments[0] = ros::this_node::getName();
   arguments[1] = topic;
   arguments[2].setSize(0);
   int i = 0;
   for (const std::string& uri : uris) arguments[2][i++] = uri;
-  return askSlaveApi("publisherUpdate", arguments, answer);
+  return askSlaveApi("publisherUpdate", arguments).has_value();
 }
 
 }  // namespace
 
 bool registerPublisher(const std::string& topic) {
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
-  Value subscribers;
-  return publication && askMasterApi("registerPublisher", topic, publication->getDataType(), subscribers);
+  return publication && askMasterApi("registerPublisher", topic, publication->getDataType());
 }
 
 bool registerService(const std::string& service) {
   const std::uint32_t port = ros::ConnectionManager::instance()->getTCPPort();
-  Value ignored;
-  return askMasterApi("registerService", service, "rosrpc://" + ros::network::getHost() + ":" + std::to_string(port),
-                      ignored);
+  const std::string uri = "rosrpc://" + ros::network::getHost() + ":" + std::to_string(port);
+  return askMasterApi("registerService", service, uri).has_value();
 }
 
 bool registerSubscriber(const std::string& topic) {
-  Value publishers;
-  if (!askMasterApi("registerSubscriber", topic, "*", publishers)) return false;
+  std::optional<Value> publishers = askMasterApi("registerSubscriber", topic, "*");
+  if (!publishers) return false;
   std::set<std::string> uris = connectedPublishers(topic);
-  if (publishers.getType() == Value::TypeArray) {
-    for (Value& uri : elements(publishers)) uris.insert(static_cast<std::string>(uri));
+  if (publishers->getType() == Value::TypeArray) {
+    for (Value& uri : elements(*publishers)) uris.insert(static_cast<std::string>(uri));
   }
   uris.erase(ownUri());
   return uris.empty() || updatePublishers(topic, uris);

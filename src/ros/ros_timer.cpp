@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kSimulatedPoll = 0.002;  ///< a simulated clock may run much faster than the real one [s]
 constexpr double kSlowestPoll = 0.01;     ///< [s]
-constexpr int kMostAtOnce = 10;           ///< ticks that a fast simulation makes due between two looks
 
 /// How often the clock is looked at: a real one ten times in a period.
 ros::WallDuration pollPeriod(Duration period) {
@@ -27,7 +26,10 @@ RosTimer::RosTimer(const ros::NodeHandle& node, Duration period, std::function<v
 }
 
 void RosTimer::poll() {
-  for (int i = 0; i < kMostAtOnce && schedule_.isDue(rosNow()); ++i) tick_();
+  // The time of this look alone: a tick that takes longer than its period must not be followed by the next one before
+  // the node has taken in its messages.
+  const Time now = rosNow();
+  while (schedule_.isDue(now)) tick_();
 }
 
 }  // namespace frontier_pilot

@@ -6,6 +6,7 @@ import socket
 import subprocess
 import time
 import unittest
+from collections import namedtuple
 
 import roslib.packages
 import rosgraph
@@ -13,6 +14,8 @@ import rospy
 import rostest
 
 from wire import wait_for
+
+Answer = namedtuple('Answer', 'success message')
 
 
 def free_port():
@@ -61,6 +64,16 @@ class Registration(unittest.TestCase):
         except (OSError, rosgraph.MasterException):
             return None
 
+    def stop_is_stored_for(self, session):
+        home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
+        return os.path.exists(os.path.join(home, 'frontier_pilot', session, 'stopped.cmd_vel_arbiter'))
+
+    def call(self, service):
+        """The answer of a service at the master of this test, as a line that rosservice prints."""
+        done = subprocess.run(['rosservice', 'call', service], env=self.environment, capture_output=True, text=True,
+                              timeout=20.0)
+        return Answer('success: True' in done.stdout, done.stdout + done.stderr)
+
     def services(self):
         state = self.state()
         return {name: nodes for name, nodes in state[2]} if state else {}
@@ -87,6 +100,22 @@ class Registration(unittest.TestCase):
         self.assertTrue(wait_for(lambda: known(0, '/cmd_vel') == ['/cmd_vel_arbiter']), '[ARB-12]')
         self.assertTrue(wait_for(lambda: known(1, '/cmd_vel_nav') == ['/cmd_vel_arbiter']), '[ARB-12]')
         self.assertTrue(wait_for(lambda: '/patrol_server' in known(1, '/turtlebot3/goal')), '[FLT-1]')
+
+    # [ARB-7] [ARB-12]
+    def test_a_stop_that_has_outlived_its_master_is_remembered_under_the_new_one(self):
+        arbiter = self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.assertTrue(self.call('/emergency_stop').success)
+        self.master.kill()
+        self.master.wait()
+        self.new_master()
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 10.0), '[ARB-12]')
+        # Once the stop is stored for the new session an arbiter that is killed comes up with it.
+        self.assertTrue(wait_for(lambda: self.stop_is_stored_for('master-%d' % self.processes[-1].pid)), '[ARB-7]')
+        arbiter.kill()
+        arbiter.wait()
+        self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: 'stopped already' in self.call('/emergency_stop').message, 20.0))
 
     # [FLT-1]
     def test_services_that_a_second_node_took_and_left_are_offered_again(self):

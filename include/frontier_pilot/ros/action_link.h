@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/service_caller.h"
 
 namespace frontier_pilot {
@@ -22,7 +23,8 @@ class ActionLink {
   ACTION_DEFINITION(Action)
 
   /// `name` is what the log calls it.
-  ActionLink(ros::NodeHandle& node, const std::string& action, std::string name, OperatorLog log);
+  ActionLink(ros::NodeHandle& node, NodeConnections& connections, const std::string& action, std::string name,
+             OperatorLog log);
 
   void start(const Goal& goal);
   /// Every goal, whoever started it.
@@ -43,7 +45,7 @@ class ActionLink {
   std::string own_id_;        ///< empty: none, or it has ended
   ActionView view_;
   ros::Publisher goal_publisher_, cancel_publisher_;
-  ros::Subscriber status_subscriber_, feedback_subscriber_, result_subscriber_;
+  ros::Subscriber status_subscriber_;
 };
 
 using PatrolLink = ActionLink<PatrolAction>;

@@ -12,7 +12,7 @@
 /// The only place where the nodes read a clock, or turn what came in into a ROS time: conversions saturate, where those
 /// of roscpp throw.
 ///
-/// Control logic ticks on ROS time (`ros::Timer`, `rosNow`), so that it follows a simulation at any speed. Liveness,
+/// Control logic ticks on ROS time (`RosTimer`, `rosNow`), so that it follows a simulation at any speed. Liveness,
 /// that is the age of a message or a heartbeat that must survive a stopped or jumping clock, is on steady time
 /// (`ros::SteadyTimer`, `steadyNow`). `ros::WallTimer` follows the wall clock, which may be set: it is not used.
 namespace frontier_pilot {

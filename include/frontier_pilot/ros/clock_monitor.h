@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/clock_trust.h"
+#include "frontier_pilot/ros/callback_guard.h"
 
 namespace frontier_pilot {
 
@@ -28,6 +29,7 @@ class ClockMonitor {
  private:
   Time look();
 
+  CallbackGuard guard_;
   ClockTrust trust_;
   std::vector<std::function<void()>> forget_;
   ros::SteadyTimer poll_;

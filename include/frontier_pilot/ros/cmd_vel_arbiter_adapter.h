@@ -46,7 +46,7 @@ class CmdVelArbiterNode {
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleSetStop(SetBoolCall& call);
   bool handleStop(TriggerCall& call);
-  ArbiterAnswer stop(const std::string& service, const std::string& caller);
+  ArbiterAnswer stop(const std::string& cause);
   ArbiterAnswer clear(const std::string& caller);
   void tick();
   void takeMasterReport();
@@ -67,7 +67,7 @@ class CmdVelArbiterNode {
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
   std::string last_essence_, last_summary_;
-  SteadyTime last_found_{};
+  Mailbox<std::string> session_;  ///< a new one of ROS, if the master is a new one
   NodeConnections connections_;
 };
 

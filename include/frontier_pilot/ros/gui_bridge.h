@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "frontier_pilot/ros/action_link.h"
-#include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/mailbox.h"
+#include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/service_caller.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 #include "frontier_pilot/teleop/manual_output.h"
@@ -59,7 +59,6 @@ class GuiBridge : public OperatorLink {
   OperatorLog logger();
   void log(Severity severity, const std::string& text);
 
-  CallbackGuard guard_;
   std::mutex log_mutex_;  ///< guards the log alone: lines come from under other locks
   std::vector<OperatorLogLine> log_;
   mutable std::mutex mutex_;  ///< guards what follows, up to the parameters
@@ -80,13 +79,12 @@ class GuiBridge : public OperatorLink {
   ros::NodeHandle node_;
   TfBridge tf_;
   ros::Publisher manual_publisher_;
-  std::vector<ros::Subscriber> subscribers_;
   ros::Subscriber stop_subscriber_;
+  NodeConnections connections_;
   PatrolLink patrol_;
   SpinLink spin_;
   ServiceCaller caller_, stop_caller_;
   ServiceWatch watch_;
-  ros::SteadyTimer publish_timer_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -4,7 +4,6 @@
 #include <ros/node_handle.h>
 
 #include <string>
-#include <vector>
 
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/mapping/map_schedule.h"
@@ -22,10 +21,10 @@ class MapperPublisher {
 
   /// The topic, resolved.
   std::string topic() const { return node_.resolveName(topic_); }
-  /// Who publishes on the topic: advertises when it is nobody else, withdraws when it is.
-  void setPublishers(const std::vector<std::string>& publishers);
-  /// The others that publish on the topic, as a list; empty when the map is ours.
-  const std::string& foreigners() const { return foreigners_; }
+  /// Another node that publishes the topic; empty if there is none. Advertises in the latter case, and withdraws in the
+  /// former.
+  void setOther(const std::string& node);
+  const std::string& other() const { return other_; }
 
   void publish(Mapper& mapper, Time now);
 
@@ -39,7 +38,7 @@ class MapperPublisher {
   std::string topic_;
   std::string frame_;
   MapSchedule schedule_;
-  std::string foreigners_;
+  std::string other_;
   bool advertised_ = false;
   ros::Publisher map_;
   ros::Publisher updates_;

@@ -2,7 +2,9 @@
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
+#include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/mailbox.h"
 #include "frontier_pilot/ros/master_state.h"
 
@@ -19,25 +22,31 @@ namespace frontier_pilot {
 
 /// What the master says of this node and of those around it.
 struct MasterReport {
-  NodesByName publishers;                     ///< by topic, of all topics
-  std::map<std::string, std::string> rivals;  ///< by what belongs to this node alone: another living node that has it
+  NodesByName publishers;  ///< by topic, of all topics
+  std::map<std::string, std::string>
+      rivals;  ///< by what belongs to this node alone, services and topics: another living node
 };
 
-/// Asks the master twice a second, on a thread of its own (the master may be slow to answer, or gone), whether it still
-/// has this node registered for its topics and services, and registers again what is missing: a new master knows
+/// Asks the master again and again, on a thread of its own (the master may be slow to answer, or gone), whether it
+/// still has this node registered for its topics and services, and registers again what is missing: a new master knows
 /// nobody, and a node that takes a service from this one and ends leaves no provider behind. A service that is held by
 /// a node that no longer lives is taken back; one that a living node holds is an error that names it. [ARB-12] [FLT-1]
 class MasterWatch {
  public:
-  MasterWatch();
+  /// `period` is the time between two looks. A registration that is missing in two of them is made again.
+  explicit MasterWatch(Duration period);
   ~MasterWatch();
   MasterWatch(const MasterWatch&) = delete;
   MasterWatch& operator=(const MasterWatch&) = delete;
 
   /// `service`, a resolved name, belongs to this node alone from now on.
   void claimService(const std::string& service);
-  /// The same for a topic that only this node may publish.
-  void claimTopic(const std::string& topic);
+  /// The same for topics: another node that publishes all of them takes this one for gone.
+  void claimTopics(const std::vector<std::string>& topics);
+  /// `f` is called, on the watch's thread, after something was registered again: the master may be another one.
+  void onRenewal(std::function<void()> f);
+  /// When the master answered last; the start of the watch if it never did.
+  SteadyTime lastAnswer() const { return last_answer_; }
   /// What the master said since the last call, if it said anything.
   std::optional<MasterReport> take() { return report_.take(); }
   /// ERROR while another node has what belongs to this one alone, or for some seconds after something was registered
@@ -50,26 +59,33 @@ class MasterWatch {
   void run();
   void look();
   struct Claims {
-    std::vector<std::string> services, topics;
+    std::vector<std::string> services;
+    std::vector<std::vector<std::string>> topics;
   };
 
   Claims claims() const;
+  std::map<std::string, std::string> findRivals(const MasterState& state) const;
   void lookAtTopics(const MasterState& state);
   void lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals);
   /// True if `what` was missing the last time too: a registration that is under way is not a lost one.
   bool missingTwice(const std::string& what);
-  void note(const std::string& what);
+  void sayWhatWasRenewed();
   void setRivals(const std::map<std::string, std::string>& rivals);
 
   Mailbox<MasterReport> report_;
-  mutable std::mutex mutex_;  ///< guards the four that follow
+  Duration period_;
+  CallbackGuard guard_;
+  std::atomic<SteadyTime> last_answer_;
+  mutable std::mutex mutex_;  ///< guards the five that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
   std::vector<std::string> problems_;
-  std::set<std::string> missing_, missing_before_;  ///< the thread's own, as the two that follow
+  std::function<void()> renewal_;
+  std::set<std::string> missing_, missing_before_;  ///< the thread's own, as those that follow
   std::map<std::string, std::string> rivals_;
-  std::map<std::string, SteadyTime> renewed_;
+  std::vector<std::string> renewed_;  ///< in this look
+  std::map<std::string, SteadyTime> remembered_;
   std::thread thread_;  ///< the last member: everything else is there before it starts
 };
 

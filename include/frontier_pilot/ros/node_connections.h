@@ -21,7 +21,9 @@ namespace frontier_pilot {
 /// What the master has forgotten is registered again. To be a node's last member: its callbacks use the others. [FLT-1]
 class NodeConnections {
  public:
-  explicit NodeConnections(const ros::NodeHandle& node) : node_(node), clock_(node) {}
+  /// `master_period` is the time between two looks at what the master knows of this node.
+  explicit NodeConnections(const ros::NodeHandle& node, Duration master_period = std::chrono::milliseconds(700))
+      : node_(node), clock_(node), master_(master_period) {}
 
   /// `handle(const Msg&)` for each message of `topic`.
   template <class Msg, class F>

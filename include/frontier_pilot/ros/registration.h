@@ -5,8 +5,7 @@
 namespace frontier_pilot {
 
 /// Registers this node at the master once more, for what roscpp took care of when it was set up. Names are resolved.
-/// roscpp itself does so only once; all of these leave its connections as they are. False if the master does not take
-/// it.
+/// roscpp itself does so only once. Its connections stay as they are. False if the master does not take it.
 bool registerPublisher(const std::string& topic);
 bool registerService(const std::string& service);
 /// Also connects to the publishers that the master knows, beside those that are connected already.

@@ -16,6 +16,8 @@ class StopMemory {
   /// `session` names the ROS session, `node` the resolved node name.
   StopMemory(const std::filesystem::path& ros_home, const std::string& session, const std::string& node);
 
+  /// From now on in another session of ROS; gives whether it is another one.
+  bool enter(const std::string& session);
   /// Why it was stopped, if it was.
   std::optional<std::string> recall() const;
   /// Once this has returned an empty text the stop survives the process; otherwise the text says why it does not.
@@ -24,6 +26,8 @@ class StopMemory {
   std::string forget() const;
 
  private:
+  std::filesystem::path ros_home_;
+  std::string node_;
   std::filesystem::path file_;
 };
 

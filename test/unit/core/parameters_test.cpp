@@ -114,6 +114,23 @@ TEST(Parameters, BrokenYamlIsAnErrorWithItsPlace) {
   EXPECT_TRUE(parseYaml("").empty());
 }
 
+// [FLT-1]
+TEST(Parameters, FLT_1_YamlWhoseAliasesMakeACycleOrABombIsAnError) {
+  for (const char* cycle :
+       {"a: &a [*a]", "a: &a {b: *a}", "a: {file: x, bytes: &b [*b]}", "&m {image: q.pgm, <<: *m}"}) {
+    EXPECT_THROW(parseYaml(cycle), std::invalid_argument) << cycle;
+  }
+  std::string bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
+  for (int i = 1; i < 12; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1);
+    bomb += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + before;
+    for (int j = 1; j < 10; ++j) bomb += ", " + before;
+    bomb += "]\n";
+  }
+  EXPECT_THROW(parseYaml(bomb), std::invalid_argument) << "10^12 values";
+  EXPECT_EQ(parseYaml("a: &a [1, 2]\nb: *a").size(), 2U) << "an alias by itself is fine";
+}
+
 TEST(Parameters, TheDescriptionHasARowPerFieldWithUnitsAndDefaults) {
   const auto rows = describeParameters(Sample{});
   ASSERT_EQ(rows.size(), 6U);
