@@ -1,8 +1,8 @@
 #include "frontier_pilot/ros/map_mirror.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/throttled_log.h"
 
@@ -18,11 +18,45 @@ void copy(const GridUpdate& update, OccupancyGrid& map) {
   }
 }
 
+bool isInside(const CellRect& rect, const OccupancyGrid& map) {
+  return rect.intersection(map.geometry().rect()) == rect;
+}
+
 }  // namespace
+
+void RecentUpdates::add(Time stamp, GridUpdate update) {
+  constexpr std::size_t kMostUpdates = 2000;
+  constexpr std::size_t kMostCells = std::size_t{1} << 24;  // 16 MB
+  cells_ += update.cells.size();
+  updates_.push_back({stamp, std::move(update)});
+  while (updates_.size() > kMostUpdates || cells_ > kMostCells) {
+    lost_ = updates_.front().stamp;
+    cells_ -= updates_.front().update.cells.size();
+    updates_.pop_front();
+  }
+}
+
+void RecentUpdates::dropBefore(Time stamp) {
+  while (!updates_.empty() && updates_.front().stamp < stamp) {
+    cells_ -= updates_.front().update.cells.size();
+    updates_.pop_front();
+  }
+}
+
+std::optional<Time> RecentUpdates::applyTo(OccupancyGrid& map) const {
+  std::optional<Time> last;
+  for (const Stamped& recent : updates_) {
+    if (!isInside(recent.update.rect, map)) continue;
+    copy(recent.update, map);
+    last = recent.stamp;
+  }
+  return last;
+}
 
 void MapMirror::subscribe(NodeConnections& connections, const std::string& frame) {
   frame_ = frame;
-  map_subscriber_ = connections.subscribe(names::kMap, 1, &MapMirror::handleMap, this);
+  map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
+      names::kMap, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
   connections.subscribe(names::kMapUpdates, 100, &MapMirror::handleUpdate, this);
 }
 
@@ -32,13 +66,36 @@ bool MapMirror::rightFrame(const std::string& frame) {
   return right;
 }
 
-void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg) {
+void MapMirror::startOver() {
+  map_stamp_.reset();
+  update_stamp_.reset();
+  recent_.clear();
+}
+
+void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
   std::string why;
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
-  replace(std::move(*map));
-  stamp_ = toTime(msg.header.stamp);
+  const Time stamp = toTime(msg.header.stamp);
+  // One connection keeps the order: stamps that go back are those of a clock that was set back.
+  const bool went_back = map_stamp_ && stamp < *map_stamp_;
+  if (stamp == Time{} || went_back || (ready() && publisher != publisher_)) startOver();
+  publisher_ = publisher;
+  takeWhole(std::move(*map), stamp);
+}
+
+void MapMirror::takeWhole(OccupancyGrid map, Time stamp) {
+  const bool comparable = map_stamp_.has_value();
+  const bool same_geometry = ready() && map.geometry() == map_.geometry();
+  map_stamp_ = stamp;
+  // An update with the stamp of a map of another geometry belongs to the map before it.
+  recent_.dropBefore(same_geometry ? stamp : stamp + Duration(1));
+  // With updates missing in between, the copy, which has had them all, is newer than what could be made of this map.
+  if (comparable && same_geometry && !recent_.completeFrom(stamp)) return;
+  const std::optional<Time> last = recent_.applyTo(map);
+  replace(std::move(map));
+  stamp_ = last.value_or(stamp);
 }
 
 void MapMirror::replace(OccupancyGrid map) {
@@ -57,16 +114,24 @@ void MapMirror::replace(OccupancyGrid map) {
 }
 
 void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg) {
-  if (!ready() || !rightFrame(msg.header.frame_id)) return;  // the latched map holds what an early update said
+  if (!rightFrame(msg.header.frame_id)) return;
   std::string why;
   const auto update = toGridUpdate(msg, &why);
   if (!update) return rejections_.add(why);
-  if (!(update->rect.intersection(map_.geometry().rect()) == update->rect)) {
-    return rejections_.add("update reaches beyond the map");
-  }
+  const Time stamp = toTime(msg.header.stamp);
+  remember(stamp, *update);
+  if (!ready() || isOld(stamp)) return;
+  if (!isInside(update->rect, map_)) return rejections_.add("update reaches beyond the map");
   copy(*update, map_);
   changed_.include(update->rect);
-  stamp_ = toTime(msg.header.stamp);
+  stamp_ = stamp;
+}
+
+void MapMirror::remember(Time stamp, const GridUpdate& update) {
+  if (stamp == Time{}) return;
+  if (update_stamp_ && stamp < *update_stamp_) startOver();
+  update_stamp_ = stamp;
+  if (!isOld(stamp)) recent_.add(stamp, update);
 }
 
 CellRect MapMirror::takeChanged() { return std::exchange(changed_, CellRect{}); }

@@ -72,6 +72,14 @@ class BehaviorTest(unittest.TestCase):
         now = rospy.Time.now()
         self.until(lambda: sum(stamp > now for stamp in list(self.scan_stamps)) >= count, 'scans')
 
+    def until_it_stands(self):
+        now = rospy.Time.now()
+
+        def stands():
+            twist = self.truth.twist.twist
+            return self.truth.header.stamp > now and abs(twist.linear.x) + abs(twist.angular.z) < 1e-6
+        self.until(stands, 'the robot to stand')
+
     def pose(self):
         q, p = self.truth.pose.pose.orientation, self.truth.pose.pose.position
         return p.x, p.y, 2.0 * math.atan2(q.z, q.w)
@@ -113,10 +121,10 @@ class BehaviorTest(unittest.TestCase):
         self.until(begun, 'motion')
 
     def assert_silent_after_zero(self):
-        rospy.sleep(0.3)
-        self.assertTrue(is_zero(self.commands[-1]))
+        self.until(lambda: is_zero(self.commands[-1]), 'zero')
+        self.until_it_stands()
         said = len(self.commands)
-        rospy.sleep(1.0)
+        self.until_scans(5)  # a second
         self.assertEqual(len(self.commands), said)
 
     def test_spin_ends_at_its_yaw_with_result_and_feedback(self):
@@ -125,7 +133,7 @@ class BehaviorTest(unittest.TestCase):
             before = self.pose()[2]
             self.spin(target)
             result = self.expect(GoalStatus.SUCCEEDED, SpinResult.NONE)
-            rospy.sleep(0.3)
+            self.until_it_stands()
             turned = math.remainder(self.pose()[2] - before - target, 2.0 * math.pi)
             self.assertLess(abs(turned), 0.05)
             self.assertAlmostEqual(result.angular_distance_traveled, target, delta=0.05)

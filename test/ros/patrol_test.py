@@ -36,6 +36,29 @@ def program(name):
     return roslib.packages.find_node('frontier_pilot', name)[0]
 
 
+# How far a square is, by the commands of its patrol so far.
+def on_a_line(commands):
+    return any(command.linear.x > 0.1 for command in commands)
+
+
+def braking(commands):
+    speeds = [command.linear.x for command in commands]
+    return any(0.0 < after < before for before, after in zip(speeds, speeds[1:]))
+
+
+def at_a_corner(commands):
+    speeds = [command.linear.x for command in commands]
+    return any(before > 0.0 and after == 0.0 for before, after in zip(speeds, speeds[1:]))
+
+
+def turning(commands):
+    return any(command.linear.x == 0.0 and abs(command.angular.z) > 0.3 for command in commands)
+
+
+def on_the_next_line(commands):
+    return turning(commands) and commands[-1].linear.x > 0.1
+
+
 class PatrolTest(unittest.TestCase):
     def setUp(self):
         self.sent_at = self.ended_at = None
@@ -75,15 +98,24 @@ class PatrolTest(unittest.TestCase):
         self.assertTrue(self.client.wait_for_result(rospy.Duration(seconds)))
         return self.client.get_state(), self.client.get_result().result
 
+    def until_it_stands(self):
+        now = rospy.Time.now()
+
+        def stands():
+            odometry, twist = self.odometry.last, self.odometry.last.twist.twist
+            return odometry.header.stamp > now and abs(twist.linear.x) + abs(twist.angular.z) < 1e-6
+        self.until(stands, 'the robot to stand')
+
     def moving(self):
         self.until(lambda: self.commands.items and moves(self.commands.last), 'motion')
 
     def assert_silent_after_zero(self):
         """[PAT-6] Zero was the last word."""
-        rospy.sleep(0.5)
-        self.assertFalse(moves(self.commands.last))
+        self.until(lambda: not moves(self.commands.last), 'zero')
+        self.until_it_stands()
         said = len(self.commands.items)
-        rospy.sleep(2.0)
+        later = rospy.Time.now() + rospy.Duration(2.0)
+        self.until(lambda: self.odometry.last.header.stamp >= later, 'two seconds of odometry')
         self.assertEqual(len(self.commands.items), said)
 
     def closing_error(self, mode, size, laps, text):
@@ -91,7 +123,7 @@ class PatrolTest(unittest.TestCase):
         start = self.odometry.last
         self.send(goal(mode, size, laps))
         self.assertEqual(self.end(), (GoalStatus.SUCCEEDED, text))
-        rospy.sleep(0.5)  # until the base stands
+        self.until_it_stands()
         here, there = self.odometry.last.pose.pose.position, start.pose.pose.position
         turned = math.remainder(yaw_of(self.odometry.last) - yaw_of(start), 2.0 * math.pi)
         return math.hypot(here.x - there.x, here.y - there.y), abs(math.degrees(turned))
@@ -122,11 +154,10 @@ class PatrolTest(unittest.TestCase):
             self.assertIn(text, result)
         self.assertFalse(any(moves(command) for _, command in self.commands.items))
 
-    def cancel_after(self, seconds):
+    def cancel_when(self, reached):
         """How long after a cancel zero and the result come, by the steady clock."""
         self.send(goal(1, 0.3))
-        self.moving()
-        rospy.sleep(seconds)
+        self.until(lambda: reached(self.commands.since(self.sent_at)), reached.__name__)
         asked = time.monotonic()
         self.client.cancel_goal()
         self.assertEqual(self.end(), (GoalStatus.PREEMPTED, 'patrol canceled'))
@@ -137,8 +168,7 @@ class PatrolTest(unittest.TestCase):
 
     def test_cancel_sends_zero_within_a_tenth_of_a_second_and_then_the_result(self):
         """[PAT-4]"""
-        # On a line, while it brakes, at the corner, in the turn, on the next line.
-        both = [self.cancel_after(seconds) for seconds in (0.5, 1.7, 2.1, 2.8, 4.5)]
+        both = [self.cancel_when(reached) for reached in (on_a_line, braking, at_a_corner, turning, on_the_next_line)]
         zero, result = (statistics.median(times) for times in zip(*both))
         print('cancel to zero %.1f ms, to the result %.1f ms' % (zero * 1e3, result * 1e3))
         self.assertLess(zero, 0.1)

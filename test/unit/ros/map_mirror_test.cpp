@@ -26,6 +26,16 @@ map_msgs::OccupancyGridUpdate update(int x, int y, std::uint32_t width, std::uin
   return msg;
 }
 
+nav_msgs::OccupancyGrid messageAt(double seconds, const std::string& drawing) {
+  return toOccupancyGridMsg(test::drawWorld(drawing).map, "map", timeFromSeconds(seconds));
+}
+
+map_msgs::OccupancyGridUpdate updateAt(double seconds, int x, int y, std::int8_t value) {
+  map_msgs::OccupancyGridUpdate msg = update(x, y, 1, 1, value);
+  msg.header.stamp = toRosTime(timeFromSeconds(seconds));
+  return msg;
+}
+
 const char* const kRoom = "#####\n#...#\n#...#\n#####";
 
 TEST(MapMirror, SaysThatEverythingIsNewAtFirst) {
@@ -127,6 +137,110 @@ TEST(MapMirror, IgnoresAnUpdateBeforeTheFirstMap) {
   mirror.handleUpdate(update(0, 0, 1, 1, kFree));
   EXPECT_FALSE(mirror.ready());
   EXPECT_EQ(mirror.rejections().total(), 0U);
+}
+
+// The two topics have a connection each: a map of a megabyte may take a minute over a slow link while updates pass it.
+
+TEST(MapMirror, AFullMapThatWasOvertakenDoesNotUndoNewerUpdates) {  // [MAP-2]
+  MapMirror mirror;
+  mirror.handleMap(messageAt(10.0, kRoom));
+  mirror.handleUpdate(updateAt(11.0, 1, 1, kOccupied));
+  mirror.handleUpdate(updateAt(13.0, 2, 1, kOccupied));
+  mirror.takeChanged();
+  mirror.handleMap(messageAt(12.0, "#####\n#...#\n##.##\n#####"));  // the update of second 11 is in it
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kOccupied);
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied) << "an update of second 13";
+  EXPECT_EQ(mirror.map()[(Cell{3, 1})], kOccupied) << "what came with the full map alone";
+  EXPECT_EQ(mirror.takeChanged(), (CellRect{3, 1, 1, 1}));
+  EXPECT_EQ(mirror.stamp(), timeFromSeconds(13.0));
+}
+
+TEST(MapMirror, AnUpdateOlderThanTheMapIsNotAppliedToIt) {
+  MapMirror mirror;
+  mirror.handleMap(messageAt(10.0, "###\n#.#\n###"));
+  mirror.handleMap(messageAt(20.0, kRoom));  // has grown towards the origin: all indices are others
+  mirror.takeChanged();
+  mirror.handleUpdate(updateAt(19.0, 1, 1, kOccupied));
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kFree);
+  EXPECT_TRUE(mirror.takeChanged().empty());
+  EXPECT_EQ(mirror.rejections().total(), 0U) << "nothing is wrong with it";
+}
+
+TEST(MapMirror, UpdatesThatCameBeforeTheirMapAreAppliedToIt) {
+  MapMirror mirror;
+  mirror.handleUpdate(updateAt(9.0, 3, 1, kOccupied));
+  mirror.handleUpdate(updateAt(11.0, 1, 1, kOccupied));
+  mirror.handleMap(messageAt(10.0, kRoom));
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kOccupied);
+  EXPECT_EQ(mirror.map()[(Cell{3, 1})], kFree) << "it was in the map already";
+}
+
+TEST(MapMirror, AnUpdateWithTheStampOfTheMapCountsWhicheverComesFirst) {
+  for (const bool update_first : {true, false}) {
+    MapMirror mirror;
+    mirror.handleMap(messageAt(9.0, kRoom));
+    if (update_first) mirror.handleUpdate(updateAt(10.0, 1, 1, kOccupied));
+    mirror.handleMap(messageAt(10.0, kRoom));
+    if (!update_first) mirror.handleUpdate(updateAt(10.0, 1, 1, kOccupied));
+    EXPECT_EQ(mirror.map()[(Cell{1, 1})], kOccupied) << update_first;
+  }
+}
+
+TEST(MapMirror, AMapperThatStartedOverIsBelievedWhateverItsStamps) {
+  MapMirror mirror;
+  mirror.handleMap(messageAt(100.0, kRoom));
+  mirror.handleUpdate(updateAt(200.0, 1, 1, kOccupied));
+  mirror.handleMap(messageAt(50.0, kRoom));  // its clock was set back
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kFree);
+  mirror.handleUpdate(updateAt(51.0, 2, 1, kOccupied));
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied);
+  mirror.handleMap(messageAt(52.0, kRoom));
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kFree);
+}
+
+TEST(MapMirror, AClockThatWentBackShowsInTheUpdatesAsWell) {
+  MapMirror mirror;
+  mirror.handleMap(messageAt(100.0, kRoom));
+  mirror.handleUpdate(updateAt(200.0, 1, 1, kOccupied));
+  mirror.handleUpdate(updateAt(50.0, 2, 1, kOccupied));
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied) << "not held against the old map";
+  mirror.handleMap(messageAt(49.0, kRoom));
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kFree) << "what was before the clock went back";
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied) << "what was after";
+}
+
+TEST(MapMirror, AnotherPublisherIsNotHeldAgainstTheStampsOfTheFirst) {
+  MapMirror mirror;
+  mirror.handleMap(messageAt(100.0, kRoom), "/one");
+  mirror.handleUpdate(updateAt(3700.0, 1, 1, kOccupied));  // its clock is an hour ahead
+  mirror.handleMap(messageAt(110.0, kRoom), "/two");
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kFree);
+  mirror.handleUpdate(updateAt(111.0, 2, 1, kOccupied));
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied);
+}
+
+TEST(MapMirror, AMapWithoutAStampIsTakenAsItIs) {  // as map_server may send it
+  MapMirror mirror;
+  mirror.handleMap(messageAt(100.0, kRoom));
+  mirror.handleUpdate(updateAt(200.0, 1, 1, kOccupied));
+  mirror.handleMap(messageAt(0.0, kRoom));
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kFree);
+  mirror.handleUpdate(updateAt(201.0, 2, 1, kOccupied));
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied);
+  mirror.handleUpdate(update(3, 1, 1, 1, kOccupied));  // no stamp either
+  EXPECT_EQ(mirror.map()[(Cell{3, 1})], kOccupied);
+}
+
+TEST(MapMirror, RemembersABoundedNumberOfUpdatesAndPrefersItsCopyToAMapOlderThanThose) {
+  MapMirror mirror;
+  mirror.handleMap(messageAt(10.0, kRoom));
+  mirror.handleUpdate(updateAt(12.0, 1, 1, kOccupied));
+  for (int i = 0; i < 5000; ++i) mirror.handleUpdate(updateAt(13.0 + 0.001 * i, 2, 1, kOccupied));
+  mirror.handleMap(messageAt(11.0, kRoom));
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kOccupied);
+  EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied);
+  mirror.handleMap(messageAt(19.0, kRoom));
+  EXPECT_EQ(mirror.map()[(Cell{1, 1})], kFree);
 }
 
 }  // namespace
