@@ -49,7 +49,7 @@ std::optional<Twist2> Arbiter::onCommand(std::size_t source, const Twist2& comma
   Source& speaker = at(source);
   store(speaker, command, hold, now);
   const Decision decision = decide(now.ros);
-  return putOut(decision, decision.winner == &speaker);
+  return putOut(decision, isWinner(speaker, decision));
 }
 
 std::optional<Twist2> Arbiter::update(const Instant& now) {
@@ -61,7 +61,7 @@ std::optional<Twist2> Arbiter::tick(const Instant& now) {
   observe(now);
   measureRates(now.steady);
   const Decision decision = decide(now.ros);
-  return putOut(decision, decision.winner == nullptr);
+  return putOut(decision, !decision.winner);
 }
 
 void Arbiter::observe(const Instant& now) {
@@ -109,19 +109,24 @@ bool Arbiter::claims(const Source& source, Time now) const {
 }
 
 Arbiter::Decision Arbiter::decide(Time now) const {
-  if (latched_) return {ArbiterState::kEmergencyStop, nullptr, {}};
-  if (contested()) return {ArbiterState::kContested, nullptr, {}};
-  if (clock_.stopped()) return {ArbiterState::kClockStopped, nullptr, {}};
+  if (latched_) return {ArbiterState::kEmergencyStop, std::nullopt, {}};
+  if (contested()) return {ArbiterState::kContested, std::nullopt, {}};
+  if (clock_.stopped()) return {ArbiterState::kClockStopped, std::nullopt, {}};
   bool forward_allowed = true;
-  for (const Source& source : sources_) {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const Source& source = sources_[i];
     if (claims(source, now)) {
       Twist2 command = *source.command;
       if (!forward_allowed) command.linear = std::min(command.linear, 0.0);
-      return {ArbiterState::kDriving, &source, command};
+      return {ArbiterState::kDriving, i, command};
     }
     if (config(source).required && source.enabled && !alive(source, now)) forward_allowed = false;
   }
-  return {ArbiterState::kIdle, nullptr, {}};
+  return {ArbiterState::kIdle, std::nullopt, {}};
+}
+
+bool Arbiter::isWinner(const Source& source, const Decision& decision) const {
+  return decision.winner && &source == &sources_[*decision.winner];
 }
 
 std::optional<Twist2> Arbiter::putOut(const Decision& decision, bool anyway) {

@@ -64,7 +64,7 @@ SourceState Arbiter::stateOf(const Source& source, const Decision& decision, Tim
   if (source.rejected_last) return SourceState::kRejected;
   if (source.forgotten) return SourceState::kNeverHeard;
   if (!alive(source, now)) return SourceState::kStale;
-  if (decision.winner == &source) return SourceState::kActive;
+  if (isWinner(source, decision)) return SourceState::kActive;
   return claims(source, now) ? SourceState::kReady : SourceState::kIdle;
 }
 
@@ -87,7 +87,7 @@ ArbiterSnapshot Arbiter::status(const Instant& now) const {
   const Decision decision = decide(now.ros);
   ArbiterSnapshot status;
   status.state = decision.state;
-  if (decision.winner != nullptr) status.active_source = config(*decision.winner).name;
+  if (decision.winner) status.active_source = config(sources_[*decision.winner]).name;
   status.stop_cause = stop_cause_;
   status.rival = rival_;
   status.command = last_.command;

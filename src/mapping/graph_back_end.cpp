@@ -17,18 +17,33 @@ GraphBackEnd::GraphBackEnd(const GraphSlamParameters& parameters, const Occupanc
 MapRevision GraphBackEnd::update(std::vector<PlacedKeyframe> batch) {
   MapRevision revision;
   const Pose2 T_map_local = graph_.T_map_local();
+  const std::size_t known = closures_.size();
   for (PlacedKeyframe& placed : batch) {
     const SurfacePoints points = std::exchange(placed.keyframe.points, {});
     rendered_.push_back(placed.T_map_base);
     graph_.add(std::move(placed));
-    for (const LoopClosure& closure : closer_.update(graph_, points)) revision.closures.push_back(closure);
+    for (const LoopClosure& closure : closer_.update(graph_, points)) closures_.push_back(closure);
   }
-  moved_ = moved_ || !revision.closures.empty();
-  revision.counts = closer_.counts();
   // A submap begins where the local frame is thought to be, so that only closures move that.
-  if (!revision.closures.empty()) revision.T_new_old = graph_.T_map_local() * T_map_local.inverse();
-  if (isRenderingDue()) revision.map = render();
+  if (closures_.size() > known) {
+    const Pose2 jump = graph_.T_map_local() * T_map_local.inverse();
+    T_new_old_ = withheld_ ? jump * T_new_old_ : jump;
+    moved_ = true;
+  }
+  revision.counts = closer_.counts();
+  if (isRenderingDue()) render(revision);
+  if (withheld_) return revision;
+  revision.closures = std::exchange(closures_, {});
+  revision.T_new_old = std::exchange(T_new_old_, Pose2());
   return revision;
+}
+
+void GraphBackEnd::takeBack(const MapRevision& refused) {
+  rendered_ = replaced_;
+  closures_ = refused.closures;
+  T_new_old_ = refused.T_new_old;
+  moved_ = true;
+  withheld_ = true;
 }
 
 bool GraphBackEnd::isRenderingDue() const {
@@ -37,7 +52,8 @@ bool GraphBackEnd::isRenderingDue() const {
   for (std::size_t i = 0; i < rendered_.size(); ++i) {
     const Pose2 step = rendered_[i].inverse() * graph_.T_map_keyframe(i);
     const double distance = step.position().norm();
-    if (distance > parameters_.rendering.urgent_distance) return true;
+    // A map that was too large is likely to be so again: that is not tried with each keyframe.
+    if (distance > parameters_.rendering.urgent_distance && !withheld_) return true;
     visible = visible || distance > parameters_.rendering.min_distance ||
               std::abs(step.yaw) > parameters_.rendering.min_angle;
   }
@@ -45,21 +61,23 @@ bool GraphBackEnd::isRenderingDue() const {
   return visible && fresh >= parameters_.rendering.share * static_cast<double>(rendered_.size());
 }
 
-OccupancyMap GraphBackEnd::render() {
-  OccupancyMap map(map_parameters_);
+void GraphBackEnd::render(MapRevision& revision) {
+  OccupancyMap& map = revision.map.emplace(map_parameters_);
   if (!base_.empty()) {
     std::string ignored;  // it was this map's own once
     map.read(base_, ignored);
   }
+  replaced_ = rendered_;
   map.beginBatch();
   for (std::size_t i = 0; i < rendered_.size(); ++i) {
     rendered_[i] = graph_.T_map_keyframe(i);
-    inserter_.insert(graph_.keyframe(i).scan, rendered_[i], map);
+    const Insertion insertion = inserter_.insert(graph_.keyframe(i).scan, rendered_[i], map);
+    if (insertion == Insertion::kOutOfBounds) ++revision.left_out;
   }
   map.endBatch();
   rendered_count_ = rendered_.size();
   moved_ = false;
-  return map;
+  withheld_ = false;
 }
 
 std::vector<KeyframePose> GraphBackEnd::trajectory() const {

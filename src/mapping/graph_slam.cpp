@@ -70,6 +70,13 @@ bool GraphSlam::accept(const MapRevision& revision) {
   return true;
 }
 
+bool GraphSlam::refuse(const MapRevision& revision) {
+  if (revision.generation != generation_) return false;
+  working_ = false;
+  back_end_->takeBack(revision);
+  return true;
+}
+
 void GraphSlam::abandonWork() {
   working_ = false;
   abandoned_ = true;

@@ -111,8 +111,10 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   const Refinement refined = refine(prepared.map.surfels(), points, best->pose, prior, parameters_.refinement);
   const Pose2 step = best->pose.inverse() * refined.pose;
   // The refinement is of a few cells at most; farther, it has slid along a wall.
-  const double cell = 2.0 * parameters_.likelihood.resolution;
-  const bool slid = step.position().norm() > 2.0 * cell || std::abs(step.yaw) > 0.1;
+  constexpr double kFarthest = 4.0;    // [cells]
+  constexpr double kMostTurned = 0.1;  // [rad]
+  const double farthest = kFarthest * parameters_.likelihood.resolution;
+  const bool slid = step.position().norm() > farthest || std::abs(step.yaw) > kMostTurned;
   if (slid || refined.inliers < parameters_.min_inliers) return {ClosureVerdict::kPoor, {}};
   if (isAmbiguous(prepared.pyramid, points, request, *best, refined.information)) {
     return {ClosureVerdict::kAmbiguous, {}};

@@ -76,7 +76,7 @@ void Mapper::note(ScanVerdict verdict, Time now) {
   const bool corrected = verdict == ScanVerdict::kMisfit || !isDropped(verdict);
   if (!corrected) return health_.add(now, toString(verdict));
   if (!sound_) return health_.add(now, last_correction_);
-  health_.add(now, overgrown_ ? "corrected map too large, the old one is kept" : nullptr);
+  health_.add(now, overgrown_ ? "corrected map too large, map and poses stay as they are" : nullptr);
 }
 
 ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
@@ -105,6 +105,7 @@ ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) 
 
 ScanVerdict Mapper::put(const LaserScan2& scan, const Pose2& T_map_base) {
   const ScanVerdict verdict = verdictOf(inserter_.insert(scan, T_map_base, map_));
+  if (verdict == ScanVerdict::kOutOfBounds) ++out_of_bounds_;
   if (working_ && verdict == ScanVerdict::kInserted) meanwhile_.push_back({scan, T_map_base});
   return verdict;
 }
@@ -121,7 +122,9 @@ RevisionWork Mapper::takeWork() {
 }
 
 bool Mapper::revise(MapRevision& revision) {
-  if (revision.epoch != epoch_ || !correction_->accept(revision)) return false;
+  if (revision.epoch != epoch_) return false;
+  if (isTooLarge(revision)) return refuse(revision);
+  if (!correction_->accept(revision)) return false;
   working_ = false;
   const std::vector<Inserted> meanwhile = std::exchange(meanwhile_, {});
   T_map_odom_ = revision.T_new_old * T_map_odom_;
@@ -132,12 +135,29 @@ bool Mapper::revise(MapRevision& revision) {
     revisions_.last_closures = revision.closures;
   }
   if (!revision.map) return true;
-  overgrown_ = !map_.exchange(*revision.map);
-  if (overgrown_) return true;
+  map_.exchange(*revision.map);
+  overgrown_ = false;
   ++revisions_.rendered;
   for (const Inserted& inserted : meanwhile) {
     inserter_.insert(inserted.scan, revision.T_new_old * inserted.T_map_base, map_);
   }
+  return true;
+}
+
+bool Mapper::isTooLarge(const MapRevision& revision) const {
+  // A map that left out more than was ever refused lacks something that is mapped.
+  return revision.map && (revision.left_out > out_of_bounds_ || !map_.hasRoomFor(*revision.map));
+}
+
+bool Mapper::refuse(MapRevision& revision) {
+  if (!correction_->refuse(revision)) return false;
+  working_ = false;
+  meanwhile_.clear();
+  revisions_.attempts = revision.counts;
+  // Nothing of it has happened.
+  revision.closures.clear();
+  revision.T_new_old = Pose2();
+  overgrown_ = true;
   return true;
 }
 
@@ -176,6 +196,7 @@ void Mapper::replace(std::unique_ptr<PoseCorrection> correction) {
   ++epoch_;
   working_ = false;
   overgrown_ = false;
+  out_of_bounds_ = 0;
   meanwhile_.clear();
 }
 
@@ -201,6 +222,7 @@ void Mapper::reset() {
   correction_->reset();
   working_ = false;
   overgrown_ = false;
+  out_of_bounds_ = 0;
   meanwhile_.clear();
   // What was known is forgotten too.
   if (epoch_ > 0) replace(correctionFor(parameters_, map_));

@@ -33,14 +33,22 @@ bool OccupancyMap::reserve(const Vec2& low, const Vec2& high) {
   return near && reserveCells(needed(low, high));
 }
 
+CellRect OccupancyMap::snapped(const CellRect& cells) const {
+  const int step = std::max(1, static_cast<int>(std::lround(parameters_.growth_step / parameters_.resolution)));
+  return snap(cells, step);
+}
+
+bool OccupancyMap::isAllowed(const CellRect& snapped) const {
+  const int limit = static_cast<int>(parameters_.max_side / parameters_.resolution);
+  if (snapped.width > limit || snapped.height > limit) return false;
+  constexpr int kHalf = OctreeLayer::kHalfSide;
+  return snapped.intersection({-kHalf, -kHalf, 2 * kHalf, 2 * kHalf}) == snapped;
+}
+
 bool OccupancyMap::reserveCells(const CellRect& cells) {
   if (cells == extent_) return true;
-  const int step = std::max(1, static_cast<int>(std::lround(parameters_.growth_step / parameters_.resolution)));
-  const CellRect grown = snap(cells, step);
-  const int limit = static_cast<int>(parameters_.max_side / parameters_.resolution);
-  if (grown.width > limit || grown.height > limit) return false;
-  constexpr int kHalf = OctreeLayer::kHalfSide;
-  if (!(grown.intersection({-kHalf, -kHalf, 2 * kHalf, 2 * kHalf}) == grown)) return false;
+  const CellRect grown = snapped(cells);
+  if (!isAllowed(grown)) return false;
   resize(grown);
   return true;
 }
@@ -100,6 +108,12 @@ void OccupancyMap::clear() {
   std::fill(entries_.cells().begin(), entries_.cells().end(), Entry{});
   std::fill(grid_.cells().begin(), grid_.cells().end(), kUnknown);
   changes_.cells = geometry().rect();
+}
+
+bool OccupancyMap::hasRoomFor(const OccupancyMap& other) const {
+  CellRect cells = extent_;
+  cells.include(other.extent_);
+  return cells == other.extent_ || isAllowed(other.snapped(cells));
 }
 
 bool OccupancyMap::exchange(OccupancyMap& other) {

@@ -114,6 +114,9 @@ PlanResult finish(const ClearanceMap& map, const PlanRequest& request, const std
   std::vector<Vec2> way_out;
   if (map.isValid(request.start, points.front())) {
     points.insert(points.begin(), request.start);
+  } else if (escape == escapes.end()) {
+    result.status = PlanStatus::kNoPath;
+    return result;
   } else {
     way_out.push_back(request.start);
     for (std::size_t i = 1; i + 1 < escape->cells.size(); ++i) way_out.push_back(grid.centre(escape->cells[i]));

@@ -75,7 +75,7 @@ class Arbiter {
   };
   struct Decision {
     ArbiterState state = ArbiterState::kIdle;
-    const Source* winner = nullptr;
+    std::optional<std::size_t> winner;  ///< index into `sources_`
     Twist2 command;
   };
 
@@ -89,6 +89,7 @@ class Arbiter {
   bool alive(const Source& source, Time now) const;
   bool claims(const Source& source, Time now) const;
   Decision decide(Time now) const;
+  bool isWinner(const Source& source, const Decision& decision) const;
   std::optional<Twist2> putOut(const Decision& decision, bool anyway);
   std::string refusalToClear(SteadyTime requested, const Instant& now) const;
   void measureRates(SteadyTime now);

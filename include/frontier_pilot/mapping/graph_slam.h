@@ -58,13 +58,16 @@ class GraphBackEnd {
 
   /// Takes `batch` in, keyframe by keyframe.
   MapRevision update(std::vector<PlacedKeyframe> batch);
+  /// The map of `refused`, the last revision, was not taken over: the owner's map and poses are as before it. Revisions
+  /// move nothing until the next one with a map, which stands for this one too.
+  void takeBack(const MapRevision& refused);
 
   const SubmapGraph& graph() const { return graph_; }
   std::vector<KeyframePose> trajectory() const;
 
  private:
   bool isRenderingDue() const;
-  OccupancyMap render();
+  void render(MapRevision& revision);
 
   GraphSlamParameters parameters_;
   OccupancyMapParameters map_parameters_;
@@ -72,9 +75,13 @@ class GraphBackEnd {
   std::string base_;
   SubmapGraph graph_;
   LoopCloser closer_;
-  std::vector<Pose2> rendered_;     ///< by keyframe: T_map_base of its trace in the map
-  std::size_t rendered_count_ = 0;  ///< how many keyframes there were when the map was last rendered
-  bool moved_ = false;              ///< the graph has moved since then
+  std::vector<Pose2> rendered_;        ///< by keyframe: T_map_base of its trace in the map
+  std::vector<Pose2> replaced_;        ///< the same before the map was last rendered
+  std::size_t rendered_count_ = 0;     ///< how many keyframes there were when the map was last rendered
+  bool moved_ = false;                 ///< the graph has moved since then
+  bool withheld_ = false;              ///< a map was refused: the owner's poses wait for the next one
+  Pose2 T_new_old_;                    ///< by what the graph has moved the local frame, not told to the owner yet
+  std::vector<LoopClosure> closures_;  ///< the closures that did
 };
 
 /// Simultaneous localisation and mapping: scans are matched with the last few metres by LocalSlam at once, loops are
@@ -90,6 +97,7 @@ class GraphSlam final : public PoseCorrection {
   CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) override;
   RevisionWork takeWork() override;
   bool accept(const MapRevision& revision) override;
+  bool refuse(const MapRevision& revision) override;
   void abandonWork() override;
   std::vector<KeyframePose> trajectory() const override { return back_end_->trajectory(); }
   void reset() override;

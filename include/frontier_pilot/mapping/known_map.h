@@ -26,6 +26,7 @@ class KnownMap final : public PoseCorrection {
   CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap& map) override;
   RevisionWork takeWork() override { return slam_ ? slam_->takeWork() : RevisionWork(); }
   bool accept(const MapRevision& revision) override { return slam_ && slam_->accept(revision); }
+  bool refuse(const MapRevision& revision) override { return slam_ && slam_->refuse(revision); }
   void abandonWork() override {
     if (slam_) slam_->abandonWork();
   }

@@ -69,7 +69,8 @@ class Mapper {
   /// Work for another thread, if there is some; none while the last one's result has not come back.
   RevisionWork takeWork();
   /// Takes over what the work came to; `revision` then holds what is no longer needed. Scans that came meanwhile are
-  /// put into a map that was rendered anew. False, and nothing happens, when the mapper was reset since.
+  /// put into a map that was rendered anew. A map that is too large is refused, and then poses stay as well: `health`
+  /// says so until one fits. False, and nothing happens, when the mapper was reset since.
   bool revise(MapRevision& revision);
   /// The work taken last threw: the map stays as it is, and mapping goes on without second thoughts until a reset.
   /// False, and nothing happens, when the mapper was reset since.
@@ -122,6 +123,8 @@ class Mapper {
   void note(ScanVerdict verdict, Time now);
   ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
   ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
+  bool isTooLarge(const MapRevision& revision) const;
+  bool refuse(MapRevision& revision);
   PoseBelief presentBelief() const;
   void replace(std::unique_ptr<PoseCorrection> correction);
   ScanVerdict put(const LaserScan2& scan, const Pose2& T_map_base);
@@ -142,8 +145,9 @@ class Mapper {
   RevisionReport revisions_;
   std::map<std::string, std::uint64_t> correction_counts_;
   const char* last_correction_ = "";
-  bool sound_ = true;       ///< the last correction was
-  bool overgrown_ = false;  ///< the last revision's map would have been larger than a map may be
+  bool sound_ = true;              ///< the last correction was
+  bool overgrown_ = false;         ///< the last revision's map would have been larger than a map may be
+  std::size_t out_of_bounds_ = 0;  ///< scans that the map had no room for
   double usable_share_ = 1.0;
   MappingHealth health_;
 };

@@ -83,6 +83,8 @@ class OccupancyMap {
 
   /// Forgets every cell and keeps the geometry.
   void clear();
+  /// Whether `exchange` would succeed.
+  bool hasRoomFor(const OccupancyMap& other) const;
   /// Takes over the content of `other`, of the same parameters, which gets ours. The map may grow by that, and what
   /// differs counts as changed. False, and nothing happens, when it would get too large.
   bool exchange(OccupancyMap& other);
@@ -111,6 +113,8 @@ class OccupancyMap {
   std::int8_t value(float log_odds) const;
   std::uint64_t mostNodes() const;
   CellRect needed(const Vec2& low, const Vec2& high) const;
+  CellRect snapped(const CellRect& cells) const;
+  bool isAllowed(const CellRect& snapped) const;
   bool reserveCells(const CellRect& cells);
   void resize(const CellRect& cells);
 

@@ -35,6 +35,7 @@ struct MapRevision {
   std::optional<OccupancyMap> map;    ///< the map, rendered again; none where nothing moved enough to be seen
   std::vector<LoopClosure> closures;  ///< new ones. Without any `T_new_old` is the identity.
   ClosureCounts counts;               ///< of the attempts made
+  std::size_t left_out = 0;           ///< keyframes that `map` lacks, because it would have become too large
 };
 
 /// Work on second thoughts. It shares nothing with its mapper: another thread may run it, once.
@@ -52,6 +53,9 @@ class PoseCorrection {
   /// Takes over what the work came to: from now on `correct` says where things are after it. False, and nothing
   /// happens, when it is void.
   virtual bool accept(const MapRevision&) { return false; }
+  /// The map that the work came to cannot be taken over: poses stay as they are, and nothing moves before a later
+  /// revision brings a map, which then stands for this one too. False, and nothing happens, when the revision is void.
+  virtual bool refuse(const MapRevision&) { return false; }
   /// The work taken last threw, and may have left anything behind: there are no second thoughts until a reset.
   virtual void abandonWork() {}
   /// The keyframes so far, if it keeps any. Not while work is out.

@@ -93,6 +93,51 @@ TEST(GraphBackEnd, RendersTheMapAgainFromWhereTheKeyframesHaveMovedTo) {
   EXPECT_LT(wrong, occupied / 20);
 }
 
+// [MAP-4]
+TEST(GraphBackEnd, MovesNothingAfterAMapWasRefusedUntilTheNextMapBringsAllOfIt) {
+  DriftingDrive drive(ringPoses(kSide, kStep, 1.3), ringWorld(kSide, true), kDrift);
+  DriftingDrive twin = drive;  // with the same noise
+  GraphBackEnd accepted = backEnd();
+  Course course;
+  course.run(accepted, twin);
+  ASSERT_GE(course.rendered, 2);
+  GraphBackEnd back_end = backEnd();
+  Pose2 T_now_first;
+  std::size_t closures = 0;
+  int maps = 0;
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    MapRevision revision = back_end.update({drive.keyframe(i)});
+    maps += revision.map ? 1 : 0;
+    if (revision.map && maps == 1) {
+      back_end.takeBack(revision);
+      continue;
+    }
+    T_now_first = revision.T_new_old * T_now_first;
+    closures += revision.closures.size();
+    if (maps == 1) {
+      EXPECT_EQ(revision.T_new_old, Pose2()) << "poses wait for the map";
+    }
+  }
+  ASSERT_GE(maps, 2) << "there is another map by and by";
+  EXPECT_EQ(closures, course.closures.size()) << "none is lost";
+  EXPECT_LT(positionError(T_now_first, course.T_now_first), 1e-6);
+}
+
+// [MAP-4]
+TEST(GraphBackEnd, TellsHowManyKeyframesTheMapHasNoRoomFor) {
+  DriftingDrive drive(ringPoses(kSide, kStep, 1.3), ringWorld(kSide, true), kDrift);
+  OccupancyMapParameters small;
+  small.max_side = 12.0;
+  small.growth_step = 1.0;
+  GraphBackEnd back_end(GraphSlamParameters(), small, ScanInsertionParameters());
+  std::vector<PlacedKeyframe> all;
+  for (std::size_t i = 0; i < drive.size(); ++i) all.push_back(drive.keyframe(i));
+  const MapRevision revision = back_end.update(std::move(all));
+  ASSERT_TRUE(revision.map.has_value());
+  EXPECT_GT(revision.left_out, 10U);
+  EXPECT_LT(revision.left_out, drive.size());
+}
+
 TEST(GraphBackEnd, ClosesNoFalseLoopWhereEverySideLooksTheSame) {
   // Half a lap: nothing is seen twice, and the second side looks as the first one did.
   DriftingDrive drive(ringPoses(kSide, kStep, 0.7), ringWorld(kSide, false), kDrift);

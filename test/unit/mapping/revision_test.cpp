@@ -24,6 +24,7 @@ class Thoughtful final : public PoseCorrection {
   struct Script {
     std::optional<Pose2> T_new_old;
     bool renders = true;
+    std::size_t left_out = 0;
   };
   explicit Thoughtful(std::shared_ptr<Script> script) : script_(std::move(script)) {}
 
@@ -34,8 +35,10 @@ class Thoughtful final : public PoseCorrection {
   RevisionWork takeWork() override {
     if (!script_->T_new_old) return {};
     const Pose2 T_new_old = *std::exchange(script_->T_new_old, std::nullopt);
-    return [T_new_old, scans = scans_, renders = script_->renders, generation = generation_] {
+    return [T_new_old, scans = scans_, renders = script_->renders, left_out = script_->left_out,
+            generation = generation_] {
       MapRevision revision;
+      revision.left_out = left_out;
       revision.generation = generation;
       revision.T_new_old = T_new_old;
       revision.closures.resize(2);
@@ -52,6 +55,7 @@ class Thoughtful final : public PoseCorrection {
     T_map_odom_ = revision.T_new_old * T_map_odom_;
     return true;
   }
+  bool refuse(const MapRevision& revision) override { return revision.generation == generation_; }
   void reset() override {
     T_map_odom_ = Pose2();
     ++generation_;
@@ -127,15 +131,71 @@ TEST_F(Revisions, SayThatTheMapHasGrownWhenItHas) {
 }
 
 // [MAP-4]
-TEST_F(Revisions, SayWhenTheMapWouldBeTooLargeAndLeaveItAsItIs) {
+TEST_F(Revisions, WhoseMapWouldBeTooLargeMoveNeitherTheMapNorTheRobot) {
+  look(1.0, Pose2());
+  script->T_new_old = Pose2(250.0, 0.0, 0.0);
+  const RevisionWork work = mapper.takeWork();
+  look(2.0, Pose2(3.0, 0.0, 0.0));
+  MapRevision revision = work();
+  ASSERT_TRUE(mapper.revise(revision));
+  EXPECT_EQ(mapper.T_map_odom(), Pose2());
+  EXPECT_TRUE(revision.closures.empty()) << "nothing is announced";
+  EXPECT_EQ(mapper.revisions().rendered, 0U);
+  EXPECT_EQ(mapper.revisions().closures, 0U) << "map -> odom jumps with each that is counted";
+  look(3.0, Pose2(6.0, 0.0, 0.0));
+  EXPECT_EQ(at(0.0, 0.0), kFree);
+  EXPECT_EQ(at(3.0, 0.0), kFree);
+  EXPECT_EQ(at(6.0, 0.0), kFree) << "later scans land beside the earlier ones";
+}
+
+// [MAP-4]
+TEST_F(Revisions, SayWhenTheMapWouldBeTooLargeUntilOneFits) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(250.0, 0.0, 0.0);
   mapper.reviseNow();
-  EXPECT_EQ(mapper.revisions().rendered, 0U);
-  EXPECT_EQ(at(0.0, 0.0), kFree);
-  for (int i = 2; i < 10; ++i) mapper.insert(ring(i), Pose2(-250.0 + i, 0.0, 0.0), timeFromSeconds(i));
+  for (int i = 2; i < 10; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
   ASSERT_TRUE(mapper.health().worst(timeFromSeconds(10.0)).has_value());
-  EXPECT_EQ(mapper.health().worst(timeFromSeconds(10.0))->text, "corrected map too large, the old one is kept");
+  EXPECT_EQ(mapper.health().worst(timeFromSeconds(10.0))->text,
+            "corrected map too large, map and poses stay as they are");
+  script->T_new_old = Pose2(2.0, 0.0, 0.0);
+  mapper.reviseNow();
+  EXPECT_EQ(mapper.T_map_odom(), Pose2(2.0, 0.0, 0.0));
+  EXPECT_EQ(mapper.revisions().rendered, 1U);
+  for (int i = 20; i < 28; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
+  EXPECT_FALSE(mapper.health().worst(timeFromSeconds(28.0)).has_value());
+}
+
+// [MAP-4]
+TEST_F(Revisions, WhoseMapLeftOutSomethingThatIsMappedAreRefused) {
+  look(1.0, Pose2());
+  script->T_new_old = Pose2(3.0, 0.0, 0.0);
+  script->left_out = 1;
+  mapper.reviseNow();
+  EXPECT_EQ(mapper.T_map_odom(), Pose2());
+  EXPECT_EQ(at(0.0, 0.0), kFree);
+  EXPECT_EQ(at(3.0, 0.0), kUnknown);
+}
+
+// [MAP-4]
+TEST_F(Revisions, MayLeaveOutWhatTheMapHadNoRoomForAnyway) {
+  look(1.0, Pose2());
+  ASSERT_EQ(mapper.insert(ring(2.0), Pose2(1e4, 0.0, 0.0), timeFromSeconds(2.0)), ScanVerdict::kOutOfBounds);
+  script->T_new_old = Pose2(3.0, 0.0, 0.0);
+  script->left_out = 1;
+  mapper.reviseNow();
+  EXPECT_EQ(mapper.T_map_odom(), Pose2(3.0, 0.0, 0.0));
+  EXPECT_EQ(at(3.0, 0.0), kFree);
+}
+
+TEST_F(Revisions, ThatAreTooLargeAreVoidAfterAResetToo) {
+  look(1.0, Pose2());
+  script->T_new_old = Pose2(250.0, 0.0, 0.0);
+  const RevisionWork work = mapper.takeWork();
+  mapper.reset();
+  MapRevision revision = work();
+  EXPECT_FALSE(mapper.revise(revision));
+  for (int i = 2; i < 10; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
+  EXPECT_FALSE(mapper.health().worst(timeFromSeconds(10.0)).has_value());
 }
 
 // [MAP-1]
@@ -170,8 +230,12 @@ TEST_F(Revisions, MoveTheRobotWithoutTouchingTheMapWhereNothingElseMoved) {
 TEST_F(Revisions, ThatFailLeaveTheMapAndMappingGoesOn) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(3.0, 0.0, 0.0);
-  ASSERT_TRUE(mapper.takeWork());
+  const RevisionWork work = mapper.takeWork();
+  ASSERT_TRUE(work);
+  look(1.5, Pose2(0.5, 0.0, 0.0));
+  const OccupancyGrid before = mapper.grid();
   EXPECT_TRUE(mapper.abandonWork());
+  EXPECT_TRUE(mapper.grid().cells() == before.cells()) << "with what came while it was out";
   EXPECT_FALSE(mapper.abandonWork()) << "there is none any more";
   EXPECT_EQ(mapper.T_map_odom(), Pose2());
   look(2.0, Pose2(6.0, 0.0, 0.0));
