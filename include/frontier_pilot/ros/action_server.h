@@ -75,7 +75,11 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     cancels_ = node_.subscribe<GoalID>(cancel_topic, kQueue, cancel);
     // On steady time: clients judge the server by it, also while the clock stands still.
     timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
-      callbacks_.run(name_ + "/status", [&] { publishStatus(); });
+      callbacks_.run(name_ + "/status", [&] {
+        const Lock lock(this->lock_);
+        tidy(kMostTracked);
+        publishStatus();
+      });
     });
   }
 
@@ -108,7 +112,8 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   }
 
   /// Forgets what the clock has not come to yet, because it was set back, and then the goals that have ended: those
-  /// that did so long ago, and the oldest of them where there are more than `most`.
+  /// that did so long ago, and the oldest of them where there are more than `most`. Never while actionlib is at work:
+  /// it looks at a goal again after it has published how that ended.
   void tidy(std::size_t most) {
     const Time now = rosNow();
     this->last_cancel_ = stampOrNow(this->last_cancel_, now);
@@ -135,7 +140,6 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     msg.status_list.reserve(this->status_list_.size());
     for (const auto& tracked : this->status_list_) msg.status_list.push_back(tracked.status_);
     status_.publish(msg);
-    tidy(kMostTracked);
   }
 
   void publishResult(const GoalStatus& status, const Result& result) override {
