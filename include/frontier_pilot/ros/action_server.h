@@ -6,7 +6,6 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
-#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <boost/thread/recursive_mutex.hpp>
 #include <functional>
@@ -87,8 +86,6 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     const Lock lock(this->lock_);
     if (const char* why = problemOf(msg->goal_id)) return rejections_.add(why);
     tidy(kMostTracked);
-    // Without a stamp it would be kept for ever when its name is that of one that has ended.
-    if (msg->goal_id.stamp.isZero() && isTracked(msg->goal_id.id)) return;
     const ros::Time stamp = goalStamp(msg->goal_id.stamp, rosNow());
     if (stamp == msg->goal_id.stamp) return Base::goalCallback(msg);
     const auto goal = boost::make_shared<ActionGoal>(*msg);
@@ -103,12 +100,6 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     const auto cancel = boost::make_shared<GoalID>(msg);
     cancel->stamp = stampOrNow(msg.stamp, rosNow());
     Base::cancelCallback(cancel);
-  }
-
-  bool isTracked(const std::string& id) const {
-    const auto& list = this->status_list_;
-    return !id.empty() &&
-           std::any_of(list.begin(), list.end(), [&](const auto& tracked) { return tracked.status_.goal_id.id == id; });
   }
 
   /// Forgets what the clock has not come to yet, because it was set back, and then the goals that have ended: those
@@ -188,7 +179,7 @@ class SingleGoalServer {
         server_(
             node, name, [this](const GoalHandle& handle) { take(handle); },
             [this](const GoalHandle& handle) {
-              if (current_ && *current_ == handle) cancel_(false);
+              if (current_ && *current_ == handle) end(false, "canceled");
             }) {}
 
   void publishFeedback(const Feedback& feedback) {
@@ -211,11 +202,21 @@ class SingleGoalServer {
   std::optional<GoalHandle> release() { return std::exchange(current_, std::nullopt); }
 
   void take(const GoalHandle& handle) {
-    if (current_) cancel_(true);
-    setPreempted({}, "replaced by a newer goal");  // where the owner had nothing under way
+    if (current_) end(true, "replaced by a newer goal");
     current_ = handle;
     current_->setAccepted();
-    start_(*current_->getGoal());
+    try {
+      start_(*handle.getGoal());
+    } catch (...) {
+      setAborted({}, "could not be started");
+      cancel_(false);  // what had begun all the same
+      throw;
+    }
+  }
+
+  void end(bool replaced, const char* why) {
+    cancel_(replaced);
+    setPreempted({}, why);  // where the owner had nothing under way
   }
 
   Start start_;
