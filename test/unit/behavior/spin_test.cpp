@@ -295,15 +295,5 @@ TEST(Spin, AClockThatJumpsBackEndsIt) {
   expectEnd(loop.behavior.update(loop.inputs, loop.base.now() - fromSeconds(1.0)), BehaviorOutcome::kPoseLost);
 }
 
-// [FLT-1] No time is before that of a goal which came before the first /clock.
-TEST(Spin, AClockThatJumpsEndsItAlsoWhenItBeganAtTimeZero) {
-  BehaviorLoop loop;
-  loop.behavior.start(spin(2.0), Time{});
-  const BehaviorOutput output = loop.behavior.abortByClockJump();
-  expectEnd(output, BehaviorOutcome::kPoseLost);
-  EXPECT_EQ(output.message, "the clock jumped");
-  EXPECT_FALSE(loop.behavior.abortByClockJump().command.has_value()) << "once";
-}
-
 }  // namespace
 }  // namespace frontier_pilot
