@@ -64,9 +64,14 @@ BehaviorOutput TimedBehavior::cancel(const std::string& why, Time now) {
   return end(BehaviorOutcome::kCanceled, why);
 }
 
+BehaviorOutput TimedBehavior::abortByClockJump() {
+  if (!active_) return {};
+  return end(BehaviorOutcome::kPoseLost, "the clock jumped");
+}
+
 BehaviorOutput TimedBehavior::update(const BehaviorInputs& inputs, Time now) {
   if (!active_) return {};
-  if (now < last_update_) return end(BehaviorOutcome::kPoseLost, "the clock jumped");
+  if (now < last_update_) return abortByClockJump();
   elapsed_ = toSeconds(now - started_);
   if (!settling_since_ && goal_.time_allowance > 0.0 && elapsed_ > goal_.time_allowance) {
     return end(BehaviorOutcome::kTimeout, "not done within " + seconds(goal_.time_allowance));

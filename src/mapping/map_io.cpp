@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -129,6 +130,8 @@ MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_
         return {};
       case OctreeMatch::kNotMentioned:
         return {MapIoStatus::kOk, ", not verified: its YAML holds no checksum"};
+      case OctreeMatch::kPrevious:
+        return {MapIoStatus::kOk, ", as it was before it was saved the last time: that did not come to its end"};
       case OctreeMatch::kAnother:
         break;
     }
@@ -137,6 +140,14 @@ MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_
   }
   return failure(MapIoStatus::kBroken, bt_path,
                  "is not the one that " + yaml_path + " was written with: length or checksum differ");
+}
+
+/// The .bt that a save takes the place of, if that is a map.
+std::optional<std::string> previousOctree(const fs::path& base, std::size_t most_bytes) {
+  const std::string bt = appended(base, ".bt");
+  FileContent octree = readFile(bt, most_bytes);
+  if (!octree.ok() || !compareWithYaml(appended(base, ".yaml"), bt, octree.bytes).ok()) return std::nullopt;
+  return std::move(octree.bytes);
 }
 
 MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, OccupancyMap& map) {
@@ -173,11 +184,12 @@ MapIoResult saveMap(OccupancyMap& map, const std::string& path) {
   std::ostringstream octree;
   if (!map.write(octree)) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
   const std::string name = base.filename().string();
-  const std::string yaml = mapYaml(map.geometry(), name, octree.str());
-  // The YAML comes last: until then it says that the .bt is not the one it was written with.
-  std::array<MapFile, 3> files = {MapFile(appended(base, ".pgm"), pgmOf(map.grid())),
-                                  MapFile(appended(base, ".bt"), octree.str()), MapFile(appended(base, ".yaml"), yaml)};
-  if (!readsAs(yaml, name, octree.str())) return files.back().cannot("cannot be written", "it could not be read again");
+  const std::string yaml = mapYaml(map.geometry(), name, octree.str(), previousOctree(base, map.mostBytes()));
+  // The YAML comes first: it vouches for the .bt that is there and for the one that takes its place.
+  std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml), MapFile(appended(base, ".bt"), octree.str()),
+                                  MapFile(appended(base, ".pgm"), pgmOf(map.grid()))};
+  if (!readsAs(yaml, name, octree.str()))
+    return files.front().cannot("cannot be written", "it could not be read again");
   for (const auto step : {prepare, putInPlace}) {
     result = step(files);
     if (!result.ok()) return result;

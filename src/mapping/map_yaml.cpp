@@ -28,9 +28,18 @@ const T* find(const ParameterMap& map, const char* key) {
   return entry == map.end() ? nullptr : std::get_if<T>(&entry->second.value);
 }
 
+/// Whether length and checksum beside these keys are those of `octree`.
+bool names(const ParameterMap& entry, const char* bytes_key, const char* crc_key, const std::string& octree) {
+  const auto* bytes = find<std::int64_t>(entry, bytes_key);
+  const auto* crc = find<std::string>(entry, crc_key);
+  return bytes != nullptr && crc != nullptr && *bytes == static_cast<std::int64_t>(octree.size()) &&
+         *crc == hex(crc32(octree));
+}
+
 }  // namespace
 
-std::string mapYaml(const GridGeometry& geometry, const std::string& name, const std::string& octree) {
+std::string mapYaml(const GridGeometry& geometry, const std::string& name, const std::string& octree,
+                    const std::optional<std::string>& previous) {
   std::ostringstream yaml;
   yaml << std::setprecision(std::numeric_limits<double>::digits10);
   yaml << "image: " << yamlText(name + ".pgm") << "\nresolution: " << geometry.resolution << "\norigin: ["
@@ -38,6 +47,9 @@ std::string mapYaml(const GridGeometry& geometry, const std::string& name, const
        << ", 0.0]\nnegate: 0\noccupied_thresh: " << kOccupiedThreshold << "\nfree_thresh: " << kFreeThreshold
        << "\noctree:\n  file: " << yamlText(name + ".bt") << "\n  bytes: " << octree.size() << "\n  crc32: \""
        << hex(crc32(octree)) << "\"\n";
+  if (previous) {
+    yaml << "  previous_bytes: " << previous->size() << "\n  previous_crc32: \"" << hex(crc32(*previous)) << "\"\n";
+  }
   return yaml.str();
 }
 
@@ -45,11 +57,9 @@ OctreeMatch compareOctree(const std::string& yaml, const std::string& octree) {
   const ParameterMap map = parseYaml(yaml);
   if (map.count("octree") == 0) return OctreeMatch::kNotMentioned;
   const auto* entry = find<ParameterMap>(map, "octree");
-  const auto* bytes = entry != nullptr ? find<std::int64_t>(*entry, "bytes") : nullptr;
-  const auto* crc = entry != nullptr ? find<std::string>(*entry, "crc32") : nullptr;
-  const bool same = bytes != nullptr && crc != nullptr && *bytes == static_cast<std::int64_t>(octree.size()) &&
-                    *crc == hex(crc32(octree));
-  return same ? OctreeMatch::kSame : OctreeMatch::kAnother;
+  if (entry == nullptr) return OctreeMatch::kAnother;
+  if (names(*entry, "bytes", "crc32", octree)) return OctreeMatch::kSame;
+  return names(*entry, "previous_bytes", "previous_crc32", octree) ? OctreeMatch::kPrevious : OctreeMatch::kAnother;
 }
 
 bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree) {

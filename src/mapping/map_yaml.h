@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "frontier_pilot/core/grid.h"
@@ -7,12 +8,15 @@
 namespace frontier_pilot {
 
 /// The YAML of a saved map in map_server's format; `name` is that of its files without an extension. Besides, it holds
-/// length and checksum of the .bt beside it, which map_server passes over. [MAP-5]
-std::string mapYaml(const GridGeometry& geometry, const std::string& name, const std::string& octree);
+/// length and checksum of the .bt beside it, which map_server passes over, and those of the .bt that this one takes the
+/// place of: which of the two lies there tells how far saving came. [MAP-5]
+std::string mapYaml(const GridGeometry& geometry, const std::string& name, const std::string& octree,
+                    const std::optional<std::string>& previous);
 
 /// What a YAML says of the .bt beside it.
 enum class OctreeMatch {
   kSame,          ///< it was written with this one
+  kPrevious,      ///< it was written with another one, which was to take the place of this one
   kAnother,       ///< it was written with another one
   kNotMentioned,  ///< it says nothing, as a map that did not come from here
 };

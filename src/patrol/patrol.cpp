@@ -49,8 +49,14 @@ PatrolOutput Patrol::cancel() {
   return end(PatrolOutcome::kCanceled, "patrol canceled");
 }
 
+PatrolOutput Patrol::abortByClockJump() {
+  if (!active_) return {};
+  return end(PatrolOutcome::kClockJump, "aborted: the clock jumped");
+}
+
 PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) {
   if (!active_) return {};
+  if (now < last_update_) return abortByClockJump();
   if (const auto broken = fault(inputs, now)) return end(broken->outcome, broken->text);
   PatrolOutput output = running({});
   if (inputs.odometry) {
@@ -64,7 +70,6 @@ PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) {
 }
 
 std::optional<Patrol::Fault> Patrol::fault(const PatrolInputs& inputs, Time now) const {
-  if (now < last_update_) return Fault{PatrolOutcome::kClockJump, "aborted: the clock jumped"};
   if (inputs.emergency_stop) return Fault{PatrolOutcome::kEmergencyStop, "aborted: emergency stop"};
   if (inputs.odometry_problem) {
     return Fault{PatrolOutcome::kBadOdometry, "aborted: bad odometry: " + *inputs.odometry_problem};

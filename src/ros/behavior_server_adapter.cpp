@@ -28,7 +28,7 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
   connections_.every(ros::Duration(1.0 / parameters_.behavior.frequency), [this] { tick(); });
   connections_.clock().onJump([this] {
     around_.clear();
-    put(behavior_.update({}, Time{}));  // which is before any other time: it ends as after any jump back
+    put(behavior_.abortByClockJump());
   });
 }
 

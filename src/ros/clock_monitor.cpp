@@ -1,5 +1,7 @@
 #include "frontier_pilot/ros/clock_monitor.h"
 
+#include <algorithm>
+
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/throttled_log.h"
 
@@ -9,10 +11,15 @@ namespace {
 
 constexpr double kMonitorPeriod = 0.02;  // [s]
 constexpr Duration kRecentJump = std::chrono::seconds(10);
+constexpr Duration kLeastAhead = std::chrono::seconds(10);  // clocks of two machines may differ
 
 }  // namespace
 
 ClockPace clockPace() { return ros::Time::isSimTime() ? kSimulatedPace : kRealPace; }
+
+Duration mostAhead(const ClockPace& pace) { return std::max(kLeastAhead, fromSeconds(pace.slack)); }
+
+bool isAhead(Time stamp, Time now) { return now > Time{} && stamp > now && stamp - now > mostAhead(clockPace()); }
 
 ClockMonitor::ClockMonitor(const ros::NodeHandle& node) : trust_(clockPace()) {
   poll_ = ros::NodeHandle(node).createSteadyTimer(ros::WallDuration(kMonitorPeriod),

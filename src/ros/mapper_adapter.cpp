@@ -3,17 +3,12 @@
 #include <iomanip>
 
 #include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/parameters.h"
 #include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
-
-namespace {
-
-constexpr Duration kFuture = std::chrono::seconds(10);  ///< of odometry in a fast simulation, read late
-
-}  // namespace
 
 MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<MapperNodeParameters>(private_node)),
@@ -60,7 +55,7 @@ void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   if (!odometry) return bad_odometry_.add(why);
   const auto now = connections_.clock().now();
   if (!now) return bad_odometry_.add("the clock jumped");
-  if (odometry->stamp - *now > kFuture) return bad_odometry_.add("stamp more than 10 s in the future");
+  if (isAhead(odometry->stamp, *now)) return bad_odometry_.add("stamp too far in the future");
   pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
   insertPaired();
 }

@@ -26,7 +26,7 @@ PatrolServerNode::PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.every(ros::Duration(1.0 / parameters_.patrol.frequency), [this] { tick(); });
   connections_.clock().onJump([this] {
     inputs_.odometry.reset();
-    put(patrol_.update(inputs_, Time{}));  // which is before any other time: it ends as after any jump back
+    put(patrol_.abortByClockJump());
   });
 }
 

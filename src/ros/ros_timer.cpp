@@ -9,13 +9,14 @@ namespace frontier_pilot {
 
 namespace {
 
-constexpr double kSimulatedPoll = 0.002;  ///< a simulated clock may run much faster than the real one [s]
+constexpr double kSimulatedPoll = 0.005;  ///< a simulated clock may run much faster than the real one [s]
+constexpr double kFastestPoll = 0.002;    ///< [s]
 constexpr double kSlowestPoll = 0.01;     ///< [s]
 
 /// How often the clock is looked at: a real one ten times in a period.
 ros::WallDuration pollPeriod(Duration period) {
   if (ros::Time::isSimTime()) return ros::WallDuration(kSimulatedPoll);
-  return ros::WallDuration(std::clamp(0.1 * toSeconds(period), kSimulatedPoll, kSlowestPoll));
+  return ros::WallDuration(std::clamp(0.1 * toSeconds(period), kFastestPoll, kSlowestPoll));
 }
 
 }  // namespace

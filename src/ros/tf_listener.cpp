@@ -8,10 +8,9 @@ namespace frontier_pilot {
 
 namespace {
 
-constexpr double kListenPeriod = 0.01;                    // [s]
-constexpr std::uint32_t kTfQueue = 100;                   // as TransformListener has
-constexpr Duration kFarAhead = std::chrono::seconds(10);  // of a fast simulation's transforms, read late
-constexpr Duration kMargin = std::chrono::seconds(600);   // from the end of ROS time, for what tf2 adds to a stamp
+constexpr double kListenPeriod = 0.01;                   // [s]
+constexpr std::uint32_t kTfQueue = 100;                  // as TransformListener has
+constexpr Duration kMargin = std::chrono::seconds(600);  // from the end of ROS time, for what tf2 adds to a stamp
 constexpr std::size_t kLongestName = 256;
 
 /// As tf2 does: "/base" and "base" are the same frame.
@@ -30,8 +29,7 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
   if (transform.header.stamp.nsec >= 1'000'000'000U || stamp > toTime(ros::TIME_MAX) - kMargin) {
     return "stamp out of range";
   }
-  // Before the first /clock there is no telling.
-  if (!is_static && now > Time{} && stamp > now + kFarAhead) return "stamp more than 10 s in the future";
+  if (!is_static && isAhead(stamp, now)) return "stamp too far in the future";
   return nullptr;
 }
 

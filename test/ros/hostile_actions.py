@@ -118,6 +118,17 @@ class HostileActions(unittest.TestCase):
             self.assertTrue(wait_for(lambda: len(self.statuses[name].last.status_list) < 100, 5.0),
                             (name, len(self.statuses[name].last.status_list)))
 
+    def test_a_cancel_that_comes_before_its_goal_recalls_it(self):
+        for name in ACTIONS:
+            self.cancels[name].publish(GoalID(rospy.Time(), 'early'))
+            self.assertTrue(wait_for(lambda: self.state_of(name, 'early') == GoalStatus.RECALLING, 5.0), name)
+            self.goals[name].publish(self.with_id(name, GoalID(rospy.Time(), 'early')))
+            self.assertTrue(wait_for(lambda: self.state_of(name, 'early') == GoalStatus.RECALLED, 5.0), name)
+        self.assert_all_work()
+
+    def state_of(self, name, goal_id):
+        return next((s.status for s in self.statuses[name].last.status_list if s.goal_id.id == goal_id), None)
+
     def test_names_that_are_empty_or_endless(self):
         for name in ACTIONS:
             for goal_id in ('', 'x' * 100000):

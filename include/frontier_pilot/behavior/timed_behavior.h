@@ -72,6 +72,8 @@ class TimedBehavior {
   BehaviorOutput update(const BehaviorInputs& inputs, Time now);
   /// Ends it at once. `why` goes into the message.
   BehaviorOutput cancel(const std::string& why, Time now);
+  /// The same after the clock has jumped, whenever the behaviour began: what time has passed is not known.
+  BehaviorOutput abortByClockJump();
 
   bool active() const { return active_; }
   const BehaviorGoal& goal() const { return goal_; }

@@ -26,8 +26,9 @@ struct MapIoResult {
 };
 
 /// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary one); an extension
-/// of these three is ignored. Each file appears whole or not at all, the YAML last, with the length and the checksum of
-/// the .bt; they are read back before success is told. Where only some could be put in place the text names them.
+/// of these three is ignored. Each file appears whole or not at all; they are read back before success is told. The
+/// YAML comes first, with length and checksum of the .bt and of the one before it, so that at any moment one of the two
+/// maps can be loaded. Where only some files could be put in place the text names them. [FLT-1]
 MapIoResult saveMap(OccupancyMap& map, const std::string& path);
 
 /// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. If a YAML is there the two

@@ -24,7 +24,7 @@ enum class PatrolOutcome {
   kOdometryJump,  ///< the robot was put somewhere else
   kBlocked,       ///< no wheels or no progress for too long
   kEmergencyStop,
-  kClockJump,  ///< time went backward
+  kClockJump,
 };
 const char* toString(PatrolOutcome outcome);
 
@@ -56,6 +56,8 @@ class Patrol {
   PatrolOutput update(const PatrolInputs& inputs, Time now);
   /// Ends the patrol at once. [PAT-4]
   PatrolOutput cancel();
+  /// The same after the clock has jumped, whenever the patrol began.
+  PatrolOutput abortByClockJump();
   bool active() const { return active_; }
 
  private:

@@ -6,7 +6,6 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
-#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <boost/thread/recursive_mutex.hpp>
 #include <functional>
@@ -75,7 +74,11 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     cancels_ = node_.subscribe<GoalID>(cancel_topic, kQueue, cancel);
     // On steady time: clients judge the server by it, also while the clock stands still.
     timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
-      callbacks_.run(name_ + "/status", [&] { publishStatus(); });
+      callbacks_.run(name_ + "/status", [&] {
+        const Lock lock(this->lock_);
+        tidy(kMostTracked);
+        publishStatus();
+      });
     });
   }
 
@@ -83,8 +86,6 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     const Lock lock(this->lock_);
     if (const char* why = problemOf(msg->goal_id)) return rejections_.add(why);
     tidy(kMostTracked);
-    // Without a stamp it would be kept for ever when its name is that of one that has ended.
-    if (msg->goal_id.stamp.isZero() && isTracked(msg->goal_id.id)) return;
     const ros::Time stamp = goalStamp(msg->goal_id.stamp, rosNow());
     if (stamp == msg->goal_id.stamp) return Base::goalCallback(msg);
     const auto goal = boost::make_shared<ActionGoal>(*msg);
@@ -101,14 +102,9 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     Base::cancelCallback(cancel);
   }
 
-  bool isTracked(const std::string& id) const {
-    const auto& list = this->status_list_;
-    return !id.empty() &&
-           std::any_of(list.begin(), list.end(), [&](const auto& tracked) { return tracked.status_.goal_id.id == id; });
-  }
-
   /// Forgets what the clock has not come to yet, because it was set back, and then the goals that have ended: those
-  /// that did so long ago, and the oldest of them where there are more than `most`.
+  /// that did so long ago, and the oldest of them where there are more than `most`. Never while actionlib is at work:
+  /// it looks at a goal again after it has published how that ended.
   void tidy(std::size_t most) {
     const Time now = rosNow();
     this->last_cancel_ = stampOrNow(this->last_cancel_, now);
@@ -135,7 +131,6 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     msg.status_list.reserve(this->status_list_.size());
     for (const auto& tracked : this->status_list_) msg.status_list.push_back(tracked.status_);
     status_.publish(msg);
-    tidy(kMostTracked);
   }
 
   void publishResult(const GoalStatus& status, const Result& result) override {
@@ -184,7 +179,7 @@ class SingleGoalServer {
         server_(
             node, name, [this](const GoalHandle& handle) { take(handle); },
             [this](const GoalHandle& handle) {
-              if (current_ && *current_ == handle) cancel_(false);
+              if (current_ && *current_ == handle) end(false, "canceled");
             }) {}
 
   void publishFeedback(const Feedback& feedback) {
@@ -207,11 +202,21 @@ class SingleGoalServer {
   std::optional<GoalHandle> release() { return std::exchange(current_, std::nullopt); }
 
   void take(const GoalHandle& handle) {
-    if (current_) cancel_(true);
-    setPreempted({}, "replaced by a newer goal");  // where the owner had nothing under way
+    if (current_) end(true, "replaced by a newer goal");
     current_ = handle;
     current_->setAccepted();
-    start_(*current_->getGoal());
+    try {
+      start_(*handle.getGoal());
+    } catch (...) {
+      setAborted({}, "could not be started");
+      cancel_(false);  // what had begun all the same
+      throw;
+    }
+  }
+
+  void end(bool replaced, const char* why) {
+    cancel_(replaced);
+    setPreempted({}, why);  // where the owner had nothing under way
   }
 
   Start start_;

@@ -38,4 +38,11 @@ class ClockMonitor {
 /// How fast the ROS clock of this process may run.
 ClockPace clockPace();
 
+/// How far a message may be dated ahead: ten seconds, and in a simulation as far as a process that hung has to catch up
+/// with, since it may run hundreds of times as fast as the steady clock.
+Duration mostAhead(const ClockPace& pace);
+/// Whether `stamp` lies farther ahead of `now` than that on the ROS clock of this process. Before the first /clock
+/// there is no telling: false.
+bool isAhead(Time stamp, Time now);
+
 }  // namespace frontier_pilot

@@ -167,9 +167,19 @@ TEST(Patrol, AnEmergencyStopEndsItForGood) {
   for (int i = 0; i < 100; ++i) EXPECT_FALSE(loop.cycle().command.has_value());
 }
 
+// [FLT-1] No time is before that of a goal which came before the first /clock.
+TEST(Patrol, AClockThatJumpsEndsItAlsoWhenItBeganAtTimeZero) {
+  PatrolLoop loop;
+  loop.patrol.start(kSquare, Time{});
+  const PatrolOutput output = loop.patrol.abortByClockJump();
+  expectEnd(output, PatrolOutcome::kClockJump);
+  EXPECT_EQ(output.text, "aborted: the clock jumped");
+}
+
 // [PAT-6]
 TEST(Patrol, WithoutAGoalItSaysNothing) {
   PatrolLoop loop;
+  EXPECT_FALSE(loop.patrol.abortByClockJump().command.has_value());
   EXPECT_FALSE(loop.cycle().command.has_value());
   EXPECT_FALSE(loop.patrol.cancel().command.has_value());
   loop.start({1.0, 0.2, 1.0});

@@ -1,0 +1,110 @@
+// What a client is told of a goal that its owner does nothing about.
+
+#include "frontier_pilot/ros/action_server.h"
+
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/WaitAction.h"
+
+namespace frontier_pilot {
+namespace {
+
+using actionlib_msgs::GoalID;
+using actionlib_msgs::GoalStatus;
+using actionlib_msgs::GoalStatusArray;
+
+class ActionServers : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(comes([this] {
+      return goals_.getNumSubscribers() > 0 && cancels_.getNumSubscribers() > 0 && results_.getNumPublishers() > 0;
+    }));
+  }
+
+  template <class Condition>
+  static bool comes(const Condition& condition) {
+    const SteadyTime end = steadyNow() + std::chrono::seconds(10);
+    while (!condition() && steadyNow() < end) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
+    return condition();
+  }
+  static GoalID named(const std::string& id) {
+    GoalID goal_id;
+    goal_id.id = id;
+    return goal_id;
+  }
+  void sendGoal(const std::string& id) const {
+    WaitActionGoal goal;
+    goal.goal_id = named(id);
+    goals_.publish(goal);
+  }
+  /// Whether exactly one goal has ended, so named and so.
+  bool endsAs(const std::string& id, std::uint8_t state) {
+    return comes([this] { return !ended_.empty(); }) && ended_.size() == 1 && ended_[0].goal_id.id == id &&
+           ended_[0].status == state;
+  }
+
+  bool fails_ = false;
+  int begun_ = 0;
+  int canceled_ = 0;
+  std::vector<GoalStatus> ended_;
+  std::string known_;  ///< the goal that the status names last
+  ros::NodeHandle node_;
+  SingleGoalServer<WaitAction> server_{node_, "wait",
+                                       [this](const WaitGoal&) {
+                                         if (fails_) throw std::runtime_error("no wheels");
+                                         ++begun_;
+                                       },
+                                       [this](bool) { ++canceled_; }};
+  ros::Publisher goals_ = node_.advertise<WaitActionGoal>("wait/goal", 10);
+  ros::Publisher cancels_ = node_.advertise<GoalID>("wait/cancel", 10);
+  ros::Subscriber results_ = node_.subscribe<WaitActionResult>(
+      "wait/result", 10, [this](const WaitActionResult::ConstPtr& result) { ended_.push_back(result->status); });
+  ros::Subscriber statuses_ =
+      node_.subscribe<GoalStatusArray>("wait/status", 10, [this](const GoalStatusArray::ConstPtr& status) {
+        if (!status->status_list.empty()) known_ = status->status_list.back().goal_id.id;
+      });
+};
+
+// [FLT-1]
+TEST_F(ActionServers, AbortAGoalThatCannotBeStartedAndTakeTheNext) {
+  fails_ = true;
+  sendGoal("a");
+  EXPECT_TRUE(endsAs("a", GoalStatus::ABORTED));
+  EXPECT_EQ(canceled_, 1) << "what may have begun is ended as well";
+  fails_ = false;
+  sendGoal("b");
+  EXPECT_TRUE(comes([this] { return begun_ == 1; }));
+}
+
+// [FLT-1]
+TEST_F(ActionServers, EndACanceledGoalAlsoWhereTheOwnerDoesNot) {
+  sendGoal("a");
+  ASSERT_TRUE(comes([this] { return begun_ == 1; }));
+  cancels_.publish(named("a"));
+  EXPECT_TRUE(endsAs("a", GoalStatus::PREEMPTED));
+}
+
+// [FLT-1]
+TEST_F(ActionServers, RecallAGoalWhoseCancelCameFirst) {
+  cancels_.publish(named("early"));
+  ASSERT_TRUE(comes([this] { return known_ == "early"; }));
+  sendGoal("early");
+  EXPECT_TRUE(endsAs("early", GoalStatus::RECALLED));
+  EXPECT_EQ(begun_, 0);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "action_server_test");
+  const ros::NodeHandle keeps_ros_alive;
+  return RUN_ALL_TESTS();
+}
