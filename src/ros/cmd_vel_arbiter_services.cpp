@@ -18,7 +18,7 @@ bool reply(const ArbiterAnswer& answer, Response& response) {
   return true;
 }
 
-std::string calledBy(const std::string& service, const std::string& caller) { return service + " called by " + caller; }
+std::string causeOf(const std::string& service, const std::string& caller) { return service + " called by " + caller; }
 
 }  // namespace
 
@@ -45,12 +45,12 @@ bool CmdVelArbiterNode::handleEnable(std::size_t source, std_srvs::SetBool::Requ
 bool CmdVelArbiterNode::handleSetStop(SetBoolCall& call) {
   const bool on = call.getRequest().data != 0;
   return reply(
-      signedBy(on ? stop(calledBy(names::kSetEmergencyStop, call.getCallerName())) : clear(call.getCallerName())),
+      signedBy(on ? stop(causeOf(names::kSetEmergencyStop, call.getCallerName())) : clear(call.getCallerName())),
       call.getResponse());
 }
 
 bool CmdVelArbiterNode::handleStop(TriggerCall& call) {
-  return reply(signedBy(stop(calledBy(names::kEmergencyStop, call.getCallerName()))), call.getResponse());
+  return reply(signedBy(stop(causeOf(names::kEmergencyStop, call.getCallerName()))), call.getResponse());
 }
 
 ArbiterAnswer CmdVelArbiterNode::signedBy(ArbiterAnswer answer) const {

@@ -73,7 +73,7 @@ std::optional<MasterState> askMaster() {
   XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
   try {
-    std::optional<XmlRpc::XmlRpcValue> state = callMaster("getSystemState", request);
+    std::optional<XmlRpc::XmlRpcValue> state = requestFromMaster("getSystemState", request);
     if (!state) return std::nullopt;
     return MasterState{toNodes((*state)[0]), toNodes((*state)[1]), toNodes((*state)[2])};
   } catch (const XmlRpc::XmlRpcException&) {
@@ -90,7 +90,7 @@ bool nodeLives(const std::string& node) {
   XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
   request[1] = node;
-  std::optional<XmlRpc::XmlRpcValue> uri = callMaster("lookupNode", request);
+  std::optional<XmlRpc::XmlRpcValue> uri = requestFromMaster("lookupNode", request);
   std::string host;
   std::uint32_t port = 0;
   if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return false;

@@ -26,7 +26,7 @@ std::optional<Value> askMasterApi(const char* method, const std::string& name, c
   request[1] = name;
   request[2] = detail;
   request[3] = ownUri();
-  return callMaster(method, request);
+  return requestFromMaster(method, request);
 }
 
 /// Calls a method of this node's own slave API, which roscpp offers to the master and not to its own process.
@@ -34,7 +34,7 @@ std::optional<Value> askSlaveApi(const char* method, const Value& arguments) {
   std::string host;
   std::uint32_t port = 0;
   if (!ros::network::splitURI(ownUri(), host, port)) return std::nullopt;
-  return callApi(host, port, method, arguments);
+  return requestFrom(host, port, method, arguments);
 }
 
 /// The publishers of `topic` that this node is connected to, by their URIs.

@@ -24,8 +24,8 @@ std::optional<XmlRpcValue> valueOf(XmlRpcValue& answer) {
 
 }  // namespace
 
-std::optional<XmlRpcValue> callApi(const std::string& host, std::uint32_t port, const char* method,
-                                   const XmlRpcValue& arguments) {
+std::optional<XmlRpcValue> requestFrom(const std::string& host, std::uint32_t port, const char* method,
+                                       const XmlRpcValue& arguments) {
   const SteadyTime end = steadyNow() + kAnswerPatience;
   XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
   if (!client.executeNonBlock(method, arguments)) return std::nullopt;
@@ -37,8 +37,8 @@ std::optional<XmlRpcValue> callApi(const std::string& host, std::uint32_t port, 
   return client.isFault() ? std::nullopt : valueOf(answer);
 }
 
-std::optional<XmlRpcValue> callMaster(const char* method, const XmlRpcValue& arguments) {
-  return callApi(ros::master::getHost(), ros::master::getPort(), method, arguments);
+std::optional<XmlRpcValue> requestFromMaster(const char* method, const XmlRpcValue& arguments) {
+  return requestFrom(ros::master::getHost(), ros::master::getPort(), method, arguments);
 }
 
 }  // namespace frontier_pilot

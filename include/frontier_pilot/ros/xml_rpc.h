@@ -19,9 +19,9 @@ inline std::vector<XmlRpc::XmlRpcValue> elements(XmlRpc::XmlRpcValue& array) {
 
 /// Calls a method of ROS' XML-RPC API and gives the value that the answer carries; nothing if there is none within two
 /// seconds, or if it is an error. ros::master::execute waits for ever for a master that hangs.
-std::optional<XmlRpc::XmlRpcValue> callApi(const std::string& host, std::uint32_t port, const char* method,
-                                           const XmlRpc::XmlRpcValue& arguments);
+std::optional<XmlRpc::XmlRpcValue> requestFrom(const std::string& host, std::uint32_t port, const char* method,
+                                               const XmlRpc::XmlRpcValue& arguments);
 /// The same at the master.
-std::optional<XmlRpc::XmlRpcValue> callMaster(const char* method, const XmlRpc::XmlRpcValue& arguments);
+std::optional<XmlRpc::XmlRpcValue> requestFromMaster(const char* method, const XmlRpc::XmlRpcValue& arguments);
 
 }  // namespace frontier_pilot
