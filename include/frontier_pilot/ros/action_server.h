@@ -135,9 +135,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
 
   void publishResult(const GoalStatus& status, const Result& result) override {
     const Lock lock(this->lock_);
-    const auto msg = boost::make_shared<ActionResult>();
-    msg->header.stamp = ros::Time::now();
-    msg->status = status;
+    const auto msg = stamped<ActionResult>(status);
     msg->result = result;
     result_.publish(msg);
     publishStatus();
@@ -145,11 +143,17 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
 
   void publishFeedback(const GoalStatus& status, const Feedback& feedback) override {
     const Lock lock(this->lock_);
-    const auto msg = boost::make_shared<ActionFeedback>();
-    msg->header.stamp = ros::Time::now();
-    msg->status = status;
+    const auto msg = stamped<ActionFeedback>(status);
     msg->feedback = feedback;
     feedback_.publish(msg);
+  }
+
+  template <class Message>
+  static boost::shared_ptr<Message> stamped(const GoalStatus& status) {
+    const auto msg = boost::make_shared<Message>();
+    msg->header.stamp = ros::Time::now();
+    msg->status = status;
+    return msg;
   }
 
   ros::NodeHandle node_;
