@@ -25,7 +25,7 @@ bool isHold(const geometry_msgs::Twist& msg) {
 CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
       arbiter_(loadNodeParameters<ArbiterParameters>(private_node)),
-      memory_(rosHome(), rosSession(), ros::this_node::getName()),
+      memory_(rosHome(), rosSessions(), ros::this_node::getName()),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
       status_(node_.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
@@ -43,7 +43,7 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
       ros::TransportHints().tcpNoDelay());
   connections_.master().claimTopics({around_.status, around_.cmd_vel});  // who publishes both is an arbiter too
   // A new master means a new session, in which the arbiter has to find its stop again.
-  connections_.master().onRenewal([this] { session_.put(rosSession()); });
+  connections_.master().onRenewal([this] { session_.put(rosSessions()); });
   diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
   });
@@ -105,7 +105,7 @@ void CmdVelArbiterNode::takeMasterReport() {
   }
   around_.registration_problems = connections_.master().problems();
   around_.master_answers = steadyNow() - connections_.master().lastAnswer() < kMasterPatience;
-  const std::optional<std::string> session = session_.take();
+  const auto session = session_.take();
   if (session && memory_.enter(*session) && arbiter_.stopped()) {
     around_.memory_problem = memory_.remember(arbiter_.stopCause());
   }

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/ros/stop_memory.h"
@@ -22,40 +24,52 @@ std::string asFileName(std::string name) {
 
 }  // namespace
 
-StopMemory::StopMemory(const std::filesystem::path& ros_home, const std::string& session, const std::string& node)
+StopMemory::StopMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions,
+                       const std::string& node)
     : ros_home_(ros_home), node_(node) {
-  enter(session);
+  enter(sessions);
 }
 
-bool StopMemory::enter(const std::string& session) {
-  const std::filesystem::path before = file_;
-  file_ = ros_home_ / "frontier_pilot" / asFileName(session) / ("stopped" + asFileName(node_));
-  return file_ != before;
+bool StopMemory::enter(const std::vector<std::string>& sessions) {
+  const std::vector<std::filesystem::path> before = std::exchange(files_, {});
+  for (const std::string& session : sessions) {
+    files_.push_back(ros_home_ / "frontier_pilot" / asFileName(session) / ("stopped" + asFileName(node_)));
+  }
+  return files_ != before;
 }
 
 std::optional<std::string> StopMemory::recall() const {
-  std::error_code error;
-  if (std::filesystem::symlink_status(file_, error).type() == std::filesystem::file_type::not_found)
-    return std::nullopt;
-  // Whatever else is there is a stop all the same, even if it cannot be read.
-  const std::string cause = readFile(file_, kLongestCause).bytes;
-  return cause.substr(0, cause.find('\n'));
+  for (const std::filesystem::path& file : files_) {
+    std::error_code error;
+    if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found) continue;
+    // Whatever else is there is a stop all the same, even if it cannot be read.
+    const std::string cause = readFile(file, kLongestCause).bytes;
+    return cause.substr(0, cause.find('\n'));
+  }
+  return std::nullopt;
 }
 
 std::string StopMemory::remember(const std::string& cause) const {
-  std::error_code error;
-  std::filesystem::create_directories(file_.parent_path(), error);
-  if (error) return error.message();
-  // It has to survive this process and not the machine: a new master starts free, and the zeros must not wait for a
-  // disk.
-  const std::string problem = writeFile(file_, cause + "\n", Survives::kProcessDeath);
-  return problem.empty() ? std::string() : "cannot write " + file_.string() + ": " + problem;
+  std::string problem;
+  for (const std::filesystem::path& file : files_) {
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    // It has to survive this process and not the machine: a new master starts free, and the zeros must not wait for a
+    // disk.
+    const std::string why = error ? error.message() : writeFile(file, cause + "\n", Survives::kProcessDeath);
+    if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
+  }
+  return problem;
 }
 
 std::string StopMemory::forget() const {
-  std::error_code error;
-  std::filesystem::remove(file_, error);
-  return error ? error.message() : std::string();
+  std::string problem;
+  for (const std::filesystem::path& file : files_) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (error) problem = error.message();
+  }
+  return problem;
 }
 
 std::filesystem::path rosHome() {
@@ -64,13 +78,18 @@ std::filesystem::path rosHome() {
   return std::filesystem::path(home != nullptr ? home : "/") / ".ros";
 }
 
-std::string rosSession() {
+std::vector<std::string> rosSessions() {
+  std::vector<std::string> sessions;
   std::string run_id;
-  if (ros::param::get("/run_id", run_id) && !run_id.empty()) return run_id;
+  if (ros::param::get("/run_id", run_id) && !run_id.empty()) sessions.push_back(run_id);
   XmlRpc::XmlRpcValue request, response, pid;
   request[0] = ros::this_node::getName();
-  if (!ros::master::execute("getPid", request, response, pid, true)) return "unknown";
-  return "master-" + std::to_string(static_cast<int>(pid));
+  if (!ros::master::execute("getPid", request, response, pid, true)) return sessions;
+  // The numbers of processes begin anew when a machine does.
+  std::string boot;
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
+  sessions.push_back("master-" + std::to_string(static_cast<int>(pid)) + "-" + boot);
+  return sessions;
 }
 
 }  // namespace frontier_pilot

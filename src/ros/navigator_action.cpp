@@ -64,6 +64,8 @@ void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
     if (pending_ && pending_->id == id) {
       pending_.reset();
       settle({id, NavResult::kCanceled, NavReason::kCanceled});
+      // It was to replace the goal that is driven to: that one was over before it.
+      cancel_ = active_id_ != 0;
     } else {
       cancel_ = id == active_id_;
     }

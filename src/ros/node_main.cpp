@@ -2,6 +2,7 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <ros/service_manager.h>
 
 #include <csignal>
 #include <iostream>
@@ -74,6 +75,8 @@ int runNodeWithLoop(int& argc, char** argv, const std::string& name,
     if (check) check();
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
+    // It crashes when it is asked a second time, inside of the log library. [FLT-1]
+    ros::ServiceManager::instance()->unadvertiseService(private_node.resolveName("get_loggers"));
     const int exit_code = body(node, private_node, isRunning);
     ros::WallDuration(0.05).sleep();  // lets the last words reach the wire
     return exit_code;

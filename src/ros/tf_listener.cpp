@@ -1,5 +1,6 @@
 #include "frontier_pilot/ros/tf_listener.h"
 
+#include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/conversions.h"
@@ -36,11 +37,11 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
 TfListener::TfListener(tf2_ros::Buffer& buffer) : buffer_(buffer), trust_(clockPace()) {
   node_.setCallbackQueue(&queue_);
   const auto listen = [this](const std::string& topic, bool is_static) {
-    const boost::function<void(const tf2_msgs::TFMessage::ConstPtr&)> guarded =
-        [this, topic, is_static](const tf2_msgs::TFMessage::ConstPtr& msg) {
-          guard_.run(topic, [&] { take(*msg, is_static); });
-        };
-    return node_.subscribe<tf2_msgs::TFMessage>(topic, kTfQueue, guarded);
+    ros::SubscribeOptions options = checkedSubscription<tf2_msgs::TFMessage>(
+        topic, kTfQueue, [this, topic, is_static](const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
+          guard_.run(topic, [&] { take(*event.getConstMessage(), is_static); });
+        });
+    return node_.subscribe(options);
   };
   transforms_ = listen("/tf", false);
   static_transforms_ = listen("/tf_static", true);

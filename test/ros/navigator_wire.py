@@ -135,6 +135,18 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.client.cancel_goal()
         self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
 
+    def test_a_cancel_of_a_goal_that_has_just_replaced_another_ends_both(self):  # [NAV-1]
+        for _ in range(5):
+            self.send(FAR)
+            self.assertTrue(wait_for(self.drives))
+            self.send(NEAR)
+            self.client.cancel_goal()  # before the navigator has begun with the newer one, as a rule
+            self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
+            self.assertTrue(wait_for(lambda: not self.drives(), 2.0), 'nothing is driven to any more [NAV-1]')
+            ended = time.monotonic()
+            self.assertFalse(wait_for(lambda: any(moves(command) for command in self.commands.since(ended)), 0.5),
+                             'nor taken up again')
+
     def test_aborts_say_why(self):  # [NAV-1]
         for place, text in ((IN_BOX, 'goal occupied'), (OUTSIDE, 'goal outside')):
             self.send(place)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Nodes whose registration at the master is lost register again: a new master, a second node that took their services."""
+import glob
 import os
 import signal
 import socket
@@ -66,7 +67,7 @@ class Registration(unittest.TestCase):
 
     def stop_is_stored_for(self, session):
         home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
-        return os.path.exists(os.path.join(home, 'frontier_pilot', session, 'stopped.cmd_vel_arbiter'))
+        return bool(glob.glob(os.path.join(home, 'frontier_pilot', session + '-*', 'stopped.cmd_vel_arbiter')))
 
     def call(self, service):
         """The answer of a service at the master of this test, as a line that rosservice prints."""
@@ -116,6 +117,19 @@ class Registration(unittest.TestCase):
         arbiter.wait()
         self.node('cmd_vel_arbiter')
         self.assertTrue(wait_for(lambda: 'stopped already' in self.call('/emergency_stop').message, 20.0))
+
+    # [ARB-7]
+    def test_a_stop_is_remembered_though_the_name_of_the_session_is_deleted(self):
+        server = rosgraph.Master('/test', master_uri=self.uri)
+        server.setParam('/run_id', 'first')
+        arbiter = self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.assertTrue(self.call('/emergency_stop').success)
+        server.deleteParam('/run_id')
+        arbiter.kill()
+        arbiter.wait()
+        self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: 'stopped already' in self.call('/emergency_stop').message, 20.0), '[ARB-7]')
 
     # [FLT-1]
     def test_services_that_a_second_node_took_and_left_are_offered_again(self):

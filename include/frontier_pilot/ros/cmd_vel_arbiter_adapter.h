@@ -67,7 +67,7 @@ class CmdVelArbiterNode {
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
   std::string last_essence_, last_summary_;
-  Mailbox<std::string> session_;  ///< a new one of ROS, if the master is a new one
+  Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one
   NodeConnections connections_;
 };
 

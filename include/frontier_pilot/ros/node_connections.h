@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/master_watch.h"
@@ -47,9 +48,7 @@ class NodeConnections {
         [this, what = messageOf(topic), handle](const ros::MessageEvent<const Msg>& event) {
           guard_.run(what, [&] { handle(event); });
         };
-    ros::SubscribeOptions options;
-    options.template initByFullCallbackType<const ros::MessageEvent<const Msg>&>(topic, queue_size, guarded);
-    options.transport_hints = hints;
+    ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, guarded, hints);
     subscribers_.push_back(node_.subscribe(options));
     return subscribers_.back();
   }

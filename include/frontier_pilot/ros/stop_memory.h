@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace frontier_pilot {
 
@@ -13,11 +14,11 @@ namespace frontier_pilot {
 /// waits for ever when the master is gone, and with it the zeros would stop. [ARB-7]
 class StopMemory {
  public:
-  /// `session` names the ROS session, `node` the resolved node name.
-  StopMemory(const std::filesystem::path& ros_home, const std::string& session, const std::string& node);
+  /// `sessions` are the names of the ROS session, of which any may change alone; `node` is the resolved node name.
+  StopMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions, const std::string& node);
 
   /// From now on in another session of ROS; gives whether it is another one.
-  bool enter(const std::string& session);
+  bool enter(const std::vector<std::string>& sessions);
   /// Why it was stopped, if it was.
   std::optional<std::string> recall() const;
   /// Once this has returned an empty text the stop survives the process; otherwise the text says why it does not.
@@ -28,12 +29,13 @@ class StopMemory {
  private:
   std::filesystem::path ros_home_;
   std::string node_;
-  std::filesystem::path file_;
+  std::vector<std::filesystem::path> files_;  ///< the same for each name of the session
 };
 
 /// ROS_HOME, or what ROS takes in its place.
 std::filesystem::path rosHome();
-/// What tells this ROS session from any other: the run id that roslaunch gives its master, or the master's process.
-std::string rosSession();
+/// What tells this ROS session from any other: the run id that roslaunch gives its master, which is a parameter and can
+/// be deleted, and the master's process.
+std::vector<std::string> rosSessions();
 
 }  // namespace frontier_pilot

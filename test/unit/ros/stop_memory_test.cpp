@@ -23,8 +23,20 @@ class StopMemoryFile : public ::testing::Test {
   fs::path file() const { return home / "frontier_pilot" / "session" / "stopped.robot.arbiter"; }
 
   fs::path home;
-  StopMemory memory() const { return {home, "session", "/robot/arbiter"}; }
+  StopMemory memory() const { return {home, {"session"}, "/robot/arbiter"}; }
 };
+
+// [ARB-7]
+TEST_F(StopMemoryFile, IsFoundUnderEitherNameOfTheSessionAndNotInAnother_ARB_7) {
+  StopMemory both(home, {"run", "master"}, "/arbiter");
+  EXPECT_EQ(both.remember("called by /me"), "");
+  EXPECT_TRUE(StopMemory(home, {"master"}, "/arbiter").recall()) << "the run id is a parameter, and may be deleted";
+  EXPECT_TRUE(StopMemory(home, {"another run", "master"}, "/arbiter").recall());
+  EXPECT_FALSE(StopMemory(home, {"another run", "another master"}, "/arbiter").recall()) << "a new session starts free";
+  EXPECT_FALSE(both.enter({"run", "master"})) << "the session that it is in already";
+  EXPECT_TRUE(both.enter({"another master"}));
+  EXPECT_FALSE(both.recall());
+}
 
 // [ARB-7]
 TEST_F(StopMemoryFile, IsThereUntilItIsForgotten_ARB_7) {
