@@ -166,7 +166,9 @@ void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {
   std::vector<std::string> problems;
   for (const auto& [what, node] : rivals) {
     const bool offered = isIn(claims().services, what);
-    problems.push_back(node + (offered ? " offers " : " publishes ") + what + " as well");
+    std::string problem = node;
+    problem.append(offered ? " offers " : " publishes ").append(what).append(" as well");
+    problems.push_back(std::move(problem));
     const auto before = rivals_.find(what);
     if (before == rivals_.end() || before->second != node) THROTTLED_ERROR(problems.back());
   }

@@ -3,17 +3,12 @@
 #include <ros/master.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
-#include <thread>
-
-#include "frontier_pilot/ros/clock.h"
-
 namespace frontier_pilot {
 namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr Duration kAnswerPatience = std::chrono::seconds(2);
-constexpr std::chrono::milliseconds kAnswerPoll(1);
+constexpr double kAnswerPatience = 2000.0;  // [ms]
 
 /// An answer is [code, text, value], and 1 is the code of success.
 std::optional<XmlRpcValue> valueOf(XmlRpcValue& answer) {
@@ -26,15 +21,12 @@ std::optional<XmlRpcValue> valueOf(XmlRpcValue& answer) {
 
 std::optional<XmlRpcValue> requestFrom(const std::string& host, std::uint32_t port, const char* method,
                                        const XmlRpcValue& arguments) {
-  const SteadyTime end = steadyNow() + kAnswerPatience;
   XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
   if (!client.executeNonBlock(method, arguments)) return std::nullopt;
+  client._disp.work(kAnswerPatience);  // until the answer is there, or for so long
   XmlRpcValue answer;
-  while (!client.executeCheckDone(answer)) {
-    if (steadyNow() >= end) return std::nullopt;  // the client's destructor closes the connection
-    std::this_thread::sleep_for(kAnswerPoll);
-  }
-  return client.isFault() ? std::nullopt : valueOf(answer);
+  if (!client.executeCheckDone(answer) || client.isFault()) return std::nullopt;
+  return valueOf(answer);
 }
 
 std::optional<XmlRpcValue> requestFromMaster(const char* method, const XmlRpcValue& arguments) {

@@ -150,7 +150,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
 
   template <class Message>
   static boost::shared_ptr<Message> stamped(const GoalStatus& status) {
-    const auto msg = boost::make_shared<Message>();
+    auto msg = boost::make_shared<Message>();
     msg->header.stamp = ros::Time::now();
     msg->status = status;
     return msg;
