@@ -116,7 +116,7 @@ std::string AtomicFile::write(std::string_view content) {
   if (!file.isOpen()) return errorText();
   if (!temporary_.empty()) unlink(temporary_.c_str());
   temporary_ = std::move(name);
-  const std::string problem = fill(file.get(), content);
+  std::string problem = fill(file.get(), content);
   if (!problem.empty()) return problem;
   return file.close() ? std::string() : errorText();
 }

@@ -97,7 +97,7 @@ MapIoResult putInPlace(std::array<MapFile, 3>& files) {
     if (!problem.empty())
       return file.cannot("cannot be put in its place",
                          problem + (done.empty() ? "; nothing was replaced" : "; replaced were only" + done));
-    done += (done.empty() ? " " : ", ") + file.name();
+    done.append(done.empty() ? " " : ", ").append(file.name());
   }
   return {};
 }
@@ -206,7 +206,7 @@ MapIoResult loadMap(const std::string& path, OccupancyMap& map) {
   const std::string bt = appended(base, ".bt");
   const FileContent octree = readFile(bt, map.mostBytes());
   if (!octree.ok()) return cannotRead(bt, octree);
-  const MapIoResult belongs = compareWithYaml(appended(base, ".yaml"), bt, octree.bytes);
+  MapIoResult belongs = compareWithYaml(appended(base, ".yaml"), bt, octree.bytes);
   if (!belongs.ok()) return belongs;
   MapIoResult result = loadBytes(bt, octree.bytes, map);
   if (result.ok()) result.text += belongs.text;
