@@ -93,10 +93,11 @@ MapIoResult prepare(std::array<MapFile, 3>& files) {
 MapIoResult putInPlace(std::array<MapFile, 3>& files) {
   std::string done;
   for (MapFile& file : files) {
-    const std::string problem = file.file.commit();
-    if (!problem.empty())
-      return file.cannot("cannot be put in its place",
-                         problem + (done.empty() ? "; nothing was replaced" : "; replaced were only" + done));
+    std::string problem = file.file.commit();
+    if (!problem.empty()) {
+      problem.append(done.empty() ? "; nothing was replaced" : "; replaced were only").append(done);
+      return file.cannot("cannot be put in its place", problem);
+    }
     done.append(done.empty() ? " " : ", ").append(file.name());
   }
   return {};
