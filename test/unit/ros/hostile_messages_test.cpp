@@ -8,6 +8,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/conversions.h"
+#include "good_messages.h"
 
 /// Messages that are well-formed and hold a number that would size memory or work. [FLT-1]
 namespace frontier_pilot {
@@ -19,27 +20,6 @@ Eigen::Isometry3d mountedAt(double x, double y) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.translation() << x, y, 0.17;
   return T;
-}
-
-sensor_msgs::LaserScan plainScan() {
-  sensor_msgs::LaserScan msg;
-  msg.angle_min = -1.0F;
-  msg.angle_max = 1.0F;
-  msg.angle_increment = 0.5F;
-  msg.range_min = 0.12F;
-  msg.range_max = 3.5F;
-  msg.ranges = {1.0F, 1.1F, 1.2F, 1.3F, 1.4F};
-  return msg;
-}
-
-nav_msgs::OccupancyGrid plainMap() {
-  nav_msgs::OccupancyGrid msg;
-  msg.info.width = 3;
-  msg.info.height = 2;
-  msg.info.resolution = 0.05F;
-  msg.info.origin.orientation.w = 1.0;
-  msg.data = {-1, 0, 100, 50, 0, -1};
-  return msg;
 }
 
 TEST(HostileMessages, FLT_1_APoseTooFarAwayIsNone) {  // [FLT-1]
@@ -64,7 +44,7 @@ TEST(HostileMessages, FLT_1_OdometryFasterThanAnyRobotIsNone) {  // [FLT-1]
 TEST(HostileMessages, FLT_1_AScanWhoseNumbersWouldSizeTooMuchIsRefused) {  // [FLT-1]
   using Scan = sensor_msgs::LaserScan;
   const auto whyNot = [](const std::function<void(Scan&)>& spoil) {
-    Scan msg = plainScan();
+    Scan msg = goodScan();
     spoil(msg);
     std::string why = "taken";
     toLaserScan(msg, kOnTheBase, &why);
@@ -84,7 +64,7 @@ TEST(HostileMessages, FLT_1_AScanWhoseNumbersWouldSizeTooMuchIsRefused) {  // [F
 }
 
 TEST(HostileMessages, FLT_1_BeamsAreUsedAsFarAsAMapReaches) {  // [FLT-1]
-  sensor_msgs::LaserScan msg = plainScan();
+  sensor_msgs::LaserScan msg = goodScan();
   msg.range_max = 300.0F;
   msg.ranges = {1.0F, 99.0F, 101.0F, 250.0F, 1e30F};
   const auto scan = toLaserScan(msg, kOnTheBase);
@@ -98,14 +78,14 @@ TEST(HostileMessages, FLT_1_BeamsAreUsedAsFarAsAMapReaches) {  // [FLT-1]
 
 TEST(HostileMessages, FLT_1_AScannerThatIsNotOnTheRobotIsRefused) {  // [FLT-1]
   std::string why;
-  EXPECT_FALSE(toLaserScan(plainScan(), mountedAt(1e6, 0.0), &why));
+  EXPECT_FALSE(toLaserScan(goodScan(), mountedAt(1e6, 0.0), &why));
   EXPECT_EQ(why, "scanner mounted farther than 10 m from the base");
-  EXPECT_FALSE(toLaserScan(plainScan(), mountedAt(0.0, -10.1)));
-  EXPECT_TRUE(toLaserScan(plainScan(), mountedAt(6.0, -6.0)));
+  EXPECT_FALSE(toLaserScan(goodScan(), mountedAt(0.0, -10.1)));
+  EXPECT_TRUE(toLaserScan(goodScan(), mountedAt(6.0, -6.0)));
 }
 
 TEST(HostileMessages, FLT_1_AMapOfCellsTooSmallOrTooLargeIsRefused) {  // [FLT-1]
-  nav_msgs::OccupancyGrid msg = plainMap();
+  nav_msgs::OccupancyGrid msg = goodMap();
   for (const float resolution : {1e-10F, 1e-40F, 0.009F, 10.1F, 1e30F}) {
     msg.info.resolution = resolution;
     std::string why;
@@ -120,7 +100,7 @@ TEST(HostileMessages, FLT_1_AMapOfCellsTooSmallOrTooLargeIsRefused) {  // [FLT-1
 
 TEST(HostileMessages, FLT_1_AMapOfTooManyCellsIsRefusedAndSaysWhatToDo) {  // [FLT-1]
   const auto whyNot = [](std::uint32_t width, std::uint32_t height) {
-    nav_msgs::OccupancyGrid msg = plainMap();
+    nav_msgs::OccupancyGrid msg = goodMap();
     msg.info.width = width;
     msg.info.height = height;
     msg.data.assign(std::size_t{width} * height, kUnknown);
@@ -149,7 +129,7 @@ TEST(HostileMessages, FLT_1_WhateverComesInWhatIsTakenIsWithinTheBounds) {  // [
   const auto narrow = [&](double usual) { return static_cast<float>(edge(usual)); };
   int maps = 0, scans = 0;
   for (int i = 0; i < 100000; ++i) {
-    nav_msgs::OccupancyGrid map = plainMap();
+    nav_msgs::OccupancyGrid map = goodMap();
     map.info.resolution = narrow(0.05);
     map.info.origin.position.x = edge(0.0);
     map.info.origin.orientation.w = edge(1.0);
@@ -158,7 +138,7 @@ TEST(HostileMessages, FLT_1_WhateverComesInWhatIsTakenIsWithinTheBounds) {  // [
       ASSERT_TRUE(grid->resolution() > 0.0099 && grid->resolution() <= 10.0);
       ASSERT_LE(std::abs(grid->geometry().origin.x()), 1e6);
     }
-    sensor_msgs::LaserScan msg = plainScan();
+    sensor_msgs::LaserScan msg = goodScan();
     msg.angle_min = narrow(-1.0);
     msg.angle_max = narrow(1.0);
     msg.angle_increment = narrow(0.5);
