@@ -14,7 +14,7 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
       use_yaw_(use_yaw),
       server_(
           node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
-          [this](const Server::GoalHandle& handle) { handleCancel(handle); }) {}
+          [this](const Server::GoalHandle& handle) { handleCancel(handle); }, [this] { cancelWhatWasReplaced(); }) {}
 
 void MoveBaseServer::subscribe(NodeConnections& connections) {
   connections.subscribe(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this);
@@ -62,15 +62,19 @@ void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
   for (const auto& [id, known] : handles_) {
     if (known != handle) continue;
     if (pending_ && pending_->id == id) {
-      pending_.reset();
-      settle({id, NavResult::kCanceled, NavReason::kCanceled});
-      // It was to replace the goal that is driven to: that one was over before it.
-      cancel_ = active_id_ != 0;
+      cancelWhatWasReplaced();
     } else {
       cancel_ = id == active_id_;
     }
     return;
   }
+}
+
+void MoveBaseServer::cancelWhatWasReplaced() {
+  // The goal that is driven to was over before the one that has just been canceled.
+  if (pending_) settle({pending_->id, NavResult::kCanceled, NavReason::kCanceled});
+  pending_.reset();
+  cancel_ = active_id_ != 0;
 }
 
 void MoveBaseServer::fill(NavigatorInputs& inputs) {

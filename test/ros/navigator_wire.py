@@ -8,9 +8,9 @@ import actionlib
 import rospy
 import rostest
 import tf2_ros
-from actionlib_msgs.msg import GoalStatus
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
-from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+from move_base_msgs.msg import MoveBaseAction, MoveBaseActionGoal, MoveBaseGoal
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from nav_msgs.srv import GetPlan
 from sensor_msgs.msg import LaserScan
@@ -43,6 +43,7 @@ class NavigatorOnTheWire(unittest.TestCase):
         cls.plan = Record('plan', Path)
         cls.costmap = Record('local_costmap', OccupancyGrid)
         cls.status = Record('navigator/status', String)
+        cls.goals = Record('move_base/status', GoalStatusArray)
         cls.stalled = Record('simulator/stalled', Bool)
         cls.world = Record('simulator/world', OccupancyGrid)
         cls.pass_on = True
@@ -107,6 +108,15 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.assertTrue(wait_for(self.stands, 5.0))
         self.assertLessEqual(len(self.commands.items), count + 1, 'silent without a goal')
 
+    def expect_standstill(self):
+        self.assertTrue(wait_for(lambda: not self.drives(), 2.0), 'nothing is driven to any more [NAV-1]')
+        ended = time.monotonic()
+        self.assertFalse(wait_for(lambda: any(moves(command) for command in self.commands.since(ended)), 0.5),
+                         'nor taken up again')
+
+    def status_of(self, goal_id):
+        return next((goal.status for goal in self.goals.last.status_list if goal.goal_id.id == goal_id), None)
+
     def test_reaches_a_goal_in_the_other_room(self):  # [NAV-1] [NAV-4]
         self.send(FAR, yaw=1.0)
         self.assertTrue(wait_for(lambda: self.plan.last and len(self.plan.last.poses) > 20))
@@ -141,11 +151,25 @@ class NavigatorOnTheWire(unittest.TestCase):
             self.assertTrue(wait_for(self.drives))
             self.send(NEAR)
             self.client.cancel_goal()  # before the navigator has begun with the newer one, as a rule
-            self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
-            self.assertTrue(wait_for(lambda: not self.drives(), 2.0), 'nothing is driven to any more [NAV-1]')
-            ended = time.monotonic()
-            self.assertFalse(wait_for(lambda: any(moves(command) for command in self.commands.since(ended)), 0.5),
-                             'nor taken up again')
+            self.assertTrue(wait_for(self.ended, 2.0))
+            # The goal and its cancel come on connections of their own: either may be the first.
+            self.assertIn(self.client.get_state(), (GoalStatus.PREEMPTED, GoalStatus.RECALLED))
+            self.expect_standstill()
+
+    def test_a_cancel_that_comes_before_its_goal_ends_what_the_goal_was_to_replace(self):  # [NAV-1]
+        goals = rospy.Publisher('move_base/goal', MoveBaseActionGoal, queue_size=1)
+        cancels = rospy.Publisher('move_base/cancel', GoalID, queue_size=1)
+        self.assertTrue(wait_for(lambda: goals.get_num_connections() > 0 and cancels.get_num_connections() > 0))
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        newer = MoveBaseActionGoal(goal_id=GoalID(id='recalled'), goal=MoveBaseGoal(target_pose=pose(NEAR)))
+        cancels.publish(newer.goal_id)
+        self.assertTrue(wait_for(lambda: self.status_of('recalled') == GoalStatus.RECALLING))
+        self.assertTrue(self.drives(), 'a cancel alone ends nothing else')
+        goals.publish(newer)
+        self.assertTrue(wait_for(lambda: self.status_of('recalled') == GoalStatus.RECALLED))
+        self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
+        self.expect_standstill()
 
     def test_aborts_say_why(self):  # [NAV-1]
         for place, text in ((IN_BOX, 'goal occupied'), (OUTSIDE, 'goal outside')):

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <boost/thread/recursive_mutex.hpp>
 #include <functional>
@@ -33,8 +34,15 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   using typename Base::Result;
   using Handle = std::function<void(GoalHandle)>;
 
-  ActionServer(const ros::NodeHandle& node, const std::string& name, Handle goal, Handle cancel)
-      : Base(std::move(goal), std::move(cancel), false), node_(node), name_(name), rejections_("action " + name) {
+  /// `recalled()` is called for a goal whose cancel came before it. The client had a newer goal than the one under way
+  /// and wants neither.
+  ActionServer(const ros::NodeHandle& node, const std::string& name, Handle goal, Handle cancel,
+               std::function<void()> recalled)
+      : Base(std::move(goal), std::move(cancel), false),
+        node_(node),
+        name_(name),
+        recalled_(std::move(recalled)),
+        rejections_("action " + name) {
     Base::start();
   }
 
@@ -86,11 +94,24 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     const Lock lock(this->lock_);
     if (const char* why = problemOf(msg->goal_id)) return rejections_.add(why);
     tidy(kMostTracked);
+    const bool recalled = isRecalling(msg->goal_id.id);
+    Base::goalCallback(withSafeStamp(msg));
+    if (recalled) recalled_();
+  }
+
+  static ActionGoalConstPtr withSafeStamp(const ActionGoalConstPtr& msg) {
     const ros::Time stamp = goalStamp(msg->goal_id.stamp, rosNow());
-    if (stamp == msg->goal_id.stamp) return Base::goalCallback(msg);
+    if (stamp == msg->goal_id.stamp) return msg;
     const auto goal = boost::make_shared<ActionGoal>(*msg);
     goal->goal_id.stamp = stamp;
-    Base::goalCallback(goal);
+    return goal;
+  }
+
+  bool isRecalling(const std::string& id) const {
+    const auto& list = this->status_list_;
+    return std::any_of(list.begin(), list.end(), [&](const auto& tracked) {
+      return tracked.status_.goal_id.id == id && tracked.status_.status == GoalStatus::RECALLING;
+    });
   }
 
   void takeCancel(const GoalID& msg) {
@@ -158,6 +179,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
 
   ros::NodeHandle node_;
   std::string name_;
+  std::function<void()> recalled_;
   Rejections rejections_;
   CallbackGuard callbacks_;
   ros::Publisher result_, feedback_, status_;
@@ -184,6 +206,9 @@ class SingleGoalServer {
             node, name, [this](const GoalHandle& handle) { take(handle); },
             [this](const GoalHandle& handle) {
               if (current_ && *current_ == handle) end(false, "canceled");
+            },
+            [this] {
+              if (current_) end(false, "replaced by a newer goal, which was canceled");
             }) {}
 
   void publishFeedback(const Feedback& feedback) {

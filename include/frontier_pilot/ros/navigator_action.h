@@ -41,6 +41,8 @@ class MoveBaseServer {
 
   void handleGoal(const Server::GoalHandle& offered);
   void handleCancel(const Server::GoalHandle& handle);
+  /// A goal was canceled before the navigator began with it: the one that it replaced ends as well.
+  void cancelWhatWasReplaced();
   void handleSimple(const geometry_msgs::PoseStamped& msg);
   /// The goal in the map's frame, or why not.
   std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;
