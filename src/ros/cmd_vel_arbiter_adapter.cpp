@@ -14,6 +14,7 @@ namespace {
 constexpr double kTick = 0.05;                                      // [s]
 constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop is offered again within 2 s [ARB-12]
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
+constexpr const char* kRestarted = "from before a restart: ";
 
 /// A zero on purpose says so on an axis that the base does not have: the message is not all zero.
 bool isHold(const geometry_msgs::Twist& msg) {
@@ -25,7 +26,7 @@ bool isHold(const geometry_msgs::Twist& msg) {
 CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
       arbiter_(loadNodeParameters<ArbiterParameters>(private_node)),
-      memory_(rosHome(), rosSessions(), ros::this_node::getName()),
+      memory_(rosHome(), rosSessions(), "stopped", ros::this_node::getName()),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
       status_(node_.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
@@ -65,7 +66,8 @@ CmdVelArbiterNode::~CmdVelArbiterNode() {
 
 void CmdVelArbiterNode::restoreStop() {
   if (const auto cause = memory_.recall()) {
-    arbiter_.stop("from before a restart: " + *cause, instantNow());
+    const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
+    arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
     ROS_WARN_STREAM("comes up stopped, as it died: " << *cause);
   }
   publishStopState();
@@ -78,9 +80,16 @@ void CmdVelArbiterNode::addSource(std::size_t source) {
       settings.topic, 1, [this, source](const geometry_msgs::Twist& msg) { handleCommand(source, msg); },
       ros::TransportHints().tcpNoDelay());
   around_.source_topics[settings.name] = commands.getTopic();
+  restoreSwitch(source);
   connections_.serve<std_srvs::SetBool::Request, std_srvs::SetBool::Response>(
       names::setEnabled(settings.name),
       [this, source](auto& request, auto& response) { return handleEnable(source, request, response); });
+}
+
+void CmdVelArbiterNode::restoreSwitch(std::size_t source) {
+  const std::string& name = arbiter_.parameters().sources[source].name;
+  switches_.emplace_back(name + "_disabled", connections_);
+  if (switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, false, instantNow());
 }
 
 void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {

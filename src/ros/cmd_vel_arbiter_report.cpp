@@ -61,9 +61,10 @@ ArbiterSource toSourceMsg(const SourceStatus& source, const ArbiterSnapshot& sna
   return msg;
 }
 
-void findForeignPublishers(const ArbiterSurroundings& around, std::vector<ArbiterProblem>& problems) {
-  for (const std::string& node : publishersOn(around.cmd_vel, around)) {
-    if (node != around.own_name) problems.push_back({Level::ERROR, node + " publishes " + around.cmd_vel + " as well"});
+void findForeignPublishers(const std::string& topic, unsigned char level, const ArbiterSurroundings& around,
+                           std::vector<ArbiterProblem>& problems) {
+  for (const std::string& node : publishersOn(topic, around)) {
+    if (node != around.own_name) problems.push_back({level, node + " publishes " + topic + " as well"});
   }
 }
 
@@ -84,7 +85,9 @@ void findSourceProblems(const SourceStatus& source, const ArbiterSurroundings& a
 std::vector<ArbiterProblem> findProblems(const ArbiterSnapshot& snapshot, const ArbiterSurroundings& around) {
   std::vector<ArbiterProblem> problems;
   for (const std::string& text : around.registration_problems) problems.push_back({Level::ERROR, text});
-  findForeignPublishers(around, problems);
+  findForeignPublishers(around.cmd_vel, Level::ERROR, around, problems);
+  // Whoever tells of a stop there stops this arbiter too, and others read it as this one's state.
+  findForeignPublishers(around.emergency_stop_state, Level::WARN, around, problems);
   for (const std::string& name : snapshot.missing_sources) {
     problems.push_back({Level::ERROR, name + " is required but silent: no forward motion below it"});
   }

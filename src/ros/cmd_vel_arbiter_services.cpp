@@ -36,6 +36,7 @@ void CmdVelArbiterNode::addStopServices() {
 bool CmdVelArbiterNode::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,
                                      std_srvs::SetBool::Response& response) {
   const ArbiterAnswer answer = arbiter_.setEnabled(source, request.data != 0, instantNow());
+  switches_[source].set(request.data == 0);
   publish(answer.publish);
   if (answer.publish) flush_.wait(kFlushPatience);
   publishStatus(false);
@@ -66,6 +67,7 @@ ArbiterAnswer CmdVelArbiterNode::stop(const std::string& cause) {
   if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
   publishStopState();
   publishStatus(false);
+  arbiter_.answerStop(steadyNow());
   return answer;
 }
 

@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <thread>
 
 #include "frontier_pilot/ros/cmd_vel_arbiter_adapter.h"
 #include "frontier_pilot/ros/master_state.h"
 #include "frontier_pilot/ros/names.h"
+#include "frontier_pilot/ros/namesake.h"
 
 namespace frontier_pilot {
 namespace {
-
-// One that is being restarted may still be saying its last words.
-constexpr Duration kPatience = std::chrono::seconds(2);
-constexpr std::chrono::milliseconds kLook(200);
 
 /// A living node that offers what only the arbiter of this namespace offers; empty if there is none.
 std::string findArbiter() {
@@ -33,15 +29,10 @@ std::string findArbiter() {
 }  // namespace
 
 void refuseASecondArbiter() {
-  const SteadyTime end = steadyNow() + kPatience;
-  for (std::string other = findArbiter(); !other.empty(); other = findArbiter()) {
-    if (steadyNow() >= end) {
-      throw std::runtime_error(other +
-                               " is an arbiter of this namespace already: two of them would take turns at the " +
-                               "wheels, and only one could be stopped. End that one first");
-    }
-    std::this_thread::sleep_for(kLook);
-  }
+  const std::string other = waitUntilGone(findArbiter);
+  if (other.empty()) return;
+  throw std::runtime_error(other + " is an arbiter of this namespace already: two of them would take turns at the " +
+                           "wheels, and only one could be stopped. End that one first");
 }
 
 }  // namespace frontier_pilot

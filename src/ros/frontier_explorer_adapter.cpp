@@ -18,6 +18,8 @@ ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private
       diagnostics_(node, private_node),
       enabled_(parameters_.autostart),
       connections_(node) {
+  paused_.emplace("exploration_paused", connections_);
+  if (paused_->wasLeftSafe()) enabled_ = false;
   diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
@@ -42,6 +44,7 @@ void ExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 bool ExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   const bool before = enabled_;
   enabled_ = request.data != 0;
+  paused_->set(!enabled_);
   tick();  // a pause has cancelled the goal before the caller hears of it
   response.success = 1U;
   response.message =

@@ -77,7 +77,7 @@ MasterWatch::Claims MasterWatch::claims() const {
 
 void MasterWatch::onRenewal(std::function<void()> f) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  renewal_ = std::move(f);
+  renewals_.push_back(std::move(f));
 }
 
 void MasterWatch::run() {
@@ -99,6 +99,7 @@ void MasterWatch::look() {
   report.rivals = findRivals(*state);
   lookAtTopics(*state);
   lookAtServices(*state, report.rivals);
+  lookAtAnAddress(*state);
   sayWhatWasRenewed();
   setRivals(report.rivals);
   report.publishers = std::move(state->publishers);
@@ -143,6 +144,15 @@ void MasterWatch::lookAtServices(const MasterState& state, const std::map<std::s
   }
 }
 
+void MasterWatch::lookAtAnAddress(const MasterState& state) {
+  const std::vector<std::string> services = claims().services;
+  if (services.empty()) return;
+  const std::string& service = services[next_service_++ % services.size()];
+  if (!isIn(nodesOf(state.providers, service), ros::this_node::getName()) || pointsHere(service)) return;
+  THROTTLED_ERROR("the master sends calls of " << service << " elsewhere, under the name of this node");
+  if (registerService(service)) renewed_.push_back("service " + service);
+}
+
 bool MasterWatch::missingTwice(const std::string& what) {
   missing_.insert(what);
   return missing_before_.count(what) > 0;
@@ -154,12 +164,13 @@ void MasterWatch::sayWhatWasRenewed() {
   const std::string more = renewed.size() > 1 ? " and " + std::to_string(renewed.size() - 1) + " more" : "";
   THROTTLED_ERROR("the master had forgotten this node: registered again as " << renewed.front() << more);
   for (const std::string& what : renewed) remembered_[what] = steadyNow();
-  std::function<void()> renewal;
+  if (parameters_.restore()) THROTTLED_WARN("the master had lost the parameters of this node: they are set again");
+  std::vector<std::function<void()>> renewals;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    renewal = renewal_;
+    renewals = renewals_;
   }
-  if (renewal) renewal();
+  for (const auto& renewal : renewals) renewal();
 }
 
 void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {

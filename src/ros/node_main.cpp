@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/namesake.h"
 #include "frontier_pilot/ros/parameters.h"
 
 namespace frontier_pilot {
@@ -73,6 +74,7 @@ int runNodeWithLoop(int& argc, char** argv, const std::string& name,
   catchSignals();
   try {
     if (check) check();
+    refuseANamesake();
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     // It crashes when it is asked a second time, inside of the log library. [FLT-1]

@@ -31,7 +31,8 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
       status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
       diagnostics_(node, private_node),
       connections_(node) {
-  if (!parameters_.enabled) avoider_.setEnabled(false, rosNow());
+  switched_on_.emplace("obstacle_avoider_enabled", connections_);
+  if (!switched_on_->wasLeftSafe() && !parameters_.enabled) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this);
   connections_.subscribe(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this, ros::TransportHints().tcpNoDelay());
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
@@ -70,6 +71,7 @@ bool ObstacleAvoiderNode::handleEnable(std_srvs::SetBool::Request& request, std_
   const bool on = request.data != 0;
   const bool changes = on != avoider_.enabled();
   publish(avoider_.setEnabled(on, rosNow()));
+  switched_on_->set(on);
   publishStatus(false);
   response.success = 1;
   response.message = std::string("obstacle avoider ") + (on ? "enabled" : "disabled");

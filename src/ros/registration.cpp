@@ -19,6 +19,11 @@ using Value = XmlRpc::XmlRpcValue;
 
 const std::string& ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
+std::string ownServiceUri() {
+  const std::uint32_t port = ros::ConnectionManager::instance()->getTCPPort();
+  return "rosrpc://" + ros::network::getHost() + ":" + std::to_string(port);
+}
+
 /// The registration calls of the master API differ in the argument between the name and this node's URI.
 std::optional<Value> askMasterApi(const char* method, const std::string& name, const std::string& detail) {
   Value request;
@@ -73,9 +78,16 @@ bool registerPublisher(const std::string& topic) {
 }
 
 bool registerService(const std::string& service) {
-  const std::uint32_t port = ros::ConnectionManager::instance()->getTCPPort();
-  const std::string uri = "rosrpc://" + ros::network::getHost() + ":" + std::to_string(port);
-  return askMasterApi("registerService", service, uri).has_value();
+  return askMasterApi("registerService", service, ownServiceUri()).has_value();
+}
+
+bool pointsHere(const std::string& service) {
+  Value request;
+  request[0] = ros::this_node::getName();
+  request[1] = service;
+  std::optional<Value> uri = requestFromMaster("lookupService", request);
+  if (!uri || uri->getType() != Value::TypeString) return true;
+  return static_cast<std::string>(*uri) == ownServiceUri();
 }
 
 bool registerSubscriber(const std::string& topic) {

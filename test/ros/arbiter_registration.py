@@ -132,6 +132,8 @@ class ArbiterRegistration(unittest.TestCase):
         other = rospy.Publisher('/told/emergency_stop_state', Bool, latch=True, queue_size=1)
         other.publish(False)
         self.assertTrue(moves(out.last))
+        self.assertTrue(wait_for(lambda: any(rospy.get_name() + ' publishes /told/emergency_stop_state' in text
+                                             for text in status.last.problems)), 'named, whatever it says')
         other.publish(True)
         self.assertTrue(wait_for(lambda: status.last.emergency_stop), '[ARB-12]')
         self.assertIn(rospy.get_name(), status.last.emergency_stop_cause)

@@ -131,6 +131,31 @@ class Registration(unittest.TestCase):
         self.node('cmd_vel_arbiter')
         self.assertTrue(wait_for(lambda: 'stopped already' in self.call('/emergency_stop').message, 20.0), '[ARB-7]')
 
+    # [FLT-1] [FLT-2]
+    def test_a_new_master_gets_the_parameters_of_the_nodes_again(self):
+        server = rosgraph.Master('/test', master_uri=self.uri)
+        server.setParam('/use_sim_time', True)
+        server.setParam('/cmd_vel_arbiter', {'limits': {'max_linear': 0.17}})
+        self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.master.kill()
+        self.master.wait()
+        self.new_master()
+        self.assertTrue(wait_for(lambda: server.hasParam('/cmd_vel_arbiter/limits/max_linear'), 10.0), '[FLT-2]')
+        self.assertEqual(server.getParam('/cmd_vel_arbiter'), {'limits': {'max_linear': 0.17}})
+        self.assertTrue(wait_for(lambda: server.hasParam('/use_sim_time') and server.getParam('/use_sim_time')))
+
+    # [ARB-12] [FLT-1]
+    def test_a_service_whose_calls_the_master_sends_elsewhere_is_taken_back(self):
+        self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        server = rosgraph.Master('/cmd_vel_arbiter', master_uri=self.uri)
+        own = server.lookupService('/emergency_stop')
+        stranger = 'rosrpc://127.0.0.1:%d' % free_port()
+        server.registerService('/emergency_stop', stranger, server.lookupNode('/cmd_vel_arbiter'))
+        self.assertEqual(server.lookupService('/emergency_stop'), stranger)
+        self.assertTrue(wait_for(lambda: server.lookupService('/emergency_stop') == own), '[ARB-12]')
+
     # [FLT-1]
     def test_services_that_a_second_node_took_and_left_are_offered_again(self):
         first = {'/mapper/reset': 'mapper', '/set_obstacle_avoid_enabled': 'obstacle_avoider', '/make_plan': 'navigator'}

@@ -43,8 +43,10 @@ class Arbiter {
   ArbiterAnswer setEnabled(std::size_t source, bool enabled, const Instant& now);
   /// Latches the emergency stop; always puts out a zero. Idempotent: the first cause stays. [ARB-7]
   ArbiterAnswer stop(const std::string& cause, const Instant& now);
-  /// Clears the emergency stop, or says why not. `requested` is when the call arrived: a stop that was given after that
-  /// wins, whoever is served first. [ARB-8]
+  /// The answer to a stop leaves now. Whoever asked for a clear before that could not know of the stop. [ARB-8]
+  void answerStop(SteadyTime now) { last_stop_ = now; }
+  /// Clears the emergency stop, or says why not. `requested` is when the call arrived: a stop that was answered after
+  /// that wins, whoever is served first. [ARB-8]
   ArbiterAnswer clear(SteadyTime requested, const Instant& now);
 
   /// `rival` is another node that could answer an emergency stop in this one's place; empty: there is none. While there

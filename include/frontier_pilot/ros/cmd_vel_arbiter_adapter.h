@@ -6,6 +6,7 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/publish_flush.h"
-#include "frontier_pilot/ros/stop_memory.h"
+#include "frontier_pilot/ros/safe_switch.h"
+#include "frontier_pilot/ros/session_memory.h"
 
 namespace frontier_pilot {
 
@@ -41,6 +43,7 @@ class CmdVelArbiterNode {
 
   void restoreStop();
   void addSource(std::size_t source);
+  void restoreSwitch(std::size_t source);
   void addStopServices();
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
@@ -59,7 +62,7 @@ class CmdVelArbiterNode {
 
   ros::NodeHandle node_;
   Arbiter arbiter_;
-  StopMemory memory_;
+  SessionMemory memory_;
   ArbiterSurroundings around_;
   std::vector<Rejections> rejections_;
   ArrivalQueue calls_;
@@ -67,6 +70,7 @@ class CmdVelArbiterNode {
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
   std::string last_essence_, last_summary_;
+  std::deque<SafeSwitch> switches_;            ///< of the sources, which are safe while they are off
   Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one
   NodeConnections connections_;
 };

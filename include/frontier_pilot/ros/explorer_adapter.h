@@ -14,6 +14,7 @@
 #include "frontier_pilot/ros/move_base_client.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/node_connections.h"
+#include "frontier_pilot/ros/safe_switch.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -75,6 +76,7 @@ class ExplorerAdapter {
   ros::Publisher status_publisher_;
   ros::Publisher markers_publisher_;
   ros::Publisher goal_publisher_;
+  std::optional<SafeSwitch> paused_;
   NodeConnections connections_;
 };
 

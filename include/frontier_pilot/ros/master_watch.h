@@ -17,6 +17,7 @@
 #include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/mailbox.h"
 #include "frontier_pilot/ros/master_state.h"
+#include "frontier_pilot/ros/own_parameters.h"
 
 namespace frontier_pilot {
 
@@ -43,7 +44,8 @@ class MasterWatch {
   void claimService(const std::string& service);
   /// The same for topics: another node that publishes all of them takes this one for gone.
   void claimTopics(const std::vector<std::string>& topics);
-  /// `f` is called, on the watch's thread, after something was registered again: the master may be another one.
+  /// `f` is called, on the watch's thread, after something was registered again: the master may be another one. What
+  /// was given before is called as well.
   void onRenewal(std::function<void()> f);
   /// When the master answered last; the start of the watch if it never did.
   SteadyTime lastAnswer() const { return last_answer_; }
@@ -67,6 +69,8 @@ class MasterWatch {
   std::map<std::string, std::string> findRivals(const MasterState& state) const;
   void lookAtTopics(const MasterState& state);
   void lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals);
+  /// The master may have this node's name and another's address: one service in each look, as each costs a call.
+  void lookAtAnAddress(const MasterState& state);
   /// True if `what` was missing the last time too: a registration that is under way is not a lost one.
   bool missingTwice(const std::string& what);
   void sayWhatWasRenewed();
@@ -81,10 +85,12 @@ class MasterWatch {
   bool ending_ = false;
   Claims claims_;
   std::vector<std::string> problems_;
-  std::function<void()> renewal_;
+  std::vector<std::function<void()>> renewals_;
   std::set<std::string> missing_, missing_before_;  ///< the thread's own, as those that follow
   std::map<std::string, std::string> rivals_;
   std::vector<std::string> renewed_;  ///< in this look
+  std::size_t next_service_ = 0;      ///< whose address is looked at next
+  OwnParameters parameters_;
   std::map<std::string, SteadyTime> remembered_;
   std::thread thread_;  ///< the last member: everything else is there before it starts
 };

@@ -10,8 +10,8 @@ namespace frontier_pilot {
 /// A node's life: `make(node, private_node)` builds it, then callbacks run on this one thread until SIGINT, SIGTERM or
 /// a ROS shutdown; the node is destroyed while its publishers still work, so that a destructor's last words get out.
 /// What a callback throws is said on the log, and the node goes on. What `make` throws is said on the log and on
-/// stderr, and ends the node. Gives the exit code: 0, or 1 after an exception, or 2 for a ConfigurationError. `check`,
-/// if given, is called before the node is known to the master, and may throw to prevent that.
+/// stderr, and ends the node. Gives the exit code: 0, or 1 after an exception, or 2 for a ConfigurationError. Before
+/// the node is known to the master a living node of the same name is such an exception, and what `check` throws.
 int runNode(int argc, char** argv, const std::string& name,
             const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check = {});

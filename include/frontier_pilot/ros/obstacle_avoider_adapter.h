@@ -11,6 +11,7 @@
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/node_connections.h"
+#include "frontier_pilot/ros/safe_switch.h"
 #include "frontier_pilot/ros/tf_bridge.h"
 
 namespace frontier_pilot {
@@ -53,6 +54,7 @@ class ObstacleAvoiderNode {
   ros::Publisher cmd_vel_, status_;
   NodeDiagnostics diagnostics_;
   std::string last_essence_;
+  std::optional<SafeSwitch> switched_on_;
   NodeConnections connections_;
 };
 

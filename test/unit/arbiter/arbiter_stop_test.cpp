@@ -122,6 +122,19 @@ TEST_F(ArbiterTest, AStopThatWasGivenWhileAClearWasUnderWayWins_ARB_8) {
   EXPECT_TRUE(clear().success) << "a clear that is called after the stop counts";
 }
 
+// [ARB-8]
+TEST_F(ArbiterTest, AClearThatCameBeforeTheAnswerToAStopIsRefusedForNobodyKnewOfTheStop_ARB_8) {
+  wait(1.0);
+  stop();
+  advance(0.001);
+  const SteadyTime called = now.steady;
+  advance(0.001);
+  arbiter.answerStop(now.steady);
+  EXPECT_FALSE(arbiter.clear(called, now).success) << "[ARB-8]";
+  advance(0.001);
+  EXPECT_TRUE(clear().success);
+}
+
 // [ARB-9]
 TEST_F(ArbiterTest, AStandingClockStopsTheRobotAndNothingRevivesWithoutANewMessage_ARB_9) {
   wait(0.1);

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "frontier_pilot/core/files.h"
-#include "frontier_pilot/ros/stop_memory.h"
+#include "frontier_pilot/ros/session_memory.h"
 
 namespace frontier_pilot {
 namespace {
 
-constexpr std::size_t kLongestCause = 65536;  // [bytes]
+constexpr std::size_t kLongestText = 65536;  // [bytes]
 
 std::string asFileName(std::string name) {
   std::replace(name.begin(), name.end(), '/', '.');
@@ -24,45 +24,45 @@ std::string asFileName(std::string name) {
 
 }  // namespace
 
-StopMemory::StopMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions,
-                       const std::string& node)
-    : ros_home_(ros_home), node_(node) {
+SessionMemory::SessionMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions,
+                             std::string what, std::string node)
+    : ros_home_(ros_home), name_(std::move(what) + asFileName(std::move(node))) {
   enter(sessions);
 }
 
-bool StopMemory::enter(const std::vector<std::string>& sessions) {
+bool SessionMemory::enter(const std::vector<std::string>& sessions) {
   const std::vector<std::filesystem::path> before = std::exchange(files_, {});
   for (const std::string& session : sessions) {
-    files_.push_back(ros_home_ / "frontier_pilot" / asFileName(session) / ("stopped" + asFileName(node_)));
+    files_.push_back(ros_home_ / "frontier_pilot" / asFileName(session) / name_);
   }
   return files_ != before;
 }
 
-std::optional<std::string> StopMemory::recall() const {
+std::optional<std::string> SessionMemory::recall() const {
   for (const std::filesystem::path& file : files_) {
     std::error_code error;
     if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found) continue;
-    // Whatever else is there is a stop all the same, even if it cannot be read.
-    const std::string cause = readFile(file, kLongestCause).bytes;
-    return cause.substr(0, cause.find('\n'));
+    // Whatever is there was put there by a stop, even if it cannot be read.
+    const std::string text = readFile(file, kLongestText).bytes;
+    return text.substr(0, text.find('\n'));
   }
   return std::nullopt;
 }
 
-std::string StopMemory::remember(const std::string& cause) const {
+std::string SessionMemory::remember(const std::string& text) const {
   std::string problem;
   for (const std::filesystem::path& file : files_) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     // It has to survive this process and not the machine: a new master starts free, and the zeros must not wait for a
     // disk.
-    const std::string why = error ? error.message() : writeFile(file, cause + "\n", Survives::kProcessDeath);
+    const std::string why = error ? error.message() : writeFile(file, text + "\n", Survives::kProcessDeath);
     if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
   }
   return problem;
 }
 
-std::string StopMemory::forget() const {
+std::string SessionMemory::forget() const {
   std::string problem;
   for (const std::filesystem::path& file : files_) {
     std::error_code error;

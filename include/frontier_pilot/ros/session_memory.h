@@ -7,28 +7,30 @@
 
 namespace frontier_pilot {
 
-/// Keeps an emergency stop over the death of its node: a file in ROS_HOME that bears the name of the node and the id of
-/// the ROS session, so that a new session starts afresh.
+/// Keeps what an operator said over the death of the node that it was said to, such as an emergency stop: a file in
+/// ROS_HOME that bears the name of the node and the id of the ROS session, so that a new session starts afresh.
 ///
 /// A file and not a parameter: writing it takes microseconds and needs nobody, while a write to the parameter server
 /// waits for ever when the master is gone, and with it the zeros would stop. [ARB-7]
-class StopMemory {
+class SessionMemory {
  public:
-  /// `sessions` are the names of the ROS session, of which any may change alone; `node` is the resolved node name.
-  StopMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions, const std::string& node);
+  /// `sessions` are the names of the ROS session, of which any may change alone; `node` is the resolved node name;
+  /// `what` names the thing that is remembered, in characters of a file name.
+  SessionMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions, std::string what,
+                std::string node);
 
   /// From now on in another session of ROS; gives whether it is another one.
   bool enter(const std::vector<std::string>& sessions);
-  /// Why it was stopped, if it was.
+  /// The text that was remembered, if one was: the cause of a stop.
   std::optional<std::string> recall() const;
-  /// Once this has returned an empty text the stop survives the process; otherwise the text says why it does not.
-  std::string remember(const std::string& cause) const;
-  /// Once this has returned an empty text a new process comes up free; otherwise the text says why it does not.
+  /// Once this has returned an empty text `text` survives the process; otherwise it gives why it does not.
+  std::string remember(const std::string& text) const;
+  /// Once this has returned an empty text a new process finds nothing; otherwise it gives why it does.
   std::string forget() const;
 
  private:
   std::filesystem::path ros_home_;
-  std::string node_;
+  std::string name_;  ///< of the files
   std::vector<std::filesystem::path> files_;  ///< the same for each name of the session
 };
 

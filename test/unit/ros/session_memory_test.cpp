@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/stop_memory.h"
+#include "frontier_pilot/ros/session_memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -12,10 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class StopMemoryFile : public ::testing::Test {
+class SessionMemoryFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "stop_memory_XXXXXX").string();
+    std::string pattern = (fs::temp_directory_path() / "session_memory_XXXXXX").string();
     ASSERT_NE(mkdtemp(pattern.data()), nullptr);
     home = pattern;
   }
@@ -23,23 +23,23 @@ class StopMemoryFile : public ::testing::Test {
   fs::path file() const { return home / "frontier_pilot" / "session" / "stopped.robot.arbiter"; }
 
   fs::path home;
-  StopMemory memory() const { return {home, {"session"}, "/robot/arbiter"}; }
+  SessionMemory memory() const { return {home, {"session"}, "stopped", "/robot/arbiter"}; }
 };
 
 // [ARB-7]
-TEST_F(StopMemoryFile, IsFoundUnderEitherNameOfTheSessionAndNotInAnother_ARB_7) {
-  StopMemory both(home, {"run", "master"}, "/arbiter");
+TEST_F(SessionMemoryFile, IsFoundUnderEitherNameOfTheSessionAndNotInAnother_ARB_7) {
+  SessionMemory both(home, {"run", "master"}, "stopped", "/arbiter");
   EXPECT_EQ(both.remember("called by /me"), "");
-  EXPECT_TRUE(StopMemory(home, {"master"}, "/arbiter").recall()) << "the run id is a parameter, and may be deleted";
-  EXPECT_TRUE(StopMemory(home, {"another run", "master"}, "/arbiter").recall());
-  EXPECT_FALSE(StopMemory(home, {"another run", "another master"}, "/arbiter").recall()) << "a new session starts free";
+  EXPECT_TRUE(SessionMemory(home, {"master"}, "stopped", "/arbiter").recall()) << "the run id is a parameter, and may be deleted";
+  EXPECT_TRUE(SessionMemory(home, {"another run", "master"}, "stopped", "/arbiter").recall());
+  EXPECT_FALSE(SessionMemory(home, {"another run", "another master"}, "stopped", "/arbiter").recall()) << "a new session starts free";
   EXPECT_FALSE(both.enter({"run", "master"})) << "the session that it is in already";
   EXPECT_TRUE(both.enter({"another master"}));
   EXPECT_FALSE(both.recall());
 }
 
 // [ARB-7]
-TEST_F(StopMemoryFile, IsThereUntilItIsForgotten_ARB_7) {
+TEST_F(SessionMemoryFile, IsThereUntilItIsForgotten_ARB_7) {
   EXPECT_FALSE(memory().recall());
   EXPECT_EQ(memory().remember("called by /me"), "");
   EXPECT_EQ(memory().recall(), "called by /me");
@@ -51,7 +51,7 @@ TEST_F(StopMemoryFile, IsThereUntilItIsForgotten_ARB_7) {
 }
 
 // [ARB-7] [FLT-1]
-TEST_F(StopMemoryFile, OverwritesNothingThatALinkPointsAt_ARB_7_FLT_1) {
+TEST_F(SessionMemoryFile, OverwritesNothingThatALinkPointsAt_ARB_7_FLT_1) {
   fs::create_directories(file().parent_path());
   std::ofstream(home / "victim") << "precious";
   fs::create_symlink(home / "victim", file());
@@ -62,7 +62,7 @@ TEST_F(StopMemoryFile, OverwritesNothingThatALinkPointsAt_ARB_7_FLT_1) {
 }
 
 // [ARB-7] [FLT-1]
-TEST_F(StopMemoryFile, TakesWhatItCannotReadForAStop_ARB_7_FLT_1) {
+TEST_F(SessionMemoryFile, TakesWhatItCannotReadForAStop_ARB_7_FLT_1) {
   fs::create_directories(file().parent_path());
   ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
   EXPECT_EQ(memory().recall(), "");

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace frontier_pilot {
+
+/// Waits two seconds for `find()` to find no node any more: one that is being started again may still be saying its
+/// last words. Gives the name of the one that is still there; empty if there is none.
+std::string waitUntilGone(const std::function<std::string()>& find);
+
+/// Throws std::runtime_error if a node of this one's name lives already. To be called before the node is started: ROS
+/// ends the older of two nodes of one name, and a mapper that is ended takes its map with it. [FLT-2]
+void refuseANamesake();
+
+}  // namespace frontier_pilot

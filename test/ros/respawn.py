@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""A node that is started again finds what the operator said to the one before it, and one that runs stays."""
+import signal
+import unittest
+
+import rosgraph
+import rospy
+import rostest
+from frontier_pilot.msg import ArbiterStatus, AvoiderStatus, ExplorerStatus
+from std_srvs.srv import SetBool, Trigger
+
+from wire import Node, Record, call, clear, wait_for
+
+
+class Respawn(unittest.TestCase):
+    def start(self, executable, *arguments):
+        node = Node(executable, *arguments)
+        self.addCleanup(node.end)
+        return node
+
+    def started_again(self, executable, number=signal.SIGKILL):
+        """The node is ended by that signal and started again, as roslaunch does with respawn."""
+        self.node.signal(number)
+        self.node.finish()
+        self.node = self.start(executable)
+
+    def switch(self, service, on):
+        self.assertTrue(call(service, SetBool, on).success)
+
+    # [ARB-6] [FLT-2]
+    def test_a_source_that_was_switched_off_stays_off_until_it_is_switched_on(self):
+        status = Record('cmd_vel_arbiter/status', ArbiterStatus)
+
+        def nav_is(enabled):
+            if status.last is None:
+                return False
+            return [source.enabled for source in status.last.sources if source.name == 'nav'] == [enabled]
+        self.node = self.start('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: nav_is(True)))
+        self.switch('set_nav_enabled', False)
+        for number in [signal.SIGKILL, signal.SIGTERM]:
+            self.started_again('cmd_vel_arbiter', number)
+            status.items.clear()
+            self.assertTrue(wait_for(lambda: status.last is not None))
+            self.assertTrue(nav_is(False), '[FLT-2]')
+        self.switch('set_nav_enabled', True)
+        self.started_again('cmd_vel_arbiter')
+        status.items.clear()
+        self.assertTrue(wait_for(lambda: status.last is not None))
+        self.assertTrue(nav_is(True), '[FLT-2]')
+
+    # [ARB-7] [FLT-2]
+    def test_the_cause_of_a_stop_is_the_same_after_many_restarts(self):
+        status = Record('cmd_vel_arbiter/status', ArbiterStatus)
+        self.node = self.start('cmd_vel_arbiter')
+        call('emergency_stop', Trigger)
+        for _ in range(2):
+            self.started_again('cmd_vel_arbiter')
+            call('emergency_stop', Trigger)  # which is remembered once more
+        status.items.clear()
+        self.assertTrue(wait_for(lambda: status.last is not None))
+        self.assertEqual(status.last.emergency_stop_cause.count('from before a restart'), 1,
+                         status.last.emergency_stop_cause)
+        self.assertTrue(clear())
+
+    # [EXP-8] [FLT-2]
+    def test_a_paused_exploration_stays_paused(self):
+        status = Record('frontier_explorer/status', ExplorerStatus)
+        self.node = self.start('frontier_explorer')
+        self.assertTrue(wait_for(lambda: status.last is not None))
+        self.switch('set_exploration_enabled', False)
+        self.started_again('frontier_explorer')
+        status.items.clear()
+        self.assertTrue(wait_for(lambda: status.last is not None and status.last.state == ExplorerStatus.IDLE))
+        self.assertIn('as it was', call('set_exploration_enabled', SetBool, False).message, '[FLT-2]')
+        self.switch('set_exploration_enabled', True)
+        self.started_again('frontier_explorer')
+        self.assertIn('as it was', call('set_exploration_enabled', SetBool, True).message, '[FLT-2]')
+
+    # [AVD-1] [FLT-2]
+    def test_an_avoider_that_was_switched_on_stays_on(self):
+        rospy.set_param('obstacle_avoider/enabled', False)
+        self.addCleanup(rospy.delete_param, 'obstacle_avoider/enabled')
+        status = Record('obstacle_avoider/status', AvoiderStatus)
+        self.node = self.start('obstacle_avoider')
+        self.assertTrue(wait_for(lambda: status.last is not None and status.last.state == AvoiderStatus.IDLE))
+        self.switch('set_obstacle_avoid_enabled', True)
+        self.started_again('obstacle_avoider')
+        status.items.clear()
+        self.assertTrue(wait_for(lambda: status.last is not None))
+        self.assertNotEqual(status.last.state, AvoiderStatus.IDLE, '[FLT-2]')
+
+    # [FLT-2]
+    def test_a_second_node_of_a_name_does_not_start_and_the_first_goes_on(self):
+        for executable in ['mapper', 'frontier_explorer', 'navigator']:
+            first = self.start(executable)
+            master = rosgraph.Master('/test')
+            self.assertTrue(wait_for(lambda: '/' + executable in str(master.getSystemState()[0]), 15.0))
+            code, said = self.start(executable).finish(20.0)
+            self.assertEqual(code, 1, said)
+            self.assertIn('/%s runs already' % executable, said)
+            self.assertFalse(first.has_ended(), '[FLT-2]')
+            first.end()
+
+
+if __name__ == '__main__':
+    rospy.init_node('respawn_test')
+    rostest.rosrun('frontier_pilot', 'respawn', Respawn)
