@@ -11,6 +11,8 @@
 #include <cstring>
 #include <utility>
 
+#include "frontier_pilot/core/text.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -71,24 +73,6 @@ std::filesystem::path temporaryName(const std::filesystem::path& target) {
   for (const unsigned char byte : random) suffix += "0123456789abcdefghijklmnopqrstuv"[byte % 32];
   const std::string name = target.filename().string().substr(0, kLongestName - kSuffix);
   return target.parent_path() / (name + suffix);
-}
-
-/// The bytes of the character of UTF-8 that begins at `i`; 0 if there is none.
-std::size_t characterLength(const std::string& text, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
-  const unsigned first = byte(i);
-  const std::size_t length = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (length == 1) return 1;
-  if (first < 0xC2 || first > 0xF4) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(i + k) & 0xC0U) != 0x80) return 0;
-  }
-  // Forms that are longer than they need to be, halves of UTF-16 pairs, and what is beyond the last character.
-  const unsigned second = byte(i + 1);
-  const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-                     (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F) ||
-                     (first == 0xC2 && second < 0xA0);  // and the second set of control characters
-  return wrong ? 0 : length;
 }
 
 }  // namespace
@@ -153,11 +137,10 @@ std::string fileNameProblem(const std::string& name, std::size_t longest_additio
   if (name.size() + longest_addition > kLongestName)
     return "is longer than " + std::to_string(kLongestName - longest_addition) + " bytes";
   for (std::size_t i = 0; i < name.size();) {
-    const auto byte = static_cast<unsigned char>(name[i]);
-    if (byte < 0x20 || byte == 0x7F) return "holds a control character";
-    const std::size_t length = characterLength(name, i);
-    if (length == 0) return "is not UTF-8";
-    i += length;
+    const Character character = characterAt(name, i);
+    if (character.bytes == 0) return "is not UTF-8";
+    if (isControl(character.code)) return "holds a control character";
+    i += character.bytes;
   }
   return {};
 }

@@ -181,7 +181,9 @@ MapIoResult saveMap(OccupancyMap& map, const std::string& path) {
   const fs::path base = withoutExtension(path);
   MapIoResult result = checkTarget(base);
   if (!result.ok()) return result;
-  if (map.grid().empty()) return {MapIoStatus::kEmptyMap, "there is no map yet"};
+  // A file without any cell could not be loaded, and may take the place of one that can.
+  const auto& cells = map.grid().cells();
+  if (std::all_of(cells.begin(), cells.end(), isUnknown)) return {MapIoStatus::kEmptyMap, "the map is empty"};
   std::ostringstream octree;
   if (!map.write(octree)) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
   const std::string name = base.filename().string();

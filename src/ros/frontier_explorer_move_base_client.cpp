@@ -7,8 +7,8 @@
 namespace frontier_pilot {
 namespace {
 
-GoalEvent::Kind kindOf(const actionlib::SimpleClientGoalState& state) {
-  using State = actionlib::SimpleClientGoalState;
+GoalEvent::Kind kindOf(const actionlib::TerminalState& state) {
+  using State = actionlib::TerminalState;
   switch (state.state_) {
     case State::SUCCEEDED:
       return GoalEvent::Kind::kReached;
@@ -24,26 +24,25 @@ GoalEvent::Kind kindOf(const actionlib::SimpleClientGoalState& state) {
 
 }  // namespace
 
-MoveBaseClient::MoveBaseClient(ros::NodeHandle& node) : client_(node, names::kMoveBase, false) {}
+MoveBaseClient::MoveBaseClient(ros::NodeHandle& node) : client_(node, names::kMoveBase) {}
 
 void MoveBaseClient::send(std::uint32_t goal_id, const Pose2& goal, const std::string& frame, Time now) {
   move_base_msgs::MoveBaseGoal msg;
   msg.target_pose = toPoseStampedMsg(goal, frame, now);
-  client_.sendGoal(msg, [this, goal_id](const actionlib::SimpleClientGoalState& state,
-                                        const move_base_msgs::MoveBaseResultConstPtr&) { handleDone(goal_id, state); });
+  client_.send(msg, [this, goal_id](const auto& state, const auto&) { handleDone(goal_id, state); });
   active_ = true;
 }
 
 void MoveBaseClient::cancel() {
   if (!active_) return;
-  client_.cancelGoal();
-  client_.stopTrackingGoal();
+  client_.cancel();
+  client_.forget();
   active_ = false;
 }
 
 std::vector<GoalEvent> MoveBaseClient::takeEvents() { return std::exchange(events_, {}); }
 
-void MoveBaseClient::handleDone(std::uint32_t goal_id, const actionlib::SimpleClientGoalState& state) {
+void MoveBaseClient::handleDone(std::uint32_t goal_id, const actionlib::TerminalState& state) {
   active_ = false;
   const std::string text = state.getText().empty() ? state.toString() : state.getText();
   events_.push_back({goal_id, kindOf(state), text});

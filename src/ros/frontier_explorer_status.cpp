@@ -46,6 +46,7 @@ void ExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   map_.rejections().report(status);
   bad_odometry_.report(status);
   tf_.report(status);
+  navigation_.report(status);
 }
 
 }  // namespace frontier_pilot

@@ -27,8 +27,10 @@ void complain(const std::string& text) { std::cerr << "patrol_client: " << text 
 }  // namespace
 
 PatrolClient::PatrolClient(ros::NodeHandle& node, const PatrolOrder& order)
-    : order_(order), client_(node, names::kPatrol, false), since_(steadyNow()), heard_(since_) {
-  status_ = node.subscribe(names::kPatrolStatus, 1, &PatrolClient::handleStatus, this);
+    : order_(order), client_(node, names::kPatrol), since_(steadyNow()), heard_(since_) {
+  auto options = checkedSubscription<actionlib_msgs::GoalStatusArray>(names::kPatrolStatus, 1,
+                                                                      [this](const auto&) { handleStatus(); });
+  status_ = node.subscribe(options);
 }
 
 std::optional<PatrolExit> PatrolClient::update(int interrupts_so_far) {
@@ -56,9 +58,8 @@ void PatrolClient::send() {
   phase_ = Phase::kRunning;
   since_ = heard_ = steadyNow();
   heard_ros_ = rosNow();
-  client_.sendGoal(
+  client_.send(
       msg, [this](const auto& state, const auto& result) { handleDone(state, result); },
-      actionlib::SimpleActionClient<PatrolAction>::SimpleActiveCallback(),
       [this](const auto& feedback) { handleFeedback(feedback); });
 }
 
@@ -69,7 +70,7 @@ std::optional<PatrolExit> PatrolClient::watch(int interrupts_so_far) {
   }
   if (interrupts_so_far > 0 && phase_ == Phase::kRunning) {
     say("stopping ...");
-    client_.cancelGoal();
+    client_.cancel();
     phase_ = Phase::kCanceling;
     since_ = steadyNow();
   }
@@ -79,13 +80,13 @@ std::optional<PatrolExit> PatrolClient::watch(int interrupts_so_far) {
   return PatrolExit::kInterrupted;
 }
 
-bool PatrolClient::serverLost() const {
+bool PatrolClient::serverLost() {
   if (!client_.isServerConnected()) return true;
   // A server that hangs keeps its connections. Its heart beats in ROS time, which may stand still.
   return steadyNow() - heard_ > kPatience && rosNow() - heard_ros_ > std::chrono::seconds(1);
 }
 
-void PatrolClient::handleStatus(const actionlib_msgs::GoalStatusArray&) {
+void PatrolClient::handleStatus() {
   heard_ = steadyNow();
   heard_ros_ = rosNow();
 }
@@ -94,8 +95,8 @@ void PatrolClient::handleFeedback(const PatrolFeedbackConstPtr& feedback) {
   say(feedback->state + " of " + std::to_string(legsOf(order_)));
 }
 
-void PatrolClient::handleDone(const actionlib::SimpleClientGoalState& state, const PatrolResultConstPtr& result) {
-  using State = actionlib::SimpleClientGoalState;
+void PatrolClient::handleDone(const actionlib::TerminalState& state, const PatrolResultConstPtr& result) {
+  using State = actionlib::TerminalState;
   const bool told = result && !result->result.empty();
   say(told ? result->result : state.getText());
   if (state == State::SUCCEEDED) {

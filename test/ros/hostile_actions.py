@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """Goals, cancels and transforms with stamps, durations and names that nobody means well with: no node ends. [FLT-1]"""
+import io
+import struct
 import unittest
 
 import actionlib
@@ -16,12 +18,25 @@ from tf2_msgs.msg import TFMessage
 
 from frontier_pilot.msg import (PatrolAction, PatrolActionGoal, PatrolGoal, SpinAction, SpinActionGoal, SpinGoal,
                                 WaitAction, WaitActionGoal, WaitGoal)
-from wire import Node, Record, wait_for
+from wire import Node, Record, memory_of, wait_for
 
 END_OF_TIME = rospy.Time(4294967295, 999999999)
 LONGEST = rospy.Duration(2147483647, 999999999)
 SHORTEST = rospy.Duration(-2147483648, 0)
 NODES = ('navigator', 'behavior_server', 'patrol_server', 'mapper', 'frontier_explorer', 'obstacle_avoider')
+
+
+class EndlessStatus(GoalStatusArray):
+    """A status that says it has so many goals, and has none."""
+
+    def __init__(self, goals):
+        super().__init__()
+        self.goals = goals
+
+    def serialize(self, buff):
+        honest = io.BytesIO()
+        super().serialize(honest)
+        buff.write(honest.getvalue()[:-4] + struct.pack('<I', self.goals))
 
 
 def move_base_goal(frame='nowhere'):
@@ -134,6 +149,28 @@ class HostileActions(unittest.TestCase):
             for goal_id in ('', 'x' * 100000):
                 self.goals[name].publish(self.with_id(name, GoalID(rospy.Time(), goal_id)))
                 self.cancels[name].publish(GoalID(rospy.Time(), goal_id))
+        self.assert_all_work()
+
+    def test_a_status_that_says_it_is_longer_than_it_is_costs_a_client_no_memory(self):
+        patrol = Node('patrol_client', 'square', '--laps', '10')
+        self.addCleanup(patrol.end)
+        goals = lambda: self.statuses['turtlebot3'].last.status_list
+        self.assertTrue(wait_for(lambda: any(goal.status == GoalStatus.ACTIVE for goal in goals()), 15.0))
+        publishers = [self.publisher(name + '/status', GoalStatusArray) for name in ('move_base', 'turtlebot3')]
+        for publisher in publishers:
+            self.assertTrue(wait_for(lambda: publisher.get_num_connections() > 1, 15.0), publisher.name)
+            for count in (10**7, 2**31, 2**32 - 1):
+                publisher.publish(EndlessStatus(count))
+        heard = len(self.statuses['turtlebot3'].items)
+        self.assertTrue(wait_for(lambda: len(self.statuses['turtlebot3'].items) > heard + 10, 15.0))
+        for name, node in dict(self.nodes, patrol_client=patrol).items():
+            self.assertFalse(node.has_ended(), name)
+            self.assertLess(memory_of(node.process.pid)[1], 500.0, name + ' [MB] [FLT-1]')
+        patrol.signal(2)
+        code, said = patrol.finish()
+        self.assertIn('patrol canceled', said)
+        for publisher in publishers:
+            publisher.unregister()
         self.assert_all_work()
 
     def test_waits_and_allowances_without_end(self):

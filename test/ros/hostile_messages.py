@@ -19,7 +19,7 @@ from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetPlan
 from sensor_msgs.msg import LaserScan
 
-from wire import Record, call, wait_for
+from wire import Record, call, memory_of, wait_for
 
 MAP_READERS = ('reader/navigator', 'reader/frontier_explorer')
 SCAN_READERS = ('mapper', 'obstacle_avoider', 'behavior_server', 'reader/navigator')
@@ -77,13 +77,6 @@ def pose(x, y=0.0, frame='map'):
     msg.header.frame_id = frame
     msg.pose.position.x, msg.pose.position.y, msg.pose.orientation.w = x, y, 1.0
     return msg
-
-
-def memory_of(pid):
-    """What it holds now, and what it has held at most [MB]."""
-    with open('/proc/%d/status' % pid) as file:
-        sizes = dict(line.split(':', 1) for line in file if line.startswith('Vm'))
-    return tuple(int(sizes[key].split()[0]) / 1024.0 for key in ('VmRSS', 'VmHWM'))
 
 
 class HostileMessages(unittest.TestCase):

@@ -122,6 +122,13 @@ class Node:
         self.process.communicate()
 
 
+def memory_of(pid):
+    """What it holds now, and what it has held at most [MB]."""
+    with open('/proc/%d/status' % pid) as file:
+        sizes = dict(line.split(':', 1) for line in file if line.startswith('Vm'))
+    return tuple(int(sizes[key].split()[0]) / 1024.0 for key in ('VmRSS', 'VmHWM'))
+
+
 def call(service, kind, *arguments):
     rospy.wait_for_service(service, 15.0)
     return rospy.ServiceProxy(service, kind)(*arguments)

@@ -61,7 +61,7 @@ std::string writeFile(const std::filesystem::path& target, std::string_view cont
                       Survives survives = Survives::kPowerLoss);
 
 /// Why `name` can be no file's name that people and YAML can read, or an empty text: it must be UTF-8 without control
-/// characters, and not too long. `longest_addition` [bytes] is what will be appended to it.
+/// characters (`isControl`), and not too long. `longest_addition` [bytes] is what will be appended to it.
 std::string fileNameProblem(const std::string& name, std::size_t longest_addition);
 
 /// The CRC-32 of ISO 3309 (polynomial 0x04C11DB7, reflected), as zip and `python3 -m zlib` have it.

@@ -10,7 +10,7 @@ namespace frontier_pilot {
 enum class MapIoStatus {
   kOk,
   kBadPath,      ///< the path names no file, or one that cannot be read again, or its directory does not exist
-  kEmptyMap,     ///< there is nothing to save yet
+  kEmptyMap,     ///< there is nothing to save: no cell is known
   kCannotWrite,  ///< the disk is full, or writing is not allowed
   kMissing,      ///< a file to load does not exist
   kBroken,       ///< a file to load is not what it should be

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
 
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "frontier_pilot/exploration/explorer_types.h"
+#include "frontier_pilot/ros/action_client.h"
 
 namespace frontier_pilot {
 
@@ -18,20 +18,19 @@ class MoveBaseClient {
   explicit MoveBaseClient(ros::NodeHandle& node);
 
   /// Whether a server is connected now.
-  bool available() const { return client_.isServerConnected(); }
+  bool available() { return client_.isServerConnected(); }
   /// Sends a goal, in place of the present one if there is one; the old one's end is not reported.
   void send(std::uint32_t goal_id, const Pose2& goal, const std::string& frame, Time now);
   /// Cancels the goal that was sent last, and no goal of anybody else.
   void cancel();
   /// What has happened since the last call.
   std::vector<GoalEvent> takeEvents();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { client_.report(status); }
 
  private:
-  using Client = actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>;
+  void handleDone(std::uint32_t goal_id, const actionlib::TerminalState& state);
 
-  void handleDone(std::uint32_t goal_id, const actionlib::SimpleClientGoalState& state);
-
-  mutable Client client_;
+  ActionClient<move_base_msgs::MoveBaseAction> client_;
   bool active_ = false;
   std::vector<GoalEvent> events_;
 };

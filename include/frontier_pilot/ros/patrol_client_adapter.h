@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <ros/node_handle.h>
@@ -10,6 +9,7 @@
 
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/patrol/command_line.h"
+#include "frontier_pilot/ros/action_client.h"
 
 namespace frontier_pilot {
 
@@ -27,14 +27,14 @@ class PatrolClient {
 
   std::optional<PatrolExit> connect(int interrupts);
   std::optional<PatrolExit> watch(int interrupts);
-  bool serverLost() const;
+  bool serverLost();
   void send();
-  void handleStatus(const actionlib_msgs::GoalStatusArray& msg);
+  void handleStatus();
   void handleFeedback(const PatrolFeedbackConstPtr& feedback);
-  void handleDone(const actionlib::SimpleClientGoalState& state, const PatrolResultConstPtr& result);
+  void handleDone(const actionlib::TerminalState& state, const PatrolResultConstPtr& result);
 
   PatrolOrder order_;
-  actionlib::SimpleActionClient<PatrolAction> client_;
+  ActionClient<PatrolAction> client_;
   ros::Subscriber status_;
   Phase phase_ = Phase::kConnecting;
   SteadyTime since_;  ///< when the phase began

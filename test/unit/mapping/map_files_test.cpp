@@ -200,9 +200,11 @@ TEST_F(MapFiles, MayHaveAnyNameThatAFileMayHave_FLT_1_MAP_5) {
 // [FLT-1]
 TEST_F(MapFiles, AreNotWrittenUnderANameThatCannotBeRead_FLT_1) {
   const std::string nothing("a\0b", 3);
-  for (const std::string& name : {std::string("a\nimage: b"), std::string("a\tb"), nothing, std::string("a\x7f"),
-                                  std::string("a\xff"), std::string("a\xc3"), std::string(252, 'x'), std::string(".."),
-                                  std::string("."), std::string("\xed\xa0\x80"), std::string("\xc0\xaf")}) {
+  for (const std::string& name :
+       {std::string("a\nimage: b"), std::string("a\tb"), nothing, std::string("a\x7f"), std::string("a\xff"),
+        std::string("a\xc3"), std::string(252, 'x'), std::string(".."), std::string("."), std::string("\xed\xa0\x80"),
+        std::string("\xc0\xaf"), std::string("a\u0085b"), std::string("a\u009bb"), std::string("a\u2028b"),
+        std::string("a\u2029b")}) {
     const MapIoResult saved = saveMap(map, path(name));
     EXPECT_EQ(saved.status, MapIoStatus::kBadPath) << name << ": " << saved.text;
     EXPECT_EQ(saved.text.find_first_of("\n\t\x7f"), std::string::npos) << "nor does the text hold such a character";

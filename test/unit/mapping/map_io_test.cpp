@@ -87,10 +87,22 @@ TEST_F(MapIo, SaysWhyItCannotSave) {
   EXPECT_EQ(saveMap(map, path("floor")).status, MapIoStatus::kCannotWrite);
 }
 
+// [MAP-5] It could not be loaded, and would take the place of one that can.
+TEST_F(MapIo, DoesNotSaveAMapThatWasEmptied_MAP_5) {
+  ASSERT_TRUE(saveMap(map, path("floor")).ok());
+  map.clear();
+  const MapIoResult emptied = saveMap(map, path("floor"));
+  EXPECT_EQ(emptied.status, MapIoStatus::kEmptyMap) << emptied.text;
+  EXPECT_EQ(emptied.text, "the map is empty");
+  EXPECT_TRUE(loadMap(path("floor"), map).ok());
+  EXPECT_EQ(files(), 3U);
+}
+
 TEST_F(MapIo, KeepsAnOlderMapWhenSavingFails) {
   ASSERT_TRUE(saveMap(map, path("floor")).ok());
   const auto before = map.grid().cells();
   map.clear();
+  map.hit({1, 1});
   fs::remove(path("floor.bt"));
   fs::create_directory(path("floor.bt"));
   ASSERT_EQ(saveMap(map, path("floor")).status, MapIoStatus::kCannotWrite);

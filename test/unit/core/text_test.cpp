@@ -1,0 +1,37 @@
+#include "frontier_pilot/core/text.h"
+
+#include <gtest/gtest.h>
+
+namespace frontier_pilot {
+namespace {
+
+TEST(Characters, AreReadFromUtf8) {
+  const std::string text = "a\u00e9\u20ac\U0001F3E0";
+  std::u32string codes;
+  for (std::size_t i = 0; i < text.size(); i += characterAt(text, i).bytes) codes += characterAt(text, i).code;
+  EXPECT_EQ(codes, U"a\u00e9\u20ac\U0001F3E0");
+}
+
+// [FLT-1]
+TEST(Characters, FLT_1_AreNotReadFromWhatIsCutTooLongOrBeyondTheLast) {
+  for (const char* text : {"\x80", "\xff", "\xc3", "\xc3z", "\xe2\x82", "\xc0\xaf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf",
+                           "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80"}) {
+    EXPECT_EQ(characterAt(text, 0).bytes, 0U) << text;
+  }
+}
+
+TEST(Characters, OfAnyLanguageAreNoControls) {
+  const std::u32string text = U"az ~\u00a0\u00e9\u0627\u05d0\u200d\u2013\u697c\ufeff\ufffd\U0001F3E0";
+  for (const char32_t code : text) EXPECT_FALSE(isControl(code)) << static_cast<unsigned>(code);
+}
+
+// [FLT-1]
+TEST(Characters, FLT_1_ThatActOnWhatShowsThemAreControls) {
+  for (const char32_t code : {0x00U, 0x0AU, 0x1BU, 0x7FU, 0x80U, 0x85U, 0x9BU, 0x9FU, 0x2028U, 0x2029U, 0x202EU,
+                              0x2066U, 0xFFFEU, 0xFFFFU, 0x1FFFFU}) {
+    EXPECT_TRUE(isControl(code)) << static_cast<unsigned>(code);
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot
