@@ -177,22 +177,29 @@ const char* toString(MapIoStatus status) {
   return "unknown";
 }
 
-MapIoResult saveMap(OccupancyMap& map, const std::string& path) {
+MapSnapshot takeSnapshot(OccupancyMap& map) {
+  MapSnapshot snapshot{map.grid(), {}, map.mostBytes()};
+  std::ostringstream octree;
+  if (!map.grid().empty() && map.write(octree)) snapshot.octree = octree.str();
+  return snapshot;
+}
+
+MapIoResult saveMap(OccupancyMap& map, const std::string& path) { return saveMap(takeSnapshot(map), path); }
+
+MapIoResult saveMap(const MapSnapshot& map, const std::string& path) {
   const fs::path base = withoutExtension(path);
   MapIoResult result = checkTarget(base);
   if (!result.ok()) return result;
   // A file without any cell could not be loaded, and may take the place of one that can.
-  const auto& cells = map.grid().cells();
+  const auto& cells = map.grid.cells();
   if (std::all_of(cells.begin(), cells.end(), isUnknown)) return {MapIoStatus::kEmptyMap, "the map is empty"};
-  std::ostringstream octree;
-  if (!map.write(octree)) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
+  if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
   const std::string name = base.filename().string();
-  const std::string yaml = mapYaml(map.geometry(), name, octree.str(), previousOctree(base, map.mostBytes()));
+  const std::string yaml = mapYaml(map.grid.geometry(), name, map.octree, previousOctree(base, map.most_bytes));
   // The YAML comes first: it vouches for the .bt that is there and for the one that takes its place.
-  std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml), MapFile(appended(base, ".bt"), octree.str()),
-                                  MapFile(appended(base, ".pgm"), pgmOf(map.grid()))};
-  if (!readsAs(yaml, name, octree.str()))
-    return files.front().cannot("cannot be written", "it could not be read again");
+  std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml), MapFile(appended(base, ".bt"), map.octree),
+                                  MapFile(appended(base, ".pgm"), pgmOf(map.grid))};
+  if (!readsAs(yaml, name, map.octree)) return files.front().cannot("cannot be written", "it could not be read again");
   for (const auto step : {prepare, putInPlace}) {
     result = step(files);
     if (!result.ok()) return result;

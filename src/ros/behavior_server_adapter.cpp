@@ -32,10 +32,8 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
   });
 }
 
-BehaviorServerNode::~BehaviorServerNode() {
-  if (!behavior_.active()) return;
-  cancel("the server is shut down");
-  ros::WallDuration(0.02).sleep();  // a publisher that is destroyed drops what it has not sent yet
+void BehaviorServerNode::sayLastWords() {
+  if (behavior_.active()) cancel("the server is shut down");
 }
 
 template <class Action, class Result, class Feedback>

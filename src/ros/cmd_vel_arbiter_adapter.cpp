@@ -56,13 +56,7 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
   tick();
 }
 
-CmdVelArbiterNode::~CmdVelArbiterNode() {
-  // Destroying the publisher drops what it has not sent yet: leave the zeros time to reach the wire.
-  for (int i = 0; i < 3; ++i) {
-    publish(Twist2{});
-    ros::WallDuration(0.02).sleep();
-  }
-}
+void CmdVelArbiterNode::sayLastWords() { publish(Twist2{}); }
 
 void CmdVelArbiterNode::restoreStop() {
   if (const auto cause = memory_.recall()) {
@@ -89,7 +83,7 @@ void CmdVelArbiterNode::addSource(std::size_t source) {
 void CmdVelArbiterNode::restoreSwitch(std::size_t source) {
   const std::string& name = arbiter_.parameters().sources[source].name;
   switches_.emplace_back(name + "_disabled", connections_);
-  if (switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, false, instantNow());
+  if (const auto disabled = switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, !*disabled, instantNow());
 }
 
 void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {

@@ -39,6 +39,7 @@ void MapperAdapter::connect() {
   connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
   connections_.clock().onJump([this] { pairing_.clear(); });
   connections_.everySteady(ros::WallDuration(0.1), [this] {
+    saver_.provide(mapper_.map());
     const auto report = connections_.master().take();
     if (!report) return;
     const auto other = report->rivals.find(publisher_.topic());

@@ -1,28 +1,14 @@
-#include "frontier_pilot/mapping/map_io.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/mapper_adapter.h"
-#include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
 
 void MapperAdapter::advertiseServices() {
   connections_.serve(names::kDynamicMap, &MapperAdapter::handleGet, this);
   connections_.serve(names::kLoadMap, &MapperAdapter::handleLoad, this);
-  connections_.serve(names::kSaveMap, &MapperAdapter::handleSave, this);
+  saver_.serve(connections_);
   connections_.serve(names::kResetMap, &MapperAdapter::handleReset, this);
-}
-
-bool MapperAdapter::handleSave(SaveMap::Request& request, SaveMap::Response& response) {
-  const MapIoResult result = saveMap(mapper_.map(), request.path);
-  response.success = static_cast<std::uint8_t>(result.ok());
-  response.message = result.text;
-  if (result.ok()) {
-    THROTTLED_INFO(result.text);
-  } else {
-    THROTTLED_ERROR("map not saved, " << toString(result.status) << ": " << result.text);
-  }
-  return true;
 }
 
 bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {

@@ -35,7 +35,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   });
 }
 
-NavigatorAdapter::~NavigatorAdapter() {
+void NavigatorAdapter::sayLastWords() {
   if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
 }
 

@@ -10,6 +10,7 @@
 #include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/namesake.h"
 #include "frontier_pilot/ros/parameters.h"
+#include "frontier_pilot/ros/publish_flush.h"
 
 namespace frontier_pilot {
 
@@ -45,6 +46,19 @@ void spinUntilStopped() {
   }
 }
 
+/// Waits until what was published is written to the sockets; after a shutdown of ROS there are none.
+void flush() {
+  constexpr Duration kLastWordsPatience = std::chrono::milliseconds(500);  // for a machine that is busy
+  if (ros::ok()) PublishFlush().wait(kLastWordsPatience);
+}
+
+void end(const RunningNode& running) {
+  if (!running.say_last_words) return;
+  CallbackGuard guard;
+  guard.run("the last words", running.say_last_words);
+  flush();
+}
+
 int fail(const std::string& name, const std::exception& error, int exit_code) {
   ROS_FATAL_STREAM(name << ": " << error.what());
   // The console may be configured to hide or buffer it.
@@ -55,13 +69,14 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 }  // namespace
 
 int runNode(int argc, char** argv, const std::string& name,
-            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make,
+            const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check) {
   return runNodeWithLoop(
       argc, argv, name,
       [&make](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn&) {
-        const std::shared_ptr<void> running = make(node, private_node);
+        const RunningNode running = make(node, private_node);
         spinUntilStopped();
+        end(running);
         return 0;
       },
       check);
@@ -80,7 +95,7 @@ int runNodeWithLoop(int& argc, char** argv, const std::string& name,
     // It crashes when it is asked a second time, inside of the log library. [FLT-1]
     ros::ServiceManager::instance()->unadvertiseService(private_node.resolveName("get_loggers"));
     const int exit_code = body(node, private_node, isRunning);
-    ros::WallDuration(0.05).sleep();  // lets the last words reach the wire
+    flush();  // the log's last lines
     return exit_code;
   } catch (const ConfigurationError& error) {
     return fail(name, error, 2);

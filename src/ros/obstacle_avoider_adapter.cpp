@@ -32,7 +32,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
       diagnostics_(node, private_node),
       connections_(node) {
   switched_on_.emplace("obstacle_avoider_enabled", connections_);
-  if (!switched_on_->wasLeftSafe() && !parameters_.enabled) avoider_.setEnabled(false, rosNow());
+  if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this);
   connections_.subscribe(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this, ros::TransportHints().tcpNoDelay());
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
@@ -48,10 +48,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
   publishStatus(true);
 }
 
-ObstacleAvoiderNode::~ObstacleAvoiderNode() {
-  publish(avoider_.setEnabled(false, rosNow()));
-  ros::WallDuration(0.02).sleep();  // a publisher that is destroyed drops what it has not sent yet
-}
+void ObstacleAvoiderNode::sayLastWords() { publish(avoider_.setEnabled(false, rosNow())); }
 
 void ObstacleAvoiderNode::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;

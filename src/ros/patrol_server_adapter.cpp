@@ -30,10 +30,8 @@ PatrolServerNode::PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& priva
   });
 }
 
-PatrolServerNode::~PatrolServerNode() {
-  if (!patrol_.active()) return;
-  put(patrol_.cancel());
-  ros::WallDuration(0.02).sleep();  // a publisher that is destroyed drops what it has not sent yet
+void PatrolServerNode::sayLastWords() {
+  if (patrol_.active()) put(patrol_.cancel());
 }
 
 void PatrolServerNode::subscribe() {

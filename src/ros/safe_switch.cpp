@@ -8,21 +8,30 @@
 #include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
+namespace {
+
+constexpr const char* kNot = "not ";
+
+}  // namespace
 
 SafeSwitch::SafeSwitch(std::string state, NodeConnections& connections)
-    : state_(std::move(state)),
-      memory_(rosHome(), rosSessions(), state_, ros::this_node::getName()),
-      safe_(memory_.recall().has_value()) {
+    : state_(std::move(state)), memory_(rosHome(), rosSessions(), state_, ros::this_node::getName()) {
+  // A file that cannot be read counts for the safe side.
+  if (const auto left = memory_.recall()) safe_ = *left != kNot + state_;
   connections.master().onRenewal([this] {
     const std::vector<std::string> sessions = rosSessions();
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (memory_.enter(sessions) && safe_) write();
+    if (memory_.enter(sessions)) write();
   });
 }
 
-bool SafeSwitch::wasLeftSafe() const {
+SafeSwitch::~SafeSwitch() {
+  if (safe_ == false) memory_.forget();
+}
+
+std::optional<bool> SafeSwitch::wasLeftSafe() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (safe_) ROS_WARN_STREAM("comes up " << state_ << ", as it was left");
+  if (safe_) ROS_WARN_STREAM("comes up " << (*safe_ ? "" : kNot) << state_ << ", as it was left");
   return safe_;
 }
 
@@ -33,7 +42,8 @@ void SafeSwitch::set(bool safe) {
 }
 
 void SafeSwitch::write() const {
-  const std::string problem = safe_ ? memory_.remember(state_) : memory_.forget();
+  if (!safe_) return;
+  const std::string problem = memory_.remember((*safe_ ? "" : kNot) + state_);
   if (!problem.empty()) THROTTLED_WARN(state_ << " would not survive a restart: " << problem);
 }
 

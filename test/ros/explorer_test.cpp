@@ -142,8 +142,19 @@ class ExplorerOnTheWire : public ::testing::Test {
 };
 ExplorerOnTheWire::World* ExplorerOnTheWire::world = nullptr;
 
+// [EXP-7]
+TEST_F(ExplorerOnTheWire, A_DoesNothingUntilItIsAskedTo_EXP_7) {
+  ASSERT_TRUE(waitFor([] { return !world->history.empty(); }));
+  EXPECT_EQ(world->latest.state, ExplorerStatus::IDLE);
+  EXPECT_EQ(world->latest.reason, ExplorerStatus::PAUSED);
+  std_srvs::SetBool explore;
+  explore.request.data = 1;
+  ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, explore));
+  EXPECT_EQ(explore.response.message, "exploration enabled") << "it was not enabled before";
+}
+
 // [EXP-8]
-TEST_F(ExplorerOnTheWire, A_WaitsAndNamesWhatIsMissing_EXP_8) {
+TEST_F(ExplorerOnTheWire, B_WaitsAndNamesWhatIsMissing_EXP_8) {
   ASSERT_TRUE(waitFor([] { return world->complaints.size() >= 2; }));
   EXPECT_NE(world->complaints.back().find("map, odometry, TF from map to base, move_base"), std::string::npos);
   EXPECT_EQ(world->latest.state, ExplorerStatus::IDLE);
@@ -154,7 +165,7 @@ TEST_F(ExplorerOnTheWire, A_WaitsAndNamesWhatIsMissing_EXP_8) {
 }
 
 // [EXP-1] [EXP-2]
-TEST_F(ExplorerOnTheWire, B_SendsAGoalOnFreeGroundAndShowsTheFrontiers_EXP_1) {
+TEST_F(ExplorerOnTheWire, C_SendsAGoalOnFreeGroundAndShowsTheFrontiers_EXP_1) {
   world->move_base = std::make_unique<FakeMoveBase>(world->node);
   ASSERT_TRUE(reaches(ExplorerStatus::NAVIGATING));
   ASSERT_TRUE(waitFor([] { return !world->move_base->goals.empty(); }));
@@ -168,7 +179,7 @@ TEST_F(ExplorerOnTheWire, B_SendsAGoalOnFreeGroundAndShowsTheFrontiers_EXP_1) {
 }
 
 // [EXP-5]
-TEST_F(ExplorerOnTheWire, C_ATimedOutGoalIsCancelledAndBlacklisted_EXP_5) {
+TEST_F(ExplorerOnTheWire, D_ATimedOutGoalIsCancelledAndBlacklisted_EXP_5) {
   ASSERT_TRUE(wentThrough(ExplorerStatus::GOAL_TIMED_OUT));
   EXPECT_TRUE(waitFor([] { return world->move_base->cancels >= 1; })) << "[EXP-5]";
   EXPECT_TRUE(shows("blacklist")) << "in red";
@@ -176,7 +187,7 @@ TEST_F(ExplorerOnTheWire, C_ATimedOutGoalIsCancelledAndBlacklisted_EXP_5) {
 }
 
 // [EXP-8]
-TEST_F(ExplorerOnTheWire, D_AVanishedMoveBaseStopsItAndItResumes_EXP_8) {
+TEST_F(ExplorerOnTheWire, E_AVanishedMoveBaseStopsItAndItResumes_EXP_8) {
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros::service::call(names::kResetExplorer, reset));
   ASSERT_TRUE(reaches(ExplorerStatus::NAVIGATING));
@@ -190,7 +201,7 @@ TEST_F(ExplorerOnTheWire, D_AVanishedMoveBaseStopsItAndItResumes_EXP_8) {
 }
 
 // [EXP-7]
-TEST_F(ExplorerOnTheWire, E_APauseCancelsTheGoal_EXP_7) {
+TEST_F(ExplorerOnTheWire, F_APauseCancelsTheGoal_EXP_7) {
   std_srvs::SetBool pause;
   pause.request.data = 0;
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, pause));
@@ -203,7 +214,7 @@ TEST_F(ExplorerOnTheWire, E_APauseCancelsTheGoal_EXP_7) {
 }
 
 // A broken map is refused, and what was known is kept.
-TEST_F(ExplorerOnTheWire, F_AMapOfTheWrongLengthLosesNothing) {
+TEST_F(ExplorerOnTheWire, G_AMapOfTheWrongLengthLosesNothing) {
   const double area = world->latest.explored_area;
   nav_msgs::OccupancyGrid broken = toOccupancyGridMsg(world->map, names::kMapFrame, rosNow());
   broken.data.resize(7);
@@ -214,7 +225,7 @@ TEST_F(ExplorerOnTheWire, F_AMapOfTheWrongLengthLosesNothing) {
 }
 
 // [EXP-7]
-TEST_F(ExplorerOnTheWire, G_IsDoneWhenNothingIsLeftAndAnOpenedDoorWakesIt_EXP_7) {
+TEST_F(ExplorerOnTheWire, H_IsDoneWhenNothingIsLeftAndAnOpenedDoorWakesIt_EXP_7) {
   world->map_publisher.publish(toOccupancyGridMsg(world->map, names::kMapFrame, rosNow()));
   world->fill({90, 1, 10, 38}, kOccupied);
   ASSERT_TRUE(reaches(ExplorerStatus::DONE)) << world->latest.state_text << " " << world->latest.reason_text;

@@ -24,6 +24,7 @@ END_OF_TIME = rospy.Time(4294967295, 999999999)
 LONGEST = rospy.Duration(2147483647, 999999999)
 SHORTEST = rospy.Duration(-2147483648, 0)
 NODES = ('navigator', 'behavior_server', 'patrol_server', 'mapper', 'frontier_explorer', 'obstacle_avoider')
+ARGUMENTS = {'frontier_explorer': ('_autostart:=true',)}
 
 
 class EndlessStatus(GoalStatusArray):
@@ -60,7 +61,7 @@ class HostileActions(unittest.TestCase):
     def setUpClass(cls):
         cls.odometry = Record('odom', Odometry)
         assert wait_for(lambda: cls.odometry.last is not None, 30.0), 'the simulator'
-        cls.nodes = {name: Node(name) for name in NODES}
+        cls.nodes = {name: Node(name, *ARGUMENTS.get(name, ())) for name in NODES}
         cls.clients = {name: actionlib.SimpleActionClient(name, action[0]) for name, action in ACTIONS.items()}
         for name, client in cls.clients.items():
             assert client.wait_for_server(rospy.Duration(60.0)), name

@@ -6,7 +6,7 @@ import unittest
 import rosgraph
 import rospy
 import rostest
-from frontier_pilot.msg import ArbiterStatus, AvoiderStatus, ExplorerStatus
+from frontier_pilot.msg import ArbiterStatus, AvoiderStatus
 from std_srvs.srv import SetBool, Trigger
 
 from wire import Node, Record, call, clear, wait_for
@@ -64,20 +64,21 @@ class Respawn(unittest.TestCase):
         self.assertTrue(clear())
 
     # [EXP-8] [FLT-2]
-    def test_a_paused_exploration_stays_paused(self):
-        status = Record('frontier_explorer/status', ExplorerStatus)
+    def test_an_exploration_goes_on_or_stays_paused_as_it_was(self):
         self.node = self.start('frontier_explorer')
-        self.assertTrue(wait_for(lambda: status.last is not None))
-        self.switch('set_exploration_enabled', False)
-        self.started_again('frontier_explorer')
-        status.items.clear()
-        self.assertTrue(wait_for(lambda: status.last is not None and status.last.state == ExplorerStatus.IDLE))
-        self.assertIn('as it was', call('set_exploration_enabled', SetBool, False).message, '[FLT-2]')
-        self.switch('set_exploration_enabled', True)
-        self.started_again('frontier_explorer')
-        self.assertIn('as it was', call('set_exploration_enabled', SetBool, True).message, '[FLT-2]')
+        for on in [True, False]:
+            self.switch('set_exploration_enabled', on)
+            self.started_again('frontier_explorer')
+            self.assertIn('as it was', call('set_exploration_enabled', SetBool, on).message, '[FLT-2]')
 
-    # [AVD-1] [FLT-2]
+    # [EXP-8] [FLT-2]
+    def test_an_exploration_of_a_launch_that_is_over_is_not_taken_up(self):
+        self.node = self.start('frontier_explorer')
+        self.switch('set_exploration_enabled', True)
+        self.started_again('frontier_explorer', signal.SIGINT)
+        self.assertIn('as it was', call('set_exploration_enabled', SetBool, False).message, '[FLT-2]')
+
+    # [FLT-2]
     def test_an_avoider_that_was_switched_on_stays_on(self):
         rospy.set_param('obstacle_avoider/enabled', False)
         self.addCleanup(rospy.delete_param, 'obstacle_avoider/enabled')

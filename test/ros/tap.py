@@ -40,6 +40,9 @@ class Tap:
                 break
             assert data, 'the publisher has closed the connection'
             self._buffer += data
+        return self._whole_messages()
+
+    def _whole_messages(self):
         messages = []
         while len(self._buffer) >= 4:
             size = struct.unpack('<I', self._buffer[:4])[0]
@@ -56,6 +59,20 @@ class Tap:
             select.select([self._socket], [], [], max(0.0, end - time.monotonic()))
             messages += self.arrived()
         return messages
+
+    def until_closed(self, timeout):
+        """Every message that arrives before the publisher closes the connection, which it must do in this time."""
+        end = time.monotonic() + timeout
+        while time.monotonic() < end:
+            select.select([self._socket], [], [], max(0.0, end - time.monotonic()))
+            try:
+                data = self._socket.recv(65536)
+            except BlockingIOError:
+                continue
+            if not data:
+                return self._whole_messages()
+            self._buffer += data
+        raise AssertionError('the publisher has not closed the connection')
 
     def close(self):
         self._socket.close()

@@ -25,10 +25,20 @@ struct MapIoResult {
   bool ok() const { return status == MapIoStatus::kOk; }
 };
 
+/// What of a map goes into its files, as it was at one moment: it shares nothing with the map, so that another thread
+/// may write it.
+struct MapSnapshot {
+  OccupancyGrid grid;
+  std::string octree;          ///< the bytes of the .bt file; none when the octree cannot be written
+  std::size_t most_bytes = 0;  ///< that such a file may have
+};
+MapSnapshot takeSnapshot(OccupancyMap& map);
+
 /// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary one); an extension
 /// of these three is ignored. Each file appears whole or not at all; they are read back before success is told. The
 /// YAML comes first, with length and checksum of the .bt and of the one before it, so that at any moment one of the two
 /// maps can be loaded. Where only some files could be put in place the text names them. [FLT-1]
+MapIoResult saveMap(const MapSnapshot& map, const std::string& path);
 MapIoResult saveMap(OccupancyMap& map, const std::string& path);
 
 /// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. If a YAML is there the two

@@ -36,8 +36,8 @@ struct BehaviorServerParameters {
 class BehaviorServerNode {
  public:
   BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// Zero is the last word of a behaviour that was going on.
-  ~BehaviorServerNode();
+  /// Ends a behaviour that is going on, with a zero.
+  void sayLastWords();
 
  private:
   template <class Action, class Result, class Feedback>

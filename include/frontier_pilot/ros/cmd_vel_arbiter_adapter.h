@@ -34,8 +34,8 @@ void refuseASecondArbiter();
 class CmdVelArbiterNode {
  public:
   CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// The last words are zeros. [ARB-11]
-  ~CmdVelArbiterNode();
+  /// Zero. [ARB-11]
+  void sayLastWords();
 
  private:
   using SetBoolCall = ros::ServiceEvent<std_srvs::SetBool::Request, std_srvs::SetBool::Response>;

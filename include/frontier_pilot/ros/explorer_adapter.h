@@ -20,7 +20,7 @@
 namespace frontier_pilot {
 
 struct ExplorerNodeParameters {
-  bool autostart = true;
+  bool autostart = false;
   double rate = 10.0;
   std::string map_frame = names::kMapFrame;
   std::string base_frame = names::kBaseFootprintFrame;
@@ -28,7 +28,8 @@ struct ExplorerNodeParameters {
 
   template <class V>
   void describe(V& v) {
-    v.field("autostart", autostart, "", "explore at once; false: when set_exploration_enabled says so");
+    v.field("autostart", autostart, "",
+            "explore as soon as all inputs are there; false: when set_exploration_enabled says so");
     v.field("rate", rate, "Hz", "ticks of the explorer", positive());
     v.field("map_frame", map_frame, "", "frame of the map and of the goals");
     v.field("base_frame", base_frame, "", "frame of the robot");
@@ -41,7 +42,7 @@ class ExplorerAdapter {
  public:
   ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   /// A goal left behind would be driven to with nobody watching.
-  ~ExplorerAdapter() { navigation_.cancel(); }
+  void sayLastWords() { navigation_.cancel(); }
 
  private:
   void handleOdometry(const nav_msgs::Odometry& msg);

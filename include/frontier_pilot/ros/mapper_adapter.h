@@ -1,7 +1,6 @@
 #pragma once
 
 #include <frontier_pilot/LoadMap.h>
-#include <frontier_pilot/SaveMap.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/GetMap.h>
 #include <nav_msgs/Odometry.h>
@@ -18,6 +17,7 @@
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/map_saver.h"
 #include "frontier_pilot/ros/mapper_publisher.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/node_connections.h"
@@ -61,6 +61,9 @@ struct MapperNodeParameters {
 class MapperAdapter {
  public:
   MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  ~MapperAdapter() { saver_.close(); }
+  MapperAdapter(const MapperAdapter&) = delete;
+  MapperAdapter& operator=(const MapperAdapter&) = delete;
 
  private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
@@ -86,7 +89,6 @@ class MapperAdapter {
   MapIoResult load(const std::string& path);
   void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);
   bool handleLoad(LoadMap::Request& request, LoadMap::Response& response);
-  bool handleSave(SaveMap::Request& request, SaveMap::Response& response);
   bool handleGet(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void report(Status& status) const;
@@ -106,6 +108,7 @@ class MapperAdapter {
   double revision_seconds_ = 0.0;            ///< what the last second thoughts took
   std::shared_ptr<MapRevision> old_;         ///< what the last ones replaced
   Worker<Thoughts> worker_;
+  MapSaver saver_;
   NodeConnections connections_;
 };
 

@@ -43,9 +43,11 @@ struct NavigatorNodeParameters : NavigatorParams {
 class NavigatorAdapter {
  public:
   NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  ~NavigatorAdapter();
   NavigatorAdapter(const NavigatorAdapter&) = delete;
   NavigatorAdapter& operator=(const NavigatorAdapter&) = delete;
+
+  /// Zero, if it was driving to a goal. [NAV-1]
+  void sayLastWords();
 
  private:
   void tick(Time now);

@@ -4,24 +4,45 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
 
 namespace frontier_pilot {
 
+/// A node and what it does before it ends, such as a zero or a cancel; may be empty.
+struct RunningNode {
+  std::shared_ptr<void> node;
+  std::function<void()> say_last_words;
+};
+
 /// A node's life: `make(node, private_node)` builds it, then callbacks run on this one thread until SIGINT, SIGTERM or
-/// a ROS shutdown; the node is destroyed while its publishers still work, so that a destructor's last words get out.
-/// What a callback throws is said on the log, and the node goes on. What `make` throws is said on the log and on
-/// stderr, and ends the node. Gives the exit code: 0, or 1 after an exception, or 2 for a ConfigurationError. Before
-/// the node is known to the master a living node of the same name is such an exception, and what `check` throws.
+/// a ROS shutdown. After a signal the node says its last words, which are on their way before it is destroyed: a
+/// publisher that is destroyed drops what it has not sent yet. What a callback throws is said on the log, and the node
+/// goes on. What `make` throws is said on the log and on stderr, and ends the node. Gives the exit code: 0, or 1 after
+/// an exception, or 2 for a ConfigurationError. Before the node is known to the master a living node of the same name
+/// is such an exception, and what `check` throws.
 int runNode(int argc, char** argv, const std::string& name,
-            const std::function<std::shared_ptr<void>(ros::NodeHandle&, ros::NodeHandle&)>& make,
+            const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check = {});
 
-/// The same for a class with a constructor `Node(ros::NodeHandle& node, ros::NodeHandle& private_node)`.
+template <class Node, class = void>
+struct HasLastWords : std::false_type {};
+template <class Node>
+struct HasLastWords<Node, std::void_t<decltype(std::declval<Node&>().sayLastWords())>> : std::true_type {};
+
+/// The same for a class with a constructor `Node(ros::NodeHandle& node, ros::NodeHandle& private_node)`, and with a
+/// function `sayLastWords()` if it has any to say.
 template <class Node>
 int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& check = {}) {
   return runNode(
       argc, argv, name,
-      [](ros::NodeHandle& node, ros::NodeHandle& private_node) { return std::make_shared<Node>(node, private_node); },
+      [](ros::NodeHandle& node, ros::NodeHandle& private_node) {
+        const auto running = std::make_shared<Node>(node, private_node);
+        RunningNode result{running, {}};
+        if constexpr (HasLastWords<Node>::value) result.say_last_words = [&node = *running] { node.sayLastWords(); };
+        return result;
+      },
       check);
 }
 

@@ -36,7 +36,7 @@ class ObstacleAvoiderNode {
  public:
   ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
   /// Lets go of the wheels.
-  ~ObstacleAvoiderNode();
+  void sayLastWords();
 
  private:
   void handleScan(const sensor_msgs::LaserScan& msg);

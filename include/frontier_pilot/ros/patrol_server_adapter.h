@@ -33,8 +33,8 @@ struct PatrolServerParameters {
 class PatrolServerNode {
  public:
   PatrolServerNode(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// Zero is the last word of a patrol that was going on.
-  ~PatrolServerNode();
+  /// Ends a patrol that is going on, with a zero.
+  void sayLastWords();
 
  private:
   using Server = SingleGoalServer<PatrolAction>;

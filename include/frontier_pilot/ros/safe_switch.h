@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "frontier_pilot/ros/node_connections.h"
@@ -9,17 +10,21 @@
 namespace frontier_pilot {
 
 /// One of a node's switches with a safe side, on which the robot does less by itself: a source of velocities that is
-/// disabled, an exploration that is paused, an avoider that is at work. Where the operator has put it there it stays,
-/// also if the node is started again in the same ROS session. The other side is not remembered: no robot drives off
-/// because of what was said to a node that has died since. [FLT-2]
+/// disabled, an exploration that is paused, an avoider that is at work. A node that died and is started again in the
+/// same ROS session finds it as the operator has left it. Of a node that ended in order only the safe side is
+/// remembered: no robot drives off because of what was said in a launch that is over. [FLT-2]
 class SafeSwitch {
  public:
   /// `state` names the safe side in characters of a file name ("nav_disabled"). Keeps up with a master that is
   /// replaced; `connections` is to end before this object.
   SafeSwitch(std::string state, NodeConnections& connections);
+  ~SafeSwitch();
+  SafeSwitch(const SafeSwitch&) = delete;
+  SafeSwitch& operator=(const SafeSwitch&) = delete;
 
-  /// Whether an earlier process of this node was left on the safe side; said on the log.
-  bool wasLeftSafe() const;
+  /// Whether an earlier process of this node was left on the safe side, which is said on the log; nothing if the
+  /// operator never used the switch.
+  std::optional<bool> wasLeftSafe() const;
   /// The operator has switched it. What cannot be written is said on the log.
   void set(bool safe);
 
@@ -29,7 +34,7 @@ class SafeSwitch {
   std::string state_;
   mutable std::mutex mutex_;  ///< guards the two that follow
   SessionMemory memory_;
-  bool safe_;
+  std::optional<bool> safe_;
 };
 
 }  // namespace frontier_pilot
