@@ -184,6 +184,15 @@ bool Mapper::load(OccupancyMap& loaded) {
   return true;
 }
 
+bool Mapper::resume(OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
+  if (!map_.exchange(map)) return false;
+  T_map_odom_ = T_map_odom;
+  // Odometry that was taken for the truth since the first scan still is.
+  const bool trusted = parameters_.trust_odometry && !parameters_.localize_only && T_map_odom == Pose2();
+  if (!trusted) replace(knownMap(parameters_, map_, beliefOf(T_map_odom * T_odom_base)));
+  return true;
+}
+
 bool Mapper::locate(const PoseBelief& T_map_base) {
   const auto& cells = grid().cells();
   if (std::none_of(cells.begin(), cells.end(), isOccupied)) return false;

@@ -18,6 +18,7 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
       diagnostics_(node, private_node),
       connections_(node) {
   loadFirstMap(private_node);
+  restore();
   diagnostics_.add("mapping", [this](Status& status) { report(status); });
   diagnostics_.add("connections", [this](Status& status) { connections_.report(status); });
   advertiseServices();
@@ -38,6 +39,10 @@ void MapperAdapter::connect() {
   });
   connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
   connections_.clock().onJump([this] { pairing_.clear(); });
+  connections_.master().onRenewal([this] { session_.put(rosSessions()); });
+  if (parameters_.autosave_period > 0.0) {
+    connections_.everySteady(ros::WallDuration(parameters_.autosave_period), [this] { autosave(); });
+  }
   connections_.everySteady(ros::WallDuration(0.1), [this] {
     saver_.provide(mapper_.map());
     const auto report = connections_.master().take();
@@ -57,6 +62,7 @@ void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   const auto now = connections_.clock().now();
   if (!now) return bad_odometry_.add("the clock jumped");
   if (isAhead(odometry->stamp, *now)) return bad_odometry_.add("stamp too far in the future");
+  resume(odometry->T_odom_base);
   pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
   insertPaired();
 }

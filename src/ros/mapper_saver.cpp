@@ -1,11 +1,31 @@
+#include <boost/make_shared.hpp>
 #include <chrono>
 #include <utility>
 
+#include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/map_saver.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
+namespace {
+
+constexpr const char* kSaving = "a map that is saved";
+
+class Job : public ros::CallbackInterface {
+ public:
+  explicit Job(std::function<void()> job) : job_(std::move(job)) {}
+  CallResult call() override {
+    guard_.run(kSaving, job_);
+    return Success;
+  }
+
+ private:
+  std::function<void()> job_;
+  CallbackGuard guard_;
+};
+
+}  // namespace
 
 void MapSaver::serve(NodeConnections& connections) {
   const boost::function<bool(SaveMap::Request&, SaveMap::Response&)> handle =
@@ -20,6 +40,8 @@ void MapSaver::serve(NodeConnections& connections) {
 void MapSaver::provide(OccupancyMap& map) {
   if (auto wanted = wanted_.take()) wanted->set_value(takeSnapshot(map));
 }
+
+void MapSaver::run(std::function<void()> job) { queue_.addCallback(boost::make_shared<Job>(std::move(job))); }
 
 void MapSaver::close() {
   closed_ = true;

@@ -25,6 +25,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
     return true;
   }
   mapper_.reset();
+  autosave_.forget();
   thoughts_failure_.clear();
   response.success = 1U;
   response.message = "the map is forgotten; its size stays";

@@ -39,16 +39,16 @@ class NodeDeath(unittest.TestCase):
     def is_back(self, node, pid):
         self.assertTrue(wait_until(lambda: pid_of(node) not in (None, pid), 20.0), '%s did not come back' % node)
 
-    def keeps_the_map(self, before):
+    def keeps_the_map(self, before, share=0.98):
         stamp = self.watch.map.header.stamp
         self.assertTrue(wait_until(lambda: self.watch.map.header.stamp != stamp or self.watch.done(), 60.0))
-        self.assertGreater(known(self.watch.map), 0.98 * before, 'the map is kept')
+        self.assertGreater(known(self.watch.map), share * before, 'the map is kept')
 
     def kill_while_driving(self, node, reasons):
         """Kills `node`, which the robot cannot drive without, and gives how long the robot went on moving."""
         watch = self.watch
         self.wait_until_driving()
-        pid, killed_at, seen = pid_of(node), watch.time, len(watch.reasons)
+        before, pid, killed_at, seen = known(watch.map), pid_of(node), watch.time, len(watch.reasons)
         self.assertIsNotNone(pid)
         os.kill(pid, signal.SIGKILL)
         coasted = self.until_it_stands(killed_at)
@@ -56,6 +56,7 @@ class NodeDeath(unittest.TestCase):
                         'the status does not say it\n' + watch.describe())
         self.is_back(node, pid)
         self.goes_on(node)
+        self.keeps_the_map(before, 0.9)  # a mapper that was killed has that of two seconds before
         return coasted
 
     def stop_while_driving(self, node):

@@ -81,6 +81,9 @@ class Mapper {
   /// Puts `loaded` in the place of the map and looks for the robot in it, about where it is thought to be. False, and
   /// nothing happens, when the two together would be too large.
   bool load(OccupancyMap& loaded);
+  /// Goes on with a map that was made before, by a robot that odometry now has at `T_odom_base`. False, and nothing
+  /// happens, when the map would be too large.
+  bool resume(OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
   /// The robot is about at `T_map_base`: takes the map as it is for known, looks for the robot there, and goes on.
   /// False, and nothing happens, when the map shows nothing that could be recognised.
   bool locate(const PoseBelief& T_map_base);

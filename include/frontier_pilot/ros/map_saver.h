@@ -5,6 +5,7 @@
 #include <ros/spinner.h>
 
 #include <atomic>
+#include <functional>
 #include <future>
 
 #include "frontier_pilot/mapping/map_io.h"
@@ -21,6 +22,8 @@ class MapSaver {
   void serve(NodeConnections& connections);
   /// Hands the map over if a call waits for it. For the node's thread, again and again.
   void provide(OccupancyMap& map);
+  /// Runs `job` on this thread, after what it does now; one that throws ends here.
+  void run(std::function<void()> job);
   /// Lets calls that wait for the map fail, and all later ones. To be called before the connections are closed, which
   /// waits for a call that is served.
   void close();

@@ -17,6 +17,7 @@
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/map_autosave.h"
 #include "frontier_pilot/ros/map_saver.h"
 #include "frontier_pilot/ros/mapper_publisher.h"
 #include "frontier_pilot/ros/names.h"
@@ -30,11 +31,12 @@ struct MapperNodeParameters {
   std::string map_frame = names::kMapFrame;
   std::string odom_frame = names::kOdomFrame;
   std::string base_frame = names::kBaseFootprintFrame;
-  std::string map_file;        ///< loaded at the start; empty: none
-  double update_period = 0.2;  ///< between two `map_updates` [s]
-  double tf_period = 0.05;     ///< between two `map -> odom` [s]
-  double tf_lead = 0.1;        ///< `map -> odom` is dated this much ahead, so that it holds until the next one [s]
-  double silence = 2.0;        ///< without a scan in the map for so long something is wrong [s]
+  std::string map_file;          ///< loaded at the start; empty: none
+  double autosave_period = 2.0;  ///< between two copies of the map for after a crash [s]; 0: none is kept
+  double update_period = 0.2;    ///< between two `map_updates` [s]
+  double tf_period = 0.05;       ///< between two `map -> odom` [s]
+  double tf_lead = 0.1;          ///< `map -> odom` is dated this much ahead, so that it holds until the next one [s]
+  double silence = 2.0;          ///< without a scan in the map for so long something is wrong [s]
   MapperParameters mapper;
   ScanPairingParameters pairing;
   MapScheduleParameters publishing;
@@ -45,6 +47,10 @@ struct MapperNodeParameters {
     v.field("odom_frame", odom_frame, "", "frame of odometry");
     v.field("base_frame", base_frame, "", "frame of the robot");
     v.field("map_file", map_file, "", "a saved map to begin with; none: an empty one");
+    v.field(
+        "autosave_period", autosave_period, "s",
+        "least time between two copies of the map for a mapper that is started again after it died; 0: none is kept",
+        atLeast(0.0));
     v.field("localize_only", mapper.localize_only, "",
             "leave the map as it was loaded, and only say where the robot is");
     v.field("update_period", update_period, "s", "between two map updates", positive());
@@ -62,6 +68,8 @@ class MapperAdapter {
  public:
   MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   ~MapperAdapter() { saver_.close(); }
+  /// There is nothing to go on with after an end in order.
+  void sayLastWords() { autosave_.forget(); }
   MapperAdapter(const MapperAdapter&) = delete;
   MapperAdapter& operator=(const MapperAdapter&) = delete;
 
@@ -70,6 +78,11 @@ class MapperAdapter {
   struct Thoughts {
     MapRevision revision;
     double seconds;  ///< that they took
+  };
+
+  struct Restored {
+    OccupancyMap map;
+    Pose2 T_map_odom;
   };
 
   void connect();
@@ -87,6 +100,11 @@ class MapperAdapter {
   /// Throws a ConfigurationError when the map to begin with cannot be loaded.
   void loadFirstMap(const ros::NodeHandle& private_node);
   MapIoResult load(const std::string& path);
+  /// Reads the map of a mapper that died in this session, if there is one.
+  void restore();
+  /// Goes on with it, as soon as it is known where odometry has the robot.
+  void resume(const Pose2& T_odom_base);
+  void autosave();
   void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);
   bool handleLoad(LoadMap::Request& request, LoadMap::Response& response);
   bool handleGet(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
@@ -109,6 +127,9 @@ class MapperAdapter {
   std::shared_ptr<MapRevision> old_;         ///< what the last ones replaced
   Worker<Thoughts> worker_;
   MapSaver saver_;
+  MapAutosave autosave_;
+  std::optional<Restored> restored_;           ///< until it is gone on with
+  Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one
   NodeConnections connections_;
 };
 

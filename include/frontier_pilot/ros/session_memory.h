@@ -27,10 +27,12 @@ class SessionMemory {
   std::string remember(const std::string& text) const;
   /// Once this has returned an empty text a new process finds nothing; otherwise it gives why it does.
   std::string forget() const;
+  /// Where the text is kept, once for each name of the session.
+  const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
   std::filesystem::path ros_home_;
-  std::string name_;  ///< of the files
+  std::string name_;                          ///< of the files
   std::vector<std::filesystem::path> files_;  ///< the same for each name of the session
 };
 

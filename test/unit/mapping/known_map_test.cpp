@@ -180,5 +180,36 @@ TEST_F(KnownMapTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
   EXPECT_FALSE(mapper.revise(revision));
 }
 
+// [FLT-2]
+TEST_F(KnownMapTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseThatItHad_FLT_2) {
+  Mapper first;
+  drive(first, {1.0, 1.0, 0.0}, {2.0, 1.0, 0.0});
+  OccupancyMap kept(first.map().parameters());
+  std::stringstream bytes;
+  ASSERT_TRUE(first.map().write(bytes));
+  std::string why;
+  ASSERT_TRUE(kept.read(bytes.str(), why)) << why;
+  const auto known = [](const Mapper& mapper) {
+    const auto& cells = mapper.grid().cells();
+    return std::count_if(cells.begin(), cells.end(), [](auto cell) { return !isUnknown(cell); });
+  };
+  const auto before = known(first);
+  Mapper second;
+  ASSERT_TRUE(second.resume(kept, first.T_map_odom(), T_odom_base));
+  EXPECT_GE(known(second), before) << "[FLT-2]";
+  const Pose2 T_world_odom = T_world_base * T_odom_base.inverse();
+  for (int i = 0; i < 20; ++i) {
+    T_world_base.x += 0.05;
+    T_odom_base = T_world_odom.inverse() * T_world_base;
+    seconds += 0.6;
+    verdict =
+        second.insert(scanner.scan(T_world_base, timeFromSeconds(seconds)), T_odom_base, timeFromSeconds(seconds));
+    second.reviseNow();
+  }
+  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  // The first one's map begins where odometry does.
+  EXPECT_FALSE(isJump(T_odom_base, second.T_map_odom() * T_odom_base, 0.05, 0.03));
+}
+
 }  // namespace
 }  // namespace frontier_pilot::test

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/mapping/occupancy_map.h"
+#include "frontier_pilot/ros/mailbox.h"
+#include "frontier_pilot/ros/map_saver.h"
+#include "frontier_pilot/ros/session_memory.h"
+
+namespace frontier_pilot {
+
+/// The map as it was when the mapper died, for the mapper that is started again in the same ROS session: saved again
+/// and again under ROS_HOME, with the transform from odometry, until the mapper ends in order. At most three maps of
+/// earlier sessions are kept. [FLT-2]
+class MapAutosave {
+ public:
+  MapAutosave();
+
+  /// Reads the map of a mapper that died and gives its T_map_odom; nothing if there is none. Throws std::runtime_error,
+  /// saying why, if there is one that cannot be read.
+  std::optional<Pose2> restore(OccupancyMap& map) const;
+  /// Saves `map` on the thread of `saver`. Nothing happens for a map that nothing was added to (`content` counts what
+  /// was), while an earlier one is still being saved, and so that saving takes a twentieth of the time at most.
+  void save(OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver);
+  /// The map is another one, whatever its `content`.
+  void expire() { saved_content_.reset(); }
+  /// There is nothing to restore any more: the map was reset, or its mapper ends in order.
+  void forget();
+  /// What kept the last one from being saved; empty if nothing did.
+  const std::string& problem() const { return problem_; }
+  /// From now on in another session of ROS, if this is one.
+  void enter(const std::vector<std::string>& sessions);
+
+ private:
+  SessionMemory memory_;                       ///< holds T_map_odom; the map lies beside it
+  std::shared_ptr<std::atomic<bool>> wanted_;  ///< whether what is being saved still is
+  std::shared_ptr<Mailbox<std::string>> done_;
+  bool saving_ = false;
+  SteadyTime begun_{}, next_{};
+  std::optional<std::uint64_t> saved_content_;
+  std::string problem_;
+};
+
+}  // namespace frontier_pilot

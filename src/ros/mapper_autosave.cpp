@@ -1,0 +1,125 @@
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "frontier_pilot/mapping/map_io.h"
+#include "frontier_pilot/ros/clock.h"
+#include "frontier_pilot/ros/map_autosave.h"
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOlder = 3;
+constexpr int kRest = 20;  // times as long as the map took to be saved
+constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
+
+/// All digits, so that the pose is the same when it is read.
+std::string toText(const Pose2& pose) {
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << pose.x << ' ' << pose.y << ' ' << pose.yaw;
+  return text.str();
+}
+
+std::optional<Pose2> toPose(const std::string& text) {
+  std::istringstream in(text);
+  Pose2 pose;
+  if (!(in >> pose.x >> pose.y >> pose.yaw)) return std::nullopt;
+  return pose;
+}
+
+void removeMap(const fs::path& base) {
+  std::error_code ignored;
+  for (const char* ending : kEndings) fs::remove(base.string() + ending, ignored);
+}
+
+/// Maps of the same node that were left in other sessions, the newest first.
+std::vector<fs::path> olderMaps(const fs::path& own) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  std::error_code ignored;
+  for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
+    const fs::path base = session.path() / own.filename();
+    const auto written = fs::last_write_time(base.string() + ".bt", ignored);
+    if (base != own && !ignored) found.emplace_back(written, base);
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<fs::path> maps;
+  for (auto& [written, base] : found) maps.push_back(std::move(base));
+  return maps;
+}
+
+void removeOldest(const fs::path& own) {
+  const std::vector<fs::path> maps = olderMaps(own);
+  for (std::size_t i = kMostOlder; i < maps.size(); ++i) removeMap(maps[i]);
+}
+
+/// Gives why it could not be saved, or an empty text.
+std::string save(const MapSnapshot& map, const Pose2& T_map_odom, const SessionMemory& memory) {
+  if (memory.files().empty()) return "the ROS session has no name";
+  const fs::path base = memory.files().front();
+  std::error_code error;
+  fs::create_directories(base.parent_path(), error);
+  const MapIoResult result = saveMap(map, base.string());
+  if (!result.ok()) return result.text;
+  removeOldest(base);
+  return memory.remember(toText(T_map_odom));
+}
+
+}  // namespace
+
+MapAutosave::MapAutosave()
+    : memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName()),
+      wanted_(std::make_shared<std::atomic<bool>>(true)),
+      done_(std::make_shared<Mailbox<std::string>>()) {}
+
+std::optional<Pose2> MapAutosave::restore(OccupancyMap& map) const {
+  const std::optional<std::string> text = memory_.recall();
+  if (!text) return std::nullopt;
+  const std::optional<Pose2> T_map_odom = toPose(*text);
+  if (!T_map_odom) throw std::runtime_error("the pose that was saved with it cannot be read");
+  std::string problem;
+  for (const fs::path& base : memory_.files()) {
+    const MapIoResult result = loadMap(base.string(), map);
+    if (result.ok()) return T_map_odom;
+    problem = result.text;
+  }
+  throw std::runtime_error(problem);
+}
+
+void MapAutosave::save(OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver) {
+  const SteadyTime now = steadyNow();
+  if (auto done = done_->take()) {
+    problem_ = std::move(*done);
+    saving_ = false;
+    next_ = now + kRest * (now - begun_);
+  }
+  if (saving_ || now < next_ || content == saved_content_ || map.grid().empty()) return;
+  saving_ = true;
+  begun_ = now;
+  saved_content_ = content;
+  saver.run([snapshot = takeSnapshot(map), T_map_odom, memory = memory_, wanted = wanted_, done = done_] {
+    std::string problem = *wanted ? frontier_pilot::save(snapshot, T_map_odom, memory) : std::string();
+    if (!*wanted) memory.forget();
+    done->put(std::move(problem));
+  });
+}
+
+void MapAutosave::forget() {
+  *wanted_ = false;
+  wanted_ = std::make_shared<std::atomic<bool>>(true);
+  memory_.forget();
+  for (const fs::path& base : memory_.files()) removeMap(base);
+}
+
+void MapAutosave::enter(const std::vector<std::string>& sessions) {
+  if (memory_.enter(sessions)) expire();
+}
+
+}  // namespace frontier_pilot
