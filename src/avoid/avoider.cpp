@@ -78,7 +78,7 @@ void Avoider::observe(Time now) {
   if (!jumped_back || !enabled()) return;
   has_scan_ = false;
   around_ = {};
-  enter(AvoiderState::kWaiting, "the clock jumped back: no scan since", now);
+  enter(AvoiderState::kWaiting, "the clock jumped: no scan since", now);
 }
 
 bool Avoider::ahead() const {

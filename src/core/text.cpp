@@ -23,6 +23,28 @@ std::size_t lengthFrom(unsigned first) {
   return first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
 }
 
+/// A backslash, `kind`, and `number` in hexadecimal digits.
+std::string escaped(char kind, char32_t number, std::size_t digits) {
+  std::string text(2 + digits, kind);
+  text[0] = '\\';
+  for (std::size_t i = text.size(); i > 2; number >>= 4U) text[--i] = "0123456789abcdef"[number & 0xFU];
+  return text;
+}
+
+std::string escaped(char32_t control) {
+  switch (control) {
+    case U'\n':
+      return "\\n";
+    case U'\r':
+      return "\\r";
+    case U'\t':
+      return "\\t";
+    default:
+      if (control < 0x80) return escaped('x', control, 2);
+      return control <= 0xFFFF ? escaped('u', control, 4) : escaped('U', control, 8);
+  }
+}
+
 }  // namespace
 
 Character characterAt(std::string_view text, std::size_t at) {
@@ -43,6 +65,21 @@ Character characterAt(std::string_view text, std::size_t at) {
 bool isControl(char32_t code) {
   if ((code & 0xFFFEU) == 0xFFFE) return true;
   return std::any_of(kControls.begin(), kControls.end(), [=](const Range& range) { return range.holds(code); });
+}
+
+std::string printable(std::string_view text, std::size_t most) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const Character character = characterAt(text, at);
+    const std::size_t bytes = std::max<std::size_t>(character.bytes, 1);
+    std::string shown(text.substr(at, bytes));
+    if (character.bytes == 0) shown = escaped('x', static_cast<unsigned char>(text[at]), 2);
+    if (character.bytes != 0 && isControl(character.code)) shown = escaped(character.code);
+    if (out.size() + shown.size() > most) return out + " ...";
+    out += shown;
+    at += bytes;
+  }
+  return out;
 }
 
 }  // namespace frontier_pilot

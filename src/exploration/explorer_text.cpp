@@ -93,7 +93,7 @@ const char* toString(ExplorerReason reason) {
     case ExplorerReason::kReset:
       return "reset";
     case ExplorerReason::kClockJumpedBack:
-      return "the clock jumped back";
+      return "the clock jumped";
   }
   return "?";
 }

@@ -24,9 +24,9 @@ std::string seconds(double value) {
 }  // namespace
 
 const char* toString(PatrolOutcome outcome) {
-  constexpr const char* kNames[] = {"idle",         "running",        "completed",        "canceled",
-                                    "invalid goal", "no odometry",    "bad odometry",     "odometry jumped",
-                                    "blocked",      "emergency stop", "clock jumped back"};
+  constexpr const char* kNames[] = {"idle",         "running",        "completed",       "canceled",
+                                    "invalid goal", "no odometry",    "bad odometry",    "odometry jumped",
+                                    "blocked",      "emergency stop", "the clock jumped"};
   return kNames[static_cast<int>(outcome)];
 }
 

@@ -57,7 +57,7 @@ const char* toString(NavReason reason) {
     case NavReason::kOscillating:
       return "oscillating";
     case NavReason::kClockJumped:
-      return "clock jumped backward";
+      return "the clock jumped";
   }
   return "unknown";
 }

@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/ros/clock.h"
 
 namespace frontier_pilot {
@@ -19,10 +21,10 @@ void CallbackGuard::add(const std::string& what, const std::string& error) noexc
   latest_ = steadyNow();
   Caught& caught = caught_[what];
   ++caught.count;
-  caught.latest = error;
+  caught.latest = printable(error, bounds::kMostReason);
   if (caught.logged && latest_ - *caught.logged < kLogPeriod) return;
   caught.logged = latest_;
-  ROS_ERROR_STREAM("exception in " << what << ": " << error << " (" << caught.count << " so far)");
+  ROS_ERROR_STREAM("exception in " << what << ": " << caught.latest << " (" << caught.count << " so far)");
 } catch (...) {  // NOLINT(bugprone-empty-catch): no memory or no log is left to say anything with
 }
 

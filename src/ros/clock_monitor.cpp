@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMonitorPeriod = 0.02;  // [s]
 constexpr Duration kRecentJump = std::chrono::seconds(10);
+constexpr Duration kStandstill = std::chrono::seconds(2);   // a slow simulation takes a while for each step
 constexpr Duration kLeastAhead = std::chrono::seconds(10);  // clocks of two machines may differ
 
 }  // namespace
@@ -21,7 +22,14 @@ Duration mostAhead(const ClockPace& pace) { return std::max(kLeastAhead, fromSec
 
 bool isAhead(Time stamp, Time now) { return now > Time{} && stamp > now && stamp - now > mostAhead(clockPace()); }
 
-ClockMonitor::ClockMonitor(const ros::NodeHandle& node) : trust_(clockPace()) {
+std::string standstill(const Instant& moved, const Instant& now) {
+  if (now.ros != moved.ros || now.steady - moved.steady < kStandstill) return {};
+  if (now.ros == Time{}) return "no /clock received yet";
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now.steady - moved.steady);
+  return "ROS time has stood still for " + std::to_string(seconds.count()) + " s";
+}
+
+ClockMonitor::ClockMonitor(const ros::NodeHandle& node) : trust_(clockPace()), moved_{rosNow(), steadyNow()} {
   poll_ = ros::NodeHandle(node).createSteadyTimer(ros::WallDuration(kMonitorPeriod),
                                                   [this](const ros::SteadyTimerEvent&) { look(); });
 }
@@ -33,6 +41,7 @@ std::optional<Time> ClockMonitor::now() {
 
 Time ClockMonitor::look() {
   const Instant now{rosNow(), steadyNow()};
+  if (now.ros != moved_.ros) moved_ = now;
   const TrustChange change = trust_.observe(now);
   if (change == TrustChange::kNone) return now.ros;
   for (const auto& forget : forget_) guard_.run("a jump of the clock", forget);
@@ -48,6 +57,8 @@ void ClockMonitor::report(diagnostic_updater::DiagnosticStatusWrapper& status) c
   using diagnostic_msgs::DiagnosticStatus;
   status.add("jumps of the clock", trust_.jumps());
   guard_.report(status);
+  const std::string still = standstill(moved_, {rosNow(), steadyNow()});
+  if (!still.empty()) status.mergeSummary(DiagnosticStatus::WARN, still);
   if (trust_.jumps() == 0 || steadyNow() - trust_.lastJumped() > kRecentJump) return;
   status.mergeSummaryf(DiagnosticStatus::WARN, "the clock jumped by %+.3f s", trust_.jump());
 }

@@ -5,13 +5,20 @@
 #include <algorithm>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/ros/clock.h"
 
 namespace frontier_pilot {
 
+namespace {
+
+void makePrintable(std::string& text) { text = printable(text, bounds::kMostDiagnostic); }
+
+}  // namespace
+
 void Rejections::add(const std::string& reason) {
   ++total_;
-  const std::string why = reason.substr(0, bounds::kMostReason);
+  const std::string why = printable(reason, bounds::kMostReason);
   if (by_reason_.count(why) == 0 && by_reason_.size() >= bounds::kMostReasons) forgetRarest();
   const std::uint64_t count = ++by_reason_[why];
   const SteadyTime now = steadyNow();
@@ -45,6 +52,15 @@ void NodeDiagnostics::publish() {
   guard_.run("diagnostics", [this] { updater_.force_update(); });
 }
 
-void NodeDiagnostics::add(const std::string& name, Fill fill) { updater_.add(name, std::move(fill)); }
+void NodeDiagnostics::add(const std::string& name, Fill fill) {
+  updater_.add(name, [fill = std::move(fill)](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    fill(status);
+    makePrintable(status.message);
+    for (auto& entry : status.values) {
+      makePrintable(entry.key);
+      makePrintable(entry.value);
+    }
+  });
+}
 
 }  // namespace frontier_pilot

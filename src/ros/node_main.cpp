@@ -3,6 +3,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <ros/service_manager.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <iostream>
@@ -19,17 +20,23 @@ namespace {
 volatile std::sig_atomic_t g_stop = 0;
 volatile std::sig_atomic_t g_building = 1;
 
-void onSignal(int) {
+constexpr unsigned kBuildPatience = 1;  // [s]
+
+void onSignal(int signal) {
+  // A constructor may wait for something that never comes, or read a large world for long. A shutdown of ROS ends such
+  // a wait, and takes back at the master what is there by then; what lasts all the same has no last words yet.
+  if (g_building != 0 && g_stop != 0) _exit(128 + signal);
   g_stop = 1;
-  // A constructor may wait for something that never comes, as actionlib's clients do for the first /clock. It has no
-  // last words yet, and only a shutdown of ROS ends such a wait.
-  if (g_building != 0) ros::requestShutdown();
+  if (g_building == 0) return;
+  alarm(kBuildPatience);
+  ros::requestShutdown();
 }
 
 /// ROS' own handler closes the publishers before the node can say its last words.
 void catchSignals() {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
+  std::signal(SIGALRM, onSignal);
 }
 
 /// To be asked once the node is built, again and again.

@@ -11,6 +11,7 @@
 namespace frontier_pilot {
 namespace {
 
+constexpr const char* kSafeState = "avoider_enabled";
 constexpr double kTick = 0.1;     // [s], the heartbeat
 constexpr double kUpdate = 0.02;  // [s], so that a phase ends in time between two ticks
 
@@ -31,7 +32,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
       status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
       diagnostics_(node, private_node),
       connections_(node) {
-  switched_on_.emplace("avoiding", connections_);
+  switched_on_.emplace(kSafeState, connections_);
   if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this);
   connections_.subscribe(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this, ros::TransportHints().tcpNoDelay());

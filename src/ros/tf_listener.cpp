@@ -1,5 +1,6 @@
 #include "frontier_pilot/ros/tf_listener.h"
 
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/clock_monitor.h"
@@ -17,6 +18,8 @@ constexpr std::size_t kLongestName = 256;
 /// As tf2 does: "/base" and "base" are the same frame.
 std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
 
+bool isPrintable(const std::string& frame) { return printable(frame, kLongestName) == frame; }
+
 }  // namespace
 
 const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now, bool is_static) {
@@ -24,6 +27,7 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
   const std::string child = plain(transform.child_frame_id);
   if (parent.empty() || child.empty()) return "frame without a name";
   if (parent.size() > kLongestName || child.size() > kLongestName) return "frame's name longer than 256 characters";
+  if (!isPrintable(parent) || !isPrintable(child)) return "control characters in a frame's name";
   if (parent == child) return "frame that is its own parent";
   if (!toIsometry(transform.transform)) return "not finite, or its quaternion not of unit length";
   const Time stamp = toTime(transform.header.stamp);

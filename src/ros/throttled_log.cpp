@@ -3,23 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/ros/clock.h"
 
 namespace frontier_pilot {
-namespace {
-
-constexpr std::size_t kLongestLine = 500;  // [bytes]
-
-/// Control characters could forge lines of a log, or speak to the terminal that shows it.
-char printable(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c; }
-
-/// Not in the middle of a character of several bytes (UTF-8).
-std::size_t cutAt(const std::string& text, std::size_t length) {
-  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
-  return length;
-}
-
-}  // namespace
 
 std::optional<std::uint64_t> LogThrottle::admit(SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -39,8 +27,7 @@ std::optional<std::uint64_t> LogThrottle::admit(SteadyTime now) {
 std::optional<std::uint64_t> admitNow(LogThrottle& throttle) { return throttle.admit(steadyNow()); }
 
 std::string throttledLine(const std::string& text, std::uint64_t left_out) {
-  std::string line = text.size() <= kLongestLine ? text : text.substr(0, cutAt(text, kLongestLine)) + " ...";
-  std::transform(line.begin(), line.end(), line.begin(), printable);
+  std::string line = printable(text, bounds::kMostLine);
   if (left_out > 0) line += " (" + std::to_string(left_out) + " lines like this one left out before it)";
   return line;
 }

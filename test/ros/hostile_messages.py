@@ -17,6 +17,7 @@ from geometry_msgs.msg import Pose2D, PoseStamped, PoseWithCovarianceStamped, Tr
 from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetPlan
+from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
 
 from wire import Record, call, memory_of, wait_for
@@ -234,6 +235,27 @@ class HostileMessages(unittest.TestCase):
                                      MOST_SILENCE), node)
             self.assertLess(len(self.said(node)), 60, node + ' [FLT-1]')
             self.assertLess(max(len(key) for key in self.said(node)), 300, node + ' [FLT-1]')
+
+    def test_frames_that_speak_to_whoever_reads_of_them(self):  # [FLT-1]
+        frame, shown = 'map\n[ERROR] forged\x1b[2J\x9b\u2028', 'map\\n[ERROR] forged\\x1b[2J\\u009b\\u2028'
+        start, log = time.monotonic(), Record('/rosout', Log)
+        msg = update(0, 0)
+        msg.header.frame_id = frame
+
+        def named(node):
+            return any(shown in key for key in self.said(node))
+        end = time.monotonic() + MOST_SILENCE
+        while not all(map(named, MAP_READERS + SCAN_READERS)) and time.monotonic() < end:
+            self.updates.publish(msg)
+            self.scans.publish(scan([1.0] * 360, frame))
+            wait_for(lambda: all(map(named, MAP_READERS + SCAN_READERS)), 0.5)
+        for node in MAP_READERS + SCAN_READERS:
+            self.assertTrue(named(node), '%s [FLT-1]: %s' % (node, self.said(node)))
+        texts = [line.msg for _, line in list(log.items) if not line.name.startswith('/hostile_messages')]
+        for message in self.words.since(start):
+            for status in message.status:
+                texts += [status.message] + [text for pair in status.values for text in (pair.key, pair.value)]
+        self.assertEqual([text for text in texts if any(c in text for c in '\n\x1b\x9b\u2028')], [], '[FLT-1]')
 
     def test_a_plan_to_anywhere(self):  # [FLT-1]
         def plan():

@@ -2,6 +2,8 @@
 """The simulator on the wire: its topics and frames for two robots, its services, its clock, and how it refuses to start."""
 import math
 import os
+import signal
+import tempfile
 import time
 import unittest
 
@@ -18,7 +20,7 @@ from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool
 from std_srvs.srv import Empty, SetBool
 
-from wire import Node, Record, Source, call, wait_for
+from wire import Node, Record, Source, call, memory_of, wait_for
 
 RADIUS = 0.105
 
@@ -180,11 +182,45 @@ class RefusesToStart(unittest.TestCase):
         self.refuses('speed', '_world:=' + world(), '_speed:=-1.0')
 
 
-class Both(unittest.TestSuite):
+class EndsWhileItReadsItsWorld(unittest.TestCase):
+    """[FLT-2] A world of a quarter of a kilometre takes seconds to read, and whoever ends the node need not wait."""
+    SIDE = 5000  # [cells]
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.world = os.path.join(folder.name, 'large.yaml')
+        with open(os.path.join(folder.name, 'large.pgm'), 'wb') as file:
+            file.write(b'P5 %d %d 255\n' % (self.SIDE, self.SIDE) + b'\xfe' * self.SIDE**2)
+        with open(self.world, 'w') as file:
+            file.write('{image: large.pgm, resolution: 0.05, origin: [0, 0, 0], occupied_thresh: 0.65, '
+                       'free_thresh: 0.196, start: [20, 20, 0]}')
+
+    def reading(self):
+        """A simulator that holds the picture already."""
+        node = Node('simulator', '__name:=large', '/clock:=/other_clock', '_world:=' + self.world)
+        self.addCleanup(node.end)
+        self.assertTrue(wait_for(lambda: memory_of(node.process.pid)[0] > 100.0, 20.0))
+        return node
+
+    def test_within_a_second_of_one_signal(self):
+        node, start = self.reading(), time.monotonic()
+        node.signal(signal.SIGTERM)
+        node.finish(20.0)
+        self.assertLess(time.monotonic() - start, 1.8)
+
+    def test_at_once_on_the_second_signal(self):
+        node = self.reading()
+        node.signal(signal.SIGINT)
+        node.signal(signal.SIGTERM)
+        self.assertIn(node.finish(20.0)[0], (128 + signal.SIGINT, 128 + signal.SIGTERM))
+
+
+class All(unittest.TestSuite):
     def __init__(self):
         load = unittest.TestLoader().loadTestsFromTestCase
-        super().__init__([load(SimulatorOnTheWire), load(RefusesToStart)])
+        super().__init__([load(SimulatorOnTheWire), load(RefusesToStart), load(EndsWhileItReadsItsWorld)])
 
 
 if __name__ == '__main__':
-    rostest.rosrun('frontier_pilot', 'simulator_wire', 'simulator_wire.Both')
+    rostest.rosrun('frontier_pilot', 'simulator_wire', 'simulator_wire.All')

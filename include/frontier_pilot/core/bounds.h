@@ -54,6 +54,9 @@ constexpr std::size_t kMostName = 256;
 /// Characters of a reason for a refusal, and different ones that are counted apart: they quote what came in.
 constexpr std::size_t kMostReason = 256;
 constexpr std::size_t kMostReasons = 32;
+/// Bytes of a line of the log, and of a text in the diagnostics.
+constexpr std::size_t kMostLine = 500;
+constexpr std::size_t kMostDiagnostic = 2000;
 
 /// Bytes of a status that the window shows, and services that it watches because a status named their source.
 constexpr unsigned kMostStatus = 65536;

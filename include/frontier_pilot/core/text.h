@@ -21,4 +21,8 @@ Character characterAt(std::string_view text, std::size_t at);
 /// says is no character counts as well.
 bool isControl(char32_t code);
 
+/// `text` as logs and diagnostics may have it: control characters and what is not UTF-8 as C++ would write them, such
+/// as \n, \x1b or \u2028, and " ..." for what is beyond `most` bytes. [FLT-1]
+std::string printable(std::string_view text, std::size_t most);
+
 }  // namespace frontier_pilot

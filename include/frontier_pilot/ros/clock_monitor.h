@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "frontier_pilot/core/clock_trust.h"
@@ -23,7 +24,8 @@ class ClockMonitor {
   std::optional<Time> now();
   /// `forget` is called when the clock has jumped, and again when it can be trusted.
   void onJump(std::function<void()> forget) { forget_.push_back(std::move(forget)); }
-  /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one.
+  /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one, or while the clock
+  /// stands still.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
@@ -31,9 +33,13 @@ class ClockMonitor {
 
   CallbackGuard guard_;
   ClockTrust trust_;
+  Instant moved_;  ///< when ROS time was last seen to change
   std::vector<std::function<void()>> forget_;
   ros::SteadyTimer poll_;
 };
+
+/// What is to be said of a clock that was last seen to change at `moved`; empty while it runs.
+std::string standstill(const Instant& moved, const Instant& now);
 
 /// How fast the ROS clock of this process may run.
 ClockPace clockPace();

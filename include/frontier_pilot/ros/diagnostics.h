@@ -44,7 +44,8 @@ class NodeDiagnostics {
 
   NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// `fill` says how it stands: `status.summary(level, text)` and `status.add(key, value)`.
+  /// `fill` says how it stands: `status.summary(level, text)` and `status.add(key, value)`. Whatever its texts quote,
+  /// they are published `printable`. [FLT-1]
   void add(const std::string& name, Fill fill);
   /// Publishes now, for a change that should not wait.
   void publish();

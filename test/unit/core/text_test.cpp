@@ -33,5 +33,29 @@ TEST(Characters, FLT_1_ThatActOnWhatShowsThemAreControls) {
   }
 }
 
+// [FLT-1] It can neither forge a line of a log nor speak to the terminal that shows it.
+TEST(PrintableText, FLT_1_ShowsWhatWouldActOnWhatShowsIt) {
+  EXPECT_EQ(printable("frame 'map' of \u697c", 100), "frame 'map' of \u697c");
+  EXPECT_EQ(printable("a\n[ERROR] b\x1b[2J\t\r\x7f", 100), "a\\n[ERROR] b\\x1b[2J\\t\\r\\x7f");
+  EXPECT_EQ(printable("a\u0085b\u2028c\u202e", 100), "a\\u0085b\\u2028c\\u202e");
+  EXPECT_EQ(printable("\xff"
+                      "a\xc3",
+                      100),
+            "\\xffa\\xc3");
+  EXPECT_EQ(printable(std::string(1, '\0'), 100), "\\x00");
+}
+
+TEST(PrintableText, IsCutBetweenCharacters) {
+  EXPECT_EQ(printable("abcdef", 6), "abcdef");
+  EXPECT_EQ(printable("abcdef", 5), "abcde ...");
+  EXPECT_EQ(printable("abc\u20acf", 5), "abc ...");
+  EXPECT_EQ(printable("abc\n", 4), "abc ...");
+}
+
+TEST(PrintableText, StaysAsItIsWhenItIsMadePrintableAgain) {
+  const std::string once = printable("a\nb\\c\xff\u2028", 100);
+  EXPECT_EQ(printable(once, 100), once);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -234,6 +234,7 @@ TEST_F(ExplorerStates, ABackwardClockJumpCancelsTheGoalAndStartsOver) {
   now -= std::chrono::seconds(50);
   const ExplorerOutput output = tick();
   EXPECT_TRUE(wentThrough(State::kIdle, Reason::kClockJumpedBack));
+  EXPECT_STREQ(toString(Reason::kClockJumpedBack), "the clock jumped");
   EXPECT_EQ(output.command.kind, GoalCommand::Kind::kSend);
 }
 

@@ -174,6 +174,7 @@ TEST(Patrol, AClockThatJumpsEndsItAlsoWhenItBeganAtTimeZero) {
   const PatrolOutput output = loop.patrol.abortByClockJump();
   expectEnd(output, PatrolOutcome::kClockJump);
   EXPECT_EQ(output.text, "aborted: the clock jumped");
+  EXPECT_STREQ(toString(output.outcome), "the clock jumped");
 }
 
 // [PAT-6]

@@ -207,6 +207,7 @@ TEST(Navigator, StopsWhenTheClockJumpsBackward) {
   const NavigatorOutput output = navigator.update({}, timeFromSeconds(50.0));
   ASSERT_EQ(output.finished.size(), 1U);
   EXPECT_EQ(output.finished[0].reason, NavReason::kClockJumped);
+  EXPECT_STREQ(toString(NavReason::kClockJumped), "the clock jumped");
   EXPECT_EQ(output.command, Twist2{});
 }
 

@@ -42,5 +42,16 @@ TEST(CallbackGuard, WarnsWhileAnExceptionIsRecent) {
   EXPECT_EQ(status.level, Status::WARN);
 }
 
+// [FLT-1] What is thrown quotes what came in.
+TEST(CallbackGuard, ShowsTextsWithoutControlCharactersAndCutsThem_FLT_1) {
+  CallbackGuard guard;
+  Status status;
+  guard.run("scan", [] { throw std::runtime_error("frame 'a\nb'" + std::string(100000, 'x')); });
+  guard.report(status);
+  const std::string said = valueOf(status, "exceptions in scan");
+  EXPECT_EQ(said.find(R"(1, the latest: frame 'a\nb'x)"), 0U) << said;
+  EXPECT_LT(said.size(), 300U);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -29,5 +29,13 @@ TEST(Rejections, FLT_1_AreCountedByReasonAsLongAsTheReasonsAreFewAndShort) {  //
   EXPECT_TRUE(newest);
 }
 
+TEST(Rejections, FLT_1_ShowWhatCameInWithoutItsControlCharacters) {  // [FLT-1]
+  Rejections rejections("scan");
+  rejections.add("frame 'a\nb\x1b[2J'");
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  rejections.report(status);
+  EXPECT_EQ(status.values.back().key, R"(scan refused: frame 'a\nb\x1b[2J')");
+}
+
 }  // namespace
 }  // namespace frontier_pilot

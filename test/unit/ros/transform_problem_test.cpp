@@ -50,7 +50,7 @@ TEST(Transforms, AreRefusedWithStampsThatTimeArithmeticCannotTake) {
 }
 
 // [FLT-1]
-TEST(Transforms, AreRefusedWithoutNameOrOrientationAndWithEndlessNames) {
+TEST(Transforms, AreRefusedWithoutNameOrOrientationAndWithNamesThatNobodyCanRead) {
   for (const char* frame : {"", "/"}) {
     auto msg = transform();
     msg.child_frame_id = frame;
@@ -62,6 +62,11 @@ TEST(Transforms, AreRefusedWithoutNameOrOrientationAndWithEndlessNames) {
   auto endless = transform();
   endless.child_frame_id.assign(100000, 'x');
   EXPECT_STREQ(problemOf(endless, kNow, false), "frame's name longer than 256 characters");
+  for (const char* frame : {"od\nom", "\x1b[2J", "\u2028", "\xff"}) {
+    auto msg = transform();
+    msg.header.frame_id = frame;
+    EXPECT_STREQ(problemOf(msg, kNow, false), "control characters in a frame's name") << frame;
+  }
   for (const double w : {0.0, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
     auto msg = transform();
     msg.transform.rotation.w = w;
