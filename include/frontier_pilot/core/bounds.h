@@ -38,6 +38,14 @@ constexpr int kMostSide = 20000;
 /// Cells of a map that a node takes: 5000 x 5000. The navigator keeps 14 bytes for each, and takes 18 for a moment.
 constexpr std::size_t kMostMapCells = 25'000'000;
 
+/// Cells of a map's frontier that the explorer sorts into clusters: a building of 250 m x 250 m that is known in
+/// patches has 1.2 million, noise six times as many.
+constexpr std::size_t kMostFrontierCells = 2'000'000;
+/// Clusters of them. That building has 60,000, most of them too small to be driven to.
+constexpr std::size_t kMostFrontiers = 100'000;
+/// Those of them within reach that a goal is looked for, at each decision: each costs a quarter of a millisecond.
+constexpr std::size_t kMostJudgedFrontiers = 4000;
+
 /// Poses of a path.
 constexpr std::size_t kMostPathPoses = 100'000;
 /// How far from the goal a plan may end [m]: all cells within are looked at.
