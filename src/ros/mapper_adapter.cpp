@@ -87,8 +87,10 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
 }
 
 void MapperAdapter::insertPaired() {
-  const Time now = rosNow();
-  while (const auto paired = pairing_.next(now)) note(mapper_.insert(paired->scan, paired->T_odom_base, now), {});
+  // The time is asked for again each time: scans that grow stale while others are worked on are dropped, not caught up.
+  while (const auto paired = pairing_.next(rosNow())) {
+    note(mapper_.insert(paired->scan, paired->T_odom_base, rosNow()), {});
+  }
 }
 
 void MapperAdapter::think() {

@@ -20,6 +20,9 @@ constexpr std::size_t kMostOdometry = 5000;
 constexpr double kMostMount = 10.0;
 /// Beams of a scan: a whole turn in steps of a hundredth of a degree. Scanners have up to a few thousand.
 constexpr std::size_t kMostRanges = 36000;
+/// Beams of a scan that the mapper uses, evenly spread: in steps of 0.05 degrees neighbours meet the same cell of 5 cm
+/// up to 57 m away.
+constexpr std::size_t kMostMappedBeams = 7200;
 /// The angle between beams, at least [rad]: a tenth of the step above. It divides.
 constexpr double kLeastAngleIncrement = 1.7e-5;
 /// The first and the last angle of a scan, either way [rad]: drivers count from -pi, from 0, or a turn on.
