@@ -13,6 +13,7 @@ namespace frontier_pilot {
 MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<MapperNodeParameters>(private_node)),
       mapper_(parameters_.mapper),
+      anchor_(parameters_.odometry),
       pairing_(parameters_.pairing),
       publisher_(node, parameters_.map_frame, parameters_.publishing),
       diagnostics_(node, private_node),
@@ -26,7 +27,10 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
 
 void MapperAdapter::connect() {
   connections_.master().claimTopics({publisher_.topic()});
-  connections_.subscribe(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
+  connections_.subscribeToEvents<nav_msgs::Odometry>(names::kOdom, 100, [this](const auto& event) {
+    odometry_publishers_.add(event.getPublisherName(), steadyNow());
+    handleOdometry(*event.getConstMessage());
+  });
   connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   connections_.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
   connections_.every(ros::Duration(parameters_.update_period), [this] {
@@ -37,27 +41,16 @@ void MapperAdapter::connect() {
     publisher_.publish(mapper_, *now);
   });
   connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
-  connections_.clock().onJump([this] { pairing_.clear(); });
+  connections_.clock().onJump([this] {
+    pairing_.clear();
+    anchor_.forgetTime();
+  });
   connections_.everySteady(ros::WallDuration(0.1), [this] {
     const auto report = connections_.master().take();
     if (!report) return;
     const auto other = report->rivals.find(publisher_.topic());
     publisher_.setOther(other == report->rivals.end() ? "" : other->second);
   });
-}
-
-void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
-  if (msg.header.frame_id != parameters_.odom_frame) {
-    return bad_odometry_.add("frame '" + msg.header.frame_id + "' is not '" + parameters_.odom_frame + "'");
-  }
-  std::string why;
-  const auto odometry = toOdometry(msg, &why);
-  if (!odometry) return bad_odometry_.add(why);
-  const auto now = connections_.clock().now();
-  if (!now) return bad_odometry_.add("the clock jumped");
-  if (isAhead(odometry->stamp, *now)) return bad_odometry_.add("stamp too far in the future");
-  pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
-  insertPaired();
 }
 
 void MapperAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
@@ -137,7 +130,7 @@ void MapperAdapter::broadcast() {
   const auto now = connections_.clock().now();
   if (!now) return;  // others would believe a future that never was
   const Time stamp = *now + fromSeconds(parameters_.tf_lead);
-  tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, mapper_.T_map_odom(), stamp);
+  tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, T_map_odom(), stamp);
 }
 
 }  // namespace frontier_pilot

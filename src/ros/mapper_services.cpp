@@ -39,6 +39,8 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
     return true;
   }
   mapper_.reset();
+  anchor_.reset();
+  pairing_.clear();
   thoughts_failure_.clear();
   response.success = 1U;
   response.message = "the map is forgotten; its size stays";
