@@ -13,4 +13,14 @@ RangeReading readRange(float range, double range_min, double range_max) {
   return {RangeKind::kHit, r};
 }
 
+LaserScan2 withAtMost(std::size_t most, LaserScan2 scan) {
+  const std::size_t step = (scan.ranges.size() + most - 1) / most;
+  if (step <= 1) return scan;
+  std::size_t kept = 0;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); beam += step) scan.ranges[kept++] = scan.ranges[beam];
+  scan.ranges.resize(kept);
+  scan.angle_increment *= static_cast<double>(step);
+  return scan;
+}
+
 }  // namespace frontier_pilot

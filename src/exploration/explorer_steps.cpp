@@ -96,10 +96,15 @@ bool Explorer::stepBack(Time now) {
 
 void Explorer::finish(Time now) {
   nothing_left_since_.reset();
-  done_reason_ =
-      evaluator_.anyBlacklistedInTheOpen() ? ExplorerReason::kAllBlacklisted : ExplorerReason::kNoReachableFrontier;
+  done_reason_ = whyNothingIsLeft();
+  if (done_reason_ == ExplorerReason::kTooManyFrontiers) note(true, toString(*done_reason_));
   if (parameters_.return_to_start) return returnToStart(now);
   enter(ExplorerState::kDone, *done_reason_, "", now);
+}
+
+ExplorerReason Explorer::whyNothingIsLeft() const {
+  if (evaluator_.tooMany() || evaluator_.leftOut() > 0) return ExplorerReason::kTooManyFrontiers;
+  return evaluator_.anyBlacklistedInTheOpen() ? ExplorerReason::kAllBlacklisted : ExplorerReason::kNoReachableFrontier;
 }
 
 void Explorer::returnToStart(Time now) {

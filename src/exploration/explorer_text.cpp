@@ -22,6 +22,8 @@ const char* toString(Rejection rejection) {
       return "not rich";
     case Rejection::kFruitless:
       return "fruitless before";
+    case Rejection::kLeftOut:
+      return "left out, too many others";
   }
   return "?";
 }
@@ -94,6 +96,8 @@ const char* toString(ExplorerReason reason) {
       return "reset";
     case ExplorerReason::kClockJumpedBack:
       return "the clock jumped";
+    case ExplorerReason::kTooManyFrontiers:
+      return "too many frontiers: the map is noise, or larger than can be explored";
   }
   return "?";
 }

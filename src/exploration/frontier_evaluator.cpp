@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frontier_pilot/core/bounds.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -59,7 +61,8 @@ const std::vector<Frontier>& FrontierEvaluator::evaluate(const Context& context)
   blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
     return frontier.rejection == Rejection::kBlacklisted;
   });
-  if (any) return frontiers_;
+  // Where some were left out there is no telling whether nothing else is left.
+  if (any || left_out_ > 0 || clusters_.too_many) return frontiers_;
   tight_space_.update(map_.grid(), tight_changes_);
   tight_changes_ = {};
   if (judgeAll(tight_space_, context.robot, context)) return frontiers_;
@@ -73,15 +76,18 @@ bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Vec2& from
   travel_.compute(space, map_.grid(), map_.geometry().cellAt(from), parameters_.escape_radius);
   frontiers_.clear();
   frontiers_.reserve(clusters_.clusters.size());
+  for (const FrontierCluster& cluster : clusters_.clusters) frontiers_.push_back(outline(cluster));
+  leaveOutAllBut(bounds::kMostJudgedFrontiers, context.robot);
   bool any = false;
-  for (const FrontierCluster& cluster : clusters_.clusters) {
-    frontiers_.push_back(judge(cluster, context));
-    any = any || frontiers_.back().selectable();
+  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
+    if (frontiers_[i].selectable()) judge(frontiers_[i], clusters_.clusters[i], context);
+    any = any || frontiers_[i].selectable();
   }
   return any;
 }
 
-Frontier FrontierEvaluator::judge(const FrontierCluster& cluster, const Context& context) {
+/// What can be said at little cost: where it is, and whether it is worth a judgement.
+Frontier FrontierEvaluator::outline(const FrontierCluster& cluster) const {
   const GridGeometry& geometry = map_.geometry();
   Frontier frontier;
   frontier.cell_count = cluster.cells;
@@ -92,22 +98,44 @@ Frontier FrontierEvaluator::judge(const FrontierCluster& cluster, const Context&
     frontier.rejection = Rejection::kTooSmall;
     return frontier;
   }
+  const int radius = rings_.empty() ? 0 : std::abs(rings_.back().x) + std::abs(rings_.back().y);
+  if (!travel_.anyReached(cluster.box.grown(radius))) frontier.rejection = Rejection::kUnreachable;
+  return frontier;
+}
+
+/// The large ones near the robot stay: there is most to see for the way.
+void FrontierEvaluator::leaveOutAllBut(std::size_t most, const Vec2& robot) {
+  constexpr double kNear = 10.0;  // [m]: nearer ones are as good as this far away
+  std::vector<std::size_t> worth_judging;
+  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
+    if (frontiers_[i].selectable()) worth_judging.push_back(i);
+  }
+  left_out_ = worth_judging.size() - std::min(worth_judging.size(), most);
+  if (left_out_ == 0) return;
+  const auto promise = [&](std::size_t i) {
+    return frontiers_[i].cell_count / std::max(kNear, (frontiers_[i].centroid - robot).norm());
+  };
+  std::stable_sort(worth_judging.begin(), worth_judging.end(),
+                   [&](std::size_t a, std::size_t b) { return promise(a) > promise(b); });
+  for (std::size_t k = most; k < worth_judging.size(); ++k) {
+    frontiers_[worth_judging[k]].rejection = Rejection::kLeftOut;
+  }
+}
+
+void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context) {
   const GoalCell goal = findGoal(cluster, frontier.anchor);
   frontier.rejection = goal.rejection;
-  if (goal.rejection == Rejection::kUnreachable) return frontier;
+  if (goal.rejection == Rejection::kUnreachable) return;
   adoptGoal(frontier, goal, context);
   if (frontier.rejection == Rejection::kNone || frontier.rejection == Rejection::kTooNear) {
     const Rejection view = judgeView(frontier, context);
     if (view != Rejection::kNone) frontier.rejection = view;
   }
-  return frontier;
 }
 
 /// The anchor may be in a corner that nothing sees: then a few other cells of the cluster are tried.
 FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& cluster, Cell anchor) {
   constexpr int kOtherTargets = 3;
-  const int radius = rings_.empty() ? 0 : std::abs(rings_.back().x) + std::abs(rings_.back().y);
-  if (!travel_.anyReached(cluster.box.grown(radius))) return {};
   if (const std::optional<GoalCell> known = recallGoal(anchor)) return *known;
   GoalCell best = findGoalFor(anchor);
   for (int k = 0; k < kOtherTargets && best.rejection != Rejection::kNone; ++k) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
+#include "frontier_pilot/core/bounds.h"
 #include "run_labels.h"
 
 namespace frontier_pilot {
@@ -32,16 +34,45 @@ void FrontierSearch::update(const OccupancyGrid& map, const CellRect& changed) {
     geometry_ = map.geometry();
     rows_.assign(static_cast<std::size_t>(map.height()), {});
     marks_.assign(static_cast<std::size_t>(map.width()) + 8, 0);
+    cells_in_row_.assign(static_cast<std::size_t>(map.height()), 0);
+    cell_count_ = 0;
+    rows_kept_ = true;
     area = geometry_.rect();
   }
-  for (int y = area.y; y < area.y + area.height; ++y) searchRow(map, y);
+  searchRows(map, area);
+  if (tooMany()) {
+    rows_.assign(static_cast<std::size_t>(map.height()), {});
+  } else if (!rows_kept_) {
+    rows_kept_ = true;
+    searchRows(map, geometry_.rect());
+  }
 }
 
-void FrontierSearch::searchRow(const OccupancyGrid& map, int y) {
+bool FrontierSearch::tooMany() const { return cell_count_ > bounds::kMostFrontierCells; }
+
+void FrontierSearch::searchRows(const OccupancyGrid& map, const CellRect& area) {
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    countRow(map, y);
+    if (tooMany()) {
+      rows_kept_ = false;
+    } else {
+      keepRow(rows_[static_cast<std::size_t>(y)], map.width());
+    }
+  }
+}
+
+void FrontierSearch::countRow(const OccupancyGrid& map, int y) {
   const int width = map.width();
   markFrontierCells(y > 0 ? map.row(y - 1) : nullptr, map.row(y), y + 1 < map.height() ? map.row(y + 1) : nullptr,
                     width, scratch_, marks_.data());
-  std::vector<Span>& spans = rows_[static_cast<std::size_t>(y)];
+  std::size_t& cells = cells_in_row_[static_cast<std::size_t>(y)];
+  cell_count_ -= cells;
+  cells = std::accumulate(marks_.begin(), marks_.begin() + width, std::size_t{0});
+  cell_count_ += cells;
+}
+
+/// The runs of the row that was marked last.
+void FrontierSearch::keepRow(std::vector<Span>& spans, int width) const {
   spans.clear();
   int x = 0;
   while (x < width) {
@@ -59,20 +90,16 @@ void FrontierSearch::searchRow(const OccupancyGrid& map, int y) {
   }
 }
 
-std::size_t FrontierSearch::cellCount() const {
-  std::size_t count = 0;
-  for (const auto& row : rows_) {
-    for (const Span& span : row) count += static_cast<std::size_t>(span.end - span.begin);
-  }
-  return count;
-}
-
 FrontierClusters FrontierSearch::clusters(int min_cells, int max_extent) const {
+  FrontierClusters none;
+  none.too_many = true;
+  if (tooMany()) return none;
   std::vector<FrontierRun> runs;
   for (std::size_t y = 0; y < rows_.size(); ++y) {
     for (const Span& span : rows_[y]) runs.push_back({static_cast<int>(y), span.begin, span.end});
   }
-  return detail::collectClusters(runs, detail::labelRuns(runs), min_cells, max_extent);
+  FrontierClusters all = detail::collectClusters(runs, detail::labelRuns(runs), min_cells, max_extent);
+  return all.too_many ? none : all;
 }
 
 Cell anchorOf(const FrontierClusters& all, const FrontierCluster& cluster) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frontier_pilot/core/bounds.h"
+
 namespace frontier_pilot::detail {
 namespace {
 
@@ -54,20 +56,25 @@ FrontierRun cut(const FrontierRun& run, int begin, int end) {
   return {run.y, std::max(run.begin, begin), std::min(run.end, end)};
 }
 
-/// Appends the component in equal slabs across its longer side.
+/// Appends the component in equal slabs across its longer side. Each run is looked at once, however many slabs there
+/// are: slab k begins at extent * k / slabs.
 void appendSlabs(FrontierClusters& all, const std::vector<FrontierRun>& runs, const FrontierCluster& whole,
                  int max_extent) {
   const bool wide = whole.box.width >= whole.box.height;
   const int extent = wide ? whole.box.width : whole.box.height;
   const int slabs = (extent + max_extent - 1) / max_extent;
-  for (int k = 0; k < slabs; ++k) {
-    const int begin = (wide ? whole.box.x : whole.box.y) + extent * k / slabs;
-    const int end = (wide ? whole.box.x : whole.box.y) + extent * (k + 1) / slabs;
-    std::vector<FrontierRun> slab;
-    for (const FrontierRun& run : runs) {
-      const FrontierRun part = wide ? cut(run, begin, end) : run;
-      if (part.begin < part.end && (wide || (run.y >= begin && run.y < end))) slab.push_back(part);
+  const int origin = wide ? whole.box.x : whole.box.y;
+  const auto slabOf = [&](int position) { return ((position - origin + 1) * slabs - 1) / extent; };
+  const auto beginOf = [&](int slab) { return origin + extent * slab / slabs; };
+  std::vector<std::vector<FrontierRun>> parts(static_cast<std::size_t>(slabs));
+  for (const FrontierRun& run : runs) {
+    const int first = slabOf(wide ? run.begin : run.y);
+    const int last = wide ? slabOf(run.end - 1) : first;
+    for (int k = first; k <= last; ++k) {
+      parts[static_cast<std::size_t>(k)].push_back(wide ? cut(run, beginOf(k), beginOf(k + 1)) : run);
     }
+  }
+  for (const std::vector<FrontierRun>& slab : parts) {
     if (!slab.empty()) append(all, slab, whole.cells);
   }
 }
@@ -120,6 +127,8 @@ FrontierClusters collectClusters(const std::vector<FrontierRun>& runs, const std
     } else {
       append(all, component, whole.cells);
     }
+    all.too_many = all.clusters.size() > bounds::kMostFrontiers;
+    if (all.too_many) break;
   }
   return all;
 }

@@ -10,7 +10,7 @@ namespace frontier_pilot::detail {
 /// For each run (sorted by row, then column) the index of the first run that it hangs together with over 8-neighbours.
 std::vector<std::uint32_t> labelRuns(const std::vector<FrontierRun>& runs);
 
-/// Sorts labelled runs into clusters, drops the small components and cuts the long ones.
+/// Sorts labelled runs into clusters, drops the small components and cuts the long ones. Stops with `too_many`.
 FrontierClusters collectClusters(const std::vector<FrontierRun>& runs, const std::vector<std::uint32_t>& labels,
                                  int min_cells, int max_extent);
 

@@ -68,12 +68,13 @@ void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& ma
 
 bool TravelField::anyReached(const CellRect& rect) const {
   const CellRect box = rect.intersection(geometry().rect());
-  std::uint32_t all = kUnreached;
   for (int y = box.y; y < box.y + box.height; ++y) {
     const std::uint32_t* row = units_.row(y) + box.x;
+    std::uint32_t all = kUnreached;
     for (int x = 0; x < box.width; ++x) all &= row[x];  // the unreached have all bits set
+    if (all != kUnreached) return true;
   }
-  return all != kUnreached;
+  return false;
 }
 
 double TravelField::distance(Cell c) const {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -86,7 +88,8 @@ ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T
   if (!hasMoved(scan, *T_odom_base)) return ScanVerdict::kNotMoved;
   usable_share_ = shareOfUsable(scan);
   if (usable_share_ == 0.0) return ScanVerdict::kAllInvalid;
-  return integrate(scan, *T_odom_base);
+  if (scan.ranges.size() <= bounds::kMostMappedBeams) return integrate(scan, *T_odom_base);
+  return integrate(withAtMost(bounds::kMostMappedBeams, scan), *T_odom_base);
 }
 
 ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) {

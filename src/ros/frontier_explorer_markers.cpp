@@ -96,7 +96,8 @@ void writeSelectable(MarkerWriter& writer, const Frontier& frontier, const GridG
 void writeRejected(MarkerWriter& writer, const Frontier& frontier, const GridGeometry& geometry) {
   const std::string reason = toString(frontier.rejection);
   writer.cells("rejected: " + reason, frontier.cells, geometry, kGrey);
-  if (frontier.rejection != Rejection::kTooSmall) writer.text("reasons", frontier.centroid, reason, kGrey);
+  const bool one_of_many = frontier.rejection == Rejection::kTooSmall || frontier.rejection == Rejection::kLeftOut;
+  if (!one_of_many) writer.text("reasons", frontier.centroid, reason, kGrey);
 }
 
 }  // namespace

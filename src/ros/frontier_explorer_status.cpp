@@ -12,6 +12,7 @@ static_assert(static_cast<int>(ExplorerReason::kNavigationGone) == ExplorerStatu
 static_assert(static_cast<int>(ExplorerReason::kNoReachableFrontier) == ExplorerStatus::NO_REACHABLE_FRONTIER);
 static_assert(static_cast<int>(ExplorerReason::kAllBlacklisted) == ExplorerStatus::ALL_BLACKLISTED);
 static_assert(static_cast<int>(ExplorerReason::kClockJumpedBack) == ExplorerStatus::CLOCK_JUMPED_BACK);
+static_assert(static_cast<int>(ExplorerReason::kTooManyFrontiers) == ExplorerStatus::TOO_MANY_FRONTIERS);
 
 ExplorerStatus toStatusMsg(const ExplorerProgress& progress, const std::string& frame, Time stamp) {
   ExplorerStatus msg;
@@ -37,7 +38,8 @@ ExplorerStatus toStatusMsg(const ExplorerProgress& progress, const std::string& 
 void ExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   const bool waits = status_.state == ExplorerState::kIdle && status_.reason != ExplorerReason::kPaused;
-  status.summary(waits ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+  const bool gave_up = status_.reason == ExplorerReason::kTooManyFrontiers;
+  status.summary(waits || gave_up ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                  std::string(toString(status_.state)) + ": " + status_.reason_text);
   status.add("frontiers", status_.frontiers_found);
   status.add("selectable", status_.frontiers_selectable);

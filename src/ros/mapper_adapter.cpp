@@ -9,10 +9,20 @@
 #include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
+namespace {
+
+OdometryAnchorParameters anchorParameters(const MapperNodeParameters& node) {
+  OdometryAnchorParameters parameters = node.odometry;
+  parameters.trusted = node.mapper.trust_odometry;
+  return parameters;
+}
+
+}  // namespace
 
 MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<MapperNodeParameters>(private_node)),
       mapper_(parameters_.mapper),
+      anchor_(anchorParameters(parameters_)),
       pairing_(parameters_.pairing),
       publisher_(node, parameters_.map_frame, parameters_.publishing),
       diagnostics_(node, private_node),
@@ -27,7 +37,10 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
 
 void MapperAdapter::connect() {
   connections_.master().claimTopics({publisher_.topic()});
-  connections_.subscribe(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
+  connections_.subscribeToEvents<nav_msgs::Odometry>(names::kOdom, 100, [this](const auto& event) {
+    odometry_publishers_.add(event.getPublisherName(), steadyNow());
+    handleOdometry(*event.getConstMessage());
+  });
   connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   connections_.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
   connections_.every(ros::Duration(parameters_.update_period), [this] {
@@ -38,7 +51,10 @@ void MapperAdapter::connect() {
     publisher_.publish(mapper_, *now);
   });
   connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
-  connections_.clock().onJump([this] { pairing_.clear(); });
+  connections_.clock().onJump([this] {
+    pairing_.clear();
+    anchor_.forgetTime();
+  });
   connections_.master().onRenewal([this] { session_.put(rosSessions()); });
   if (parameters_.autosave_period > 0.0) {
     connections_.everySteady(ros::WallDuration(parameters_.autosave_period), [this] { autosave(); });
@@ -50,21 +66,6 @@ void MapperAdapter::connect() {
     const auto other = report->rivals.find(publisher_.topic());
     publisher_.setOther(other == report->rivals.end() ? "" : other->second);
   });
-}
-
-void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
-  if (msg.header.frame_id != parameters_.odom_frame) {
-    return bad_odometry_.add("frame '" + msg.header.frame_id + "' is not '" + parameters_.odom_frame + "'");
-  }
-  std::string why;
-  const auto odometry = toOdometry(msg, &why);
-  if (!odometry) return bad_odometry_.add(why);
-  const auto now = connections_.clock().now();
-  if (!now) return bad_odometry_.add("the clock jumped");
-  if (isAhead(odometry->stamp, *now)) return bad_odometry_.add("stamp too far in the future");
-  resume(odometry->T_odom_base);
-  pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
-  insertPaired();
 }
 
 void MapperAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
@@ -94,8 +95,10 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
 }
 
 void MapperAdapter::insertPaired() {
-  const Time now = rosNow();
-  while (const auto paired = pairing_.next(now)) note(mapper_.insert(paired->scan, paired->T_odom_base, now), {});
+  // The time is asked for again each time: scans that grow stale while others are worked on are dropped, not caught up.
+  while (const auto paired = pairing_.next(rosNow())) {
+    note(mapper_.insert(paired->scan, paired->T_odom_base, rosNow()), {});
+  }
 }
 
 void MapperAdapter::think() {
@@ -136,13 +139,6 @@ void MapperAdapter::note(ScanVerdict verdict, const std::string& detail) {
   } else {
     bad_scans_.add(detail.empty() ? toString(verdict) : std::string(toString(verdict)) + ", " + detail);
   }
-}
-
-void MapperAdapter::broadcast() {
-  const auto now = connections_.clock().now();
-  if (!now) return;  // others would believe a future that never was
-  const Time stamp = *now + fromSeconds(parameters_.tf_lead);
-  tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, mapper_.T_map_odom(), stamp);
 }
 
 }  // namespace frontier_pilot

@@ -24,8 +24,6 @@ void reportScans(const Mapper& mapper, Status& status) {
 void reportCorrection(const Mapper& mapper, Status& status) {
   status.add("last pose", mapper.lastCorrection());
   for (const auto& [text, count] : mapper.correctionCounts()) status.add("poses, " + text, count);
-  const Pose2& T_map_odom = mapper.T_map_odom();
-  status.addf("map -> odom [m, m, deg]", "%.3f, %.3f, %.2f", T_map_odom.x, T_map_odom.y, T_map_odom.yaw * kDegrees);
 }
 
 void reportRevisions(const RevisionReport& revisions, Status& status) {
@@ -49,6 +47,7 @@ void MapperAdapter::report(Status& status) const {
   tf_.report(status);
   bad_initial_poses_.report(status);
   reportCorrection(mapper_, status);
+  reportOdometry(status);
   reportRevisions(mapper_.revisions(), status);
   status.addf("last second thoughts took [s]", "%.3f", revision_seconds_);
   const GridGeometry& geometry = mapper_.grid().geometry();

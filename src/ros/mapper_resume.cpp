@@ -33,7 +33,7 @@ void MapperAdapter::autosave() {
   if (const auto session = session_.take()) autosave_.enter(*session);
   const std::string before = autosave_.problem();
   const std::uint64_t content = mapper_.counts()[ScanVerdict::kInserted] + mapper_.revisions().rendered;
-  autosave_.save(mapper_.map(), mapper_.T_map_odom(), content, saver_);
+  autosave_.save(mapper_.map(), T_map_odom(), content, saver_);
   if (autosave_.problem().empty() || autosave_.problem() == before) return;
   THROTTLED_WARN("the map would not survive this node: " << autosave_.problem());
 }

@@ -26,6 +26,8 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   }
   mapper_.reset();
   autosave_.forget();
+  anchor_.reset();
+  pairing_.clear();
   thoughts_failure_.clear();
   response.success = 1U;
   response.message = "the map is forgotten; its size stays";

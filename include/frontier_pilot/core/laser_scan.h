@@ -42,6 +42,9 @@ struct RangeReading {
 /// Reads a raw range by the conventions of sensor_msgs/LaserScan and REP 117. [AVO-2]
 RangeReading readRange(float range, double range_min, double range_max);
 
+/// `scan` with every n-th beam, evenly, so that at most `most` > 0 are left: itself if it has no more.
+LaserScan2 withAtMost(std::size_t most, LaserScan2 scan);
+
 /// The reading of beam `beam`.
 inline RangeReading readBeam(const LaserScan2& scan, std::size_t beam) {
   return readRange(scan.ranges[beam], scan.range_min, scan.range_max);

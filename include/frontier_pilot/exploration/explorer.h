@@ -70,6 +70,7 @@ class Explorer {
   bool retryOtherwise(Time now);
   bool stepBack(Time now);
   void finish(Time now);
+  ExplorerReason whyNothingIsLeft() const;
   void returnToStart(Time now);
 
   void send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now);

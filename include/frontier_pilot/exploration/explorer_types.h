@@ -39,6 +39,7 @@ enum class ExplorerReason : std::uint8_t {
   kRobotOffKnownGround,
   kReset,
   kClockJumpedBack,
+  kTooManyFrontiers,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);

@@ -19,6 +19,7 @@ enum class Rejection {
   kNothingToSee,  ///< no beam from the goal is expected to find unknown ground
   kNotRich,       ///< in phase RICH: information density below rich_min_density
   kFruitless,     ///< reached before, and what it was to show stayed unknown
+  kLeftOut,       ///< not judged: there are too many others, larger or nearer ones
 };
 const char* toString(Rejection rejection);
 

@@ -48,6 +48,10 @@ class FrontierEvaluator {
   /// Blacklisted frontiers that can be reached without squeezing through gaps that only just fit. What lies behind such
   /// a gap, and the navigation could not get to, is not within reach.
   bool anyBlacklistedInTheOpen() const { return blacklisted_in_the_open_; }
+  /// Frontiers within reach that the last evaluation did not judge, for there were too many. [FLT-1]
+  std::size_t leftOut() const { return left_out_; }
+  /// Whether the map has so many that it gave up before it looked for any. [FLT-1]
+  bool tooMany() const { return clusters_.too_many; }
   /// Whether the last evaluation found ground for the robot to move on.
   bool robotHasGround() const { return travel_.reachedCount() > 0; }
   /// A reachable place a little farther than min_distance from the robot, from where what is too near now is not.
@@ -73,7 +77,9 @@ class FrontierEvaluator {
   };
 
   bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
-  Frontier judge(const FrontierCluster& cluster, const Context& context);
+  Frontier outline(const FrontierCluster& cluster) const;
+  void leaveOutAllBut(std::size_t most, const Vec2& robot);
+  void judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context);
   GoalCell findGoal(const FrontierCluster& cluster, Cell anchor);
   std::optional<GoalCell> recallGoal(Cell anchor) const;
   GoalCell findGoalFor(Cell target) const;
@@ -92,6 +98,7 @@ class FrontierEvaluator {
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;
+  std::size_t left_out_ = 0;
   bool blacklisted_in_the_open_ = false;
   std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;

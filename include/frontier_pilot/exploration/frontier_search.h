@@ -27,6 +27,7 @@ struct FrontierCluster {
 struct FrontierClusters {
   std::vector<FrontierRun> runs;
   std::vector<FrontierCluster> clusters;  ///< ordered by their first cell, row by row from the lower left
+  bool too_many = false;                  ///< cells or clusters, by core/bounds.h: then there are none here
 };
 
 /// Writes for each cell of a row whether it is a frontier cell: free, with an unknown 8-neighbour. [EXP-2]
@@ -38,6 +39,7 @@ void markFrontierCells(const std::int8_t* below, const std::int8_t* row, const s
 /// The frontier of a map, kept up to date row by row. After a change only the rows it touches are searched again; the
 /// clusters are then joined from runs of cells, which costs the length of the frontier and never the map. The result is
 /// that of a breadth-first search over 8-neighbours. [EXP-2]
+/// A map of noise may have millions of frontier cells: beyond the bound they are counted, and nothing else. [FLT-1]
 /// He, Chao & Suzuki, "A Run-Based Two-Scan Labeling Algorithm", IEEE Trans. Image Processing 17(5), 2008.
 class FrontierSearch {
  public:
@@ -48,16 +50,22 @@ class FrontierSearch {
   /// equal slabs, so that a long frontier offers goals all along; 0 leaves them whole.
   FrontierClusters clusters(int min_cells = 1, int max_extent = 0) const;
 
-  std::size_t cellCount() const;
+  std::size_t cellCount() const { return cell_count_; }
 
  private:
   struct Span {
     int begin, end;
   };
-  void searchRow(const OccupancyGrid& map, int y);
+  void searchRows(const OccupancyGrid& map, const CellRect& area);
+  void countRow(const OccupancyGrid& map, int y);
+  void keepRow(std::vector<Span>& spans, int width) const;
+  bool tooMany() const;
 
   GridGeometry geometry_;
   std::vector<std::vector<Span>> rows_;
+  std::vector<std::size_t> cells_in_row_;
+  std::size_t cell_count_ = 0;
+  bool rows_kept_ = true;  ///< false: there were too many, and some rows are missing
   std::vector<std::int8_t> scratch_;
   std::vector<std::uint8_t> marks_;
 };

@@ -64,6 +64,7 @@ class Mapper {
   explicit Mapper(const MapperParameters& parameters = {}, std::unique_ptr<PoseCorrection> correction = nullptr);
 
   /// Puts `scan`, taken at `T_odom_base`, into the map, or says why not; no pose: there is no odometry for its stamp.
+  /// Of more than bounds::kMostMappedBeams beams every n-th is used. [FLT-1]
   ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
 
   /// Work for another thread, if there is some; none while the last one's result has not come back.

@@ -13,8 +13,8 @@ namespace frontier_pilot {
 
 /// What rviz shows of an exploration, each kind in a namespace of its own: the `cells` and `centroids` of selectable
 /// frontiers (a sphere as large as the information is), their `scores`, blacklisted places in red, and the rejected
-/// frontiers in grey, by reason (`rejected: too near`), each with its reason as text. The too small ones, of which
-/// there can be thousands, carry it in the namespace alone.
+/// frontiers in grey, by reason (`rejected: too near`), each with its reason as text. The too small and the left
+/// out ones, of which there can be thousands, carry it in the namespace alone.
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<Frontier>& frontiers,
                                                     const std::vector<Blacklist::Entry>& blacklist,
                                                     const GridGeometry& geometry, const std::string& frame, Time stamp);

@@ -15,8 +15,10 @@
 
 #include "frontier_pilot/mapping/map_io.h"
 #include "frontier_pilot/mapping/mapper.h"
+#include "frontier_pilot/mapping/odometry_anchor.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/heard_publishers.h"
 #include "frontier_pilot/ros/map_autosave.h"
 #include "frontier_pilot/ros/map_saver.h"
 #include "frontier_pilot/ros/mapper_publisher.h"
@@ -38,6 +40,7 @@ struct MapperNodeParameters {
   double tf_lead = 0.1;          ///< `map -> odom` is dated this much ahead, so that it holds until the next one [s]
   double silence = 2.0;          ///< without a scan in the map for so long something is wrong [s]
   MapperParameters mapper;
+  OdometryAnchorParameters odometry;
   ScanPairingParameters pairing;
   MapScheduleParameters publishing;
 
@@ -58,6 +61,7 @@ struct MapperNodeParameters {
     v.field("tf_lead", tf_lead, "s", "how far map -> odom is dated ahead", atLeast(0.0));
     v.field("silence", silence, "s", "without a scan in the map for so long something is wrong", positive());
     v.group("mapper", mapper, "the mapper");
+    v.group("odometry", odometry, "what odometry is believed");
     v.group("pairing", pairing, "how scans find their odometry");
     v.group("publishing", publishing, "when the whole map goes out");
   }
@@ -88,6 +92,7 @@ class MapperAdapter {
   void connect();
   void advertiseServices();
   void handleOdometry(const nav_msgs::Odometry& msg);
+  void noteOdometryReset();
   void handleScan(const sensor_msgs::LaserScan& msg);
   /// The scan, or what is wrong with it.
   std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg);
@@ -97,6 +102,8 @@ class MapperAdapter {
   void takeOver(Thoughts& thoughts);
   void note(ScanVerdict verdict, const std::string& detail);
   void broadcast();
+  /// The mapper is given odometry without its jumps.
+  Pose2 T_map_odom() const { return mapper_.T_map_odom() * anchor_.T_smooth_odom(); }
   /// Throws a ConfigurationError when the map to begin with cannot be loaded.
   void loadFirstMap(const ros::NodeHandle& private_node);
   MapIoResult load(const std::string& path);
@@ -110,10 +117,12 @@ class MapperAdapter {
   bool handleGet(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void report(Status& status) const;
+  void reportOdometry(Status& status) const;
   void summarize(Status& status) const;
 
   MapperNodeParameters parameters_;
   Mapper mapper_;
+  OdometryAnchor anchor_;
   ScanPairing pairing_;
   TfBridge tf_;
   MapperPublisher publisher_;
@@ -121,10 +130,12 @@ class MapperAdapter {
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
   Rejections bad_initial_poses_{"initial pose"};
-  std::optional<SteadyTime> last_inserted_;  ///< when the last scan was found good
-  std::string thoughts_failure_;             ///< what ended the second thoughts, until a reset
-  double revision_seconds_ = 0.0;            ///< what the last second thoughts took
-  std::shared_ptr<MapRevision> old_;         ///< what the last ones replaced
+  HeardPublishers odometry_publishers_;
+  std::optional<SteadyTime> odometry_reset_;  ///< when the last one was noticed
+  std::optional<SteadyTime> last_inserted_;   ///< when the last scan was found good
+  std::string thoughts_failure_;              ///< what ended the second thoughts, until a reset
+  double revision_seconds_ = 0.0;             ///< what the last second thoughts took
+  std::shared_ptr<MapRevision> old_;          ///< what the last ones replaced
   Worker<Thoughts> worker_;
   MapSaver saver_;
   MapAutosave autosave_;

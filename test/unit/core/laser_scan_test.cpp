@@ -41,5 +41,22 @@ TEST(RobotLimits, ClampKeepsTheSignAndAccelerationIsBoundedPerAxis) {
   EXPECT_EQ(limitAcceleration({0.05, 0.1}, {0.0, 0.0}, limits, 0.1), (Twist2{0.05, 0.1}));
 }
 
+TEST(LaserScan, ThatIsTooDenseKeepsEveryNthBeamWhereItPointed_FLT_1) {
+  LaserScan2 scan;
+  scan.angle_min = -1.0;
+  scan.angle_increment = 0.01;
+  for (int beam = 0; beam < 100; ++beam) scan.ranges.push_back(static_cast<float>(beam));
+  const LaserScan2 whole = withAtMost(100, scan);
+  EXPECT_EQ(whole.ranges, scan.ranges);
+  EXPECT_EQ(whole.angle_increment, scan.angle_increment);
+  const LaserScan2 third = withAtMost(40, scan);
+  ASSERT_EQ(third.ranges.size(), 34U);
+  for (std::size_t beam = 0; beam < third.ranges.size(); ++beam) {
+    const auto original = static_cast<std::size_t>(third.ranges[beam]);
+    EXPECT_EQ(original, 3 * beam);
+    EXPECT_NEAR(third.angle(beam), scan.angle(original), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/mapping/scan_inserter.h"
 #include "frontier_pilot/mapping/surface_points.h"
 
@@ -45,6 +46,19 @@ TEST(DenseScan, FLT_1_IsPutIntoTheMapInTimeThatItsSizeBounds) {  // [FLT-1]
   OccupancyMap map;
   ScanInserter inserter;
   EXPECT_LT(secondsOf([&] { EXPECT_EQ(inserter.insert(scan, Pose2(), map), Insertion::kInserted); }), 8.0);
+}
+
+OccupancyGrid mapOf(const LaserScan2& scan) {
+  Mapper mapper;
+  EXPECT_EQ(mapper.insert(scan, Pose2(), scan.stamp), ScanVerdict::kInserted);
+  return mapper.grid();
+}
+
+TEST(DenseScan, FLT_1_IsMappedByNoMoreBeamsThanTheLimit) {  // [FLT-1]
+  const LaserScan2 dense = scanOfPot(bounds::kMostRanges, 10.0);
+  EXPECT_EQ(mapOf(dense).cells(), mapOf(withAtMost(bounds::kMostMappedBeams, dense)).cells());
+  const LaserScan2 usual = scanOfPot(bounds::kMostMappedBeams, 10.0);
+  EXPECT_NE(mapOf(usual).cells(), mapOf(withAtMost(bounds::kMostMappedBeams / 2, usual)).cells()) << "all are used";
 }
 
 }  // namespace

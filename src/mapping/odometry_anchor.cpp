@@ -1,0 +1,76 @@
+#include "frontier_pilot/mapping/odometry_anchor.h"
+
+#include <cmath>
+
+#include "frontier_pilot/core/motion.h"
+
+namespace frontier_pilot {
+namespace {
+
+// Stamps may be those of the arrival, and two messages arrive together although they were made one after the other.
+constexpr double kSlack = 0.5;       ///< [m]
+constexpr double kSlackAngle = 0.5;  ///< [rad]
+constexpr int kSure = 2;             ///< so many messages after the first make a reset of it
+
+}  // namespace
+
+std::optional<Pose2> OdometryAnchor::follow(Time stamp, const Pose2& T_odom_base) {
+  const Sample sample{stamp, T_odom_base};
+  // A clock that stands still says nothing about speed, and no scan is paired with such a message.
+  if (last_ && stamp == last_->stamp) return T_smooth_odom_ * T_odom_base;
+  // First whether it goes on from the landing: a restart counts from the origin, and soon leaves it.
+  if (landing_ && isDrivable(*doubtful_, sample)) return doubt(sample);
+  const bool believed = !last_ || (isDrivable(*last_, sample) && !isRestart(*last_, sample));
+  if (believed) return accept(sample);
+  landing_.reset();
+  return doubt(sample);
+}
+
+bool OdometryAnchor::isDrivable(const Sample& from, const Sample& to) const {
+  const double seconds = std::abs(toSeconds(to.stamp - from.stamp));
+  return !isJump(from.T_odom_base, to.T_odom_base, kSlack + parameters_.max_speed * seconds,
+                 kSlackAngle + parameters_.max_turn_rate * seconds);
+}
+
+/// Whether odometry is at its origin after a silence in which the robot might have come there, but to the millimetre.
+bool OdometryAnchor::isRestart(const Sample& from, const Sample& to) const {
+  constexpr double kSilence = 1.0;  // [s]
+  constexpr double kExact = 0.001;  // [m, rad]
+  return toSeconds(to.stamp - from.stamp) > kSilence && !isJump(Pose2(), to.T_odom_base, kExact, kExact) &&
+         isJump(Pose2(), from.T_odom_base, kSlack, kSlackAngle);
+}
+
+std::optional<Pose2> OdometryAnchor::accept(const Sample& sample) {
+  landing_.reset();
+  last_ = sample;
+  return T_smooth_odom_ * sample.T_odom_base;
+}
+
+std::optional<Pose2> OdometryAnchor::doubt(const Sample& sample) {
+  doubtful_ = sample;
+  if (!landing_) {
+    landing_ = sample;
+    followers_ = 0;
+    return std::nullopt;
+  }
+  if (++followers_ < kSure) return std::nullopt;
+  const Pose2 step = last_->T_odom_base.inverse() * landing_->T_odom_base;
+  last_jump_ = {step.position().norm(), normalizeAngle(step.yaw), toSeconds(landing_->stamp - last_->stamp)};
+  ++resets_;
+  if (!parameters_.trusted) {
+    T_smooth_odom_ = T_smooth_odom_ * last_->T_odom_base * landing_->T_odom_base.inverse();
+  }
+  return accept(sample);
+}
+
+void OdometryAnchor::forgetTime() {
+  last_.reset();
+  landing_.reset();
+}
+
+void OdometryAnchor::reset() {
+  forgetTime();
+  T_smooth_odom_ = Pose2();
+}
+
+}  // namespace frontier_pilot
