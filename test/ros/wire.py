@@ -1,5 +1,6 @@
 """What the wire tests of arbiter and avoider share: a condition to wait on instead of sleeping, and nodes to kill."""
 import os
+import select
 import signal
 import subprocess
 import threading
@@ -101,6 +102,17 @@ class Node:
         self.process = subprocess.Popen([roslib.packages.find_node(package, executable)[0], *arguments],
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
                                         preexec_fn=os.setsid)
+        self._said = ''
+
+    def said(self):
+        """All that was said so far. Not together with `finish`."""
+        pipe = self.process.stdout.fileno()
+        while select.select([pipe], [], [], 0.0)[0]:
+            part = os.read(pipe, 65536)
+            if not part:
+                break
+            self._said += part.decode(errors='replace')
+        return self._said
 
     def signal(self, number):
         os.killpg(self.process.pid, number)
