@@ -34,11 +34,7 @@ Explorer::Explorer(const ExplorerParameters& parameters)
       evaluator_(parameters.frontier),
       blacklist_(parameters.blacklist),
       fruitless_(
-          {parameters.blacklist.radius / 2, parameters.blacklist.change_radius, parameters.blacklist.change_cells}) {
-  choose_ = [score = parameters.frontier.score](const auto& candidates, const auto& current) {
-    return chooseBestScore(candidates, current, score);
-  };
-}
+          {parameters.blacklist.radius / 2, parameters.blacklist.change_radius, parameters.blacklist.change_cells}) {}
 
 void Explorer::setMap(const OccupancyGrid& map, const CellRect& changed) {
   const bool new_geometry = map.geometry() != evaluator_.map().geometry();

@@ -212,7 +212,8 @@ std::optional<GoalCandidate> Explorer::judgeAndChoose(bool keep_present, Time no
     const auto present = evaluator_.candidateAt(goal_->position, T_map_base_->position());
     if (present) all.push_back(*present);
   }
-  const auto index = choose_(all, goal_ ? std::optional<Vec2>(goal_->position) : std::nullopt);
+  const auto current = goal_ ? std::optional<Vec2>(goal_->position) : std::nullopt;
+  const auto index = chooseBestScore(all, current, parameters_.frontier.score);
   return index ? std::optional<GoalCandidate>(all[*index]) : std::nullopt;
 }
 

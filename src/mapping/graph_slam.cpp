@@ -80,6 +80,7 @@ bool GraphSlam::refuse(const MapRevision& revision) {
 void GraphSlam::abandonWork() {
   working_ = false;
   abandoned_ = true;
+  ++generation_;
   inbox_.clear();
 }
 

@@ -31,12 +31,6 @@ Vec2 Path::at(double s) const {
   return points_[i] + part * (points_[i + 1] - points_[i]);
 }
 
-double Path::headingAt(double s) const {
-  if (points_.size() < 2) return 0.0;
-  const std::size_t i = segmentAt(s);
-  return bearing(points_[i + 1] - points_[i]);
-}
-
 double Path::project(const Vec2& point, double from, double to) const {
   if (points_.size() < 2) return 0.0;
   from = std::clamp(from, 0.0, length());

@@ -21,8 +21,6 @@ class Explorer {
   void setMap(const OccupancyGrid& map, const CellRect& changed);
   /// Asks a planner, in place of the own wavefront, for travel distances.
   void setPlan(PlanFn plan) { evaluator_.setPlan(std::move(plan)); }
-  /// Replaces the choice by the best score.
-  void setChoice(ChooseGoal choose) { choose_ = std::move(choose); }
 
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
@@ -83,7 +81,6 @@ class Explorer {
   FrontierEvaluator evaluator_;
   Blacklist blacklist_;
   Blacklist fruitless_;
-  ChooseGoal choose_;
 
   ExplorerOutput out_;
   ExplorerProgress status_;

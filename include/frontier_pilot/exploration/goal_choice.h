@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -20,17 +19,13 @@ struct GoalCandidate {
   double score = 0.0;
 };
 
-/// Picks one candidate (its index), or none. `current` is the goal being driven to, if any: the choice may stick to it.
-/// Deterministic. Another policy (a tour, several robots) takes this place.
-using ChooseGoal =
-    std::function<std::optional<std::size_t>(const std::vector<GoalCandidate>&, const std::optional<Vec2>& current)>;
-
 /// `score = w_info * info - w_dist * distance - w_obs * obs - w_visit * visited`, each term normalised: info to [0, 1)
 /// by area / (area + info_scale), or the unknown share as it is; distance in units of distance_scale; obs the density
 /// over the greatest allowed; visited = visits / (visits + 1). [EXP-4]
 double goalScore(const GoalCandidate& candidate, const ScoreParameters& parameters);
 
-/// The candidate with the best score; the first of equal ones. The one at `current` is ahead by switch_margin.
+/// The index of the candidate with the best score; the first of equal ones, none if there is none. The one at
+/// `current`, the goal being driven to, is ahead by switch_margin.
 std::optional<std::size_t> chooseBestScore(const std::vector<GoalCandidate>& candidates,
                                            const std::optional<Vec2>& current, const ScoreParameters& parameters);
 

@@ -22,8 +22,6 @@ class Path {
 
   /// The point at `s` along the path, at its nearer end if `s` is beyond. Must not be empty.
   Vec2 at(double s) const;
-  /// The bearing of the path at `s` [rad]; 0 if it has a single point.
-  double headingAt(double s) const;
   /// Where between `from` and `to` along the path it comes nearest to `point`; the earlier one of equals.
   double project(const Vec2& point, double from, double to) const;
 
