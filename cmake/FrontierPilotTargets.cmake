@@ -71,6 +71,8 @@ function(frontier_pilot_unit_test module)
   set(target ${module}_unit_tests)
   add_executable(${target} ${sources})
   frontier_pilot_target_options(${target})
+  # Most of the time goes into the headers. The files of a module's tests are in one anonymous namespace.
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PRIVATE frontier_pilot_${module} ${ARG_DEPENDS} frontier_pilot_test_support
     ${ARG_LIBRARIES} GTest::gtest_main)

@@ -231,8 +231,8 @@ TEST(Spin, CollisionChecksCanBeSwitchedOff) {
 // [SPN-4]
 TEST(Spin, BadGoalsEndWithoutMotion) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  for (const BehaviorGoal& goal : {spin(kNan), spin(kInf), spin(1.0, -0.1), spin(1.0, kNan)}) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  for (const BehaviorGoal& goal : {spin(kNan), spin(kEndless), spin(1.0, -0.1), spin(1.0, kNan)}) {
     BehaviorLoop loop;
     expectEnd(loop.start(goal), BehaviorOutcome::kInvalidGoal);
     EXPECT_FALSE(loop.cycle().command.has_value());

@@ -24,7 +24,7 @@ std::vector<Vec2> wallAt(double x) {
   return points;
 }
 
-void expectEnd(const BehaviorOutput& output, BehaviorOutcome outcome) {
+void expectOutcome(const BehaviorOutput& output, BehaviorOutcome outcome) {
   EXPECT_EQ(output.outcome, outcome) << toString(output.outcome) << ": " << output.message;
   ASSERT_TRUE(output.command.has_value());
   EXPECT_TRUE(output.command->isZero());
@@ -37,13 +37,13 @@ TEST(Straight, BacksUpAndDrivesItsDistanceAndStands) {
       BehaviorLoop back;
       back.start(backUp(distance, speed));
       const BehaviorOutput backed = back.run(60.0);
-      expectEnd(backed, BehaviorOutcome::kSucceeded);
+      expectOutcome(backed, BehaviorOutcome::kSucceeded);
       EXPECT_NEAR(back.base.pose().x, -distance, 0.01);
       EXPECT_NEAR(backed.progress, distance, 0.01);
       for (const double sign : {1.0, -1.0}) {
         BehaviorLoop ahead;
         ahead.start(drive(sign * distance, speed));
-        expectEnd(ahead.run(60.0), BehaviorOutcome::kSucceeded);
+        expectOutcome(ahead.run(60.0), BehaviorOutcome::kSucceeded);
         EXPECT_NEAR(ahead.base.pose().x, sign * distance, 0.01);
       }
     }
@@ -66,14 +66,14 @@ TEST(Straight, StopsBeforeAWallWithoutTouchingIt) {
   back.points = wallAt(-0.45);
   back.start(backUp(1.0));
   const BehaviorOutput output = back.run(60.0);
-  expectEnd(output, BehaviorOutcome::kCollisionAhead);
+  expectOutcome(output, BehaviorOutcome::kCollisionAhead);
   back.rest();
   EXPECT_LT(back.base.pose().x, -0.05);
   EXPECT_GT(back.base.pose().x - 0.101, -0.45);
   BehaviorLoop ahead;
   ahead.points = wallAt(0.1);
   ahead.start(drive(0.2));
-  expectEnd(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
+  expectOutcome(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
   EXPECT_FALSE(ahead.moved);
 }
 
@@ -83,30 +83,30 @@ TEST(Straight, ARobotThatTouchesSomethingMayBackAwayFromItButNotTurnOrDriveIntoI
   BehaviorLoop back;
   back.points = touching;
   back.start(backUp(0.2));
-  expectEnd(back.run(20.0), BehaviorOutcome::kSucceeded);
+  expectOutcome(back.run(20.0), BehaviorOutcome::kSucceeded);
   BehaviorLoop ahead;
   ahead.points = touching;
   ahead.start(drive(0.2));
-  expectEnd(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
+  expectOutcome(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
   BehaviorLoop turn;
   turn.points = touching;
   turn.start({BehaviorKind::kSpin, 1.0, 0.0, 0.0, true});
-  expectEnd(turn.cycle(), BehaviorOutcome::kCollisionAhead);
+  expectOutcome(turn.cycle(), BehaviorOutcome::kCollisionAhead);
 }
 
 // [SPN-5]
 TEST(Straight, TimeoutsLostPosesAndStandstillsEndIt) {
   BehaviorLoop late;
   late.start(backUp(1.0, 0.1, 1.0));
-  expectEnd(late.run(20.0), BehaviorOutcome::kTimeout);
+  expectOutcome(late.run(20.0), BehaviorOutcome::kTimeout);
   BehaviorLoop lost;
   lost.start(backUp(1.0));
   lost.run(0.5);
   lost.posing = false;
-  expectEnd(lost.run(20.0), BehaviorOutcome::kPoseLost);
+  expectOutcome(lost.run(20.0), BehaviorOutcome::kPoseLost);
   BehaviorLoop stuck;
   stuck.start(backUp(1.0));
-  expectEnd(stuck.run(20.0, Twist2()), BehaviorOutcome::kNoProgress);
+  expectOutcome(stuck.run(20.0, Twist2()), BehaviorOutcome::kNoProgress);
 }
 
 // [SPN-5]
@@ -115,11 +115,11 @@ TEST(Straight, BadGoalsAndZeroDistanceEndWithoutMotion) {
   for (const BehaviorGoal& goal : {backUp(-0.1), backUp(kNan), backUp(0.1, -0.1), backUp(0.1, kNan),
                                    backUp(0.1, 0.1, -1.0), drive(kNan), wait(-1.0), wait(kNan)}) {
     BehaviorLoop loop;
-    expectEnd(loop.start(goal), BehaviorOutcome::kInvalidGoal);
+    expectOutcome(loop.start(goal), BehaviorOutcome::kInvalidGoal);
   }
   for (const BehaviorGoal& goal : {backUp(0.0), drive(0.0), wait(0.0)}) {
     BehaviorLoop loop;
-    expectEnd(loop.start(goal), BehaviorOutcome::kSucceeded);
+    expectOutcome(loop.start(goal), BehaviorOutcome::kSucceeded);
   }
 }
 
@@ -129,7 +129,7 @@ TEST(Straight, CancelTellsTheDistanceDone) {
   loop.start(backUp(0.5));
   const BehaviorOutput last = loop.run(2.0);
   const BehaviorOutput output = loop.behavior.cancel("canceled", loop.base.now());
-  expectEnd(output, BehaviorOutcome::kCanceled);
+  expectOutcome(output, BehaviorOutcome::kCanceled);
   EXPECT_EQ(output.progress, last.progress);
   EXPECT_GT(output.progress, 0.1);
 }
@@ -141,7 +141,7 @@ TEST(Wait, CountsRosTimeAndNeedsNeitherPoseNorCostmap) {
   loop.start(wait(3.0));
   const Time since = loop.base.now();
   const BehaviorOutput output = loop.run(20.0);
-  expectEnd(output, BehaviorOutcome::kSucceeded);
+  expectOutcome(output, BehaviorOutcome::kSucceeded);
   EXPECT_NEAR(toSeconds(loop.base.now() - since), 3.1, 1e-6);
   EXPECT_FALSE(loop.moved);
   EXPECT_NEAR(output.progress, 3.0, 1e-9);
@@ -151,11 +151,11 @@ TEST(Wait, CountsRosTimeAndNeedsNeitherPoseNorCostmap) {
 TEST(Wait, EndsByAllowanceCancelAndABackwardClock) {
   BehaviorLoop late;
   late.start(wait(3.0, 1.0));
-  expectEnd(late.run(20.0), BehaviorOutcome::kTimeout);
+  expectOutcome(late.run(20.0), BehaviorOutcome::kTimeout);
   BehaviorLoop canceled;
   canceled.start(wait(3.0));
   canceled.run(1.0);
-  expectEnd(canceled.behavior.cancel("canceled", canceled.base.now()), BehaviorOutcome::kCanceled);
+  expectOutcome(canceled.behavior.cancel("canceled", canceled.base.now()), BehaviorOutcome::kCanceled);
   BehaviorLoop back;
   back.start(wait(3.0));
   back.run(1.0);

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-ScanLog read(const std::string& text, const LogScanner& scanner = {}) {
+ScanLog readCarmen(const std::string& text, const LogScanner& scanner = {}) {
   std::istringstream file(text);
   return readCarmenLog(file, "drive.log", scanner);
 }
 
-std::string problemOf(const std::string& text) {
+std::string problemOfCarmen(const std::string& text) {
   try {
-    read(text);
+    readCarmen(text);
   } catch (const LogError& error) {
     return error.what();
   }
@@ -39,8 +39,9 @@ constexpr const char* kRobotLaser =
     "0.3 0.4 99.0 100.5 host 0.7\n";
 
 TEST(CarmenLog, ReadsFrontLasers) {
-  const ScanLog log = read("# a comment\nPARAM robot_width 0.5\nODOM 1 2 3 4 5 6 7 host 8\n" +
-                           frontLaser(180, "1 2 0.5 1 2 0.5", 100.25) + frontLaser(180, "2 2 0.5 2 2 0.5", 100.5));
+  const ScanLog log =
+      readCarmen("# a comment\nPARAM robot_width 0.5\nODOM 1 2 3 4 5 6 7 host 8\n" +
+                 frontLaser(180, "1 2 0.5 1 2 0.5", 100.25) + frontLaser(180, "2 2 0.5 2 2 0.5", 100.5));
   ASSERT_EQ(log.records.size(), 2U);
   const LogRecord& first = log.records[0];
   EXPECT_EQ(first.scan.stamp, timeFromSeconds(100.25));
@@ -53,7 +54,7 @@ TEST(CarmenLog, ReadsFrontLasers) {
 }
 
 TEST(CarmenLog, GivesFrontLasersTheAnglesOfTheScannerWithThatManyBeams) {
-  const auto scanOf = [](int beams) { return read(frontLaser(beams, "0 0 0 0 0 0", 1)).records[0].scan; };
+  const auto scanOf = [](int beams) { return readCarmen(frontLaser(beams, "0 0 0 0 0 0", 1)).records[0].scan; };
   for (const int beams : {180, 181}) {
     EXPECT_NEAR(scanOf(beams).angle_min, -90.0 * kDegree, 1e-12);
     EXPECT_NEAR(scanOf(beams).angle_increment, kDegree, 1e-12);
@@ -65,7 +66,7 @@ TEST(CarmenLog, GivesFrontLasersTheAnglesOfTheScannerWithThatManyBeams) {
 }
 
 TEST(CarmenLog, ReadsRobotLasersWithRemissionsAndVelocities) {
-  const ScanLog log = read(kRobotLaser);
+  const ScanLog log = readCarmen(kRobotLaser);
   ASSERT_EQ(log.records.size(), 1U);
   const LogRecord& record = log.records[0];
   EXPECT_EQ(record.scan.ranges, (std::vector<float>{1.5F, 81.92F, 4.5F}));
@@ -79,38 +80,40 @@ TEST(CarmenLog, ReadsRobotLasersWithRemissionsAndVelocities) {
 }
 
 TEST(CarmenLog, TakesTheScannersPlaceFromTheTwoPoses) {
-  const ScanLog log = read(frontLaser(181, "1.3 2 0 1 2 0", 1) + frontLaser(181, "1 2.301 1.5708 1 2 1.5708", 2));
+  const ScanLog log = readCarmen(frontLaser(181, "1.3 2 0 1 2 0", 1) + frontLaser(181, "1 2.301 1.5708 1 2 1.5708", 2));
   for (const LogRecord& record : log.records) {
     EXPECT_FALSE(isJump(record.scan.T_base_sensor, Pose2(0.3, 0.0, 0.0), 1e-9, 1e-9));
   }
   LogScanner scanner;
   scanner.T_base_sensor = Pose2(0.1, 0.0, 0.0);
-  EXPECT_EQ(read(frontLaser(181, "1.3 2 0 1 2 0", 1), scanner).records[0].scan.T_base_sensor, Pose2(0.1, 0.0, 0.0));
+  EXPECT_EQ(readCarmen(frontLaser(181, "1.3 2 0 1 2 0", 1), scanner).records[0].scan.T_base_sensor,
+            Pose2(0.1, 0.0, 0.0));
 }
 
 TEST(CarmenLog, DoesNotTakeCorrectedLaserPosesForTheMount) {
-  const ScanLog log = read(frontLaser(181, "0 0 0 0 0 0", 1) + frontLaser(181, "3 1 0.2 2.5 1.5 0.1", 2));
+  const ScanLog log = readCarmen(frontLaser(181, "0 0 0 0 0 0", 1) + frontLaser(181, "3 1 0.2 2.5 1.5 0.1", 2));
   EXPECT_EQ(log.records[1].scan.T_base_sensor, Pose2());
   EXPECT_EQ(log.records[1].T_odom_base, Pose2(2.5, 1.5, 0.1));
   ASSERT_EQ(log.notes.size(), 1U);
 }
 
 TEST(CarmenLog, ReadsTheKindOfScanThatComesFirst) {
-  const ScanLog log = read(frontLaser(181, "0 0 0 0 0 0", 1) + kRobotLaser + frontLaser(181, "1 0 0 1 0 0", 2));
+  const ScanLog log = readCarmen(frontLaser(181, "0 0 0 0 0 0", 1) + kRobotLaser + frontLaser(181, "1 0 0 1 0 0", 2));
   EXPECT_EQ(log.records.size(), 2U);
   ASSERT_EQ(log.notes.size(), 1U);
   EXPECT_EQ(log.notes[0], "1 scans of another kind than FLASER passed over");
 }
 
 TEST(CarmenLog, SaysInWhichLineWhatIsBroken) {
-  EXPECT_EQ(problemOf("\nFLASER 3 1 2\n"), "drive.log:2: has fewer ranges than it says");
-  EXPECT_EQ(problemOf("FLASER 3 1 2 x 0 0 0 0 0 0 1 host 1\n"), "drive.log:1: a range is no number: 'x'");
-  EXPECT_EQ(problemOf("FLASER three\n"), "drive.log:1: the number of ranges is no count: 'three'");
-  EXPECT_EQ(problemOf("FLASER 2 1 2 0 0 0 0 0\n"), "drive.log:1: ends where the robot's pose should be");
-  EXPECT_EQ(problemOf("FLASER 2 1 2 0 0 0 0 0 0\n"), "drive.log:1: ends where the stamp should be");
-  EXPECT_EQ(problemOf("ROBOTLASER1 0 -1.5 3 0 80 0 0 2 1 1\n"), "drive.log:1: the angular resolution is zero");
-  EXPECT_EQ(problemOf("ROBOTLASER1 0 -1.5 3 1 80 0 0 2 1 1 9 1\n"), "drive.log:1: ends where a remission should be");
-  EXPECT_EQ(problemOf("ODOM 1 2 3\n"), "drive.log: holds no FLASER and no ROBOTLASER1 line");
+  EXPECT_EQ(problemOfCarmen("\nFLASER 3 1 2\n"), "drive.log:2: has fewer ranges than it says");
+  EXPECT_EQ(problemOfCarmen("FLASER 3 1 2 x 0 0 0 0 0 0 1 host 1\n"), "drive.log:1: a range is no number: 'x'");
+  EXPECT_EQ(problemOfCarmen("FLASER three\n"), "drive.log:1: the number of ranges is no count: 'three'");
+  EXPECT_EQ(problemOfCarmen("FLASER 2 1 2 0 0 0 0 0\n"), "drive.log:1: ends where the robot's pose should be");
+  EXPECT_EQ(problemOfCarmen("FLASER 2 1 2 0 0 0 0 0 0\n"), "drive.log:1: ends where the stamp should be");
+  EXPECT_EQ(problemOfCarmen("ROBOTLASER1 0 -1.5 3 0 80 0 0 2 1 1\n"), "drive.log:1: the angular resolution is zero");
+  EXPECT_EQ(problemOfCarmen("ROBOTLASER1 0 -1.5 3 1 80 0 0 2 1 1 9 1\n"),
+            "drive.log:1: ends where a remission should be");
+  EXPECT_EQ(problemOfCarmen("ODOM 1 2 3\n"), "drive.log: holds no FLASER and no ROBOTLASER1 line");
 }
 
 }  // namespace

@@ -7,14 +7,14 @@
 namespace frontier_pilot {
 namespace {
 
-ScanLog read(const std::string& text, const LogScanner& scanner = {}) {
+ScanLog readCsv(const std::string& text, const LogScanner& scanner = {}) {
   std::istringstream file(text);
   return readCsvLog(file, "drive.csv", scanner);
 }
 
-std::string problemOf(const std::string& text) {
+std::string problemOfCsv(const std::string& text) {
   try {
-    read(text);
+    readCsv(text);
   } catch (const LogError& error) {
     return error.what();
   }
@@ -22,7 +22,7 @@ std::string problemOf(const std::string& text) {
 }
 
 TEST(CsvLog, ReadsStampOdometryAndRangesFromRightToLeft) {
-  const ScanLog log = read("# a comment\n\n10.5,1,2,0.5,3.0,0,7.25\n10.75, -1.5, 2, -0.25, 3, 4, 5\r\n");
+  const ScanLog log = readCsv("# a comment\n\n10.5,1,2,0.5,3.0,0,7.25\n10.75, -1.5, 2, -0.25, 3, 4, 5\r\n");
   ASSERT_EQ(log.records.size(), 2U);
   const LogRecord& first = log.records[0];
   EXPECT_EQ(first.scan.stamp, timeFromSeconds(10.5));
@@ -37,7 +37,7 @@ TEST(CsvLog, ReadsStampOdometryAndRangesFromRightToLeft) {
 }
 
 TEST(CsvLog, TakesZeroForABeamThatSaysNothing) {
-  EXPECT_EQ(readBeam(read("1,0,0,0,0,2\n").records[0].scan, 0).kind, RangeKind::kInvalid);
+  EXPECT_EQ(readBeam(readCsv("1,0,0,0,0,2\n").records[0].scan, 0).kind, RangeKind::kInvalid);
 }
 
 TEST(CsvLog, TakesAnotherScannerWhenTold) {
@@ -45,20 +45,20 @@ TEST(CsvLog, TakesAnotherScannerWhenTold) {
   scanner.T_base_sensor = Pose2(0.1, 0.2, 0.3);
   scanner.range_max = 8.0;
   scanner.field_of_view = kPi / 2.0;
-  const LaserScan2 scan = read("1,0,0,0,5,9\n", scanner).records[0].scan;
+  const LaserScan2 scan = readCsv("1,0,0,0,5,9\n", scanner).records[0].scan;
   EXPECT_EQ(scan.T_base_sensor, Pose2(0.1, 0.2, 0.3));
   EXPECT_DOUBLE_EQ(scan.angle_min, -kPi / 4.0);
   EXPECT_EQ(readBeam(scan, 1).kind, RangeKind::kFree);
 }
 
 TEST(CsvLog, SaysInWhichLineWhatIsBroken) {
-  EXPECT_EQ(problemOf("1,0,0,0,5,9\n2,0,0\n"), "drive.csv:2: ends where odometry's yaw should be");
-  EXPECT_EQ(problemOf("1,0,0,0,5,9\n\n2,0,O,0,5,9\n"), "drive.csv:3: odometry's y is no number: 'O'");
-  EXPECT_EQ(problemOf("1,0,0,0,5,nan\n"), "drive.csv:1: a range is no number: 'nan'");
-  EXPECT_EQ(problemOf("1,0,0,0,5\n"), "drive.csv:1: a scan has at least two ranges");
-  EXPECT_EQ(problemOf("1,0,0,0,5,9\n2,0,0,0,5\n"), "drive.csv:2: a scan has at least two ranges");
-  EXPECT_EQ(problemOf("1,0,0,0,5,9\n2,0,0,0,5,9,8\n"), "drive.csv:2: has 3 ranges, the first scan has 2");
-  EXPECT_EQ(problemOf("# nothing\n"), "drive.csv: holds no scan");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n2,0,0\n"), "drive.csv:2: ends where odometry's yaw should be");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n\n2,0,O,0,5,9\n"), "drive.csv:3: odometry's y is no number: 'O'");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5,nan\n"), "drive.csv:1: a range is no number: 'nan'");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5\n"), "drive.csv:1: a scan has at least two ranges");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n2,0,0,0,5\n"), "drive.csv:2: a scan has at least two ranges");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n2,0,0,0,5,9,8\n"), "drive.csv:2: has 3 ranges, the first scan has 2");
+  EXPECT_EQ(problemOfCsv("# nothing\n"), "drive.csv: holds no scan");
 }
 
 }  // namespace

@@ -12,14 +12,14 @@ namespace {
 
 const std::vector<Pose2> kSquare = {{0, 0, 0}, {2, 0, kPi / 2}, {2, 2, kPi}, {0, 2, -kPi / 2}};
 
-std::vector<PoseRelation> read(const std::string& text, std::size_t records) {
+std::vector<PoseRelation> relationsOf(const std::string& text, std::size_t records) {
   std::istringstream file(text);
   return readRelations(file, "drive.relations", records);
 }
 
-std::string problemOf(const std::string& text) {
+std::string problemOfRelations(const std::string& text) {
   try {
-    read(text, 10);
+    relationsOf(text, 10);
   } catch (const LogError& error) {
     return error.what();
   }
@@ -33,7 +33,7 @@ std::vector<Pose2> moved(const std::vector<Pose2>& poses, const Pose2& by) {
 }
 
 TEST(Relations, AreReadAsPosesBetweenRecords) {
-  const auto relations = read("# i j dx dy dyaw\n0 50 3.607 -8.389 -1.4575\n\n9 3 0 0 3\n", 51);
+  const auto relations = relationsOf("# i j dx dy dyaw\n0 50 3.607 -8.389 -1.4575\n\n9 3 0 0 3\n", 51);
   ASSERT_EQ(relations.size(), 2U);
   EXPECT_EQ(relations[0].to, 50U);
   EXPECT_EQ(relations[0].T_from_to, Pose2(3.607, -8.389, -1.4575));
@@ -41,11 +41,11 @@ TEST(Relations, AreReadAsPosesBetweenRecords) {
 }
 
 TEST(Relations, SayInWhichLineWhatIsBroken) {
-  EXPECT_EQ(problemOf("0 1 2 3\n"), "drive.relations:1: ends where dyaw should be");
-  EXPECT_EQ(problemOf("0 1 2 3 4 5\n"), "drive.relations:1: has more than five values");
-  EXPECT_EQ(problemOf("0 1 2 3 4\n-1 1 2 3 4\n"), "drive.relations:2: the first record is no count: '-1'");
-  EXPECT_EQ(problemOf("0 10 2 3 4\n"), "drive.relations:1: record 10 is beyond the log's end");
-  EXPECT_EQ(problemOf(""), "drive.relations: holds no relation");
+  EXPECT_EQ(problemOfRelations("0 1 2 3\n"), "drive.relations:1: ends where dyaw should be");
+  EXPECT_EQ(problemOfRelations("0 1 2 3 4 5\n"), "drive.relations:1: has more than five values");
+  EXPECT_EQ(problemOfRelations("0 1 2 3 4\n-1 1 2 3 4\n"), "drive.relations:2: the first record is no count: '-1'");
+  EXPECT_EQ(problemOfRelations("0 10 2 3 4\n"), "drive.relations:1: record 10 is beyond the log's end");
+  EXPECT_EQ(problemOfRelations(""), "drive.relations: holds no relation");
 }
 
 TEST(RelationError, IsZeroForTheTruthWhereverItLies) {

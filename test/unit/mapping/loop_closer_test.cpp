@@ -13,8 +13,8 @@ struct Lap {
       : graph(SubmapDrift(), graph_parameters), closer(parameters) {}
 
   void run() {
-    constexpr double kSide = 18.0;
-    DriftingDrive drive(ringPoses(kSide, 0.4, 1.3), ringWorld(kSide, true), Pose2(0.003, 0.0, 0.001));
+    constexpr double kEdge = 18.0;
+    DriftingDrive drive(ringPoses(kEdge, 0.4, 1.3), ringWorld(kEdge, true), Pose2(0.003, 0.0, 0.001));
     for (std::size_t i = 0; i < drive.size(); ++i) {
       PlacedKeyframe placed = drive.keyframe(i);
       const SurfacePoints points = placed.keyframe.points;

@@ -7,7 +7,7 @@
 namespace frontier_pilot {
 namespace {
 
-LaserScan2 ring(double seconds) {
+LaserScan2 ringAt(double seconds) {
   LaserScan2 scan;
   scan.stamp = timeFromSeconds(seconds);
   scan.angle_min = -kPi;
@@ -71,7 +71,7 @@ class Thoughtful final : public PoseCorrection {
 class Revisions : public ::testing::Test {
  protected:
   void look(double seconds, const Pose2& T_odom_base) {
-    ASSERT_EQ(mapper.insert(ring(seconds), T_odom_base, timeFromSeconds(seconds)), ScanVerdict::kInserted);
+    ASSERT_EQ(mapper.insert(ringAt(seconds), T_odom_base, timeFromSeconds(seconds)), ScanVerdict::kInserted);
   }
   std::int8_t at(double x, double y) const {
     return mapper.grid().get(mapper.grid().geometry().cellAt({x, y}), kUnknown);
@@ -179,7 +179,7 @@ TEST_F(Revisions, WhoseMapLeftOutSomethingThatIsMappedAreRefused) {
 // [MAP-4]
 TEST_F(Revisions, MayLeaveOutWhatTheMapHadNoRoomForAnyway) {
   look(1.0, Pose2());
-  ASSERT_EQ(mapper.insert(ring(2.0), Pose2(1e4, 0.0, 0.0), timeFromSeconds(2.0)), ScanVerdict::kOutOfBounds);
+  ASSERT_EQ(mapper.insert(ringAt(2.0), Pose2(1e4, 0.0, 0.0), timeFromSeconds(2.0)), ScanVerdict::kOutOfBounds);
   script->T_new_old = Pose2(3.0, 0.0, 0.0);
   script->left_out = 1;
   mapper.reviseNow();

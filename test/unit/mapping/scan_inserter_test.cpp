@@ -15,7 +15,7 @@ using test::Scanner;
 // 0.25 m a character: each is made of 5 x 5 cells of the map.
 constexpr int kFine = 5;
 
-AsciiWorld room() {
+AsciiWorld asciiRoom() {
   return drawWorld(R"(
     ########################
     #......................#
@@ -99,7 +99,7 @@ Comparison compare(const OccupancyGrid& truth, const OccupancyMap& map) {
 class DriveThroughARoom : public ::testing::Test {
  protected:
   Comparison drive(double noise, const ScanInsertionParameters& parameters = {}, double lost_share = 0.0) {
-    const OccupancyGrid truth = refine(room().map);
+    const OccupancyGrid truth = refine(asciiRoom().map);
     Scanner scanner(solidOf(truth), noise);
     scanner.lost_share = lost_share;
     ScanInserter inserter(parameters);
@@ -111,7 +111,7 @@ class DriveThroughARoom : public ::testing::Test {
   }
   /// The map where the room is.
   std::string drawing() const {
-    const GridGeometry geometry = refine(room().map).geometry();
+    const GridGeometry geometry = refine(asciiRoom().map).geometry();
     OccupancyGrid part(geometry);
     for (std::size_t i = 0; i < part.size(); ++i) {
       part[i] = map.grid().get(map.geometry().cellAt(geometry.centre(geometry.cell(i))), kUnknown);
@@ -272,7 +272,7 @@ TEST(ScanInserter, LeavesTheMapAloneWhenItWouldGetTooLarge_MAP_4) {
 }
 
 TEST(ScanInserter, RendersTheSameScansToTheSameMap) {
-  const OccupancyGrid truth = refine(room().map);
+  const OccupancyGrid truth = refine(asciiRoom().map);
   OccupancyMap first;
   OccupancyMap again;
   for (OccupancyMap* map : {&first, &again}) {

@@ -25,7 +25,7 @@ Grid<std::uint8_t> block(int width, int height) {
 }
 
 /// 5 m x 4 m, with a thin wall that reaches into it.
-Grid<std::uint8_t> room() {
+Grid<std::uint8_t> matchedRoom() {
   Grid<std::uint8_t> solid = block(120, 100);
   fill(solid, {10, 10, 100, 80}, 0);
   fill(solid, {60, 10, 1, 45}, 1);
@@ -54,7 +54,7 @@ SurfacePoints look(test::Scanner& scanner, const Pose2& pose) {
 }
 
 TEST(Refine, FindsThePoseWithinMillimetres) {
-  test::Scanner scanner(room(), 0.01);
+  test::Scanner scanner(matchedRoom(), 0.01);
   const SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.2}, {0.05, 0.05}, 20);
   for (int i = 0; i < 20; ++i) {
     const Pose2 truth(1.2 + 0.05 * i, 2.0 + 0.03 * i, 0.3 * i);
@@ -68,7 +68,7 @@ TEST(Refine, FindsThePoseWithinMillimetres) {
 }
 
 TEST(Refine, KeepsTheTwoSidesOfAThinWallApart) {
-  test::Scanner scanner(room(), 0.01);
+  test::Scanner scanner(matchedRoom(), 0.01);
   // Only the left side of the wall at x = 3.0 ... 3.05 m was seen; from the right one its other side is seen.
   const SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.0}, {0.0, 0.05}, 10);
   SurfacePoints other_side = {{{3.05, 1.0}, {1.0, 0.0}}, {{3.05, 1.1}, {1.0, 0.0}}};
@@ -105,7 +105,7 @@ TEST(Refine, LetsThePriorDecideWhatTheScanDoesNotShow) {
 
 TEST(Refine, IsAsSureAsItIsRight) {
   // The errors, weighed by the covariance that is claimed, are about as large as they should be: 3 in the mean.
-  test::Scanner scanner(room(), 0.01);
+  test::Scanner scanner(matchedRoom(), 0.01);
   const SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.2}, {0.05, 0.05}, 20);
   double sum = 0.0;
   constexpr int kCases = 100;
@@ -121,7 +121,7 @@ TEST(Refine, IsAsSureAsItIsRight) {
 }
 
 TEST(Refine, SaysWhenAScanFitsNowhere) {
-  test::Scanner scanner(room(), 0.01);
+  test::Scanner scanner(matchedRoom(), 0.01);
   test::Scanner elsewhere(corridor(), 0.01);
   const SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.2}, {0.05, 0.05}, 20);
   const Refinement refined =
@@ -130,7 +130,7 @@ TEST(Refine, SaysWhenAScanFitsNowhere) {
 }
 
 TEST(Contradictions, AreFewInANewPlaceAndManyInAnother) {
-  test::Scanner scanner(room(), 0.01);
+  test::Scanner scanner(matchedRoom(), 0.01);
   // Mapped from the left of the thin wall; the robot then looks around its end, where nothing is known.
   const SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.0}, {0.0, 0.02}, 10);
   const Pose2 at_the_end(3.0, 3.2, 0.0);

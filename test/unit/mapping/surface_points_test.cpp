@@ -15,7 +15,7 @@ namespace {
 /// A room of 4 m x 2 m with a pillar, seen from `pose`.
 LaserScan2 scanOfRoom(test::Scanner scanner, const Pose2& pose) { return scanner.scan(pose, timeFromSeconds(1.0)); }
 
-Grid<std::uint8_t> room() {
+Grid<std::uint8_t> scannedRoom() {
   GridGeometry geometry;
   geometry.width = 100;
   geometry.height = 60;
@@ -30,7 +30,7 @@ Grid<std::uint8_t> room() {
 
 TEST(ReadSurface, GivesTheReturnsInTheBaseFrameHoweverTheScannerIsMounted) {
   for (const Pose2& mount : {Pose2(), Pose2(0.3, 0.1, 2.0), Pose2(-0.2, 0.0, -0.7)}) {
-    test::Scanner scanner(room(), 0.0);
+    test::Scanner scanner(scannedRoom(), 0.0);
     scanner.T_base_sensor = mount;
     const Pose2 pose(2.0, 1.5, 0.4);
     const SurfacePoints points = readSurface(scanOfRoom(scanner, pose));
@@ -45,7 +45,7 @@ TEST(ReadSurface, GivesTheReturnsInTheBaseFrameHoweverTheScannerIsMounted) {
 }
 
 TEST(ReadSurface, KnowsWhichWayEachWallLooks) {
-  test::Scanner scanner(room(), 0.01);
+  test::Scanner scanner(scannedRoom(), 0.01);
   const Pose2 pose(2.0, 1.5, 0.4);
   const SurfacePoints points = readSurface(scanOfRoom(scanner, pose));
   int with_normal = 0;
@@ -64,7 +64,7 @@ TEST(ReadSurface, KnowsWhichWayEachWallLooks) {
 
 TEST(ReadSurface, MAP_1_TakesTheNormalOfAWallUpToItsCornersHoweverManyBeamsThereAre) {
   for (const std::size_t beams : {360U, 2000U}) {
-    test::Scanner scanner(room(), 0.01);
+    test::Scanner scanner(scannedRoom(), 0.01);
     scanner.beams = beams;
     const Pose2 pose(1.1, 1.1, 0.4);  // 0.6 m from two of the walls
     double sum = 0.0;
@@ -84,7 +84,7 @@ TEST(ReadSurface, MAP_1_TakesTheNormalOfAWallUpToItsCornersHoweverManyBeamsThere
 }
 
 TEST(ReadSurface, MAP_1_KnowsAWallTheBetterAcrossItTheFlatterItIsSeen) {
-  test::Scanner scanner(room(), 0.0);
+  test::Scanner scanner(scannedRoom(), 0.0);
   const Pose2 pose(2.0, 0.8, 0.0);  // 0.3 m beside a wall
   int count = 0;
   for (const SurfacePoint& point : readSurface(scanOfRoom(scanner, pose))) {
@@ -144,7 +144,7 @@ TEST(ReadSurface, SeesNoSurfaceWhereBeamsMeetSinglePoints) {
 }
 
 TEST(Thinned, MAP_1_IsTheSameWhicheverWayTheBeamsRun) {
-  test::Scanner scanner(room(), 0.01);
+  test::Scanner scanner(scannedRoom(), 0.01);
   for (int i = 0; i < 20; ++i) {
     const LaserScan2 scan = scanOfRoom(scanner, {1.0 + 0.1 * i, 1.5, 0.3 * i});
     LaserScan2 reversed = scan;
@@ -164,7 +164,7 @@ TEST(Thinned, MAP_1_IsTheSameWhicheverWayTheBeamsRun) {
 }
 
 TEST(Thinned, NeverExceedsTheNumberAskedForAndCoversTheSame) {
-  test::Scanner scanner(room(), 0.0);
+  test::Scanner scanner(scannedRoom(), 0.0);
   scanner.beams = 2000;
   SurfaceParameters parameters;
   parameters.max_points = 60;

@@ -19,7 +19,7 @@ using test::clearanceOf;
 using test::drawWorld;
 using test::pointRobot;
 
-OccupancyGrid randomWorld(std::mt19937& random, int side, unsigned one_wall_in) {
+OccupancyGrid worldOfSingleWalls(std::mt19937& random, int side, unsigned one_wall_in) {
   OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), side, side}, kFree);
   for (std::int8_t& cell : map.cells()) cell = random() % one_wall_in == 0 ? kOccupied : kFree;
   return map;
@@ -153,7 +153,7 @@ TEST(GridSearch, FindsTheCheapestPathWheneverThereIsOne) {
     ClearanceParams params = pointRobot();
     params.preferred_clearance = 0.2;
     params.wall_weight = 0.5 * (round % 7);
-    const ClearanceMap map = clearanceOf(randomWorld(random, 25, 3 + round % 8), params);
+    const ClearanceMap map = clearanceOf(worldOfSingleWalls(random, 25, 3 + round % 8), params);
     const Cell start = map.geometry().cell(random() % map.geometry().size());
     const Cell goal = map.geometry().cell(random() % map.geometry().size());
     if (!map.isPassable(start) || !map.isPassable(goal)) continue;
@@ -174,7 +174,7 @@ TEST(GridSearch, AnswersTheSameWhateverItSearchedBefore) {
   std::mt19937 random(2);
   GridSearch used;
   for (int round = 0; round < 30; ++round) {
-    const ClearanceMap map = clearanceOf(randomWorld(random, 10 + round % 3, 6), pointRobot());
+    const ClearanceMap map = clearanceOf(worldOfSingleWalls(random, 10 + round % 3, 6), pointRobot());
     const Cell start = map.geometry().cell(random() % map.geometry().size());
     const Cell goal = map.geometry().cell(random() % map.geometry().size());
     if (!map.isPassable(start) || !map.isPassable(goal)) continue;

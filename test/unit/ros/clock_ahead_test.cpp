@@ -5,9 +5,9 @@
 namespace frontier_pilot {
 namespace {
 
-const Time kNow = timeFromSeconds(100.0);
+const Time kClock = timeFromSeconds(100.0);
 
-bool isAhead(double seconds) { return frontier_pilot::isAhead(kNow + fromSeconds(seconds), kNow); }
+bool isAhead(double seconds) { return frontier_pilot::isAhead(kClock + fromSeconds(seconds), kClock); }
 
 // [FLT-1]
 TEST(ClockAhead, IsTenSecondsOnARealClock) {

@@ -5,23 +5,23 @@
 namespace frontier_pilot {
 namespace {
 
-SteadyTime at(double seconds) { return SteadyTime{} + fromSeconds(seconds); }
+SteadyTime steadyAt(double seconds) { return SteadyTime{} + fromSeconds(seconds); }
 
 TEST(HeardPublishers, AreNamedWhenTheyAreSeveralAndForgottenWhenTheyFallSilent_FLT_1) {
   HeardPublishers heard;
-  EXPECT_EQ(heard.severalNames(at(0.0)), "");
-  heard.add("/base", at(0.0));
-  EXPECT_EQ(heard.severalNames(at(0.1)), "");
-  heard.add("/another", at(0.2));
-  EXPECT_EQ(heard.severalNames(at(0.3)), "/another, /base");
-  heard.add("/base", at(5.0));
-  EXPECT_EQ(heard.severalNames(at(5.1)), "");
+  EXPECT_EQ(heard.severalNames(steadyAt(0.0)), "");
+  heard.add("/base", steadyAt(0.0));
+  EXPECT_EQ(heard.severalNames(steadyAt(0.1)), "");
+  heard.add("/another", steadyAt(0.2));
+  EXPECT_EQ(heard.severalNames(steadyAt(0.3)), "/another, /base");
+  heard.add("/base", steadyAt(5.0));
+  EXPECT_EQ(heard.severalNames(steadyAt(5.1)), "");
 }
 
 TEST(HeardPublishers, AreAFewNamesHoweverManyThereAre_FLT_1) {
   HeardPublishers heard;
-  for (int i = 0; i < 1000; ++i) heard.add(std::string(100, 'x') + std::to_string(i), at(0.001 * i));
-  EXPECT_LT(heard.severalNames(at(1.0)).size(), 1000U);
+  for (int i = 0; i < 1000; ++i) heard.add(std::string(100, 'x') + std::to_string(i), steadyAt(0.001 * i));
+  EXPECT_LT(heard.severalNames(steadyAt(1.0)).size(), 1000U);
 }
 
 }  // namespace

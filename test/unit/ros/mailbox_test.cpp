@@ -5,20 +5,20 @@
 namespace frontier_pilot {
 namespace {
 
-SteadyTime at(double seconds) { return timeFromSeconds<SteadyTime>(seconds); }
+SteadyTime mailAt(double seconds) { return timeFromSeconds<SteadyTime>(seconds); }
 
 TEST(Latest, HasNoAgeBeforeAnythingCame) {
   Latest<int> latest;
-  EXPECT_FALSE(latest.age(at(5.0)));
-  EXPECT_FALSE(latest.fresh(at(5.0), fromSeconds(100.0)));
+  EXPECT_FALSE(latest.age(mailAt(5.0)));
+  EXPECT_FALSE(latest.fresh(mailAt(5.0), fromSeconds(100.0)));
 }
 
 TEST(Latest, IsFreshUpToItsAgeAndNotBeyond) {
   Latest<int> latest;
-  latest.put(7, at(1.0));
-  EXPECT_EQ(latest.age(at(1.5)), fromSeconds(0.5));
-  EXPECT_EQ(latest.fresh(at(1.5), fromSeconds(0.5)), 7);
-  EXPECT_FALSE(latest.fresh(at(1.51), fromSeconds(0.5)));
+  latest.put(7, mailAt(1.0));
+  EXPECT_EQ(latest.age(mailAt(1.5)), fromSeconds(0.5));
+  EXPECT_EQ(latest.fresh(mailAt(1.5), fromSeconds(0.5)), 7);
+  EXPECT_FALSE(latest.fresh(mailAt(1.51), fromSeconds(0.5)));
 }
 
 TEST(Mailbox, GivesTheLatestValueOnce) {
