@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
 
@@ -31,12 +32,9 @@ class Copy {
   }
 
  private:
-  static constexpr int kDeepest = 32;
-  static constexpr int kMostValues = 100000;
-
   ParameterValue value(const YAML::Node& node) {
-    if (depth_ >= kDeepest) throw std::invalid_argument("values are nested more than 32 deep");
-    if (++values_ > kMostValues) throw std::invalid_argument("more than 100000 values");
+    if (depth_ >= bounds::kMostYamlDepth) throw std::invalid_argument("values are nested more than 32 deep");
+    if (++values_ > bounds::kMostYamlValues) throw std::invalid_argument("more than 100000 values");
     ++depth_;
     ParameterValue copy = inner(node);
     --depth_;
@@ -78,8 +76,7 @@ std::string yamlText(const std::string& text) {
 }
 
 ParameterMap loadYamlFile(const std::string& path) {
-  constexpr std::size_t kMostBytes = 1000000;
-  const FileContent file = readFile(path, kMostBytes);
+  const FileContent file = readFile(path, bounds::kMostYamlBytes);
   if (!file.ok()) throw std::invalid_argument(path + ": cannot be read: " + file.problem);
   try {
     return rootMap(YAML::Load(file.bytes));

@@ -2,21 +2,19 @@
 
 #include <cstddef>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/clock.h"
 
 namespace frontier_pilot {
 
 namespace {
 
-/// Names made by actionlib hold a node's name, a count and a time [characters].
-constexpr std::size_t kLongestId = 1024;
-
 bool hasCome(const ros::Time& stamp, Time now) { return stamp.nsec < 1'000'000'000U && toTime(stamp) <= now; }
 
 }  // namespace
 
 const char* problemOf(const actionlib_msgs::GoalID& id) {
-  return id.id.size() > kLongestId ? "a goal's name is longer than 1024 characters" : nullptr;
+  return id.id.size() > bounds::kMostGoalId ? "a goal's name is longer than 1024 characters" : nullptr;
 }
 
 ros::Time stampOrNow(const ros::Time& stamp, Time now) { return hasCome(stamp, now) ? stamp : toRosTime(now); }

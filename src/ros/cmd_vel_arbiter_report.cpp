@@ -1,6 +1,7 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "frontier_pilot/ros/arbiter_report.h"
 #include "frontier_pilot/ros/conversions.h"
@@ -63,8 +64,10 @@ ArbiterSource toSourceMsg(const SourceStatus& source, const ArbiterSnapshot& sna
 
 void findForeignPublishers(const std::string& topic, unsigned char level, const ArbiterSurroundings& around,
                            std::vector<ArbiterProblem>& problems) {
-  for (const std::string& node : publishersOn(topic, around)) {
-    if (node != around.own_name) problems.push_back({level, node + " publishes " + topic + " as well"});
+  for (std::string text : publishersOn(topic, around)) {
+    if (text == around.own_name) continue;
+    text.append(" publishes ").append(topic).append(" as well");
+    problems.push_back({level, std::move(text)});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/names.h"
 #include "frontier_pilot/ros/throttled_log.h"
 
@@ -25,11 +26,9 @@ bool isInside(const CellRect& rect, const OccupancyGrid& map) {
 }  // namespace
 
 void RecentUpdates::add(Time stamp, GridUpdate update) {
-  constexpr std::size_t kMostUpdates = 2000;
-  constexpr std::size_t kMostCells = std::size_t{1} << 24;  // 16 MB
   cells_ += update.cells.size();
   updates_.push_back({stamp, std::move(update)});
-  while (updates_.size() > kMostUpdates || cells_ > kMostCells) {
+  while (updates_.size() > bounds::kMostRecentUpdates || cells_ > bounds::kMostRecentCells) {
     lost_ = updates_.front().stamp;
     cells_ -= updates_.front().update.cells.size();
     updates_.pop_front();

@@ -1,5 +1,6 @@
 #include "frontier_pilot/ros/tf_listener.h"
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
 #include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/clock.h"
@@ -13,12 +14,11 @@ namespace {
 constexpr double kListenPeriod = 0.01;                   // [s]
 constexpr std::uint32_t kTfQueue = 100;                  // as TransformListener has
 constexpr Duration kMargin = std::chrono::seconds(600);  // from the end of ROS time, for what tf2 adds to a stamp
-constexpr std::size_t kLongestName = 256;
 
 /// As tf2 does: "/base" and "base" are the same frame.
 std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
 
-bool isPrintable(const std::string& frame) { return printable(frame, kLongestName) == frame; }
+bool isPrintable(const std::string& frame) { return printable(frame, bounds::kMostName) == frame; }
 
 }  // namespace
 
@@ -26,7 +26,8 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
   const std::string parent = plain(transform.header.frame_id);
   const std::string child = plain(transform.child_frame_id);
   if (parent.empty() || child.empty()) return "frame without a name";
-  if (parent.size() > kLongestName || child.size() > kLongestName) return "frame's name longer than 256 characters";
+  if (parent.size() > bounds::kMostName || child.size() > bounds::kMostName)
+    return "frame's name longer than 256 characters";
   if (!isPrintable(parent) || !isPrintable(child)) return "control characters in a frame's name";
   if (parent == child) return "frame that is its own parent";
   if (!toIsometry(transform.transform)) return "not finite, or its quaternion not of unit length";
@@ -95,7 +96,7 @@ void TfListener::refuse(const std::string& why) {
 bool TfListener::mayKeep(const geometry_msgs::TransformStamped& transform) {
   for (const std::string& frame : {plain(transform.header.frame_id), plain(transform.child_frame_id)}) {
     if (frames_.count(frame) > 0) continue;
-    if (frames_.size() >= kMostFrames) return false;
+    if (frames_.size() >= bounds::kMostFrames) return false;
     frames_.insert(frame);
   }
   return true;

@@ -11,20 +11,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
 
 namespace frontier_pilot::sim {
 namespace {
 
-// What a simulator can hold, with room to spare: a world sizes grids and indices. [FLT-1]
 constexpr std::streamsize kLongestHeader = 4096;  // of an image [bytes]
-constexpr double kFinest = 0.001;                 // [m]
-constexpr double kCoarsest = 1.0;                 // [m]
-constexpr double kFarthest = 1e5;                 // [m]
-constexpr std::uint64_t kMostPixels = 64000000;   // 8000 x 8000
-constexpr double kLongestSide = 5000.0;           // [m]
-constexpr std::size_t kMostImageBytes = 300000000;
 
 // The keys of a map_server file. The defaults of what must be given are invalid on purpose.
 struct WorldFile {
@@ -40,8 +34,9 @@ struct WorldFile {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("image", image, "", "the picture, relative to this file");
-    v.field("resolution", resolution, "m", "side of a pixel", between(kFinest, kCoarsest));
-    v.field("origin", origin, "m, m, rad", "pose of the lower left corner", between(-kFarthest, kFarthest));
+    v.field("resolution", resolution, "m", "side of a pixel", between(bounds::kLeastPixelSize, bounds::kMostPixelSize));
+    v.field("origin", origin, "m, m, rad", "pose of the lower left corner",
+            between(-bounds::kMostWorldOrigin, bounds::kMostWorldOrigin));
     v.field("negate", negate, "", "1: white is occupied", between(0, 1));
     v.field("occupied_thresh", occupied_thresh, "", "darker than this is occupied", between(0.0, 1.0));
     v.field("free_thresh", free_thresh, "", "lighter than this is free", between(0.0, 1.0));
@@ -129,16 +124,17 @@ std::optional<ImageSize> sizeOf(const std::string& bytes) {
 void checkSize(const ImageSize& size, double resolution, const std::string& yaml_path, const std::string& image) {
   // Each side first, so that the product cannot overflow.
   const std::uint64_t longest = std::max(size.width, size.height);
-  if (longest > kMostPixels || size.width * size.height > kMostPixels)
-    fail(yaml_path, image + " has more than " + std::to_string(kMostPixels) + " pixels");
-  if (static_cast<double>(longest) * resolution > kLongestSide)
-    fail(yaml_path, image + " is longer than " + std::to_string(static_cast<int>(kLongestSide)) + " m on one side");
+  if (longest > bounds::kMostPixels || size.width * size.height > bounds::kMostPixels)
+    fail(yaml_path, image + " has more than " + std::to_string(bounds::kMostPixels) + " pixels");
+  if (static_cast<double>(longest) * resolution > bounds::kMostWorldSide)
+    fail(yaml_path,
+         image + " is longer than " + std::to_string(static_cast<int>(bounds::kMostWorldSide)) + " m on one side");
 }
 
 cv::Mat readImage(const std::string& yaml_path, const WorldFile& file) {
   const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / file.image;
   const std::string name = "its image " + path.string();
-  const FileContent content = frontier_pilot::readFile(path, kMostImageBytes);
+  const FileContent content = frontier_pilot::readFile(path, bounds::kMostImageBytes);
   if (content.status == FileContent::Status::kMissing) fail(yaml_path, name + " does not exist");
   if (!content.ok()) fail(yaml_path, name + " cannot be read: " + content.problem);
   const std::optional<ImageSize> size = sizeOf(content.bytes);

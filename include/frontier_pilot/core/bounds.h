@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 /// The bounds of every number from outside that sizes memory or work, in one place. What lies beyond is refused by name
 /// and counted. docs/limits.md has the same as a table, for operators. [FLT-1]
@@ -59,8 +60,36 @@ constexpr std::size_t kMostGoalCells = 10'000;
 /// Obstacles in the simulated world, and their radius [m]: each is filed in every square of 2 m that it touches.
 constexpr std::size_t kMostObstacles = 1000;
 constexpr double kMostObstacleRadius = 10.0;
-/// Characters of a name that is kept: of an obstacle, of a source.
+/// Characters of a name that is kept: of an obstacle, of a source, of a frame.
 constexpr std::size_t kMostName = 256;
+
+/// Frames in TF: each is kept for as long as the node lives.
+constexpr std::size_t kMostFrames = 1000;
+/// Characters of a goal's id, which is kept and published. Those that actionlib makes hold a node's name, a count and a
+/// time.
+constexpr std::size_t kMostGoalId = 1024;
+/// Goals of an action that have ended, or were cancelled without being known.
+constexpr std::size_t kMostTrackedGoals = 64;
+
+/// Updates of a map that are kept for a whole map that arrives late, and their cells: 16 MB, five minutes of the
+/// mapper.
+constexpr std::size_t kMostRecentUpdates = 2000;
+constexpr std::size_t kMostRecentCells = std::size_t{1} << 24;
+
+/// A world's image: its bytes, its pixels (8000 x 8000), and what a pixel and a side of it may measure [m]. They size
+/// grids, and an index for casting rays.
+constexpr std::size_t kMostImageBytes = 300'000'000;
+constexpr std::uint64_t kMostPixels = 64'000'000;
+constexpr double kLeastPixelSize = 0.001;
+constexpr double kMostPixelSize = 1.0;
+constexpr double kMostWorldSide = 5000.0;
+constexpr double kMostWorldOrigin = 1e5;
+
+/// A YAML file: its bytes, its values, and how deep they are nested. Aliases make more values of a few lines than
+/// memory holds.
+constexpr std::size_t kMostYamlBytes = 1'000'000;
+constexpr int kMostYamlValues = 100'000;
+constexpr int kMostYamlDepth = 32;
 
 /// Characters of a reason for a refusal, and different ones that are counted apart: they quote what came in.
 constexpr std::size_t kMostReason = 256;

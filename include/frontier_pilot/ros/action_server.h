@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/action_requests.h"
 #include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/clock.h"
@@ -64,7 +65,6 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   static constexpr std::uint32_t kQueue = 50;
   static constexpr double kStatusPeriod = 0.2;                  ///< [s]
   static constexpr Duration kMemory = std::chrono::seconds(5);  ///< of a goal that has ended
-  static constexpr std::size_t kMostTracked = 64;               ///< goals that have ended, and unknown ones
 
   void initialize() override {
     const std::string goal_topic = name_ + "/goal", cancel_topic = name_ + "/cancel", status_topic = name_ + "/status";
@@ -84,7 +84,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
       callbacks_.run(name_ + "/status", [&] {
         const Lock lock(this->lock_);
-        tidy(kMostTracked);
+        tidy(bounds::kMostTrackedGoals);
         publishStatus();
       });
     });
@@ -93,7 +93,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   void takeGoal(const ActionGoalConstPtr& msg) {
     const Lock lock(this->lock_);
     if (const char* why = problemOf(msg->goal_id)) return rejections_.add(why);
-    tidy(kMostTracked);
+    tidy(bounds::kMostTrackedGoals);
     const bool recalled = isRecalling(msg->goal_id.id);
     Base::goalCallback(withSafeStamp(msg));
     if (recalled) recalled_();
@@ -117,7 +117,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   void takeCancel(const GoalID& msg) {
     const Lock lock(this->lock_);
     if (const char* why = problemOf(msg)) return rejections_.add(why);
-    tidy(kMostTracked);
+    tidy(bounds::kMostTrackedGoals);
     const auto cancel = boost::make_shared<GoalID>(msg);
     cancel->stamp = stampOrNow(msg.stamp, rosNow());
     Base::cancelCallback(cancel);

@@ -42,8 +42,6 @@ class TfListener {
   void refuse(const std::string& why);
   bool mayKeep(const geometry_msgs::TransformStamped& transform);
 
-  static constexpr std::size_t kMostFrames = 1000;
-
   tf2_ros::Buffer& buffer_;
   ClockTrust trust_;
   CallbackGuard guard_;
