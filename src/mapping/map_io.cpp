@@ -67,7 +67,8 @@ MapIoResult checkTarget(const fs::path& base) {
 
 /// A file that is to be written, and what it is to hold.
 struct MapFile {
-  MapFile(fs::path path, std::string bytes) : file(std::move(path)), content(std::move(bytes)) {}
+  MapFile(fs::path path, std::string bytes, Survives survives)
+      : file(std::move(path), survives), content(std::move(bytes)) {}
 
   std::string name() const { return file.target().string(); }
   MapIoResult cannot(const std::string& what, const std::string& problem) const {
@@ -186,7 +187,7 @@ MapSnapshot takeSnapshot(OccupancyMap& map) {
 
 MapIoResult saveMap(OccupancyMap& map, const std::string& path) { return saveMap(takeSnapshot(map), path); }
 
-MapIoResult saveMap(const MapSnapshot& map, const std::string& path) {
+MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives) {
   const fs::path base = withoutExtension(path);
   MapIoResult result = checkTarget(base);
   if (!result.ok()) return result;
@@ -197,8 +198,9 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path) {
   const std::string name = base.filename().string();
   const std::string yaml = mapYaml(map.grid.geometry(), name, map.octree, previousOctree(base, map.most_bytes));
   // The YAML comes first: it vouches for the .bt that is there and for the one that takes its place.
-  std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml), MapFile(appended(base, ".bt"), map.octree),
-                                  MapFile(appended(base, ".pgm"), pgmOf(map.grid))};
+  std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml, survives),
+                                  MapFile(appended(base, ".bt"), map.octree, survives),
+                                  MapFile(appended(base, ".pgm"), pgmOf(map.grid), survives)};
   if (!readsAs(yaml, name, map.octree)) return files.front().cannot("cannot be written", "it could not be read again");
   for (const auto step : {prepare, putInPlace}) {
     result = step(files);

@@ -14,7 +14,6 @@ namespace {
 constexpr double kTick = 0.05;                                      // [s]
 constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop is offered again within 2 s [ARB-12]
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
-constexpr const char* kRestarted = "from before a restart: ";
 
 /// A zero on purpose says so on an axis that the base does not have: the message is not all zero.
 bool isHold(const geometry_msgs::Twist& msg) {
@@ -50,21 +49,19 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
-  connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });
+  connections_.everySteady(ros::WallDuration(1.0), [this] {
+    // Again and again: a disk may be full for a while, and files may be deleted.
+    if (arbiter_.stopped()) around_.memory_problem = memory_.remember(arbiter_.stopCause());
+    publishStatus(true);
+  });
   // In ROS time as well, so that a fast simulation sees expiry in time.
   connections_.every(ros::Duration(kTick), [this] { publish(arbiter_.update(instantNow())); });
   tick();
 }
 
-void CmdVelArbiterNode::sayLastWords() { publish(Twist2{}); }
-
-void CmdVelArbiterNode::restoreStop() {
-  if (const auto cause = memory_.recall()) {
-    const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
-    arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
-    ROS_WARN_STREAM("comes up stopped, as it died: " << *cause);
-  }
-  publishStopState();
+void CmdVelArbiterNode::sayLastWords() {
+  publish(Twist2{});
+  memory_.endInOrder();
 }
 
 void CmdVelArbiterNode::addSource(std::size_t source) {
@@ -80,13 +77,17 @@ void CmdVelArbiterNode::addSource(std::size_t source) {
       [this, source](auto& request, auto& response) { return handleEnable(source, request, response); });
 }
 
-void CmdVelArbiterNode::restoreSwitch(std::size_t source) {
-  const std::string& name = arbiter_.parameters().sources[source].name;
-  switches_.emplace_back(name + "_disabled", connections_);
-  if (const auto disabled = switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, !*disabled, instantNow());
+bool CmdVelArbiterNode::hasJustWoken() {
+  constexpr Duration kSuspended = std::chrono::milliseconds(300);  // six ticks
+  constexpr Duration kBacklog = std::chrono::milliseconds(100);
+  const SteadyTime now = steadyNow();
+  if (now - last_seen_ > kSuspended) woken_until_ = now + kBacklog;
+  last_seen_ = now;
+  return now < woken_until_;
 }
 
 void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {
+  if (hasJustWoken()) return;
   std::string why;
   const std::optional<Twist2> twist = toTwist(msg, &why);
   if (!twist) rejections_[source].add(why);
@@ -95,6 +96,7 @@ void CmdVelArbiterNode::handleCommand(std::size_t source, const geometry_msgs::T
 }
 
 void CmdVelArbiterNode::tick() {
+  hasJustWoken();
   publish(arbiter_.tick(instantNow()));
   takeMasterReport();
   publishStatus(false);

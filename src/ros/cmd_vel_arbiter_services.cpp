@@ -35,8 +35,8 @@ void CmdVelArbiterNode::addStopServices() {
 
 bool CmdVelArbiterNode::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,
                                      std_srvs::SetBool::Response& response) {
-  const ArbiterAnswer answer = arbiter_.setEnabled(source, request.data != 0, instantNow());
-  switches_[source].set(request.data == 0);
+  ArbiterAnswer answer = arbiter_.setEnabled(source, request.data != 0, instantNow());
+  answer.message += switches_[source].set(request.data == 0);
   publish(answer.publish);
   if (answer.publish) flush_.wait(kFlushPatience);
   publishStatus(false);

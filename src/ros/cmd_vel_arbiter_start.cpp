@@ -1,4 +1,5 @@
-// Whether an arbiter may start at all.
+// Whether an arbiter may start at all, and what it finds of the one before it.
+#include <ros/console.h>
 #include <ros/names.h>
 #include <ros/this_node.h>
 
@@ -12,6 +13,8 @@
 
 namespace frontier_pilot {
 namespace {
+
+constexpr const char* kRestarted = "from before a restart: ";
 
 /// A living node that offers what only the arbiter of this namespace offers; empty if there is none.
 std::string findArbiter() {
@@ -33,6 +36,22 @@ void refuseASecondArbiter() {
   if (other.empty()) return;
   throw std::runtime_error(other + " is an arbiter of this namespace already: two of them would take turns at the " +
                            "wheels, and only one could be stopped. End that one first");
+}
+
+void CmdVelArbiterNode::restoreStop() {
+  if (const auto cause = memory_.recall()) {
+    const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
+    arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
+    around_.memory_problem = memory_.remember(arbiter_.stopCause());
+    ROS_WARN_STREAM("comes up stopped, as it died: " << *cause);
+  }
+  publishStopState();
+}
+
+void CmdVelArbiterNode::restoreSwitch(std::size_t source) {
+  const std::string& name = arbiter_.parameters().sources[source].name;
+  switches_.emplace_back(name + "_disabled", connections_);
+  if (const auto disabled = switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, !*disabled, instantNow());
 }
 
 }  // namespace frontier_pilot

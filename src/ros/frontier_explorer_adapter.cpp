@@ -44,11 +44,11 @@ void ExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 bool ExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   const bool before = enabled_;
   enabled_ = request.data != 0;
-  paused_->set(!enabled_);
+  const std::string problem = paused_->set(!enabled_);
   tick();  // a pause has cancelled the goal before the caller hears of it
   response.success = 1U;
-  response.message =
-      std::string(enabled_ ? "exploration enabled" : "exploration paused") + (before == enabled_ ? " (as it was)" : "");
+  response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
+                     (before == enabled_ ? " (as it was)" : "") + problem;
   return true;
 }
 

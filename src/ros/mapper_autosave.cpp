@@ -66,7 +66,7 @@ std::string save(const MapSnapshot& map, const Pose2& T_map_odom, const SessionM
   const fs::path base = memory.files().front();
   std::error_code error;
   fs::create_directories(base.parent_path(), error);
-  const MapIoResult result = saveMap(map, base.string());
+  const MapIoResult result = saveMap(map, base.string(), Survives::kProcessDeath);
   if (!result.ok()) return result.text;
   removeOldest(base);
   return memory.remember(toText(T_map_odom));
@@ -77,37 +77,42 @@ std::string save(const MapSnapshot& map, const Pose2& T_map_odom, const SessionM
 MapAutosave::MapAutosave()
     : memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName()),
       wanted_(std::make_shared<std::atomic<bool>>(true)),
-      done_(std::make_shared<Mailbox<std::string>>()) {}
+      done_(std::make_shared<Mailbox<Saved>>()) {}
 
 std::optional<Pose2> MapAutosave::restore(OccupancyMap& map) const {
   const std::optional<std::string> text = memory_.recall();
   if (!text) return std::nullopt;
   const std::optional<Pose2> T_map_odom = toPose(*text);
   if (!T_map_odom) throw std::runtime_error("the pose that was saved with it cannot be read");
-  std::string problem;
-  for (const fs::path& base : memory_.files()) {
-    const MapIoResult result = loadMap(base.string(), map);
-    if (result.ok()) return T_map_odom;
-    problem = result.text;
-  }
-  throw std::runtime_error(problem);
+  // The map lies beside the first of the names that the session had.
+  MapIoResult result = loadMap(memory_.find()->string(), map);
+  if (!result.ok() && !memory_.files().empty()) result = loadMap(memory_.files().front().string(), map);
+  if (!result.ok()) throw std::runtime_error(result.text);
+  return T_map_odom;
 }
 
 void MapAutosave::save(OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver) {
   const SteadyTime now = steadyNow();
   if (auto done = done_->take()) {
-    problem_ = std::move(*done);
+    problem_ = std::move(done->problem);
+    next_ = done->at + kRest * done->took;
     saving_ = false;
-    next_ = now + kRest * (now - begun_);
+    if (!problem_.empty()) expire();
   }
-  if (saving_ || now < next_ || content == saved_content_ || map.grid().empty()) return;
+  if (saving_) return;
+  if (content == saved_content_) {  // says that it is alive, for a mapper that finds it in another session
+    memory_.remember(toText(T_map_odom));
+    return;
+  }
+  if (now < next_ || map.grid().empty()) return;
   saving_ = true;
-  begun_ = now;
   saved_content_ = content;
   saver.run([snapshot = takeSnapshot(map), T_map_odom, memory = memory_, wanted = wanted_, done = done_] {
+    const SteadyTime begun = steadyNow();
     std::string problem = *wanted ? frontier_pilot::save(snapshot, T_map_odom, memory) : std::string();
     if (!*wanted) memory.forget();
-    done->put(std::move(problem));
+    const SteadyTime at = steadyNow();
+    done->put({std::move(problem), at, at - begun});
   });
 }
 

@@ -13,6 +13,8 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kRemembered = std::chrono::seconds(10);  // so that an operator sees what has been mended
+constexpr std::size_t kOften =
+    5;  // looks without a service, in that time: a master that is replaced makes two or three
 
 /// Whether a node lives, asked once in a look.
 using LivingNodes = std::map<std::string, bool>;
@@ -100,6 +102,7 @@ void MasterWatch::look() {
   lookAtTopics(*state);
   lookAtServices(*state, report.rivals);
   lookAtAnAddress(*state);
+  findTakers(report.rivals);
   sayWhatWasRenewed();
   setRivals(report.rivals);
   report.publishers = std::move(state->publishers);
@@ -151,6 +154,16 @@ void MasterWatch::lookAtAnAddress(const MasterState& state) {
   if (!isIn(nodesOf(state.providers, service), ros::this_node::getName()) || pointsHere(service)) return;
   THROTTLED_ERROR("the master sends calls of " << service << " elsewhere, under the name of this node");
   if (registerService(service)) renewed_.push_back("service " + service);
+}
+
+void MasterWatch::findTakers(std::map<std::string, std::string>& rivals) {
+  const SteadyTime now = steadyNow();
+  for (const std::string& service : claims().services) {
+    std::deque<SteadyTime>& losses = losses_[service];
+    if (missing_.count("service " + service) > 0) losses.push_back(now);
+    while (!losses.empty() && now - losses.front() > kRemembered) losses.pop_front();
+    if (losses.size() >= kOften) rivals.try_emplace(service, "a node that comes and goes");
+  }
 }
 
 bool MasterWatch::missingTwice(const std::string& what) {

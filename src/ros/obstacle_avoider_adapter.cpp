@@ -69,11 +69,12 @@ bool ObstacleAvoiderNode::handleEnable(std_srvs::SetBool::Request& request, std_
   const bool on = request.data != 0;
   const bool changes = on != avoider_.enabled();
   publish(avoider_.setEnabled(on, rosNow()));
-  switched_on_->set(on);
+  const std::string problem = switched_on_->set(on);
   publishStatus(false);
   response.success = 1;
   response.message = std::string("obstacle avoider ") + (on ? "enabled" : "disabled");
   if (!changes) response.message += " already: nothing changed";
+  response.message += problem;
   return true;
 }
 

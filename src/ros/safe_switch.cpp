@@ -23,10 +23,16 @@ SafeSwitch::SafeSwitch(std::string state, NodeConnections& connections)
     const std::lock_guard<std::mutex> lock(mutex_);
     if (memory_.enter(sessions)) write();
   });
+  // Again and again: a disk may be full for a while, and files may be deleted.
+  connections.everySteady(ros::WallDuration(1.0), [this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    write();
+  });
 }
 
 SafeSwitch::~SafeSwitch() {
   if (safe_ == false) memory_.forget();
+  memory_.endInOrder();
 }
 
 std::optional<bool> SafeSwitch::wasLeftSafe() const {
@@ -35,16 +41,18 @@ std::optional<bool> SafeSwitch::wasLeftSafe() const {
   return safe_;
 }
 
-void SafeSwitch::set(bool safe) {
+std::string SafeSwitch::set(bool safe) {
   const std::lock_guard<std::mutex> lock(mutex_);
   safe_ = safe;
-  write();
+  const std::string problem = write();
+  return problem.empty() ? problem : "; would not survive a restart: " + problem;
 }
 
-void SafeSwitch::write() const {
-  if (!safe_) return;
-  const std::string problem = memory_.remember((*safe_ ? "" : kNot) + state_);
+std::string SafeSwitch::write() const {
+  if (!safe_) return {};
+  std::string problem = memory_.remember((*safe_ ? "" : kNot) + state_);
   if (!problem.empty()) THROTTLED_WARN(state_ << " would not survive a restart: " << problem);
+  return problem;
 }
 
 }  // namespace frontier_pilot

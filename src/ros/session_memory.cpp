@@ -1,15 +1,20 @@
 #include <ros/master.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
+#include <unistd.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "frontier_pilot/core/files.h"
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/ros/session_memory.h"
 
 namespace frontier_pilot {
@@ -22,12 +27,52 @@ std::string asFileName(std::string name) {
   return name;
 }
 
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kRestart(10);  // for a node that is started again
+const fs::file_time_type g_process_began = fs::file_time_type::clock::now();
+
+/// The process that wrote `file`, as its second line says; 0 if that cannot be read.
+int writerOf(const fs::path& file) {
+  const std::string bytes = readFile(file, kLongestText).bytes;
+  const std::size_t end = bytes.find('\n');
+  return end == std::string::npos ? 0 : std::atoi(bytes.c_str() + end + 1);
+}
+
+bool isGone(int process) { return process > 0 && kill(process, 0) != 0 && errno == ESRCH; }
+
+/// Gives what went wrong, or an empty text.
+std::string removeAll(const std::vector<fs::path>& files) {
+  std::string problem;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) problem = error.message();
+  }
+  return problem;
+}
+
+/// Files of this name in other sessions whose writer died just before this process began.
+std::vector<fs::path> leftBehind(const fs::path& sessions, const std::string& name, const std::vector<fs::path>& own) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& session : fs::directory_iterator(sessions, error)) {
+    const fs::path file = session.path() / name;
+    std::error_code missing;
+    const auto written = fs::last_write_time(file, missing);
+    if (missing || written < g_process_began - kRestart) continue;
+    if (std::find(own.begin(), own.end(), file) == own.end() && isGone(writerOf(file))) found.push_back(file);
+  }
+  return found;
+}
+
 }  // namespace
 
 SessionMemory::SessionMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions,
                              std::string what, std::string node)
     : ros_home_(ros_home), name_(std::move(what) + asFileName(std::move(node))) {
   enter(sessions);
+  elsewhere_ = leftBehind(ros_home_ / "frontier_pilot", name_, files_);
 }
 
 bool SessionMemory::enter(const std::vector<std::string>& sessions) {
@@ -35,41 +80,53 @@ bool SessionMemory::enter(const std::vector<std::string>& sessions) {
   for (const std::string& session : sessions) {
     files_.push_back(ros_home_ / "frontier_pilot" / asFileName(session) / name_);
   }
-  return files_ != before;
+  if (files_ == before) return false;
+  elsewhere_ = before;
+  return true;
 }
 
-std::optional<std::string> SessionMemory::recall() const {
-  for (const std::filesystem::path& file : files_) {
-    std::error_code error;
-    if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found) continue;
-    // Whatever is there was put there by a stop, even if it cannot be read.
-    const std::string text = readFile(file, kLongestText).bytes;
-    return text.substr(0, text.find('\n'));
+std::optional<fs::path> SessionMemory::find() const {
+  for (const auto& files : {files_, elsewhere_}) {
+    for (const fs::path& file : files) {
+      std::error_code error;
+      if (fs::symlink_status(file, error).type() != fs::file_type::not_found) return file;
+    }
   }
   return std::nullopt;
 }
 
+std::optional<std::string> SessionMemory::recall() const {
+  const std::optional<fs::path> file = find();
+  if (!file) return std::nullopt;
+  // Whatever is there was put there by a stop, even if it cannot be read.
+  const std::string text = readFile(*file, kLongestText).bytes;
+  return printable(text.substr(0, text.find('\n')), kLongestText);
+}
+
 std::string SessionMemory::remember(const std::string& text) const {
+  const std::string content = text + "\n" + std::to_string(getpid()) + "\n";
   std::string problem;
-  for (const std::filesystem::path& file : files_) {
+  for (const fs::path& file : files_) {
     std::error_code error;
-    std::filesystem::create_directories(file.parent_path(), error);
+    fs::create_directories(file.parent_path(), error);
     // It has to survive this process and not the machine: a new master starts free, and the zeros must not wait for a
     // disk.
-    const std::string why = error ? error.message() : writeFile(file, text + "\n", Survives::kProcessDeath);
+    const std::string why = error ? error.message() : writeFile(file, content, Survives::kProcessDeath);
     if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
   }
+  if (problem.empty()) removeAll(elsewhere_);
   return problem;
 }
 
 std::string SessionMemory::forget() const {
-  std::string problem;
-  for (const std::filesystem::path& file : files_) {
-    std::error_code error;
-    std::filesystem::remove(file, error);
-    if (error) problem = error.message();
-  }
-  return problem;
+  const std::string problem = removeAll(elsewhere_);
+  const std::string own = removeAll(files_);
+  return own.empty() ? problem : own;
+}
+
+void SessionMemory::endInOrder() const {
+  std::error_code ignored;
+  for (const fs::path& file : files_) fs::last_write_time(file, fs::file_time_type::min(), ignored);
 }
 
 std::filesystem::path rosHome() {

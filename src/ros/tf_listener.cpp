@@ -80,6 +80,9 @@ void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
   for (const geometry_msgs::TransformStamped& transform : msg.transforms) {
     if (const char* why = problemOf(transform, now, is_static)) {
       refuse(why);
+    } else if (contradictsAFixedOne(transform, is_static)) {
+      refuse("'" + plain(transform.child_frame_id) +
+             "' is fixed elsewhere already: start the nodes anew if it has moved");
     } else if (!mayKeep(transform)) {
       refuse("there are 1000 frames already");
     } else {
@@ -100,6 +103,20 @@ bool TfListener::mayKeep(const geometry_msgs::TransformStamped& transform) {
     frames_.insert(frame);
   }
   return true;
+}
+
+bool TfListener::contradictsAFixedOne(const geometry_msgs::TransformStamped& transform, bool is_static) {
+  const std::string child = plain(transform.child_frame_id);
+  const auto known = fixed_.find(child);
+  if (known == fixed_.end()) {
+    if (is_static && frames_.size() < bounds::kMostFrames) fixed_.emplace(child, transform);
+    return false;
+  }
+  if (plain(known->second.header.frame_id) != plain(transform.header.frame_id)) return true;
+  if (!is_static) return false;
+  constexpr double kSame = 1e-3;  // of each entry of the matrices: [m] and about [rad]
+  const auto before = toIsometry(known->second.transform), now = toIsometry(transform.transform);
+  return !before || !now || (before->matrix() - now->matrix()).cwiseAbs().maxCoeff() > kSame;
 }
 
 void TfListener::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {

@@ -118,6 +118,20 @@ class Registration(unittest.TestCase):
         self.node('cmd_vel_arbiter')
         self.assertTrue(wait_for(lambda: 'stopped already' in self.call('/emergency_stop').message, 20.0))
 
+    # [ARB-7] [FLT-2]
+    def test_a_stop_outlives_a_master_and_an_arbiter_that_die_together(self):
+        arbiter = self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.assertTrue(self.call('/emergency_stop').success)
+        self.master.kill()
+        self.master.wait()
+        arbiter.kill()
+        arbiter.wait()
+        self.node('cmd_vel_arbiter')  # which waits for the master
+        time.sleep(1.0)  # the arbiter that roslaunch starts again is there before somebody starts a master
+        self.new_master()
+        self.assertTrue(wait_for(lambda: 'stopped already' in self.call('/emergency_stop').message, 20.0), '[ARB-7]')
+
     # [ARB-7]
     def test_a_stop_is_remembered_though_the_name_of_the_session_is_deleted(self):
         server = rosgraph.Master('/test', master_uri=self.uri)

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """A node that is started again finds what the operator said to the one before it, and one that runs stays."""
+import glob
+import os
 import signal
 import unittest
 
@@ -48,6 +50,22 @@ class Respawn(unittest.TestCase):
         status.items.clear()
         self.assertTrue(wait_for(lambda: status.last is not None))
         self.assertTrue(nav_is(True), '[FLT-2]')
+
+    # [ARB-7] [FLT-2]
+    def test_a_stop_whose_file_is_deleted_is_written_again(self):
+        self.node = self.start('cmd_vel_arbiter')
+        call('emergency_stop', Trigger)
+        home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
+
+        def files():
+            return [f for f in glob.glob(home + '/frontier_pilot/*/stopped.cmd_vel_arbiter')
+                    if open(f).read().split('\n')[1] == str(self.node.process.pid)]
+        self.assertTrue(files())
+        for file in files():
+            os.remove(file)
+        self.assertTrue(wait_for(files, 5.0), '[ARB-7]')
+        self.assertTrue(clear())
+        self.assertFalse(files())
 
     # [ARB-7] [FLT-2]
     def test_the_cause_of_a_stop_is_the_same_after_many_restarts(self):

@@ -112,6 +112,27 @@ TEST(TfBridge, FindsNothingAtTimesThatRosDoesNotHave) {
 }
 
 // [FLT-1]
+TEST(TfBridge, KeepsAScannerWhereItIsFixedWhateverComesLater) {
+  const TfBridge bridge;
+  const Speaker fixed("/tf_static"), moving("/tf");
+  fixed.say({transform("base", "fixed_scan", ros::Time::now())});
+  ASSERT_TRUE(comesToKnow(bridge, "base", "fixed_scan"));
+  auto turned = transform("base", "fixed_scan", ros::Time::now());
+  turned.transform.rotation.z = 1.0;
+  turned.transform.rotation.w = 0.0;
+  fixed.say({turned});
+  moving.say({transform("elsewhere", "fixed_scan", ros::Time::now())});
+  fixed.say({transform("base", "after_fixed", ros::Time::now())});
+  moving.say({transform("base", "after_moving", ros::Time::now())});
+  ASSERT_TRUE(comesToKnow(bridge, "base", "after_fixed"));
+  ASSERT_TRUE(comesToKnow(bridge, "base", "after_moving"));
+  const auto T_base_scan = bridge.lookup("base", "fixed_scan", Time{});
+  ASSERT_TRUE(T_base_scan);
+  EXPECT_NEAR(T_base_scan->yaw, 0.0, 1e-9);
+  EXPECT_NE(reportOf(bridge).find("'fixed_scan' is fixed elsewhere already"), std::string::npos) << reportOf(bridge);
+}
+
+// [FLT-1]
 TEST(TfBridge, KeepsABoundedNumberOfFrames) {
   const TfBridge bridge;
   const Speaker speaker("/tf");

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/mapping/occupancy_map.h"
 
@@ -38,7 +39,7 @@ MapSnapshot takeSnapshot(OccupancyMap& map);
 /// of these three is ignored. Each file appears whole or not at all; they are read back before success is told. The
 /// YAML comes first, with length and checksum of the .bt and of the one before it, so that at any moment one of the two
 /// maps can be loaded. Where only some files could be put in place the text names them. [FLT-1]
-MapIoResult saveMap(const MapSnapshot& map, const std::string& path);
+MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives = Survives::kPowerLoss);
 MapIoResult saveMap(OccupancyMap& map, const std::string& path);
 
 /// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. If a YAML is there the two

@@ -45,6 +45,8 @@ class CmdVelArbiterNode {
   void addSource(std::size_t source);
   void restoreSwitch(std::size_t source);
   void addStopServices();
+  /// Whether this process was suspended until a moment ago: what arrives now was sent while it was, nobody knows when.
+  bool hasJustWoken();
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleSetStop(SetBoolCall& call);
@@ -70,6 +72,7 @@ class CmdVelArbiterNode {
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
   std::string last_essence_, last_summary_;
+  SteadyTime last_seen_ = steadyNow(), woken_until_{};
   std::deque<SafeSwitch> switches_;            ///< of the sources, which are safe while they are off
   Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one
   NodeConnections connections_;

@@ -39,11 +39,17 @@ class MapAutosave {
   void enter(const std::vector<std::string>& sessions);
 
  private:
+  struct Saved {
+    std::string problem;
+    SteadyTime at;
+    Duration took;
+  };
+
   SessionMemory memory_;                       ///< holds T_map_odom; the map lies beside it
   std::shared_ptr<std::atomic<bool>> wanted_;  ///< whether what is being saved still is
-  std::shared_ptr<Mailbox<std::string>> done_;
+  std::shared_ptr<Mailbox<Saved>> done_;
   bool saving_ = false;
-  SteadyTime begun_{}, next_{};
+  SteadyTime next_{};
   std::optional<std::uint64_t> saved_content_;
   std::string problem_;
 };

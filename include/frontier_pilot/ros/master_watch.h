@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -71,6 +72,8 @@ class MasterWatch {
   void lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals);
   /// The master may have this node's name and another's address: one service in each look, as each costs a call.
   void lookAtAnAddress(const MasterState& state);
+  /// What was lost again and again in the last seconds belongs to somebody who comes and goes.
+  void findTakers(std::map<std::string, std::string>& rivals);
   /// True if `what` was missing the last time too: a registration that is under way is not a lost one.
   bool missingTwice(const std::string& what);
   void sayWhatWasRenewed();
@@ -88,8 +91,9 @@ class MasterWatch {
   std::vector<std::function<void()>> renewals_;
   std::set<std::string> missing_, missing_before_;  ///< the thread's own, as those that follow
   std::map<std::string, std::string> rivals_;
-  std::vector<std::string> renewed_;  ///< in this look
-  std::size_t next_service_ = 0;      ///< whose address is looked at next
+  std::vector<std::string> renewed_;                      ///< in this look
+  std::size_t next_service_ = 0;                          ///< whose address is looked at next
+  std::map<std::string, std::deque<SteadyTime>> losses_;  ///< of services, in the last seconds
   OwnParameters parameters_;
   std::map<std::string, SteadyTime> remembered_;
   std::thread thread_;  ///< the last member: everything else is there before it starts

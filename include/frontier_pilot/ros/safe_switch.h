@@ -25,11 +25,12 @@ class SafeSwitch {
   /// Whether an earlier process of this node was left on the safe side, which is said on the log; nothing if the
   /// operator never used the switch.
   std::optional<bool> wasLeftSafe() const;
-  /// The operator has switched it. What cannot be written is said on the log.
-  void set(bool safe);
+  /// The operator has switched it. Gives what to add to the answer: why that would not survive a restart, or nothing.
+  std::string set(bool safe);
 
  private:
-  void write() const;
+  /// Gives what went wrong, which is said on the log as well, or an empty text.
+  std::string write() const;
 
   std::string state_;
   mutable std::mutex mutex_;  ///< guards the two that follow

@@ -8,7 +8,9 @@
 namespace frontier_pilot {
 
 /// Keeps what an operator said over the death of the node that it was said to, such as an emergency stop: a file in
-/// ROS_HOME that bears the name of the node and the id of the ROS session, so that a new session starts afresh.
+/// ROS_HOME that bears the name of the node and the id of the ROS session, so that a new session starts afresh. What
+/// was written in another session less than ten seconds before this process began counts as well, if its writer did not
+/// end in order: master and node died together, and what drives the robot may have outlived both.
 ///
 /// A file and not a parameter: writing it takes microseconds and needs nobody, while a write to the parameter server
 /// waits for ever when the master is gone, and with it the zeros would stop. [ARB-7]
@@ -23,17 +25,22 @@ class SessionMemory {
   bool enter(const std::vector<std::string>& sessions);
   /// The text that was remembered, if one was: the cause of a stop.
   std::optional<std::string> recall() const;
+  /// The file that holds it.
+  std::optional<std::filesystem::path> find() const;
   /// Once this has returned an empty text `text` survives the process; otherwise it gives why it does not.
   std::string remember(const std::string& text) const;
   /// Once this has returned an empty text a new process finds nothing; otherwise it gives why it does.
   std::string forget() const;
+  /// The node ends in order: another session shall not find what it kept.
+  void endInOrder() const;
   /// Where the text is kept, once for each name of the session.
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
   std::filesystem::path ros_home_;
-  std::string name_;                          ///< of the files
-  std::vector<std::filesystem::path> files_;  ///< the same for each name of the session
+  std::string name_;                              ///< of the files
+  std::vector<std::filesystem::path> files_;      ///< the same for each name of the session
+  std::vector<std::filesystem::path> elsewhere_;  ///< of another session, until this node has said something itself
 };
 
 /// ROS_HOME, or what ROS takes in its place.

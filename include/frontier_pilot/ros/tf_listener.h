@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
@@ -24,7 +25,8 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
 
 /// Fills a TF buffer from /tf and /tf_static on a thread of its own, as tf2_ros::TransformListener does. Unlike that
 /// one it refuses and counts what cannot be, keeps a bounded number of frames, forgets what the clock's jumps have
-/// brought, and never throws. [FLT-1]
+/// brought, and never throws. What is fixed stays: of two static transforms of one frame that differ the first holds,
+/// for a scanner that is turned by a stranger's message would have the robot drive into walls. [FLT-1]
 class TfListener {
  public:
   explicit TfListener(tf2_ros::Buffer& buffer);
@@ -41,13 +43,16 @@ class TfListener {
   void take(const tf2_msgs::TFMessage& msg, bool is_static);
   void refuse(const std::string& why);
   bool mayKeep(const geometry_msgs::TransformStamped& transform);
+  /// Whether the child's frame is fixed to another place already.
+  bool contradictsAFixedOne(const geometry_msgs::TransformStamped& transform, bool is_static);
 
   tf2_ros::Buffer& buffer_;
   ClockTrust trust_;
   CallbackGuard guard_;
   mutable std::mutex mutex_;  ///< of what is refused
   Rejections rejections_{"transform"};
-  std::set<std::string> frames_;  ///< that the buffer knows
+  std::set<std::string> frames_;                                  ///< that the buffer knows
+  std::map<std::string, geometry_msgs::TransformStamped> fixed_;  ///< the static ones, by child
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::Subscriber transforms_, static_transforms_;
