@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/logs/scan_log.h"
 
 namespace frontier_pilot {
@@ -10,6 +11,8 @@ namespace {
 
 // ROS' last second since the epoch; nothing else in a log comes near it, and what is beyond cannot be a time.
 constexpr double kLargest = 4294967295.0;
+/// Of a line: a scan's ranges, their remissions, and what else there is.
+constexpr std::size_t kMostWords = 3 * bounds::kMostRanges;
 
 /// The whole word as a number, whatever the locale.
 template <class T>
@@ -36,6 +39,7 @@ void TextReader::split() {
   std::size_t begin = line.find_first_not_of(separators_);
   while (begin != std::string_view::npos) {
     const std::size_t end = std::min(line.find_first_of(separators_, begin), line.size());
+    if (words_.size() == kMostWords) fail("has more than " + std::to_string(kMostWords) + " values");
     words_.push_back(line.substr(begin, end - begin));
     begin = line.find_first_not_of(separators_, end);
   }

@@ -118,6 +118,42 @@ class ArbiterRegistration(unittest.TestCase):
         self.assertTrue(call('/killed/set_emergency_stop', SetBool, True).success, '[ARB-12]')
 
     # [ARB-12]
+    def test_while_somebody_takes_the_stop_away_again_and_again_only_zeros_leave(self):
+        _, out, status, _ = self.driven_arbiter('/taken')
+        arbiter = rosgraph.Master('/taken/cmd_vel_arbiter')
+        ending = threading.Event()
+
+        def take():
+            while not ending.wait(0.02):
+                try:
+                    arbiter.unregisterService('/taken/emergency_stop', arbiter.lookupService('/taken/emergency_stop'))
+                except rosgraph.MasterException:
+                    pass  # nobody has registered it since
+        taker = threading.Thread(target=take, daemon=True)
+        taker.start()
+        self.addCleanup(ending.set)
+        self.assertTrue(wait_for(lambda: status.last.state == ArbiterStatus.CONTESTED, 8.0), '[ARB-12]')
+        self.assertTrue(self.stands(out), '[ARB-12]')
+        ending.set()
+        taker.join()
+        self.assertTrue(wait_for(lambda: moves(out.last), 20.0), 'drives again when it is over')
+        self.assertIn('/taken/cmd_vel_arbiter', call('/taken/emergency_stop', Trigger).message)
+
+    # [ARB-1] [FLT-2]
+    def test_what_was_sent_while_the_arbiter_was_suspended_does_not_move_the_robot_afterwards(self):
+        node, out, _, nav = self.driven_arbiter('/suspended')
+        for _ in range(5):
+            nav.start(0.1)
+            self.assertTrue(wait_for(lambda: moves(out.last)))
+            node.signal(signal.SIGSTOP)
+            nav.stop()
+            time.sleep(1.2)  # longer than a command counts
+            went_on = time.monotonic()
+            node.signal(signal.SIGCONT)
+            self.assertTrue(wait_for(lambda: len(out.since(went_on)) >= 5))
+            self.assertFalse(any(moves(message) for message in out.since(went_on)), '[ARB-1]')
+
+    # [ARB-12]
     def test_a_stranger_may_be_put_up_with_if_a_parameter_says_so(self):
         rospy.set_param('/tolerant/cmd_vel_arbiter/stand_when_contested', False)
         _, out, status, _ = self.driven_arbiter('/tolerant')

@@ -76,5 +76,13 @@ TEST(BrokenLogs, HaveNoTimeOrPlaceBeyondAllMeasure_FLT_1) {
   EXPECT_EQ(problemOf("4294967295,0,0,0,1,2\n"), "");
 }
 
+// [FLT-1]
+TEST(BrokenLog, ALineOfMoreValuesThanAnyScanHasIsRefusedByItsNumber_FLT_1) {
+  std::string line = "1,0,0,0";
+  for (int i = 0; i < 200000; ++i) line += ",1";
+  EXPECT_NE(problemOf("1,0,0,0,1,2\n" + line + "\n").find("drive.log:2: has more than 108000 values"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

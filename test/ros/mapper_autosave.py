@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""The map that a mapper leaves behind when it dies: never long behind, taken up again, and gone after an end in order."""
+import glob
+import math
+import os
+import signal
+import time
+import unittest
+
+import rospy
+import rostest
+import tf2_ros
+from geometry_msgs.msg import TransformStamped
+from nav_msgs.msg import OccupancyGrid, Odometry
+from sensor_msgs.msg import LaserScan
+
+from wire import Node, Record, wait_for
+
+SIDE = 3.0  # half of that of the room [m]
+BEAMS = 180
+
+
+def kept_maps():
+    """When each of the mapper's kept maps was written [ns]."""
+    home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
+    files = glob.glob(home + '/frontier_pilot/*/kept_map.mapper.bt')
+    return {os.stat(file).st_mtime_ns for file in files if time.time() - os.path.getmtime(file) < 5.0}
+
+
+class MapperAutosave(unittest.TestCase):
+    def setUp(self):
+        self.map = Record('map', OccupancyGrid)
+        self.odometry = rospy.Publisher('odom', Odometry, queue_size=10)
+        self.scans = rospy.Publisher('scan', LaserScan, queue_size=10)
+        self.frames = tf2_ros.StaticTransformBroadcaster()
+        mount = TransformStamped()
+        mount.header.frame_id, mount.child_frame_id, mount.transform.rotation.w = 'base_footprint', 'base_scan', 1.0
+        self.frames.sendTransform(mount)
+        self.driven = 0.0
+
+    def say_where(self):
+        """Gives the stamp of the odometry that it sends."""
+        odometry = Odometry()
+        odometry.header.stamp, odometry.header.frame_id = rospy.Time.now(), 'odom'
+        odometry.pose.pose.position.x, odometry.pose.pose.orientation.w = self.driven, 1.0
+        self.odometry.publish(odometry)
+        return odometry.header.stamp
+
+    def drive(self):
+        """One step along x in the room, and what the robot sees there."""
+        self.driven += 0.02
+        stamp = self.say_where()
+        scan = LaserScan(angle_min=-math.pi, angle_increment=2.0 * math.pi / BEAMS, range_min=0.1, range_max=10.0)
+        scan.angle_max = scan.angle_min + (BEAMS - 1) * scan.angle_increment
+        scan.header.stamp, scan.header.frame_id = stamp, 'base_scan'
+        for beam in range(BEAMS):
+            c, s = (f(scan.angle_min + beam * scan.angle_increment) for f in (math.cos, math.sin))
+            to_x = ((SIDE if c > 0.0 else -SIDE) - self.driven) / c if abs(c) > 1e-9 else math.inf
+            to_y = (SIDE if s > 0.0 else -SIDE) / s if abs(s) > 1e-9 else math.inf
+            scan.ranges.append(min(to_x, to_y))
+        self.scans.publish(scan)
+        time.sleep(0.1)
+
+    def known(self):
+        return sum(cell >= 0 for cell in self.map.last.data) if self.map.last else 0
+
+    def test_the_map_is_kept_every_two_seconds_and_taken_up_after_a_death_only(self):  # [FLT-2]
+        mapper = Node('mapper')
+        self.addCleanup(lambda: mapper.end())
+        written, end = set(), time.monotonic() + 20.0
+        while time.monotonic() < end and len(written) < 4:
+            self.drive()
+            written |= kept_maps()
+        self.assertGreaterEqual(len(written), 4, 'again and again [FLT-2]')
+        self.assertLess(time.monotonic(), end)
+        before = self.known()
+        self.assertGreater(before, 5000)
+        mapper.signal(signal.SIGKILL)
+        mapper.finish()
+        self.map.items.clear()
+        mapper = Node('mapper')
+        # Without a scan: what the map shows is what was kept.
+        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0))
+        self.assertGreater(self.known(), 0.95 * before, '[FLT-2]')
+        mapper.end()
+        self.assertFalse(kept_maps(), 'an end in order leaves none')
+
+
+if __name__ == '__main__':
+    rospy.init_node('mapper_autosave')
+    rostest.rosrun('frontier_pilot', 'mapper_autosave', MapperAutosave)
