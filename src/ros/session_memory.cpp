@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -32,14 +33,25 @@ namespace fs = std::filesystem;
 constexpr std::chrono::seconds kRestart(10);  // for a node that is started again
 const fs::file_time_type g_process_began = fs::file_time_type::clock::now();
 
-/// The process that wrote `file`, as its second line says; 0 if that cannot be read.
-int writerOf(const fs::path& file) {
-  const std::string bytes = readFile(file, kLongestText).bytes;
-  const std::size_t end = bytes.find('\n');
-  return end == std::string::npos ? 0 : std::atoi(bytes.c_str() + end + 1);
+/// A process that writes such files, and the one that started it: a roslaunch starts what has died again.
+struct Writer {
+  int process = 0;
+  int parent = 0;
+};
+
+/// Who wrote `file`, as its second line says; zeros if that cannot be read.
+Writer writerOf(const fs::path& file) {
+  std::istringstream content(readFile(file, kLongestText).bytes);
+  std::string text;
+  Writer writer;
+  if (std::getline(content, text)) content >> writer.process >> writer.parent;
+  return writer;
 }
 
-bool isGone(int process) { return process > 0 && kill(process, 0) != 0 && errno == ESRCH; }
+/// Whether this process was started in the place of `writer`, which is gone.
+bool replaces(const Writer& writer) {
+  return writer.process > 0 && writer.parent == getppid() && kill(writer.process, 0) != 0 && errno == ESRCH;
+}
 
 /// Gives what went wrong, or an empty text.
 std::string removeAll(const std::vector<fs::path>& files) {
@@ -52,7 +64,7 @@ std::string removeAll(const std::vector<fs::path>& files) {
   return problem;
 }
 
-/// Files of this name in other sessions whose writer died just before this process began.
+/// Files of this name in other sessions whose writer died just before this process was started in its place.
 std::vector<fs::path> leftBehind(const fs::path& sessions, const std::string& name, const std::vector<fs::path>& own) {
   std::vector<fs::path> found;
   std::error_code error;
@@ -61,7 +73,7 @@ std::vector<fs::path> leftBehind(const fs::path& sessions, const std::string& na
     std::error_code missing;
     const auto written = fs::last_write_time(file, missing);
     if (missing || written < g_process_began - kRestart) continue;
-    if (std::find(own.begin(), own.end(), file) == own.end() && isGone(writerOf(file))) found.push_back(file);
+    if (std::find(own.begin(), own.end(), file) == own.end() && replaces(writerOf(file))) found.push_back(file);
   }
   return found;
 }
@@ -104,7 +116,7 @@ std::optional<std::string> SessionMemory::recall() const {
 }
 
 std::string SessionMemory::remember(const std::string& text) const {
-  const std::string content = text + "\n" + std::to_string(getpid()) + "\n";
+  const std::string content = text + "\n" + std::to_string(getpid()) + " " + std::to_string(getppid()) + "\n";
   std::string problem;
   for (const fs::path& file : files_) {
     std::error_code error;

@@ -9,8 +9,9 @@ namespace frontier_pilot {
 
 /// Keeps what an operator said over the death of the node that it was said to, such as an emergency stop: a file in
 /// ROS_HOME that bears the name of the node and the id of the ROS session, so that a new session starts afresh. What
-/// was written in another session less than ten seconds before this process began counts as well, if its writer did not
-/// end in order: master and node died together, and what drives the robot may have outlived both.
+/// was written in another session less than ten seconds before this process began counts as well, if its writer died and
+/// this process was started in its place, by the same roslaunch: master and node died together, and what drives the
+/// robot may have outlived both.
 ///
 /// A file and not a parameter: writing it takes microseconds and needs nobody, while a write to the parameter server
 /// waits for ever when the master is gone, and with it the zeros would stop. [ARB-7]

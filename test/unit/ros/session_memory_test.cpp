@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 namespace frontier_pilot {
@@ -80,40 +81,46 @@ TEST_F(SessionMemoryFile, TakesWhatItCannotReadForAStop_ARB_7_FLT_1) {
   EXPECT_NE(memory().remember("called by /me"), "");
 }
 
-/// Writes as a process that is gone now.
-void writeAsADeadOne(const SessionMemory& memory, const std::string& text) {
-  const pid_t writer = fork();
-  if (writer == 0) {
-    memory.remember(text);
-    _exit(0);
-  }
-  waitpid(writer, nullptr, 0);
+/// What a child of this process gives, which has ended then.
+int inAChild(const std::function<int()>& work) {
+  const pid_t child = fork();
+  if (child == 0) _exit(work());
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WEXITSTATUS(status);
+}
+
+/// Writes as a process that this one has started and that is gone now.
+void writeAsADeadOne(const SessionMemory& memory) {
+  inAChild([&] { return memory.remember("called by /me").empty() ? 0 : 1; });
+}
+
+/// Whether a process that is started now finds a stop under a new master.
+bool isFoundByTheNext(const fs::path& home, const std::string& node) {
+  return inAChild([&] { return SessionMemory(home, {"new master"}, "stopped", node).recall() ? 1 : 0; }) == 1;
 }
 
 // [ARB-7]
-TEST_F(SessionMemoryFile, IsFoundInANewSessionByAProcessThatWasStartedRightAfterItsWriterHadDied_ARB_7) {
-  writeAsADeadOne(memory(), "called by /me");
-  SessionMemory next(home, {"new master"}, "stopped", "/robot/arbiter");
-  EXPECT_EQ(next.recall(), "called by /me") << "master and arbiter have died together, and the others drive on [ARB-7]";
-  EXPECT_FALSE(SessionMemory(home, {"new master"}, "stopped", "/arbiter").recall()) << "that is another robot's";
-  EXPECT_EQ(next.forget(), "");
-  EXPECT_FALSE(SessionMemory(home, {"new master"}, "stopped", "/robot/arbiter").recall()) << "a clear clears it too";
+TEST_F(SessionMemoryFile, IsFoundInANewSessionByAProcessThatIsStartedInThePlaceOfItsWriter_ARB_7) {
+  writeAsADeadOne(memory());
+  EXPECT_TRUE(isFoundByTheNext(home, "/robot/arbiter")) << "master and arbiter died together, the others drive on";
+  EXPECT_FALSE(isFoundByTheNext(home, "/arbiter")) << "that is another robot's";
+  EXPECT_FALSE(SessionMemory(home, {"new master"}, "stopped", "/robot/arbiter").recall()) << "this is another launch";
+  inAChild([&] { return SessionMemory(home, {"new master"}, "stopped", "/robot/arbiter").forget().empty() ? 0 : 1; });
+  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "a clear clears it there too";
 }
 
 // [ARB-7]
 TEST_F(SessionMemoryFile, IsNotFoundInANewSessionOfAWriterThatLivesOrEndedInOrderOrDiedLongAgo_ARB_7) {
-  const auto found = [&] {
-    return SessionMemory(home, {"new master"}, "stopped", "/robot/arbiter").recall().has_value();
-  };
   EXPECT_EQ(memory().remember("called by /me"), "");
-  EXPECT_FALSE(found()) << "it is being used beside this one";
-  writeAsADeadOne(memory(), "called by /me");
-  EXPECT_TRUE(found());
+  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "it is being used beside the next one";
+  writeAsADeadOne(memory());
+  EXPECT_TRUE(isFoundByTheNext(home, "/robot/arbiter"));
   memory().endInOrder();
-  EXPECT_FALSE(found());
+  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter"));
   EXPECT_TRUE(memory().recall()) << "in its own session it holds";
   fs::last_write_time(file(), fs::file_time_type::clock::now() - std::chrono::hours(1));
-  EXPECT_FALSE(found());
+  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter"));
 }
 
 }  // namespace
