@@ -59,7 +59,7 @@ class Respawn(unittest.TestCase):
 
         def files():
             return [f for f in glob.glob(home + '/frontier_pilot/*/stopped.cmd_vel_arbiter')
-                    if open(f).read().split('\n')[1].split()[0] == str(self.node.process.pid)]
+                    if open(f).read().split('\n')[1].split()[:1] == [str(self.node.process.pid)]]
         self.assertTrue(files())
         for file in files():
             os.remove(file)
