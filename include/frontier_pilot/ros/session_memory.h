@@ -9,8 +9,8 @@ namespace frontier_pilot {
 
 /// Keeps what an operator said over the death of the node that it was said to, such as an emergency stop: a file in
 /// ROS_HOME that bears the name of the node and the id of the ROS session, so that a new session starts afresh. What
-/// was written in another session less than ten seconds before this process began counts as well, if its writer died and
-/// this process was started in its place, by the same roslaunch: master and node died together, and what drives the
+/// was written in another session less than ten seconds before this process began counts as well, if its writer died
+/// and this process was started in its place, by the same roslaunch: master and node died together, and what drives the
 /// robot may have outlived both.
 ///
 /// A file and not a parameter: writing it takes microseconds and needs nobody, while a write to the parameter server
