@@ -9,6 +9,7 @@
 
 #include "frontier_pilot/mapping/map_io.h"
 #include "frontier_pilot/sim/world_image.h"
+#include "support/temporary_folder.h"
 
 namespace frontier_pilot {
 namespace {
@@ -19,9 +20,6 @@ namespace fs = std::filesystem;
 class MapFiles : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "map_files_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory = pattern;
     fs::create_directory(directory / "maps");
     ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
     map.beginScan();
@@ -30,7 +28,6 @@ class MapFiles : public ::testing::Test {
     const MapIoResult saved = saveMap(map, path("floor"));
     ASSERT_TRUE(saved.ok()) << saved.text;
   }
-  void TearDown() override { fs::remove_all(directory); }
 
   std::string path(const std::string& name) const { return (directory / "maps" / name).string(); }
   std::string read(const std::string& name) const {
@@ -61,7 +58,8 @@ class MapFiles : public ::testing::Test {
     return "# Octomap OcTree binary file\nid OcTree\nsize " + size + "\nres 0.05\ndata\n" + tree;
   }
 
-  fs::path directory;
+  const test::TemporaryFolder temporary;
+  const fs::path directory = temporary.path();
   OccupancyMap map;
 };
 

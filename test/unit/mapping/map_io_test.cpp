@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "frontier_pilot/sim/world_image.h"
+#include "support/temporary_folder.h"
 
 namespace frontier_pilot {
 namespace {
@@ -16,22 +17,19 @@ namespace fs = std::filesystem;
 class MapIo : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "map_io_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory = pattern;
     ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
     map.beginScan();
     for (int i = 0; i < 100; ++i) map.miss({10 + i, 20 + i / 2});
     for (int i = 0; i < 50; ++i) map.hit({17, 100 + i});
   }
-  void TearDown() override { fs::remove_all(directory); }
   std::string path(const std::string& name) const { return (directory / name).string(); }
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
   }
 
-  fs::path directory;
+  const test::TemporaryFolder temporary;
+  const fs::path directory = temporary.path();
   OccupancyMap map;
 };
 

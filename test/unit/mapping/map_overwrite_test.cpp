@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "frontier_pilot/mapping/map_io.h"
+#include "support/temporary_folder.h"
 
 namespace frontier_pilot {
 namespace {
@@ -50,15 +51,11 @@ class Arrivals {
 class MapOverwriting : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "map_overwrite_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory = pattern;
     ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
     drawWall(17);
     ASSERT_TRUE(saveMap(map, path("floor")).ok());
     drawWall(30);
   }
-  void TearDown() override { fs::remove_all(directory); }
 
   void drawWall(int x) {
     map.beginScan();
@@ -74,7 +71,8 @@ class MapOverwriting : public ::testing::Test {
     std::ofstream(path(name), std::ios::binary) << bytes;
   }
 
-  fs::path directory;
+  const test::TemporaryFolder temporary;
+  const fs::path directory = temporary.path();
   OccupancyMap map;
 };
 

@@ -14,6 +14,7 @@
 #include <random>
 
 #include "frontier_pilot/core/motion.h"
+#include "support/temporary_folder.h"
 
 namespace frontier_pilot {
 namespace {
@@ -34,13 +35,9 @@ geometry_msgs::TransformStamped mount(const std::string& parent, const std::stri
 class BagLog : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "bag_log_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     path_ = (folder_ / "drive.bag").string();
     bag_.open(path_, rosbag::bagmode::Write);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void writeOdometry(double seconds) {
     nav_msgs::Odometry msg;
@@ -85,7 +82,8 @@ class BagLog : public ::testing::Test {
     return "none";
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder temporary;
+  const fs::path folder_ = temporary.path();
   std::string path_;
   rosbag::Bag bag_;
 };

@@ -9,6 +9,8 @@
 #include <functional>
 #include <iterator>
 
+#include "support/temporary_folder.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -16,15 +18,10 @@ namespace fs = std::filesystem;
 
 class SessionMemoryFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "session_memory_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    home = pattern;
-  }
-  void TearDown() override { fs::remove_all(home); }
   fs::path file() const { return home / "frontier_pilot" / "session" / "stopped.robot.arbiter"; }
 
-  fs::path home;
+  const test::TemporaryFolder temporary;
+  const fs::path home = temporary.path();
   SessionMemory memory() const { return {home, {"session"}, "stopped", "/robot/arbiter"}; }
 };
 

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "frontier_pilot/sim/world_image.h"
+#include "support/temporary_folder.h"
 
 namespace frontier_pilot {
 namespace {
@@ -79,13 +80,7 @@ void writeDrive(const std::string& path) {
 
 class MapLog : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "map_log_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    writeDrive(path("drive.csv"));
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { writeDrive(path("drive.csv")); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   /// Runs the program: its exit code and what it printed.
   int run(const std::vector<std::string>& words, const BagReader& read_bag = {}) {
@@ -97,7 +92,8 @@ class MapLog : public ::testing::Test {
     return code;
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder temporary;
+  const fs::path folder_ = temporary.path();
   std::string out_;
   std::string errors_;
 };
