@@ -8,16 +8,34 @@
 
 #include <boost/make_shared.hpp>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/checked_subscription.h"
+#include "frontier_pilot/ros/clock.h"
 
 namespace frontier_pilot {
 
+/// How the goal of this id ended, by what the server says of it; LOST where it does not say that it ended.
+inline actionlib::TerminalState endOf(const std::string& id, const actionlib_msgs::GoalStatusArray& statuses) {
+  using Status = actionlib_msgs::GoalStatus;
+  using State = actionlib::TerminalState;
+  static const std::map<std::uint8_t, State::StateEnum> ends{
+      {Status::SUCCEEDED, State::SUCCEEDED}, {Status::ABORTED, State::ABORTED},   {Status::REJECTED, State::REJECTED},
+      {Status::PREEMPTED, State::PREEMPTED}, {Status::RECALLED, State::RECALLED},
+  };
+  for (const Status& status : statuses.status_list) {
+    const auto end = ends.find(status.status);
+    if (status.goal_id.id == id && end != ends.end()) return State(end->second, status.text);
+  }
+  return State(State::LOST, "its end was not told");
+}
+
 /// An action as somebody has it who pursues one goal at a time, with actionlib's bookkeeping behind subscriptions that
-/// check what they read. Nothing here waits, not even for the first /clock. For the node's own thread. [FLT-1]
+/// check what they read. Nothing here blocks, not even for the first /clock. For the node's own thread. [FLT-1]
 template <class Action>
 class ActionClient {
  public:
@@ -34,7 +52,10 @@ class ActionClient {
         monitor_(feedback_, result_),
         goal_(offer<ActionGoal>(name + "/goal", &Monitor::goalConnectCallback, &Monitor::goalDisconnectCallback)),
         cancel_(offer<GoalID>(name + "/cancel", &Monitor::cancelConnectCallback, &Monitor::cancelDisconnectCallback)) {
-    manager_.registerSendGoalFunc([this](const ActionGoalConstPtr& goal) { goal_.publish(goal); });
+    manager_.registerSendGoalFunc([this](const ActionGoalConstPtr& goal) {
+      id_ = goal->goal_id.id;
+      goal_.publish(goal);
+    });
     manager_.registerCancelFunc([this](const GoalID& id) { cancel_.publish(id); });
   }
 
@@ -42,8 +63,11 @@ class ActionClient {
   bool isServerConnected() { return monitor_.isServerConnected(); }
 
   /// Sends a goal; the end of the one before is not told. `done` is called once, when it has ended, and `heard` with
-  /// each feedback.
+  /// each feedback. A result is lost where the server published it before it had accepted this client's connection:
+  /// `done` is then called with an empty result, once the status has shown the end for a second.
   void send(const Goal& goal, Done done, Heard heard = {}) {
+    done_ = done;
+    ended_at_.reset();
     const auto changed = [done = std::move(done)](const GoalHandle& handle) {
       if (handle.getCommState() == actionlib::CommState::DONE) done(handle.getTerminalState(), handle.getResult());
     };
@@ -69,6 +93,7 @@ class ActionClient {
   using Connection = ros::SingleSubscriberPublisher;
 
   static constexpr std::uint32_t kQueue = 50;
+  static constexpr Duration kResultPatience = std::chrono::seconds(1);  ///< of the steady clock
 
   template <class Msg>
   ros::Subscriber listen(const std::string& topic, void (ActionClient::*take)(const ros::MessageEvent<const Msg>&)) {
@@ -89,6 +114,16 @@ class ActionClient {
   void takeStatus(const ros::MessageEvent<const actionlib_msgs::GoalStatusArray>& event) {
     monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
     manager_.updateStatuses(event.getConstMessage());
+    endWithoutResult(*event.getConstMessage());
+  }
+  void endWithoutResult(const actionlib_msgs::GoalStatusArray& statuses) {
+    if (handle_.isExpired() || handle_.getCommState() != actionlib::CommState::WAITING_FOR_RESULT) return;
+    const SteadyTime now = steadyNow();
+    if (!ended_at_) ended_at_ = now;
+    if (now - *ended_at_ < kResultPatience) return;
+    const actionlib::TerminalState end = endOf(id_, statuses);
+    forget();
+    if (const Done done = std::exchange(done_, {})) done(end, nullptr);
   }
   void takeFeedback(const ros::MessageEvent<const ActionFeedback>& event) {
     manager_.updateFeedbacks(event.getConstMessage());
@@ -101,6 +136,9 @@ class ActionClient {
   CallbackGuard callbacks_;
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
+  std::string id_;                      ///< of the goal that was sent last
+  Done done_;                           ///< its end is told here where its result was lost
+  std::optional<SteadyTime> ended_at_;  ///< since when its status shows the end while its result is missing
   // Callbacks run on the node's own thread: none comes before the last of these is there.
   ros::Subscriber status_, feedback_, result_;
   Monitor monitor_;  ///< knows servers by their subscriptions, too

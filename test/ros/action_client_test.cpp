@@ -1,0 +1,94 @@
+// What a client hears of its goal where the server's messages come late, or not at all.
+
+#include "frontier_pilot/ros/action_client.h"
+
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/WaitAction.h"
+
+namespace frontier_pilot {
+namespace {
+
+using actionlib::TerminalState;
+using actionlib_msgs::GoalID;
+using actionlib_msgs::GoalStatus;
+using actionlib_msgs::GoalStatusArray;
+
+class ActionClients : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(comes([this] { return client_.isServerConnected(); }));
+    client_.send({}, [this](const TerminalState& state, const WaitResultConstPtr& result) {
+      ends_.push_back(state.toString() + ", " + state.getText() + (result ? ", with its result" : ""));
+    });
+    ASSERT_TRUE(comes([this] { return !goal_.id.empty(); }));
+  }
+
+  /// Publishes the status over and over, as a server does, until the condition holds or the time is over.
+  template <class Condition>
+  bool comes(const Condition& condition, double seconds = 10.0) {
+    const SteadyTime end = steadyNow() + std::chrono::milliseconds(static_cast<int>(seconds * 1e3));
+    while (!condition() && steadyNow() < end) {
+      statuses_.publish(status_);
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02));
+    }
+    return condition();
+  }
+  GoalStatus end(std::uint8_t state) const {
+    GoalStatus status;
+    status.goal_id = goal_;
+    status.status = state;
+    status.text = "no such shape";
+    return status;
+  }
+
+  GoalID goal_;  ///< as the server heard it
+  int canceled_ = 0;
+  GoalStatusArray status_;
+  std::vector<std::string> ends_;
+  ros::NodeHandle node_;
+  ros::Publisher statuses_ = node_.advertise<GoalStatusArray>("wait/status", 10);
+  ros::Publisher feedback_ = node_.advertise<WaitActionFeedback>("wait/feedback", 10);
+  ros::Publisher results_ = node_.advertise<WaitActionResult>("wait/result", 10);
+  ros::Subscriber goals_ = node_.subscribe<WaitActionGoal>(
+      "wait/goal", 10, [this](const WaitActionGoal::ConstPtr& goal) { goal_ = goal->goal_id; });
+  ros::Subscriber cancels_ =
+      node_.subscribe<GoalID>("wait/cancel", 10, [this](const GoalID::ConstPtr&) { ++canceled_; });
+  ActionClient<WaitAction> client_{node_, "wait"};
+};
+
+// [FLT-1]
+TEST_F(ActionClients, TellTheEndOfAGoalWhoseResultWasLost) {
+  status_.status_list = {end(GoalStatus::ABORTED)};
+  EXPECT_TRUE(comes([this] { return !ends_.empty(); }, 5.0));
+  comes([] { return false; }, 1.5);
+  EXPECT_EQ(ends_, std::vector<std::string>{"ABORTED, no such shape"}) << "once";
+}
+
+// [FLT-1]
+TEST_F(ActionClients, WaitAMomentForAResultThatComesAfterTheStatus) {
+  status_.status_list = {end(GoalStatus::SUCCEEDED)};
+  comes([] { return false; }, 0.3);
+  EXPECT_TRUE(ends_.empty());
+  WaitActionResult result;
+  result.status = end(GoalStatus::SUCCEEDED);
+  results_.publish(result);
+  EXPECT_TRUE(comes([this] { return !ends_.empty(); }));
+  comes([] { return false; }, 1.5);
+  EXPECT_EQ(ends_, std::vector<std::string>{"SUCCEEDED, no such shape, with its result"});
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "action_client_test");
+  const ros::NodeHandle keeps_ros_alive;
+  return RUN_ALL_TESTS();
+}
