@@ -74,6 +74,10 @@ const ParameterValue* Loader::find(const char* name) {
   return found == map_.end() ? nullptr : &found->second;
 }
 
+void Loader::moved(const char* name, const char* now) {
+  if (find(name) != nullptr) problem(name, std::string("is called ") + now + " now");
+}
+
 void Loader::problem(const std::string& name, const std::string& what) {
   problems_.push_back(prefix_ + name + ": " + what);
 }

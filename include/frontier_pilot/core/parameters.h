@@ -60,6 +60,12 @@ class Loader {
   template <class P>
   void list(const char* name, std::vector<P>& list, const char* doc);
 
+  /// A second name for a group: what it holds is read last.
+  template <class P>
+  void alias(const char* name, P& group);
+  /// A parameter that had this name in the last release, and what it is called now.
+  void moved(const char* name, const char* now);
+
   template <class P>
   void load(P& parameters);
 
@@ -91,6 +97,9 @@ class Describer {
   void group(const char* name, P& group, const char* doc);
   template <class P>
   void list(const char* name, std::vector<P>& list, const char* doc);
+  template <class P>
+  void alias(const char*, P&) {}
+  void moved(const char*, const char*) {}
 
   std::vector<Row> rows;
 
@@ -141,7 +150,11 @@ template <class P>
 void Loader::load(P& parameters) {
   parameters.describe(*this);
   reportUnknown();
-  if constexpr (HasCheck<P>::value) parameters.check(problems_);
+  if constexpr (HasCheck<P>::value) {
+    Problems own;
+    parameters.check(own);
+    for (const std::string& problem : own) problems_.push_back(prefix_ + problem);
+  }
 }
 
 template <class P>
@@ -153,6 +166,11 @@ void Loader::group(const char* name, P& group, const char*) {
   } else {
     problem(name, "must be a dictionary");
   }
+}
+
+template <class P>
+void Loader::alias(const char* name, P& group) {
+  this->group(name, group, "");
 }
 
 template <class P>

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot.h"
+
+namespace frontier_pilot {
+
+/// A planar scanner and where it sits. Defaults: beams and mounting of the TurtleBot3 Burger's, range of a better one.
+struct ScannerModel {
+  double x = -0.032;                 ///< [m], in the base frame
+  double y = 0.0;                    ///< [m]
+  double yaw = 0.0;                  ///< [rad]
+  double rate = 10.0;                ///< [Hz]
+  int beams = 360;                   ///< spread evenly over the field of view
+  double angle_min = 0.0;            ///< [rad], of the first beam, in the scanner's frame
+  double field_of_view = 2.0 * kPi;  ///< [rad]; a full turn has no beam twice
+  double range_min = 0.12;           ///< [m]
+  double range_max = 8.0;            ///< [m]
+
+  Pose2 T_base_sensor() const { return {x, y, yaw}; }
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("x", x, "m", "where the scanner sits, ahead of the base's origin", between(-5.0, 5.0));
+    v.field("y", y, "m", "where the scanner sits, to the left of the base's origin", between(-5.0, 5.0));
+    v.field("yaw", yaw, "rad", "which way the scanner looks", between(-2.0 * kPi, 2.0 * kPi));
+    v.field("rate", rate, "Hz", "scans per second", between(0.1, 100.0));
+    v.field("beams", beams, "", "number of beams, spread evenly over the field of view", between(1, 100000));
+    v.field("angle_min", angle_min, "rad", "angle of the first beam in the scanner's frame",
+            between(-2.0 * kPi, 2.0 * kPi));
+    v.field("field_of_view", field_of_view, "rad", "angle that the beams cover", {0.0, 2.0 * kPi, true});
+    v.field("range_min", range_min, "m", "nearest distance it measures", atLeast(0.0));
+    v.field("range_max", range_max, "m", "farthest distance it measures", positive());
+  }
+  void check(Problems& problems) const;
+};
+
+/// One description of a robot, which every node reads: its outline, limits, scanner, watchdog and base frame. The files
+/// in config/robots/ are such descriptions. Defaults: TurtleBot3 Burger, by its data sheet. [ROB-1]
+struct RobotModel {
+  std::vector<double> outline = {0.037, 0.089, -0.101, 0.089, -0.101, -0.089, 0.037, -0.089};  ///< x1, y1, ... [m]
+  double disc_radius = 0.105;                                                                  ///< [m]; 0: none
+  RobotLimits limits;
+  ScannerModel scanner;
+  double watchdog = 0.6;  ///< [s]
+  std::string base_frame = "base_footprint";
+
+  /// The polygon. Throws std::invalid_argument where `check` finds a problem with it.
+  Outline exactOutline() const;
+  /// What has to be kept clear while driving: the disc, where the robot is one or nearly so, otherwise the polygon.
+  Outline drivenOutline() const { return disc_radius > 0.0 ? Outline::disc(disc_radius) : exactOutline(); }
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("outline", outline, "m", "corners x1, y1, x2, y2, ... in the base frame, in order; empty: the disc alone",
+            between(-5.0, 5.0));
+    v.field(
+        "disc_radius", disc_radius, "m",
+        "of a disc about the base's origin that stands for a round robot while it drives; 0: the outline is checked "
+        "all along the way",
+        between(0.0, 5.0));
+    v.group("limits", limits, "what the base can do");
+    v.group("scanner", scanner, "the laser scanner");
+    v.field("watchdog", watchdog, "s", "a base that has had no command for so long stops", positive());
+    v.field("base_frame", base_frame, "", "frame between the wheels, on the floor");
+  }
+  void check(Problems& problems) const;
+};
+
+/// Describes the robot of a node as its parameter group `robot`, and `limits` beside it, which overrides the robot's.
+template <class Visitor>
+void describeRobot(Visitor& v, RobotModel& robot) {
+  v.group("robot", robot, "the robot, see config/robots/");
+  v.alias("limits", robot.limits);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,160 @@
+#include "frontier_pilot/core/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "frontier_pilot/core/ray_casting.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr int kDiscCorners = 32;
+constexpr double kLeastArea = 1e-6;  // [m^2]
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+const Vec2& next(const std::vector<Vec2>& corners, std::size_t i) { return corners[(i + 1) % corners.size()]; }
+
+double signedArea(const std::vector<Vec2>& corners) {
+  double area = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) area += 0.5 * cross(corners[i], next(corners, i));
+  return area;
+}
+
+/// Whether the horizontal ray from `point` to the right crosses the polygon's sides an odd number of times.
+bool inside(const std::vector<Vec2>& corners, const Vec2& point) {
+  bool in = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2& a = corners[i];
+    const Vec2& b = next(corners, i);
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    if (point.x() < a.x() + (point.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) in = !in;
+  }
+  return in;
+}
+
+double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
+  const Vec2 side = b - a;
+  const double along = std::clamp((point - a).dot(side) / side.squaredNorm(), 0.0, 1.0);
+  return (a + along * side - point).norm();
+}
+
+double distanceToSides(const std::vector<Vec2>& corners, const Vec2& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    least = std::min(least, distanceToSegment(point, corners[i], next(corners, i)));
+  }
+  return least;
+}
+
+/// The corners of a counter-clockwise polygon, moved along their mitres.
+std::vector<Vec2> mitred(const std::vector<Vec2>& corners, double margin) {
+  std::vector<Vec2> out;
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 before = (corners[i] - corners[(i + n - 1) % n]).normalized();
+    const Vec2 after = (next(corners, i) - corners[i]).normalized();
+    const Vec2 normals(before.y() + after.y(), -before.x() - after.x());
+    // Sharp corners would reach out far: the mitre is cut at twice the margin.
+    const double scale = margin / std::max(0.5, 0.5 * normals.squaredNorm());
+    out.emplace_back(corners[i] + scale * normals);
+  }
+  return out;
+}
+
+}  // namespace
+
+Outline::Outline(std::vector<Vec2> corners, bool is_disc, double radius)
+    : corners_(std::move(corners)), is_disc_(is_disc), inscribed_(radius), circumscribed_(radius) {
+  if (is_disc_) {
+    half_width_ = front_ = rear_ = radius;
+    return;
+  }
+  inscribed_ = distanceToSides(corners_, Vec2::Zero());
+  for (const Vec2& corner : corners_) {
+    circumscribed_ = std::max(circumscribed_, corner.norm());
+    half_width_ = std::max(half_width_, std::abs(corner.y()));
+    front_ = std::max(front_, corner.x());
+    rear_ = std::max(rear_, -corner.x());
+  }
+}
+
+Outline Outline::disc(double radius) {
+  std::vector<Vec2> corners;
+  const double reach = radius / std::cos(kPi / kDiscCorners);
+  for (int i = 0; i < kDiscCorners; ++i) corners.emplace_back(reach * direction((2 * i + 1) * kPi / kDiscCorners));
+  return {std::move(corners), true, radius};
+}
+
+const char* Outline::problem(const std::vector<Vec2>& corners) {
+  if (corners.size() < 3) return "must have at least three corners";
+  if (std::abs(signedArea(corners)) < kLeastArea) return "has no area";
+  if (!inside(corners, Vec2::Zero())) return "the base's origin must lie inside";
+  return "";
+}
+
+Outline Outline::polygon(std::vector<Vec2> corners) {
+  const std::string wrong = problem(corners);
+  if (!wrong.empty()) throw std::invalid_argument("outline: " + wrong);
+  if (signedArea(corners) < 0.0) std::reverse(corners.begin(), corners.end());
+  return {std::move(corners), false, 0.0};
+}
+
+Outline Outline::padded(double margin) const {
+  if (is_disc_) return disc(inscribed_ + margin);
+  return {mitred(corners_, margin), false, 0.0};
+}
+
+double Outline::distance(const Vec2& point) const {
+  if (is_disc_) return point.norm() - inscribed_;
+  const double to_sides = distanceToSides(corners_, point);
+  return inside(corners_, point) ? -to_sides : to_sides;
+}
+
+double Outline::distanceToEdge(const Vec2& from, const Vec2& unit) const {
+  if (is_disc_) {
+    const double along = from.dot(unit);
+    const double room = inscribed_ * inscribed_ - from.squaredNorm();
+    return room > 0.0 ? std::sqrt(along * along + room) - along : 0.0;
+  }
+  if (!inside(corners_, from)) return 0.0;
+  double first = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Vec2 to = corners_[i] - from;
+    const Vec2 side = next(corners_, i) - corners_[i];
+    const double turned = cross(unit, side);
+    if (turned == 0.0) continue;
+    const double along_side = cross(to, unit) / turned;
+    const double along_ray = cross(to, side) / turned;
+    if (along_side >= 0.0 && along_side <= 1.0 && along_ray >= 0.0) first = std::min(first, along_ray);
+  }
+  return std::isfinite(first) ? first : 0.0;
+}
+
+void Outline::cellsAt(const Pose2& T_grid_base, const GridGeometry& geometry, std::vector<Cell>& cells) const {
+  cells.clear();
+  std::vector<Vec2> placed;
+  placed.reserve(corners_.size());
+  CellRect box;
+  for (const Vec2& corner : corners_) {
+    placed.push_back(T_grid_base * corner);
+    box.include(geometry.cellAt(placed.back()));
+  }
+  // A cell that no side passes through lies inside or outside as a whole: its centre tells which.
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    visitCells(geometry, placed[i], next(placed, i), [&cells](Cell c) {
+      cells.push_back(c);
+      return true;
+    });
+  }
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    for (int x = box.x; x < box.x + box.width; ++x) {
+      if (inside(placed, geometry.centre({x, y}))) cells.push_back({x, y});
+    }
+  }
+}
+
+}  // namespace frontier_pilot

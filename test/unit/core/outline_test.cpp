@@ -1,0 +1,96 @@
+// The outline of a robot: the radii that follow from it, distances, and the cells that it covers.
+
+#include "frontier_pilot/core/outline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace frontier_pilot {
+namespace {
+
+Outline waffle() { return Outline::polygon({{0.077, 0.153}, {-0.205, 0.153}, {-0.205, -0.153}, {0.077, -0.153}}); }
+
+// [ROB-1]
+TEST(Outlines, KnowTheRadiiThatFollowFromThem) {
+  const Outline outline = waffle();
+  EXPECT_FALSE(outline.isDisc());
+  EXPECT_NEAR(outline.inscribedRadius(), 0.077, 1e-12);
+  EXPECT_NEAR(outline.circumscribedRadius(), std::hypot(0.205, 0.153), 1e-12);
+  EXPECT_NEAR(outline.halfWidth(), 0.153, 1e-12);
+  EXPECT_NEAR(outline.front(), 0.077, 1e-12);
+  EXPECT_NEAR(outline.rear(), 0.205, 1e-12);
+  const Outline disc = Outline::disc(0.2);
+  for (const double radius : {disc.inscribedRadius(), disc.circumscribedRadius(), disc.halfWidth(), disc.front()}) {
+    EXPECT_EQ(radius, 0.2);
+  }
+}
+
+TEST(Outlines, OfADiscHaveAPolygonAroundIt) {
+  const Outline disc = Outline::disc(0.2);
+  const Outline around = Outline::polygon(disc.corners());
+  EXPECT_NEAR(around.inscribedRadius(), 0.2, 1e-12);
+  EXPECT_LT(around.circumscribedRadius(), 0.202);
+}
+
+TEST(Outlines, GiveTheDistanceToAPointInsideAndOutside) {
+  const Outline outline = waffle();
+  EXPECT_NEAR(outline.distance({0.177, 0.0}), 0.1, 1e-12);
+  EXPECT_NEAR(outline.distance({0.0, 0.0}), -0.077, 1e-12);
+  EXPECT_NEAR(outline.distance({0.107, 0.193}), 0.05, 1e-12) << "from the corner";
+  EXPECT_NEAR(Outline::disc(0.1).distance({0.0, 0.3}), 0.2, 1e-12);
+}
+
+TEST(Outlines, GiveWhereARayLeavesThem) {
+  EXPECT_NEAR(waffle().distanceToEdge({-0.064, 0.0}, {1.0, 0.0}), 0.141, 1e-12);
+  EXPECT_NEAR(waffle().distanceToEdge({-0.064, 0.0}, {0.0, -1.0}), 0.153, 1e-12);
+  EXPECT_EQ(waffle().distanceToEdge({0.1, 0.0}, {1.0, 0.0}), 0.0) << "from outside";
+  EXPECT_NEAR(Outline::disc(0.1).distanceToEdge({0.06, 0.0}, {0.0, 1.0}), 0.08, 1e-12);
+}
+
+TEST(Outlines, GrowByAMarginOnEverySide) {
+  const Outline padded = waffle().padded(0.01);
+  EXPECT_NEAR(padded.front(), 0.087, 1e-12);
+  EXPECT_NEAR(padded.rear(), 0.215, 1e-12);
+  EXPECT_NEAR(padded.halfWidth(), 0.163, 1e-12);
+  EXPECT_NEAR(Outline::disc(0.1).padded(0.01).circumscribedRadius(), 0.11, 1e-12);
+}
+
+TEST(Outlines, RefuseWhatIsNoOutline) {
+  EXPECT_THROW(Outline::polygon({{0.1, 0.0}, {-0.1, 0.0}}), std::invalid_argument);
+  EXPECT_THROW(Outline::polygon({{0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}}), std::invalid_argument);
+  EXPECT_THROW(Outline::polygon({{1.1, 1.1}, {0.9, 1.1}, {1.0, 0.9}}), std::invalid_argument);
+  const Outline clockwise = Outline::polygon({{0.1, -0.1}, {-0.1, -0.1}, {-0.1, 0.1}, {0.1, 0.1}});
+  EXPECT_NEAR(clockwise.padded(0.05).halfWidth(), 0.15, 1e-12);
+}
+
+// A law, at random poses: a cell whose centre lies within the outline is covered, and a covered one lies within its own
+// half diagonal of it.
+TEST(Outlines, CoverTheCellsThatTheyTouch) {
+  const Outline outline = waffle();
+  GridGeometry geometry;
+  geometry.resolution = 0.05;
+  geometry.width = geometry.height = 40;
+  geometry.origin = Vec2(-1.0, -1.0);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-0.5, 0.5);
+  std::vector<Cell> covered;
+  for (int i = 0; i < 50; ++i) {
+    const Pose2 pose(any(random), any(random), 6.0 * any(random));
+    outline.cellsAt(pose, geometry, covered);
+    for (int y = 0; y < geometry.height; ++y) {
+      for (int x = 0; x < geometry.width; ++x) {
+        const double distance = outline.distance(pose.inverse() * geometry.centre({x, y}));
+        const bool is_covered = std::find(covered.begin(), covered.end(), Cell{x, y}) != covered.end();
+        EXPECT_TRUE(is_covered || distance >= 0.0);
+        EXPECT_FALSE(is_covered && distance > 0.0354);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot
