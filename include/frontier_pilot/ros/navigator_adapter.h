@@ -23,7 +23,7 @@ namespace frontier_pilot {
 
 struct NavigatorNodeParameters : NavigatorParams {
   std::string map_frame = names::kMapFrame;
-  std::string base_frame = names::kBaseFootprintFrame;
+  std::string base_frame;     ///< empty: the robot's
   double rate = 20.0;         ///< of the control loop [Hz]
   bool use_goal_yaw = true;   ///< whether a goal's direction matters
   bool map_must_live = true;  ///< stand still when nobody publishes the map any more
@@ -32,11 +32,12 @@ struct NavigatorNodeParameters : NavigatorParams {
   void describe(Visitor& v) {
     NavigatorParams::describe(v);
     v.field("map_frame", map_frame, "", "frame of the map");
-    v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: as its description says");
     v.field("rate", rate, "Hz", "of the control loop", between(1.0, 100.0));
     v.field("use_goal_yaw", use_goal_yaw, "", "whether a goal's direction matters");
     v.field("map_must_live", map_must_live, "", "stand still when nobody publishes the map any more");
   }
+  const std::string& baseFrame() const { return base_frame.empty() ? robot.base_frame : base_frame; }
 };
 
 /// The navigator as a node: move_base's interface on one side, map, scan, odometry and TF on the other. [NAV-1]

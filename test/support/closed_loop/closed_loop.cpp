@@ -38,7 +38,7 @@ class ClosedLoop::Stopwatch {
 
 void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
   simulator.limits = limits;
-  navigator.limits = limits;
+  navigator.robot.limits = limits;
   arbiter.limits = limits;
 }
 
@@ -46,7 +46,7 @@ ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters,
     : simulator_(std::move(world), parameters.simulator),
       mapper_(parameters.mapper),
       navigator_(parameters.navigator,
-                 behaviorLadder(parameters.navigator.recovery, parameters.navigator.limits, kControlFrequency)),
+                 behaviorLadder(parameters.navigator.recovery, parameters.navigator.robot, kControlFrequency)),
       explorer_(parameters.explorer),
       arbiter_(parameters.arbiter),
       nav_source_(arbiter_.find("nav").value()),

@@ -15,16 +15,16 @@ namespace frontier_pilot::test {
 class DrivenRobot {
  public:
   DrivenRobot(const AsciiWorld& world, const Pose2& start, NavigatorParams params = {})
-      : simulator_(sim::World{world.map, start}, simulation(start, params.limits)),
-        navigator_(params, behaviorLadder(params.recovery, params.limits, 20.0)) {
+      : simulator_(sim::World{world.map, start}, simulation(start, params.robot.limits)),
+        navigator_(params, behaviorLadder(params.recovery, params.robot, 20.0)) {
     navigator_.setMap(world.map, world.map.geometry().rect());
   }
 
   /// Burger, or the fast set of limits.
   static NavigatorParams fast() {
     NavigatorParams params;
-    params.limits.max_linear = 0.5;
-    params.limits.max_angular = 1.5;
+    params.robot.limits.max_linear = 0.5;
+    params.robot.limits.max_angular = 1.5;
     return params;
   }
 
