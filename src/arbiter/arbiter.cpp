@@ -92,7 +92,7 @@ void Arbiter::store(Source& source, const Twist2& command, bool hold, const Inst
   if (!command.isZero()) source.last_motion = now.steady;
   // While ROS time stands still the age of a message cannot be told, so it must not count when time goes on.
   if (!source.enabled || clock_.stopped()) return;
-  source.command = clamp(command, parameters_.limits);
+  source.command = clamp(command, parameters_.robot.limits);
   source.command_time = now.ros;
   source.hold = hold;
   source.rejected_last = false;

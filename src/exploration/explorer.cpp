@@ -31,7 +31,7 @@ bool isOlder(Time stamp, Time now, double age) { return now - stamp > fromSecond
 
 Explorer::Explorer(const ExplorerParameters& parameters)
     : parameters_(parameters),
-      evaluator_(parameters.frontier),
+      evaluator_(parameters.frontier, parameters.robot.drivenOutline()),
       blacklist_(parameters.blacklist),
       fruitless_(
           {parameters.blacklist.radius / 2, parameters.blacklist.change_radius, parameters.blacklist.change_cells}) {}

@@ -28,10 +28,11 @@ int countNear(const std::vector<Vec2>& points, const Vec2& centre, double radius
 
 }  // namespace
 
-FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters)
+FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven)
     : parameters_(parameters),
-      space_(parameters.inscribed_radius + parameters.trap_margin, KeepClearOf::kObstaclesAndUnknown),
-      tight_space_(parameters.inscribed_radius) {}
+      space_(driven.halfWidth() + parameters.clearance_margin + parameters.trap_margin,
+             KeepClearOf::kObstaclesAndUnknown),
+      tight_space_(driven.halfWidth() + parameters.clearance_margin) {}
 
 bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed) {
   const bool is_new = map.geometry() != map_.geometry() || map_.empty();

@@ -7,8 +7,8 @@ namespace frontier_pilot {
 
 DriveCard::DriveCard(const TeleopParameters& parameters, QWidget* parent)
     : Card("Drive", parent),
-      linear_(new BarGauge("Forward", "m/s", parameters.limits.max_linear, false)),
-      angular_(new BarGauge("Turn left", "rad/s", parameters.limits.max_angular, true)),
+      linear_(new BarGauge("Forward", "m/s", parameters.robot.limits.max_linear, false)),
+      angular_(new BarGauge("Turn left", "rad/s", parameters.robot.limits.max_angular, true)),
       hold_(new QCheckBox("Hold to run")),
       hint_(new ElidedLabel("muted")) {
   content()->addLayout(makePad());

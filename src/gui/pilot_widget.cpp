@@ -44,7 +44,7 @@ PilotWidget::~PilotWidget() = default;
 void PilotWidget::build() {
   header_ = new HeaderCard;
   drive_card_ = new DriveCard(parameters_);
-  scan_card_ = new ScanCard;
+  scan_card_ = new ScanCard(parameters_.robot.exactOutline());
   sources_card_ = new SourcesCard;
   patrol_card_ = new PatrolCard(parameters_);
   spin_card_ = new SpinCard;

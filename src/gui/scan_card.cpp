@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kLeastRadius = 1.0, kGreatestRadius = 12.0;  // [m]
 constexpr double kScanLifetime = 1.0;                         // [s]
-constexpr double kRobotRadius = 0.105;                        // [m], Burger
 
 /// How wide a sector is [rad], in [0, 2 pi).
 double widthOf(const SectorView& sector) {
@@ -29,7 +28,7 @@ Severity severityOf(const SectorView& sector, std::optional<double> nearest) {
 
 }  // namespace
 
-ScanPicture::ScanPicture(QWidget* parent) : QWidget(parent) {
+ScanPicture::ScanPicture(const Outline& robot, QWidget* parent) : QWidget(parent), robot_(robot) {
   setAccessibleName("Scan around the robot");
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
@@ -152,22 +151,28 @@ void ScanPicture::drawScan(QPainter& painter, const Theme& theme) const {
 }
 
 void ScanPicture::drawRobot(QPainter& painter, const Theme& theme) const {
-  const double radius = std::max(at(0.0, 0.0).y() - at(kRobotRadius, 0.0).y(), emOf(*this) * 0.35);
+  const QPointF origin = at(0.0, 0.0);
+  const double middle = 0.5 * (robot_.front() - robot_.rear());
+  const double half = 0.5 * std::min(robot_.front() + robot_.rear(), 2.0 * robot_.halfWidth());
+  // Seen from so far that it would be a dot, it is drawn larger.
+  const double scale = std::max(origin.y() - at(1.0, 0.0).y(), emOf(*this) * 0.35 / half);
+  const auto place = [&](double x, double y) { return origin - QPointF(y, x) * scale; };
+  QPolygonF body;
+  for (const Vec2& corner : robot_.corners()) body << place(corner.x(), corner.y());
   painter.setPen(QPen(theme.card, 1.5));
   painter.setBrush(theme.accent);
-  painter.drawEllipse(at(0.0, 0.0), radius, radius);
-  const QPointF center = at(0.0, 0.0);
+  painter.drawPolygon(body);
   painter.setBrush(theme.on_accent);
   painter.setPen(Qt::NoPen);
   QPolygonF nose;
-  nose << center + QPointF(0, -radius * 0.65) << center + QPointF(radius * 0.45, radius * 0.4)
-       << center + QPointF(-radius * 0.45, radius * 0.4);
+  nose << place(middle + 0.65 * half, 0.0) << place(middle - 0.4 * half, -0.45 * half)
+       << place(middle - 0.4 * half, 0.45 * half);
   painter.drawPolygon(nose);
 }
 
-ScanCard::ScanCard(QWidget* parent)
+ScanCard::ScanCard(const Outline& robot, QWidget* parent)
     : Card("Surroundings", parent),
-      picture_(new ScanPicture),
+      picture_(new ScanPicture(robot)),
       toggle_(new Switch("obstacle_avoider")),
       dot_(new Dot),
       text_(new ElidedLabel("muted")) {

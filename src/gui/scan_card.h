@@ -1,6 +1,7 @@
 #pragma once
 
 #include "controls.h"
+#include "frontier_pilot/core/outline.h"
 
 namespace frontier_pilot {
 
@@ -10,7 +11,7 @@ class ScanPicture : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ScanPicture(QWidget* parent = nullptr);
+  explicit ScanPicture(const Outline& robot, QWidget* parent = nullptr);
   void setState(const OperatorState& state);
   QSize sizeHint() const override;
   bool hasHeightForWidth() const override { return true; }
@@ -27,6 +28,7 @@ class ScanPicture : public QWidget {
   void drawScan(QPainter& painter, const Theme& theme) const;
   void drawRobot(QPainter& painter, const Theme& theme) const;
 
+  Outline robot_;
   double view_radius_ = 2.5;  ///< [m]
   std::optional<ScanView> scan_;
   std::optional<AvoiderView> avoider_;
@@ -38,7 +40,7 @@ class ScanCard : public Card {
   Q_OBJECT
 
  public:
-  explicit ScanCard(QWidget* parent = nullptr);
+  explicit ScanCard(const Outline& robot, QWidget* parent = nullptr);
   void setState(const OperatorState& state);
 
  signals:

@@ -56,13 +56,19 @@ std::unique_ptr<PoseCorrection> correctionFor(const MapperParameters& parameters
   return std::make_unique<GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
 }
 
+MapperParameters withRobotsRadius(MapperParameters parameters) {
+  // Whichever way the robot has turned there, this much of it was on that floor.
+  parameters.insertion.robot_radius = parameters.robot.drivenOutline().inscribedRadius();
+  return parameters;
+}
+
 }  // namespace
 
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<PoseCorrection> correction)
-    : parameters_(parameters),
-      map_(parameters.map),
-      inserter_(parameters.insertion, parameters.slam.local.surface),
-      correction_(correction ? std::move(correction) : correctionFor(parameters, map_)) {}
+    : parameters_(withRobotsRadius(parameters)),
+      map_(parameters_.map),
+      inserter_(parameters_.insertion, parameters_.slam.local.surface),
+      correction_(correction ? std::move(correction) : correctionFor(parameters_, map_)) {}
 
 ScanVerdict Mapper::insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   const ScanVerdict verdict = decide(scan, T_odom_base, now);

@@ -13,6 +13,7 @@ namespace frontier_pilot {
 
 ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<ExplorerNodeParameters>(private_node)),
+      base_frame_(parameters_.explorer.robot.baseFrameOr(parameters_.base_frame)),
       explorer_(parameters_.explorer),
       navigation_(node),
       diagnostics_(node, private_node),
@@ -80,10 +81,10 @@ ExplorerInputs ExplorerAdapter::gather(Time now) {
   inputs.navigation_available = navigation_.available();
   inputs.odometry_stamp = odometry_stamp_;
   inputs.goal_events = navigation_.takeEvents();
-  if (const auto stamp = tf_.latestStamp(parameters_.map_frame, parameters_.base_frame)) {
+  if (const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_)) {
     // A transform that is only static has no stamp of its own: it holds now.
     const Time when = *stamp == Time{} ? now : *stamp;
-    const auto pose = tf_.lookup(parameters_.map_frame, parameters_.base_frame, *stamp);
+    const auto pose = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
     if (pose) inputs.T_map_base = StampedPose2{*pose, when};
   }
   return inputs;

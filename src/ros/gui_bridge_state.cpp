@@ -64,7 +64,7 @@ void GuiBridge::onArbiter(const ArbiterStatus& msg) {
 }
 
 void GuiBridge::onScan(const sensor_msgs::LaserScan& msg) {
-  const auto T_base_sensor = tf_.lookup3d(names::kBaseFootprintFrame, msg.header.frame_id, Time{});
+  const auto T_base_sensor = tf_.lookup3d(parameters_.robot.base_frame, msg.header.frame_id, Time{});
   if (!T_base_sensor) return;  // shown as a scan that grows old
   auto scan = toLaserScan(msg, *T_base_sensor);
   if (!scan) return;

@@ -21,6 +21,7 @@ OdometryAnchorParameters anchorParameters(const MapperNodeParameters& node) {
 
 MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<MapperNodeParameters>(private_node)),
+      base_frame_(parameters_.mapper.robot.baseFrameOr(parameters_.base_frame)),
       mapper_(parameters_.mapper),
       anchor_(anchorParameters(parameters_)),
       pairing_(parameters_.pairing),
@@ -87,7 +88,7 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
   if (frame.empty() || frame == parameters_.map_frame || frame == parameters_.odom_frame) {
     return reject(ScanVerdict::kWrongFrame);
   }
-  const auto T_base_sensor = tf_.lookup3d(parameters_.base_frame, frame, Time{}, Duration::zero(), &why);
+  const auto T_base_sensor = tf_.lookup3d(base_frame_, frame, Time{}, Duration::zero(), &why);
   if (!T_base_sensor) return reject(ScanVerdict::kNoTransform);
   auto scan = toLaserScan(msg, *T_base_sensor, &why);
   if (!scan) return reject(ScanVerdict::kMalformed);

@@ -119,7 +119,7 @@ bool DriveModel::setDriver(const std::string& source) {
 }
 
 void DriveModel::step(Motion motion) {
-  const RobotLimits& limits = parameters_.limits;
+  const RobotLimits& limits = parameters_.robot.limits;
   if (motion == Motion::kGo || motion == Motion::kBack) {
     const int change = motion == Motion::kGo ? 1 : -1;
     linear_steps_ = moved(linear_steps_, change, parameters_.linear_step, limits.max_linear);
@@ -132,12 +132,12 @@ void DriveModel::step(Motion motion) {
 Twist2 DriveModel::setPoint() const {
   if (!hold_) {
     return clamp({linear_steps_ * parameters_.linear_step, angular_steps_ * parameters_.angular_step},
-                 parameters_.limits);
+                 parameters_.robot.limits);
   }
   const auto held = [this](Motion motion) { return held_[static_cast<std::size_t>(motion)] > 0 ? 1.0 : 0.0; };
   const double forward = held(Motion::kGo) - held(Motion::kBack);
   const double leftward = held(Motion::kLeft) - held(Motion::kRight);
-  return clamp({forward * parameters_.hold_linear, leftward * parameters_.hold_angular}, parameters_.limits);
+  return clamp({forward * parameters_.hold_linear, leftward * parameters_.hold_angular}, parameters_.robot.limits);
 }
 
 }  // namespace frontier_pilot

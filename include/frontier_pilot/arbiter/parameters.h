@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot {
 
@@ -43,7 +43,7 @@ std::vector<SourceParameters> builtInSources();
 /// What the arbiter is configured with.
 struct ArbiterParameters {
   std::vector<SourceParameters> sources = builtInSources();
-  RobotLimits limits;
+  RobotModel robot;  ///< commands are clamped to its limits
   double clear_quiet_time = 0.5;
   double clock_stall_time = 0.5;
   bool stand_when_contested = true;
@@ -51,7 +51,7 @@ struct ArbiterParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.list("sources", sources, "who may ask for the wheels; a list given here replaces the built-in one");
-    v.group("limits", limits, "what the base can do; commands are clamped to it");
+    describeRobot(v, robot);
     v.field("clear_quiet_time", clear_quiet_time, "s",
             "an emergency stop is not cleared while a non-zero command is younger than this", between(0.0, 60.0));
     v.field("clock_stall_time", clock_stall_time, "s",

@@ -54,6 +54,8 @@ struct RobotModel {
   Outline exactOutline() const;
   /// What has to be kept clear while driving: the disc, where the robot is one or nearly so, otherwise the polygon.
   Outline drivenOutline() const { return disc_radius > 0.0 ? Outline::disc(disc_radius) : exactOutline(); }
+  /// The base's frame for a node whose own setting is `own`: that, or the robot's where it is empty.
+  const std::string& baseFrameOr(const std::string& own) const { return own.empty() ? base_frame : own; }
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/exploration/blacklist.h"
 #include "frontier_pilot/exploration/frontier.h"
@@ -46,6 +47,7 @@ const char* toString(ExplorerPhase phase);
 const char* toString(ExplorerReason reason);
 
 struct ExplorerParameters {
+  RobotModel robot;
   double rich_min_density = 0.0;
   double goal_timeout = 120.0;
   int max_goal_retries = 1;
@@ -63,6 +65,7 @@ struct ExplorerParameters {
 
   template <class V>
   void describe(V& v) {
+    describeRobot(v, robot);
     v.field("rich_min_density", rich_min_density, "", "information density that phase RICH asks for",
             between(0.0, 1.0));
     v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled and blacklisted", positive());

@@ -72,7 +72,7 @@ struct ScoreParameters {
 struct FrontierParameters {
   int min_frontier_cells = 4;
   double max_cluster_extent = 3.0;
-  double inscribed_radius = 0.15;
+  double clearance_margin = 0.045;
   double trap_margin = 0.03;
   double escape_radius = 0.6;
   double goal_search_radius = 1.0;
@@ -89,7 +89,11 @@ struct FrontierParameters {
   void describe(V& v) {
     v.field("min_frontier_cells", min_frontier_cells, "", "smaller frontiers are ignored", atLeast(1));
     v.field("max_cluster_extent", max_cluster_extent, "m", "longer clusters are cut, 0: never", atLeast(0.0));
-    v.field("inscribed_radius", inscribed_radius, "m", "clearance of the robot's centre on its way", atLeast(0.0));
+    v.field("clearance_margin", clearance_margin, "m",
+            "room that a way to a goal leaves on either side of the robot: nearly a cell of the map, for its walls are "
+            "known no better",
+            atLeast(0.0));
+    v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
     v.field(
         "trap_margin", trap_margin, "m",
         "more clearance while anything else is left: a gap that just fits may be mapped too narrow from the other side",

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/exploration/blacklist.h"
 #include "frontier_pilot/exploration/frontier.h"
 #include "frontier_pilot/exploration/frontier_search.h"
@@ -22,7 +23,8 @@ using PlanFn = std::function<std::optional<double>(const Vec2& from, const Vec2&
 /// decisions, so that one costs the changed block, one wavefront, and views near the change.
 class FrontierEvaluator {
  public:
-  explicit FrontierEvaluator(const FrontierParameters& parameters);
+  /// The ways to goals leave `clearance_margin` beside a robot of the outline `driven`.
+  FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven);
 
   /// Takes over a map; the block says where it may differ from the last one. Gives whether any cell changed class.
   bool setMap(const OccupancyGrid& map, const CellRect& changed);

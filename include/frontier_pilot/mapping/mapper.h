@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/mapping/graph_slam.h"
 #include "frontier_pilot/mapping/known_map.h"
@@ -19,6 +20,7 @@
 namespace frontier_pilot {
 
 struct MapperParameters {
+  RobotModel robot;              ///< it stands on free floor; described by the node
   double max_age = 1.0;          ///< an older scan is stale [s]
   double max_lead = 0.5;         ///< a scan may be this much ahead of the clock [s]
   double min_travel = 0.01;      ///< a robot that moved less has not moved [m]

@@ -12,14 +12,14 @@ namespace frontier_pilot {
 
 struct ScanInsertionParameters {
   double max_clear_range = 8.0;  ///< a beam without a return clears at most this far [m]
-  double robot_radius = 0.105;   ///< where the robot stands it is free [m]
+  double robot_radius = 0.105;   ///< a disc under the robot is free [m]; the mapper takes it from its robot
   double hit_offset = 0.5;       ///< a hit is put this much behind the measured surface [cells]
   double clear_margin = 0.3;     ///< a beam clears what it enters until this much before the surface [cells]
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("max_clear_range", max_clear_range, "m", "a beam without a return clears at most this far", positive());
-    v.field("robot_radius", robot_radius, "m", "a disc of this size under the robot is free", atLeast(0.0));
+    v.moved("robot_radius", "robot/disc_radius or robot/outline");
     v.field("hit_offset", hit_offset, "cells", "a hit is put this much behind the measured surface", between(0.0, 1.0));
     v.field("clear_margin", clear_margin, "cells", "beams clear cells until this much before the surface",
             between(0.0, 1.0));

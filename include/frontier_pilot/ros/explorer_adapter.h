@@ -23,7 +23,7 @@ struct ExplorerNodeParameters {
   bool autostart = false;
   double rate = 10.0;
   std::string map_frame = names::kMapFrame;
-  std::string base_frame = names::kBaseFootprintFrame;
+  std::string base_frame;  ///< empty: the robot's
   ExplorerParameters explorer;
 
   template <class V>
@@ -32,7 +32,7 @@ struct ExplorerNodeParameters {
             "explore as soon as all inputs are there; false: when set_exploration_enabled says so");
     v.field("rate", rate, "Hz", "ticks of the explorer", positive());
     v.field("map_frame", map_frame, "", "frame of the map and of the goals");
-    v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
     explorer.describe(v);
   }
 };
@@ -61,6 +61,7 @@ class ExplorerAdapter {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   ExplorerNodeParameters parameters_;
+  std::string base_frame_;
   Explorer explorer_;
   MapMirror map_;
   TfBridge tf_;

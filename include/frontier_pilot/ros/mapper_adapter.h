@@ -32,7 +32,7 @@ namespace frontier_pilot {
 struct MapperNodeParameters {
   std::string map_frame = names::kMapFrame;
   std::string odom_frame = names::kOdomFrame;
-  std::string base_frame = names::kBaseFootprintFrame;
+  std::string base_frame;        ///< empty: the robot's
   std::string map_file;          ///< loaded at the start; empty: none
   double autosave_period = 2.0;  ///< between two copies of the map for after a crash [s]; 0: none is kept
   double update_period = 0.2;    ///< between two `map_updates` [s]
@@ -46,9 +46,10 @@ struct MapperNodeParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
+    describeRobot(v, mapper.robot);
     v.field("map_frame", map_frame, "", "frame of the map");
     v.field("odom_frame", odom_frame, "", "frame of odometry");
-    v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
     v.field("map_file", map_file, "", "a saved map to begin with; none: an empty one");
     v.field(
         "autosave_period", autosave_period, "s",
@@ -121,6 +122,7 @@ class MapperAdapter {
   void summarize(Status& status) const;
 
   MapperNodeParameters parameters_;
+  std::string base_frame_;
   Mapper mapper_;
   OdometryAnchor anchor_;
   ScanPairing pairing_;

@@ -32,12 +32,11 @@ struct NavigatorNodeParameters : NavigatorParams {
   void describe(Visitor& v) {
     NavigatorParams::describe(v);
     v.field("map_frame", map_frame, "", "frame of the map");
-    v.field("base_frame", base_frame, "", "frame of the robot; empty: as its description says");
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
     v.field("rate", rate, "Hz", "of the control loop", between(1.0, 100.0));
     v.field("use_goal_yaw", use_goal_yaw, "", "whether a goal's direction matters");
     v.field("map_must_live", map_must_live, "", "stand still when nobody publishes the map any more");
   }
-  const std::string& baseFrame() const { return base_frame.empty() ? robot.base_frame : base_frame; }
 };
 
 /// The navigator as a node: move_base's interface on one side, map, scan, odometry and TF on the other. [NAV-1]
@@ -63,6 +62,7 @@ class NavigatorAdapter {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   NavigatorNodeParameters parameters_;
+  std::string base_frame_;
   Navigator navigator_;
   TfBridge tf_;
   MapMirror map_;

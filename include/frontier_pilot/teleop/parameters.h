@@ -1,13 +1,13 @@
 #pragma once
 
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot {
 
 /// How the operator's window drives.
 struct TeleopParameters {
-  RobotLimits limits;
+  RobotModel robot;  ///< the set-point stays within its limits
   double linear_step = 0.05;
   double angular_step = 0.2;
   bool hold_to_run = false;
@@ -21,7 +21,7 @@ struct TeleopParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.group("limits", limits, "what the base can do; the set-point stays within");
+    describeRobot(v, robot);
     v.field("linear_step", linear_step, "m/s", "what one press of Go or Back adds", positive());
     v.field("angular_step", angular_step, "rad/s", "what one press of Left or Right adds", positive());
     v.field("hold_to_run", hold_to_run, "", "start with the option that the robot moves only while a key is pressed");

@@ -39,7 +39,7 @@ class ClosedLoop::Stopwatch {
 void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
   simulator.limits = limits;
   navigator.robot.limits = limits;
-  arbiter.limits = limits;
+  arbiter.robot.limits = limits;
 }
 
 ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)())

@@ -132,8 +132,8 @@ class RandomDrive {
     if (arbiter_.stopped() != model_.latched()) fail("the latch differs [ARB-7]");
     if (arbiter_.stopped() && !wheels_.isZero()) fail("latched and not zero [ARB-7]");
     if (!wheels_.isFinite()) fail("not finite [ARB-5]");
-    if (std::abs(wheels_.linear) > parameters_.limits.max_linear) fail("beyond the limits [ARB-5]");
-    if (std::abs(wheels_.angular) > parameters_.limits.max_angular) fail("beyond the limits [ARB-5]");
+    if (std::abs(wheels_.linear) > parameters_.robot.limits.max_linear) fail("beyond the limits [ARB-5]");
+    if (std::abs(wheels_.angular) > parameters_.robot.limits.max_angular) fail("beyond the limits [ARB-5]");
   }
   void fail(const std::string& what) {
     if (failure_.empty()) failure_ = what;

@@ -81,7 +81,7 @@ class BlindDrive {
   }
   static ArbiterParameters arbitration(const RobotLimits& limits) {
     ArbiterParameters parameters;
-    parameters.limits = limits;
+    parameters.robot.limits = limits;
     parameters.sources[0].required = true;
     return parameters;
   }

@@ -64,7 +64,7 @@ TEST(FrontierBounds, WhenTheNoiseGoesBlockByBlockTheFrontierIsThatOfTheWholeMapA
 TEST(FrontierBounds, OnlySoManyFrontiersAreJudgedTheLargeAndNearOnesFirst_FLT_1) {
   OccupancyGrid floor = lattice(600, 6, kFree, kUnknown, 0.2);
   for (int y = 400; y < 404; ++y) std::fill_n(floor.row(y) + 300, 4, kUnknown);
-  FrontierEvaluator evaluator{FrontierParameters{}};
+  FrontierEvaluator evaluator{FrontierParameters{}, Outline::disc(0.105)};
   evaluator.setMap(floor, floor.geometry().rect());
   const Vec2 robot = floor.geometry().centre({63, 63});
   const auto& all = evaluator.evaluate({robot, robot, nullptr, nullptr, nullptr, 0.0});

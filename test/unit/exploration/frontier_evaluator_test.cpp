@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frontier_pilot/core/robot_model.h"
 #include "support/ascii_world.h"
 
 namespace frontier_pilot {
@@ -19,7 +20,7 @@ class FrontierJudgement : public ::testing::Test {
  protected:
   const Frontier& judge(const std::string& drawing, FrontierParameters parameters = smallWorld()) {
     world = test::drawWorld(drawing);
-    evaluator = FrontierEvaluator(parameters);
+    evaluator = FrontierEvaluator(parameters, robot.drivenOutline());
     evaluator.setPlan(plan);
     evaluator.setMap(world.map, world.map.geometry().rect());
     const auto& all = evaluator.evaluate({world.point('r'), world.point('r'), &blacklist, nullptr, nullptr, 0.0});
@@ -31,7 +32,8 @@ class FrontierJudgement : public ::testing::Test {
   test::AsciiWorld world;
   Blacklist blacklist{BlacklistParameters{}};
   PlanFn plan;
-  FrontierEvaluator evaluator{smallWorld()};
+  RobotModel robot;
+  FrontierEvaluator evaluator{smallWorld(), robot.drivenOutline()};
   Frontier largest;
 };
 

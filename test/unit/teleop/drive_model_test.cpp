@@ -42,7 +42,7 @@ TEST(DriveModel, StaysWithinTheLimitsAndComesBackFromThemAtOnce) {
 
 TEST(DriveModel, AnExactMultipleAsTheLimitNeedsNoFurtherStep) {
   TeleopParameters parameters;
-  parameters.limits.max_linear = 0.2;
+  parameters.robot.limits.max_linear = 0.2;
   DriveModel drive(parameters);
   press(drive, Motion::kGo, 10);
   press(drive, Motion::kBack, 1);
