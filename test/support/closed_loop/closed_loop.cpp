@@ -36,6 +36,10 @@ class ClosedLoop::Stopwatch {
   double start_;
 };
 
+void ClosedLoopParameters::setRobot(const RobotModel& robot) {
+  simulator.robot = mapper.robot = navigator.robot = explorer.robot = arbiter.robot = robot;
+}
+
 void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
   simulator.limits = limits;
   navigator.robot.limits = limits;
