@@ -37,7 +37,7 @@ class ClosedLoop::Stopwatch {
 };
 
 void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
-  simulator.limits = limits;
+  simulator.robot.limits = limits;
   navigator.limits = limits;
   arbiter.limits = limits;
 }

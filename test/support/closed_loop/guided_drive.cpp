@@ -15,14 +15,14 @@ constexpr int kStuck = 20000;  // steps without a move
 
 FollowerParams followerOf(const sim::SimulatorParameters& parameters) {
   FollowerParams params;
-  params.inscribed_radius = parameters.radius;
+  params.inscribed_radius = parameters.robot.drivenOutline().circumscribedRadius();
   return params;
 }
 
 /// The way must be one that nobody would call narrow: the follower sees no walls but the map's.
 ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
   ClearanceParams params;
-  params.inscribed_radius = parameters.radius;
+  params.inscribed_radius = parameters.robot.drivenOutline().circumscribedRadius();
   params.tight_weight = 0.0;
   return params;
 }
@@ -32,7 +32,7 @@ ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
 GuidedDrive::GuidedDrive(sim::World world, const sim::SimulatorParameters& parameters, double distance)
     : simulator_(std::move(world), parameters),
       clearance_(roomy(parameters)),
-      follower_(followerOf(parameters), parameters.limits),
+      follower_(followerOf(parameters), parameters.robot.limits),
       wanted_distance_(distance),
       last_(simulator_.pose(0).position()) {
   // What nobody has seen is as solid as a wall here.

@@ -79,7 +79,7 @@ class DrivenRobot {
     params.x = start.x;
     params.y = start.y;
     params.yaw = start.yaw;
-    params.limits = limits;
+    params.robot.limits = limits;
     return params;
   }
 
