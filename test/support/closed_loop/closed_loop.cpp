@@ -41,9 +41,9 @@ void ClosedLoopParameters::setRobot(const RobotModel& robot) {
 }
 
 void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
-  simulator.limits = limits;
-  navigator.robot.limits = limits;
-  arbiter.robot.limits = limits;
+  for (RobotModel* robot : {&simulator.robot, &mapper.robot, &navigator.robot, &explorer.robot, &arbiter.robot}) {
+    robot->limits = limits;
+  }
 }
 
 ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)())

@@ -48,7 +48,7 @@ TEST(PathFollower, KeepsItsDistanceFromBothSidesOfAPassageThatIsTooNarrow_NAV_4)
     parameters.x = start.x();
     parameters.y = start.y();
     parameters.yaw = bearing(along);
-    parameters.limits = fast();
+    parameters.robot.limits = fast();
     sim::Simulator simulator(sim::World{posts(), Pose2(start, parameters.yaw)}, parameters);
     PathFollower follower({}, fastRobot());
     follower.setPath(Path({start, start + 1.2 * along}));
