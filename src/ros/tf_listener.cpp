@@ -39,7 +39,8 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
   return nullptr;
 }
 
-TfListener::TfListener(tf2_ros::Buffer& buffer) : buffer_(buffer), trust_(clockPace()) {
+TfListener::TfListener(tf2_ros::Buffer& buffer)
+    : buffer_(buffer), trust_(clockPace()), order_(toDuration(buffer.getCacheLength())) {
   node_.setCallbackQueue(&queue_);
   const auto listen = [this](const std::string& topic, bool is_static) {
     ros::SubscribeOptions options = checkedSubscription<tf2_msgs::TFMessage>(
@@ -71,7 +72,9 @@ void TfListener::run() {
 
 void TfListener::watchClock() {
   // Static transforms stay: they are of no time.
-  if (trust_.observe({rosNow(), steadyNow()}) != TrustChange::kNone) buffer_.clear();
+  if (trust_.observe({rosNow(), steadyNow()}) == TrustChange::kNone) return;
+  buffer_.clear();
+  order_.clear();
 }
 
 void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
@@ -85,10 +88,27 @@ void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
              "' is fixed elsewhere already: start the nodes anew if it has moved");
     } else if (!mayKeep(transform)) {
       refuse("there are 1000 frames already");
-    } else {
+    } else if (isOfItsTime(transform, is_static, now)) {
       buffer_.setTransform(transform, "", is_static);
     }
   }
+}
+
+bool TfListener::isOfItsTime(const geometry_msgs::TransformStamped& transform, bool is_static, Time now) {
+  if (is_static) return true;
+  const std::string child = plain(transform.child_frame_id);
+  switch (order_.judge(child, toTime(transform.header.stamp), now)) {
+    case StampOrder::Verdict::kKeep:
+      return true;
+    case StampOrder::Verdict::kTooOld:
+      refuse("older than the buffer keeps");
+      return false;
+    case StampOrder::Verdict::kForgetAndKeep:
+      refuse("'" + child + "' had a stamp of the future: all transforms before are forgotten");
+      buffer_.clear();
+      return true;
+  }
+  return false;
 }
 
 void TfListener::refuse(const std::string& why) {

@@ -17,6 +17,7 @@
 #include "frontier_pilot/core/clock_trust.h"
 #include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/ros/diagnostics.h"
+#include "frontier_pilot/ros/stamp_order.h"
 
 namespace frontier_pilot {
 
@@ -45,9 +46,12 @@ class TfListener {
   bool mayKeep(const geometry_msgs::TransformStamped& transform);
   /// Whether the child's frame is fixed to another place already.
   bool contradictsAFixedOne(const geometry_msgs::TransformStamped& transform, bool is_static);
+  /// Whether its stamp is to be believed; empties the buffer where that of the one before was not.
+  bool isOfItsTime(const geometry_msgs::TransformStamped& transform, bool is_static, Time now);
 
   tf2_ros::Buffer& buffer_;
   ClockTrust trust_;
+  StampOrder order_;
   CallbackGuard guard_;
   mutable std::mutex mutex_;  ///< of what is refused
   Rejections rejections_{"transform"};
