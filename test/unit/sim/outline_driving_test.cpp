@@ -138,8 +138,8 @@ double depth(const Outline& outline, const Pose2& pose, const Grid<std::uint8_t>
   double deepest = 0.0;
   const std::vector<Vec2>& corners = outline.corners();
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (int k = 0; k < 300; ++k) {
-      const Vec2 point = pose * (corners[i] + k / 300.0 * (corners[(i + 1) % corners.size()] - corners[i]));
+    for (int k = 0; k < 100; ++k) {
+      const Vec2 point = pose * (corners[i] + k / 100.0 * (corners[(i + 1) % corners.size()] - corners[i]));
       const Cell cell = geometry.cellAt(point);
       if (solid.get(cell, 1) == 0) continue;
       deepest = std::max(deepest, half - (point - geometry.centre(cell)).cwiseAbs().maxCoeff());
