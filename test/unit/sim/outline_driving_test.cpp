@@ -208,21 +208,21 @@ TEST(OutlinedRobots, ArePlacedWhereTheirOutlineFitsAtThatYaw_SIM_1) {
 
 // [SIM-1]
 TEST(OutlinedRobots, AreToldANearestFreePlaceForTheYawTheyAskedFor_SIM_1) {
-  const auto refusal = [](double yaw) -> std::string {
+  const auto refusal = [](double x, double yaw) -> std::string {
     try {
-      const Simulator simulator(world(room()), waffleAt(0.21, 0.55, yaw));
+      const Simulator simulator(world(room()), waffleAt(x, 0.55, yaw));
     } catch (const std::runtime_error& error) {
       return error.what();
     }
     return "";
   };
-  EXPECT_EQ(refusal(kPi), "") << "its back is not to the wall";
-  EXPECT_EQ(refusal(0.0),
+  EXPECT_EQ(refusal(0.21, kPi), "") << "its back is not to the wall";
+  EXPECT_EQ(refusal(0.21, 0.0),
             "the robot cannot start at (0.21, 0.55): the place is in or too near to a wall; the nearest free place is "
             "(0.35, 0.55)");
-  EXPECT_EQ(refusal(0.5 * kPi),
-            "the robot cannot start at (0.21, 0.55): the place is in or too near to a wall; the nearest free place is "
-            "(0.35, 0.55)");
+  EXPECT_EQ(refusal(0.15, kPi),
+            "the robot cannot start at (0.15, 0.55): the place is in or too near to a wall; the nearest free place is "
+            "(0.25, 0.55)");
 }
 
 // [SIM-1]
