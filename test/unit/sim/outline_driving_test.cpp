@@ -138,8 +138,8 @@ double depth(const Outline& outline, const Pose2& pose, const Grid<std::uint8_t>
   double deepest = 0.0;
   const std::vector<Vec2>& corners = outline.corners();
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (int k = 0; k < 300; ++k) {
-      const Vec2 point = pose * (corners[i] + k / 300.0 * (corners[(i + 1) % corners.size()] - corners[i]));
+    for (int k = 0; k < 100; ++k) {
+      const Vec2 point = pose * (corners[i] + k / 100.0 * (corners[(i + 1) % corners.size()] - corners[i]));
       const Cell cell = geometry.cellAt(point);
       if (solid.get(cell, 1) == 0) continue;
       deepest = std::max(deepest, half - (point - geometry.centre(cell)).cwiseAbs().maxCoeff());
@@ -208,21 +208,21 @@ TEST(OutlinedRobots, ArePlacedWhereTheirOutlineFitsAtThatYaw_SIM_1) {
 
 // [SIM-1]
 TEST(OutlinedRobots, AreToldANearestFreePlaceForTheYawTheyAskedFor_SIM_1) {
-  const auto refusal = [](double yaw) -> std::string {
+  const auto refusal = [](double x, double yaw) -> std::string {
     try {
-      const Simulator simulator(world(room()), waffleAt(0.21, 0.55, yaw));
+      const Simulator simulator(world(room()), waffleAt(x, 0.55, yaw));
     } catch (const std::runtime_error& error) {
       return error.what();
     }
     return "";
   };
-  EXPECT_EQ(refusal(kPi), "") << "its back is not to the wall";
-  EXPECT_EQ(refusal(0.0),
+  EXPECT_EQ(refusal(0.21, kPi), "") << "its back is not to the wall";
+  EXPECT_EQ(refusal(0.21, 0.0),
             "the robot cannot start at (0.21, 0.55): the place is in or too near to a wall; the nearest free place is "
             "(0.35, 0.55)");
-  EXPECT_EQ(refusal(0.5 * kPi),
-            "the robot cannot start at (0.21, 0.55): the place is in or too near to a wall; the nearest free place is "
-            "(0.35, 0.55)");
+  EXPECT_EQ(refusal(0.15, kPi),
+            "the robot cannot start at (0.15, 0.55): the place is in or too near to a wall; the nearest free place is "
+            "(0.25, 0.55)");
 }
 
 // [SIM-1]
