@@ -26,12 +26,17 @@ int countNear(const std::vector<Vec2>& points, const Vec2& centre, double radius
                                         [&](const Vec2& point) { return (point - centre).norm() <= radius; }));
 }
 
+/// The clearance of ways while anything else is left: no trap, and room to turn right round all along.
+double roomyClearance(const FrontierParameters& parameters, const Outline& driven) {
+  return std::max(driven.halfWidth() + parameters.clearance_margin + parameters.trap_margin,
+                  driven.circumscribedRadius() + parameters.clearance_margin);
+}
+
 }  // namespace
 
 FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven)
     : parameters_(parameters),
-      space_(driven.halfWidth() + parameters.clearance_margin + parameters.trap_margin,
-             KeepClearOf::kObstaclesAndUnknown),
+      space_(roomyClearance(parameters, driven), KeepClearOf::kObstaclesAndUnknown),
       tight_space_(driven.halfWidth() + parameters.clearance_margin) {}
 
 bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed) {

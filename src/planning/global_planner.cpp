@@ -154,26 +154,28 @@ struct GlobalPlanner::Impl {
   /// `result`, a path for the lane, or one with the same way out of the inflation that leaves room for the turns.
   PlanResult withRoomToTurn(const ClearanceMap& map, const PlanRequest& request, PlanResult result,
                             const std::vector<Cell>& goals) const {
-    if (!result.found() || outline.canFollow(map, result.path, result.escape, 0.0, request.start_yaw)) return result;
+    const std::optional<Pose2> robot =
+        request.start_yaw ? std::optional<Pose2>(Pose2(request.start, *request.start_yaw)) : std::nullopt;
+    if (!result.found() || outline.canFollow(map, result.path, result.escape, 0.0, robot)) return result;
     const std::vector<Vec2> lane = result.path.points();
     const std::vector<Cell> end{map.geometry().cellAt(lane.back())};
     const Cell start = map.geometry().cellAt(lane[result.escape]);
-    const std::optional<double> yaw = result.escape > 0 ? std::nullopt : request.start_yaw;
-    result.status = PlanStatus::kNoPath;
+    const std::optional<Pose2> from = result.escape > 0 ? std::nullopt : robot;
     result.path = Path();
     // Where the path for the lane ends, or else anywhere within the tolerance; tight places are the last resort.
     for (const OutlineCheck& check : {outline, outline.inTightPlaces()}) {
       for (const std::vector<Cell>* to : {&end, &goals}) {
         OrientedSearch oriented(map, check);
-        std::vector<Vec2> points = oriented.search(start, yaw, *to);
+        std::vector<Vec2> points = oriented.search(start, from, *to);
         result.expanded += oriented.expanded();
         if (points.empty()) continue;
         points.insert(points.begin(), lane.begin(), lane.begin() + static_cast<std::ptrdiff_t>(result.escape));
         result.path = Path(points);
-        result.status = PlanStatus::kFound;
         return result;
       }
     }
+    const bool turned = from && !OrientedSearch(map, outline.inTightPlaces()).search(start, {}, goals).empty();
+    result.status = turned ? PlanStatus::kStartBlocked : PlanStatus::kNoPath;
     return result;
   }
 

@@ -181,8 +181,9 @@ void Navigator::refreshMap(Time now) {
   map_changed_ = obstacles_changed_ = false;
   if (!has_path_ || arrived_) return;
   const double along = follower_.progress();
-  has_path_ =
-      isPathValid(clearance_, path(), escape_, along) && outline_on_map_.canFollow(clearance_, path(), escape_, along);
+  const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->T_map_base) : std::nullopt;
+  has_path_ = isPathValid(clearance_, path(), escape_, along) &&
+              outline_on_map_.canFollow(clearance_, path(), escape_, along, robot);
 }
 
 bool Navigator::ensurePath(Time now) { return has_path_ || replan(now); }

@@ -85,15 +85,17 @@ class CostToGo {
 /// One search: the open list and what is known of each state that it has seen.
 class Search {
  public:
-  Search(const ClearanceMap& map, const OutlineCheck& outline, const std::vector<Cell>& goals)
-      : map_(map), outline_(outline), to_go_(map, goals) {}
+  Search(const ClearanceMap& map, const OutlineCheck& outline, const OutlineCheck::Leave& leave,
+         const std::vector<Cell>& goals)
+      : map_(map), outline_(outline), leave_(leave), to_go_(map, goals) {}
 
-  /// From every direction that a robot can turn into that looks along `yaw`, or that it fits in.
-  void begin(Cell start, std::optional<double> yaw) {
+  /// From every direction that the robot can turn into, or that it fits in.
+  void begin(Cell start, const std::optional<Pose2>& robot) {
     const Vec2 centre = map_.geometry().centre(start);
     for (int i = 0; i < kDirections; ++i) {
-      if (!outline_.canTurn(map_, centre, yaw.value_or(yawOf(i)), yawOf(i))) continue;
-      const double angle = yaw ? std::abs(angleDifference(yawOf(i), *yaw)) : 0.0;
+      const double yaw = robot ? robot->yaw : yawOf(i);
+      if (!outline_.canTurn(map_, centre, yaw, yawOf(i), leave_.slackAt(centre))) continue;
+      const double angle = std::abs(angleDifference(yawOf(i), yaw));
       relax(keyOf(start, i), kTurnCost * angle, kNobody);
     }
   }
@@ -148,12 +150,12 @@ class Search {
     if (map_.geometry().contains(ahead)) {
       const Vec2 there = map_.geometry().centre(ahead);
       const double length = map_.segmentCost(here, there);
-      if (length >= 0.0 && outline_.fits(map_, {there, yawOf(direction)})) {
+      if (length >= 0.0 && outline_.fits(map_, {there, yawOf(direction)}, leave_.slackAt(there))) {
         relax(keyOf(ahead, direction), cost + length, key);
       }
     }
     for (const int turned : {(direction + 1) % kDirections, (direction + kDirections - 1) % kDirections}) {
-      if (!outline_.canTurn(map_, here, yawOf(direction), yawOf(turned))) continue;
+      if (!outline_.canTurn(map_, here, yawOf(direction), yawOf(turned), leave_.slackAt(here))) continue;
       const double angle = std::abs(angleDifference(yawOf(turned), yawOf(direction)));
       relax(keyOf(cell, turned), cost + kTurnCost * angle, key);
     }
@@ -172,6 +174,7 @@ class Search {
 
   const ClearanceMap& map_;
   const OutlineCheck& outline_;
+  OutlineCheck::Leave leave_;
   CostToGo to_go_;
   std::unordered_map<std::uint64_t, Node> nodes_;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
@@ -180,19 +183,23 @@ class Search {
 
 /// Replaces pieces of a path by straight lines wherever the robot can turn into the line, drive it and turn out of it.
 std::vector<Vec2> pulledTaut(const ClearanceMap& map, const OutlineCheck& outline, const std::vector<Vec2>& points,
-                             std::optional<double> yaw) {
+                             const std::optional<Pose2>& robot) {
   std::vector<Vec2> kept{points.front()};
   for (std::size_t i = 0; i + 1 < points.size();) {
+    // Whether the robot can turn into a line from here: it comes along the one before, or stands at the start.
+    const auto canBegin = [&](double line) {
+      if (i == 0) return !robot || outline.canTurn(map, points[0], robot->yaw, line);
+      return outline.canTurn(map, points[i], bearing(kept.back() - kept[kept.size() - 2]), line);
+    };
     std::size_t next = i + 1;
     for (std::size_t k = std::min(points.size() - 1, i + kLongestShortcut); k > i + 1; --k) {
       const double line = bearing(points[k] - points[i]);
-      if (!map.isValid(points[i], points[k]) || !outline.canDrive(map, points[i], points[k])) continue;
-      if (yaw && !outline.canTurn(map, points[i], *yaw, line)) continue;
+      if (!map.isValid(points[i], points[k]) || !outline.canDrive(map, points[i], points[k]) || !canBegin(line))
+        continue;
       if (k + 1 < points.size() && !outline.canTurn(map, points[k], line, bearing(points[k + 1] - points[k]))) continue;
       next = k;
       break;
     }
-    yaw = bearing(points[next] - points[i]);
     kept.push_back(points[next]);
     i = next;
   }
@@ -201,15 +208,19 @@ std::vector<Vec2> pulledTaut(const ClearanceMap& map, const OutlineCheck& outlin
 
 }  // namespace
 
-std::vector<Vec2> OrientedSearch::search(Cell start, std::optional<double> yaw, const std::vector<Cell>& goals) {
-  Search search(map_, outline_, goals);
-  search.begin(start, yaw);
+std::vector<Vec2> OrientedSearch::search(Cell start, const std::optional<Pose2>& robot,
+                                         const std::vector<Cell>& goals) {
+  // The search begins at the centre of the cell that the robot is in.
+  const Vec2 centre = map_.geometry().centre(start);
+  const std::optional<Pose2> begin = robot ? std::optional<Pose2>(Pose2(centre, robot->yaw)) : std::nullopt;
+  Search search(map_, outline_, OutlineCheck::Leave(outline_, map_, begin), goals);
+  search.begin(start, begin);
   const std::optional<std::uint64_t> end = search.run();
   expanded_ = search.expanded();
   if (!end) return {};
-  std::vector<Vec2> points = pulledTaut(map_, outline_, search.pointsTo(*end), yaw);
+  std::vector<Vec2> points = pulledTaut(map_, outline_, search.pointsTo(*end), begin);
   // The search may have turned the longer way round; whoever follows the path turns the shorter one.
-  return outline_.canFollow(map_, Path(points), 0, 0.0, yaw) ? points : std::vector<Vec2>{};
+  return outline_.canFollow(map_, Path(points), 0, 0.0, begin) ? points : std::vector<Vec2>{};
 }
 
 }  // namespace frontier_pilot

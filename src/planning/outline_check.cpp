@@ -32,21 +32,40 @@ OutlineCheck OutlineCheck::inTightPlaces() const {
   return tight;
 }
 
-bool OutlineCheck::fits(const ClearanceMap& map, const Pose2& T_map_base, double slack) const {
+double OutlineCheck::neededClearance(const ClearanceMap& map) const {
   const double lane = tight_ ? map.leastClearance() : map.requiredClearance();
-  const double needed = lane - map.params().inscribed_radius + 0.5 * kSpacing - slack;
+  return lane - map.params().inscribed_radius + 0.5 * kSpacing;
+}
+
+bool OutlineCheck::fits(const ClearanceMap& map, const Pose2& T_map_base, double slack) const {
+  const double needed = neededClearance(map) - slack;
   // In the open one look-up answers for all points.
   if (isTrivial() || map.clearance(T_map_base.position()) >= reach_ + needed) return true;
   return std::all_of(points_.begin(), points_.end(),
                      [&](const Vec2& point) { return map.clearance(T_map_base * point) >= needed; });
 }
 
-bool OutlineCheck::canTurn(const ClearanceMap& map, const Vec2& position, double from, double to) const {
+OutlineCheck::Leave::Leave(const OutlineCheck& outline, const ClearanceMap& map, const std::optional<Pose2>& robot) {
+  if (!robot) return;
+  constexpr double kRounding = 0.005;  // [m]
+  position_ = robot->position();
+  const double needed = outline.neededClearance(map);
+  for (const Vec2& point : outline.points_) {
+    slack_ = std::max(slack_, needed - map.clearance(*robot * point) + kRounding);
+  }
+}
+
+double OutlineCheck::Leave::slackAt(const Vec2& position) const {
+  constexpr double kPlace = 0.4;  // [m]
+  return (position - position_).norm() < kPlace ? slack_ : 0.0;
+}
+
+bool OutlineCheck::canTurn(const ClearanceMap& map, const Vec2& position, double from, double to, double slack) const {
   if (isTrivial()) return true;
   const double angle = angleDifference(to, from);
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(angle) * reach_ / kTurnStep)));
   for (int i = 0; i <= steps; ++i) {
-    if (!fits(map, {position, from + angle * i / steps})) return false;
+    if (!fits(map, {position, from + angle * i / steps}, slack)) return false;
   }
   return true;
 }
@@ -57,15 +76,18 @@ bool OutlineCheck::canDrive(const ClearanceMap& map, const Vec2& from, const Vec
 }
 
 bool OutlineCheck::canFollow(const ClearanceMap& map, const Path& path, std::size_t escape, double along,
-                             std::optional<double> yaw) const {
+                             const std::optional<Pose2>& robot) const {
   if (isTrivial()) return true;
+  const Leave leave(*this, map, robot);
   for (std::size_t i = escape; i + 1 < path.points().size(); ++i) {
     if (path.arcLength(i + 1) <= along) continue;
+    const Vec2& here = path.points()[i];
+    const Vec2& there = path.points()[i + 1];
     const double direction = directionOf(path, i);
-    const bool turns = path.arcLength(i) >= along && (i > escape || (escape == 0 && yaw));
-    const double before = i > escape ? directionOf(path, i - 1) : yaw.value_or(direction);
-    if (turns && !canTurn(map, path.points()[i], before, direction)) return false;
-    if (!fits(map, {path.points()[i + 1], direction})) return false;
+    const bool turns = path.arcLength(i) >= along && (i > escape || (escape == 0 && robot));
+    const double before = i > escape ? directionOf(path, i - 1) : (robot ? robot->yaw : direction);
+    if (turns && !canTurn(map, here, before, direction, leave.slackAt(here))) return false;
+    if (!fits(map, {there, direction}, leave.slackAt(there))) return false;
   }
   return true;
 }

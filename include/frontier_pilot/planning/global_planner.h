@@ -36,7 +36,7 @@ enum class PlanStatus {
   kNoMap,
   kInvalidRequest,   ///< start or goal is not finite
   kStartOutside,     ///< of the map
-  kStartBlocked,     ///< no passable cell within the escape radius
+  kStartBlocked,     ///< no passable cell within the escape radius, or no room to turn towards the goal
   kGoalOutside,      ///< of the map
   kGoalOccupied,     ///< in or too near an obstacle, and nothing reachable within the tolerance
   kGoalUnreachable,  ///< in unknown space, and nothing reachable within the tolerance

@@ -18,9 +18,9 @@ class OrientedSearch {
   OrientedSearch(const ClearanceMap& map, const OutlineCheck& outline) : map_(map), outline_(outline) {}
 
   /// Centres of cells from `start` to the nearest of `goals`, with the corners only, pulled taut; empty: there is no
-  /// way, or none among the states that a search may look at. `yaw` [rad] is the direction at the start; without it the
-  /// robot may begin in any.
-  std::vector<Vec2> search(Cell start, std::optional<double> yaw, const std::vector<Cell>& goals);
+  /// way, or none among the states that a search may look at. `robot` is where it is, in `start`; without it it
+  /// may begin in any direction.
+  std::vector<Vec2> search(Cell start, const std::optional<Pose2>& robot, const std::vector<Cell>& goals);
   /// How many states it looked at.
   std::size_t expanded() const { return expanded_; }
 

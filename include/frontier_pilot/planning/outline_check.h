@@ -27,17 +27,33 @@ class OutlineCheck {
   /// Whether the outline fits at a pose; `slack` [m] is how much nearer than a path its points may come.
   bool fits(const ClearanceMap& map, const Pose2& T_map_base, double slack = 0.0) const;
   /// Whether the robot can turn on the spot from one direction [rad] into the other, the shorter way.
-  bool canTurn(const ClearanceMap& map, const Vec2& position, double from, double to) const;
+  bool canTurn(const ClearanceMap& map, const Vec2& position, double from, double to, double slack = 0.0) const;
   /// Whether it fits at both ends of a straight motion, whose lane the map answers for.
   bool canDrive(const ClearanceMap& map, const Vec2& from, const Vec2& to) const;
   /// Whether it can follow a path by straight motions and turns on the spot, from `along` [m] on. The first `escape`
-  /// segments are exempt. With `yaw` the turn into the path's direction counts too.
+  /// segments are exempt. With `robot`, where it is now, the turn into the path's direction counts too.
   bool canFollow(const ClearanceMap& map, const Path& path, std::size_t escape, double along = 0.0,
-                 std::optional<double> yaw = std::nullopt) const;
+                 const std::optional<Pose2>& robot = std::nullopt) const;
+
+  /// A robot whose outline does not fit where it is, because the map or its pose has changed, may come as near to
+  /// obstacles as it is until it has left that place.
+  class Leave {
+   public:
+    Leave() = default;
+    Leave(const OutlineCheck& outline, const ClearanceMap& map, const std::optional<Pose2>& robot);
+    /// How much nearer than a path the outline may come at `position` [m].
+    double slackAt(const Vec2& position) const;
+
+   private:
+    Vec2 position_ = Vec2::Zero();
+    double slack_ = 0.0;
+  };
 
  private:
   static constexpr double kSpacing = 0.03;   ///< [m]
   static constexpr double kTurnStep = 0.02;  ///< that the farthest point moves between two checks of a turn [m]
+
+  double neededClearance(const ClearanceMap& map) const;
 
   std::vector<Vec2> points_;  ///< of the outline, in the base frame, those inside of the map's disc left out
   double reach_ = 0.0;        ///< of the farthest [m]

@@ -89,7 +89,8 @@ TEST(OutlineChecks, LeadThroughTurnsInCorridorsThatTheCircleDoesNotFit) {
   const PlanResult result = planner.plan(clearance, request);
   ASSERT_TRUE(result.found()) << toString(result.status);
   EXPECT_TRUE(isPathValid(clearance, result.path, result.escape));
-  EXPECT_TRUE(OutlineCheck(kWaffle).inTightPlaces().canFollow(clearance, result.path, result.escape, 0.0, 0.0));
+  EXPECT_TRUE(OutlineCheck(kWaffle).inTightPlaces().canFollow(clearance, result.path, result.escape, 0.0,
+                                                              Pose2(request.start, 0.0)));
   EXPECT_GT(exactDistanceAlong(map, result.path, 0.0), -0.005) << "the scan decides about the rest";
   EXPECT_LT(result.path.length(), 6.7);
 }
@@ -120,7 +121,7 @@ TEST(OutlineChecks, HoldForEveryPathThatIsFound) {
     const PlanResult result = GlobalPlanner({}, check).plan(clearance, request);
     if (!result.found()) continue;
     ++found;
-    oriented += check.canFollow(clearance, lane.path, lane.escape, 0.0, start.yaw) ? 0 : 1;
+    oriented += check.canFollow(clearance, lane.path, lane.escape, 0.0, start) ? 0 : 1;
     EXPECT_TRUE(isPathValid(clearance, result.path, result.escape)) << round;
     EXPECT_GT(exactDistanceAlong(map, result.path, start.yaw), 0.0) << round;
   }
