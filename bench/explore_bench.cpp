@@ -18,6 +18,7 @@
 #include "frontier_pilot/tools/arguments.h"
 #include "support/closed_loop/closed_loop.h"
 #include "support/explore_report.h"
+#include "support/shipped_robot.h"
 #include "support/svg.h"
 
 namespace frontier_pilot::bench {
@@ -26,7 +27,8 @@ namespace {
 constexpr const char* kUsage =
     "usage: explore_bench [options] WORLD.yaml ...\n"
     "  --seeds A-B        seeds to run (1-5)\n"
-    "  --limits NAME      burger (0.22 m/s) or fast (0.5 m/s)\n"
+    "  --robot NAME       one of config/robots/ (burger), or the path of a file like those\n"
+    "  --limits NAME      instead of the robot's own: burger (0.22 m/s) or fast (0.5 m/s)\n"
     "  --start X Y YAW    start pose in the world [m, m, rad]; the world's own otherwise\n"
     "  --until SHARE      stop at this explored share instead of DONE\n"
     "  --limit SECONDS    of simulated time, 7200\n"
@@ -41,7 +43,8 @@ constexpr const char* kUsage =
 struct Options {
   std::vector<std::string> worlds;
   std::vector<int> seeds = {1, 2, 3, 4, 5};
-  std::string limits = "burger";
+  std::string robot = "burger";
+  std::string limits;  ///< empty: the robot's
   std::optional<Pose2> start;
   double until = 2.0;
   double limit = 7200.0;
@@ -58,6 +61,7 @@ Pose2 poseOf(Arguments& arguments) {
 
 void takeWord(const std::string& word, Arguments& arguments, Options& o) {
   if (word == "--seeds") return void(o.seeds = arguments.range());
+  if (word == "--robot") return void(o.robot = arguments.text());
   if (word == "--limits") return void(o.limits = arguments.text());
   if (word == "--start") return void(o.start = poseOf(arguments));
   if (word == "--until") return void(o.until = arguments.number());
@@ -98,9 +102,19 @@ RobotLimits limitsNamed(const std::string& name) {
   return limits;
 }
 
+RobotModel robotOf(const Options& options) {
+  RobotModel robot = 
+      options.robot.find('/') == std::string::npos ? test::shippedRobot(options.robot) : loadRobot(options.robot);
+  if (!options.limits.empty()) robot.limits = limitsNamed(options.limits);
+  return robot;
+}
+
+/// The room beside a robot that floor has to leave to count as one that it can reach [m].
+constexpr double kRoomBeside = 0.045;
+
 test::ClosedLoopParameters parametersFor(const Options& options, const std::string& world, int seed) {
   test::ClosedLoopParameters parameters;
-  parameters.setLimits(limitsNamed(options.limits));
+  parameters.setRobot(robotOf(options));
   parameters.simulator.world = world;
   parameters.simulator.seed = seed;
   parameters.simulator.odom_noise = options.odom_noise;
@@ -123,7 +137,8 @@ class Run {
   Run(const Options& options, const std::string& world, int seed)
       : options_(options),
         loop_(sim::loadWorld(world), parametersFor(options, world, seed), threadSeconds),
-        meter_(loop_.simulator().map(), loop_.simulator().startPose(0), 0.15),
+        meter_(loop_.simulator().map(), loop_.simulator().startPose(0),
+               robotOf(options).drivenOutline().halfWidth() + kRoomBeside),
         svg_(options.svg.empty() ? "" : svgPath(options.svg, world, seed)) {
     report_.world = std::filesystem::path(world).stem().string();
     report_.seed = seed;

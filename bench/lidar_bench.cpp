@@ -28,11 +28,12 @@ const World& world() {
 const std::vector<RobotSpec>& places() {
   static const std::vector<RobotSpec> found = [] {
     const CollisionMap walls(solidCells(world().map, false), 0.105);
+    const Outline outline = Outline::disc(0.105);
     std::mt19937 random(1);
     std::vector<RobotSpec> robots;
     while (robots.size() < 1000) {
       const Vec2 at = world().map.geometry().centre(world().map.geometry().cell(random() % world().map.size()));
-      bool fits = !walls.overlaps(at);
+      bool fits = !walls.overlaps({outline, {at, 0.0}});
       for (const RobotSpec& other : robots) fits = fits && (Vec2(other.x, other.y) - at).norm() > 0.5;
       if (fits)
         robots.push_back(
@@ -77,8 +78,8 @@ BENCHMARK(buildRayCaster)->Unit(benchmark::kMillisecond);
 
 SimulatorParameters robots(std::int64_t count) {
   SimulatorParameters parameters;
-  parameters.lidar.beams = kBeams;
-  parameters.lidar.range_max = kRange;
+  parameters.robot.scanner.beams = kBeams;
+  parameters.robot.scanner.range_max = kRange;
   parameters.robots.assign(places().begin(), places().begin() + count);
   return parameters;
 }
@@ -156,8 +157,8 @@ BENCHMARK(growth)->Iterations(30)->Unit(benchmark::kMillisecond);
 // A step without a scan, for each robot.
 void step(benchmark::State& state) {
   SimulatorParameters parameters = robots(state.range(0));
-  parameters.lidar.rate = 0.1;
-  parameters.lidar.beams = 1;
+  parameters.robot.scanner.rate = 0.1;
+  parameters.robot.scanner.beams = 1;
   Simulator simulator(world(), parameters);
   for (auto _ : state) {
     driveAll(simulator);

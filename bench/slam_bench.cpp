@@ -85,8 +85,8 @@ double heapInUse() {
 sim::SimulatorParameters simulatorFor(const Options& options, int seed) {
   sim::SimulatorParameters parameters;
   parameters.seed = seed;
-  parameters.limits.max_linear = 0.5;
-  parameters.limits.max_angular = 1.5;
+  parameters.robot.limits.max_linear = 0.5;
+  parameters.robot.limits.max_angular = 1.5;
   parameters.odom_noise = true;
   sim::OdometryParameters& odometry = parameters.odometry;
   odometry.alpha1 = odometry.alpha3 = options.odom_noise * options.odom_noise;

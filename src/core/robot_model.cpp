@@ -1,5 +1,7 @@
 #include "frontier_pilot/core/robot_model.h"
 
+#include <stdexcept>
+
 namespace frontier_pilot {
 namespace {
 
@@ -17,6 +19,15 @@ void ScannerModel::check(Problems& problems) const {
 
 Outline RobotModel::exactOutline() const {
   return outline.empty() ? Outline::disc(disc_radius) : Outline::polygon(cornersOf(outline));
+}
+
+RobotModel loadRobot(const std::string& path) {
+  RobotModel robot;
+  const Problems problems = loadParameters(loadYamlFile(path), robot);
+  std::string all;
+  for (const std::string& problem : problems) all += (all.empty() ? "" : "; ") + problem;
+  if (!all.empty()) throw std::invalid_argument(path + ": " + all);
+  return robot;
 }
 
 void RobotModel::check(Problems& problems) const {

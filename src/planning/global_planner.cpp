@@ -12,6 +12,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/planning/escape.h"
+#include "frontier_pilot/planning/oriented_search.h"
 #include "frontier_pilot/planning/path_smoothing.h"
 #include "ompl_planner.h"
 
@@ -133,6 +134,7 @@ PlanResult finish(const ClearanceMap& map, const PlanRequest& request, const std
 
 struct GlobalPlanner::Impl {
   GlobalPlannerParams params;
+  OutlineCheck outline;
   GridSearch search;
 
   PlanResult plan(const ClearanceMap& map, const PlanRequest& request, const std::vector<Escape>& escapes,
@@ -146,6 +148,32 @@ struct GlobalPlanner::Impl {
     std::size_t expanded = 0;
     if (solve(map, si, problem, expanded)) result = finish(map, request, escapes, solutionPoints(*problem));
     result.expanded = expanded;
+    return result;
+  }
+
+  /// `result`, a path for the lane, or one with the same way out of the inflation that leaves room for the turns.
+  PlanResult withRoomToTurn(const ClearanceMap& map, const PlanRequest& request, PlanResult result,
+                            const std::vector<Cell>& goals) const {
+    if (!result.found() || outline.canFollow(map, result.path, result.escape, 0.0, request.start_yaw)) return result;
+    const std::vector<Vec2> lane = result.path.points();
+    const std::vector<Cell> end{map.geometry().cellAt(lane.back())};
+    const Cell start = map.geometry().cellAt(lane[result.escape]);
+    const std::optional<double> yaw = result.escape > 0 ? std::nullopt : request.start_yaw;
+    result.status = PlanStatus::kNoPath;
+    result.path = Path();
+    // Where the path for the lane ends, or else anywhere within the tolerance; tight places are the last resort.
+    for (const OutlineCheck& check : {outline, outline.inTightPlaces()}) {
+      for (const std::vector<Cell>* to : {&end, &goals}) {
+        OrientedSearch oriented(map, check);
+        std::vector<Vec2> points = oriented.search(start, yaw, *to);
+        result.expanded += oriented.expanded();
+        if (points.empty()) continue;
+        points.insert(points.begin(), lane.begin(), lane.begin() + static_cast<std::ptrdiff_t>(result.escape));
+        result.path = Path(points);
+        result.status = PlanStatus::kFound;
+        return result;
+      }
+    }
     return result;
   }
 
@@ -196,8 +224,10 @@ const char* toString(PlanStatus status) {
   return "unknown";
 }
 
-GlobalPlanner::GlobalPlanner(const GlobalPlannerParams& params) : impl_(std::make_unique<Impl>()) {
+GlobalPlanner::GlobalPlanner(const GlobalPlannerParams& params, const OutlineCheck& outline)
+    : impl_(std::make_unique<Impl>()) {
   impl_->params = params;
+  impl_->outline = outline;
   silenceAndSeedOmpl();
 }
 GlobalPlanner::~GlobalPlanner() = default;
@@ -218,7 +248,7 @@ PlanResult GlobalPlanner::plan(const ClearanceMap& map, const PlanRequest& reque
   if (!result.found() && !goals.empty()) {
     result = impl_->plan(map, request, findEscapes(map, start, radius, true), goals);
   }
-  return result;
+  return impl_->withRoomToTurn(map, request, std::move(result), goals);
 }
 
 bool isPathValid(const ClearanceMap& map, const Path& path, std::size_t escape, double from) {

@@ -35,18 +35,26 @@ NavReason reasonOf(PlanStatus status) {
 constexpr double kWorthwhileShare = 0.1;
 constexpr double kWorthwhile = 0.2;
 
+/// The map is for a disc as wide as the lane of the robot.
+ClearanceParams clearanceFor(ClearanceParams params, const Outline& outline) {
+  params.inscribed_radius = outline.halfWidth();
+  return params;
+}
+
 }  // namespace
 
 Navigator::Navigator(const NavigatorParams& params) : Navigator(params, clearingLadder()) {}
 
 Navigator::Navigator(const NavigatorParams& params, std::vector<RecoveryRung> ladder)
     : params_(params),
+      outline_(params.robot.drivenOutline()),
+      outline_on_map_(OutlineCheck(outline_).inTightPlaces()),
       ladder_(std::move(ladder)),
-      clearance_(params.clearance),
-      planner_(params.planner),
+      clearance_(clearanceFor(params.clearance, outline_)),
+      planner_(params.planner, OutlineCheck(outline_)),
       obstacles_(params.obstacles),
-      follower_(params.follower, params.limits),
-      predictor_(params.limits),
+      follower_(params.follower, params.robot),
+      predictor_(params.robot.limits),
       watchdog_(params.watchdog) {}
 
 void Navigator::setMap(const OccupancyGrid& map, const CellRect& changed) {
@@ -100,7 +108,7 @@ void Navigator::takeIn(const NavigatorInputs& inputs, Time now) {
   const auto T_map_base = poses_.at(inputs.scan->stamp);
   if (!T_map_base) return;
   scan_stamp_ = inputs.scan->stamp;
-  scan_ = scanPoints(*inputs.scan, *T_map_base, params_.clearance.inscribed_radius);
+  scan_ = scanPoints(*inputs.scan, *T_map_base, outline_);
   if (clearance_.empty()) return;
   obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
 }
@@ -160,7 +168,7 @@ void Navigator::pursueGoal(const NavigatorInputs& inputs, Time now) {
   if (recovery_) return continueRecovery(now);
   if (!ensurePath(now)) return;
   const MotionPredictor::Motion motion = predictor_.predict(*pose_, inputs.twist, now);
-  if (arrived_ || isAtGoal()) return turn(motion);
+  if (arrived_ || isAtGoal()) return turn(motion, now);
   lookForBetter(now);
   drive(motion, now);
 }
@@ -171,14 +179,16 @@ void Navigator::refreshMap(Time now) {
   clearance_.refresh();
   refreshed_ = now;
   map_changed_ = obstacles_changed_ = false;
-  if (has_path_ && !arrived_ && !isPathValid(clearance_, path(), escape_, follower_.progress())) has_path_ = false;
+  if (!has_path_ || arrived_) return;
+  const double along = follower_.progress();
+  has_path_ =
+      isPathValid(clearance_, path(), escape_, along) && outline_on_map_.canFollow(clearance_, path(), escape_, along);
 }
 
 bool Navigator::ensurePath(Time now) { return has_path_ || replan(now); }
 
 bool Navigator::replan(Time now) {
-  const PlanRequest request{pose_->T_map_base.position(), goal_->T_map_goal.position(), -1.0};
-  PlanResult result = planner_.plan(clearance_, request);
+  PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
   if (result.found()) return usePath(std::move(result), now);
   output_.plan_changed = true;
   const bool may_help = !obstacles_.empty() || result.status == PlanStatus::kStartBlocked;
@@ -188,6 +198,10 @@ bool Navigator::replan(Time now) {
     finish(NavResult::kAborted, reasonOf(result.status));
   }
   return false;
+}
+
+PlanRequest Navigator::requestFrom(const StampedPose& pose) const {
+  return {pose.T_map_base.position(), goal_->T_map_goal.position(), -1.0, pose.T_map_base.yaw};
 }
 
 bool Navigator::usePath(PlanResult result, Time now) {
@@ -205,7 +219,7 @@ bool Navigator::usePath(PlanResult result, Time now) {
 void Navigator::lookForBetter(Time now) {
   if (toSeconds(now - planned_) < params_.replan_period) return;
   planned_ = now;
-  PlanResult result = planner_.plan(clearance_, {pose_->T_map_base.position(), goal_->T_map_goal.position(), -1.0});
+  PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
   const double left = follower_.remaining();
   if (result.found() && result.path.length() < (1.0 - kWorthwhileShare) * left - kWorthwhile) {
     usePath(std::move(result), now);
@@ -217,17 +231,24 @@ bool Navigator::isAtGoal() const {
   return (pose_->T_map_base.position() - target).norm() <= params_.goal_tolerance;
 }
 
-void Navigator::turn(const MotionPredictor::Motion& motion) {
+void Navigator::turn(const MotionPredictor::Motion& motion, Time now) {
   arrived_ = true;
   const double left = angleDifference(goal_->T_map_goal.yaw, motion.T_map_base.yaw);
   if (!goal_->use_yaw || std::abs(left) <= params_.yaw_tolerance)
     return finish(NavResult::kSucceeded, NavReason::kReached);
-  command({0.0, stoppableRate(left, params_.limits)}, NavState::kTurning, NavReason::kTurning);
+  const FollowerOutput step = follower_.turn(left, followerInputs(motion, now));
+  if (step.blocked) return blocked(now);
+  blocked_since_.reset();
+  command(step.command, NavState::kTurning, NavReason::kTurning);
+}
+
+FollowerInputs Navigator::followerInputs(const MotionPredictor::Motion& motion, Time now) const {
+  const double age = std::max(0.0, toSeconds(now - std::min(pose_->stamp, *scan_stamp_)));
+  return {motion.T_map_base, motion.twist, age, scan_, clearance_};
 }
 
 void Navigator::drive(const MotionPredictor::Motion& motion, Time now) {
-  const double age = std::max(0.0, toSeconds(now - std::min(pose_->stamp, *scan_stamp_)));
-  const FollowerOutput step = follower_.update({motion.T_map_base, motion.twist, age, scan_, clearance_});
+  const FollowerOutput step = follower_.update(followerInputs(motion, now));
   const auto verdict = watchdog_.update(now, pose_->T_map_base.position(), follower_.remaining());
   if (watchdog_.hasMoved()) rung_ = 0;
   if (verdict == ProgressWatchdog::Verdict::kNoProgress) return recover(NavReason::kBlocked, now);

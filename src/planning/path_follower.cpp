@@ -28,11 +28,23 @@ double stoppableRate(double angle, const RobotLimits& limits) {
 
 double PathFollower::Trial::score() const { return progress - kDeviationWeight * deviation; }
 
-bool PathFollower::Surroundings::isFree(const Vec2& position, double speed) const {
-  if (least_clearance > 0.0 && map.clearance(position) < least_clearance) return false;
+PathFollower::PathFollower(const FollowerParams& params, const RobotModel& robot)
+    : params_(params),
+      limits_(robot.limits),
+      outline_(robot.drivenOutline()),
+      outline_on_map_(OutlineCheck(outline_).inTightPlaces()),
+      radius_(outline_.isDisc() ? outline_.inscribedRadius() : 0.0) {}
+
+bool PathFollower::Vicinity::isFree(const Pose2& pose, double speed) const {
+  if (least_clearance > 0.0 && map.clearance(pose.position()) < least_clearance) return false;
+  if (corners_count && !follower.outline_on_map_.fits(map, pose, kMapSlack)) return false;
+  const auto more = static_cast<float>(kSpeedMargin * std::max(0.0, speed - kNarrowSpeed));
+  return follower.outline_.isDisc() ? isDiscFreeOfPoints(pose.position(), more) : isFreeOfPoints(pose, more);
+}
+
+bool PathFollower::Vicinity::isDiscFreeOfPoints(const Vec2& position, float more) const {
   const auto x = static_cast<float>(position.x());
   const auto y = static_cast<float>(position.y());
-  const auto more = static_cast<float>(kSpeedMargin * std::max(0.0, speed - kNarrowSpeed));
   bool touched = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float dx = points.x[i] - x;
@@ -43,31 +55,52 @@ bool PathFollower::Surroundings::isFree(const Vec2& position, double speed) cons
   return !touched;
 }
 
+bool PathFollower::Vicinity::isFreeOfPoints(const Pose2& pose, float more) const {
+  const auto x = static_cast<float>(pose.x);
+  const auto y = static_cast<float>(pose.y);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float least = least_distances[i] + more;
+    const float reach = least + static_cast<float>(follower.outline_.circumscribedRadius());
+    const float dx = points.x[i] - x;
+    const float dy = points.y[i] - y;
+    if (dx * dx + dy * dy >= reach * reach) continue;
+    const Vec2 point(static_cast<double>(points.x[i]), static_cast<double>(points.y[i]));
+    if (follower.distanceTo(point, pose) < static_cast<double>(least)) return false;
+  }
+  return true;
+}
+
 void PathFollower::setPath(Path path) {
   path_ = std::move(path);
   progress_ = 0.0;
 }
 
-PathFollower::Surroundings PathFollower::surroundings(const FollowerInputs& inputs) const {
-  const Vec2 position = inputs.T_map_base.position();
-  const double reach = limits_.max_linear * params_.horizon + params_.inscribed_radius + params_.scan_margin + 0.1;
-  Surroundings around{inputs.scan.near(position, reach), inputs.map, {}, 0.0};
+double PathFollower::distanceTo(const Vec2& point, const Pose2& pose) const {
+  return outline_.isDisc() ? (point - pose.position()).norm() : outline_.distance(pose.inverse() * point);
+}
+
+PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) const {
+  const Pose2& pose = inputs.T_map_base;
+  const double reach =
+      limits_.max_linear * params_.horizon + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
+  Vicinity around{inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false};
   around.least_distances.reserve(around.points.size());
   for (std::size_t i = 0; i < around.points.size(); ++i) {
     const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));
-    around.least_distances.push_back(static_cast<float>(leastDistance((point - position).norm())));
+    around.least_distances.push_back(static_cast<float>(leastDistance(distanceTo(point, pose))));
   }
   // In the map's inflation only the scan can tell the way out.
   const double needed = inputs.map.leastClearance() - kMapSlack;
-  if (inputs.map.clearance(position) >= needed) around.least_clearance = needed;
+  if (inputs.map.clearance(pose.position()) >= needed) around.least_clearance = needed;
+  around.corners_count = !outline_on_map_.isTrivial() && outline_on_map_.fits(inputs.map, pose, kMapSlack);
   return around;
 }
 
 double PathFollower::leastDistance(double now) const {
-  const double least = params_.inscribed_radius + params_.scan_margin;
+  const double least = radius_ + params_.scan_margin;
   if (now >= least) return least;
   // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
-  const double floor = params_.inscribed_radius + kMinGap;
+  const double floor = radius_ + kMinGap;
   constexpr double kRounding = 1e-4;  // of what is compared with it
   return now < floor ? now - kRounding : std::max(floor, now - 0.002);
 }
@@ -91,7 +124,7 @@ Twist2 PathFollower::pursue(const Policy& policy, const Pose2& pose, const Twist
 }
 
 PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInputs& inputs,
-                                         const Surroundings& around) const {
+                                         const Vicinity& around) const {
   Trial trial;
   Pose2 pose = inputs.T_map_base;
   Twist2 twist = inputs.twist;
@@ -103,7 +136,7 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
     if (i == 0) trial.command = command;
     twist = limitAcceleration(command, twist, limits_, kStep);
     pose = integrate(pose, twist, kStep);
-    if (!around.isFree(pose.position(), std::abs(twist.linear))) break;
+    if (!around.isFree(pose, std::abs(twist.linear))) break;
     along = path_.project(pose.position(), along, along + 0.3);
     trial.free_time += kStep;
     trial.points.push_back(pose.position());
@@ -115,15 +148,32 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
 }
 
 bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs) const {
-  if (trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
+  // A disc is never in its own way when it turns on the spot.
+  if (outline_.isDisc() && trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
   const double speed = std::max(inputs.twist.linear, trial.command.linear);
+  double braking = speed / limits_.max_linear_acc;
+  if (!outline_.isDisc()) {
+    const double rate = std::max(std::abs(inputs.twist.angular), std::abs(trial.command.angular));
+    braking = std::max(braking, rate / limits_.max_angular_acc);
+  }
   // What is late now will be late the next time.
-  return trial.free_time >= params_.reaction_time + inputs.age + speed / limits_.max_linear_acc;
+  return trial.free_time >= params_.reaction_time + inputs.age + braking;
+}
+
+FollowerOutput PathFollower::turn(double angle, const FollowerInputs& inputs) const {
+  const Twist2 command{0.0, stoppableRate(angle, limits_)};
+  if (outline_.isDisc()) return {command, false};
+  const Vicinity around = vicinity(inputs);
+  const double seconds = params_.reaction_time + inputs.age + std::abs(command.angular) / limits_.max_angular_acc;
+  for (double t = kStep; t < seconds + kStep; t += kStep) {
+    if (!around.isFree(integrate(inputs.T_map_base, command, t), 0.0)) return {{}, true};
+  }
+  return {command, false};
 }
 
 FollowerOutput PathFollower::update(const FollowerInputs& inputs) {
   progress_ = path_.project(inputs.T_map_base.position(), progress_ - 0.1, progress_ + 1.0);
-  const Surroundings around = surroundings(inputs);
+  const Vicinity around = vicinity(inputs);
   const double full = limits_.max_linear;
   const double far = std::max(params_.min_lookahead, params_.lookahead_time * full);
   const double near = std::max(0.75 * params_.min_lookahead, 0.5 * far);

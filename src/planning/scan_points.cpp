@@ -11,13 +11,6 @@ constexpr float kFarAway = 1e6F;
 const Duration kHistory = fromSeconds(1.0);
 const Duration kExtrapolation = fromSeconds(0.2);
 
-/// How far along `unit` from `from` (both in the base frame) the footprint's edge is [m]; 0 if `from` is outside of it.
-double distanceToEdge(const Vec2& from, const Vec2& unit, double footprint_radius) {
-  const double along = from.dot(unit);
-  const double inside = footprint_radius * footprint_radius - from.squaredNorm();
-  return inside > 0.0 ? std::sqrt(along * along + inside) - along : 0.0;
-}
-
 /// Near surfaces are averaged over this many beams to either side: noise makes the nearest of many readings a good deal
 /// nearer than the surface is, and a narrow passage impassable.
 constexpr long kAveraged = 3;
@@ -89,7 +82,19 @@ double ScanPoints::distance(const Vec2& point) const {
   return std::sqrt(static_cast<double>(*std::min_element(least.begin(), least.end())));
 }
 
-ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, double footprint_radius) {
+double ScanPoints::distance(const Outline& outline, const Pose2& T_map_base) const {
+  if (outline.isDisc()) return distance(T_map_base.position()) - outline.inscribedRadius();
+  const Pose2 T_base_map = T_map_base.inverse();
+  double least = static_cast<double>(kFarAway);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Vec2 point = T_base_map * Vec2(static_cast<double>(x[i]), static_cast<double>(y[i]));
+    // The outline is at least as far away as the circle around it.
+    if (point.norm() - outline.circumscribedRadius() < least) least = std::min(least, outline.distance(point));
+  }
+  return least;
+}
+
+ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline) {
   const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
   ScanPoints points;
   points.x.reserve(scan.ranges.size());
@@ -100,7 +105,7 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, double fo
     double distance = reading.kind == RangeKind::kHit ? averaged(scan, i, reading.distance) : reading.distance;
     if (reading.kind == RangeKind::kTooNear) {
       const Vec2 unit = direction(scan.T_base_sensor.yaw + scan.angle(i));
-      distance = std::min(distance, distanceToEdge(scan.T_base_sensor.position(), unit, footprint_radius));
+      distance = std::min(distance, outline.distanceToEdge(scan.T_base_sensor.position(), unit));
     }
     points.add(T_map_sensor.position() + distance * direction(T_map_sensor.yaw + scan.angle(i)));
   }

@@ -12,7 +12,8 @@ namespace frontier_pilot {
 
 NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<NavigatorNodeParameters>(private_node)),
-      navigator_(parameters_, behaviorLadder(parameters_.recovery, parameters_.limits, parameters_.rate)),
+      base_frame_(parameters_.robot.baseFrameOr(parameters_.base_frame)),
+      navigator_(parameters_, behaviorLadder(parameters_.recovery, parameters_.robot, parameters_.rate)),
       server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
       publisher_(node, parameters_.map_frame),
       diagnostics_(node, private_node),
@@ -41,7 +42,7 @@ void NavigatorAdapter::sayLastWords() {
 
 void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
-  const auto T_base_sensor = tf_.lookup3d(parameters_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
+  const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
   if (scan) {
     scan_ = std::move(scan);
@@ -60,9 +61,9 @@ void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 }
 
 std::optional<StampedPose> NavigatorAdapter::pose() const {
-  const auto stamp = tf_.latestStamp(parameters_.map_frame, parameters_.base_frame);
+  const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_);
   if (!stamp) return std::nullopt;
-  const auto T_map_base = tf_.lookup(parameters_.map_frame, parameters_.base_frame, *stamp);
+  const auto T_map_base = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
   if (!T_map_base) return std::nullopt;
   return StampedPose{*stamp, *T_map_base};
 }

@@ -42,7 +42,7 @@ SimulatorAdapter::SimulatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   advertise(node);
   publishWorld();
   for (std::size_t i = 0; i < simulator_.robotCount(); ++i) {
-    robots_.emplace_back(node, connections_, tf_, simulator_, i, parameters_.lidar);
+    robots_.emplace_back(node, connections_, tf_, simulator_, i, parameters_.robot);
   }
   diagnostics_.add("simulation", [this](auto& status) { report(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });

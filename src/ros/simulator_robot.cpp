@@ -15,11 +15,12 @@ constexpr double kScannerHeight = 0.172;
 }  // namespace
 
 SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf,
-                               sim::Simulator& simulator, std::size_t index, const sim::LidarParameters& lidar)
+                               sim::Simulator& simulator, std::size_t index, const RobotModel& model)
     : tf_(tf),
       simulator_(simulator),
       index_(index),
-      scan_time_(1.0 / lidar.rate),
+      base_frame_(frame(model.base_frame)),
+      scan_time_(1.0 / model.scanner.rate),
       command_topic_((simulator.name(index).empty() ? "" : simulator.name(index) + "/") + names::kCmdVel),
       rejections_(command_topic_) {
   ros::NodeHandle robot(node, simulator.name(index));
@@ -28,18 +29,20 @@ SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, NodeConnections& con
   scan_ = robot.advertise<sensor_msgs::LaserScan>(names::kScan, 10);
   stalled_topic_ = robot.advertise<std_msgs::Bool>(names::kStalled, 50);
   connections.subscribe(command_topic_, 10, &SimulatorRobot::handleCommand, this, ros::TransportHints().tcpNoDelay());
-  publishStaticFrames(lidar.T_base_sensor());
+  publishStaticFrames(model);
 }
 
-std::string SimulatorRobot::frame(const char* name) const {
+std::string SimulatorRobot::frame(const std::string& name) const {
   const std::string& robot = simulator_.name(index_);
   return robot.empty() ? name : robot + "/" + name;
 }
 
-void SimulatorRobot::publishStaticFrames(const Pose2& T_base_sensor) {
+// A robot whose base frame is `base_link` itself has no other one on the floor.
+void SimulatorRobot::publishStaticFrames(const RobotModel& model) {
   tf_.broadcastStatic(names::kWorldFrame, frame(names::kMapFrame), simulator_.startPose(index_));
-  tf_.broadcastStatic(frame(names::kBaseFootprintFrame), frame(names::kBaseLinkFrame), {}, kBaseLinkHeight);
-  tf_.broadcastStatic(frame(names::kBaseLinkFrame), frame(names::kBaseScanFrame), T_base_sensor, kScannerHeight);
+  const std::string base_link = frame(names::kBaseLinkFrame);
+  if (base_frame_ != base_link) tf_.broadcastStatic(base_frame_, base_link, {}, kBaseLinkHeight);
+  tf_.broadcastStatic(base_link, frame(names::kBaseScanFrame), model.scanner.T_base_sensor(), kScannerHeight);
 }
 
 void SimulatorRobot::handleCommand(const geometry_msgs::Twist& msg) {
@@ -53,10 +56,9 @@ void SimulatorRobot::publishState() {
   const Time now = simulator_.now();
   const Pose2& odometry = simulator_.odometry(index_);
   const Twist2& twist = simulator_.velocity(index_);
-  tf_.broadcast(frame(names::kOdomFrame), frame(names::kBaseFootprintFrame), odometry, now);
-  odometry_.publish(toOdometryMsg({now, odometry, twist}, frame(names::kOdomFrame), frame(names::kBaseFootprintFrame)));
-  truth_.publish(
-      toOdometryMsg({now, simulator_.pose(index_), twist}, names::kWorldFrame, frame(names::kBaseFootprintFrame)));
+  tf_.broadcast(frame(names::kOdomFrame), base_frame_, odometry, now);
+  odometry_.publish(toOdometryMsg({now, odometry, twist}, frame(names::kOdomFrame), base_frame_));
+  truth_.publish(toOdometryMsg({now, simulator_.pose(index_), twist}, names::kWorldFrame, base_frame_));
   publishStalled();
 }
 

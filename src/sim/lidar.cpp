@@ -18,15 +18,16 @@ std::size_t sectorOf(const Vec2& v, std::size_t sectors) {
   return static_cast<std::size_t>(quadrants * 0.25 * static_cast<double>(sectors)) % sectors;
 }
 
-double incrementOf(const LidarParameters& p) {
-  const bool full_turn = p.field_of_view > kFullTurn;
-  return p.field_of_view / std::max(1, full_turn ? p.beams : p.beams - 1);
+double incrementOf(const ScannerModel& scanner) {
+  const bool full_turn = scanner.field_of_view > kFullTurn;
+  return scanner.field_of_view / std::max(1, full_turn ? scanner.beams : scanner.beams - 1);
 }
 
 }  // namespace
 
-Lidar::Lidar(const LidarParameters& parameters) : parameters_(parameters), increment_(incrementOf(parameters)) {
-  for (int i = 0; i < parameters.beams; ++i) beams_.push_back(direction(parameters.angle_min + i * increment_));
+Lidar::Lidar(const ScannerModel& scanner, const LidarNoise& noise)
+    : scanner_(scanner), noise_(noise), increment_(incrementOf(scanner)) {
+  for (int i = 0; i < scanner.beams; ++i) beams_.push_back(direction(scanner.angle_min + i * increment_));
   turned_ = beams_;
   for (std::size_t i = 0; i < beams_.size(); ++i) {
     const std::size_t sector = sectorOf(beams_[i], kSectors);
@@ -38,22 +39,22 @@ Lidar::Lidar(const LidarParameters& parameters) : parameters_(parameters), incre
 
 void Lidar::scan(const Pose2& T_world_base, const RayCaster& walls, const DiscIndex& discs,
                  std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan) {
-  const Pose2 T_world_sensor = T_world_base * parameters_.T_base_sensor();
+  const Pose2 T_world_sensor = T_world_base * scanner_.T_base_sensor();
   const Vec2 from = T_world_sensor.position();
   turnBeams(T_world_sensor.yaw);
-  std::fill(ranges_.begin(), ranges_.end(), parameters_.range_max);
+  std::fill(ranges_.begin(), ranges_.end(), scanner_.range_max);
   walls.castAll(from, turned_, ranges_);
   measureSight();
   const Vec2 ahead = direction(T_world_sensor.yaw);
-  discs.visitNear(from, parameters_.range_max, [&](DiscIndex::Id id, const Disc& disc) {
+  discs.visitNear(from, scanner_.range_max, [&](DiscIndex::Id id, const Disc& disc) {
     const Vec2 to = disc.centre - from;
     if (id != own) meetDisc({ahead.dot(to), ahead.x() * to.y() - ahead.y() * to.x()}, disc.radius);
   });
-  scan.angle_min = parameters_.angle_min;
+  scan.angle_min = scanner_.angle_min;
   scan.angle_increment = increment_;
-  scan.range_min = parameters_.range_min;
-  scan.range_max = parameters_.range_max;
-  scan.T_base_sensor = parameters_.T_base_sensor();
+  scan.range_min = scanner_.range_min;
+  scan.range_max = scanner_.range_max;
+  scan.T_base_sensor = scanner_.T_base_sensor();
   scan.ranges.resize(ranges_.size());
   for (std::size_t i = 0; i < ranges_.size(); ++i) scan.ranges[i] = reading(ranges_[i], random);
 }
@@ -87,7 +88,7 @@ void Lidar::meetDisc(const Vec2& centre, double radius) {
   if (square > kFarRadii * kFarRadii * radius * radius && square > sight * sight) return;
   // The tangent of half the angle it is seen under: a little more than that angle, and cheaper.
   const double half = radius / std::sqrt(square - radius * radius);
-  const double middle = normalizeAngle(bearing(centre) - parameters_.angle_min);
+  const double middle = normalizeAngle(bearing(centre) - scanner_.angle_min);
   // Beams lie in [0, field of view] from the first one, which may reach once around.
   meetDisc(centre, radius, middle - half, middle + half);
   meetDisc(centre, radius, middle - half + 2.0 * kPi, middle + half + 2.0 * kPi);
@@ -107,12 +108,11 @@ void Lidar::meetDisc(const Vec2& centre, double radius, double first_angle, doub
 }
 
 float Lidar::reading(double range, Random& random) const {
-  if (parameters_.dropout > 0.0 && random.uniform() < parameters_.dropout)
-    return std::numeric_limits<float>::quiet_NaN();
-  if (range >= parameters_.range_max) return static_cast<float>(kInf);
-  const double measured = parameters_.noise_stddev > 0.0 ? range + parameters_.noise_stddev * random.gaussian() : range;
-  if (measured < parameters_.range_min) return static_cast<float>(-kInf);
-  return static_cast<float>(measured > parameters_.range_max ? kInf : measured);
+  if (noise_.dropout > 0.0 && random.uniform() < noise_.dropout) return std::numeric_limits<float>::quiet_NaN();
+  if (range >= scanner_.range_max) return static_cast<float>(kInf);
+  const double measured = noise_.noise_stddev > 0.0 ? range + noise_.noise_stddev * random.gaussian() : range;
+  if (measured < scanner_.range_min) return static_cast<float>(-kInf);
+  return static_cast<float>(measured > scanner_.range_max ? kInf : measured);
 }
 
 }  // namespace frontier_pilot::sim

@@ -6,8 +6,8 @@ namespace frontier_pilot::sim {
 
 void SimulatorParameters::check(Problems& problems) const {
   std::set<std::string> names;
-  for (const RobotSpec& robot : robots) {
-    if (!names.insert(robot.name).second) problems.push_back("robots: two are named '" + robot.name + "'");
+  for (const RobotSpec& spec : robots) {
+    if (!names.insert(spec.name).second) problems.push_back("robots: two are named '" + spec.name + "'");
   }
   if (names.size() > 1 && names.count("") > 0) problems.emplace_back("robots: of several each must have a name");
 }

@@ -11,19 +11,7 @@
 namespace frontier_pilot::sim {
 namespace {
 
-// A disc moves in bites so short that what it could pass by within one is far thinner than a cell.
-constexpr double kBite = 0.005;      // [m]
-constexpr double kTouching = 0.001;  // [m]: still in contact
-constexpr double kExact = 1e-6;      // [m]: how exactly it is known where a disc was stopped
-
 enum NoiseStream : std::uint64_t { kOdometryNoise, kLidarNoise, kNoiseStreams };
-
-double length(const Twist2& arc) { return std::abs(arc.linear); }
-
-bool overlap(const Vec2& a, double radius_a, const Disc& b) {
-  const double reach = radius_a + b.radius;
-  return (a - b.centre).squaredNorm() < reach * reach;
-}
 
 std::string quoted(const std::string& robot) { return robot.empty() ? "the robot" : "robot '" + robot + "'"; }
 
@@ -73,12 +61,11 @@ std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const Wor
 
 Simulator::Simulator(World world, const SimulatorParameters& parameters)
     : world_(std::move(world)),
-      radius_(parameters.radius),
-      walls_(solidCells(world_.map, parameters.unknown_is_free), parameters.radius),
+      surroundings_(world_.map.geometry(), solidCells(world_.map, parameters.unknown_is_free),
+                    parameters.robot.drivenOutline()),
       rays_(solidCells(world_.map, parameters.unknown_is_free)),
-      discs_(world_.map.geometry()),
-      lidar_(parameters.lidar),
-      scan_period_(fromSeconds(1.0 / parameters.lidar.rate)),
+      lidar_(parameters.robot.scanner, parameters.lidar),
+      scan_period_(fromSeconds(1.0 / parameters.robot.scanner.rate)),
       next_scan_(Time{} + scan_period_) {
   for (const RobotSpec& spec : robotsOf(parameters, world_)) addRobot(spec, parameters);
 }
@@ -89,16 +76,15 @@ void Simulator::addRobot(const RobotSpec& spec, const SimulatorParameters& param
   if (placement != Placement::kDone) {
     std::ostringstream text;
     text << quoted(spec.name) << " cannot start at (" << spec.x << ", " << spec.y << "): " << toString(placement);
-    const std::optional<Vec2> free = start.isFinite() ? walls_.nearestFree(start.position()) : std::nullopt;
+    const std::optional<Vec2> free = start.isFinite() ? surroundings_.nearestFree(start) : std::nullopt;
     if (free) text << "; the nearest free place is (" << free->x() << ", " << free->y() << ")";
     throw std::runtime_error(text.str());
   }
   const auto seed = static_cast<std::uint64_t>(parameters.seed);
   const std::uint64_t stream = robots_.size() * kNoiseStreams;
-  const DiscIndex::Id disc = discs_.add({start.position(), radius_});
-  is_robot_.resize(disc + 1U, false);
-  is_robot_[disc] = true;
-  robots_.push_back({spec.name, start, start, DiffDrive(parameters.limits, fromSeconds(parameters.command_timeout)),
+  const DiscIndex::Id disc = surroundings_.addRobot(start.position());
+  robots_.push_back({spec.name, start, start,
+                     DiffDrive(parameters.robot.limits, fromSeconds(parameters.robot.watchdog)),
                      Odometry(parameters.odometry, parameters.odom_noise, Random(seed, stream + kOdometryNoise)),
                      Random(seed, stream + kLidarNoise), disc, LaserScan2{}});
 }
@@ -121,7 +107,7 @@ void Simulator::scanAll() {
   next_scan_ = std::max(next_scan_ + scan_period_, now_);
   for (Robot& robot : robots_) {
     robot.scan.stamp = now_;
-    lidar_.scan(robot.pose, rays_, discs_, robot.disc, robot.lidar_noise, robot.scan);
+    lidar_.scan(robot.pose, rays_, surroundings_.discs(), robot.disc, robot.lidar_noise, robot.scan);
   }
 }
 
@@ -129,61 +115,18 @@ void Simulator::drive(Robot& robot) {
   const double seconds = toSeconds(kStep);
   const Twist2& velocity = robot.drive.update(now_, seconds);
   const Twist2 arc{velocity.linear * seconds, velocity.angular * seconds};
-  const double share = arc.linear == 0.0 ? 1.0 : freeShare(robot, arc);
-  const bool blocked = share < 1.0;
-  if (blocked) robot.drive.block();
-  if (!arc.isZero()) {
-    // Turning in place is never in a disc's way, so that what is left of the turn is made where it stands.
-    const Vec2 stop = integrate(robot.pose, arc, share).position();
-    put(robot, {stop, normalizeAngle(robot.pose.yaw + arc.angular)});
-  }
-  robot.odometry.move(arc.linear * share, arc.angular, seconds);
-  robot.contacts += blocked && !robot.stalled ? 1 : 0;
-  robot.stalled = blocked || (robot.stalled && touches(robot));
-}
-
-// How much of an arc is free, 1 being all of it.
-double Simulator::freeShare(const Robot& robot, const Twist2& arc) const {
-  const Vec2 from = robot.pose.position();
-  if (walls_.surelyFree(from, length(arc)) && !discWithin(from, length(arc), robot.disc)) return 1.0;
-  const auto blocked = [&](double share) {
-    return blockedAt(integrate(robot.pose, arc, share).position(), robot.disc);
-  };
-  const double bites = std::ceil(length(arc) / kBite);
-  for (double bite = 1.0; bite <= bites; bite += 1.0) {
-    if (!blocked(bite / bites)) continue;
-    double free = (bite - 1.0) / bites;
-    double taken = bite / bites;
-    while ((taken - free) * length(arc) > kExact) {
-      const double middle = 0.5 * (free + taken);
-      (blocked(middle) ? taken : free) = middle;
-    }
-    return free;
-  }
-  return 1.0;
-}
-
-bool Simulator::blockedAt(const Vec2& centre, DiscIndex::Id own) const {
-  return (!walls_.surelyFree(centre, 0.0) && walls_.overlaps(centre)) || discWithin(centre, 0.0, own);
-}
-
-bool Simulator::discWithin(const Vec2& centre, double reach, DiscIndex::Id own) const {
-  bool within = false;
-  discs_.visitNear(centre, radius_ + reach, [&](DiscIndex::Id id, const Disc& disc) {
-    within = within || (id != own && overlap(centre, radius_ + reach, disc));
-  });
-  return within;
-}
-
-bool Simulator::touches(const Robot& robot) const {
-  const Vec2 centre = robot.pose.position();
-  if (discWithin(centre, kTouching, robot.disc)) return true;
-  return !walls_.surelyFree(centre, kTouching) && walls_.overlaps(centre, kTouching);
+  const Motion motion = surroundings_.drive(robot.pose, arc, robot.disc);
+  if (motion.blocked) robot.drive.block();
+  if (motion.turn_blocked) robot.drive.blockTurn();
+  if (!arc.isZero()) put(robot, motion.pose);
+  robot.odometry.move(motion.driven.linear, motion.driven.angular, seconds);
+  robot.contacts += motion.blocked && !robot.stalled ? 1 : 0;
+  robot.stalled = motion.blocked || (robot.stalled && surroundings_.touches(robot.pose, robot.disc));
 }
 
 void Simulator::put(Robot& robot, const Pose2& pose) {
   robot.pose = pose;
-  discs_.move(robot.disc, pose.position());
+  surroundings_.move(robot.disc, pose.position());
 }
 
 Placement Simulator::placeable(const Pose2& pose, std::optional<DiscIndex::Id> own) const {
@@ -192,22 +135,27 @@ Placement Simulator::placeable(const Pose2& pose, std::optional<DiscIndex::Id> o
   const Vec2 size = Vec2(geometry.width, geometry.height) * geometry.resolution;
   const Vec2 inside = pose.position() - geometry.origin;
   if (!(inside.minCoeff() >= 0.0 && inside.x() < size.x() && inside.y() < size.y())) return Placement::kOutside;
-  if (walls_.overlaps(pose.position())) return Placement::kInWall;
-  Placement placement = Placement::kDone;
-  discs_.visitNear(pose.position(), radius_, [&](DiscIndex::Id id, const Disc& disc) {
-    if (id == own || !overlap(pose.position(), radius_, disc)) return;
-    placement = is_robot_[id] ? Placement::kOnRobot : Placement::kOnObstacle;
-  });
-  return placement;
+  switch (surroundings_.at(pose, own)) {
+    case Obstruction::kWall:
+      return Placement::kInWall;
+    case Obstruction::kRobot:
+      return Placement::kOnRobot;
+    case Obstruction::kObstacle:
+      return Placement::kOnObstacle;
+    case Obstruction::kNone:
+      break;
+  }
+  return Placement::kDone;
 }
 
 Placement Simulator::setPose(const std::string& name, const Pose2& pose) {
   const std::optional<std::size_t> index = find(name);
   if (!index) return Placement::kUnknownRobot;
   Robot& robot = robots_[*index];
-  const Placement placement = placeable(pose, robot.disc);
+  const Pose2 to(pose.position(), normalizeAngle(pose.yaw));
+  const Placement placement = placeable(to, robot.disc);
   if (placement != Placement::kDone) return placement;
-  put(robot, {pose.position(), normalizeAngle(pose.yaw)});
+  put(robot, to);
   robot.drive.stop();
   robot.stalled = false;
   return placement;
@@ -222,18 +170,16 @@ Placement Simulator::spawnObstacle(const std::string& name, const Pose2& pose, d
   if (radius <= 0.0) return Placement::kBadRadius;
   if (radius > bounds::kMostObstacleRadius) return Placement::kTooLarge;
   for (const Robot& robot : robots_) {
-    if (overlap(robot.pose.position(), radius_, {pose.position(), radius})) return Placement::kOnRobot;
+    if (surroundings_.overlaps(robot.pose, Disc{pose.position(), radius})) return Placement::kOnRobot;
   }
-  const DiscIndex::Id disc = discs_.add({pose.position(), radius});
-  is_robot_.resize(std::max<std::size_t>(is_robot_.size(), disc + 1U), false);
-  obstacles_[name] = disc;
+  obstacles_[name] = surroundings_.addObstacle({pose.position(), radius});
   return Placement::kDone;
 }
 
 Placement Simulator::removeObstacle(const std::string& name) {
   const auto found = obstacles_.find(name);
   if (found == obstacles_.end()) return Placement::kUnknownObstacle;
-  discs_.remove(found->second);
+  surroundings_.remove(found->second);
   obstacles_.erase(found);
   return Placement::kDone;
 }
@@ -252,12 +198,11 @@ std::vector<bool> Simulator::whoMustStay() const {
 }
 
 bool Simulator::startIsTaken(const Robot& robot, const std::vector<bool>& stays) const {
-  const auto takes = [&](DiscIndex::Id disc) { return overlap(robot.start.position(), radius_, discs_[disc]); };
   for (const auto& [name, disc] : obstacles_) {
-    if (takes(disc)) return true;
+    if (surroundings_.overlaps(robot.start, disc)) return true;
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (stays[i] && takes(robots_[i].disc)) return true;
+    if (stays[i] && surroundings_.overlaps(robot.start, robots_[i].disc)) return true;
   }
   return false;
 }

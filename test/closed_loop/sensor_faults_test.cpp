@@ -24,8 +24,8 @@ sim::SimulatorParameters badOdometry() {
   parameters.odom_noise = true;
   parameters.odometry.alpha1 = parameters.odometry.alpha3 = 0.05 * 0.05;
   parameters.odometry.distance_scale = parameters.odometry.turn_scale = 0.05;
-  parameters.limits.max_linear = 0.5;
-  parameters.limits.max_angular = 1.5;
+  parameters.robot.limits.max_linear = 0.5;
+  parameters.robot.limits.max_angular = 1.5;
   return parameters;
 }
 

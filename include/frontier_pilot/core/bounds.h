@@ -57,6 +57,9 @@ constexpr double kMostGoalTolerance = 5.0;
 /// Cells around the goal that a plan may end in, the nearest ones.
 constexpr std::size_t kMostGoalCells = 10'000;
 
+/// States of position and direction that a path for a robot that is no disc is looked for in: a second of work.
+constexpr std::size_t kMostOrientedStates = 200'000;
+
 /// Obstacles in the simulated world, and their radius [m]: each is filed in every square of 2 m that it touches.
 constexpr std::size_t kMostObstacles = 1000;
 constexpr double kMostObstacleRadius = 10.0;

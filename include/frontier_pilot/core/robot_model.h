@@ -74,6 +74,9 @@ struct RobotModel {
   void check(Problems& problems) const;
 };
 
+/// The robot that a file like those in config/robots/ describes. Throws std::invalid_argument with all that is wrong.
+RobotModel loadRobot(const std::string& path);
+
 /// Describes the robot of a node as its parameter group `robot`, and `limits` beside it, which overrides the robot's.
 template <class Visitor>
 void describeRobot(Visitor& v, RobotModel& robot) {

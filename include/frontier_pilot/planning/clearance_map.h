@@ -12,7 +12,7 @@ namespace frontier_pilot {
 
 /// How much room a path leaves to obstacles.
 struct ClearanceParams {
-  double inscribed_radius = 0.105;      ///< of the robot, a disc [m]
+  double inscribed_radius = 0.105;      ///< of the robot's lane: set from its description, no parameter [m]
   double preferred_clearance = 0.35;    ///< centre of the robot to obstacle cells [m]
   double wall_weight = 1.5;             ///< a metre along a wall costs 1 + this many
   double tight_weight = 10.0;           ///< and one through a tight place this many; 0 is never
@@ -20,7 +20,7 @@ struct ClearanceParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("inscribed_radius", inscribed_radius, "m", "radius of the robot's footprint, a disc", positive());
+    v.moved("inscribed_radius", "robot/disc_radius");
     v.field("preferred_clearance", preferred_clearance, "m", "paths keep this far from walls where it costs little",
             between(0.0, 2.0));
     v.field("wall_weight", wall_weight, "1", "a metre along a wall costs 1 + this many metres in the open",

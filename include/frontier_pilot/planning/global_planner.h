@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/outline_check.h"
 #include "frontier_pilot/planning/path.h"
 
 namespace frontier_pilot {
@@ -46,7 +48,8 @@ const char* toString(PlanStatus status);
 struct PlanRequest {
   Vec2 start = Vec2::Zero();
   Vec2 goal = Vec2::Zero();
-  double goal_tolerance = -1.0;  ///< [m]; the parameter's value if negative
+  double goal_tolerance = -1.0;                    ///< [m]; the parameter's value if negative
+  std::optional<double> start_yaw = std::nullopt;  ///< [rad]; of a robot that needs room to turn
 };
 
 struct PlanResult {
@@ -59,18 +62,19 @@ struct PlanResult {
 };
 
 /// Global planner: OMPL's state space, validity checking and problem definition in R^2, on the ClearanceMap, with a
-/// planner of our own that is complete on the grid and deterministic. A function of map and request: same question,
-/// same path.
+/// planner of our own that is complete on the grid and deterministic. Where the outline of a robot that is no disc
+/// cannot turn on the shortest path for its lane, an OrientedSearch finds one that it can follow. A function of map and
+/// request: same question, same path.
 class GlobalPlanner {
  public:
-  explicit GlobalPlanner(const GlobalPlannerParams& params = {});
+  explicit GlobalPlanner(const GlobalPlannerParams& params = {}, const OutlineCheck& outline = {});
   ~GlobalPlanner();
   GlobalPlanner(GlobalPlanner&&) noexcept;
   GlobalPlanner& operator=(GlobalPlanner&&) noexcept;
   GlobalPlanner(const GlobalPlanner&) = delete;
   GlobalPlanner& operator=(const GlobalPlanner&) = delete;
 
-  /// `map` must be refreshed. A found path's every segment but the escape is valid on the map.
+  /// `map` must be refreshed. A found path's every segment but the escape is valid on the map, and the outline fits.
   PlanResult plan(const ClearanceMap& map, const PlanRequest& request);
 
  private:

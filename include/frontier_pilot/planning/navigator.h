@@ -14,7 +14,7 @@
 namespace frontier_pilot {
 
 struct NavigatorParams {
-  RobotLimits limits;
+  RobotModel robot;
   ClearanceParams clearance;
   GlobalPlannerParams planner;
   FollowerParams follower;
@@ -31,7 +31,7 @@ struct NavigatorParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.group("limits", limits, "what the base can do");
+    describeRobot(v, robot);
     v.group("clearance", clearance, "room that paths keep");
     v.group("planner", planner, "global planner");
     v.group("follower", follower, "local control");
@@ -89,7 +89,9 @@ class Navigator {
   bool usePath(PlanResult result, Time now);
   void lookForBetter(Time now);
   void drive(const MotionPredictor::Motion& motion, Time now);
-  void turn(const MotionPredictor::Motion& motion);
+  void turn(const MotionPredictor::Motion& motion, Time now);
+  FollowerInputs followerInputs(const MotionPredictor::Motion& motion, Time now) const;
+  PlanRequest requestFrom(const StampedPose& pose) const;
   void blocked(Time now);
   void recover(NavReason trouble, Time now);
   void continueRecovery(Time now);
@@ -98,6 +100,8 @@ class Navigator {
   void command(const Twist2& twist, NavState state, NavReason reason);
 
   NavigatorParams params_;
+  Outline outline_;
+  OutlineCheck outline_on_map_;
   std::vector<RecoveryRung> ladder_;
   ClearanceMap clearance_;
   GlobalPlanner planner_;

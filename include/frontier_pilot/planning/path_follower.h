@@ -4,16 +4,16 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/outline_check.h"
 #include "frontier_pilot/planning/path.h"
 #include "frontier_pilot/planning/scan_points.h"
 
 namespace frontier_pilot {
 
 struct FollowerParams {
-  double inscribed_radius = 0.105;   ///< of the footprint, a disc [m]
-  double scan_margin = 0.014;        ///< room that the footprint keeps to the scan's points [m]
+  double scan_margin = 0.014;        ///< room that the outline keeps to the scan's points [m]
   double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
   double min_lookahead = 0.2;        ///< [m]
   double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
@@ -22,8 +22,9 @@ struct FollowerParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("inscribed_radius", inscribed_radius, "m", "radius of the robot's footprint, a disc", positive());
-    v.field("scan_margin", scan_margin, "m", "room that the footprint keeps to the scan's points", between(0.0, 0.5));
+    v.moved("inscribed_radius", "robot/disc_radius");
+    v.field("scan_margin", scan_margin, "m", "room that the robot's outline keeps to the scan's points",
+            between(0.0, 0.5));
     v.field("lookahead_time", lookahead_time, "s", "the pursued point is as far ahead as full speed gets in this",
             positive());
     v.field("min_lookahead", min_lookahead, "m", "least distance of the pursued point", positive());
@@ -49,18 +50,20 @@ struct FollowerOutput {
   bool blocked = false;  ///< no motion along the path is safe; the command is zero
 };
 
-/// Follows a path with a differential drive and keeps the footprint off the scan's points: pure pursuit (Coulter,
+/// Follows a path with a differential drive and keeps the outline off the scan's points: pure pursuit (Coulter,
 /// CMU-RI-TR-92-01, 1992), tried out before it is done. Some variants of it, bold and timid, are simulated over the
 /// horizon with the acceleration limits, as the Dynamic Window Approach does with constant twists (Fox, Burgard &
 /// Thrun, IEEE RAM 4(1), 1997); the one that gets farthest along the path wins among those that can still brake before
 /// anything they meet.
 class PathFollower {
  public:
-  PathFollower(const FollowerParams& params, const RobotLimits& limits) : params_(params), limits_(limits) {}
+  explicit PathFollower(const FollowerParams& params = {}, const RobotModel& robot = {});
 
   /// Starts on a new path; must not be empty. The robot need not stop.
   void setPath(Path path);
   FollowerOutput update(const FollowerInputs& inputs);
+  /// Turns on the spot by `angle` [rad], as fast as can be stopped in time.
+  FollowerOutput turn(double angle, const FollowerInputs& inputs) const;
 
   const Path& path() const { return path_; }
   /// How far the robot has come along the path [m].
@@ -86,26 +89,37 @@ class PathFollower {
 
     double score() const;
   };
-  /// The surroundings of one update, and how near things may come.
-  struct Surroundings {
+  /// What is near in one update, and how near it may come.
+  struct Vicinity {
     ScanPoints points;
     const ClearanceMap& map;
-    std::vector<float> least_distances;  ///< to each of the points: one too near must not let others come as near [m]
-    double least_clearance;              ///< in the map [m]; 0 is no check
+    const PathFollower& follower;
+    /// How near each of the points may come [m]: to the middle of a disc, or to the outline. Where one is too near
+    /// already, the others still keep their distance.
+    std::vector<float> least_distances;
+    double least_clearance;  ///< in the map [m]; 0 is no check
+    bool corners_count;      ///< in the map
 
-    bool isFree(const Vec2& position, double speed) const;
+    bool isFree(const Pose2& pose, double speed) const;
+    bool isFreeOfPoints(const Pose2& pose, float more) const;
+    bool isDiscFreeOfPoints(const Vec2& position, float more) const;
   };
 
-  Surroundings surroundings(const FollowerInputs& inputs) const;
+  Vicinity vicinity(const FollowerInputs& inputs) const;
+  /// How far away a point is from the middle of a disc, or from the outline [m].
+  double distanceTo(const Vec2& point, const Pose2& pose) const;
   /// How near a point may come that is as far away as `now` [m].
   double leastDistance(double now) const;
   Twist2 pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const;
   double turnRate(double angle, const Twist2& twist) const;
-  Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Surroundings& around) const;
+  Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Vicinity& around) const;
   bool isSafe(const Trial& trial, const FollowerInputs& inputs) const;
 
   FollowerParams params_;
   RobotLimits limits_;
+  Outline outline_;
+  OutlineCheck outline_on_map_;
+  double radius_;  ///< of the disc that the outline is; 0 where it is none [m]
   Path path_;
   double progress_ = 0.0;
   std::vector<Vec2> prediction_;

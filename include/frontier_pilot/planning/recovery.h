@@ -35,12 +35,12 @@ struct RecoveryRung {
 
 /// What the driving rungs do.
 struct RecoveryParams {
-  double back_up_distance = 0.2;   ///< [m]
-  double back_up_speed = 0.08;     ///< [m/s]
-  double spin_angle = 2.0 * kPi;   ///< [rad]
-  double spin_rate = 1.0;          ///< [rad/s]
-  double time_allowance = 10.0;    ///< for each [s]
-  double footprint_radius = 0.12;  ///< what must fit behind the robot: footprint and margin [m]
+  double back_up_distance = 0.2;  ///< [m]
+  double back_up_speed = 0.08;    ///< [m/s]
+  double spin_angle = 2.0 * kPi;  ///< [rad]
+  double spin_rate = 1.0;         ///< [rad/s]
+  double time_allowance = 10.0;   ///< for each [s]
+  double margin = 0.015;          ///< room that the outline keeps meanwhile [m]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -49,8 +49,9 @@ struct RecoveryParams {
     v.field("spin_angle", spin_angle, "rad", "how far it turns to look around", positive());
     v.field("spin_rate", spin_rate, "rad/s", "how fast", positive());
     v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", positive());
-    v.field("footprint_radius", footprint_radius, "m", "footprint and margin that must fit behind the robot",
-            positive());
+    v.field("margin", margin, "m", "room that the robot's outline keeps to the scan's points while it recovers",
+            between(0.0, 0.5));
+    v.moved("footprint_radius", "margin, on top of the robot's outline");
   }
 };
 

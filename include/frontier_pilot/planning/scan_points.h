@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/outline.h"
 
 namespace frontier_pilot {
 
@@ -20,14 +21,16 @@ struct ScanPoints {
   ScanPoints near(const Vec2& centre, double radius) const;
   /// Distance from `point` to the nearest one [m]; large if there is none.
   double distance(const Vec2& point) const;
+  /// Distance to the nearest one from the outline of a robot at `T_map_base` [m], negative inside of it; large if there
+  /// is none.
+  double distance(const Outline& outline, const Pose2& T_map_base) const;
 
   static constexpr std::size_t kLanes = 8;
 };
 
-/// The hits of `scan`, taken from a base at `T_map_base`. A too near reading is somewhere between the footprint, a disc
-/// of `footprint_radius` [m], and the sensor's least range: it counts as the footprint's edge, where it is the nearer
-/// one.
-ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, double footprint_radius);
+/// The hits of `scan`, taken from a base at `T_map_base`. A too near reading is somewhere between the robot's outline
+/// and the sensor's least range: it counts as the outline's edge, where that is the nearer one.
+ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline);
 
 /// Whether enough beams say something for the scan to be driven by: more than a tenth of a scan that is not empty.
 bool isUsable(const LaserScan2& scan);

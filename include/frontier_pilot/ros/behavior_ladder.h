@@ -4,35 +4,36 @@
 #include <vector>
 
 #include "frontier_pilot/behavior/timed_behavior.h"
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/planning/recovery.h"
 
 /// The navigator's recoveries out of the timed behaviours: what drives the actions back_up and spin drives these too.
 /// Modules do not know each other, so they are put together here; ROS itself is not needed for it.
 namespace frontier_pilot {
 
-/// Looks ahead by the navigator's live scan and with its round footprint: a turn is always free, and a straight motion
-/// is unless it brings the robot nearer to something than `radius` [m]. `scan` must outlive it.
-inline LookAhead lookAtScan(const ScanPoints& scan, double radius) {
-  return [&scan, radius](const Pose2& T_map_base, const AxisMotion& motion) {
-    if (motion.axis == AxisMotion::Axis::kTurn) return SweepResult::kClear;
+/// Looks ahead by the navigator's live scan: a motion is free unless it brings something into `outline`, the robot's
+/// with its margin, or nearer to its middle than it is. A disc may always turn. `scan` must outlive it.
+inline LookAhead lookAtScan(const ScanPoints& scan, const Outline& outline) {
+  return [&scan, outline](const Pose2& T_map_base, const AxisMotion& motion) {
+    if (motion.axis == AxisMotion::Axis::kTurn && outline.isDisc()) return SweepResult::kClear;
     constexpr int kPoses = 10;
-    const double at_start = scan.distance(T_map_base.position());
+    const double at_start = scan.distance(outline, T_map_base);
     for (int i = 1; i <= kPoses; ++i) {
-      const double there = scan.distance((T_map_base * motion.at(static_cast<double>(i) / kPoses)).position());
-      if (there < radius && there < at_start) return SweepResult::kObstacle;
+      const double there = scan.distance(outline, T_map_base * motion.at(static_cast<double>(i) / kPoses));
+      if (there < 0.0 && there < at_start) return SweepResult::kObstacle;
     }
     return SweepResult::kClear;
   };
 }
 
 /// A recovery that does `goal` and is done when that ends, however it ends.
-inline Recovery recoveryBy(const BehaviorGoal& goal, const BehaviorParameters& behavior, double radius) {
-  return [goal, radius, core = TimedBehavior(behavior), begun = false](const RecoveryInputs& in, Time now) mutable {
+inline Recovery recoveryBy(const BehaviorGoal& goal, const BehaviorParameters& behavior, const Outline& outline) {
+  return [goal, outline, core = TimedBehavior(behavior), begun = false](const RecoveryInputs& in, Time now) mutable {
     if (!begun) core.start(goal, now);
     begun = true;
     BehaviorInputs inputs;
     inputs.pose = BehaviorInputs::Pose{now, in.T_map_base};
-    inputs.look_ahead = lookAtScan(in.scan, radius);
+    inputs.look_ahead = lookAtScan(in.scan, outline);
     const BehaviorOutput output = core.update(inputs, now);
     return RecoveryStep{output.command.value_or(Twist2()), !core.active()};
   };
@@ -50,14 +51,14 @@ inline BehaviorParameters recoveryBehavior(const RecoveryParams& params, const R
 }
 
 /// Clear the local costmap, back up, spin; after the last rung there is only giving up. [NAV-3]
-inline std::vector<RecoveryRung> behaviorLadder(const RecoveryParams& params, const RobotLimits& limits, double rate) {
-  const BehaviorParameters behavior = recoveryBehavior(params, limits, rate);
-  const double radius = params.footprint_radius;
+inline std::vector<RecoveryRung> behaviorLadder(const RecoveryParams& params, const RobotModel& robot, double rate) {
+  const BehaviorParameters behavior = recoveryBehavior(params, robot.limits, rate);
+  const Outline outline = robot.drivenOutline().padded(params.margin);
   const BehaviorGoal back_up{BehaviorKind::kBackUp, params.back_up_distance, 0.0, params.time_allowance, true};
   const BehaviorGoal spin{BehaviorKind::kSpin, params.spin_angle, 0.0, params.time_allowance, true};
   return {{"clearing the local costmap", true, {}},
-          {"backing up", false, [=] { return recoveryBy(back_up, behavior, radius); }},
-          {"spinning", true, [=] { return recoveryBy(spin, behavior, radius); }}};
+          {"backing up", false, [=] { return recoveryBy(back_up, behavior, outline); }},
+          {"spinning", true, [=] { return recoveryBy(spin, behavior, outline); }}};
 }
 
 }  // namespace frontier_pilot

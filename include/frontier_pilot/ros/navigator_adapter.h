@@ -23,7 +23,7 @@ namespace frontier_pilot {
 
 struct NavigatorNodeParameters : NavigatorParams {
   std::string map_frame = names::kMapFrame;
-  std::string base_frame = names::kBaseFootprintFrame;
+  std::string base_frame;     ///< empty: the robot's
   double rate = 20.0;         ///< of the control loop [Hz]
   bool use_goal_yaw = true;   ///< whether a goal's direction matters
   bool map_must_live = true;  ///< stand still when nobody publishes the map any more
@@ -32,7 +32,7 @@ struct NavigatorNodeParameters : NavigatorParams {
   void describe(Visitor& v) {
     NavigatorParams::describe(v);
     v.field("map_frame", map_frame, "", "frame of the map");
-    v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
     v.field("rate", rate, "Hz", "of the control loop", between(1.0, 100.0));
     v.field("use_goal_yaw", use_goal_yaw, "", "whether a goal's direction matters");
     v.field("map_must_live", map_must_live, "", "stand still when nobody publishes the map any more");
@@ -62,6 +62,7 @@ class NavigatorAdapter {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   NavigatorNodeParameters parameters_;
+  std::string base_frame_;
   Navigator navigator_;
   TfBridge tf_;
   MapMirror map_;

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/tf_bridge.h"
@@ -16,7 +17,7 @@ namespace frontier_pilot {
 class SimulatorRobot {
  public:
   SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf, sim::Simulator& simulator,
-                 std::size_t index, const sim::LidarParameters& lidar);
+                 std::size_t index, const RobotModel& model);
 
   /// Odometry, truth, contact and the transform of it.
   void publishState();
@@ -25,14 +26,15 @@ class SimulatorRobot {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
-  std::string frame(const char* name) const;
-  void publishStaticFrames(const Pose2& T_base_sensor);
+  std::string frame(const std::string& name) const;
+  void publishStaticFrames(const RobotModel& model);
   void publishStalled();
   void handleCommand(const geometry_msgs::Twist& msg);
 
   TfBridge& tf_;
   sim::Simulator& simulator_;
   std::size_t index_;
+  std::string base_frame_;
   double scan_time_;  ///< [s]
   bool stalled_ = false;
   std::string command_topic_;  ///< relative

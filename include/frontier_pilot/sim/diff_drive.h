@@ -11,15 +11,17 @@ namespace frontier_pilot::sim {
 /// The wheels of a differential drive: follows commands within its limits, and stops when they cease. [SIM-1]
 class DiffDrive {
  public:
-  DiffDrive(const RobotLimits& limits, Duration command_timeout) : limits_(limits), timeout_(command_timeout) {}
+  DiffDrive(const RobotLimits& limits, Duration watchdog) : limits_(limits), watchdog_(watchdog) {}
 
-  /// `twist` must be finite; it holds until the next one, at most for the command timeout.
+  /// `twist` must be finite; it holds until the next one, at most for `watchdog`.
   void command(const Twist2& twist, Time now);
   /// The velocity to hold for the next `seconds` [s] from `now` on.
   const Twist2& update(Time now, double seconds);
   const Twist2& velocity() const { return velocity_; }
   /// Contact took the way: the wheels stand, and have to accelerate anew.
   void block() { velocity_.linear = 0.0; }
+  /// And contact took the turn.
+  void blockTurn() { velocity_.angular = 0.0; }
   /// Stands still and waits for a new command.
   void stop();
 
@@ -30,7 +32,7 @@ class DiffDrive {
   };
 
   RobotLimits limits_;
-  Duration timeout_;
+  Duration watchdog_;
   std::optional<Command> command_;
   Twist2 velocity_;
 };

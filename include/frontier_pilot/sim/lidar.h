@@ -6,6 +6,7 @@
 
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/sim/disc_index.h"
 #include "frontier_pilot/sim/parameters.h"
 #include "frontier_pilot/sim/random.h"
@@ -17,9 +18,7 @@ namespace frontier_pilot::sim {
 /// behind a wall.
 class Lidar {
  public:
-  explicit Lidar(const LidarParameters& parameters);
-
-  const LidarParameters& parameters() const { return parameters_; }
+  Lidar(const ScannerModel& scanner, const LidarNoise& noise);
 
   /// Fills `scan` as seen from a base at `T_world_base`, `own` being the base itself. As REP 117 wants it: +inf is no
   /// return, -inf nearer than `range_min`, NaN a drop-out.
@@ -39,7 +38,8 @@ class Lidar {
   void meetDisc(const Vec2& centre, double radius, double first_angle, double last_angle);
   float reading(double range, Random& random) const;
 
-  LidarParameters parameters_;
+  ScannerModel scanner_;
+  LidarNoise noise_;
   double increment_;          ///< [rad]
   std::vector<Vec2> beams_;   ///< in the sensor's frame
   std::vector<Vec2> turned_;  ///< in the world's frame

@@ -6,44 +6,28 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot::sim {
 
-/// A planar scanner. Defaults: beams and mounting of the TurtleBot3 Burger's, range of a better one.
-struct LidarParameters {
-  double rate = 10.0;                ///< [Hz]
-  int beams = 360;                   ///< spread evenly over the field of view
-  double angle_min = 0.0;            ///< [rad], of the first beam, in the sensor's frame
-  double field_of_view = 2.0 * kPi;  ///< [rad]; a full turn has no beam twice
-  double range_min = 0.12;           ///< [m]
-  double range_max = 8.0;            ///< [m]
-  double noise_stddev = 0.01;        ///< [m]
-  double dropout = 0.0;              ///< share of the beams that say nothing
-  double mount_x = -0.032;           ///< [m], in the base frame
-  double mount_y = 0.0;              ///< [m]
-  double mount_yaw = 0.0;            ///< [rad]
-
-  Pose2 T_base_sensor() const { return {mount_x, mount_y, mount_yaw}; }
+/// What keeps a scanner from the truth. What it is and where it sits stands in the description of the robot.
+struct LidarNoise {
+  double noise_stddev = 0.01;  ///< [m]
+  double dropout = 0.0;        ///< share of the beams that say nothing
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("rate", rate, "Hz", "scans per second", between(0.1, 100.0));
-    v.field("beams", beams, "", "number of beams, spread evenly over the field of view", between(1, 100000));
-    v.field("angle_min", angle_min, "rad", "angle of the first beam in the sensor's frame",
-            between(-2.0 * kPi, 2.0 * kPi));
-    v.field("field_of_view", field_of_view, "rad", "angle that the beams cover", {0.0, 2.0 * kPi, true});
-    v.field("range_min", range_min, "m", "nearest distance it measures", atLeast(0.0));
-    v.field("range_max", range_max, "m", "farthest distance it measures", positive());
     v.field("noise_stddev", noise_stddev, "m", "standard deviation of a range", atLeast(0.0));
     v.field("dropout", dropout, "", "share of the beams that give no reading at all", between(0.0, 1.0));
-    v.field("mount_x", mount_x, "m", "where it sits on the base, forward", anyNumber());
-    v.field("mount_y", mount_y, "m", "where it sits on the base, left", anyNumber());
-    v.field("mount_yaw", mount_yaw, "rad", "which way it looks on the base", anyNumber());
-  }
-
-  void check(Problems& problems) const {
-    if (range_min >= range_max) problems.emplace_back("lidar/range_min: must be below lidar/range_max");
+    v.moved("rate", "robot/scanner/rate");
+    v.moved("beams", "robot/scanner/beams");
+    v.moved("angle_min", "robot/scanner/angle_min");
+    v.moved("field_of_view", "robot/scanner/field_of_view");
+    v.moved("range_min", "robot/scanner/range_min");
+    v.moved("range_max", "robot/scanner/range_max");
+    v.moved("mount_x", "robot/scanner/x");
+    v.moved("mount_y", "robot/scanner/y");
+    v.moved("mount_yaw", "robot/scanner/yaw");
   }
 };
 
@@ -99,11 +83,9 @@ struct SimulatorParameters {
   double speed = 1.0;
   int seed = 1;
   bool odom_noise = false;
-  double radius = 0.105;         ///< [m]
-  double command_timeout = 0.6;  ///< [s]
   bool unknown_is_free = false;
-  RobotLimits limits;
-  LidarParameters lidar;
+  RobotModel robot;  ///< of all of them
+  LidarNoise lidar;
   OdometryParameters odometry;
   std::vector<RobotSpec> robots;
 
@@ -116,14 +98,14 @@ struct SimulatorParameters {
     v.field("speed", speed, "", "simulated over real time; 0: as fast as it can", atLeast(0.0));
     v.field("seed", seed, "", "of all noise; same seed and commands, same bytes", atLeast(0));
     v.field("odom_noise", odom_noise, "", "whether the odometry drifts");
-    v.field("radius", radius, "m", "radius of the robots' footprint", positive());
-    v.field("command_timeout", command_timeout, "s", "a robot without a command for so long stops", positive());
     v.field("unknown_is_free", unknown_is_free, "",
             "whether unknown cells of the world can be driven and seen through");
-    v.group("limits", limits, "what the drives can do");
-    v.group("lidar", lidar, "the scanners");
+    describeRobot(v, robot);
+    v.group("lidar", lidar, "noise of the scanners");
     v.group("odometry", odometry, "odometry noise");
     v.list("robots", robots, "several robots, instead of one at x, y, yaw");
+    v.moved("radius", "robot/disc_radius");
+    v.moved("command_timeout", "robot/watchdog");
   }
 
   void check(Problems& problems) const;

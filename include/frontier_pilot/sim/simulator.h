@@ -10,12 +10,12 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/ray_casting.h"
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/sim/collision_map.h"
 #include "frontier_pilot/sim/diff_drive.h"
 #include "frontier_pilot/sim/disc_index.h"
 #include "frontier_pilot/sim/lidar.h"
 #include "frontier_pilot/sim/odometry.h"
 #include "frontier_pilot/sim/parameters.h"
+#include "frontier_pilot/sim/surroundings.h"
 #include "frontier_pilot/sim/world_image.h"
 
 namespace frontier_pilot::sim {
@@ -39,8 +39,8 @@ enum class Placement {
 };
 const char* toString(Placement placement);
 
-/// A kinematic world of round robots with scanners, in fixed steps of simulated time. Poses are in the world's frame.
-/// The same world, parameters and sequence of calls give the same bytes. [SIM-2]
+/// A kinematic world of robots of one outline with scanners, in fixed steps of simulated time. Poses are in the world's
+/// frame. The same world, parameters and sequence of calls give the same bytes. [SIM-2]
 class Simulator {
  public:
   static constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -59,7 +59,7 @@ class Simulator {
   const std::string& name(std::size_t robot) const { return robots_[robot].name; }
   std::optional<std::size_t> find(const std::string& name) const;
 
-  /// `twist` must be finite. It holds for `command_timeout` at most.
+  /// `twist` must be finite. It holds for the `watchdog` of the robot at most.
   void setCommand(std::size_t robot, const Twist2& twist) { robots_[robot].drive.command(twist, now_); }
 
   const Pose2& startPose(std::size_t robot) const { return robots_[robot].start; }
@@ -70,7 +70,7 @@ class Simulator {
   const Pose2& odometry(std::size_t robot) const { return robots_[robot].odometry.pose(); }
   /// The scan measured at the end of the last step; nullptr if none was due.
   const LaserScan2* newScan(std::size_t robot) const { return scanned_ ? &robots_[robot].scan : nullptr; }
-  /// Whether the footprint touches what it drove into. [SIM-3]
+  /// Whether the outline touches what it drove or turned into. [SIM-3]
   bool stalled(std::size_t robot) const { return robots_[robot].stalled; }
   /// How often it came into contact.
   int contactCount(std::size_t robot) const { return robots_[robot].contacts; }
@@ -101,27 +101,20 @@ class Simulator {
   void addRobot(const RobotSpec& spec, const SimulatorParameters& parameters);
   Placement placeable(const Pose2& pose, std::optional<DiscIndex::Id> own) const;
   void drive(Robot& robot);
-  double freeShare(const Robot& robot, const Twist2& arc) const;
-  bool blockedAt(const Vec2& centre, DiscIndex::Id own) const;
-  bool discWithin(const Vec2& centre, double reach, DiscIndex::Id own) const;
-  bool touches(const Robot& robot) const;
   void put(Robot& robot, const Pose2& pose);
   void scanAll();
   std::vector<bool> whoMustStay() const;
   bool startIsTaken(const Robot& robot, const std::vector<bool>& stays) const;
 
   World world_;
-  double radius_;
-  CollisionMap walls_;
+  Surroundings surroundings_;
   RayCaster rays_;
-  DiscIndex discs_;
   Lidar lidar_;
   Duration scan_period_;
   Time now_;
   Time next_scan_;
   bool scanned_ = false;
   std::vector<Robot> robots_;
-  std::vector<bool> is_robot_;  ///< by disc
   std::map<std::string, DiscIndex::Id> obstacles_;
 };
 

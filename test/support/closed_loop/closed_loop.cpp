@@ -36,17 +36,21 @@ class ClosedLoop::Stopwatch {
   double start_;
 };
 
+void ClosedLoopParameters::setRobot(const RobotModel& robot) {
+  simulator.robot = mapper.robot = navigator.robot = explorer.robot = arbiter.robot = robot;
+}
+
 void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
-  simulator.limits = limits;
-  navigator.limits = limits;
-  arbiter.robot.limits = limits;
+  for (RobotModel* robot : {&simulator.robot, &mapper.robot, &navigator.robot, &explorer.robot, &arbiter.robot}) {
+    robot->limits = limits;
+  }
 }
 
 ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)())
     : simulator_(std::move(world), parameters.simulator),
       mapper_(parameters.mapper),
       navigator_(parameters.navigator,
-                 behaviorLadder(parameters.navigator.recovery, parameters.navigator.limits, kControlFrequency)),
+                 behaviorLadder(parameters.navigator.recovery, parameters.navigator.robot, kControlFrequency)),
       explorer_(parameters.explorer),
       arbiter_(parameters.arbiter),
       nav_source_(arbiter_.find("nav").value()),

@@ -31,7 +31,9 @@ struct ClosedLoopParameters {
     parameters.trust_odometry = true;
     return parameters;
   }
-  /// One set of limits for everybody who needs to know them.
+  /// One robot for everybody who needs to know it.
+  void setRobot(const RobotModel& robot);
+  /// The same robot with other limits.
   void setLimits(const RobotLimits& limits);
 };
 

@@ -39,7 +39,7 @@ SensorFault sensorFaultNamed(const std::string& name) {
 FaultyDrive::FaultyDrive(sim::World world, sim::SimulatorParameters parameters, double distance, SensorFault fault)
     : fault_(fault),
       drive_(std::move(world), withFault(parameters, fault), distance),
-      lidar_(parameters.lidar),
+      lidar_(parameters.robot.scanner, parameters.lidar),
       rays_(sim::solidCells(drive_.simulator().map(), parameters.unknown_is_free)),
       nobody_(drive_.simulator().map().geometry()) {}
 

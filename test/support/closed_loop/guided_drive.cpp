@@ -13,16 +13,10 @@ constexpr int kPatience = 20;     // controls, on a way that cannot be followed
 constexpr int kTries = 1000;
 constexpr int kStuck = 20000;  // steps without a move
 
-FollowerParams followerOf(const sim::SimulatorParameters& parameters) {
-  FollowerParams params;
-  params.inscribed_radius = parameters.radius;
-  return params;
-}
-
 /// The way must be one that nobody would call narrow: the follower sees no walls but the map's.
 ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
   ClearanceParams params;
-  params.inscribed_radius = parameters.radius;
+  params.inscribed_radius = parameters.robot.drivenOutline().circumscribedRadius();
   params.tight_weight = 0.0;
   return params;
 }
@@ -32,7 +26,7 @@ ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
 GuidedDrive::GuidedDrive(sim::World world, const sim::SimulatorParameters& parameters, double distance)
     : simulator_(std::move(world), parameters),
       clearance_(roomy(parameters)),
-      follower_(followerOf(parameters), parameters.limits),
+      follower_({}, parameters.robot),
       wanted_distance_(distance),
       last_(simulator_.pose(0).position()) {
   // What nobody has seen is as solid as a wall here.

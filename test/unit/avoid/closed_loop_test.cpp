@@ -75,7 +75,7 @@ class BlindDrive {
     parameters.x = parameters.y = kSide / 2.0;
     parameters.yaw = seed;
     parameters.seed = static_cast<int>(seed);
-    parameters.limits = limits;
+    parameters.robot.limits = limits;
     parameters.lidar.dropout = 0.02;
     return parameters;
   }

@@ -141,7 +141,7 @@ TEST(ScanPoints, TakesATooNearReadingForTheFootprintsEdge_NAV_4) {
   scan.range_max = 8.0;
   scan.T_base_sensor = {-0.03, 0.0, 0.0};
   scan.ranges = {1.0F, 0.05F};
-  const ScanPoints points = scanPoints(scan, {10.0, 0.0, 0.0}, 0.105);
+  const ScanPoints points = scanPoints(scan, {10.0, 0.0, 0.0}, Outline::disc(0.105));
   ASSERT_EQ(points.size(), 2U);
   EXPECT_NEAR(static_cast<double>(points.x[0]), 10.97, 1e-5);
   EXPECT_NEAR(static_cast<double>(points.x[1]), 10.0 - 0.105, 1e-5);

@@ -14,17 +14,19 @@ namespace frontier_pilot::test {
 /// The navigator in the simulator, in lockstep at 20 Hz, on a map it knows.
 class DrivenRobot {
  public:
-  DrivenRobot(const AsciiWorld& world, const Pose2& start, NavigatorParams params = {})
-      : simulator_(sim::World{world.map, start}, simulation(start, params.limits)),
-        navigator_(params, behaviorLadder(params.recovery, params.limits, 20.0)) {
-    navigator_.setMap(world.map, world.map.geometry().rect());
+  DrivenRobot(const AsciiWorld& world, const Pose2& start, const NavigatorParams& params = {})
+      : DrivenRobot(world.map, start, params) {}
+  DrivenRobot(const OccupancyGrid& map, const Pose2& start, const NavigatorParams& params = {})
+      : simulator_(sim::World{map, start}, simulation(start, params.robot)),
+        navigator_(params, behaviorLadder(params.recovery, params.robot, 20.0)) {
+    navigator_.setMap(map, map.geometry().rect());
   }
 
   /// Burger, or the fast set of limits.
   static NavigatorParams fast() {
     NavigatorParams params;
-    params.limits.max_linear = 0.5;
-    params.limits.max_angular = 1.5;
+    params.robot.limits.max_linear = 0.5;
+    params.robot.limits.max_angular = 1.5;
     return params;
   }
 
@@ -74,12 +76,12 @@ class DrivenRobot {
   std::set<std::string> recoveries;  ///< all that were shown
 
  private:
-  static sim::SimulatorParameters simulation(const Pose2& start, const RobotLimits& limits) {
+  static sim::SimulatorParameters simulation(const Pose2& start, const RobotModel& robot) {
     sim::SimulatorParameters params;
     params.x = start.x;
     params.y = start.y;
     params.yaw = start.yaw;
-    params.limits = limits;
+    params.robot = robot;
     return params;
   }
 

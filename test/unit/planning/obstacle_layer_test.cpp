@@ -34,8 +34,8 @@ LaserScan2 emptyScan() {
 class ObstacleLayerTest : public ::testing::Test {
  protected:
   bool see(const LaserScan2& scan, double seconds) {
-    const bool changed =
-        layer.update(scan, scanPoints(scan, T_map_base, 0.105), T_map_base, map, timeFromSeconds(seconds));
+    const bool changed = layer.update(scan, scanPoints(scan, T_map_base, Outline::disc(0.105)), T_map_base, map,
+                                      timeFromSeconds(seconds));
     map.refresh();
     return changed;
   }

@@ -17,6 +17,12 @@ RobotLimits fast() {
   return limits;
 }
 
+RobotModel fastRobot() {
+  RobotModel robot;
+  robot.limits = fast();
+  return robot;
+}
+
 /// Two posts whose corners are 0.224 m apart.
 OccupancyGrid posts() {
   OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 60, 60}, kFree);
@@ -42,9 +48,9 @@ TEST(PathFollower, KeepsItsDistanceFromBothSidesOfAPassageThatIsTooNarrow_NAV_4)
     parameters.x = start.x();
     parameters.y = start.y();
     parameters.yaw = bearing(along);
-    parameters.limits = fast();
+    parameters.robot.limits = fast();
     sim::Simulator simulator(sim::World{posts(), Pose2(start, parameters.yaw)}, parameters);
-    PathFollower follower({}, fast());
+    PathFollower follower({}, fastRobot());
     follower.setPath(Path({start, start + 1.2 * along}));
     std::optional<ScanPoints> scan;
     double nearest = 1.0;
@@ -52,7 +58,8 @@ TEST(PathFollower, KeepsItsDistanceFromBothSidesOfAPassageThatIsTooNarrow_NAV_4)
       simulator.step();
       const Vec2 position = simulator.pose(0).position();
       nearest = std::min({nearest, (position - left).norm(), (position - right).norm()});
-      if (const LaserScan2* fresh = simulator.newScan(0)) scan = scanPoints(*fresh, simulator.pose(0), 0.105);
+      if (const LaserScan2* fresh = simulator.newScan(0))
+        scan = scanPoints(*fresh, simulator.pose(0), Outline::disc(0.105));
       if (!scan || step % 5 != 0) continue;
       const FollowerInputs inputs{simulator.pose(0), simulator.velocity(0), 0.05, *scan, open};
       simulator.setCommand(0, follower.update(inputs).command);
@@ -71,7 +78,7 @@ TEST(PathFollower, IsFreeToLeaveWhatItIsTooNearTo_NAV_4) {
     const Vec2 position(30.0 + 0.0137 * i, 30.0 + 0.0071 * i);
     ScanPoints scan;
     scan.add(position - Vec2(0.105, 0.0));
-    PathFollower follower({}, fast());
+    PathFollower follower({}, fastRobot());
     follower.setPath(Path({position, position + Vec2(1.0, 0.0)}));
     const FollowerOutput output = follower.update({Pose2(position, 0.0), {}, 0.05, scan, open});
     EXPECT_FALSE(output.blocked) << i;

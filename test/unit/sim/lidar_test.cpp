@@ -12,11 +12,12 @@ namespace {
 
 const GridGeometry kOpen{0.1, {-10.0, -10.0}, 200, 200};
 
-LidarParameters exact() {
-  LidarParameters parameters;
-  parameters.noise_stddev = 0.0;
-  parameters.mount_x = 0.0;
-  return parameters;
+constexpr LidarNoise kExact{0.0, 0.0};
+
+ScannerModel centred() {
+  ScannerModel scanner;
+  scanner.x = 0.0;
+  return scanner;
 }
 
 // Where a beam meets the nearest disc, asking every one of them.
@@ -40,11 +41,11 @@ TEST(Lidar, SeesDiscsAsAskingEveryOneOfThem_SIM_2) {
     Grid<std::uint8_t> solid(kOpen);
     for (int i = 0; i < 20 * (world % 30); ++i) solid[random() % solid.size()] = 1;
     const RayCaster walls(solid);
-    LidarParameters parameters = exact();
-    parameters.angle_min = place(random) / 3.0;
-    parameters.field_of_view = world % 2 == 0 ? 2.0 * kPi : 2.0 + size(random);
-    parameters.mount_yaw = place(random) / 3.0;
-    Lidar lidar(parameters);
+    ScannerModel scanner = centred();
+    scanner.angle_min = place(random) / 3.0;
+    scanner.field_of_view = world % 2 == 0 ? 2.0 * kPi : 2.0 + size(random);
+    scanner.yaw = place(random) / 3.0;
+    Lidar lidar(scanner, kExact);
     DiscIndex index(kOpen);
     std::vector<Disc> discs;
     for (int i = 0; i < 40; ++i) {
@@ -68,7 +69,7 @@ TEST(Lidar, SeesDiscsAsAskingEveryOneOfThem_SIM_2) {
 TEST(Lidar, DoesNotSeeTheRobotItSitsOn) {
   DiscIndex index(kOpen);
   const DiscIndex::Id own = index.add({{0.0, 0.0}, 0.1});
-  Lidar lidar(exact());
+  Lidar lidar(centred(), kExact);
   LaserScan2 scan;
   Random noise(1);
   lidar.scan({}, RayCaster(Grid<std::uint8_t>{kOpen}), index, own, noise, scan);
@@ -76,30 +77,28 @@ TEST(Lidar, DoesNotSeeTheRobotItSitsOn) {
 }
 
 TEST(Lidar, SpreadsTheBeamsOverItsFieldOfView) {
-  LidarParameters parameters = exact();
+  ScannerModel scanner = centred();
   LaserScan2 scan;
   Random noise(1);
   const RayCaster walls(Grid<std::uint8_t>{kOpen});
-  Lidar(parameters).scan({}, walls, DiscIndex(kOpen), std::nullopt, noise, scan);
+  Lidar(scanner, kExact).scan({}, walls, DiscIndex(kOpen), std::nullopt, noise, scan);
   EXPECT_NEAR(scan.angle(360), 2.0 * kPi, 1e-9) << "a full turn has no beam twice";
-  parameters.field_of_view = kPi;
-  parameters.angle_min = -kPi / 2;
-  parameters.beams = 181;
-  Lidar(parameters).scan({}, walls, DiscIndex(kOpen), std::nullopt, noise, scan);
+  scanner.field_of_view = kPi;
+  scanner.angle_min = -kPi / 2;
+  scanner.beams = 181;
+  Lidar(scanner, kExact).scan({}, walls, DiscIndex(kOpen), std::nullopt, noise, scan);
   EXPECT_NEAR(scan.angle(180), kPi / 2, 1e-9) << "less than that has one at each end";
 }
 
 // [SIM-2] noise and drop-outs have the statistics that were asked for
 TEST(Lidar, NoiseAndDropoutsAreAsConfigured_SIM_2) {
   const test::AsciiWorld world = test::drawWorld("#.........................#", 0.1);
-  LidarParameters parameters = exact();
-  parameters.beams = 20000;
-  parameters.field_of_view = 0.001;
-  parameters.noise_stddev = 0.02;
-  parameters.dropout = 0.1;
+  ScannerModel scanner = centred();
+  scanner.beams = 20000;
+  scanner.field_of_view = 0.001;
   LaserScan2 scan;
   Random noise(3);
-  Lidar(parameters)
+  Lidar(scanner, {0.02, 0.1})
       .scan({0.65, 0.05, -0.0005}, RayCaster(world.solid()), DiscIndex(world.map.geometry()), std::nullopt, noise,
             scan);
   double sum = 0.0;
@@ -118,11 +117,11 @@ TEST(Lidar, NoiseAndDropoutsAreAsConfigured_SIM_2) {
 
 TEST(Lidar, SaysTooNearAndNothingThereAsREP117Wants) {
   const test::AsciiWorld world = test::drawWorld("#..........................................................", 0.1);
-  LidarParameters parameters = exact();
-  parameters.range_max = 3.0;
+  ScannerModel scanner = centred();
+  scanner.range_max = 3.0;
   LaserScan2 scan;
   Random noise(1);
-  Lidar(parameters)
+  Lidar(scanner, kExact)
       .scan({0.15, 0.05, kPi}, RayCaster(world.solid()), DiscIndex(world.map.geometry()), std::nullopt, noise, scan);
   EXPECT_EQ(scan.ranges[0], -INFINITY);
   EXPECT_EQ(scan.ranges[180], INFINITY);

@@ -31,7 +31,7 @@ inline SimulatorParameters quiet() {
   parameters.y = 0.45;
   parameters.yaw = 0.0;
   parameters.lidar.noise_stddev = 0.0;
-  parameters.lidar.mount_x = 0.0;
+  parameters.robot.scanner.x = 0.0;
   return parameters;
 }
 

@@ -10,7 +10,7 @@ namespace {
 // [SIM-2] the scanner keeps its own rate
 TEST(Simulator, ScansAtItsOwnRate_SIM_2) {
   SimulatorParameters parameters = quiet();
-  parameters.lidar.rate = 8.0;
+  parameters.robot.scanner.rate = 8.0;
   Simulator simulator(world(room()), parameters);
   int scans = 0;
   for (int i = 0; i < 1000; ++i) {

@@ -66,7 +66,7 @@ TEST(Simulator, StartsWhereTheWorldSaysUnlessToldOtherwise) {
 // [SIM-1] accelerates within its limits and follows the exact arc
 TEST(Simulator, DrivesExactArcs_SIM_1) {
   SimulatorParameters parameters = quiet();
-  parameters.limits.max_linear_acc = parameters.limits.max_angular_acc = 1e6;
+  parameters.robot.limits.max_linear_acc = parameters.robot.limits.max_angular_acc = 1e6;
   Simulator simulator(world(room()), parameters);
   drive(simulator, {0.1, 0.5}, 2.0);
   const Pose2 expected = integrate({0.35, 0.45, 0.0}, {0.1, 0.5}, 2.0);
@@ -77,7 +77,7 @@ TEST(Simulator, DrivesExactArcs_SIM_1) {
 
 TEST(Simulator, KeepsTheLimitsOfSpeedAndAcceleration_SIM_1) {
   SimulatorParameters parameters = quiet();
-  parameters.limits = {0.2, 1.0, 1.0, 2.0};
+  parameters.robot.limits = {0.2, 1.0, 1.0, 2.0};
   Simulator simulator(world(room()), parameters);
   drive(simulator, {9.0, -9.0}, 0.1);
   EXPECT_NEAR(simulator.velocity(0).linear, 0.1, 1e-12);
@@ -118,15 +118,16 @@ TEST(Simulator, StopsAtAWallAndCanDriveAwayAgain_SIM_3) {
 TEST(Simulator, NeverTunnelsAtAnySpeed_SIM_3) {
   for (double speed : {0.5, 3.0, 20.0, 170.0}) {
     SimulatorParameters parameters = quiet();
-    parameters.limits = {1e3, 1e3, 1e6, 1e6};
+    parameters.robot.limits = {1e3, 1e3, 1e6, 1e6};
     Simulator simulator(world(room()), parameters);
-    const CollisionMap walls(room().solid(), parameters.radius);
+    const Outline outline = parameters.robot.drivenOutline();
+    const CollisionMap walls(room().solid(), outline.circumscribedRadius());
     std::mt19937 random(7);
     for (int i = 0; i < 400; ++i) {
       simulator.setCommand(0, {speed, static_cast<double>(random() % 100) - 50.0});
       simulator.step();
       const Vec2 at = simulator.pose(0).position();
-      ASSERT_FALSE(walls.overlaps(at)) << speed << " m/s";
+      ASSERT_FALSE(walls.overlaps({outline, simulator.pose(0)})) << speed << " m/s";
       ASSERT_TRUE(at.x() > 0.1 && at.x() < 1.9 && at.y() > 0.1 && at.y() < 1.0) << speed << " m/s";
     }
     EXPECT_GT(simulator.contactCount(0), 0);

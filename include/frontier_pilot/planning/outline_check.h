@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/path.h"
+
+namespace frontier_pilot {
+
+/// Whether an outline that is no disc fits where it drives and turns. A ClearanceMap for a disc as wide as the robot
+/// answers for the lane of a straight motion; this adds the corners, which reach beyond that disc: each of the
+/// outline's points, `kSpacing` apart, keeps the distance to obstacles that the map asks for beyond its disc. Poses are
+/// T_map_base.
+class OutlineCheck {
+ public:
+  /// For a robot that is a disc: everything that the map allows fits.
+  OutlineCheck() = default;
+  /// For this outline on maps for a disc of `outline.halfWidth()`.
+  explicit OutlineCheck(const Outline& outline);
+
+  bool isTrivial() const { return points_.empty(); }
+  /// The same outline where paths may lead through what a ClearanceMap calls tight: the map may exaggerate the corners
+  /// there, so that the follower and the live scan decide.
+  OutlineCheck inTightPlaces() const;
+  /// Whether the outline fits at a pose; `slack` [m] is how much nearer than a path its points may come.
+  bool fits(const ClearanceMap& map, const Pose2& T_map_base, double slack = 0.0) const;
+  /// Whether the robot can turn on the spot from one direction [rad] into the other, the shorter way.
+  bool canTurn(const ClearanceMap& map, const Vec2& position, double from, double to) const;
+  /// Whether it fits at both ends of a straight motion, whose lane the map answers for.
+  bool canDrive(const ClearanceMap& map, const Vec2& from, const Vec2& to) const;
+  /// Whether it can follow a path by straight motions and turns on the spot, from `along` [m] on. The first `escape`
+  /// segments are exempt. With `yaw` the turn into the path's direction counts too.
+  bool canFollow(const ClearanceMap& map, const Path& path, std::size_t escape, double along = 0.0,
+                 std::optional<double> yaw = std::nullopt) const;
+
+ private:
+  static constexpr double kSpacing = 0.03;   ///< [m]
+  static constexpr double kTurnStep = 0.02;  ///< that the farthest point moves between two checks of a turn [m]
+
+  std::vector<Vec2> points_;  ///< of the outline, in the base frame, those inside of the map's disc left out
+  double reach_ = 0.0;        ///< of the farthest [m]
+  bool tight_ = false;
+};
+
+}  // namespace frontier_pilot

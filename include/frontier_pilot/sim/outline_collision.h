@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/sim/disc_index.h"
+
+namespace frontier_pilot::sim {
+
+/// Whether two discs overlap; touching is not overlapping.
+inline bool overlap(const Vec2& a, double radius_a, const Disc& b) {
+  const double reach = radius_a + b.radius;
+  return (a - b.centre).squaredNorm() < reach * reach;
+}
+
+/// The outline of a robot at a pose, held exactly against what it can bump into; touching is not overlapping. Lengths
+/// in [m], in the world's frame. [SIM-3]
+class PlacedOutline {
+ public:
+  /// `outline` must outlive it.
+  PlacedOutline(const Outline& outline, const Pose2& T_world_base);
+
+  /// Of the disc around it, about the robot's base.
+  Vec2 centre() const { return T_world_base_.position(); }
+  double radius() const { return outline_.circumscribedRadius(); }
+  /// The corners of the box around it.
+  const Vec2& low() const { return low_; }
+  const Vec2& high() const { return high_; }
+  /// Whether it overlaps the square whose sides lie along the axes, `half` from its `middle`.
+  bool overlapsSquare(const Vec2& middle, double half) const;
+  bool overlapsDisc(const Disc& disc) const;
+  /// Whether the disc around it does.
+  bool overlapsDiscAllAround(const Disc& disc) const { return overlap(centre(), radius(), disc); }
+
+ private:
+  const Outline& outline_;
+  Pose2 T_world_base_;
+  std::vector<Vec2> corners_;  ///< none of a disc
+  Vec2 low_;
+  Vec2 high_;
+};
+
+}  // namespace frontier_pilot::sim

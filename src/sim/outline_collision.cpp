@@ -1,0 +1,67 @@
+#include "frontier_pilot/sim/outline_collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace frontier_pilot::sim {
+namespace {
+
+/// Whether the segment from `a` to `b` passes through the inside of the square of `half` [m] around the origin.
+/// Liang & Barsky, "A New Concept and Method for Line Clipping", ACM Transactions on Graphics 3, 1984.
+bool passesThroughSquare(const Vec2& a, const Vec2& b, double half) {
+  double enters = 0.0;
+  double leaves = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double way = b[axis] - a[axis];
+    if (way == 0.0) {
+      if (std::abs(a[axis]) >= half) return false;
+      continue;
+    }
+    const double one = (-half - a[axis]) / way;
+    const double other = (half - a[axis]) / way;
+    enters = std::max(enters, std::min(one, other));
+    leaves = std::min(leaves, std::max(one, other));
+  }
+  return enters < leaves;
+}
+
+}  // namespace
+
+PlacedOutline::PlacedOutline(const Outline& outline, const Pose2& T_world_base)
+    : outline_(outline), T_world_base_(T_world_base) {
+  if (outline.isDisc()) {
+    low_ = centre() - Vec2::Constant(radius());
+    high_ = centre() + Vec2::Constant(radius());
+    return;
+  }
+  low_ = high_ = centre();
+  corners_.reserve(outline.corners().size());
+  for (const Vec2& corner : outline.corners()) {
+    corners_.push_back(T_world_base * corner);
+    low_ = low_.cwiseMin(corners_.back());
+    high_ = high_.cwiseMax(corners_.back());
+  }
+}
+
+bool PlacedOutline::overlapsSquare(const Vec2& middle, double half) const {
+  if (outline_.isDisc()) {
+    const Vec2 to_centre = (middle - centre()).cwiseAbs();
+    const double dx = std::max(0.0, to_centre.x() - half);
+    const double dy = std::max(0.0, to_centre.y() - half);
+    return dx * dx + dy * dy < radius() * radius();
+  }
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Vec2& next = corners_[(i + 1) % corners_.size()];
+    if (passesThroughSquare(corners_[i] - middle, next - middle, half)) return true;
+  }
+  // No side passes through it: it lies inside or outside as a whole.
+  return overlapsDisc({middle, 0.0});
+}
+
+bool PlacedOutline::overlapsDisc(const Disc& disc) const {
+  if (outline_.isDisc()) return overlapsDiscAllAround(disc);
+  return outline_.distance(T_world_base_.inverse() * disc.centre) < disc.radius;
+}
+
+}  // namespace frontier_pilot::sim
