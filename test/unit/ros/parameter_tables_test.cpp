@@ -153,6 +153,8 @@ TEST(RobotParameters, StandOnceInTheDocumentationAndAreTakenByEveryNode_ROB_1) {
   EXPECT_TRUE(takes(MapperNodeParameters()));
   EXPECT_TRUE(takes(ExplorerNodeParameters()));
   EXPECT_TRUE(takes(TeleopParameters()));
+  EXPECT_TRUE(takes(SimulatorNodeParameters()));
+  EXPECT_TRUE(takes(NavigatorNodeParameters()));
 }
 
 }  // namespace
