@@ -103,7 +103,7 @@ RobotLimits limitsNamed(const std::string& name) {
 }
 
 RobotModel robotOf(const Options& options) {
-  RobotModel robot = 
+  RobotModel robot =
       options.robot.find('/') == std::string::npos ? test::shippedRobot(options.robot) : loadRobot(options.robot);
   if (!options.limits.empty()) robot.limits = limitsNamed(options.limits);
   return robot;

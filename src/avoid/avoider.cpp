@@ -23,7 +23,7 @@ const char* toString(AvoiderState state) {
 }
 
 Avoider::Avoider(const AvoiderParameters& parameters)
-    : parameters_(checked(parameters)), reader_(parameters), reason_("no scan yet") {}
+    : parameters_(checked(parameters)), distances_(parameters), reader_(parameters), reason_("no scan yet") {}
 
 std::optional<AvoiderCommand> Avoider::onScan(const LaserScan2& scan, Time now) {
   observe(now);
@@ -81,12 +81,10 @@ void Avoider::observe(Time now) {
   enter(AvoiderState::kWaiting, "the clock jumped: no scan since", now);
 }
 
-bool Avoider::ahead() const {
-  return around_.obstacleDistance() < parameters_.stop_distance || around_.lane() < parameters_.stop_distance;
-}
+bool Avoider::ahead() const { return around_.obstacleDistance() < distances_.stop || around_.lane() < distances_.stop; }
 
 bool Avoider::clear() const {
-  return around_.obstacleDistance() > parameters_.clear_distance && around_.lane() >= parameters_.stop_distance;
+  return around_.obstacleDistance() > distances_.clear && around_.lane() >= distances_.stop;
 }
 
 void Avoider::fault(const std::string& why) {
@@ -108,7 +106,7 @@ void Avoider::decide(Time now) {
 
 void Avoider::startEpisode(Time now) {
   // Something in the lane but beside the sectors decides alone: the sectors are blind to it.
-  const bool by_lane = around_.obstacleDistance() >= parameters_.stop_distance;
+  const bool by_lane = around_.obstacleDistance() >= distances_.stop;
   const bool left = by_lane ? around_.lane_left > around_.lane_right : around_.front_left > around_.front_right;
   turn_ = left ? 1 : -1;
   cycle_ = 0;
@@ -121,18 +119,26 @@ void Avoider::startCycle(Time now) {
   if (rearFree() && parameters_.reverse_time > 0.0) {
     return enter(AvoiderState::kReverse, "obstacle ahead: backing up", now);
   }
-  enter(AvoiderState::kRotate, "obstacle ahead, and no room behind: turning away", now);
+  turnAway(now, "obstacle ahead, and no room behind: turning away");
+}
+
+void Avoider::turnAway(Time now, const std::string& reason) {
+  if (turnFree()) return enter(AvoiderState::kRotate, reason, now);
+  const bool may_back_up = rearFree() && parameters_.reverse_time > 0.0 && cycle_ < parameters_.max_cycles;
+  if (may_back_up) return startCycle(now);
+  enter(AvoiderState::kStuck, "obstacle ahead, and no room to turn or to back up", now);
 }
 
 void Avoider::recover(Time now) {
   if (clear()) return enter(AvoiderState::kClear, "nothing near ahead", now);
   const bool reversing = state_ == AvoiderState::kReverse;
   if (reversing && !rearFree()) {
-    return enter(AvoiderState::kRotate, "obstacle ahead, and no room behind: turning away", now);
+    return turnAway(now, "obstacle ahead, and no room behind: turning away");
   }
+  if (!reversing && !turnFree()) return turnAway(now, {});
   const double phase_time = reversing ? parameters_.reverse_time : parameters_.turn_time;
   if (now - phase_start_ + kTickSlack < fromSeconds(phase_time)) return;
-  if (reversing) return enter(AvoiderState::kRotate, "obstacle ahead: turning away", now);
+  if (reversing) return turnAway(now, "obstacle ahead: turning away");
   if (cycle_ < parameters_.max_cycles) return startCycle(now);
   enter(AvoiderState::kStuck, std::to_string(cycle_) + " cycles did not free the way ahead", now);
 }

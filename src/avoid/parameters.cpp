@@ -1,6 +1,15 @@
 #include "frontier_pilot/avoid/parameters.h"
 
 namespace frontier_pilot {
+namespace {
+
+constexpr double kStopMargin = 0.395;      // [m], ahead of the front
+constexpr double kClearMargin = 0.545;     // [m], the same
+constexpr double kRearStopMargin = 0.145;  // [m], behind the rear
+
+double orElse(double configured, double needed) { return configured > 0.0 ? configured : needed; }
+
+}  // namespace
 
 double Sector::width() const {
   const double turn = normalizeAngle(to - from);
@@ -16,7 +25,23 @@ void AvoiderParameters::check(Problems& problems) const {
   checkSector("front_left", front_left);
   checkSector("front_right", front_right);
   checkSector("rear", rear);
-  if (clear_distance <= stop_distance) problems.emplace_back("clear_distance: must be greater than stop_distance");
+  Problems of_the_robot;
+  robot.check(of_the_robot);
+  if (!of_the_robot.empty()) return;  // they have been told, and such a robot has no front
+  const AvoiderDistances distances(*this);
+  if (distances.stop <= robot.drivenOutline().front()) {
+    problems.emplace_back("stop_distance: must be beyond the robot's front");
+  }
+  if (distances.clear <= distances.stop) problems.emplace_back("clear_distance: must be greater than stop_distance");
+}
+
+AvoiderDistances::AvoiderDistances(const AvoiderParameters& parameters) {
+  const Outline outline = parameters.robot.drivenOutline();
+  stop = orElse(parameters.stop_distance, outline.front() + kStopMargin);
+  clear = orElse(parameters.clear_distance, outline.front() + kClearMargin);
+  rear_stop = orElse(parameters.rear_stop_distance, outline.rear() + kRearStopMargin);
+  half_lane = outline.halfWidth() + parameters.guard_margin;
+  turn = outline.isDisc() ? 0.0 : outline.circumscribedRadius() + parameters.guard_margin;
 }
 
 }  // namespace frontier_pilot

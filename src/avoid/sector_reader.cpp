@@ -36,7 +36,8 @@ std::size_t countInvalid(const LaserScan2& scan) {
 }  // namespace
 
 SectorReader::SectorReader(const AvoiderParameters& parameters)
-    : parameters_(parameters),
+    : half_lane_(AvoiderDistances(parameters).half_lane),
+      max_invalid_share_(parameters.max_invalid_share),
       front_left_(bordersOf(parameters.front_left)),
       front_right_(bordersOf(parameters.front_right)),
       rear_(bordersOf(parameters.rear)) {}
@@ -77,9 +78,10 @@ SectorDistances SectorReader::read(const LaserScan2& scan) {
 
 void SectorReader::add(const Vec2& point, SectorDistances& around) const {
   const double distance = point.norm();
+  around.nearest = std::min(around.nearest, distance);
   const bool left = front_left_.contains(point);
   const bool right = front_right_.contains(point);
-  const bool in_lane = std::abs(point.y()) < parameters_.guard_half_width;
+  const bool in_lane = std::abs(point.y()) < half_lane_;
   if (left) around.front_left = std::min(around.front_left, distance);
   if (right) around.front_right = std::min(around.front_right, distance);
   if (rear_.contains(point) || (in_lane && point.x() < 0.0)) around.rear = std::min(around.rear, distance);
@@ -92,7 +94,7 @@ std::string SectorReader::judge(const LaserScan2& scan) {
   if (const char* problem = malformation(scan)) return problem;
   const std::size_t beams = scan.ranges.size();
   const std::size_t invalid = countInvalid(scan);
-  if (static_cast<double>(invalid) > parameters_.max_invalid_share * static_cast<double>(beams)) {
+  if (static_cast<double>(invalid) > max_invalid_share_ * static_cast<double>(beams)) {
     return std::to_string(invalid) + " of " + std::to_string(beams) + " beams are invalid";
   }
   const std::vector<Vec2>& directions = directionsOf(scan);

@@ -12,7 +12,7 @@ bool isHit(RangeKind kind) { return kind == RangeKind::kHit || kind == RangeKind
 
 }  // namespace
 
-LocalCostmap::LocalCostmap(const LocalCostmapParameters& parameters, const Footprint& footprint)
+LocalCostmap::LocalCostmap(const LocalCostmapParameters& parameters, const Outline& footprint)
     : parameters_(parameters), footprint_(footprint) {}
 
 void LocalCostmap::clear() {

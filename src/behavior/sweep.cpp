@@ -10,7 +10,7 @@ namespace {
 /// Looks at the footprint pose by pose.
 class Sweeper {
  public:
-  Sweeper(const OccupancyGrid& grid, const Footprint& footprint, const Pose2& start, const AxisMotion& motion)
+  Sweeper(const OccupancyGrid& grid, const Outline& footprint, const Pose2& start, const AxisMotion& motion)
       : grid_(grid), footprint_(footprint), start_(start), motion_(motion) {
     if (motion.axis == AxisMotion::Axis::kLine) markLeftBehind();
   }
@@ -43,15 +43,15 @@ class Sweeper {
   }
 
   const OccupancyGrid& grid_;
-  const Footprint& footprint_;
+  const Outline& footprint_;
   Pose2 start_;
   AxisMotion motion_;
   std::vector<Cell> cells_;
   std::vector<Cell> left_behind_;
 };
 
-int stepsFor(const AxisMotion& motion, const Footprint& footprint, double resolution) {
-  const double arm = motion.axis == AxisMotion::Axis::kTurn ? footprint.radius() : 1.0;
+int stepsFor(const AxisMotion& motion, const Outline& footprint, double resolution) {
+  const double arm = motion.axis == AxisMotion::Axis::kTurn ? footprint.circumscribedRadius() : 1.0;
   return std::max(1, static_cast<int>(std::ceil(std::abs(motion.amount) * arm / (0.5 * resolution))));
 }
 
@@ -62,7 +62,7 @@ const char* toString(SweepResult result) {
   return kNames[static_cast<int>(result)];
 }
 
-SweepResult sweep(const OccupancyGrid& grid, const Footprint& footprint, const Pose2& pose, const AxisMotion& motion) {
+SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, const AxisMotion& motion) {
   if (grid.empty()) return SweepResult::kNoCostmap;
   Sweeper sweeper(grid, footprint, pose, motion);
   const int steps = stepsFor(motion, footprint, grid.resolution());

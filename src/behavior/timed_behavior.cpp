@@ -172,9 +172,12 @@ AxisMotion TimedBehavior::motion() const {
 
 MotionLimits TimedBehavior::limits() const {
   const BehaviorParameters& p = parameters_;
-  if (goal_.kind == BehaviorKind::kSpin) return {p.rotational_acc_lim, p.min_rotational_vel, p.max_rotational_vel};
-  const double fastest = std::min(goal_.speed > 0.0 ? goal_.speed : p.default_linear_vel, p.max_linear_vel);
-  return {p.linear_acc_lim, std::min(p.min_linear_vel, fastest), fastest};
+  const RobotLimits& robot = p.robot.limits;
+  const bool spin = goal_.kind == BehaviorKind::kSpin;
+  const double wanted = goal_.speed > 0.0 ? goal_.speed : p.default_linear_vel;
+  const double fastest = spin ? std::min(p.max_rotational_vel, robot.max_angular) : std::min(wanted, robot.max_linear);
+  const double slowest = std::min(spin ? p.min_rotational_vel : p.min_linear_vel, fastest);
+  return {spin ? robot.max_angular_acc : std::min(p.linear_acc_lim, robot.max_linear_acc), slowest, fastest};
 }
 
 BehaviorOutput TimedBehavior::running(const Twist2& command) const {
@@ -198,8 +201,6 @@ void BehaviorParameters::check(Problems& problems) const {
   if (min_rotational_vel > max_rotational_vel) {
     problems.emplace_back("min_rotational_vel: must not exceed max_rotational_vel");
   }
-  if (min_linear_vel > max_linear_vel) problems.emplace_back("min_linear_vel: must not exceed max_linear_vel");
-  if (default_linear_vel > max_linear_vel) problems.emplace_back("default_linear_vel: must not exceed max_linear_vel");
 }
 
 }  // namespace frontier_pilot

@@ -13,6 +13,18 @@ constexpr double kMaxApproach = 0.5;
 
 }  // namespace
 
+PatrolParameters withinLimits(PatrolParameters parameters) {
+  const RobotLimits& limits = parameters.robot.limits;
+  PatrolParameters& p = parameters;
+  p.linear_speed = std::min(p.linear_speed, limits.max_linear);
+  p.linear_acc = std::min(p.linear_acc, limits.max_linear_acc);
+  p.min_linear_speed = std::min(p.min_linear_speed, p.linear_speed);
+  p.turn_speed = std::min(p.turn_speed, limits.max_angular);
+  p.turn_acc = std::min(p.turn_acc, limits.max_angular_acc);
+  p.min_turn_speed = std::min(p.min_turn_speed, p.turn_speed);
+  return parameters;
+}
+
 void StepDriver::begin(const PatrolStep& step, const Pose2& T_odom_plan, const MotionSample& sample) {
   step_ = step;
   T_step_odom_ = (T_odom_plan * step.start).inverse();

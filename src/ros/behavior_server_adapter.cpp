@@ -1,5 +1,6 @@
 #include "frontier_pilot/ros/behavior_server_adapter.h"
 
+#include <geometry_msgs/PolygonStamped.h>
 #include <geometry_msgs/Twist.h>
 
 #include "frontier_pilot/ros/conversions.h"
@@ -7,13 +8,19 @@
 #include "frontier_pilot/ros/throttled_log.h"
 
 namespace frontier_pilot {
+namespace {
+
+constexpr double kFootprintPeriod = 0.2;  // [s]
+
+}  // namespace
 
 BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
       parameters_(loadNodeParameters<BehaviorServerParameters>(private_node)),
       behavior_(parameters_.behavior),
-      around_(parameters_.surroundings, parameters_.frames, tf_),
+      around_(parameters_.surroundings, parameters_.behavior.robot, parameters_.frames, tf_),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelBehavior, 10)),
+      footprint_(node_.advertise<geometry_msgs::PolygonStamped>(names::kFootprint, 1, true)),
       diagnostics_(node, private_node),
       connections_(node) {
   around_.subscribe(connections_);
@@ -26,6 +33,11 @@ BehaviorServerNode::BehaviorServerNode(ros::NodeHandle& node, ros::NodeHandle& p
   addPort<DriveOnHeadingAction, DriveOnHeadingResult, DriveOnHeadingFeedback>(names::kDriveOnHeading);
   addPort<WaitAction, WaitResult, WaitFeedback>(names::kWait);
   connections_.every(ros::Duration(1.0 / parameters_.behavior.frequency), [this] { tick(); });
+  // Again and again, although it is latched: rviz draws it where the robot was at its stamp.
+  connections_.every(ros::Duration(kFootprintPeriod), [this] {
+    if (footprint_.getNumSubscribers() > 0) publishFootprint();
+  });
+  publishFootprint();
   connections_.clock().onJump([this] {
     around_.clear();
     put(behavior_.abortByClockJump());
@@ -64,6 +76,12 @@ void BehaviorServerNode::tick() {
   BehaviorInputs inputs = around_.inputs(parameters_.behavior.costmap_timeout, *now);
   inputs.emergency_stop = emergency_stop_;
   put(behavior_.update(inputs, *now));
+}
+
+void BehaviorServerNode::publishFootprint() {
+  const Time stamp = around_.poseStamp().value_or(Time{});
+  const Outline outline = parameters_.behavior.robot.exactOutline();
+  footprint_.publish(toPolygonStampedMsg(outline.corners(), around_.frames().base_frame, stamp));
 }
 
 void BehaviorServerNode::put(const BehaviorOutput& output) {

@@ -1,11 +1,16 @@
 #include "frontier_pilot/ros/behavior_surroundings.h"
+
+#include <utility>
+
 #include "frontier_pilot/ros/conversions.h"
 
 namespace frontier_pilot {
 
-BehaviorSurroundings::BehaviorSurroundings(const SurroundingsParameters& parameters, const BehaviorFrames& frames,
-                                           const TfBridge& tf)
-    : surroundings_(parameters), frames_(frames), tf_(tf) {}
+BehaviorSurroundings::BehaviorSurroundings(const SurroundingsParameters& parameters, const RobotModel& robot,
+                                           BehaviorFrames frames, const TfBridge& tf)
+    : surroundings_(parameters, robot), frames_(std::move(frames)), tf_(tf) {
+  frames_.base_frame = robot.baseFrameOr(frames_.base_frame);
+}
 
 void BehaviorSurroundings::subscribe(NodeConnections& connections) {
   connections.subscribe(names::kScan, 1, &BehaviorSurroundings::handleScan, this, ros::TransportHints().tcpNoDelay());
@@ -36,7 +41,7 @@ void BehaviorSurroundings::clear() {
 BehaviorInputs BehaviorSurroundings::inputs(double max_age, Time now) {
   takeIn();
   BehaviorInputs inputs;
-  const auto stamp = tf_.latestStamp(frames_.odom_frame, frames_.base_frame);
+  const auto stamp = poseStamp();
   const auto T_odom_base = stamp ? tf_.lookup(frames_.odom_frame, frames_.base_frame, *stamp) : std::nullopt;
   if (T_odom_base) inputs.pose = BehaviorInputs::Pose{*stamp, *T_odom_base};
   inputs.look_ahead = surroundings_.lookAhead(max_age, now);

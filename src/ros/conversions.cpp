@@ -107,6 +107,18 @@ geometry_msgs::PoseStamped toPoseStampedMsg(const Pose2& pose, const std::string
   return msg;
 }
 
+geometry_msgs::PolygonStamped toPolygonStampedMsg(const std::vector<Vec2>& corners, const std::string& frame,
+                                                  Time stamp) {
+  auto msg = stamped<geometry_msgs::PolygonStamped>(frame, stamp);
+  for (const Vec2& corner : corners) {
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(corner.x());
+    point.y = static_cast<float>(corner.y());
+    msg.polygon.points.push_back(point);
+  }
+  return msg;
+}
+
 std::optional<Twist2> toTwist(const geometry_msgs::Twist& msg, std::string* why) {
   if (!isFinite(msg.linear) || !isFinite(msg.angular)) return malformed(why, "velocity not finite");
   return Twist2{msg.linear.x, msg.angular.z};

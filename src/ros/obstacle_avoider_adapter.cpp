@@ -27,6 +27,7 @@ geometry_msgs::Twist toCommandMsg(const AvoiderCommand& command) {
 ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
       parameters_(loadNodeParameters<ObstacleAvoiderNodeParameters>(private_node)),
+      base_frame_(parameters_.avoider.robot.baseFrameOr(parameters_.base_frame)),
       avoider_(parameters_.avoider),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelAvoid, 1)),
       status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
@@ -61,7 +62,7 @@ void ObstacleAvoiderNode::handleScan(const sensor_msgs::LaserScan& msg) {
 
 std::optional<LaserScan2> ObstacleAvoiderNode::read(const sensor_msgs::LaserScan& msg, std::string* why) const {
   // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
-  const auto T_base_sensor = tf_.lookup3d(parameters_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), why);
+  const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), why);
   return T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
 }
 

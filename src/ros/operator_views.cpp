@@ -140,9 +140,10 @@ ExplorerView toView(const ExplorerStatus& msg, double status_age) {
 }
 
 AvoiderSectors toSectors(const AvoiderParameters& parameters) {
-  const double stop = parameters.stop_distance, clear = parameters.clear_distance, rear = parameters.rear_stop_distance;
-  return {toSectorView(parameters.front_left, stop, clear), toSectorView(parameters.front_right, stop, clear),
-          toSectorView(parameters.rear, rear, rear)};
+  const AvoiderDistances distances(parameters);
+  return {toSectorView(parameters.front_left, distances.stop, distances.clear),
+          toSectorView(parameters.front_right, distances.stop, distances.clear),
+          toSectorView(parameters.rear, distances.rear_stop, distances.rear_stop)};
 }
 
 }  // namespace frontier_pilot

@@ -8,7 +8,7 @@ import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import Pose2D, Twist
+from geometry_msgs.msg import PolygonStamped, Pose2D, Twist
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from std_srvs.srv import Empty, SetBool, Trigger
@@ -237,6 +237,14 @@ class BehaviorTest(unittest.TestCase):
         replaced = self.expect(GoalStatus.PREEMPTED, WaitResult.CANCELED, 'wait')
         self.assertEqual(replaced.error_msg, 'replaced by a newer goal')
         self.expect(GoalStatus.SUCCEEDED, SpinResult.NONE)
+
+    def test_the_footprint_is_the_outline_of_the_robot_in_its_base_frame(self):
+        """[ROB-1]"""
+        for topic, front, side in (('footprint', 0.037, 0.089), ('blind/footprint', 0.077, 0.153)):
+            outline = rospy.wait_for_message(topic, PolygonStamped, 30)
+            self.assertEqual(outline.header.frame_id, 'base_footprint')
+            self.assertAlmostEqual(max(point.x for point in outline.polygon.points), front, 6)
+            self.assertAlmostEqual(max(point.y for point in outline.polygon.points), side, 6)
 
 
 if __name__ == '__main__':

@@ -42,6 +42,7 @@ struct AvoiderSnapshot {
 };
 
 /// Last-resort avoidance by the laser scan: backs up and turns away from what is near ahead.
+/// A robot whose corners would hit something in a turn backs up further, or holds where it cannot.
 ///
 /// The direction of a turn is chosen once for an episode, that is until `clear_distance` is free again. Every method is
 /// one input at one moment of ROS time and gives what has to be published at once, if anything has. A backward jump of
@@ -73,13 +74,16 @@ class Avoider {
   void startCycle(Time now);
   void recover(Time now);
   void enter(AvoiderState state, const std::string& reason, Time now);
-  bool rearFree() const { return around_.rear >= parameters_.rear_stop_distance; }
+  void turnAway(Time now, const std::string& reason);
+  bool rearFree() const { return around_.rear >= distances_.rear_stop; }
+  bool turnFree() const { return around_.nearest >= distances_.turn; }
   bool ahead() const;
   bool clear() const;
   AvoiderCommand command() const;
   std::optional<AvoiderCommand> putOut();
 
   AvoiderParameters parameters_;
+  AvoiderDistances distances_;
   SectorReader reader_;
   AvoiderState state_ = AvoiderState::kWaiting;
   std::string reason_;

@@ -2,6 +2,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot {
 
@@ -19,15 +20,16 @@ struct Sector {
   double width() const;
 };
 
-/// What the avoider is configured with.
+/// What the avoider is configured with. A distance of 0 is the one that its robot needs, see `AvoiderDistances`.
 struct AvoiderParameters {
+  RobotModel robot;
   Sector front_left{0.0, kPi / 3.0};
   Sector front_right{-kPi / 3.0, 0.0};
   Sector rear{2.0 * kPi / 3.0, -2.0 * kPi / 3.0};
-  double stop_distance = 0.5;
-  double clear_distance = 0.65;
-  double rear_stop_distance = 0.25;
-  double guard_half_width = 0.13;
+  double stop_distance = 0.0;
+  double clear_distance = 0.0;
+  double rear_stop_distance = 0.0;
+  double guard_margin = 0.025;
   double reverse_speed = 0.08;
   double reverse_time = 0.4;
   double turn_speed = 0.7;
@@ -38,16 +40,27 @@ struct AvoiderParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
+    describeRobot(v, robot);
     v.group("front_left", front_left, "the sector ahead on the left");
     v.group("front_right", front_right, "the sector ahead on the right");
     v.group("rear", rear, "the sector behind");
-    v.field("stop_distance", stop_distance, "m", "an obstacle ahead that is nearer starts a recovery", positive());
-    v.field("clear_distance", clear_distance, "m", "a recovery ends when nothing ahead is nearer", positive());
-    v.field("rear_stop_distance", rear_stop_distance, "m", "no reversing when something behind is nearer",
+    v.field("stop_distance", stop_distance, "m",
+            "an obstacle ahead that is nearer to the base's centre starts a recovery; 0: 0.395 m before the robot's "
+            "front, which is 0.5 m for a Burger",
             atLeast(0.0));
-    v.field("guard_half_width", guard_half_width, "m",
-            "half the width of the lane that the body sweeps: what is in it beside the sectors counts too",
+    v.field("clear_distance", clear_distance, "m",
+            "a recovery ends when nothing ahead is nearer to the base's centre; 0: 0.545 m before the robot's front, "
+            "0.65 m for a Burger",
             atLeast(0.0));
+    v.field("rear_stop_distance", rear_stop_distance, "m",
+            "no reversing when something behind is nearer to the base's centre; 0: 0.145 m behind the robot's rear, "
+            "0.25 m for a Burger",
+            atLeast(0.0));
+    v.field("guard_margin", guard_margin, "m",
+            "room beside the robot that counts as in its way, for the noise of a scan and a course that is not quite "
+            "straight: what is in that lane counts beside the sectors too",
+            atLeast(0.0));
+    v.moved("guard_half_width", "guard_margin (on top of half the robot's width)");
     v.field("reverse_speed", reverse_speed, "m/s", "speed of reversing", positive());
     v.field("reverse_time", reverse_time, "s", "how long a cycle reverses", Bounds{0.0, 60.0, false});
     v.field("turn_speed", turn_speed, "rad/s", "rate of turning away", positive());
@@ -56,8 +69,21 @@ struct AvoiderParameters {
     v.field("max_scan_age", max_scan_age, "s", "an older scan is a fault", Bounds{0.0, 60.0, true});
     v.field("max_invalid_share", max_invalid_share, "", "a scan with more invalid beams is a fault", between(0.0, 1.0));
   }
-  /// Sectors must be narrower than half a turn, and `clear_distance` beyond `stop_distance`.
+  /// Sectors must be narrower than half a turn, `stop_distance` beyond the robot's front and `clear_distance` beyond
+  /// that.
   void check(Problems& problems) const;
+};
+
+/// What has to be free around the base's centre [m]: what is configured, or what the robot needs. The room ahead is for
+/// a base of 0.65 m/s that slows down with 1 m/s^2, by a scan of 5.5 Hz; that behind is for the avoider's own 0.08 m/s.
+struct AvoiderDistances {
+  explicit AvoiderDistances(const AvoiderParameters& parameters);
+
+  double stop;
+  double clear;
+  double rear_stop;
+  double half_lane;  ///< half the width of the lane that the body sweeps
+  double turn;       ///< what its corners sweep in a turn; 0: it is a disc, which sweeps nothing
 };
 
 }  // namespace frontier_pilot

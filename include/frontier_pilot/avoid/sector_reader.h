@@ -20,6 +20,7 @@ struct SectorDistances {
   double rear = kNothing;        ///< in the rear sector, or in the lane behind the body
   double lane_left = kNothing;   ///< in the lane ahead of the body but beside the sectors, on the left
   double lane_right = kNothing;  ///< the same on the right
+  double nearest = kNothing;     ///< in any direction
   std::string fault;             ///< why the scan cannot be trusted; empty: it can
 
   /// The smaller of the two sector minima. [AVO-1]
@@ -45,7 +46,8 @@ class SectorReader {
   void add(const Vec2& point, SectorDistances& around) const;
   std::string judge(const LaserScan2& scan);
 
-  AvoiderParameters parameters_;
+  double half_lane_;
+  double max_invalid_share_;
   Borders front_left_, front_right_, rear_;
   LaserScan2 layout_;             ///< of the scan that `directions_` belong to, without ranges
   std::vector<Vec2> directions_;  ///< of the beams, in the base frame

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "frontier_pilot/behavior/footprint.h"
 #include "frontier_pilot/behavior/parameters.h"
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/outline.h"
 
 namespace frontier_pilot {
 
@@ -15,7 +15,7 @@ namespace frontier_pilot {
 /// cell unknown, free or occupied. What was seen stays until it is seen otherwise or leaves the window.
 class LocalCostmap {
  public:
-  LocalCostmap(const LocalCostmapParameters& parameters, const Footprint& footprint);
+  LocalCostmap(const LocalCostmapParameters& parameters, const Outline& footprint);
 
   /// Takes in a scan from `T_odom_base`, the pose at its stamp. Beams clear the cells that they cross, hits occupy
   /// theirs, invalid beams say nothing; what is unknown under the robot becomes free, since it stands there.
@@ -35,7 +35,7 @@ class LocalCostmap {
   void setFree(const Vec2& from, const Vec2& to);
 
   LocalCostmapParameters parameters_;
-  Footprint footprint_;
+  Outline footprint_;
   OccupancyGrid grid_;
   std::optional<Time> stamp_;
   std::vector<Cell> cells_;

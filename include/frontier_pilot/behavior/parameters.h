@@ -1,24 +1,21 @@
 #pragma once
 
-#include <vector>
-
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot {
 
-/// The robot's outline. Defaults: TurtleBot3 Burger, 0.138 m by 0.178 m, the wheels' axis 0.032 m ahead of its middle.
+/// What has to be free around the robot.
 struct FootprintParameters {
-  std::vector<double> polygon = {0.037, 0.089, -0.101, 0.089, -0.101, -0.089, 0.037, -0.089};
   double padding = 0.01;
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("polygon", polygon, "m", "corners x1, y1, x2, y2, ... in the base frame, in order", between(-5.0, 5.0));
-    v.field("padding", padding, "m", "added to the outline on every side", between(0.0, 1.0));
+    v.field("padding", padding, "m", "added to the robot's outline on every side, for the noise of a scan",
+            between(0.0, 1.0));
+    v.moved("polygon", "robot/outline");
   }
-  /// At least three corners, an area, and the base's origin inside.
-  void check(Problems& problems) const;
 };
 
 /// The costmap that rolls along with the robot.
@@ -33,15 +30,14 @@ struct LocalCostmapParameters {
   }
 };
 
-/// How the timed behaviours move.
+/// How the timed behaviours move; never faster than the robot can.
 struct BehaviorParameters {
+  RobotModel robot;
   double frequency = 10.0;
-  double rotational_acc_lim = 3.2;
   double min_rotational_vel = 0.4;
   double max_rotational_vel = 1.0;
   double linear_acc_lim = 0.6;
   double min_linear_vel = 0.03;
-  double max_linear_vel = 0.22;
   double default_linear_vel = 0.1;
   double simulate_ahead_time = 2.0;
   double pose_timeout = 0.5;
@@ -53,13 +49,12 @@ struct BehaviorParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
+    describeRobot(v, robot);
     v.field("frequency", frequency, "Hz", "control cycles a second", between(5.0, 100.0));
-    v.field("rotational_acc_lim", rotational_acc_lim, "rad/s^2", "a turn slows down with", positive());
     v.field("min_rotational_vel", min_rotational_vel, "rad/s", "slowest turn", positive());
     v.field("max_rotational_vel", max_rotational_vel, "rad/s", "fastest turn", positive());
     v.field("linear_acc_lim", linear_acc_lim, "m/s^2", "a straight motion slows down with", positive());
     v.field("min_linear_vel", min_linear_vel, "m/s", "slowest straight motion", positive());
-    v.field("max_linear_vel", max_linear_vel, "m/s", "fastest straight motion that a goal may ask for", positive());
     v.field("default_linear_vel", default_linear_vel, "m/s", "where a goal asks for none", positive());
     v.field("simulate_ahead_time", simulate_ahead_time, "s", "how far ahead the motion must be free", positive());
     v.field("pose_timeout", pose_timeout, "s", "how old a pose may be", positive());
@@ -69,6 +64,8 @@ struct BehaviorParameters {
     v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill before success is told", positive());
     v.field("jump_distance", jump_distance, "m", "a longer step of the pose is a jump", positive());
     v.field("jump_angle", jump_angle, "rad", "a larger turn of the pose at once is a jump", Bounds{0.0, 3.0, true});
+    v.moved("rotational_acc_lim", "robot/limits/max_angular_acc");
+    v.moved("max_linear_vel", "robot/limits/max_linear");
   }
   void check(Problems& problems) const;
 };

@@ -5,14 +5,14 @@
 
 namespace frontier_pilot {
 
-/// The robot's outline and its surroundings as configured.
+/// What the robot's surroundings are known by, as configured.
 struct SurroundingsParameters {
   FootprintParameters footprint;
   LocalCostmapParameters costmap;
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.group("footprint", footprint, "the robot's outline");
+    v.group("footprint", footprint, "what has to be free around the robot");
     v.group("costmap", costmap, "the local costmap that is built from the scan");
   }
 };
@@ -20,12 +20,14 @@ struct SurroundingsParameters {
 /// What a behaviour looks ahead in: the footprint on the local costmap, as long as its last scan is fresh.
 class Surroundings {
  public:
-  explicit Surroundings(const SurroundingsParameters& parameters)
-      : footprint_(parameters.footprint), costmap_(parameters.costmap, footprint_) {}
+  explicit Surroundings(const SurroundingsParameters& parameters = {}, const RobotModel& robot = {})
+      : footprint_(robot.exactOutline().padded(parameters.footprint.padding)),
+        costmap_(parameters.costmap, footprint_) {}
 
   LocalCostmap& costmap() { return costmap_; }
   const LocalCostmap& costmap() const { return costmap_; }
-  const Footprint& footprint() const { return footprint_; }
+  /// The robot's outline with the padding around it.
+  const Outline& footprint() const { return footprint_; }
   /// For `BehaviorInputs` at `now`: everything is blocked when the last scan is older than `max_age` [s]. [SPN-3]
   /// It refers to this object.
   LookAhead lookAhead(double max_age, Time now) const {
@@ -37,7 +39,7 @@ class Surroundings {
   }
 
  private:
-  Footprint footprint_;
+  Outline footprint_;
   LocalCostmap costmap_;
 };
 

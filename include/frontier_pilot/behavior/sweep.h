@@ -1,7 +1,7 @@
 #pragma once
 
-#include "frontier_pilot/behavior/footprint.h"
 #include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/outline.h"
 
 namespace frontier_pilot {
 
@@ -31,6 +31,6 @@ const char* toString(SweepResult result);
 /// most half a cell apart at the farthest corner. On a line, an obstacle under the trailing half of the footprint at
 /// the start is left behind rather than run into and does not count: a robot that touches something may back away from
 /// it. [SPN-2] [SPN-3]
-SweepResult sweep(const OccupancyGrid& grid, const Footprint& footprint, const Pose2& pose, const AxisMotion& motion);
+SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, const AxisMotion& motion);
 
 }  // namespace frontier_pilot

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot {
 
-/// How a patrol is driven. The speeds stay below what a Burger can do, so that its wheels follow the profile.
+/// How a patrol is driven. The speeds stay below what a Burger can do, so that its wheels follow the profile; a robot
+/// that can do less is driven by its limits.
 struct PatrolParameters {
+  RobotModel robot;
   double frequency = 20.0;
   double linear_speed = 0.18;
   double linear_acc = 0.4;
@@ -25,6 +28,7 @@ struct PatrolParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
+    describeRobot(v, robot);
     v.field("frequency", frequency, "Hz", "control cycles a second", between(5.0, 100.0));
     v.field("linear_speed", linear_speed, "m/s", "on a line or an arc", positive());
     v.field("linear_acc", linear_acc, "m/s^2", "of the trapezoid profile", positive());
@@ -47,5 +51,8 @@ struct PatrolParameters {
     if (min_turn_speed > turn_speed) problems.push_back("min_turn_speed: must not exceed turn_speed");
   }
 };
+
+/// The same with speeds and accelerations that are within the robot's limits.
+PatrolParameters withinLimits(PatrolParameters parameters);
 
 }  // namespace frontier_pilot

@@ -48,7 +48,7 @@ struct PatrolOutput {
 /// Requirements: behaviour.md, PAT-1 to PAT-6.
 class Patrol {
  public:
-  explicit Patrol(const PatrolParameters& parameters) : parameters_(parameters), driver_(parameters) {}
+  explicit Patrol(const PatrolParameters& parameters) : parameters_(parameters), driver_(withinLimits(parameters)) {}
 
   /// A new goal; one that is running must have been cancelled. The first command comes with the next `update`.
   PatrolOutput start(const PatrolOrder& goal, Time now);

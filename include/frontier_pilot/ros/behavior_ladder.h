@@ -43,10 +43,10 @@ inline Recovery recoveryBy(const BehaviorGoal& goal, const BehaviorParameters& b
 inline BehaviorParameters recoveryBehavior(const RecoveryParams& params, const RobotLimits& limits, double rate) {
   BehaviorParameters behavior;
   behavior.frequency = rate;
-  behavior.rotational_acc_lim = limits.max_angular_acc;
-  behavior.max_rotational_vel = std::min(params.spin_rate, limits.max_angular);
+  behavior.robot.limits = limits;
+  behavior.max_rotational_vel = params.spin_rate;
   behavior.min_rotational_vel = std::min(behavior.min_rotational_vel, behavior.max_rotational_vel);
-  behavior.max_linear_vel = behavior.default_linear_vel = std::min(params.back_up_speed, limits.max_linear);
+  behavior.default_linear_vel = params.back_up_speed;
   return behavior;
 }
 

@@ -47,6 +47,8 @@ class BehaviorServerNode {
   void handleStop(const std_msgs::Bool& msg);
   void tick();
   void put(const BehaviorOutput& output);
+  /// The robot's outline, for rviz.
+  void publishFootprint();
   void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   ros::NodeHandle node_;
@@ -56,7 +58,7 @@ class BehaviorServerNode {
   BehaviorSurroundings around_;
   bool emergency_stop_ = false;
   std::string last_result_ = "none yet";
-  ros::Publisher cmd_vel_;
+  ros::Publisher cmd_vel_, footprint_;
   BehaviorPort* port_ = nullptr;  ///< whose goal is under way
   std::vector<std::unique_ptr<BehaviorPort>> ports_;
   NodeDiagnostics diagnostics_;

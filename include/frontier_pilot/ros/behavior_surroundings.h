@@ -16,23 +16,29 @@ namespace frontier_pilot {
 /// The frames that behaviours are driven in.
 struct BehaviorFrames {
   std::string odom_frame = names::kOdomFrame;
-  std::string base_frame = names::kBaseFootprintFrame;
+  std::string base_frame;  ///< empty: the robot's
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("odom_frame", odom_frame, "", "frame of odometry");
-    v.field("base_frame", base_frame, "", "frame of the robot");
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
   }
 };
 
 /// Keeps a behaviour's surroundings from `scan` and TF, and its inputs.
 class BehaviorSurroundings {
  public:
-  BehaviorSurroundings(const SurroundingsParameters& parameters, const BehaviorFrames& frames, const TfBridge& tf);
+  /// Frames as in `frames`, where an empty `base_frame` is the robot's.
+  BehaviorSurroundings(const SurroundingsParameters& parameters, const RobotModel& robot, BehaviorFrames frames,
+                       const TfBridge& tf);
 
   /// Begins to listen.
   void subscribe(NodeConnections& connections);
 
+  /// With the robot's own frame where none was given.
+  const BehaviorFrames& frames() const { return frames_; }
+  /// When TF last knew where the robot is in `odom_frame`; nothing where it does not.
+  std::optional<Time> poseStamp() const { return tf_.latestStamp(frames_.odom_frame, frames_.base_frame); }
   /// Pose and look-ahead at `now`, with a costmap at most `max_age` [s] old.
   BehaviorInputs inputs(double max_age, Time now);
   /// Forgets what was seen, after the clock has jumped back.

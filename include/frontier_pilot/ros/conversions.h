@@ -1,5 +1,6 @@
 #pragma once
 
+#include <geometry_msgs/PolygonStamped.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Transform.h>
@@ -33,6 +34,8 @@ std::optional<Eigen::Isometry3d> toIsometry(const geometry_msgs::Transform& msg,
 geometry_msgs::Pose toPoseMsg(const Pose2& pose);
 geometry_msgs::Transform toTransformMsg(const Pose2& pose);
 geometry_msgs::PoseStamped toPoseStampedMsg(const Pose2& pose, const std::string& frame, Time stamp);
+geometry_msgs::PolygonStamped toPolygonStampedMsg(const std::vector<Vec2>& corners, const std::string& frame,
+                                                  Time stamp);
 
 /// Unless any of the six fields is not finite; the axes that a differential drive lacks are dropped. [ARB-5]
 std::optional<Twist2> toTwist(const geometry_msgs::Twist& msg, std::string* why = nullptr);

@@ -83,6 +83,7 @@ constexpr const char* kSpin = "spin";
 constexpr const char* kBackUp = "back_up";
 constexpr const char* kDriveOnHeading = "drive_on_heading";
 constexpr const char* kWait = "wait";
+constexpr const char* kFootprint = "footprint";  // of the robot, as the behaviours keep it clear
 
 // Frames (REP 103, REP 105); `world` is the simulator's
 constexpr const char* kWorldFrame = "world";

@@ -19,13 +19,13 @@ namespace frontier_pilot {
 /// What the node is configured with beyond the avoider itself.
 struct ObstacleAvoiderNodeParameters {
   AvoiderParameters avoider;
-  std::string base_frame = names::kBaseFootprintFrame;
+  std::string base_frame;  ///< empty: the robot's
   bool enabled = true;
 
   template <class Visitor>
   void describe(Visitor& v) {
     avoider.describe(v);
-    v.field("base_frame", base_frame, "", "the frame that the sectors are seen from");
+    v.field("base_frame", base_frame, "", "the frame that the sectors are seen from; empty: robot/base_frame");
     v.field("enabled", enabled, "", "whether it is on at the start");
   }
   void check(Problems& problems) const { avoider.check(problems); }
@@ -48,6 +48,7 @@ class ObstacleAvoiderNode {
 
   ros::NodeHandle node_;
   ObstacleAvoiderNodeParameters parameters_;
+  std::string base_frame_;
   Avoider avoider_;
   TfBridge tf_;
   Rejections rejections_{"scan"};

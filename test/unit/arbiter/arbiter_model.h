@@ -69,9 +69,10 @@ class ArbiterModel {
     if (driver != nullptr) *driver = winner;
     if (winner < 0) return {};
     Twist2 twist = fresh(static_cast<std::size_t>(winner), now).value();
-    twist.linear = std::fmin(std::fmax(twist.linear, -parameters_.robot.limits.max_linear), parameters_.robot.limits.max_linear);
-    twist.angular =
-        std::fmin(std::fmax(twist.angular, -parameters_.robot.limits.max_angular), parameters_.robot.limits.max_angular);
+    twist.linear =
+        std::fmin(std::fmax(twist.linear, -parameters_.robot.limits.max_linear), parameters_.robot.limits.max_linear);
+    twist.angular = std::fmin(std::fmax(twist.angular, -parameters_.robot.limits.max_angular),
+                              parameters_.robot.limits.max_angular);
     if (someoneRequiredIsSilentAbove(winner, now) && twist.linear > 0.0) twist.linear = 0.0;
     return twist;
   }

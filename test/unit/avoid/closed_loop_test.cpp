@@ -8,6 +8,7 @@
 #include "frontier_pilot/arbiter/arbiter.h"
 #include "frontier_pilot/avoid/avoider.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "support/shipped_robot.h"
 
 namespace frontier_pilot {
 namespace {
@@ -49,11 +50,11 @@ OccupancyGrid clutteredRoom(std::uint32_t seed) {
 /// Simulator, avoider and arbiter in lockstep, and the driver.
 class BlindDrive {
  public:
-  BlindDrive(std::uint32_t seed, const RobotLimits& limits)
-      : simulator_({clutteredRoom(seed), std::nullopt}, simulation(seed, limits)),
-        arbiter_(arbitration(limits)),
-        avoider_(AvoiderParameters{}),
-        forward_{limits.max_linear, 0.0} {}
+  BlindDrive(std::uint32_t seed, const RobotModel& robot)
+      : simulator_({clutteredRoom(seed), std::nullopt}, simulation(seed, robot)),
+        arbiter_(arbitration(robot)),
+        avoider_(avoidance(robot)),
+        forward_{robot.limits.max_linear, 0.0} {}
 
   void drive(int seconds) {
     for (int step = 1; step <= seconds * 100; ++step) {
@@ -70,19 +71,24 @@ class BlindDrive {
   AvoiderSnapshot avoider() const { return avoider_.status(simulator_.now()); }
 
  private:
-  static sim::SimulatorParameters simulation(std::uint32_t seed, const RobotLimits& limits) {
+  static sim::SimulatorParameters simulation(std::uint32_t seed, const RobotModel& robot) {
     sim::SimulatorParameters parameters;
     parameters.x = parameters.y = kSide / 2.0;
     parameters.yaw = seed;
     parameters.seed = static_cast<int>(seed);
-    parameters.robot.limits = limits;
+    parameters.robot = robot;
     parameters.lidar.dropout = 0.02;
     return parameters;
   }
-  static ArbiterParameters arbitration(const RobotLimits& limits) {
+  static ArbiterParameters arbitration(const RobotModel& robot) {
     ArbiterParameters parameters;
-    parameters.robot.limits = limits;
+    parameters.robot = robot;
     parameters.sources[0].required = true;
+    return parameters;
+  }
+  static AvoiderParameters avoidance(const RobotModel& robot) {
+    AvoiderParameters parameters;
+    parameters.robot = robot;
     return parameters;
   }
   Instant now() const { return {simulator_.now(), SteadyTime(simulator_.now().time_since_epoch())}; }
@@ -107,14 +113,15 @@ class BlindDrive {
   double distance_ = 0.0;
 };
 
-void driveBlindly(const RobotLimits& limits) {
+void driveBlindly(const std::string& name) {
+  const RobotModel robot = test::shippedRobot(name);
   const int seeds = fromEnvironment("FRONTIER_PILOT_SEEDS", 4);
   const int seconds = fromEnvironment("FRONTIER_PILOT_SECONDS", 300);
   double distance = 0.0;
   unsigned episodes = 0;
   int stuck = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    BlindDrive drive(static_cast<std::uint32_t>(seed), limits);
+    BlindDrive drive(static_cast<std::uint32_t>(seed), robot);
     drive.drive(seconds);
     EXPECT_EQ(drive.contacts(), 0) << "seed " << seed << " [AVO-3]";
     distance += drive.distance();
@@ -122,19 +129,20 @@ void driveBlindly(const RobotLimits& limits) {
     stuck += drive.avoider().state == AvoiderState::kStuck ? 1 : 0;
   }
   std::printf("%d seeds of %d s: %.0f m, %u recoveries, %d ended stuck\n", seeds, seconds, distance, episodes, stuck);
-  EXPECT_GT(distance, 0.1 * limits.max_linear * seeds * seconds) << "it must not be safe by standing";
+  EXPECT_GT(distance, 0.1 * robot.limits.max_linear * seeds * seconds) << "it must not be safe by standing";
 }
 
 // [AVO-3] [AVO-4]
-TEST(BlindDrive, TouchesNothingAtTheBurgersFullSpeed_AVO_3) { driveBlindly(RobotLimits{}); }
+TEST(BlindDrive, TouchesNothingAtTheBurgersFullSpeed_AVO_3) { driveBlindly("burger"); }
 
 // [AVO-3] [AVO-4]
-TEST(BlindDrive, TouchesNothingAtTheFastBasesFullSpeed_AVO_3) {
-  RobotLimits fast;
-  fast.max_linear = 0.5;
-  fast.max_angular = 1.5;
-  driveBlindly(fast);
-}
+TEST(BlindDrive, TouchesNothingAtTheFastBasesFullSpeed_AVO_3) { driveBlindly("fast"); }
+
+// [AVO-3] [AVO-4] [ROB-1]
+TEST(BlindDrive, TouchesNothingWithTheCornersOfAWaffle_AVO_3) { driveBlindly("waffle"); }
+
+// [AVO-3] [AVO-4] [ROB-1]
+TEST(BlindDrive, TouchesNothingAtTheFullSpeedOfATurtleBot2_AVO_3) { driveBlindly("turtlebot2"); }
 
 }  // namespace
 }  // namespace frontier_pilot

@@ -13,7 +13,7 @@ namespace frontier_pilot::test {
 class BehaviorLoop {
  public:
   explicit BehaviorLoop(double frequency = 10.0, const RobotLimits& limits = {}, const Pose2& start = {})
-      : base(start, limits), behavior(parameters(frequency)), surroundings({}), period_(1.0 / frequency) {}
+      : base(start, limits), behavior(parameters(frequency)), period_(1.0 / frequency) {}
 
   static BehaviorParameters parameters(double frequency) {
     BehaviorParameters p;

@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
-#include "frontier_pilot/behavior/local_costmap.h"
-#include "frontier_pilot/behavior/sweep.h"
+#include "frontier_pilot/behavior/surroundings.h"
 #include "support/ascii_world.h"
+#include "support/shipped_robot.h"
 
 namespace frontier_pilot {
 namespace {
@@ -27,12 +28,7 @@ std::int8_t at(const LocalCostmap& map, const Vec2& point) {
   return map.grid().get(map.grid().geometry().cellAt(point), 55);
 }
 
-Footprint square(double half) {
-  FootprintParameters parameters;
-  parameters.polygon = {half, half, -half, half, -half, -half, half, -half};
-  parameters.padding = 0.0;
-  return Footprint(parameters);
-}
+Outline square(double half) { return Outline::polygon({{half, half}, {-half, half}, {-half, -half}, {half, -half}}); }
 
 // [SPN-3]
 TEST(LocalCostmap, WhatNoBeamCrossedIsUnknownWhatOneEndedInIsOccupied) {
@@ -94,7 +90,7 @@ TEST(Sweep, UnknownCellsTheEdgeOfTheGridAndNoGridAreNotFree) {
     ....................
     ....................
   )");
-  const Footprint footprint = square(0.1);
+  const Outline footprint = square(0.1);
   const Pose2 pose(world.point('A'), 0.0);
   const auto line = [](double amount) { return AxisMotion{AxisMotion::Axis::kLine, amount}; };
   EXPECT_EQ(sweep(world.map, footprint, pose, {AxisMotion::Axis::kTurn, 6.0}), SweepResult::kClear);
@@ -109,7 +105,7 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
   GridGeometry geometry;
   geometry.resolution = 0.025;
   geometry.width = geometry.height = 40;
-  const Footprint footprint((FootprintParameters()));
+  const Outline footprint = Surroundings().footprint();
   const Pose2 pose(0.5, 0.5, 0.3);
   std::vector<Cell> cells;
   std::set<std::pair<int, int>> touched;
@@ -127,41 +123,26 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
   EXPECT_LE(missed, static_cast<int>(touched.size()) / 50);
 }
 
-TEST(Footprint, TakesEveryCellItTouchesAndNoOther) {
-  GridGeometry geometry;
-  geometry.resolution = 0.1;
-  geometry.width = geometry.height = 20;
-  std::vector<Cell> cells;
-  square(0.25).cellsAt({1.05, 1.05, 0.0}, geometry, cells);
-  std::set<std::pair<int, int>> unique;
-  for (const Cell c : cells) unique.insert({c.x, c.y});
-  EXPECT_EQ(unique.size(), 36U) << "0.8 to 1.3 m in cells of 0.1 m, with what the border touches";
+// [ROB-1]
+TEST(Footprint, IsTheRobotsExactOutlineWithThePaddingAroundIt) {
+  const Outline burger = Surroundings().footprint();
+  EXPECT_FALSE(burger.isDisc());
+  EXPECT_NEAR(burger.halfWidth(), 0.099, 1e-9);
+  EXPECT_NEAR(burger.front(), 0.047, 1e-9);
+  EXPECT_NEAR(burger.circumscribedRadius(), std::hypot(0.111, 0.099), 1e-9);
+  SurroundingsParameters parameters;
+  parameters.footprint.padding = 0.05;
+  const Outline waffle = Surroundings(parameters, test::shippedRobot("waffle")).footprint();
+  EXPECT_NEAR(waffle.halfWidth(), 0.203, 1e-9);
+  EXPECT_NEAR(waffle.front(), 0.127, 1e-9);
+  EXPECT_NEAR(waffle.circumscribedRadius(), std::hypot(0.255, 0.203), 1e-9);
 }
 
-TEST(Footprint, PaddingMovesEverySideOutAndTheRadiusWithIt) {
-  FootprintParameters parameters;
-  parameters.padding = 0.05;
-  const Footprint footprint(parameters);
-  double left = 0.0, front = 0.0;
-  for (const Vec2& corner : footprint.corners()) {
-    left = std::max(left, corner.y());
-    front = std::max(front, corner.x());
-  }
-  EXPECT_NEAR(left, 0.139, 1e-9);
-  EXPECT_NEAR(front, 0.087, 1e-9);
-  EXPECT_NEAR(footprint.radius(), std::hypot(0.151, 0.139), 1e-9);
-}
-
-TEST(Footprint, APolygonWithoutAreaOrWithTheOriginOutsideIsRefused) {
-  const auto problems = [](const std::string& yaml) {
-    FootprintParameters parameters;
-    return loadParameters(parseYaml(yaml), parameters).size();
-  };
-  EXPECT_EQ(problems("polygon: [0.1, 0.1, -0.1, 0.1, 0.0, -0.1]"), 0U);
-  EXPECT_EQ(problems("polygon: [0.1, 0.1, -0.1, 0.1]"), 1U);
-  EXPECT_EQ(problems("polygon: [0.1, 0.1, -0.1, 0.1, 0.0]"), 1U);
-  EXPECT_EQ(problems("polygon: [0.1, 0.1, 0.2, 0.2, 0.3, 0.3]"), 1U);
-  EXPECT_EQ(problems("polygon: [1.1, 1.1, 0.9, 1.1, 1.0, 0.9]"), 1U);
+// [ROB-1]
+TEST(Footprint, NamesWhereThePolygonHasGone) {
+  SurroundingsParameters parameters;
+  EXPECT_EQ(loadParameters(parseYaml("footprint: {polygon: [0.1, 0.1, -0.1, 0.1, 0.0, -0.1]}"), parameters),
+            (Problems{"footprint/polygon: is called robot/outline now"}));
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(Spin, TheSpeedIsTheBrakingLawsBetweenItsBounds) {
     const BehaviorOutput output = loop.cycle();
     const double speed = output.command->angular;
     if (speed == 0.0) continue;
-    EXPECT_LE(speed, std::max(p.min_rotational_vel, std::sqrt(2.0 * p.rotational_acc_lim * remaining)) + 1e-9);
+    EXPECT_LE(speed, std::max(p.min_rotational_vel, std::sqrt(2.0 * RobotLimits().max_angular_acc * remaining)) + 1e-9);
     slowest = std::min(slowest, speed);
     fastest = std::max(fastest, speed);
   }

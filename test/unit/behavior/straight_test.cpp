@@ -57,7 +57,7 @@ TEST(Straight, NoFasterThanAskedAndThanAllowed) {
   for (int i = 0; i < 30; ++i) EXPECT_LE(slow.cycle().command->linear, 0.05);
   BehaviorLoop fast;
   fast.start(drive(0.5, 9.0));
-  for (int i = 0; i < 10; ++i) EXPECT_LE(fast.cycle().command->linear, BehaviorParameters().max_linear_vel);
+  for (int i = 0; i < 10; ++i) EXPECT_LE(fast.cycle().command->linear, RobotLimits().max_linear);
 }
 
 // [SPN-5]
@@ -160,6 +160,29 @@ TEST(Wait, EndsByAllowanceCancelAndABackwardClock) {
   back.start(wait(3.0));
   back.run(1.0);
   EXPECT_EQ(back.behavior.update({}, back.base.now() - fromSeconds(0.5)).outcome, BehaviorOutcome::kPoseLost);
+}
+
+// [ROB-1] [SPN-5]
+TEST(Behaviors, AreNoFasterThanTheRobot_ROB_1) {
+  BehaviorParameters parameters = BehaviorLoop::parameters(10.0);
+  parameters.robot.limits.max_linear = 0.04;
+  parameters.robot.limits.max_angular = 0.2;
+  BehaviorLoop loop;
+  loop.behavior = TimedBehavior(parameters);
+  loop.start(drive(0.5, 9.0));
+  for (int i = 0; i < 10; ++i) EXPECT_LE(loop.cycle().command->linear, 0.04);
+  loop.behavior.cancel("enough", loop.base.now());
+  loop.rest();
+  loop.start({BehaviorKind::kSpin, 1.0, 0.0, 0.0, true});
+  for (int i = 0; i < 10; ++i) EXPECT_LE(loop.cycle().command->angular, 0.2);
+}
+
+// [ROB-1]
+TEST(Behaviors, NameWhereTheLimitsHaveGone_ROB_1) {
+  BehaviorParameters parameters;
+  EXPECT_EQ(loadParameters(parseYaml("{rotational_acc_lim: 3.0, max_linear_vel: 0.2}"), parameters),
+            (Problems{"rotational_acc_lim: is called robot/limits/max_angular_acc now",
+                      "max_linear_vel: is called robot/limits/max_linear now"}));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "frontier_pilot/core/robot_model.h"
 #include "support/ascii_world.h"
+#include "support/shipped_robot.h"
 
 namespace frontier_pilot {
 namespace {
@@ -221,6 +222,36 @@ TEST_F(FrontierJudgement, AWayThroughAGapThatIsNotYetSeenCountsOnlyWhenNothingEl
   bool right = false;
   for (const Frontier& f : evaluator.frontiers()) right = right || (f.selectable() && f.goal.x() > 1.6);
   EXPECT_FALSE(right);
+}
+
+// [ROB-1]
+TEST_F(FrontierJudgement, WaysAreAsWideAsTheRobotNeedsThem_ROB_1) {
+  EXPECT_EQ(robot.drivenOutline().halfWidth() + FrontierParameters().clearance_margin, 0.15)
+      << "what it was before a Burger's size was known";
+  const char* door = R"(
+    ##############################################
+    #..............#.............................?
+    #..............#.............................?
+    #..............#.............................?
+    #............................................?
+    #.....r......................................?
+    #............................................?
+    #............................................?
+    #............................................?
+    #..............#.............................?
+    #..............#.............................?
+    #..............#.............................?
+    ##############################################
+  )";
+  EXPECT_EQ(judge(door).rejection, Rejection::kNone);
+  robot = test::shippedRobot("waffle");
+  EXPECT_EQ(judge(door).rejection, Rejection::kUnreachable) << "a Waffle is 0.306 m wide, and the door 0.25 m";
+}
+
+TEST(FrontierParameters, NameWhatTheRadiusIsCalledNow) {
+  FrontierParameters parameters;
+  EXPECT_EQ(loadParameters(parseYaml("inscribed_radius: 0.2"), parameters),
+            (Problems{"inscribed_radius: is called clearance_margin (on top of half the robot's width) now"}));
 }
 
 }  // namespace

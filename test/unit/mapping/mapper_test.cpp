@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "support/shipped_robot.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -148,6 +150,31 @@ TEST(ScanVerdict, HasAWordForEach) {
   for (std::size_t i = 0; i < kScanVerdicts; ++i) {
     EXPECT_STRNE(toString(static_cast<ScanVerdict>(i)), "unknown");
   }
+}
+
+// [ROB-1]
+TEST(MapperRobot, StandsOnFreeFloorOfItsSize_ROB_1) {
+  LaserScan2 ahead = ring(1.0);
+  ahead.angle_min = 0.0;
+  ahead.angle_increment = 0.01;
+  ahead.ranges.resize(5);
+  for (const auto& [name, radius] :
+       {std::pair("burger", 0.105), std::pair("waffle", 0.077), std::pair("turtlebot2", 0.177)}) {
+    MapperParameters parameters = trustingOdometry();
+    parameters.map.resolution = 0.01;
+    parameters.robot = test::shippedRobot(name);
+    Mapper mapper(parameters);
+    ASSERT_EQ(mapper.insert(ahead, Pose2(), ahead.stamp), ScanVerdict::kInserted);
+    const auto behind = [&](double x) { return mapper.grid()[mapper.grid().geometry().cellAt({-x, 0.0})]; };
+    EXPECT_EQ(behind(radius - 0.015), kFree) << name;
+    EXPECT_EQ(behind(radius + 0.015), kUnknown) << name;
+  }
+}
+
+TEST(MapperRobot, IsNamedByTheErrorOfItsOldRadius) {
+  MapperParameters parameters;
+  EXPECT_EQ(loadParameters(parseYaml("insertion: {robot_radius: 0.2}"), parameters),
+            (Problems{"insertion/robot_radius: is called robot/disc_radius or robot/outline now"}));
 }
 
 }  // namespace

@@ -109,5 +109,21 @@ TEST(PatrolParameters, AMinimumAboveTheSpeedIsRefused) {
   EXPECT_TRUE(loadParameters(parseYaml("linear_speed: 0.1"), p).size() <= 1U);
 }
 
+// [ROB-1]
+TEST(PatrolParameters, AreCutToWhatTheRobotCanDo_ROB_1) {
+  const PatrolParameters burger = withinLimits({});
+  EXPECT_EQ(printRows(describeParameters(burger)), printRows(describeParameters(PatrolParameters())))
+      << "a Burger can do all of it";
+  PatrolParameters slow;
+  slow.robot.limits = {0.015, 0.05, 0.2, 0.3};
+  const PatrolParameters cut = withinLimits(slow);
+  EXPECT_EQ(cut.linear_speed, 0.015);
+  EXPECT_EQ(cut.min_linear_speed, 0.015);
+  EXPECT_EQ(cut.turn_speed, 0.05);
+  EXPECT_EQ(cut.min_turn_speed, 0.05);
+  EXPECT_EQ(cut.linear_acc, 0.2);
+  EXPECT_EQ(cut.turn_acc, 0.3);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/ros/behavior_server_adapter.h"
 #include "frontier_pilot/ros/cmd_vel_arbiter_adapter.h"
 #include "frontier_pilot/ros/explorer_adapter.h"
@@ -25,10 +27,31 @@ namespace {
 
 const std::string kRoot = PROJECT_ROOT;
 
+bool isOfTheRobot(const detail::Describer::Row& row) { return row.name.rfind("robot/", 0) == 0; }
+
+/// The rows of the robot are those of every node: they have a table of their own.
 template <class P>
 std::string table(const std::string& node) {
-  const P defaults;
-  return "\n## " + node + "\n\n" + tabulateRows(describeParameters(defaults));
+  auto rows = describeParameters(P());
+  rows.erase(std::remove_if(rows.begin(), rows.end(), isOfTheRobot), rows.end());
+  return "\n## " + node + "\n\n" + tabulateRows(rows);
+}
+
+struct RobotGroup {
+  RobotModel robot;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    describeRobot(v, robot);
+  }
+};
+
+std::string robotTable() {
+  return "\n## The robot\n\n"
+         "Every node reads these, from the file that the launch files' argument `robot` names: see "
+         "[robots](robots.md).\n"
+         "`limits/...` beside `robot/...` overrides `robot/limits/...`. The defaults are a TurtleBot3 Burger's.\n\n" +
+         tabulateRows(describeParameters(RobotGroup()));
 }
 
 std::string allTables() {
@@ -36,7 +59,7 @@ std::string allTables() {
          "Each stands in its node's private namespace; `a/b` is the key `b` in the dictionary `a`. A key that is not\n"
          "here, a value of the wrong type or out of bounds stops the node at start, all of them named at once.\n"
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
-         table<SimulatorNodeParameters>("simulator") + table<ArbiterParameters>("cmd_vel_arbiter") +
+         robotTable() + table<SimulatorNodeParameters>("simulator") + table<ArbiterParameters>("cmd_vel_arbiter") +
          table<ObstacleAvoiderNodeParameters>("obstacle_avoider") + table<PatrolServerParameters>("patrol_server") +
          table<BehaviorServerParameters>("behavior_server") + table<MapperNodeParameters>("mapper") +
          table<NavigatorNodeParameters>("navigator") + table<ExplorerNodeParameters>("frontier_explorer") +
@@ -99,13 +122,39 @@ TEST(ShippedConfigurations, AreAllAcceptedByTheNodesTheyAreFor) {
   expectGood<ObstacleAvoiderNodeParameters>("avoider.yaml");
   expectGood<PatrolServerParameters>("patrol.yaml");
   expectGood<BehaviorServerParameters>("behavior.yaml");
-  expectGood<BehaviorServerParameters>("behavior_waffle.yaml");
   expectGood<MapperNodeParameters>("mapper.yaml");
   expectGood<NavigatorNodeParameters>("navigator.yaml");
   expectGood<ExplorerNodeParameters>("explorer.yaml");
   expectGood<TeleopParameters>("teleop.yaml");
   expectGood<RobotLimits>("limits_burger.yaml");
   expectGood<RobotLimits>("limits_fast.yaml");
+}
+
+// [ROB-1]
+TEST(ShippedConfigurations, AreAllRobotsThatAreAcceptedByEveryNode_ROB_1) {
+  for (const char* name : {"burger", "waffle", "turtlebot2", "fast"}) {
+    expectGood<RobotModel>("robots/" + std::string(name) + ".yaml");
+  }
+}
+
+// [ROB-1]
+TEST(RobotParameters, StandOnceInTheDocumentationAndAreTakenByEveryNode_ROB_1) {
+  const auto takes = [](auto parameters) {
+    const Problems problems =
+        loadParameters(parseYaml("{robot: {disc_radius: 0.0}, limits: {max_linear: 0.1}}"), parameters);
+    return std::none_of(problems.begin(), problems.end(), [](const std::string& problem) {
+      return problem.rfind("robot", 0) == 0 || problem.rfind("limits", 0) == 0;
+    });
+  };
+  EXPECT_TRUE(takes(ArbiterParameters()));
+  EXPECT_TRUE(takes(ObstacleAvoiderNodeParameters()));
+  EXPECT_TRUE(takes(PatrolServerParameters()));
+  EXPECT_TRUE(takes(BehaviorServerParameters()));
+  EXPECT_TRUE(takes(MapperNodeParameters()));
+  EXPECT_TRUE(takes(ExplorerNodeParameters()));
+  EXPECT_TRUE(takes(TeleopParameters()));
+  EXPECT_TRUE(takes(SimulatorNodeParameters()));
+  EXPECT_TRUE(takes(NavigatorNodeParameters()));
 }
 
 }  // namespace
