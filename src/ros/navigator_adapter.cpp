@@ -134,10 +134,8 @@ bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::R
 
 void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
-  status.summary(DiagnosticStatus::OK, publisher_.status());
-  if (state_ == NavState::kWaiting || state_ == NavState::kRecovering) {
-    status.summary(DiagnosticStatus::WARN, publisher_.status());
-  }
+  const bool fine = state_ != NavState::kWaiting && state_ != NavState::kRecovering;
+  status.summary(fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN, publisher_.status());
   if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
   if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
   map_.rejections().report(status);

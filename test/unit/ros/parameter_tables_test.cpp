@@ -126,7 +126,6 @@ TEST(ShippedConfigurations, AreAllAcceptedByTheNodesTheyAreFor) {
   expectGood<NavigatorNodeParameters>("navigator.yaml");
   expectGood<ExplorerNodeParameters>("explorer.yaml");
   expectGood<TeleopParameters>("teleop.yaml");
-  expectGood<RobotLimits>("limits_burger.yaml");
   expectGood<RobotLimits>("limits_fast.yaml");
 }
 
@@ -155,6 +154,15 @@ TEST(RobotParameters, StandOnceInTheDocumentationAndAreTakenByEveryNode_ROB_1) {
   EXPECT_TRUE(takes(TeleopParameters()));
   EXPECT_TRUE(takes(SimulatorNodeParameters()));
   EXPECT_TRUE(takes(NavigatorNodeParameters()));
+}
+
+// It overrides the limits of any robot, so that it has to say what the defaults say.
+TEST(ShippedConfigurations, HaveTheBurgersLimitsForEveryRobot) {
+  RobotLimits limits;
+  limits.max_linear = limits.max_angular = 9.0;
+  EXPECT_TRUE(loadParameters(loadYamlFile(kRoot + "/config/limits_burger.yaml"), limits).empty());
+  EXPECT_EQ(limits.max_linear, RobotLimits().max_linear);
+  EXPECT_EQ(limits.max_angular, RobotLimits().max_angular);
 }
 
 }  // namespace
