@@ -43,14 +43,26 @@ void CmdVelArbiterNode::restoreStop() {
     const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
     arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
     around_.memory_problem = memory_.remember(arbiter_.stopCause());
-    ROS_WARN_STREAM("comes up stopped, as it died: " << *cause);
+    ROS_WARN_STREAM("comes up stopped, as the arbiter before it was: " << *cause);
   }
   publishStopState();
 }
 
+void CmdVelArbiterNode::keepStop() {
+  // Again and again: a disk may be full for a while, and files may be deleted, or not.
+  if (arbiter_.stopped()) around_.memory_problem = memory_.remember(arbiter_.stopCause());
+  if (!arbiter_.stopped() && !around_.memory_problem.empty()) around_.memory_problem = memory_.forget();
+}
+
+void CmdVelArbiterNode::takeOverStop() {
+  // Files that could not be removed when the stop was cleared say nothing.
+  if (arbiter_.stopped() || !around_.memory_problem.empty()) return;
+  if (const auto cause = memory_.recallOthers()) stop("of another arbiter of this namespace: " + *cause);
+}
+
 void CmdVelArbiterNode::restoreSwitch(std::size_t source) {
   const std::string& name = arbiter_.parameters().sources[source].name;
-  switches_.emplace_back(name + "_disabled", connections_);
+  switches_.emplace_back(name + "_disabled", names::setEnabled(name), connections_);
   if (const auto disabled = switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, !*disabled, instantNow());
 }
 

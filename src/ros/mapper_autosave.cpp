@@ -75,7 +75,7 @@ std::string save(const MapSnapshot& map, const Pose2& T_map_odom, const SessionM
 }  // namespace
 
 MapAutosave::MapAutosave()
-    : memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName()),
+    : memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName(), SessionMemory::Owner::kNode),
       wanted_(std::make_shared<std::atomic<bool>>(true)),
       done_(std::make_shared<Mailbox<Saved>>()) {}
 

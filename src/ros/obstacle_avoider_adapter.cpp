@@ -32,7 +32,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
       status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
       diagnostics_(node, private_node),
       connections_(node) {
-  switched_on_.emplace(kSafeState, connections_);
+  switched_on_.emplace(kSafeState, names::kSetObstacleAvoidEnabled, connections_);
   if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this);
   connections_.subscribe(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this, ros::TransportHints().tcpNoDelay());

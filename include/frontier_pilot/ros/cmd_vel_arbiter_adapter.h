@@ -42,6 +42,10 @@ class CmdVelArbiterNode {
   using TriggerCall = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
 
   void restoreStop();
+  /// Sees to it that the next arbiter of this namespace finds a stop, or none.
+  void keepStop();
+  /// A stop that another arbiter of the namespace has answered is a stop of this one, also after that one's end.
+  void takeOverStop();
   void addSource(std::size_t source);
   void restoreSwitch(std::size_t source);
   void addStopServices();
