@@ -27,8 +27,8 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
       arbiter_(loadNodeParameters<ArbiterParameters>(private_node)),
       memory_(rosHome(), rosSessions(), "stopped", node.resolveName(names::kEmergencyStop),
               SessionMemory::Owner::kService),
+      status_(takeItsPlace(node_)),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
-      status_(node_.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
       diagnostics_(node, private_node),
       connections_(node, kMasterPeriod) {

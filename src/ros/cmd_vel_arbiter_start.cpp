@@ -29,13 +29,32 @@ std::string findArbiter() {
   return living == found.end() ? std::string() : *living;
 }
 
-}  // namespace
+/// A living node that the master has known as an arbiter of this namespace for longer than this one.
+std::string findElder() {
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return {};
+  const std::vector<std::string> nodes = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
+  // The master has them in the order in which it registered them.
+  const auto self = std::find(nodes.begin(), nodes.end(), ros::this_node::getName());
+  if (self == nodes.end()) return {};
+  const auto elder = std::find_if(nodes.begin(), self, nodeLives);
+  return elder == self ? std::string() : *elder;
+}
 
-void refuseASecondArbiter() {
-  const std::string other = waitUntilGone(findArbiter);
+void endBeside(const std::string& other) {
   if (other.empty()) return;
   throw std::runtime_error(other + " is an arbiter of this namespace already: two of them would take turns at the " +
                            "wheels, and only one could be stopped. End that one first");
+}
+
+}  // namespace
+
+void refuseASecondArbiter() { endBeside(waitUntilGone(findArbiter)); }
+
+ros::Publisher CmdVelArbiterNode::takeItsPlace(ros::NodeHandle& node) {
+  ros::Publisher status = node.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true);
+  endBeside(findElder());
+  return status;
 }
 
 void CmdVelArbiterNode::restoreStop() {
