@@ -49,6 +49,7 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(1.0), [this] {
     keepStop();

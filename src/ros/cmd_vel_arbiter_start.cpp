@@ -61,9 +61,9 @@ void CmdVelArbiterNode::restoreStop() {
   if (const auto cause = memory_.recall()) {
     const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
     arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
-    around_.memory_problem = memory_.remember(arbiter_.stopCause());
     ROS_WARN_STREAM("comes up stopped, as the arbiter before it was: " << *cause);
   }
+  keepStop();
   publishStopState();
 }
 
@@ -71,6 +71,8 @@ void CmdVelArbiterNode::keepStop() {
   // Again and again: a disk may be full for a while, and files may be deleted, or not.
   if (arbiter_.stopped()) around_.memory_problem = memory_.remember(arbiter_.stopCause());
   if (!arbiter_.stopped() && !around_.memory_problem.empty()) around_.memory_problem = memory_.forget();
+  connections_.memory().setProblem("an emergency stop",
+                                   arbiter_.stopped() ? around_.memory_problem : memory_.problem());
 }
 
 void CmdVelArbiterNode::takeOverStop() {

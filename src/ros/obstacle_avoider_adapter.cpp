@@ -42,6 +42,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
     tf_.report(status);
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
   connections_.every(ros::Duration(kTick), [this] { tick(); });
   connections_.every(ros::Duration(kUpdate), [this] { publish(avoider_.update(rosNow())); });

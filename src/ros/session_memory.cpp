@@ -5,6 +5,7 @@
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -33,6 +34,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::seconds kRestart(10);  // for a node that is started again
 const fs::file_time_type g_process_began = fs::file_time_type::clock::now();
 
+constexpr const char* kNoSession = "the ROS session has no name";
 constexpr const char* kOfProcess = "~";  // in no name of ROS
 constexpr const char* kDigits = "0123456789";
 
@@ -86,6 +88,15 @@ void append(std::vector<fs::path>& files, const std::vector<fs::path>& more) {
 /// Whether one of `files` lies in `folder`.
 bool isSessionOf(const fs::path& folder, const std::vector<fs::path>& files) {
   return std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return file.parent_path() == folder; });
+}
+
+/// Makes `folder`. Gives what would keep a file from being written there, or an empty text.
+std::string whyNotWritable(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && access(folder.c_str(), W_OK | X_OK) != 0) error.assign(errno, std::generic_category());
+  if (!error && fs::space(folder, error).available == 0) error = std::make_error_code(std::errc::no_space_on_device);
+  return error ? error.message() : std::string();
 }
 
 /// Gives what went wrong, or an empty text.
@@ -195,7 +206,7 @@ std::optional<std::string> SessionMemory::recallOthers() const {
 std::string SessionMemory::remember(const std::string& text) const {
   const std::string content = text + "\n" + std::to_string(getpid()) + " " + std::to_string(getppid()) + " " +
                               std::to_string(beginOf(getpid())) + "\n";
-  std::string problem;
+  std::string problem = files_.empty() ? kNoSession : "";
   for (const fs::path& file : files_) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
@@ -206,6 +217,15 @@ std::string SessionMemory::remember(const std::string& text) const {
   }
   if (problem.empty()) removeThoseOfTheDead();
   return problem;
+}
+
+std::string SessionMemory::problem() const {
+  if (files_.empty()) return kNoSession;
+  for (const fs::path& file : files_) {
+    const std::string why = whyNotWritable(file.parent_path());
+    if (!why.empty()) return "cannot write " + file.string() + ": " + why;
+  }
+  return {};
 }
 
 std::string SessionMemory::removeThoseOfTheDead() const {

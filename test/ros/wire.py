@@ -104,10 +104,10 @@ def find_node(package, executable):
 class Node:
     """A node of the package in a process of its own."""
 
-    def __init__(self, executable, *arguments, package='frontier_pilot'):
+    def __init__(self, executable, *arguments, package='frontier_pilot', environment=None):
         self.process = subprocess.Popen([find_node(package, executable), *arguments],
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
-                                        preexec_fn=os.setsid)
+                                        preexec_fn=os.setsid, env=environment)
         self._said = ''
 
     def said(self):

@@ -33,6 +33,7 @@ class SafeSwitch {
   std::string write() const;
 
   std::string state_;
+  MemoryReport& report_;
   mutable std::mutex mutex_;  ///< guards the two that follow
   SessionMemory memory_;
   std::optional<bool> safe_;

@@ -42,6 +42,8 @@ class SessionMemory {
   /// Once this has returned an empty text `text` survives the process; otherwise it gives why it does not. It takes the
   /// place of what the dead have remembered.
   std::string remember(const std::string& text) const;
+  /// Why nothing could be remembered now; empty: nothing is in the way. Makes the folder.
+  std::string problem() const;
   /// Once this has returned an empty text a new process finds nothing but what living ones remember; otherwise it gives
   /// why it does.
   std::string forget() const;

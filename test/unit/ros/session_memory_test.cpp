@@ -158,14 +158,19 @@ class LivingChild {
   pid_t process_ = 0;
 };
 
+/// In a process with a number of its own.
+void writeForServiceAsADeadOne(const fs::path& home) {
+  inAChild([&] { return forService(home, {"session"}).remember("called by /me").empty() ? 0 : 1; });
+}
+
 // [ARB-7] [ARB-12]
 TEST_F(SessionMemoryFile, OfAServiceIsFoundByWhoeverOffersItNextUntilThatOneForgetsIt_ARB_7_ARB_12) {
   const SessionMemory own = forService(home, {"session"});
-  writeAsADeadOne(own);
+  writeForServiceAsADeadOne(home);
   EXPECT_EQ(own.recall(), "called by /me");
   EXPECT_EQ(own.remember("from before a restart"), "");
   EXPECT_EQ(own.recallAll(), std::vector<std::string>{"from before a restart"}) << "in the place of the dead one's";
-  writeAsADeadOne(own);
+  writeForServiceAsADeadOne(home);
   EXPECT_EQ(own.forget(), "");
   EXPECT_FALSE(own.recall());
 }
@@ -174,7 +179,7 @@ TEST_F(SessionMemoryFile, OfAServiceIsFoundByWhoeverOffersItNextUntilThatOneForg
 TEST_F(SessionMemoryFile, OfAServiceIsNotForgottenForAnotherThatLives_ARB_7_ARB_12) {
   const SessionMemory own = forService(home, {"session"});
   {
-    const LivingChild other([&] { own.remember("called by /you"); });
+    const LivingChild other([&] { forService(home, {"session"}).remember("called by /you"); });
     EXPECT_EQ(own.recallOthers(), "called by /you");
     EXPECT_EQ(own.remember("called by /me"), "");
     EXPECT_EQ(own.recallAll(), (std::vector<std::string>{"called by /me", "called by /you"}));
@@ -188,7 +193,7 @@ TEST_F(SessionMemoryFile, OfAServiceIsNotForgottenForAnotherThatLives_ARB_7_ARB_
 
 // [ARB-7] [ARB-12]
 TEST_F(SessionMemoryFile, OfAServiceIsFoundInANewSessionByAProcessInThePlaceOfItsWriterOnly_ARB_7_ARB_12) {
-  writeAsADeadOne(forService(home, {"session"}));
+  writeForServiceAsADeadOne(home);
   const auto is_found = [&] { return inAChild([&] { return forService(home, {"new"}).recall() ? 1 : 0; }) == 1; };
   EXPECT_TRUE(is_found());
   EXPECT_FALSE(forService(home, {"new"}).recall()) << "this is another launch";
@@ -200,6 +205,16 @@ TEST_F(SessionMemoryFile, OfAServiceTakesNoFileThatIsBeingWrittenForAStop_ARB_7_
   fs::create_directories(file().parent_path());
   std::ofstream(own.files().front().string() + ".a1b2c3") << "half";
   EXPECT_FALSE(own.recall());
+}
+
+// [FLT-1]
+TEST_F(SessionMemoryFile, SaysWhyNothingCouldBeRememberedBeforeAnythingIs_FLT_1) {
+  EXPECT_EQ(memory().problem(), "");
+  EXPECT_FALSE(memory().recall()) << "nothing is left of the attempt";
+  std::ofstream(home / "file") << "no folder";
+  EXPECT_NE(forNode(home / "file", {"session"}, "/arbiter").problem(), "");
+  EXPECT_NE(forNode(home, {}, "/arbiter").problem(), "");
+  EXPECT_NE(forNode(home, {}, "/arbiter").remember("called by /me"), "") << "there is no session to remember it in";
 }
 
 }  // namespace
