@@ -25,9 +25,10 @@ bool isHold(const geometry_msgs::Twist& msg) {
 CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
       arbiter_(loadNodeParameters<ArbiterParameters>(private_node)),
-      memory_(rosHome(), rosSessions(), "stopped", ros::this_node::getName()),
+      memory_(rosHome(), rosSessions(), "stopped", node.resolveName(names::kEmergencyStop),
+              SessionMemory::Owner::kService),
+      status_(takeItsPlace(node_)),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
-      status_(node_.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
       diagnostics_(node, private_node),
       connections_(node, kMasterPeriod) {
@@ -48,10 +49,11 @@ CmdVelArbiterNode::CmdVelArbiterNode(ros::NodeHandle& node, ros::NodeHandle& pri
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(1.0), [this] {
-    // Again and again: a disk may be full for a while, and files may be deleted.
-    if (arbiter_.stopped()) around_.memory_problem = memory_.remember(arbiter_.stopCause());
+    keepStop();
+    takeOverStop();
     publishStatus(true);
   });
   // In ROS time as well, so that a fast simulation sees expiry in time.
@@ -106,14 +108,13 @@ void CmdVelArbiterNode::takeMasterReport() {
   if (auto report = connections_.master().take()) {
     around_.publishers = std::move(report->publishers);
     around_.rivals = std::move(report->rivals);
+    takeOverStop();  // before a rival that has ended sets the wheels free
     publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
   }
   around_.registration_problems = connections_.master().problems();
   around_.master_answers = steadyNow() - connections_.master().lastAnswer() < kMasterPatience;
   const auto session = session_.take();
-  if (session && memory_.enter(*session) && arbiter_.stopped()) {
-    around_.memory_problem = memory_.remember(arbiter_.stopCause());
-  }
+  if (session && memory_.enter(*session)) keepStop();
 }
 
 void CmdVelArbiterNode::handleStopState(const ros::MessageEvent<const std_msgs::Bool>& event) {

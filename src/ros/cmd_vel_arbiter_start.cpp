@@ -29,28 +29,61 @@ std::string findArbiter() {
   return living == found.end() ? std::string() : *living;
 }
 
-}  // namespace
+/// A living node that the master has known as an arbiter of this namespace for longer than this one.
+std::string findElder() {
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return {};
+  const std::vector<std::string> nodes = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
+  // The master has them in the order in which it registered them.
+  const auto self = std::find(nodes.begin(), nodes.end(), ros::this_node::getName());
+  if (self == nodes.end()) return {};
+  const auto elder = std::find_if(nodes.begin(), self, nodeLives);
+  return elder == self ? std::string() : *elder;
+}
 
-void refuseASecondArbiter() {
-  const std::string other = waitUntilGone(findArbiter);
+void endBeside(const std::string& other) {
   if (other.empty()) return;
   throw std::runtime_error(other + " is an arbiter of this namespace already: two of them would take turns at the " +
                            "wheels, and only one could be stopped. End that one first");
+}
+
+}  // namespace
+
+void refuseASecondArbiter() { endBeside(waitUntilGone(findArbiter)); }
+
+ros::Publisher CmdVelArbiterNode::takeItsPlace(ros::NodeHandle& node) {
+  ros::Publisher status = node.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true);
+  endBeside(findElder());
+  return status;
 }
 
 void CmdVelArbiterNode::restoreStop() {
   if (const auto cause = memory_.recall()) {
     const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
     arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
-    around_.memory_problem = memory_.remember(arbiter_.stopCause());
-    ROS_WARN_STREAM("comes up stopped, as it died: " << *cause);
+    ROS_WARN_STREAM("comes up stopped, as the arbiter before it was: " << *cause);
   }
+  keepStop();
   publishStopState();
+}
+
+void CmdVelArbiterNode::keepStop() {
+  // Again and again: a disk may be full for a while, and files may be deleted, or not.
+  if (arbiter_.stopped()) around_.memory_problem = memory_.remember(arbiter_.stopCause());
+  if (!arbiter_.stopped() && !around_.memory_problem.empty()) around_.memory_problem = memory_.forget();
+  connections_.memory().setProblem("an emergency stop",
+                                   arbiter_.stopped() ? around_.memory_problem : memory_.problem());
+}
+
+void CmdVelArbiterNode::takeOverStop() {
+  // Files that could not be removed when the stop was cleared say nothing.
+  if (arbiter_.stopped() || !around_.memory_problem.empty()) return;
+  if (const auto cause = memory_.recallOthers()) stop("of another arbiter of this namespace: " + *cause);
 }
 
 void CmdVelArbiterNode::restoreSwitch(std::size_t source) {
   const std::string& name = arbiter_.parameters().sources[source].name;
-  switches_.emplace_back(name + "_disabled", connections_);
+  switches_.emplace_back(name + "_disabled", names::setEnabled(name), connections_);
   if (const auto disabled = switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, !*disabled, instantNow());
 }
 

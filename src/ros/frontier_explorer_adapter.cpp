@@ -19,10 +19,11 @@ ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private
       diagnostics_(node, private_node),
       enabled_(parameters_.autostart),
       connections_(node) {
-  paused_.emplace("exploration_paused", connections_);
+  paused_.emplace("exploration_paused", names::kSetExplorationEnabled, connections_);
   if (const auto paused = paused_->wasLeftSafe()) enabled_ = !*paused;
   diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
   connections_.subscribe(names::kOdom, 20, &ExplorerAdapter::handleOdometry, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);

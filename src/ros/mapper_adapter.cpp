@@ -32,6 +32,10 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
   restore();
   diagnostics_.add("mapping", [this](Status& status) { report(status); });
   diagnostics_.add("connections", [this](Status& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](Status& status) {
+    autosave_.tell(connections_.memory());
+    connections_.memory().report(status);
+  });
   advertiseServices();
   connect();
 }

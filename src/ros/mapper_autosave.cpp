@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOlder = 3;
+constexpr Duration kMadeAnew = std::chrono::minutes(1);
 constexpr int kRest = 20;  // times as long as the map took to be saved
 constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
 
@@ -75,7 +76,7 @@ std::string save(const MapSnapshot& map, const Pose2& T_map_odom, const SessionM
 }  // namespace
 
 MapAutosave::MapAutosave()
-    : memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName()),
+    : memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName(), SessionMemory::Owner::kNode),
       wanted_(std::make_shared<std::atomic<bool>>(true)),
       done_(std::make_shared<Mailbox<Saved>>()) {}
 
@@ -97,13 +98,15 @@ void MapAutosave::save(OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t
     problem_ = std::move(done->problem);
     next_ = done->at + kRest * done->took;
     saving_ = false;
-    if (!problem_.empty()) expire();
+    if (!problem_.empty()) saved_content_.reset();
   }
+  noteMapping(content, now);
   if (saving_) return;
   if (content == saved_content_) {  // says that it is alive, for a mapper that finds it in another session
-    memory_.remember(toText(T_map_odom));
+    problem_ = memory_.remember(toText(T_map_odom));
     return;
   }
+  if (map.grid().empty()) problem_ = memory_.problem();
   if (now < next_ || map.grid().empty()) return;
   saving_ = true;
   saved_content_ = content;
@@ -116,7 +119,29 @@ void MapAutosave::save(OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t
   });
 }
 
+void MapAutosave::noteMapping(std::uint64_t content, SteadyTime now) {
+  if (loss_.empty() || content == 0) return;
+  if (!mapping_since_) mapping_since_ = now;
+  if (now - *mapping_since_ >= kMadeAnew) loss_.clear();
+}
+
+void MapAutosave::replace() {
+  saved_content_.reset();
+  loss_.clear();
+}
+
+void MapAutosave::lose(const std::string& why) {
+  loss_ = why;
+  mapping_since_.reset();
+}
+
+void MapAutosave::tell(MemoryReport& report) const {
+  report.setProblem("the map", problem_);
+  report.setLoss("the map that the mapper had when it died", loss_);
+}
+
 void MapAutosave::forget() {
+  loss_.clear();
   *wanted_ = false;
   wanted_ = std::make_shared<std::atomic<bool>>(true);
   memory_.forget();
@@ -124,7 +149,7 @@ void MapAutosave::forget() {
 }
 
 void MapAutosave::enter(const std::vector<std::string>& sessions) {
-  if (memory_.enter(sessions)) expire();
+  if (memory_.enter(sessions)) saved_content_.reset();
 }
 
 }  // namespace frontier_pilot

@@ -33,7 +33,7 @@ MapIoResult MapperAdapter::load(const std::string& path) {
   MapIoResult result = loadMap(path, loaded);
   if (result.ok() && !mapper_.load(loaded)) return {MapIoStatus::kBroken, path + ": too large"};
   if (result.ok()) thoughts_failure_.clear();
-  if (result.ok()) autosave_.expire();
+  if (result.ok()) autosave_.replace();
   return result;
 }
 

@@ -15,6 +15,7 @@ void MapperAdapter::restore() {
     restored.T_map_odom = *T_map_odom;
     restored_.emplace(std::move(restored));
   } catch (const std::exception& error) {
+    autosave_.lose(error.what());
     ROS_ERROR_STREAM("the map that the mapper had when it died is lost: " << error.what());
   }
 }
@@ -24,6 +25,7 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
   if (mapper_.resume(restored_->map, restored_->T_map_odom, T_odom_base)) {
     ROS_WARN("goes on with the map that the mapper had when it died");
   } else {
+    autosave_.lose("it is larger than a map may be");
     ROS_ERROR("the map that the mapper had when it died is larger than a map may be");
   }
   restored_.reset();

@@ -33,7 +33,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
       status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
       diagnostics_(node, private_node),
       connections_(node) {
-  switched_on_.emplace(kSafeState, connections_);
+  switched_on_.emplace(kSafeState, names::kSetObstacleAvoidEnabled, connections_);
   if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this);
   connections_.subscribe(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this, ros::TransportHints().tcpNoDelay());
@@ -43,6 +43,7 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
     tf_.report(status);
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
   connections_.every(ros::Duration(kTick), [this] { tick(); });
   connections_.every(ros::Duration(kUpdate), [this] { publish(avoider_.update(rosNow())); });

@@ -1,9 +1,11 @@
 #include "frontier_pilot/ros/safe_switch.h"
 
 #include <ros/console.h>
-#include <ros/this_node.h>
+#include <ros/names.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "frontier_pilot/ros/throttled_log.h"
 
@@ -14,16 +16,22 @@ constexpr const char* kNot = "not ";
 
 }  // namespace
 
-SafeSwitch::SafeSwitch(std::string state, NodeConnections& connections)
-    : state_(std::move(state)), memory_(rosHome(), rosSessions(), state_, ros::this_node::getName()) {
-  // A file that cannot be read counts for the safe side.
-  if (const auto left = memory_.recall()) safe_ = *left != kNot + state_;
+SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnections& connections)
+    : state_(std::move(state)),
+      report_(connections.memory()),
+      memory_(rosHome(), rosSessions(), state_, ros::names::resolve(service), SessionMemory::Owner::kService) {
+  // A file that cannot be read counts for the safe side, and of two that differ the safe one does.
+  const std::vector<std::string> left = memory_.recallAll();
+  const auto isSafe = [this](const std::string& text) { return text != kNot + state_; };
+  if (!left.empty()) safe_ = std::any_of(left.begin(), left.end(), isSafe);
+  write();
   connections.master().onRenewal([this] {
     const std::vector<std::string> sessions = rosSessions();
     const std::lock_guard<std::mutex> lock(mutex_);
     if (memory_.enter(sessions)) write();
   });
-  // Again and again: a disk may be full for a while, and files may be deleted.
+  // Again and again: a disk may be full for a while, and files may be deleted. What was never switched is tried out, so
+  // that an operator learns of it before he relies on it.
   connections.everySteady(ros::WallDuration(1.0), [this] {
     const std::lock_guard<std::mutex> lock(mutex_);
     write();
@@ -49,9 +57,9 @@ std::string SafeSwitch::set(bool safe) {
 }
 
 std::string SafeSwitch::write() const {
-  if (!safe_) return {};
-  std::string problem = memory_.remember((*safe_ ? "" : kNot) + state_);
-  if (!problem.empty()) THROTTLED_WARN(state_ << " would not survive a restart: " << problem);
+  std::string problem = safe_ ? memory_.remember((*safe_ ? "" : kNot) + state_) : memory_.problem();
+  report_.setProblem(state_, problem);
+  if (safe_ && !problem.empty()) THROTTLED_WARN(state_ << " would not survive a restart: " << problem);
   return problem;
 }
 

@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 """How an arbiter starts and ends: configurations, the required source, and its last words."""
 import signal
+import socket
 import time
 import unittest
 
+import rosgraph
 import rospkg
 import rospy
 import rostest
 import yaml
 from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
-from std_srvs.srv import Trigger
+from std_srvs.srv import SetBool, Trigger
 
 from wire import Node, Record, Source, call, moves, wait_for
 
@@ -79,6 +81,40 @@ class ArbiterLife(unittest.TestCase):
         call('/one/emergency_stop', Trigger)
         self.assertTrue(wait_for(lambda: states['/one'].last.emergency_stop))
         self.assertFalse(states['/two'].last.emergency_stop)
+
+    # [ARB-12]
+    def test_of_arbiters_that_start_at_the_same_moment_one_stays_and_none_of_their_stops_is_lost(self):
+        for names in [['b', 'a', 'c'], ['a', 'b', 'c'], ['c', 'b', 'a'], ['two', 'one']]:
+            namespace = '/at_once_' + '_'.join(names)
+            status = Record(namespace + '/cmd_vel_arbiter/status', ArbiterStatus)
+            nodes = [self.arbiter(namespace, '__name:=' + name) for name in names]
+            said = call(namespace + '/emergency_stop', Trigger).message
+            self.assertTrue(wait_for(lambda: sum(node.has_ended() for node in nodes) == len(nodes) - 1, 5.0),
+                            'all but one [ARB-12]')
+            for node in nodes:
+                if node.has_ended():
+                    code, why = node.finish()
+                    self.assertEqual(code, 1, why)
+                    self.assertIn('is an arbiter of this namespace already', why)
+            status.items.clear()
+            self.assertTrue(wait_for(lambda: status.last is not None))
+            self.assertTrue(status.last.emergency_stop, said + ' [ARB-12]')
+            self.assertTrue(wait_for(lambda: call(namespace + '/set_emergency_stop', SetBool, False).success))
+            self.assertTrue(wait_for(lambda: status.last.state == ArbiterStatus.IDLE, 3.0), 'uncontested [ARB-12]')
+            self.assertFalse(wait_for(lambda: all(node.has_ended() for node in nodes), 1.0), 'and it stays')
+
+    # [ARB-12]
+    def test_an_arbiter_that_is_only_registered_any_more_ends_nobody(self):
+        ghost = rosgraph.Master('/haunted/a_ghost')
+        with socket.socket() as closed:
+            closed.bind(('127.0.0.1', 0))
+            uri = 'http://127.0.0.1:%d/' % closed.getsockname()[1]
+        ghost.registerPublisher('/haunted/cmd_vel_arbiter/status', ArbiterStatus._type, uri)
+        ghost.registerService('/haunted/emergency_stop', uri.replace('http', 'rosrpc'), uri)
+        status = Record('/haunted/cmd_vel_arbiter/status', ArbiterStatus)
+        node = self.arbiter('/haunted')
+        self.assertTrue(wait_for(lambda: status.last is not None and status.last.state == ArbiterStatus.IDLE))
+        self.assertFalse(wait_for(node.has_ended, 2.0), '[ARB-12]')
 
 
 if __name__ == '__main__':

@@ -67,7 +67,7 @@ class Registration(unittest.TestCase):
 
     def stop_is_stored_for(self, session):
         home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
-        return bool(glob.glob(os.path.join(home, 'frontier_pilot', session + '-*', 'stopped.cmd_vel_arbiter')))
+        return bool(glob.glob(os.path.join(home, 'frontier_pilot', session + '-*', 'stopped.emergency_stop~*')))
 
     def call(self, service):
         """The answer of a service at the master of this test, as a line that rosservice prints."""

@@ -58,7 +58,7 @@ class Respawn(unittest.TestCase):
         home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
 
         def files():
-            return [f for f in glob.glob(home + '/frontier_pilot/*/stopped.cmd_vel_arbiter')
+            return [f for f in glob.glob(home + '/frontier_pilot/*/stopped.emergency_stop~*')
                     if open(f).read().split('\n')[1].split()[:1] == [str(self.node.process.pid)]]
         self.assertTrue(files())
         for file in files():

@@ -1,4 +1,5 @@
 """What the wire tests of arbiter and avoider share: a condition to wait on instead of sleeping, and nodes to kill."""
+import functools
 import os
 import select
 import signal
@@ -95,13 +96,18 @@ class Source:
         self.publisher.unregister()
 
 
+@functools.lru_cache()
+def find_node(package, executable):
+    return roslib.packages.find_node(package, executable)[0]
+
+
 class Node:
     """A node of the package in a process of its own."""
 
-    def __init__(self, executable, *arguments, package='frontier_pilot'):
-        self.process = subprocess.Popen([roslib.packages.find_node(package, executable)[0], *arguments],
+    def __init__(self, executable, *arguments, package='frontier_pilot', environment=None):
+        self.process = subprocess.Popen([find_node(package, executable), *arguments],
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
-                                        preexec_fn=os.setsid)
+                                        preexec_fn=os.setsid, env=environment)
         self._said = ''
 
     def said(self):

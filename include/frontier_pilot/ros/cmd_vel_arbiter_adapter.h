@@ -41,7 +41,15 @@ class CmdVelArbiterNode {
   using SetBoolCall = ros::ServiceEvent<std_srvs::SetBool::Request, std_srvs::SetBool::Response>;
   using TriggerCall = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
 
+  /// Gives the status, which makes a node an arbiter. Arbiters that start at the same moment find nobody when they look
+  /// for one; the master registers them one after the other, and so all agree which of them was the first. Any other
+  /// throws std::runtime_error here, before it offers a service or could be taken for a rival. [ARB-12]
+  static ros::Publisher takeItsPlace(ros::NodeHandle& node);
   void restoreStop();
+  /// Sees to it that the next arbiter of this namespace finds a stop, or none.
+  void keepStop();
+  /// A stop that another arbiter of the namespace has answered is a stop of this one, also after that one's end.
+  void takeOverStop();
   void addSource(std::size_t source);
   void restoreSwitch(std::size_t source);
   void addStopServices();
@@ -68,7 +76,7 @@ class CmdVelArbiterNode {
   ArbiterSurroundings around_;
   std::vector<Rejections> rejections_;
   ArrivalQueue calls_;
-  ros::Publisher cmd_vel_, status_, stop_state_;
+  ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: a place, and then what only its holder has
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
   std::string last_essence_, last_summary_;

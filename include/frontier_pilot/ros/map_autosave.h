@@ -12,6 +12,7 @@
 #include "frontier_pilot/mapping/occupancy_map.h"
 #include "frontier_pilot/ros/mailbox.h"
 #include "frontier_pilot/ros/map_saver.h"
+#include "frontier_pilot/ros/memory_report.h"
 #include "frontier_pilot/ros/session_memory.h"
 
 namespace frontier_pilot {
@@ -30,9 +31,14 @@ class MapAutosave {
   /// was), while an earlier one is still being saved, and so that saving takes a twentieth of the time at most.
   void save(OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver);
   /// The map is another one, whatever its `content`.
-  void expire() { saved_content_.reset(); }
+  void replace();
   /// There is nothing to restore any more: the map was reset, or its mapper ends in order.
   void forget();
+  /// The map that a mapper had when it died is lost. To be said until the map is reset or loaded, or has been made anew
+  /// for a minute: an error that nothing mends would soon not be read any more.
+  void lose(const std::string& why);
+  /// What would be lost with this node, and what was with the one before it.
+  void tell(MemoryReport& report) const;
   /// What kept the last one from being saved; empty if nothing did.
   const std::string& problem() const { return problem_; }
   /// From now on in another session of ROS, if this is one.
@@ -45,6 +51,8 @@ class MapAutosave {
     Duration took;
   };
 
+  void noteMapping(std::uint64_t content, SteadyTime now);
+
   SessionMemory memory_;                       ///< holds T_map_odom; the map lies beside it
   std::shared_ptr<std::atomic<bool>> wanted_;  ///< whether what is being saved still is
   std::shared_ptr<Mailbox<Saved>> done_;
@@ -52,6 +60,8 @@ class MapAutosave {
   SteadyTime next_{};
   std::optional<std::uint64_t> saved_content_;
   std::string problem_;
+  std::string loss_;                         ///< why the map before this one is lost
+  std::optional<SteadyTime> mapping_since_;  ///< after that
 };
 
 }  // namespace frontier_pilot

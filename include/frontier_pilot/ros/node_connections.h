@@ -13,6 +13,7 @@
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/clock_monitor.h"
 #include "frontier_pilot/ros/master_watch.h"
+#include "frontier_pilot/ros/memory_report.h"
 #include "frontier_pilot/ros/ros_timer.h"
 
 namespace frontier_pilot {
@@ -94,6 +95,7 @@ class NodeConnections {
   ClockMonitor& clock() { return clock_; }
   MasterWatch& master() { return master_; }
   const MasterWatch& master() const { return master_; }
+  MemoryReport& memory() { return memory_; }
   /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, and what callbacks
   /// threw.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
@@ -108,6 +110,7 @@ class NodeConnections {
 
   ros::NodeHandle node_;
   CallbackGuard guard_;
+  MemoryReport memory_;
   ClockMonitor clock_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

@@ -5,9 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "support/temporary_folder.h"
 
@@ -16,29 +19,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
+SessionMemory forNode(const fs::path& home, const std::vector<std::string>& sessions, const std::string& node) {
+  return {home, sessions, "stopped", node, SessionMemory::Owner::kNode};
+}
+
+/// Of whoever offers the service.
+SessionMemory forService(const fs::path& home, const std::vector<std::string>& sessions) {
+  return {home, sessions, "stopped", "/robot/emergency_stop", SessionMemory::Owner::kService};
+}
+
 class SessionMemoryFile : public ::testing::Test {
  protected:
   fs::path file() const { return home / "frontier_pilot" / "session" / "stopped.robot.arbiter"; }
 
   const test::TemporaryFolder temporary;
   const fs::path home = temporary.path();
-  SessionMemory memory() const { return {home, {"session"}, "stopped", "/robot/arbiter"}; }
+  SessionMemory memory() const { return forNode(home, {"session"}, "/robot/arbiter"); }
 };
 
 // [ARB-7]
 TEST_F(SessionMemoryFile, IsFoundUnderEitherNameOfTheSessionAndNotInAnother_ARB_7) {
-  SessionMemory both(home, {"run", "master"}, "stopped", "/arbiter");
+  SessionMemory both = forNode(home, {"run", "master"}, "/arbiter");
   EXPECT_EQ(both.remember("called by /me"), "");
-  EXPECT_TRUE(SessionMemory(home, {"master"}, "stopped", "/arbiter").recall())
-      << "the run id is a parameter, and may be deleted";
-  EXPECT_TRUE(SessionMemory(home, {"another run", "master"}, "stopped", "/arbiter").recall());
-  EXPECT_FALSE(SessionMemory(home, {"another run", "another master"}, "stopped", "/arbiter").recall())
-      << "a new session starts free";
+  EXPECT_TRUE(forNode(home, {"master"}, "/arbiter").recall()) << "the run id is a parameter, and may be deleted";
+  EXPECT_TRUE(forNode(home, {"another run", "master"}, "/arbiter").recall());
+  EXPECT_FALSE(forNode(home, {"another run", "another master"}, "/arbiter").recall()) << "a new session starts free";
   EXPECT_FALSE(both.enter({"run", "master"})) << "the session that it is in already";
   EXPECT_TRUE(both.enter({"another master"}));
   EXPECT_TRUE(both.recall()) << "what this process said counts until it says something else";
   EXPECT_EQ(both.forget(), "");
-  EXPECT_FALSE(SessionMemory(home, {"run", "master"}, "stopped", "/arbiter").recall()) << "also where it was said";
+  EXPECT_FALSE(forNode(home, {"run", "master"}, "/arbiter").recall()) << "also where it was said";
 }
 
 // [ARB-7]
@@ -94,7 +104,7 @@ void writeAsADeadOne(const SessionMemory& memory) {
 
 /// Whether a process that is started now finds a stop under a new master.
 bool isFoundByTheNext(const fs::path& home, const std::string& node) {
-  return inAChild([&] { return SessionMemory(home, {"new master"}, "stopped", node).recall() ? 1 : 0; }) == 1;
+  return inAChild([&] { return forNode(home, {"new master"}, node).recall() ? 1 : 0; }) == 1;
 }
 
 // [ARB-7]
@@ -102,8 +112,8 @@ TEST_F(SessionMemoryFile, IsFoundInANewSessionByAProcessThatIsStartedInThePlaceO
   writeAsADeadOne(memory());
   EXPECT_TRUE(isFoundByTheNext(home, "/robot/arbiter")) << "master and arbiter died together, the others drive on";
   EXPECT_FALSE(isFoundByTheNext(home, "/arbiter")) << "that is another robot's";
-  EXPECT_FALSE(SessionMemory(home, {"new master"}, "stopped", "/robot/arbiter").recall()) << "this is another launch";
-  inAChild([&] { return SessionMemory(home, {"new master"}, "stopped", "/robot/arbiter").forget().empty() ? 0 : 1; });
+  EXPECT_FALSE(forNode(home, {"new master"}, "/robot/arbiter").recall()) << "this is another launch";
+  inAChild([&] { return forNode(home, {"new master"}, "/robot/arbiter").forget().empty() ? 0 : 1; });
   EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "a clear clears it there too";
 }
 
@@ -118,6 +128,93 @@ TEST_F(SessionMemoryFile, IsNotFoundInANewSessionOfAWriterThatLivesOrEndedInOrde
   EXPECT_TRUE(memory().recall()) << "in its own session it holds";
   fs::last_write_time(file(), fs::file_time_type::clock::now() - std::chrono::hours(1));
   EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter"));
+}
+
+/// A process that has done its work and lives until this object goes.
+class LivingChild {
+ public:
+  explicit LivingChild(const std::function<void()>& work) {
+    int done[2];
+    EXPECT_EQ(pipe(done), 0);
+    process_ = fork();
+    if (process_ == 0) {
+      work();
+      EXPECT_EQ(write(done[1], "", 1), 1);
+      for (;;) pause();
+    }
+    char byte = 0;
+    EXPECT_EQ(read(done[0], &byte, 1), 1);
+    close(done[0]);
+    close(done[1]);
+  }
+  ~LivingChild() {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  LivingChild(const LivingChild&) = delete;
+  LivingChild& operator=(const LivingChild&) = delete;
+
+ private:
+  pid_t process_ = 0;
+};
+
+/// In a process with a number of its own.
+void writeForServiceAsADeadOne(const fs::path& home) {
+  inAChild([&] { return forService(home, {"session"}).remember("called by /me").empty() ? 0 : 1; });
+}
+
+// [ARB-7] [ARB-12]
+TEST_F(SessionMemoryFile, OfAServiceIsFoundByWhoeverOffersItNextUntilThatOneForgetsIt_ARB_7_ARB_12) {
+  const SessionMemory own = forService(home, {"session"});
+  writeForServiceAsADeadOne(home);
+  EXPECT_EQ(own.recall(), "called by /me");
+  EXPECT_EQ(own.remember("from before a restart"), "");
+  EXPECT_EQ(own.recallAll(), std::vector<std::string>{"from before a restart"}) << "in the place of the dead one's";
+  writeForServiceAsADeadOne(home);
+  EXPECT_EQ(own.forget(), "");
+  EXPECT_FALSE(own.recall());
+}
+
+// [ARB-7] [ARB-12]
+TEST_F(SessionMemoryFile, OfAServiceIsNotForgottenForAnotherThatLives_ARB_7_ARB_12) {
+  const SessionMemory own = forService(home, {"session"});
+  {
+    const LivingChild other([&] { forService(home, {"session"}).remember("called by /you"); });
+    EXPECT_EQ(own.recallOthers(), "called by /you");
+    EXPECT_EQ(own.remember("called by /me"), "");
+    EXPECT_EQ(own.recallAll(), (std::vector<std::string>{"called by /me", "called by /you"}));
+    EXPECT_EQ(own.forget(), "");
+    EXPECT_EQ(own.recall(), "called by /you") << "that one is stopped still";
+  }
+  EXPECT_EQ(own.recall(), "called by /you") << "nor when it has died";
+  EXPECT_EQ(own.forget(), "");
+  EXPECT_FALSE(own.recall());
+}
+
+// [ARB-7] [ARB-12]
+TEST_F(SessionMemoryFile, OfAServiceIsFoundInANewSessionByAProcessInThePlaceOfItsWriterOnly_ARB_7_ARB_12) {
+  writeForServiceAsADeadOne(home);
+  const auto is_found = [&] { return inAChild([&] { return forService(home, {"new"}).recall() ? 1 : 0; }) == 1; };
+  EXPECT_TRUE(is_found());
+  EXPECT_FALSE(forService(home, {"new"}).recall()) << "this is another launch";
+}
+
+// [ARB-7] [FLT-1]
+TEST_F(SessionMemoryFile, OfAServiceTakesNoFileThatIsBeingWrittenForAStop_ARB_7_FLT_1) {
+  const SessionMemory own = forService(home, {"session"});
+  fs::create_directories(file().parent_path());
+  std::ofstream(own.files().front().string() + ".a1b2c3") << "half";
+  EXPECT_FALSE(own.recall());
+}
+
+// [FLT-1]
+TEST_F(SessionMemoryFile, SaysWhyNothingCouldBeRememberedBeforeAnythingIs_FLT_1) {
+  EXPECT_EQ(memory().problem(), "");
+  EXPECT_FALSE(memory().recall()) << "nothing is left of the attempt";
+  std::ofstream(home / "file") << "no folder";
+  EXPECT_NE(forNode(home / "file", {"session"}, "/arbiter").problem(), "");
+  EXPECT_NE(forNode(home, {}, "/arbiter").problem(), "");
+  EXPECT_NE(forNode(home, {}, "/arbiter").remember("called by /me"), "") << "there is no session to remember it in";
 }
 
 }  // namespace

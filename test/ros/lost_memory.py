@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""What would not survive a node, and what did not survive the one before it, is in its diagnostics."""
+import glob
+import os
+import shutil
+import signal
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from std_srvs.srv import SetBool, Trigger
+
+from wire import Node, Record, call, wait_for
+
+KEEPERS = {'cmd_vel_arbiter': ['an emergency stop', 'nav_disabled'], 'frontier_explorer': ['exploration_paused'],
+           'obstacle_avoider': ['avoider_enabled'], 'mapper': ['the map']}
+
+
+class LostMemory(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.home = os.path.join(self.folder, 'home')
+        self.diagnostics = Record('/diagnostics', DiagnosticArray)
+
+    def start(self, executable):
+        node = Node(executable, environment=dict(os.environ, ROS_HOME=self.home))
+        self.addCleanup(node.end)
+        return node
+
+    def memory(self, node):
+        """What a node says last of its memory."""
+        return next((part for _, message in reversed(self.diagnostics.items) for part in message.status
+                     if part.name == node + ': memory'), None)
+
+    def says(self, node, level, *texts):
+        def said():
+            memory = self.memory(node)
+            words = memory and memory.message + ''.join(value.key for value in memory.values)
+            return memory is not None and memory.level == level and all(text in words for text in texts)
+        return wait_for(said, 8.0)
+
+    # [FLT-1] [FLT-2]
+    def test_a_folder_that_cannot_be_written_is_a_warning_from_the_start_until_it_can(self):
+        with open(self.home, 'w'):
+            pass  # a file, under which even root makes no folder
+        for node in KEEPERS:
+            self.start(node)
+        for node, what in KEEPERS.items():
+            self.assertTrue(self.says(node, DiagnosticStatus.WARN, 'would not survive', *what),
+                            '%s: %s [FLT-1]' % (node, self.memory(node)))
+        self.assertIn('would not survive', call('set_nav_enabled', SetBool, False).message)
+        os.remove(self.home)
+        for node in KEEPERS:
+            self.assertTrue(self.says(node, DiagnosticStatus.OK), '%s: %s' % (node, self.memory(node)))
+        shutil.rmtree(self.home)
+        with open(self.home, 'w'):
+            pass
+        for node, what in KEEPERS.items():
+            self.assertTrue(self.says(node, DiagnosticStatus.WARN, *what), '%s: %s' % (node, self.memory(node)))
+
+    def mapper_without_its_map(self):
+        """One whose predecessor died, and left a map that cannot be read."""
+        mapper = self.start('mapper')
+        sessions = os.path.join(self.home, 'frontier_pilot', '*')
+        self.assertTrue(wait_for(lambda: glob.glob(sessions)))
+        self.assertTrue(self.says('mapper', DiagnosticStatus.OK))
+        mapper.signal(signal.SIGKILL)
+        mapper.finish()
+        for session in glob.glob(sessions):
+            with open(os.path.join(session, 'kept_map.mapper'), 'w') as file:
+                file.write('nowhere\n')
+        self.diagnostics.items.clear()
+        mapper = self.start('mapper')
+        self.assertTrue(self.says('mapper', DiagnosticStatus.ERROR, 'was lost', 'cannot be read'),
+                        '%s [FLT-2]' % self.memory('mapper'))
+
+    # [FLT-2]
+    def test_a_map_that_was_lost_is_an_error_until_the_map_is_reset(self):
+        self.mapper_without_its_map()
+        self.assertTrue(call('mapper/reset', Trigger).success)
+        self.assertTrue(self.says('mapper', DiagnosticStatus.OK), self.memory('mapper'))
+
+
+if __name__ == '__main__':
+    rospy.init_node('lost_memory_test')
+    rostest.rosrun('frontier_pilot', 'lost_memory', LostMemory)
