@@ -11,7 +11,7 @@ import rosgraph
 import rospy
 import rostest
 import tf2_ros
-from diagnostic_msgs.msg import DiagnosticArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from frontier_pilot.srv import RemoveObstacle, SetPose, SpawnObstacle
 from geometry_msgs.msg import Pose2D, PoseStamped, PoseWithCovarianceStamped, TransformStamped
 from map_msgs.msg import OccupancyGridUpdate
@@ -27,6 +27,13 @@ SCAN_READERS = ('mapper', 'obstacle_avoider', 'behavior_server', 'reader/navigat
 NODES = SCAN_READERS + ('reader/frontier_explorer', 'patrol_server', 'simulator')
 MOST_MEMORY = 700.0  # [MB], at any time: the largest map that is taken, and a message of 64 MB that is not
 MOST_SILENCE = 10.0  # [s] of a node on a busy machine
+
+
+class Stub(LaserScan):
+    """A message that ends before its first field does."""
+
+    def serialize(self, buff):
+        buff.write(b'abc')
 
 
 class BigMap(OccupancyGrid):
@@ -114,6 +121,15 @@ class HostileMessages(unittest.TestCase):
         return {}
 
     @classmethod
+    def connections(cls, node, since=0.0):
+        """The last that a node says of its connections: the status's text and its values."""
+        for message in reversed(cls.words.since(since)):
+            for status in message.status:
+                if status.name == node + ': connections':
+                    return status, {pair.key: pair.value for pair in status.values}
+        return DiagnosticStatus(), {}
+
+    @classmethod
     def refused(cls, node, what, why):
         """How many inputs a node has refused for a reason. The mapper says of a scan first what became of it."""
         return sum(int(count) for key, count in cls.said(node).items()
@@ -195,6 +211,25 @@ class HostileMessages(unittest.TestCase):
         fine = scan([1.0])
         fine.angle_max, fine.angle_increment = fine.angle_min, 1e-30
         self.expect_refusal(SCAN_READERS, 'scan', 'angle increment too small', lambda: self.scans.publish(fine))
+
+    def test_messages_that_cannot_be_read(self):  # [FLT-1]
+        log, count = Record('/rosout', Log), 'message of scan refused: shorter than its fields'
+        stub = Stub()
+
+        def counted():
+            return [int(self.connections(node)[1].get(count, 0)) for node in SCAN_READERS]
+        start = time.monotonic()
+        while time.monotonic() < start + 10.0:  # so that more than one line at most may come of it
+            self.scans.publish(stub)
+            rospy.rostime.wallsleep(0.005)
+        wait_for(lambda: min(counted()) > 100, MOST_SILENCE)
+        self.assertGreater(min(counted()), 100, '%s of %s [FLT-1]' % (counted(), SCAN_READERS))
+        lines = [line for _, line in list(log.items) if line.name.strip('/') in SCAN_READERS
+                 and ('deserializ' in line.msg or 'message of scan' in line.msg)]
+        for node in SCAN_READERS:
+            said = [line.msg for line in lines if line.name.strip('/') == node]
+            self.assertIn(len(said), (1, 2, 3, 4), '%s: %s [FLT-1]' % (node, said[:5]))
+            self.assertIn('shorter than its fields', said[0])
 
     def test_a_scanner_far_away(self):  # [FLT-1]
         transform = TransformStamped()

@@ -48,7 +48,7 @@ class NodeConnections {
         [this, what = messageOf(topic), handle](const ros::MessageEvent<const Msg>& event) {
           guard_.run(what, [&] { handle(event); });
         };
-    ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, guarded, hints);
+    ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, unreadable_, guarded, hints);
     subscribers_.push_back(node_.subscribe(options));
     return subscribers_.back();
   }
@@ -94,12 +94,13 @@ class NodeConnections {
   ClockMonitor& clock() { return clock_; }
   MasterWatch& master() { return master_; }
   const MasterWatch& master() const { return master_; }
-  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, and what callbacks
-  /// threw.
+  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, what callbacks
+  /// threw, and which messages could not be read.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     master_.diagnose(status);
     clock_.report(status);
     guard_.report(status);
+    unreadable_.report(status);
   }
 
  private:
@@ -108,6 +109,7 @@ class NodeConnections {
 
   ros::NodeHandle node_;
   CallbackGuard guard_;
+  UnreadableMessages unreadable_;
   ClockMonitor clock_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

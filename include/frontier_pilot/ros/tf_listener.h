@@ -16,6 +16,7 @@
 
 #include "frontier_pilot/core/clock_trust.h"
 #include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/diagnostics.h"
 
 namespace frontier_pilot {
@@ -49,6 +50,7 @@ class TfListener {
   tf2_ros::Buffer& buffer_;
   ClockTrust trust_;
   CallbackGuard guard_;
+  UnreadableMessages unreadable_;
   mutable std::mutex mutex_;  ///< of what is refused
   Rejections rejections_{"transform"};
   std::set<std::string> frames_;                                  ///< that the buffer knows
