@@ -8,7 +8,8 @@ BehaviorSurroundings::BehaviorSurroundings(const SurroundingsParameters& paramet
     : surroundings_(parameters), frames_(frames), tf_(tf) {}
 
 void BehaviorSurroundings::subscribe(NodeConnections& connections) {
-  connections.subscribe(names::kScan, 1, &BehaviorSurroundings::handleScan, this, ros::TransportHints().tcpNoDelay());
+  connections.subscribeToOne(names::kScan, 1, &BehaviorSurroundings::handleScan, this,
+                             ros::TransportHints().tcpNoDelay());
 }
 
 void BehaviorSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {

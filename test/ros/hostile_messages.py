@@ -24,6 +24,7 @@ from wire import Record, call, memory_of, wait_for
 
 MAP_READERS = ('reader/navigator', 'reader/frontier_explorer')
 SCAN_READERS = ('mapper', 'obstacle_avoider', 'behavior_server', 'reader/navigator')
+ODOMETRY_READERS = ('mapper', 'patrol_server') + MAP_READERS
 NODES = SCAN_READERS + ('reader/frontier_explorer', 'patrol_server', 'simulator')
 MOST_MEMORY = 700.0  # [MB], at any time: the largest map that is taken, and a message of 64 MB that is not
 MOST_SILENCE = 10.0  # [s] of a node on a busy machine
@@ -231,6 +232,30 @@ class HostileMessages(unittest.TestCase):
             self.assertIn(len(said), (1, 2, 3, 4), '%s: %s [FLT-1]' % (node, said[:5]))
             self.assertIn('shorter than its fields', said[0])
 
+    def expect_named(self, nodes, topic, send):
+        """That each of `nodes` says who publishes `topic`, as long as a second one does."""
+        def silent(node):
+            return 'several nodes' not in self.connections(node)[0].message
+
+        def named(node):
+            status = self.connections(node)[0]
+            return (status.level == DiagnosticStatus.WARN and 'several nodes publish %s: ' % topic in status.message
+                    and '/simulator' in status.message and '/hostile_messages' in status.message)
+        self.assertTrue(wait_for(lambda: all(map(silent, nodes)), MOST_SILENCE))
+        end = time.monotonic() + MOST_SILENCE
+        while not all(map(named, nodes)) and time.monotonic() < end:
+            send()
+            wait_for(lambda: all(map(named, nodes)), 0.2)
+        for node in nodes:
+            self.assertTrue(named(node), '%s: %s [FLT-1]' % (node, self.connections(node)[0].message))
+        self.assertTrue(wait_for(lambda: all(map(silent, nodes)), MOST_SILENCE), 'and forgotten [FLT-1]')
+
+    def test_a_second_publisher_of_scans_or_odometry_is_named(self):  # [FLT-1]
+        self.expect_named(SCAN_READERS, 'scan', lambda: self.scans.publish(scan([1.0] * 360)))
+        odometry = Odometry()
+        odometry.header.frame_id, odometry.pose.pose.orientation.w = 'odom', 2.0  # refused: the robot stays where it is
+        self.expect_named(ODOMETRY_READERS, 'odom', lambda: self.odometry.publish(odometry))
+
     def test_a_scanner_far_away(self):  # [FLT-1]
         transform = TransformStamped()
         transform.header.frame_id, transform.child_frame_id = 'base_footprint', 'far_scanner'
@@ -261,7 +286,7 @@ class HostileMessages(unittest.TestCase):
         odometry = Odometry()
         odometry.header.frame_id, odometry.header.stamp = 'odom', rospy.Time.now()
         odometry.pose.pose = pose(1e300).pose
-        self.expect_refusal(('mapper', 'patrol_server') + MAP_READERS, 'odometry', far,
+        self.expect_refusal(ODOMETRY_READERS, 'odometry', far,
                             lambda: self.odometry.publish(odometry))
 
     def test_frames_that_nobody_knows_do_not_pile_up(self):  # [FLT-1]

@@ -18,7 +18,6 @@
 #include "frontier_pilot/mapping/odometry_anchor.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "frontier_pilot/ros/diagnostics.h"
-#include "frontier_pilot/ros/heard_publishers.h"
 #include "frontier_pilot/ros/map_autosave.h"
 #include "frontier_pilot/ros/map_saver.h"
 #include "frontier_pilot/ros/mapper_publisher.h"
@@ -132,7 +131,6 @@ class MapperAdapter {
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
   Rejections bad_initial_poses_{"initial pose"};
-  HeardPublishers odometry_publishers_;
   std::optional<SteadyTime> odometry_reset_;  ///< when the last one was noticed
   std::optional<SteadyTime> last_inserted_;   ///< when the last scan was found good
   std::string thoughts_failure_;              ///< what ended the second thoughts, until a reset
