@@ -131,6 +131,14 @@ void Loader::field(const char* name, std::string& field, const char*, const char
   }
 }
 
+void Loader::field(const char* name, std::string& field, const char* unit, const char* doc, FrameName rule) {
+  std::string read = field;
+  this->field(name, read, unit, doc);
+  if (read.empty() && rule == FrameName::kGiven) return problem(name, "must name a frame");
+  if (read.rfind('/', 0) == 0) return problem(name, "must not begin with '/', is " + read + ": tf2 has no such frames");
+  field = read;
+}
+
 void Loader::field(const char* name, std::vector<double>& field, const char*, const char*, const Bounds& bounds) {
   const ParameterValue* value = find(name);
   if (value == nullptr) return;
@@ -162,6 +170,11 @@ void Describer::field(const char* name, double& field, const char* unit, const c
 
 void Describer::field(const char* name, std::string& field, const char* unit, const char* doc) {
   rows.push_back({prefix_ + name, "string", unit, field.empty() ? "\"\"" : field, "", doc});
+}
+
+void Describer::field(const char* name, std::string& field, const char* unit, const char* doc, FrameName rule) {
+  this->field(name, field, unit, doc);
+  rows.back().bounds = rule == FrameName::kGiven ? "not empty, no leading /" : "no leading /";
 }
 
 void Describer::field(const char* name, std::vector<double>& field, const char* unit, const char* doc,

@@ -13,7 +13,8 @@ BehaviorSurroundings::BehaviorSurroundings(const SurroundingsParameters& paramet
 }
 
 void BehaviorSurroundings::subscribe(NodeConnections& connections) {
-  connections.subscribe(names::kScan, 1, &BehaviorSurroundings::handleScan, this, ros::TransportHints().tcpNoDelay());
+  connections.subscribeToOne(names::kScan, 1, &BehaviorSurroundings::handleScan, this,
+                             ros::TransportHints().tcpNoDelay());
 }
 
 void BehaviorSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {

@@ -25,7 +25,7 @@ ExplorerAdapter::ExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
-  connections_.subscribe(names::kOdom, 20, &ExplorerAdapter::handleOdometry, this);
+  connections_.subscribeToOne(names::kOdom, 20, &ExplorerAdapter::handleOdometry, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/ros/conversions.h"
 #include "frontier_pilot/ros/gui_bridge.h"
 #include "frontier_pilot/ros/names.h"
@@ -58,9 +59,19 @@ void GuiBridge::subscribe() {
 
 void GuiBridge::onArbiter(const ArbiterStatus& msg) {
   if (!isShown(msg)) return;
-  for (const ArbiterSource& source : msg.sources) watch_.watch(names::setEnabled(source.name));
+  for (const ArbiterSource& source : msg.sources) watchSwitchOf(source.name);
   const std::lock_guard<std::mutex> lock(mutex_);
   arbiter_.put(msg, steadyNow());
+}
+
+/// The sources are shown whatever their names are; only a name that ROS takes has a switch. [FLT-1]
+void GuiBridge::watchSwitchOf(const std::string& source) {
+  const std::string service = names::setEnabled(source);
+  if (isServiceName(service)) return watch_.watch(service);
+  const std::string name = printable(source, bounds::kMostReason);
+  nameless_.add("'" + name + "' cannot be part of a service's name");
+  const bool is_news = said_nameless_.size() < bounds::kMostReasons && said_nameless_.insert(name).second;
+  if (is_news) log(Severity::kWarning, "the source '" + name + "' has no switch: no service can have its name");
 }
 
 void GuiBridge::onScan(const sensor_msgs::LaserScan& msg) {

@@ -42,12 +42,9 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
 
 void MapperAdapter::connect() {
   connections_.master().claimTopics({publisher_.topic()});
-  connections_.subscribeToEvents<nav_msgs::Odometry>(names::kOdom, 100, [this](const auto& event) {
-    odometry_publishers_.add(event.getPublisherName(), steadyNow());
-    handleOdometry(*event.getConstMessage());
-  });
+  connections_.subscribeToOne(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
   connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
-  connections_.subscribe(names::kScan, 20, &MapperAdapter::handleScan, this);
+  connections_.subscribeToOne(names::kScan, 20, &MapperAdapter::handleScan, this);
   connections_.every(ros::Duration(parameters_.update_period), [this] {
     const auto now = connections_.clock().now();
     if (!now) return;

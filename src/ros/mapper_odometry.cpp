@@ -56,8 +56,6 @@ void MapperAdapter::reportOdometry(Status& status) const {
   if (odometry_reset_ && now - *odometry_reset_ < kNews) {
     status.mergeSummary(DiagnosticStatus::WARN, "odometry jumped, taken for a reset");
   }
-  const std::string publishers = odometry_publishers_.severalNames(now);
-  if (!publishers.empty()) status.mergeSummary(DiagnosticStatus::WARN, "several nodes publish odom: " + publishers);
 }
 
 }  // namespace frontier_pilot

@@ -23,8 +23,8 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
   server_.subscribe(connections_);
-  connections_.subscribe(names::kScan, 1, &NavigatorAdapter::handleScan, this);
-  connections_.subscribe(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
+  connections_.subscribeToOne(names::kScan, 1, &NavigatorAdapter::handleScan, this);
+  connections_.subscribeToOne(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
@@ -134,8 +134,8 @@ bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::R
 
 void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
-  const bool fine = state_ != NavState::kWaiting && state_ != NavState::kRecovering;
-  status.summary(fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN, publisher_.status());
+  const bool is_hindered = state_ == NavState::kWaiting || state_ == NavState::kRecovering;
+  status.summary(is_hindered ? DiagnosticStatus::WARN : DiagnosticStatus::OK, publisher_.status());
   if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
   if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
   map_.rejections().report(status);

@@ -36,7 +36,8 @@ ObstacleAvoiderNode::ObstacleAvoiderNode(ros::NodeHandle& node, ros::NodeHandle&
   switched_on_.emplace(kSafeState, names::kSetObstacleAvoidEnabled, connections_);
   if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderNode::handleEnable, this);
-  connections_.subscribe(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this, ros::TransportHints().tcpNoDelay());
+  connections_.subscribeToOne(names::kScan, 1, &ObstacleAvoiderNode::handleScan, this,
+                              ros::TransportHints().tcpNoDelay());
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
     rejections_.report(status);

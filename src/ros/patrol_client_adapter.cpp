@@ -28,7 +28,7 @@ void complain(const std::string& text) { std::cerr << "patrol_client: " << text 
 
 PatrolClient::PatrolClient(ros::NodeHandle& node, const PatrolOrder& order)
     : order_(order), client_(node, names::kPatrol), since_(steadyNow()), heard_(since_) {
-  auto options = checkedSubscription<actionlib_msgs::GoalStatusArray>(names::kPatrolStatus, 1,
+  auto options = checkedSubscription<actionlib_msgs::GoalStatusArray>(names::kPatrolStatus, 1, unreadable_,
                                                                       [this](const auto&) { handleStatus(); });
   status_ = node.subscribe(options);
 }

@@ -36,7 +36,7 @@ void PatrolServerNode::sayLastWords() {
 
 void PatrolServerNode::subscribe() {
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-  connections_.subscribe(names::kOdom, 1, &PatrolServerNode::handleOdometry, this, hints);
+  connections_.subscribeToOne(names::kOdom, 1, &PatrolServerNode::handleOdometry, this, hints);
   connections_.subscribe(names::kEmergencyStopState, 1, &PatrolServerNode::handleStop, this, hints);
   connections_.subscribe(names::kArbiterStatus, 1, &PatrolServerNode::handleArbiter, this, hints);
 }

@@ -1,6 +1,7 @@
 #include "frontier_pilot/ros/service_caller.h"
 
 #include <ros/master.h>
+#include <ros/names.h>
 #include <ros/service.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -17,6 +18,11 @@ constexpr Duration kSlow = std::chrono::seconds(2);
 constexpr auto kWatchPeriod = std::chrono::seconds(1);
 
 }  // namespace
+
+bool isServiceName(const std::string& service) {
+  std::string why;
+  return ros::names::validate(service, why);
+}
 
 ServiceCaller::ServiceCaller(const ros::NodeHandle& node, OperatorLog log)
     : node_(node), log_(std::move(log)), thread_([this] { run(); }) {}
@@ -57,7 +63,7 @@ void ServiceCaller::run() {
     current_ = call.service;
     since_ = steadyNow();
     lock.unlock();
-    perform(call);
+    tryPerform(call);
     lock.lock();
     since_.reset();
     client_ = {};
@@ -68,6 +74,12 @@ bool ServiceCaller::begin(const ros::ServiceClient& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   client_ = client;
   return !stopping_;
+}
+
+void ServiceCaller::tryPerform(const Call& call) {
+  if (!isServiceName(call.service)) return log_(Severity::kError, "'" + call.service + "' is no name of a service");
+  const bool came_to_its_end = guard_.run("a call of " + call.service, [&] { perform(call); });
+  if (!came_to_its_end) log_(Severity::kError, call.service + " failed");
 }
 
 void ServiceCaller::perform(const Call& call) {
@@ -110,6 +122,7 @@ ServiceWatch::~ServiceWatch() {
 }
 
 void ServiceWatch::watch(const std::string& service) {
+  if (!isServiceName(service)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (up_.size() < bounds::kMostServices && up_.emplace(service, false).second) wake_.notify_all();
 }
@@ -129,7 +142,7 @@ void ServiceWatch::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
     lock.unlock();
-    lookOnce();
+    guard_.run("the look for services", [this] { lookOnce(); });
     lock.lock();
     if (!stopping_) wake_.wait_for(lock, kWatchPeriod);
   }

@@ -44,7 +44,8 @@ TfListener::TfListener(tf2_ros::Buffer& buffer)
   node_.setCallbackQueue(&queue_);
   const auto listen = [this](const std::string& topic, bool is_static) {
     ros::SubscribeOptions options = checkedSubscription<tf2_msgs::TFMessage>(
-        topic, kTfQueue, [this, topic, is_static](const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
+        topic, kTfQueue, unreadable_,
+        [this, topic, is_static](const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
           guard_.run(topic, [&] { take(*event.getConstMessage(), is_static); });
         });
     return node_.subscribe(options);
@@ -140,6 +141,7 @@ bool TfListener::contradictsAFixedOne(const geometry_msgs::TransformStamped& tra
 }
 
 void TfListener::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  unreadable_.report(status);
   const std::lock_guard<std::mutex> lock(mutex_);
   rejections_.report(status);
 }

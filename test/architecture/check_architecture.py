@@ -28,6 +28,9 @@ IMPURE = re.compile(r'::now\(|\bsleep_(for|until)\(|\bu?sleep\(|\bnanosleep\(|\b
                     r'\brandom_device\b|\bstd::(cout|cerr|clog)\b|\bf?printf\(')
 LITERAL_NAME = re.compile(r'\b(advertise|advertiseService|subscribe|serviceClient|call|waitForService|SimpleActionServer|'
                           r'SimpleActionClient)\s*(<[^;{}]*?>)?\s*\w*\s*[({][^;"]*?"[^"]*"')
+# roscpp reads a message without checks, and logs each one that it cannot read.
+UNCHECKED_SUBSCRIPTION = re.compile(r'\b(?:node|\w*_node|node_|nh_?|n)\.subscribe\s*(?:<[^;{}()]*>)?\s*\((?!options\))|'
+                                    r'ros::NodeHandle\([^()]*\)\.subscribe\b')
 FRAME = re.compile(r'"(map|odom|base_footprint|base_link|base_scan|world)"')
 MAX_FILE, MAX_ADAPTER, MAX_MAIN, MAX_FUNCTION = 300, 150, 25, 60
 
@@ -106,6 +109,14 @@ def check_names(root):
                 yield path, 'a name that belongs into ros/names.h: %s' % ' '.join(match.group(0).split())
 
 
+def check_subscriptions(root):
+    for path, folder in house(root):
+        if folder not in SEES_ROS:
+            continue
+        for match in UNCHECKED_SUBSCRIPTION.finditer(code_of(path.read_text())):
+            yield path, 'a subscription that is no checkedSubscription: %s' % ' '.join(match.group(0).split())
+
+
 def requirements(root):
     """The ids of docs/requirements.md, and whether each is built."""
     text = (root / 'docs/requirements.md').read_text()
@@ -126,7 +137,7 @@ def check_requirements(root):
             yield root / 'docs/requirements.md', '%s is built, but no test cites [%s]' % (name, name)
 
 
-CHECKS = (check_arrows, check_purity, check_sizes, check_names, check_requirements)
+CHECKS = (check_arrows, check_purity, check_sizes, check_names, check_subscriptions, check_requirements)
 
 
 def problems(root):

@@ -78,6 +78,12 @@ class CheckArchitecture(unittest.TestCase):
                      'actionlib::SimpleActionServer<A> server("spin", false);'):
             self.expect('names.h', {'src/ros/bad.cpp': 'void f() { %s }\n' % line})
 
+    def test_a_subscription_that_does_not_check_what_it_reads_is_found(self):  # [FLT-1]
+        for call in ('node_.subscribe<Twist>(topic, 1, f)', 'node.subscribe(names::kScan, 1, &Node::f, this)',
+                     'ros::NodeHandle().subscribe(topic, 1, f)'):
+            self.expect('no checkedSubscription', {'src/ros/bad.cpp': 'void f() { %s; }\n' % call})
+        self.assertEqual('', problems_with({'src/ros/good.cpp': 'void f() { s = node_.subscribe(options); }\n'}))
+
     def test_a_built_requirement_that_no_test_cites_is_found(self):
         self.expect('no test cites [ARB-2]', {'docs/requirements.md': '- [x] ARB-1 order\n- [x] ARB-2 now\n'})
 

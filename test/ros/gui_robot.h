@@ -1,10 +1,12 @@
 #pragma once
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
+#include <std_srvs/SetBool.h>
 
 #include <atomic>
 #include <cmath>
@@ -41,6 +43,24 @@ class Robot {
  private:
   ros::NodeHandle node_;
   ros::Subscriber commands_, manual_, odometry_;
+};
+
+/// What answers the calls of a switch.
+using Switch = boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)>;
+
+/// Somebody who says that there are sources whose names no service can have.
+class NamelessSources {
+ public:
+  NamelessSources() : publisher_(ros::NodeHandle().advertise<ArbiterStatus>(names::kArbiterStatus, 1)) {}
+  bool speaks() {
+    ArbiterStatus status;
+    for (const char* name : {"a b", "\n", "joy-stick", "", "~", "joy"}) status.sources.emplace_back().name = name;
+    publisher_.publish(status);
+    return true;
+  }
+
+ private:
+  ros::Publisher publisher_;
 };
 
 class GuiOnTheWire : public ::testing::Test {

@@ -5,7 +5,6 @@
 #include <frontier_pilot/PatrolAction.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <std_srvs/SetBool.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -133,11 +132,10 @@ TEST_F(GuiOnTheWire, ServicesThatComeAndGoAreShown) {
   EXPECT_FALSE(window.find("explore_start")->isEnabled());
   ros::NodeHandle node;
   std::atomic<int> calls{0};
-  const boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)> handle =
-      [&calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response& response) {
-        ++calls;
-        return response.success = 1;
-      };
+  const test::Switch handle = [&calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response& response) {
+    ++calls;
+    return response.success = 1;
+  };
   for (int round = 1; round <= 2; ++round) {
     ros::ServiceServer server = node.advertiseService(names::kSetExplorationEnabled, handle);
     ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
@@ -148,17 +146,27 @@ TEST_F(GuiOnTheWire, ServicesThatComeAndGoAreShown) {
   }
 }
 
+// [FLT-1]
+TEST_F(GuiOnTheWire, SourcesThatNoServiceCanBeNamedAfterAreShownAndDoNotEndTheWindow) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  test::NamelessSources stranger;
+  EXPECT_TRUE(waitFor([&] { return stranger.speaks() && window.find("enable_a b") != nullptr; }));
+  window.bridge.request({OperatorRequest::Kind::kEnableSource, true, "a b"});
+  QTest::qWait(2500);  // the services are looked for once a second
+  EXPECT_TRUE(window.log().contains("'a b' has no switch") && window.log().contains("'set_a b_enabled' is no name"));
+}
+
 // [GUI-3]
 TEST_F(GuiOnTheWire, AServiceThatNeverAnswersHoldsNeitherTheWindowNorTheEmergencyStop) {
   Window window;
   ASSERT_TRUE(ready(window));
   ros::NodeHandle node;
   std::atomic<bool> hang{true};
-  const boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)> handle =
-      [&hang](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
-        while (hang) usleep(10000);
-        return true;
-      };
+  const test::Switch handle = [&hang](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
+    while (hang) usleep(10000);
+    return true;
+  };
   ros::ServiceServer server = node.advertiseService(names::kSetExplorationEnabled, handle);
   ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
   window.click("explore_start");

@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QtTest>
 #include <functional>
 
@@ -33,6 +34,7 @@ struct Window {
     auto* label = widget.findChild<QLabel*>(name);
     return label == nullptr ? QString() : label->text();
   }
+  QString log() const { return widget.findChild<QPlainTextEdit*>("log")->toPlainText(); }
 
   GuiBridge bridge;
   PilotWidget widget;

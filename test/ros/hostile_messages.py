@@ -11,7 +11,7 @@ import rosgraph
 import rospy
 import rostest
 import tf2_ros
-from diagnostic_msgs.msg import DiagnosticArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from frontier_pilot.srv import RemoveObstacle, SetPose, SpawnObstacle
 from geometry_msgs.msg import Pose2D, PoseStamped, PoseWithCovarianceStamped, TransformStamped
 from map_msgs.msg import OccupancyGridUpdate
@@ -24,9 +24,17 @@ from wire import Record, call, memory_of, wait_for
 
 MAP_READERS = ('reader/navigator', 'reader/frontier_explorer')
 SCAN_READERS = ('mapper', 'obstacle_avoider', 'behavior_server', 'reader/navigator')
+ODOMETRY_READERS = ('mapper', 'patrol_server') + MAP_READERS
 NODES = SCAN_READERS + ('reader/frontier_explorer', 'patrol_server', 'simulator')
 MOST_MEMORY = 700.0  # [MB], at any time: the largest map that is taken, and a message of 64 MB that is not
 MOST_SILENCE = 10.0  # [s] of a node on a busy machine
+
+
+class Stub(LaserScan):
+    """A message that ends before its first field does."""
+
+    def serialize(self, buff):
+        buff.write(b'abc')
 
 
 class BigMap(OccupancyGrid):
@@ -114,6 +122,15 @@ class HostileMessages(unittest.TestCase):
         return {}
 
     @classmethod
+    def connections(cls, node, since=0.0):
+        """The last that a node says of its connections: the status's text and its values."""
+        for message in reversed(cls.words.since(since)):
+            for status in message.status:
+                if status.name == node + ': connections':
+                    return status, {pair.key: pair.value for pair in status.values}
+        return DiagnosticStatus(), {}
+
+    @classmethod
     def refused(cls, node, what, why):
         """How many inputs a node has refused for a reason. The mapper says of a scan first what became of it."""
         return sum(int(count) for key, count in cls.said(node).items()
@@ -196,6 +213,49 @@ class HostileMessages(unittest.TestCase):
         fine.angle_max, fine.angle_increment = fine.angle_min, 1e-30
         self.expect_refusal(SCAN_READERS, 'scan', 'angle increment too small', lambda: self.scans.publish(fine))
 
+    def test_messages_that_cannot_be_read(self):  # [FLT-1]
+        log, count = Record('/rosout', Log), 'message of scan refused: shorter than its fields'
+        stub = Stub()
+
+        def counted():
+            return [int(self.connections(node)[1].get(count, 0)) for node in SCAN_READERS]
+        start = time.monotonic()
+        while time.monotonic() < start + 10.0:  # so that more than one line at most may come of it
+            self.scans.publish(stub)
+            rospy.rostime.wallsleep(0.005)
+        wait_for(lambda: min(counted()) > 100, MOST_SILENCE)
+        self.assertGreater(min(counted()), 100, '%s of %s [FLT-1]' % (counted(), SCAN_READERS))
+        lines = [line for _, line in list(log.items) if line.name.strip('/') in SCAN_READERS
+                 and ('deserializ' in line.msg or 'message of scan' in line.msg)]
+        for node in SCAN_READERS:
+            said = [line.msg for line in lines if line.name.strip('/') == node]
+            self.assertIn(len(said), (1, 2, 3, 4), '%s: %s [FLT-1]' % (node, said[:5]))
+            self.assertIn('shorter than its fields', said[0])
+
+    def expect_named(self, nodes, topic, send):
+        """That each of `nodes` says who publishes `topic`, as long as a second one does."""
+        def silent(node):
+            return 'several nodes' not in self.connections(node)[0].message
+
+        def named(node):
+            status = self.connections(node)[0]
+            return (status.level == DiagnosticStatus.WARN and 'several nodes publish %s: ' % topic in status.message
+                    and '/simulator' in status.message and '/hostile_messages' in status.message)
+        self.assertTrue(wait_for(lambda: all(map(silent, nodes)), MOST_SILENCE))
+        end = time.monotonic() + MOST_SILENCE
+        while not all(map(named, nodes)) and time.monotonic() < end:
+            send()
+            wait_for(lambda: all(map(named, nodes)), 0.2)
+        for node in nodes:
+            self.assertTrue(named(node), '%s: %s [FLT-1]' % (node, self.connections(node)[0].message))
+        self.assertTrue(wait_for(lambda: all(map(silent, nodes)), MOST_SILENCE), 'and forgotten [FLT-1]')
+
+    def test_a_second_publisher_of_scans_or_odometry_is_named(self):  # [FLT-1]
+        self.expect_named(SCAN_READERS, 'scan', lambda: self.scans.publish(scan([1.0] * 360)))
+        odometry = Odometry()
+        odometry.header.frame_id, odometry.pose.pose.orientation.w = 'odom', 2.0  # refused: the robot stays where it is
+        self.expect_named(ODOMETRY_READERS, 'odom', lambda: self.odometry.publish(odometry))
+
     def test_a_scanner_far_away(self):  # [FLT-1]
         transform = TransformStamped()
         transform.header.frame_id, transform.child_frame_id = 'base_footprint', 'far_scanner'
@@ -226,7 +286,7 @@ class HostileMessages(unittest.TestCase):
         odometry = Odometry()
         odometry.header.frame_id, odometry.header.stamp = 'odom', rospy.Time.now()
         odometry.pose.pose = pose(1e300).pose
-        self.expect_refusal(('mapper', 'patrol_server') + MAP_READERS, 'odometry', far,
+        self.expect_refusal(ODOMETRY_READERS, 'odometry', far,
                             lambda: self.odometry.publish(odometry))
 
     def test_frames_that_nobody_knows_do_not_pile_up(self):  # [FLT-1]

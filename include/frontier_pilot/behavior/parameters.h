@@ -56,12 +56,12 @@ struct BehaviorParameters {
     v.field("linear_acc_lim", linear_acc_lim, "m/s^2", "a straight motion slows down with", positive());
     v.field("min_linear_vel", min_linear_vel, "m/s", "slowest straight motion", positive());
     v.field("default_linear_vel", default_linear_vel, "m/s", "where a goal asks for none", positive());
-    v.field("simulate_ahead_time", simulate_ahead_time, "s", "how far ahead the motion must be free", positive());
-    v.field("pose_timeout", pose_timeout, "s", "how old a pose may be", positive());
-    v.field("costmap_timeout", costmap_timeout, "s", "how old the last scan in the costmap may be", positive());
+    v.field("simulate_ahead_time", simulate_ahead_time, "s", "how far ahead the motion must be free", timeSpan());
+    v.field("pose_timeout", pose_timeout, "s", "how old a pose may be", timeSpan());
+    v.field("costmap_timeout", costmap_timeout, "s", "how old the last scan in the costmap may be", timeSpan());
     v.field("no_progress_timeout", no_progress_timeout, "s", "a robot that does not come on for so long is stuck",
-            positive());
-    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill before success is told", positive());
+            timeSpan());
+    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill before success is told", timeSpan());
     v.field("jump_distance", jump_distance, "m", "a longer step of the pose is a jump", positive());
     v.field("jump_angle", jump_angle, "rad", "a larger turn of the pose at once is a jump", Bounds{0.0, 3.0, true});
     v.moved("rotational_acc_lim", "robot/limits/max_angular_acc");

@@ -35,6 +35,17 @@ inline Bounds anyNumber() { return {}; }
 inline Bounds positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
 inline Bounds atLeast(double min) { return {min, std::numeric_limits<double>::infinity(), false}; }
 inline Bounds between(double min, double max) { return {min, max, false}; }
+inline Bounds positiveUpTo(double max) { return {0.0, max, true}; }
+/// Rates [Hz] and periods [s] of what is done again and again. They size timers: a rate beyond any clock has the node
+/// do nothing else, and a period beyond ROS' own durations cannot be counted. [FLT-1]
+inline Bounds tickRate() { return between(0.1, 1000.0); }
+inline Bounds tickPeriod() { return between(0.001, 3600.0); }
+/// How long something may last [s]: eleven days, so that sums of several are times that ROS has.
+inline Bounds timeSpan() { return positiveUpTo(1e6); }
+inline Bounds timeSpanOrNone() { return between(0.0, 1e6); }
+
+/// Whether the name of a TF frame has to be given. With a leading '/' tf2 takes none. [FLT-1]
+enum class FrameName { kGiven, kMayBeEmpty };
 
 namespace detail {
 
@@ -54,6 +65,7 @@ class Loader {
   void field(const char* name, int& field, const char* unit, const char* doc, const Bounds& bounds);
   void field(const char* name, double& field, const char* unit, const char* doc, const Bounds& bounds);
   void field(const char* name, std::string& field, const char* unit, const char* doc);
+  void field(const char* name, std::string& field, const char* unit, const char* doc, FrameName rule);
   void field(const char* name, std::vector<double>& field, const char* unit, const char* doc, const Bounds& bounds);
   template <class P>
   void group(const char* name, P& group, const char* doc);
@@ -92,6 +104,7 @@ class Describer {
   void field(const char* name, int& field, const char* unit, const char* doc, const Bounds& bounds);
   void field(const char* name, double& field, const char* unit, const char* doc, const Bounds& bounds);
   void field(const char* name, std::string& field, const char* unit, const char* doc);
+  void field(const char* name, std::string& field, const char* unit, const char* doc, FrameName rule);
   void field(const char* name, std::vector<double>& field, const char* unit, const char* doc, const Bounds& bounds);
   template <class P>
   void group(const char* name, P& group, const char* doc);

@@ -14,10 +14,10 @@ struct RobotLimits {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("max_linear", max_linear, "m/s", "greatest speed, forward and in reverse", positive());
-    v.field("max_angular", max_angular, "rad/s", "greatest rate of turn", positive());
-    v.field("max_linear_acc", max_linear_acc, "m/s^2", "greatest change of speed", positive());
-    v.field("max_angular_acc", max_angular_acc, "rad/s^2", "greatest change of the rate of turn", positive());
+    v.field("max_linear", max_linear, "m/s", "greatest speed, forward and in reverse", positiveUpTo(20.0));
+    v.field("max_angular", max_angular, "rad/s", "greatest rate of turn", positiveUpTo(50.0));
+    v.field("max_linear_acc", max_linear_acc, "m/s^2", "greatest change of speed", positiveUpTo(1000.0));
+    v.field("max_angular_acc", max_angular_acc, "rad/s^2", "greatest change of the rate of turn", positiveUpTo(1000.0));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/core/parameters.h"
@@ -34,8 +35,8 @@ struct ScannerModel {
     v.field("angle_min", angle_min, "rad", "angle of the first beam in the scanner's frame",
             between(-2.0 * kPi, 2.0 * kPi));
     v.field("field_of_view", field_of_view, "rad", "angle that the beams cover", {0.0, 2.0 * kPi, true});
-    v.field("range_min", range_min, "m", "nearest distance it measures", atLeast(0.0));
-    v.field("range_max", range_max, "m", "farthest distance it measures", positive());
+    v.field("range_min", range_min, "m", "nearest distance it measures", between(0.0, bounds::kMostRange));
+    v.field("range_max", range_max, "m", "farthest distance it measures", positiveUpTo(bounds::kMostRange));
   }
   void check(Problems& problems) const;
 };
@@ -68,8 +69,8 @@ struct RobotModel {
         between(0.0, 5.0));
     v.group("limits", limits, "what the base can do");
     v.group("scanner", scanner, "the laser scanner");
-    v.field("watchdog", watchdog, "s", "a base that has had no command for so long stops", positive());
-    v.field("base_frame", base_frame, "", "frame between the wheels, on the floor");
+    v.field("watchdog", watchdog, "s", "a base that has had no command for so long stops", timeSpan());
+    v.field("base_frame", base_frame, "", "frame between the wheels, on the floor", FrameName::kGiven);
   }
   void check(Problems& problems) const;
 };

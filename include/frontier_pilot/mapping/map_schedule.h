@@ -15,9 +15,9 @@ struct MapScheduleParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("min_period", min_period, "s", "between two whole maps, at least", positive());
+    v.field("min_period", min_period, "s", "between two whole maps, at least", timeSpan());
     v.field("max_period", max_period, "s", "changes wait for a whole map this long, 12 times that while there are few",
-            positive());
+            timeSpan());
   }
 };
 

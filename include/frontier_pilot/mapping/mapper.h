@@ -34,12 +34,12 @@ struct MapperParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("max_age", max_age, "s", "an older scan is stale", positive());
-    v.field("max_lead", max_lead, "s", "a scan may be this much ahead of the clock", atLeast(0.0));
+    v.field("max_age", max_age, "s", "an older scan is stale", timeSpan());
+    v.field("max_lead", max_lead, "s", "a scan may be this much ahead of the clock", timeSpanOrNone());
     v.field("min_travel", min_travel, "m", "a robot that moved less since the last scan stands", atLeast(0.0));
     v.field("min_rotation", min_rotation, "rad", "a robot that turned less since the last scan stands", atLeast(0.0));
     v.field("standing_period", standing_period, "s", "time between the scans used while the robot stands",
-            atLeast(0.0));
+            timeSpanOrNone());
     v.field("trust_odometry", trust_odometry, "", "take odometry for the truth: no scan matching, no loop closing");
     v.group("map", map, "the map and its octree");
     v.group("insertion", insertion, "how a scan goes into the map");

@@ -45,7 +45,7 @@ struct ScanTrackerParameters {
     v.field("new_inliers", new_inliers, "", "less will do where the others contradict nothing", between(0.0, 1.0));
     v.field("max_distance", max_distance, "m", "greatest half width of the search", positive());
     v.field("max_angle", max_angle, "rad", "greatest half width of the search in yaw", positive());
-    v.field("max_silence", max_silence, "s", "without a match for so long a new submap is begun", positive());
+    v.field("max_silence", max_silence, "s", "without a match for so long a new submap is begun", timeSpan());
     v.group("odometry", odometry, "how far odometry is believed");
     v.group("refinement", refinement, "the match below the size of a cell");
   }

@@ -40,11 +40,11 @@ struct PatrolParameters {
     v.field("lateral_gain", lateral_gain, "rad/m", "heads back to the leg from beside it", atLeast(0.0));
     v.field("max_side", max_side, "m", "longest side, or radius, that is accepted", positive());
     v.field("max_laps", max_laps, "", "most laps that are accepted", between(1, 10000));
-    v.field("odometry_timeout", odometry_timeout, "s", "how old odometry may be", positive());
+    v.field("odometry_timeout", odometry_timeout, "s", "how old odometry may be", timeSpan());
     v.field("jump_distance", jump_distance, "m", "a longer step of odometry is a jump", positive());
     v.field("jump_angle", jump_angle, "rad", "a larger turn of odometry at once is a jump", Bounds{0.0, 3.0, true});
-    v.field("blocked_timeout", blocked_timeout, "s", "without the wheels or without progress: give up", positive());
-    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill between legs", positive());
+    v.field("blocked_timeout", blocked_timeout, "s", "without the wheels or without progress: give up", timeSpan());
+    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill between legs", timeSpan());
   }
   void check(Problems& problems) const {
     if (min_linear_speed > linear_speed) problems.push_back("min_linear_speed: must not exceed linear_speed");

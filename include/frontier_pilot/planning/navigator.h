@@ -40,12 +40,12 @@ struct NavigatorParams {
     v.group("recovery", recovery, "recoveries");
     v.field("goal_tolerance", goal_tolerance, "m", "a goal is reached at this distance", positive());
     v.field("yaw_tolerance", yaw_tolerance, "rad", "and, if its direction matters, at this deviation", positive());
-    v.field("max_age", max_age, "s", "pose and scan may be this old, else the robot stands", positive());
-    v.field("data_patience", data_patience, "s", "a goal that waits for data longer is aborted", positive());
+    v.field("max_age", max_age, "s", "pose and scan may be this old, else the robot stands", timeSpan());
+    v.field("data_patience", data_patience, "s", "a goal that waits for data longer is aborted", timeSpan());
     v.field("blocked_patience", blocked_patience, "s", "a blocked robot waits this long before a recovery",
-            atLeast(0.0));
-    v.field("replan_period", replan_period, "s", "how often a better path is looked for", positive());
-    v.field("map_period", map_period, "s", "map updates take effect at most this often", atLeast(0.0));
+            timeSpanOrNone());
+    v.field("replan_period", replan_period, "s", "how often a better path is looked for", timeSpan());
+    v.field("map_period", map_period, "s", "map updates take effect at most this often", timeSpanOrNone());
   }
 };
 

@@ -26,7 +26,7 @@ struct FollowerParams {
     v.field("scan_margin", scan_margin, "m", "room that the robot's outline keeps to the scan's points",
             between(0.0, 0.5));
     v.field("lookahead_time", lookahead_time, "s", "the pursued point is as far ahead as full speed gets in this",
-            positive());
+            timeSpan());
     v.field("min_lookahead", min_lookahead, "m", "least distance of the pursued point", positive());
     v.field("turn_in_place_angle", turn_in_place_angle, "rad", "above this bearing the robot turns on the spot",
             between(0.3, 3.0));

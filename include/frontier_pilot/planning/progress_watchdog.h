@@ -16,10 +16,10 @@ struct WatchdogParams {
   void describe(Visitor& v) {
     v.field("progress_distance", progress_distance, "m", "coming this much nearer to the goal is progress", positive());
     v.field("progress_timeout", progress_timeout, "s", "without progress for this long the robot is blocked",
-            positive());
+            timeSpan());
     v.field("oscillation_distance", oscillation_distance, "m", "a robot that stays within this circle oscillates",
             positive());
-    v.field("oscillation_timeout", oscillation_timeout, "s", "if it does so for this long", positive());
+    v.field("oscillation_timeout", oscillation_timeout, "s", "if it does so for this long", timeSpan());
   }
 };
 

@@ -48,7 +48,7 @@ struct RecoveryParams {
     v.field("back_up_speed", back_up_speed, "m/s", "how fast", positive());
     v.field("spin_angle", spin_angle, "rad", "how far it turns to look around", positive());
     v.field("spin_rate", spin_rate, "rad/s", "how fast", positive());
-    v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", positive());
+    v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", timeSpan());
     v.field("margin", margin, "m", "room that the robot's outline keeps to the scan's points while it recovers",
             between(0.0, 0.5));
     v.moved("footprint_radius", "margin, on top of the robot's outline");

@@ -84,6 +84,7 @@ class ActionClient {
   void forget() { handle_.reset(); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     if (callbacks_.total() > 0) callbacks_.report(status);
+    unreadable_.report(status);
   }
 
  private:
@@ -97,8 +98,8 @@ class ActionClient {
 
   template <class Msg>
   ros::Subscriber listen(const std::string& topic, void (ActionClient::*take)(const ros::MessageEvent<const Msg>&)) {
-    ros::SubscribeOptions options =
-        checkedSubscription<Msg>(topic, kQueue, [this, topic, take](const ros::MessageEvent<const Msg>& event) {
+    ros::SubscribeOptions options = checkedSubscription<Msg>(
+        topic, kQueue, unreadable_, [this, topic, take](const ros::MessageEvent<const Msg>& event) {
           callbacks_.run(node_.resolveName(topic), [&] { (this->*take)(event); });
         });
     return node_.subscribe(options);
@@ -134,6 +135,7 @@ class ActionClient {
 
   ros::NodeHandle node_;
   CallbackGuard callbacks_;
+  UnreadableMessages unreadable_;
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::string id_;                      ///< of the goal that was sent last

@@ -17,6 +17,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/ros/action_requests.h"
 #include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/diagnostics.h"
 
@@ -51,6 +52,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     rejections_.report(status);
     if (callbacks_.total() > 0) callbacks_.report(status);
+    unreadable_.report(status);
   }
 
  private:
@@ -72,14 +74,8 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     result_ = node_.advertise<ActionResult>(result_topic, kQueue);
     feedback_ = node_.advertise<ActionFeedback>(feedback_topic, kQueue);
     status_ = node_.advertise<actionlib_msgs::GoalStatusArray>(status_topic, kQueue, true);
-    const boost::function<void(const ActionGoalConstPtr&)> goal = [this](const ActionGoalConstPtr& msg) {
-      callbacks_.run(name_ + "/goal", [&] { takeGoal(msg); });
-    };
-    const boost::function<void(const GoalID::ConstPtr&)> cancel = [this](const GoalID::ConstPtr& msg) {
-      callbacks_.run(name_ + "/cancel", [&] { takeCancel(*msg); });
-    };
-    goals_ = node_.subscribe<ActionGoal>(goal_topic, kQueue, goal);
-    cancels_ = node_.subscribe<GoalID>(cancel_topic, kQueue, cancel);
+    goals_ = listen<ActionGoal>(goal_topic, [this](const ActionGoalConstPtr& msg) { takeGoal(msg); });
+    cancels_ = listen<GoalID>(cancel_topic, [this](const GoalID::ConstPtr& msg) { takeCancel(*msg); });
     // On steady time: clients judge the server by it, also while the clock stands still.
     timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
       callbacks_.run(name_ + "/status", [&] {
@@ -88,6 +84,15 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
         publishStatus();
       });
     });
+  }
+
+  template <class Msg, class Take>
+  ros::Subscriber listen(const std::string& topic, Take take) {
+    ros::SubscribeOptions options = checkedSubscription<Msg>(
+        topic, kQueue, unreadable_, [this, topic, take](const ros::MessageEvent<const Msg>& event) {
+          callbacks_.run(topic, [&] { take(event.getConstMessage()); });
+        });
+    return node_.subscribe(options);
   }
 
   void takeGoal(const ActionGoalConstPtr& msg) {
@@ -182,6 +187,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   std::function<void()> recalled_;
   Rejections rejections_;
   CallbackGuard callbacks_;
+  UnreadableMessages unreadable_;
   ros::Publisher result_, feedback_, status_;
   ros::Subscriber goals_, cancels_;
   ros::SteadyTimer timer_;

@@ -7,8 +7,14 @@
 #include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cstdint>
+#include <exception>
+#include <map>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "frontier_pilot/ros/diagnostics.h"
 
 namespace frontier_pilot {
 
@@ -48,28 +54,58 @@ class CheckedStream {
   std::uint8_t* end_;
 };
 
-/// Hands messages to a callback after a CheckedStream has read them. What cannot be read roscpp says and drops.
+/// The messages that could not be read: for each topic counted by reason, with a warning at most every five seconds.
+/// Safe to use from several threads. [FLT-1]
+class UnreadableMessages {
+ public:
+  void add(const std::string& topic, const std::string& why) noexcept;
+  std::uint64_t total() const;
+  /// For /diagnostics; nothing where every message could be read.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, Rejections> by_topic_;
+};
+
+/// Hands messages to a callback after a CheckedStream has read them. What cannot be read is dropped and counted in
+/// `unreadable`, which has to outlive the subscription; roscpp would say so in a line for each message. [FLT-1]
 template <class Msg>
 class CheckedSubscription : public ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Msg>&> {
  public:
   using Base = ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Msg>&>;
-  using Base::Base;
 
+  CheckedSubscription(std::string topic, UnreadableMessages& unreadable, const typename Base::Callback& handle)
+      : Base(handle), topic_(std::move(topic)), unreadable_(unreadable) {}
+
+  /// Null for what cannot be read: roscpp then calls nobody.
   ros::VoidConstPtr deserialize(const ros::SubscriptionCallbackHelperDeserializeParams& bytes) override {
-    const auto msg = boost::make_shared<Msg>();
-    CheckedStream(bytes.buffer, bytes.length).next(*msg);
-    return msg;
+    try {
+      const auto msg = boost::make_shared<Msg>();
+      CheckedStream(bytes.buffer, bytes.length).next(*msg);
+      return msg;
+    } catch (const ros::serialization::StreamOverrunException&) {
+      unreadable_.add(topic_, "shorter than its fields");
+    } catch (const std::exception& error) {
+      unreadable_.add(topic_, error.what());
+    }
+    return {};
   }
+
+ private:
+  std::string topic_;
+  UnreadableMessages& unreadable_;
 };
 
 /// What subscribes `handle(const ros::MessageEvent<const Msg>&)` to `topic` by a CheckedSubscription.
 template <class Msg>
 ros::SubscribeOptions checkedSubscription(const std::string& topic, std::uint32_t queue_size,
+                                          UnreadableMessages& unreadable,
                                           const boost::function<void(const ros::MessageEvent<const Msg>&)>& handle,
                                           const ros::TransportHints& hints = {}) {
   ros::SubscribeOptions options;
   options.template initByFullCallbackType<const ros::MessageEvent<const Msg>&>(topic, queue_size, handle);
-  options.helper = boost::make_shared<CheckedSubscription<Msg>>(handle);
+  options.helper = boost::make_shared<CheckedSubscription<Msg>>(topic, unreadable, handle);
   options.transport_hints = hints;
   return options;
 }

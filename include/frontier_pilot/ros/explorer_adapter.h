@@ -30,9 +30,9 @@ struct ExplorerNodeParameters {
   void describe(V& v) {
     v.field("autostart", autostart, "",
             "explore as soon as all inputs are there; false: when set_exploration_enabled says so");
-    v.field("rate", rate, "Hz", "ticks of the explorer", positive());
-    v.field("map_frame", map_frame, "", "frame of the map and of the goals");
-    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
+    v.field("rate", rate, "Hz", "ticks of the explorer", tickRate());
+    v.field("map_frame", map_frame, "", "frame of the map and of the goals", FrameName::kGiven);
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
     explorer.describe(v);
   }
 };

@@ -11,10 +11,12 @@
 
 #include <functional>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "frontier_pilot/ros/action_link.h"
+#include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/mailbox.h"
 #include "frontier_pilot/ros/node_connections.h"
 #include "frontier_pilot/ros/service_caller.h"
@@ -51,6 +53,7 @@ class GuiBridge : public OperatorLink {
   void watchServices();
   void onScan(const sensor_msgs::LaserScan& msg);
   void onArbiter(const ArbiterStatus& msg);
+  void watchSwitchOf(const std::string& source);
   void onServiceUp(const std::string& service);
   void publishManual();
   bool manualWanted(SteadyTime now);
@@ -72,6 +75,8 @@ class GuiBridge : public OperatorLink {
   Latest<LaserScan2> scan_;
   AvoiderSectors sectors_;
 
+  Rejections nameless_{"switch of a source"};  ///< these two are of the topics' thread
+  std::set<std::string> said_nameless_;
   const TeleopParameters parameters_;
   const Manual manual_;
   const std::function<bool()> running_;

@@ -18,7 +18,6 @@
 #include "frontier_pilot/mapping/odometry_anchor.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "frontier_pilot/ros/diagnostics.h"
-#include "frontier_pilot/ros/heard_publishers.h"
 #include "frontier_pilot/ros/map_autosave.h"
 #include "frontier_pilot/ros/map_saver.h"
 #include "frontier_pilot/ros/mapper_publisher.h"
@@ -47,24 +46,27 @@ struct MapperNodeParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     describeRobot(v, mapper.robot);
-    v.field("map_frame", map_frame, "", "frame of the map");
-    v.field("odom_frame", odom_frame, "", "frame of odometry");
-    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
+    v.field("map_frame", map_frame, "", "frame of the map", FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
     v.field("map_file", map_file, "", "a saved map to begin with; none: an empty one");
     v.field(
         "autosave_period", autosave_period, "s",
         "least time between two copies of the map for a mapper that is started again after it died; 0: none is kept",
-        atLeast(0.0));
+        between(0.0, 3600.0));
     v.field("localize_only", mapper.localize_only, "",
             "leave the map as it was loaded, and only say where the robot is");
-    v.field("update_period", update_period, "s", "between two map updates", positive());
-    v.field("tf_period", tf_period, "s", "between two transforms map -> odom", positive());
-    v.field("tf_lead", tf_lead, "s", "how far map -> odom is dated ahead", atLeast(0.0));
-    v.field("silence", silence, "s", "without a scan in the map for so long something is wrong", positive());
+    v.field("update_period", update_period, "s", "between two map updates", tickPeriod());
+    v.field("tf_period", tf_period, "s", "between two transforms map -> odom", tickPeriod());
+    v.field("tf_lead", tf_lead, "s", "how far map -> odom is dated ahead", timeSpanOrNone());
+    v.field("silence", silence, "s", "without a scan in the map for so long something is wrong", timeSpan());
     v.group("mapper", mapper, "the mapper");
     v.group("odometry", odometry, "what odometry is believed");
     v.group("pairing", pairing, "how scans find their odometry");
     v.group("publishing", publishing, "when the whole map goes out");
+  }
+  void check(Problems& problems) const {
+    if (autosave_period > 0.0 && autosave_period < 0.1) problems.push_back("autosave_period: must be 0 or >= 0.1");
   }
 };
 
@@ -84,7 +86,6 @@ class MapperAdapter {
     MapRevision revision;
     double seconds;  ///< that they took
   };
-
   struct Restored {
     OccupancyMap map;
     Pose2 T_map_odom;
@@ -132,7 +133,6 @@ class MapperAdapter {
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
   Rejections bad_initial_poses_{"initial pose"};
-  HeardPublishers odometry_publishers_;
   std::optional<SteadyTime> odometry_reset_;  ///< when the last one was noticed
   std::optional<SteadyTime> last_inserted_;   ///< when the last scan was found good
   std::string thoughts_failure_;              ///< what ended the second thoughts, until a reset

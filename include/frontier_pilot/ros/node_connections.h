@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/clock.h"
 #include "frontier_pilot/ros/clock_monitor.h"
+#include "frontier_pilot/ros/heard_publishers.h"
 #include "frontier_pilot/ros/master_watch.h"
 #include "frontier_pilot/ros/memory_report.h"
 #include "frontier_pilot/ros/ros_timer.h"
@@ -49,9 +51,31 @@ class NodeConnections {
         [this, what = messageOf(topic), handle](const ros::MessageEvent<const Msg>& event) {
           guard_.run(what, [&] { handle(event); });
         };
-    ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, guarded, hints);
+    ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, unreadable_, guarded, hints);
     subscribers_.push_back(node_.subscribe(options));
     return subscribers_.back();
+  }
+
+  /// The same as `subscribe`, for a topic that one node alone should publish: report() names those that do when they
+  /// are several. Whatever a second one says of walls or wheels is believed as much as the first.
+  template <class Msg, class F>
+  ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, F handle,
+                                 const ros::TransportHints& hints = {}) {
+    const auto heard = std::make_shared<HeardPublishers>();
+    heard_[topic] = heard;
+    return subscribeToEvents<Msg>(
+        topic, queue_size,
+        [heard, handle](const ros::MessageEvent<const Msg>& event) {
+          heard->add(event.getPublisherName(), steadyNow());
+          handle(*event.getConstMessage());
+        },
+        hints);
+  }
+  template <class Node, class Msg>
+  ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, void (Node::*handle)(const Msg&),
+                                 Node* node, const ros::TransportHints& hints = {}) {
+    return subscribeToOne<Msg>(
+        topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
   }
 
   /// `handle(request, response)` answers calls of `service`; the call fails where it gives false or throws.
@@ -96,12 +120,19 @@ class NodeConnections {
   MasterWatch& master() { return master_; }
   const MasterWatch& master() const { return master_; }
   MemoryReport& memory() { return memory_; }
-  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, and what callbacks
-  /// threw.
+  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, what callbacks
+  /// threw, which messages could not be read, and who speaks where one alone should. For the thread that the callbacks
+  /// run on.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+    using diagnostic_msgs::DiagnosticStatus;
     master_.diagnose(status);
     clock_.report(status);
     guard_.report(status);
+    unreadable_.report(status);
+    for (const auto& [topic, heard] : heard_) {
+      const std::string names = heard->severalNames(steadyNow());
+      if (!names.empty()) status.mergeSummary(DiagnosticStatus::WARN, "several nodes publish " + topic + ": " + names);
+    }
   }
 
  private:
@@ -111,6 +142,8 @@ class NodeConnections {
   ros::NodeHandle node_;
   CallbackGuard guard_;
   MemoryReport memory_;
+  UnreadableMessages unreadable_;
+  std::map<std::string, std::shared_ptr<HeardPublishers>> heard_;  ///< by topic
   ClockMonitor clock_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

@@ -35,6 +35,7 @@ class PatrolClient {
 
   PatrolOrder order_;
   ActionClient<PatrolAction> client_;
+  UnreadableMessages unreadable_;
   ros::Subscriber status_;
   Phase phase_ = Phase::kConnecting;
   SteadyTime since_;  ///< when the phase began

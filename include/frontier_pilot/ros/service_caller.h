@@ -13,12 +13,16 @@
 #include <thread>
 
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/ros/callback_guard.h"
 #include "frontier_pilot/teleop/operator_link.h"
 
 namespace frontier_pilot {
 
 /// Where lines for the operator go; may be called from any thread.
 using OperatorLog = std::function<void(Severity, const std::string&)>;
+
+/// Whether ROS takes `service` for a name. What it does not take it throws at, also from threads where nothing catches.
+bool isServiceName(const std::string& service);
 
 /// Calls services on a thread of its own, one after the other, and says in the log what they answered. A caller that
 /// goes away ends the call it is in, also when the server never answers.
@@ -44,12 +48,14 @@ class ServiceCaller {
 
   void post(Call call);
   void run();
+  void tryPerform(const Call& call);
   void perform(const Call& call);
   /// False if the caller is going away.
   bool begin(const ros::ServiceClient& client);
 
   ros::NodeHandle node_;
   OperatorLog log_;
+  CallbackGuard guard_;
   std::mutex mutex_;
   std::condition_variable wake_;
   std::deque<Call> calls_;
@@ -69,6 +75,7 @@ class ServiceWatch {
   ServiceWatch(const ServiceWatch&) = delete;
   ServiceWatch& operator=(const ServiceWatch&) = delete;
 
+  /// What is no name of a service is never up.
   void watch(const std::string& service);
   bool up(const std::string& service) const;
   bool masterUp() const;
@@ -79,6 +86,7 @@ class ServiceWatch {
 
   ros::NodeHandle node_;
   std::function<void(const std::string&)> appeared_;
+  CallbackGuard guard_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::map<std::string, bool> up_;

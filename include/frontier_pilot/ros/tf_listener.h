@@ -16,6 +16,7 @@
 
 #include "frontier_pilot/core/clock_trust.h"
 #include "frontier_pilot/ros/callback_guard.h"
+#include "frontier_pilot/ros/checked_subscription.h"
 #include "frontier_pilot/ros/diagnostics.h"
 #include "frontier_pilot/ros/stamp_order.h"
 
@@ -53,6 +54,7 @@ class TfListener {
   ClockTrust trust_;
   StampOrder order_;
   CallbackGuard guard_;
+  UnreadableMessages unreadable_;
   mutable std::mutex mutex_;  ///< of what is refused
   Rejections rejections_{"transform"};
   std::set<std::string> frames_;                                  ///< that the buffer knows

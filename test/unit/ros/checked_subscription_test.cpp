@@ -73,5 +73,32 @@ TEST(CheckedStream, FLT_1_AMessageThatIsCutAnywhereIsRefused) {
   }
 }
 
+/// What a subscription makes of some bytes: whether there is a message, and what of it comes to `unreadable`.
+template <class Msg>
+bool isRead(std::vector<std::uint8_t> bytes, UnreadableMessages& unreadable) {
+  const boost::function<void(const ros::MessageEvent<const Msg>&)> handle = [](const auto&) {};
+  const ros::SubscribeOptions options = checkedSubscription<Msg>("scan", 1, unreadable, handle);
+  ros::SubscriptionCallbackHelperDeserializeParams params;
+  params.buffer = bytes.data();
+  params.length = static_cast<std::uint32_t>(bytes.size());
+  return options.helper->deserialize(params) != nullptr;
+}
+
+// [FLT-1] What is thrown to roscpp here it logs, a line for each message.
+TEST(CheckedSubscription, FLT_1_WhatCannotBeReadIsNoMessageAndIsCountedByReason) {
+  UnreadableMessages unreadable;
+  EXPECT_TRUE(isRead<sensor_msgs::LaserScan>(bytesOf(scan()), unreadable));
+  EXPECT_EQ(unreadable.total(), 0U);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NO_THROW(EXPECT_FALSE(isRead<sensor_msgs::LaserScan>({'a', 'b', 'c'}, unreadable)));
+  }
+  EXPECT_EQ(unreadable.total(), 3U);
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  unreadable.report(status);
+  ASSERT_EQ(status.values.size(), 2U);
+  EXPECT_EQ(status.values[1].key, "message of scan refused: shorter than its fields");
+  EXPECT_EQ(status.values[1].value, "3");
+}
+
 }  // namespace
 }  // namespace frontier_pilot

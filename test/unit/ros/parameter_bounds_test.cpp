@@ -1,0 +1,118 @@
+// What no node may be configured with, whatever its parameters are: times and rates that size a timer, speeds that no
+// robot has, frames that TF cannot have.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/ros/behavior_server_adapter.h"
+#include "frontier_pilot/ros/cmd_vel_arbiter_adapter.h"
+#include "frontier_pilot/ros/explorer_adapter.h"
+#include "frontier_pilot/ros/mapper_adapter.h"
+#include "frontier_pilot/ros/navigator_adapter.h"
+#include "frontier_pilot/ros/obstacle_avoider_adapter.h"
+#include "frontier_pilot/ros/patrol_server_adapter.h"
+#include "frontier_pilot/ros/simulator_adapter.h"
+#include "frontier_pilot/teleop/parameters.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Row = detail::Describer::Row;
+
+template <class P>
+void appendRows(const std::string& node, std::vector<Row>& rows) {
+  for (Row& row : describeParameters(P())) {
+    row.name.insert(0, node + ": ");
+    rows.push_back(row);
+  }
+}
+
+std::vector<Row> rowsOfAllNodes() {
+  std::vector<Row> rows;
+  appendRows<SimulatorNodeParameters>("simulator", rows);
+  appendRows<ArbiterParameters>("cmd_vel_arbiter", rows);
+  appendRows<ObstacleAvoiderNodeParameters>("obstacle_avoider", rows);
+  appendRows<PatrolServerParameters>("patrol_server", rows);
+  appendRows<BehaviorServerParameters>("behavior_server", rows);
+  appendRows<MapperNodeParameters>("mapper", rows);
+  appendRows<NavigatorNodeParameters>("navigator", rows);
+  appendRows<ExplorerNodeParameters>("frontier_explorer", rows);
+  appendRows<TeleopParameters>("teleop_gui", rows);
+  return rows;
+}
+
+/// The problems of the line `yaml` of a configuration, as one text.
+template <class P>
+std::string refusal(const std::string& yaml) {
+  P parameters;
+  std::string text;
+  for (const std::string& problem : loadParameters(parseYaml(yaml), parameters)) text += problem + "\n";
+  return text;
+}
+
+template <class P>
+void expectRefused(const std::string& yaml, const std::string& name) {
+  EXPECT_EQ(refusal<P>(yaml).rfind(name + ": ", 0), 0U) << "'" << yaml << "' gives '" << refusal<P>(yaml) << "'";
+}
+
+// [FLT-1]
+TEST(ParameterBounds, EveryTimeAndEveryRateHasAGreatestValue_FLT_1) {
+  for (const Row& row : rowsOfAllNodes()) {
+    const bool sizes_a_duration = row.unit == "s" || row.unit == "Hz";
+    EXPECT_TRUE(!sizes_a_duration || row.bounds.find("<=") != std::string::npos) << row.name << " " << row.bounds;
+  }
+}
+
+// [FLT-1]
+TEST(ParameterBounds, EverySpeedOfTheRobotsHasAGreatestValue_FLT_1) {
+  for (const Row& row : describeParameters(RobotModel())) {
+    EXPECT_TRUE(row.type != "double" || row.bounds.find("<=") != std::string::npos) << row.name << " " << row.bounds;
+  }
+}
+
+// [FLT-1]
+TEST(ParameterBounds, NoTimerIsMadeOfWhatNoTimerKeeps_FLT_1) {
+  for (const char* rate : {"1e12", "1e-300", "0.01", "2000"}) {
+    expectRefused<ExplorerNodeParameters>(std::string("rate: ") + rate, "rate");
+  }
+  for (const char* period : {"1e-300", "1e-6", "1e300"}) {
+    expectRefused<ExplorerNodeParameters>(std::string("report_period: ") + period, "report_period");
+    expectRefused<MapperNodeParameters>(std::string("update_period: ") + period, "update_period");
+    expectRefused<MapperNodeParameters>(std::string("tf_period: ") + period, "tf_period");
+    expectRefused<MapperNodeParameters>(std::string("autosave_period: ") + period, "autosave_period");
+  }
+  EXPECT_EQ(refusal<MapperNodeParameters>("autosave_period: 0.0"), "") << "never";
+  expectRefused<SimulatorNodeParameters>("{world: w, speed: 1e300}", "speed");
+}
+
+// [FLT-1]
+TEST(ParameterBounds, NoRobotIsFasterOrSeesFartherThanAny_FLT_1) {
+  expectRefused<RobotLimits>("max_linear: 21.0", "max_linear");
+  expectRefused<RobotLimits>("max_angular: 1e308", "max_angular");
+  expectRefused<RobotLimits>("max_linear_acc: 1e308", "max_linear_acc");
+  expectRefused<RobotLimits>("max_angular_acc: 1001", "max_angular_acc");
+  expectRefused<RobotModel>("scanner: {range_max: 1e300}", "scanner/range_max");
+  expectRefused<RobotModel>("watchdog: 1e300", "watchdog");
+}
+
+// [FLT-1]
+TEST(ParameterBounds, AFrameThatTfCannotHaveIsRefused_FLT_1) {
+  for (const char* frame : {"''", "/map"}) {
+    const std::string yaml = std::string("map_frame: ") + frame;
+    expectRefused<ExplorerNodeParameters>(yaml, "map_frame");
+    expectRefused<NavigatorNodeParameters>(yaml, "map_frame");
+    expectRefused<MapperNodeParameters>(yaml, "map_frame");
+    expectRefused<MapperNodeParameters>(std::string("odom_frame: ") + frame, "odom_frame");
+    expectRefused<RobotModel>(std::string("base_frame: ") + frame, "base_frame");
+  }
+  expectRefused<ExplorerNodeParameters>("base_frame: /base_link", "base_frame");
+  expectRefused<NavigatorNodeParameters>("base_frame: /base_link", "base_frame");
+  expectRefused<MapperNodeParameters>("base_frame: /base_link", "base_frame");
+  EXPECT_EQ(refusal<ExplorerNodeParameters>("base_frame: ''"), "") << "the robot's";
+}
+
+}  // namespace
+}  // namespace frontier_pilot
