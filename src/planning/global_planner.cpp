@@ -174,8 +174,8 @@ struct GlobalPlanner::Impl {
         return result;
       }
     }
-    const bool turned = from && !OrientedSearch(map, outline.inTightPlaces()).search(start, {}, goals).empty();
-    result.status = turned ? PlanStatus::kStartBlocked : PlanStatus::kNoPath;
+    const bool may_turn = outline.canTurnRound(map, request.start);
+    result.status = may_turn ? PlanStatus::kNoPath : PlanStatus::kStartBlocked;
     return result;
   }
 

@@ -40,7 +40,7 @@ double OutlineCheck::neededClearance(const ClearanceMap& map) const {
 bool OutlineCheck::fits(const ClearanceMap& map, const Pose2& T_map_base, double slack) const {
   const double needed = neededClearance(map) - slack;
   // In the open one look-up answers for all points.
-  if (isTrivial() || map.clearance(T_map_base.position()) >= reach_ + needed) return true;
+  if (canTurnRound(map, T_map_base.position())) return true;
   return std::all_of(points_.begin(), points_.end(),
                      [&](const Vec2& point) { return map.clearance(T_map_base * point) >= needed; });
 }
@@ -68,6 +68,10 @@ bool OutlineCheck::canTurn(const ClearanceMap& map, const Vec2& position, double
     if (!fits(map, {position, from + angle * i / steps}, slack)) return false;
   }
   return true;
+}
+
+bool OutlineCheck::canTurnRound(const ClearanceMap& map, const Vec2& position) const {
+  return isTrivial() || map.clearance(position) >= reach_ + neededClearance(map);
 }
 
 bool OutlineCheck::canDrive(const ClearanceMap& map, const Vec2& from, const Vec2& to) const {

@@ -28,6 +28,8 @@ class OutlineCheck {
   bool fits(const ClearanceMap& map, const Pose2& T_map_base, double slack = 0.0) const;
   /// Whether the robot can turn on the spot from one direction [rad] into the other, the shorter way.
   bool canTurn(const ClearanceMap& map, const Vec2& position, double from, double to, double slack = 0.0) const;
+  /// Whether the robot can turn right round.
+  bool canTurnRound(const ClearanceMap& map, const Vec2& position) const;
   /// Whether it fits at both ends of a straight motion, whose lane the map answers for.
   bool canDrive(const ClearanceMap& map, const Vec2& from, const Vec2& to) const;
   /// Whether it can follow a path by straight motions and turns on the spot, from `along` [m] on. The first `escape`

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "frontier_pilot/behavior/timed_behavior.h"
@@ -16,20 +17,39 @@ namespace frontier_pilot {
 inline LookAhead lookAtScan(const ScanPoints& scan, const Outline& outline) {
   return [&scan, outline](const Pose2& T_map_base, const AxisMotion& motion) {
     if (motion.axis == AxisMotion::Axis::kTurn && outline.isDisc()) return SweepResult::kClear;
-    constexpr int kPoses = 10;
+    constexpr double kStep = 0.03;  // that the farthest point of the outline moves at most between two poses [m]
+    const bool turns = motion.axis == AxisMotion::Axis::kTurn;
+    const double travel = std::abs(motion.amount) * (turns ? outline.circumscribedRadius() : 1.0);
+    const int poses = std::max(10, static_cast<int>(std::ceil(travel / kStep)));
     const double at_start = scan.distance(outline, T_map_base);
-    for (int i = 1; i <= kPoses; ++i) {
-      const double there = scan.distance(outline, T_map_base * motion.at(static_cast<double>(i) / kPoses));
+    for (int i = 1; i <= poses; ++i) {
+      const double there = scan.distance(outline, T_map_base * motion.at(static_cast<double>(i) / poses));
       if (there < 0.0 && there < at_start) return SweepResult::kObstacle;
     }
     return SweepResult::kClear;
   };
 }
 
+/// The goal as far as it is free: a robot that is no disc may have room for a part of it only, and that may be enough
+/// to turn. Of a disc's goals nothing is left out.
+inline BehaviorGoal freePartOf(const BehaviorGoal& goal, const RecoveryInputs& in, const Outline& outline) {
+  if (outline.isDisc()) return goal;
+  const LookAhead look = lookAtScan(in.scan, outline);
+  const double sign = goal.kind == BehaviorKind::kBackUp ? -1.0 : 1.0;
+  const auto axis = goal.kind == BehaviorKind::kSpin ? AxisMotion::Axis::kTurn : AxisMotion::Axis::kLine;
+  constexpr int kParts = 8;
+  BehaviorGoal part = goal;
+  for (int i = kParts; i > 1; --i) {
+    part.target = goal.target * i / kParts;
+    if (look(in.T_map_base, {axis, sign * part.target}) == SweepResult::kClear) break;
+  }
+  return part;
+}
+
 /// A recovery that does `goal` and is done when that ends, however it ends.
 inline Recovery recoveryBy(const BehaviorGoal& goal, const BehaviorParameters& behavior, const Outline& outline) {
   return [goal, outline, core = TimedBehavior(behavior), begun = false](const RecoveryInputs& in, Time now) mutable {
-    if (!begun) core.start(goal, now);
+    if (!begun) core.start(freePartOf(goal, in, outline), now);
     begun = true;
     BehaviorInputs inputs;
     inputs.pose = BehaviorInputs::Pose{now, in.T_map_base};
