@@ -20,8 +20,8 @@ struct BehaviorFrames {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("odom_frame", odom_frame, "", "frame of odometry");
-    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame");
+    v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
   }
 };
 

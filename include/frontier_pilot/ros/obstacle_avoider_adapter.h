@@ -25,7 +25,8 @@ struct ObstacleAvoiderNodeParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     avoider.describe(v);
-    v.field("base_frame", base_frame, "", "the frame that the sectors are seen from; empty: robot/base_frame");
+    v.field("base_frame", base_frame, "", "the frame that the sectors are seen from; empty: robot/base_frame",
+            FrameName::kMayBeEmpty);
     v.field("enabled", enabled, "", "whether it is on at the start");
   }
   void check(Problems& problems) const { avoider.check(problems); }
