@@ -35,9 +35,13 @@ NavReason reasonOf(PlanStatus status) {
 constexpr double kWorthwhileShare = 0.1;
 constexpr double kWorthwhile = 0.2;
 
+/// Beside a robot that is no disc: its corners swing out while it corrects its course, and along a wall that is nearer
+/// it could turn neither way [m].
+constexpr double kSwingRoom = 0.02;
+
 /// The map is for a disc as wide as the lane of the robot.
 ClearanceParams clearanceFor(ClearanceParams params, const Outline& outline) {
-  params.inscribed_radius = outline.halfWidth();
+  params.inscribed_radius = outline.halfWidth() + (outline.isDisc() ? 0.0 : kSwingRoom);
   return params;
 }
 

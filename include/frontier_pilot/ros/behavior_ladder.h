@@ -22,9 +22,12 @@ inline LookAhead lookAtScan(const ScanPoints& scan, const Outline& outline) {
     const double travel = std::abs(motion.amount) * (turns ? outline.circumscribedRadius() : 1.0);
     const int poses = std::max(10, static_cast<int>(std::ceil(travel / kStep)));
     const double at_start = scan.distance(outline, T_map_base);
+    // Along a wall other points of it, noisy as well, come up beside a straight outline.
+    constexpr double kNoise = 0.005;  // [m]
+    const double least = outline.isDisc() || at_start < -kNoise ? at_start : at_start - kNoise;
     for (int i = 1; i <= poses; ++i) {
       const double there = scan.distance(outline, T_map_base * motion.at(static_cast<double>(i) / poses));
-      if (there < 0.0 && there < at_start) return SweepResult::kObstacle;
+      if (there < 0.0 && there < least) return SweepResult::kObstacle;
     }
     return SweepResult::kClear;
   };
