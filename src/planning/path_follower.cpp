@@ -8,13 +8,14 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr double kStep = 0.05;            ///< of a trial [s]
-constexpr double kSpeedMargin = 0.08;     ///< more room at speed, for what is measured late [m per m/s]
-constexpr double kNarrowSpeed = 0.12;     ///< at which no more room is needed: where it is narrow one goes slowly [m/s]
-constexpr double kMinGap = 0.004;         ///< between footprint and scan points, whatever happens [m]
-constexpr double kMapSlack = 0.02;        ///< a follower may be this much nearer to walls than a path [m]
-constexpr double kCreep = 0.02;           ///< the speed at which a path is ended [m/s]
-constexpr double kBehind = 2.6;           ///< bearings beyond this are left and right alike [rad]
+constexpr double kStep = 0.05;         ///< of a trial [s]
+constexpr double kSpeedMargin = 0.08;  ///< more room at speed, for what is measured late [m per m/s]
+constexpr double kNarrowSpeed = 0.12;  ///< at which no more room is needed: where it is narrow one goes slowly [m/s]
+constexpr double kMinGap = 0.004;      ///< between a disc and scan points, whatever happens [m]
+constexpr double kMinSideGap = 0.01;   ///< and a straight side, which the noise of many points at once is nearer to [m]
+constexpr double kMapSlack = 0.02;     ///< a follower may be this much nearer to walls than a path [m]
+constexpr double kCreep = 0.02;        ///< the speed at which a path is ended [m/s]
+constexpr double kBehind = 2.6;        ///< bearings beyond this are left and right alike [rad]
 constexpr double kContactPenalty = 0.2;   ///< [m of progress]
 constexpr double kDeviationWeight = 0.5;  ///< metres of progress a metre off the path
 constexpr double kGoodEnough = 0.9;       ///< of what full speed could do: no other variant is tried
@@ -100,7 +101,7 @@ double PathFollower::leastDistance(double now) const {
   const double least = radius_ + params_.scan_margin;
   if (now >= least) return least;
   // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
-  const double floor = radius_ + kMinGap;
+  const double floor = outline_.isDisc() ? radius_ + kMinGap : kMinSideGap;
   constexpr double kRounding = 1e-4;  // of what is compared with it
   return now < floor ? now - kRounding : std::max(floor, now - 0.002);
 }

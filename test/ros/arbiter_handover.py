@@ -90,6 +90,7 @@ class ArbiterHandover(unittest.TestCase):
         _, says = self.arbiter('/both')
         self.assertTrue(says().emergency_stop, 'and whoever comes after it [ARB-12]')
         self.assertTrue(self.clear('/both'))
+        self.assertTrue(wait_for(lambda: not says().emergency_stop), 'the status follows the answer')
         self.assertFalse(wait_for(lambda: says().emergency_stop, 1.5), 'a stop of the dead that was cleared')
 
 
