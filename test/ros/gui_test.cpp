@@ -3,6 +3,7 @@
 
 #include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/PatrolAction.h>
+#include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -108,7 +109,7 @@ pid_t startWindowProcess() {
 TEST_F(GuiOnTheWire, AProcessThatIsStoppedStopsTheRobotWithinASecond) {
   const pid_t child = startWindowProcess();
   ASSERT_GT(child, 0);
-  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.09; }));
+  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.09; }));
   kill(child, SIGSTOP);
   const SteadyTime frozen = steadyNow();
   EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed) < 1e-6; }));
@@ -276,8 +277,16 @@ TEST_F(GuiOnTheWire, ClosingSendsZeroAsTheLastWord) {
 int driveForward() {
   Window window;
   if (!waitFor([&] { return window.text("driver") == "manual drives"; })) return 1;
-  window.click("Go");
-  window.click("Go");
+  double commanded = 0.0;
+  ros::NodeHandle node;
+  const ros::Subscriber manual = node.subscribe<geometry_msgs::Twist>(
+      names::kCmdVelManual, 1, [&](const geometry_msgs::Twist::ConstPtr& twist) { commanded = twist->linear.x; });
+  const auto goes = [&] {
+    ros::spinOnce();
+    return commanded > 0.09;
+  };
+  // On a busy machine the window may take a delay of its own for a freeze and drop what was asked for.
+  while (ros::ok() && !QTest::qWaitFor(goes, 500)) window.click("Go");
   return QApplication::exec();
 }
 
