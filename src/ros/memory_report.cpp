@@ -11,7 +11,8 @@ void mergeReasons(const std::map<std::string, std::string>& reasons, unsigned ch
   const auto& [what, why] = *reasons.begin();
   const std::string more = reasons.size() > 1 ? " and " + std::to_string(reasons.size() - 1) + " more" : "";
   status.mergeSummary(level, what + more + " " + verb + ": " + why);
-  for (const auto& [each, reason] : reasons) status.add(each + " " + verb, reason);
+  const std::string ending = " " + verb;
+  for (const auto& [each, reason] : reasons) status.add(each + ending, reason);
 }
 
 }  // namespace

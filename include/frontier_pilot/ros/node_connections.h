@@ -131,7 +131,8 @@ class NodeConnections {
     unreadable_.report(status);
     for (const auto& [topic, heard] : heard_) {
       const std::string names = heard->severalNames(steadyNow());
-      if (!names.empty()) status.mergeSummary(DiagnosticStatus::WARN, "several nodes publish " + topic + ": " + names);
+      if (names.empty()) continue;
+      status.mergeSummaryf(DiagnosticStatus::WARN, "several nodes publish %s: %s", topic.c_str(), names.c_str());
     }
   }
 
