@@ -3,7 +3,6 @@
 
 #include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/PatrolAction.h>
-#include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -21,11 +20,13 @@
 #include "frontier_pilot/ros/names.h"
 #include "ros/gui_robot.h"
 #include "ros/gui_window.h"
+#include "ros/gui_window_process.h"
 
 namespace frontier_pilot {
 namespace {
 
 using test::GuiOnTheWire;
+using test::startWindowProcess;
 using test::waitFor;
 using test::Window;
 
@@ -95,14 +96,6 @@ TEST_F(GuiOnTheWire, AWindowWhoseThreadIsStuckStopsTheRobotWithinASecond) {
   QTest::qWait(500);
   EXPECT_TRUE(window.widget.setPoint().isZero()) << "it must not go on when the window thaws";
   EXPECT_EQ(robot_.command, 0.0);
-}
-
-/// This program as the window alone, in a process of its own.
-pid_t startWindowProcess() {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  execl("/proc/self/exe", "gui_test", "--window", "__name:=window_to_freeze", nullptr);
-  _exit(127);
 }
 
 // [GUI-3]
@@ -274,22 +267,6 @@ TEST_F(GuiOnTheWire, ClosingSendsZeroAsTheLastWord) {
   EXPECT_EQ(robot_.manual_count, count);
 }
 
-int driveForward() {
-  Window window;
-  if (!waitFor([&] { return window.text("driver") == "manual drives"; })) return 1;
-  double commanded = 0.0;
-  ros::NodeHandle node;
-  const ros::Subscriber manual = node.subscribe<geometry_msgs::Twist>(
-      names::kCmdVelManual, 1, [&](const geometry_msgs::Twist::ConstPtr& twist) { commanded = twist->linear.x; });
-  const auto goes = [&] {
-    ros::spinOnce();
-    return commanded > 0.09;
-  };
-  // On a busy machine the window may take a delay of its own for a freeze and drop what was asked for.
-  while (ros::ok() && !QTest::qWaitFor(goes, 500)) window.click("Go");
-  return QApplication::exec();
-}
-
 }  // namespace
 }  // namespace frontier_pilot
 
@@ -298,7 +275,7 @@ int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "gui_test");
   QApplication application(argc, argv);
-  if (argc > 1 && std::strcmp(argv[1], "--window") == 0) return frontier_pilot::driveForward();
+  if (argc > 1 && std::strcmp(argv[1], "--window") == 0) return frontier_pilot::test::driveForward();
   const ros::NodeHandle keeps_ros_alive;
   ros::AsyncSpinner spinner(2);
   spinner.start();
