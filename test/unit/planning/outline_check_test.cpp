@@ -10,12 +10,13 @@
 
 #include "frontier_pilot/planning/global_planner.h"
 #include "open_floor.h"
-#include "waffle.h"
+#include "support/shipped_robot.h"
+#include "zigzag.h"
 
 namespace frontier_pilot {
 namespace {
 
-const Outline kWaffle = test::waffle().drivenOutline();
+const Outline kWaffle = test::shippedRobot("waffle").drivenOutline();
 
 ClearanceMap laneMap(const OccupancyGrid& map, double radius = kWaffle.halfWidth(), double tight_weight = 10.0) {
   ClearanceParams params;

@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "driven_robot.h"
-#include "waffle.h"
+#include "support/shipped_robot.h"
+#include "zigzag.h"
 
 namespace frontier_pilot {
 namespace {
 
 NavigatorParams forWaffle() {
   NavigatorParams params;
-  params.robot = test::waffle();
+  params.robot = test::shippedRobot("waffle");
   return params;
 }
 

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <string>
-
 #include "simulated_room.h"
+#include "support/shipped_robot.h"
 
 namespace frontier_pilot::sim {
 
 // A robot that no disc stands for, with its scanner above the wheels and limits that hardly matter.
 inline SimulatorParameters waffleAt(double x, double y, double yaw) {
   SimulatorParameters parameters = quiet();
-  const Problems problems =
-      loadParameters(loadYamlFile(std::string(FRONTIER_PILOT_ROBOTS) + "/waffle.yaml"), parameters.robot);
-  if (!problems.empty()) throw std::runtime_error(problems.front());
+  parameters.robot = test::shippedRobot("waffle");
   parameters.robot.scanner.x = 0.0;
   parameters.x = x;
   parameters.y = y;

@@ -1,20 +1,8 @@
 #pragma once
 
 #include "frontier_pilot/core/grid.h"
-#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot::test {
-
-/// As config/robots/waffle.yaml: the wheels' axis far ahead of the middle, so that the corners behind swing out.
-inline RobotModel waffle() {
-  RobotModel robot;
-  robot.outline = {0.077, 0.153, -0.205, 0.153, -0.205, -0.153, 0.077, -0.153};
-  robot.disc_radius = 0.0;
-  robot.limits.max_linear = 0.26;
-  robot.limits.max_angular = 1.82;
-  robot.scanner.x = -0.064;
-  return robot;
-}
 
 /// Solid, but for corridors of `width` cells of 5 cm: three metres along x, then two and a half along y, then along x
 /// again, with a corner to the left and one to the right.
