@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "frontier_pilot/ros/clock.h"
+#include "ros/common/clock.h"
 
 namespace {
 

@@ -48,24 +48,25 @@ void run(sim::Simulator& simulator, const Twist2& command, double seconds) {
 }
 
 /// Patrols once; false if it did not complete.
-bool patrolOnce(sim::Simulator& simulator, const PatrolOrder& order, double frequency) {
-  PatrolParameters parameters;
+bool patrolOnce(sim::Simulator& simulator, const patrol::PatrolOrder& order, double frequency) {
+  patrol::PatrolParameters parameters;
   parameters.frequency = frequency;
-  Patrol patrol(parameters);
+  patrol::Patrol patrol(parameters);
   patrol.start(order, simulator.now());
-  PatrolOutput output;
+  patrol::PatrolOutput output;
   while (patrol.active()) {
-    PatrolInputs inputs;
+    patrol::PatrolInputs inputs;
     inputs.odometry = MotionSample{simulator.now(), simulator.odometry(0), simulator.velocity(0)};
     output = patrol.update(inputs, simulator.now());
     run(simulator, output.command.value_or(Twist2()), 1.0 / frequency);
   }
   run(simulator, {}, 0.5);
-  return output.outcome == PatrolOutcome::kCompleted;
+  return output.outcome == patrol::PatrolOutcome::kCompleted;
 }
 
 void tabulatePatrols(bool noise, int seeds) {
-  for (const PatrolShape shape : {PatrolShape::kSquare, PatrolShape::kTriangle, PatrolShape::kCircle}) {
+  for (const patrol::PatrolShape shape :
+       {patrol::PatrolShape::kSquare, patrol::PatrolShape::kTriangle, patrol::PatrolShape::kCircle}) {
     for (const double frequency : {10.0, 20.0}) {
       Figures distance, angle;
       for (int seed = 1; seed <= seeds; ++seed) {
@@ -85,7 +86,7 @@ void tabulatePatrols(bool noise, int seeds) {
 
 /// One cycle's view of the world for a behaviour.
 struct Eyes {
-  Surroundings around{SurroundingsParameters()};
+  behavior::Surroundings around{behavior::SurroundingsParameters()};
   std::chrono::duration<double> spent{};
   int scans = 0;
 
@@ -116,15 +117,15 @@ void tabulateSpins(int count) {
   int cycles = 0;
   step(simulator, eyes, 0.5);
   for (int i = 0; i < count; ++i) {
-    TimedBehavior behavior((BehaviorParameters()));
+    behavior::TimedBehavior behavior((behavior::BehaviorParameters()));
     const double target = angle(random);
     const double start = simulator.pose(0).yaw;
-    behavior.start({BehaviorKind::kSpin, target, 0.0, 0.0, true}, simulator.now());
-    BehaviorOutput output;
+    behavior.start({behavior::BehaviorKind::kSpin, target, 0.0, 0.0, true}, simulator.now());
+    behavior::BehaviorOutput output;
     while (behavior.active()) {
       const auto begin = std::chrono::steady_clock::now();
-      BehaviorInputs inputs;
-      inputs.pose = BehaviorInputs::Pose{simulator.now(), simulator.odometry(0)};
+      behavior::BehaviorInputs inputs;
+      inputs.pose = behavior::BehaviorInputs::Pose{simulator.now(), simulator.odometry(0)};
       inputs.look_ahead = eyes.around.lookAhead(0.5, simulator.now());
       output = behavior.update(inputs, simulator.now());
       thought += std::chrono::steady_clock::now() - begin;
@@ -132,7 +133,8 @@ void tabulateSpins(int count) {
       simulator.setCommand(0, output.command.value_or(Twist2()));
       step(simulator, eyes, 0.1);
     }
-    if (output.outcome != BehaviorOutcome::kSucceeded) std::printf("not succeeded: %s\n", output.message.c_str());
+    if (output.outcome != behavior::BehaviorOutcome::kSucceeded)
+      std::printf("not succeeded: %s\n", output.message.c_str());
     step(simulator, eyes, 0.5);
     error.add(angleDifference(simulator.pose(0).yaw, start + target));
   }

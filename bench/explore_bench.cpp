@@ -15,11 +15,12 @@
 #include <vector>
 
 #include "frontier_pilot/sim/world_image.h"
-#include "frontier_pilot/tools/arguments.h"
-#include "support/closed_loop/closed_loop.h"
+#include "frontier_pilot/system/closed_loop.h"
+#include "support/closed_loop/exploration_meter.h"
 #include "support/explore_report.h"
 #include "support/shipped_robot.h"
 #include "support/svg.h"
+#include "tools/arguments.h"
 
 namespace frontier_pilot::bench {
 namespace {
@@ -53,13 +54,13 @@ struct Options {
   std::string svg;
 };
 
-Pose2 poseOf(Arguments& arguments) {
+Pose2 poseOf(tools::Arguments& arguments) {
   const double x = arguments.number();
   const double y = arguments.number();
   return {x, y, arguments.number()};
 }
 
-void takeWord(const std::string& word, Arguments& arguments, Options& o) {
+void takeWord(const std::string& word, tools::Arguments& arguments, Options& o) {
   if (word == "--seeds") return void(o.seeds = arguments.range());
   if (word == "--robot") return void(o.robot = arguments.text());
   if (word == "--limits") return void(o.limits = arguments.text());
@@ -72,12 +73,12 @@ void takeWord(const std::string& word, Arguments& arguments, Options& o) {
   if (word == "--log") return void(o.log = true);
   if (word == "--twice") return void(o.twice = true);
   if (word == "--svg") return void(o.svg = arguments.text());
-  if (Arguments::isOption(word)) throw std::invalid_argument("unknown option " + word);
+  if (tools::Arguments::isOption(word)) throw std::invalid_argument("unknown option " + word);
   o.worlds.push_back(word);
 }
 
 Options parse(const std::vector<std::string>& words) {
-  Arguments arguments(words);
+  tools::Arguments arguments(words);
   Options options;
   while (!arguments.atEnd()) {
     const std::string word = arguments.next();
@@ -112,8 +113,8 @@ RobotModel robotOf(const Options& options) {
 /// The room beside a robot that floor has to leave to count as one that it can reach [m].
 constexpr double kRoomBeside = 0.045;
 
-test::ClosedLoopParameters parametersFor(const Options& options, const std::string& world, int seed) {
-  test::ClosedLoopParameters parameters;
+system::ClosedLoopParameters parametersFor(const Options& options, const std::string& world, int seed) {
+  system::ClosedLoopParameters parameters;
   parameters.setRobot(robotOf(options));
   parameters.simulator.world = world;
   parameters.simulator.seed = seed;
@@ -200,7 +201,7 @@ class Run {
 
   /// What the mapper thinks of its scans, each time it thinks something else, and how far it is off.
   void logMapper() {
-    const Mapper& mapper = loop_.mapper();
+    const mapping::Mapper& mapper = loop_.mapper();
     const auto remark = mapper.health().worst(loop_.now());
     std::string text = std::to_string(mapper.revisions().closures) + " loops closed";
     if (remark) text += ", " + remark->text;
@@ -225,14 +226,14 @@ class Run {
     report_.wrong = meter_.wrong(loop_.mapper().grid());
     report_.decisions = static_cast<int>(loop_.status().goals_sent);
     report_.hash = loop_.hash();
-    const bool complete = loop_.done() && loop_.status().reason == ExplorerReason::kNoReachableFrontier;
+    const bool complete = loop_.done() && loop_.status().reason == exploration::ExplorerReason::kNoReachableFrontier;
     report_.ended_well = complete || report_.explored >= options_.until;
     report_.end = loop_.done() ? toString(loop_.status().reason) : "not done";
     if (!svg_.empty()) std::ofstream(svg_) << drawSvg(loop_.mapper().grid(), {track_}, report_.text());
   }
 
   const Options& options_;
-  test::ClosedLoop loop_;
+  system::ClosedLoop loop_;
   test::ExplorationMeter meter_;
   std::string svg_;
   ExploreReport report_;

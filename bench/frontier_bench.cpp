@@ -10,9 +10,10 @@
 #include <random>
 #include <string>
 
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/grid_traversal.h"
 #include "frontier_pilot/exploration/frontier_search.h"
 #include "frontier_pilot/exploration/travel_field.h"
+#include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/world_image.h"
 #include "support/buildings.h"
 
@@ -42,7 +43,7 @@ OccupancyGrid seenInPart(int size) {
       solid[Cell{x, y}] = free ? 0 : 1;
     }
   }
-  const RayCaster caster(solid);
+  const grids::RayCaster caster(solid);
   OccupancyGrid map(geometry, kUnknown);
   std::mt19937 random(1);
   for (int scans = size * size / 7000; scans > 0;) {
@@ -84,7 +85,7 @@ const OccupancyGrid& mapOf(const benchmark::State& state) {
   return maps.back().second;
 }
 
-Cell someFreeCell(const TraversableSpace& space) {
+Cell someFreeCell(const exploration::TraversableSpace& space) {
   const int size = space.geometry().width;
   Cell cell{size / 2, size / 2};
   while (!space.traversable(cell) && cell.x + 1 < size) ++cell.x;
@@ -93,10 +94,10 @@ Cell someFreeCell(const TraversableSpace& space) {
 
 void search(benchmark::State& state) {
   const OccupancyGrid& map = mapOf(state);
-  FrontierClusters clusters;
+  exploration::FrontierClusters clusters;
   std::size_t cells = 0;
   for (auto _ : state) {
-    FrontierSearch frontier;
+    exploration::FrontierSearch frontier;
     frontier.update(map, map.geometry().rect());
     clusters = frontier.clusters(1, kExtent);
     benchmark::DoNotOptimize(clusters);
@@ -112,14 +113,14 @@ void search(benchmark::State& state) {
 void searchAndWavefront(benchmark::State& state) {
   const OccupancyGrid& map = mapOf(state);
   // The buffers live as long as the explorer does; what is in them is worked out anew.
-  TraversableSpace space(kClearance);
+  exploration::TraversableSpace space(kClearance);
   space.update(map, map.geometry().rect());
   const Cell start = someFreeCell(space);
-  TravelField field;
+  exploration::TravelField field;
   for (auto _ : state) {
-    FrontierSearch frontier;
+    exploration::FrontierSearch frontier;
     frontier.update(map, map.geometry().rect());
-    const FrontierClusters clusters = frontier.clusters(1, kExtent);
+    const exploration::FrontierClusters clusters = frontier.clusters(1, kExtent);
     benchmark::DoNotOptimize(clusters.runs.data());
     space.update(map, map.geometry().rect());
     field.compute(space, map, start, 0.5);

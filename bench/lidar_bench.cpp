@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/collision_map.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "support/buildings.h"
@@ -45,7 +45,7 @@ const std::vector<RobotSpec>& places() {
 }
 
 // Scans of `caster`'s world from one place after the other, on one core.
-void castFromPlaces(benchmark::State& state, const RayCaster& caster) {
+void castFromPlaces(benchmark::State& state, const grids::RayCaster& caster) {
   std::vector<Vec2> units;
   for (int i = 0; i < kBeams; ++i) units.push_back(direction(0.01 + i * 2.0 * kPi / kBeams));
   std::vector<double> ranges(kBeams);
@@ -61,18 +61,18 @@ void castFromPlaces(benchmark::State& state, const RayCaster& caster) {
 }
 
 // Static walls only: the requirement is 15 million rays a second.
-void castScans(benchmark::State& state) { castFromPlaces(state, RayCaster(solidCells(world().map, false))); }
+void castScans(benchmark::State& state) { castFromPlaces(state, grids::RayCaster(solidCells(world().map, false))); }
 BENCHMARK(castScans)->MinTime(1.0);
 
 // The floor: as castScans, but every ray ends at once, so that only its set-up and one look-up are left.
 void castScansFromWithinAWall(benchmark::State& state) {
-  castFromPlaces(state, RayCaster(Grid<std::uint8_t>(world().map.geometry(), 1)));
+  castFromPlaces(state, grids::RayCaster(Grid<std::uint8_t>(world().map.geometry(), 1)));
 }
 BENCHMARK(castScansFromWithinAWall)->MinTime(0.5);
 
 void buildRayCaster(benchmark::State& state) {
   const Grid<std::uint8_t> solid = solidCells(world().map, false);
-  for (auto _ : state) benchmark::DoNotOptimize(RayCaster(solid));
+  for (auto _ : state) benchmark::DoNotOptimize(grids::RayCaster(solid));
 }
 BENCHMARK(buildRayCaster)->Unit(benchmark::kMillisecond);
 

@@ -14,8 +14,8 @@
 #include <filesystem>
 #include <string>
 
-#include "frontier_pilot/core/ray_casting.h"
-#include "frontier_pilot/mapping/map_io.h"
+#include "frontier_pilot/core/grid_traversal.h"
+#include "frontier_pilot/map_files/map_io.h"
 #include "frontier_pilot/mapping/map_schedule.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "support/cpu_stopwatch.h"
@@ -28,7 +28,7 @@ using bench::Scanner;
 using bench::Stopwatch;
 using bench::tour;
 
-void insert(Mapper& mapper, const LaserScan2& scan, const Pose2& pose, Stopwatch& watch) {
+void insert(mapping::Mapper& mapper, const LaserScan2& scan, const Pose2& pose, Stopwatch& watch) {
   watch.time([&] { benchmark::DoNotOptimize(mapper.insert(scan, pose, scan.stamp)); });
 }
 
@@ -43,7 +43,7 @@ double cellsPassed(const LaserScan2& scan, const Pose2& pose, const GridGeometry
 }
 
 /// One tour; the scans' times go into `watch`. Gives the mean number of cells that a scan passes.
-double driveTour(Mapper& mapper, Scanner& scanner, Stopwatch& watch) {
+double driveTour(mapping::Mapper& mapper, Scanner& scanner, Stopwatch& watch) {
   double cells = 0.0;
   for (const Pose2& pose : tour()->poses()) {
     const LaserScan2& scan = scanner.at(pose);
@@ -54,8 +54,8 @@ double driveTour(Mapper& mapper, Scanner& scanner, Stopwatch& watch) {
 }
 
 /// What is measured here is how scans go in, not where they belong.
-MapperParameters insertionOnly() {
-  MapperParameters parameters;
+mapping::MapperParameters insertionOnly() {
+  mapping::MapperParameters parameters;
   parameters.trust_odometry = true;
   return parameters;
 }
@@ -63,7 +63,7 @@ MapperParameters insertionOnly() {
 void exploring(benchmark::State& state) {
   if (tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
   for (auto _ : state) {
-    Mapper mapper(insertionOnly());
+    mapping::Mapper mapper(insertionOnly());
     Scanner scanner(tour()->caster());
     Stopwatch watch;
     state.counters["cells"] = driveTour(mapper, scanner, watch);
@@ -76,7 +76,7 @@ BENCHMARK(exploring)->Name("Exploring")->Iterations(1)->Unit(benchmark::kMillise
 
 void mapped(benchmark::State& state) {
   if (tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
-  Mapper mapper(insertionOnly());
+  mapping::Mapper mapper(insertionOnly());
   Scanner scanner(tour()->caster());
   Stopwatch unused;
   driveTour(mapper, scanner, unused);
@@ -96,7 +96,7 @@ void fresh(benchmark::State& state) {
     double cells = 0.0;
     double scans = 0.0;
     for (std::size_t i = 0; i < tour()->poses().size(); i += 100) {
-      Mapper mapper(insertionOnly());
+      mapping::Mapper mapper(insertionOnly());
       const Pose2& pose = tour()->poses()[i];
       const LaserScan2& scan = scanner.at(pose);
       insert(mapper, scan, pose, watch);
@@ -113,9 +113,9 @@ BENCHMARK(fresh)->Name("Fresh")->Iterations(1)->Unit(benchmark::kMillisecond);
 /// whole is sent.
 class Publishing {
  public:
-  void publish(Mapper& mapper, Time now) {
+  void publish(mapping::Mapper& mapper, Time now) {
     const OccupancyGrid& grid = mapper.grid();
-    const MapChanges changes = mapper.takeChanges();
+    const occupancy::MapChanges changes = mapper.takeChanges();
     watch_.time([&] { copy(grid, changes); });
     if (schedule_.note(changes, now)) changed_ += static_cast<double>(message_.size());
     if (!schedule_.isDue(grid.size(), now)) return;
@@ -130,7 +130,7 @@ class Publishing {
   }
 
  private:
-  void copy(const OccupancyGrid& grid, const MapChanges& changes) {
+  void copy(const OccupancyGrid& grid, const occupancy::MapChanges& changes) {
     const CellRect& rect = changes.cells;
     message_.clear();
     if (changes.geometry_changed) {
@@ -144,7 +144,7 @@ class Publishing {
     }
   }
 
-  MapSchedule schedule_;
+  mapping::MapSchedule schedule_;
   std::vector<std::int8_t> whole_;
   std::vector<std::int8_t> message_;
   Stopwatch watch_;
@@ -155,7 +155,7 @@ class Publishing {
 void publishing(benchmark::State& state) {
   if (tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
   for (auto _ : state) {
-    Mapper mapper(insertionOnly());
+    mapping::Mapper mapper(insertionOnly());
     Scanner scanner(tour()->caster());
     Publishing publisher;
     Stopwatch unused;
@@ -174,13 +174,13 @@ BENCHMARK(publishing)->Name("Publishing")->Iterations(1)->Unit(benchmark::kMilli
 
 void save(benchmark::State& state) {
   if (tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
-  Mapper mapper(insertionOnly());
+  mapping::Mapper mapper(insertionOnly());
   Scanner scanner(tour()->caster());
   Stopwatch unused;
   driveTour(mapper, scanner, unused);
   const std::string path = (std::filesystem::temp_directory_path() / "willow_map").string();
   for (auto _ : state) {
-    if (!saveMap(mapper.map(), path).ok()) return state.SkipWithError("cannot save");
+    if (!map_files::saveMap(mapper.map(), path).ok()) return state.SkipWithError("cannot save");
   }
 }
 BENCHMARK(save)->Name("Save")->Unit(benchmark::kMillisecond);

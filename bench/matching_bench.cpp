@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/mapping/local_slam.h"
+#include "frontier_pilot/slam/local_slam.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
 
@@ -72,7 +72,7 @@ void follow(benchmark::State& state) {
   if (bench::tour() == nullptr) return state.SkipWithError("no willow_garage.yaml");
   const std::vector<Pose2> poses = bench::smoothed(bench::tour()->poses());
   for (auto _ : state) {
-    LocalSlam slam;
+    slam::LocalSlam slam;
     Wheels wheels;
     bench::Scanner scanner(bench::tour()->caster());
     bench::Stopwatch watch;
@@ -83,11 +83,11 @@ void follow(benchmark::State& state) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const LaserScan2& scan = scanner.at(poses[i]);
       const Pose2 T_odom_base = wheels.move(i == 0 ? Pose2() : poses[i - 1].inverse() * poses[i]);
-      LocalSlamOutput output;
+      slam::LocalSlamOutput output;
       watch.time([&] { output = slam.update(scan, T_odom_base); });
       drift.add(poses[i], output.track.T_local_base.pose);
-      if (!isMatched(output.track.verdict)) odometry_only += 1.0;
-      if (output.track.verdict == MatchVerdict::kContradicts) contradicts += 1.0;
+      if (!slam::isMatched(output.track.verdict)) odometry_only += 1.0;
+      if (output.track.verdict == slam::MatchVerdict::kContradicts) contradicts += 1.0;
       for (const auto& submap : output.finished) memory += static_cast<double>(submap->map.memory());
     }
     watch.report(state);
@@ -105,17 +105,18 @@ void searchWindow(benchmark::State& state) {
   const std::vector<Pose2> poses = bench::smoothed(bench::tour()->poses());
   const double half = static_cast<double>(state.range(0)) / 100.0;
   bench::Scanner scanner(bench::tour()->caster());
-  SurfaceMap map;
+  scan_matching::SurfaceMap map;
   constexpr std::size_t kFirst = 3000;
-  for (std::size_t i = kFirst; i < kFirst + 100; i += 5) map.add(filled(readSurface(scanner.at(poses[i]))), poses[i]);
-  const SearchWindow window{half, half, 0.3};
-  const MaxPyramid pyramid(map.likelihood().grid(), pyramidTop(window, 0.05));
+  for (std::size_t i = kFirst; i < kFirst + 100; i += 5)
+    map.add(surfaces::filled(surfaces::readSurface(scanner.at(poses[i]))), poses[i]);
+  const scan_matching::SearchWindow window{half, half, 0.3};
+  const scan_matching::MaxPyramid pyramid(map.likelihood().grid(), scan_matching::pyramidTop(window, 0.05));
   const Pose2 truth = poses[kFirst + 50];
-  const SurfacePoints points = thinned(readSurface(scanner.at(truth)));
-  SearchRequest request;
+  const surfaces::SurfacePoints points = surfaces::thinned(surfaces::readSurface(scanner.at(truth)));
+  scan_matching::SearchRequest request;
   request.expected = truth * Pose2(0.4 * half, -0.3 * half, 0.1);
   request.window = window;
-  for (auto _ : state) benchmark::DoNotOptimize(correlativeSearch(pyramid, points, request));
+  for (auto _ : state) benchmark::DoNotOptimize(scan_matching::correlativeSearch(pyramid, points, request));
   state.counters["points"] = static_cast<double>(points.size());
   state.counters["poses"] = std::pow(2.0 * half / 0.05 + 1.0, 2) * 2.0 * 0.3 * 8.0 / 0.05;
 }

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "frontier_pilot/planning/global_planner.h"
-#include "frontier_pilot/planning/grid_search.h"
 #include "frontier_pilot/sim/world_image.h"
+#include "planning/grid_search.h"
 #include "support/any_angle_reference.h"
 #include "support/buildings.h"
 
@@ -25,21 +25,21 @@ namespace {
 constexpr int kPairs = 200;
 
 /// Pairs and reference are of the clearance that rules a touch out; the planner may do as it likes.
-ClearanceParams withoutTightPlaces() {
-  ClearanceParams params;
+planning::ClearanceParams withoutTightPlaces() {
+  planning::ClearanceParams params;
   params.tight_weight = 0.0;
   return params;
 }
 
 struct Willow {
   OccupancyGrid map = sim::loadWorld(willowGarage()).map;
-  std::vector<PlanRequest> requests;
+  std::vector<planning::PlanRequest> requests;
 
   Willow() {
-    ClearanceMap clearance(withoutTightPlaces());
+    planning::ClearanceMap clearance(withoutTightPlaces());
     clearance.setMap(map, map.geometry().rect());
     const Cell start = map.geometry().cellAt({16.6, 21.6});
-    GridSearch flood;
+    planning::GridSearch flood;
     flood.search(clearance, start, {0, 0});
     std::vector<Cell> reachable;
     for (std::size_t i = 0; i < map.size(); ++i) {
@@ -47,7 +47,7 @@ struct Willow {
     }
     std::mt19937 random(1);
     for (int i = 0; i < kPairs; ++i) {
-      PlanRequest request;
+      planning::PlanRequest request;
       request.start = map.geometry().centre(reachable[random() % reachable.size()]);
       request.goal = map.geometry().centre(reachable[random() % reachable.size()]);
       requests.push_back(request);
@@ -60,18 +60,18 @@ const Willow& willow() {
   return instance;
 }
 
-ClearanceMap clearanceMap(const ClearanceParams& params) {
-  ClearanceMap map(params);
+planning::ClearanceMap clearanceMap(const planning::ClearanceParams& params) {
+  planning::ClearanceMap map(params);
   map.setMap(willow().map, willow().map.geometry().rect());
   return map;
 }
 
 std::vector<double> referenceLengths() {
   std::vector<double> lengths;
-  ClearanceParams params = withoutTightPlaces();
+  planning::ClearanceParams params = withoutTightPlaces();
   params.wall_weight = 0.0;
-  const ClearanceMap map = clearanceMap(params);
-  for (const PlanRequest& request : willow().requests) {
+  const planning::ClearanceMap map = clearanceMap(params);
+  for (const planning::PlanRequest& request : willow().requests) {
     lengths.push_back(shortestAnyAngle(map, request.start, request.goal).path.length());
   }
   return lengths;
@@ -92,8 +92,8 @@ void lengthCounters(benchmark::State& state, const std::vector<double>& lengths)
 }
 
 void planWillow(benchmark::State& state) {
-  const ClearanceMap map = clearanceMap(ClearanceParams());
-  GlobalPlanner planner;
+  const planning::ClearanceMap map = clearanceMap(planning::ClearanceParams());
+  planning::GlobalPlanner planner;
   std::vector<double> best(kPairs, 1e9);
   std::vector<double> lengths(kPairs, 0.0);
   int solved = 0;
@@ -103,7 +103,7 @@ void planWillow(benchmark::State& state) {
     expanded = 0.0;
     for (std::size_t i = 0; i < kPairs; ++i) {
       const std::clock_t before = std::clock();  // processor time: others may be using the machine
-      const PlanResult result = planner.plan(map, willow().requests[i]);
+      const planning::PlanResult result = planner.plan(map, willow().requests[i]);
       const double took = 1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
       best[i] = std::min(best[i], took);
       lengths[i] = result.path.length();
@@ -125,7 +125,7 @@ BENCHMARK(planWillow)->Unit(benchmark::kMillisecond)->Iterations(3);
 /// The map's part of every update: a scan's worth of changed cells.
 void updateMap(benchmark::State& state) {
   OccupancyGrid grid = willow().map;
-  ClearanceMap map;
+  planning::ClearanceMap map;
   map.setMap(grid, grid.geometry().rect());
   const Cell at = grid.geometry().cellAt({16.6, 21.6});
   const CellRect changed = CellRect{at.x, at.y, 1, 1}.grown(160);

@@ -16,11 +16,11 @@
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/logs/trajectory_error.h"
 #include "frontier_pilot/mapping/mapper.h"
-#include "frontier_pilot/tools/arguments.h"
-#include "frontier_pilot/tools/log_mapping.h"
-#include "frontier_pilot/tools/map_picture.h"
 #include "support/closed_loop/faulty_drive.h"
 #include "support/slam_worlds.h"
+#include "tools/arguments.h"
+#include "tools/log_mapping.h"
+#include "tools/map_picture.h"
 
 namespace frontier_pilot::bench {
 namespace {
@@ -48,7 +48,7 @@ struct Options {
   bool details = false;
 };
 
-void takeOption(const std::string& word, Arguments& arguments, Options& o) {
+void takeOption(const std::string& word, tools::Arguments& arguments, Options& o) {
   if (word == "--world") return void(o.world = arguments.text());
   if (word == "--seeds") return void(o.seeds = arguments.range());
   if (word == "--distance") return void(o.distance = arguments.number());
@@ -61,7 +61,7 @@ void takeOption(const std::string& word, Arguments& arguments, Options& o) {
 }
 
 Options parse(const std::vector<std::string>& words) {
-  Arguments arguments(words);
+  tools::Arguments arguments(words);
   Options options;
   while (!arguments.atEnd()) {
     const std::string word = arguments.next();
@@ -134,7 +134,7 @@ class Run {
   bool toTheEnd() {
     while (const LaserScan2* scan = drive_.nextScan()) take(*scan);
     const double heap = heapInUse() - heap_before_;
-    const MappedDrive mapped = recorder_.drive(mapper_);
+    const tools::MappedDrive mapped = recorder_.drive(mapper_);
     if (!options_.png.empty()) draw(mapped);
     return report(mapped, heap);
   }
@@ -149,23 +149,23 @@ class Run {
     truth_.push_back(drive_.T_map_base());
   }
 
-  std::size_t falseClosures(const MappedDrive& mapped) const {
+  std::size_t falseClosures(const tools::MappedDrive& mapped) const {
     const auto truthAt = [&](Time stamp) {
       const auto found = std::find_if(mapped.odometry.begin(), mapped.odometry.end(),
-                                      [&](const TrajectoryPose& entry) { return entry.stamp == stamp; });
+                                      [&](const logs::TrajectoryPose& entry) { return entry.stamp == stamp; });
       return truth_[static_cast<std::size_t>(found - mapped.odometry.begin())];
     };
     return static_cast<std::size_t>(
-        std::count_if(mapped.closures.begin(), mapped.closures.end(), [&](const LoopClosure& closure) {
+        std::count_if(mapped.closures.begin(), mapped.closures.end(), [&](const slam::LoopClosure& closure) {
           const Pose2 really = truthAt(closure.submap_stamp).inverse() * truthAt(closure.keyframe_stamp);
           return isJump(really, closure.T_submap_keyframe, kFalseDistance, kFalseAngle);
         }));
   }
 
-  bool report(const MappedDrive& mapped, double heap) const {
-    const AbsoluteError raw = absoluteError(posesOf(mapped.odometry), truth_);
-    const AbsoluteError online = absoluteError(posesOf(mapped.online), truth_);
-    const AbsoluteError final = absoluteError(posesOf(mapped.corrected), truth_);
+  bool report(const tools::MappedDrive& mapped, double heap) const {
+    const logs::AbsoluteError raw = logs::absoluteError(tools::posesOf(mapped.odometry), truth_);
+    const logs::AbsoluteError online = logs::absoluteError(tools::posesOf(mapped.online), truth_);
+    const logs::AbsoluteError final = logs::absoluteError(tools::posesOf(mapped.corrected), truth_);
     const std::size_t wrong = falseClosures(mapped);
     const double cpu = (insertions_.sum() + revisions_.sum()) / toSeconds(drive_.drive().now());
     std::printf(
@@ -184,17 +184,18 @@ class Run {
     for (const auto& [text, count] : mapper_.correctionCounts()) {
       std::printf(" %s %llu", text.c_str(), static_cast<unsigned long long>(count));
     }
-    for (std::size_t i = 0; i < kClosureVerdicts; ++i) {
-      const auto verdict = static_cast<ClosureVerdict>(i);
+    for (std::size_t i = 0; i < slam::kClosureVerdicts; ++i) {
+      const auto verdict = static_cast<slam::ClosureVerdict>(i);
       std::printf("; closures %s %llu", toString(verdict),
                   static_cast<unsigned long long>(mapper_.revisions().attempts[verdict]));
     }
-    std::printf("; no odometry %llu\n", static_cast<unsigned long long>(mapper_.counts()[ScanVerdict::kNoOdometry]));
+    std::printf("; no odometry %llu\n",
+                static_cast<unsigned long long>(mapper_.counts()[mapping::ScanVerdict::kNoOdometry]));
   }
 
-  void draw(const MappedDrive& mapped) const {
-    MapPicture picture;
-    for (const TrajectoryPose& entry : mapped.corrected) picture.trajectory.push_back(entry.pose.position());
+  void draw(const tools::MappedDrive& mapped) const {
+    tools::MapPicture picture;
+    for (const logs::TrajectoryPose& entry : mapped.corrected) picture.trajectory.push_back(entry.pose.position());
     writePicture(mapper_.grid(), picture, options_.png + std::to_string(seed_) + ".png");
   }
 
@@ -202,8 +203,8 @@ class Run {
   int seed_;
   test::FaultyDrive drive_;
   double heap_before_;
-  Mapper mapper_;
-  DriveRecorder recorder_;
+  mapping::Mapper mapper_;
+  tools::DriveRecorder recorder_;
   Costs insertions_;
   Costs revisions_;
   std::vector<Pose2> truth_;

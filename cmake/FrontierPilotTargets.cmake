@@ -10,30 +10,36 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 
 find_package(Eigen3 REQUIRED)
-find_package(GTest REQUIRED)
+if(WITH_TESTS)
+  find_package(GTest REQUIRED)
+endif()
 if(WITH_BENCHMARKS)
   find_package(benchmark REQUIRED)
 endif()
 enable_testing()
 if(WITH_ROS)
   set(FRONTIER_PILOT_LIBRARY_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  set(FRONTIER_PILOT_INCLUDE_DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
 else()
   include(GNUInstallDirs)
   set(FRONTIER_PILOT_LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  set(FRONTIER_PILOT_INCLUDE_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()
 # Tests and benchmarks stay out of the folder that rosrun looks in.
 set(FRONTIER_PILOT_TEST_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 function(frontier_pilot_target_options target)
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# frontier_pilot_module(<name> SOURCES <files> [DEPENDS <modules>] [LIBRARIES <others, linked privately>]):
+# frontier_pilot_module(<name> SOURCES <files> [DEPENDS <modules>] [LIBRARIES <others, linked privately>] [PROGRAM]):
 # the library frontier_pilot_<name>; an undefined symbol in it fails the build, so a missing arrow is found at once.
+# Other packages link it as frontier_pilot::<name>, unless it is a PROGRAM's, which has no public headers.
 function(frontier_pilot_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "PROGRAM" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
   set(target frontier_pilot_${name})
   add_library(${target} SHARED ${ARG_SOURCES})
   frontier_pilot_target_options(${target})
@@ -41,7 +47,17 @@ function(frontier_pilot_module name)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_LIBRARIES})
   target_link_options(${target} PRIVATE -Wl,--no-undefined)
   set_property(GLOBAL APPEND PROPERTY FRONTIER_PILOT_LIBRARIES ${target})
-  install(TARGETS ${target} LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
+  if(ARG_PROGRAM)
+    install(TARGETS ${target} LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
+    return()
+  endif()
+  add_library(frontier_pilot::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${FRONTIER_PILOT_INCLUDE_DESTINATION}>)
+  target_compile_features(${target} INTERFACE cxx_std_17)
+  install(TARGETS ${target} EXPORT frontier_pilotTargets LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/frontier_pilot/${name}
+    DESTINATION ${FRONTIER_PILOT_INCLUDE_DESTINATION}/frontier_pilot)
 endfunction()
 
 # frontier_pilot_add_test(<target>): registers a gtest with ctest and, under catkin, with `catkin_make run_tests`. Each
@@ -64,10 +80,10 @@ endfunction()
 # frontier_pilot_unit_test(<module> [DEPENDS <modules>] [LIBRARIES <others>]): test/unit/<module>/*_test.cpp as one gtest.
 function(frontier_pilot_unit_test module)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/unit/${module}/*_test.cpp)
-  if(NOT sources)
+  if(NOT WITH_TESTS)
     return()
   endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/unit/${module}/*_test.cpp)
   set(target ${module}_unit_tests)
   add_executable(${target} ${sources})
   frontier_pilot_target_options(${target})

@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-#include "frontier_pilot/planning/path_smoothing.h"
+#include "planning/path_smoothing.h"
 
 namespace frontier_pilot::bench {
 namespace {
@@ -26,7 +26,7 @@ std::vector<Cell> directions() {
 }
 
 /// The cells of a shortest path of 32 directions; empty if there is none.
-std::vector<Vec2> search(const ClearanceMap& map, Cell start, Cell goal) {
+std::vector<Vec2> search(const planning::ClearanceMap& map, Cell start, Cell goal) {
   const GridGeometry& grid = map.geometry();
   const std::vector<Cell> steps = directions();
   std::vector<double> cost(grid.size(), std::numeric_limits<double>::infinity());
@@ -67,14 +67,14 @@ std::vector<Vec2> search(const ClearanceMap& map, Cell start, Cell goal) {
 
 }  // namespace
 
-AnyAngleReference shortestAnyAngle(const ClearanceMap& map, const Vec2& start, const Vec2& goal) {
+AnyAngleReference shortestAnyAngle(const planning::ClearanceMap& map, const Vec2& start, const Vec2& goal) {
   const std::vector<Vec2> cells = search(map, map.geometry().cellAt(start), map.geometry().cellAt(goal));
   if (cells.empty()) return {};
-  AnyAngleReference reference{Path(cells), 0.0};
+  AnyAngleReference reference{planning::Path(cells), 0.0};
   reference.lower_bound = reference.path.length() / kWorstDetour;
   for (double gain = 1.0; gain > 1e-4;) {
     const double before = reference.path.length();
-    reference.path = pullString(map, reference.path.sampled(0.5 * map.geometry().resolution));
+    reference.path = planning::pullString(map, reference.path.sampled(0.5 * map.geometry().resolution));
     gain = before - reference.path.length();
   }
   return reference;

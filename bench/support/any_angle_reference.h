@@ -11,9 +11,9 @@ namespace frontier_pilot::bench {
 /// the open (the worst angle between neighbouring directions is half of 18.4 degrees), so length / 1.014 of the search
 /// bounds the true optimum from below, up to the cells' raster.
 struct AnyAngleReference {
-  Path path;                 ///< empty if there is none
+  planning::Path path;       ///< empty if there is none
   double lower_bound = 0.0;  ///< [m]
 };
-AnyAngleReference shortestAnyAngle(const ClearanceMap& map, const Vec2& start, const Vec2& goal);
+AnyAngleReference shortestAnyAngle(const planning::ClearanceMap& map, const Vec2& start, const Vec2& goal);
 
 }  // namespace frontier_pilot::bench

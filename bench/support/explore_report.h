@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "support/closed_loop/closed_loop.h"
+#include "frontier_pilot/system/closed_loop.h"
 
 namespace frontier_pilot::bench {
 
@@ -22,7 +22,7 @@ struct ExploreReport {
   bool ended_well = false;
   std::string end;   ///< why it ended
   double cpu = 0.0;  ///< of the whole loop [s]
-  test::ModuleTimes times;
+  system::ModuleTimes times;
   std::uint64_t hash = 0;
 
   /// Notes that `share` was explored at `t` [s].

@@ -39,8 +39,8 @@ Vec2 meanAround(const std::vector<Pose2>& poses, std::size_t i) {
 
 Tour::Tour(const OccupancyGrid& map, const Vec2& start) : solid_(map.geometry()) {
   for (std::size_t i = 0; i < map.size(); ++i) solid_[i] = map[i] == kFree ? 0 : 1;
-  caster_ = RayCaster(solid_);
-  distance_ = DistanceField(solid_, 0.5);
+  caster_ = grids::RayCaster(solid_);
+  distance_ = grids::DistanceField(solid_, 0.5);
   drive(map.geometry().cellAt(start));
 }
 
@@ -102,7 +102,7 @@ std::vector<Pose2> smoothed(const std::vector<Pose2>& poses) {
   return result;
 }
 
-Scanner::Scanner(const RayCaster& caster) : caster_(caster) {
+Scanner::Scanner(const grids::RayCaster& caster) : caster_(caster) {
   scan_.angle_min = -kPi;
   scan_.angle_increment = 2.0 * kPi / 360.0;
   scan_.range_min = 0.12;

@@ -3,9 +3,9 @@
 #include <random>
 #include <vector>
 
-#include "frontier_pilot/core/distance_field.h"
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/grids/distance_field.h"
+#include "frontier_pilot/grids/ray_casting.h"
 
 namespace frontier_pilot::bench {
 
@@ -17,7 +17,7 @@ class Tour {
   Tour(const OccupancyGrid& map, const Vec2& start);
 
   const std::vector<Pose2>& poses() const { return poses_; }
-  const RayCaster& caster() const { return caster_; }
+  const grids::RayCaster& caster() const { return caster_; }
 
  private:
   bool isPassable(Cell c) const { return distance_.at(c) > 0.3; }
@@ -26,8 +26,8 @@ class Tour {
   void addPose(Cell from, Cell to);
 
   Grid<std::uint8_t> solid_;
-  RayCaster caster_;
-  DistanceField distance_;
+  grids::RayCaster caster_;
+  grids::DistanceField distance_;
   std::vector<Pose2> poses_;
 };
 
@@ -40,11 +40,11 @@ std::vector<Pose2> smoothed(const std::vector<Pose2>& poses);
 /// 360 beams at 10 Hz, with 1 cm noise.
 class Scanner {
  public:
-  explicit Scanner(const RayCaster& caster);
+  explicit Scanner(const grids::RayCaster& caster);
   const LaserScan2& at(const Pose2& pose);
 
  private:
-  const RayCaster& caster_;
+  const grids::RayCaster& caster_;
   LaserScan2 scan_;
   std::mt19937 random_{1};
   std::normal_distribution<double> noise_{0.0, 0.01};

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace frontier_pilot {
+namespace frontier_pilot::arbiter {
 namespace {
 
 const ArbiterParameters& checked(const ArbiterParameters& parameters) {
@@ -187,4 +187,4 @@ std::string Arbiter::refusalToClear(SteadyTime requested, const Instant& now) co
   return {};
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::arbiter

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace frontier_pilot {
+namespace frontier_pilot::arbiter {
 namespace {
 
 SourceParameters builtIn(const char* name, int priority) {
@@ -66,4 +66,4 @@ void ArbiterParameters::check(Problems& problems) const {
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::arbiter

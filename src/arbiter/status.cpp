@@ -2,7 +2,7 @@
 
 #include "frontier_pilot/arbiter/arbiter.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::arbiter {
 namespace {
 
 constexpr Duration kRateWindow = std::chrono::seconds(1);
@@ -99,4 +99,4 @@ ArbiterSnapshot Arbiter::status(const Instant& now) const {
   return status;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::arbiter

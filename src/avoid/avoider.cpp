@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace frontier_pilot {
+namespace frontier_pilot::avoid {
 namespace {
 
 /// Ticks come a little early or late; without the slack an early one would prolong a phase by a whole tick.
@@ -189,4 +189,4 @@ AvoiderSnapshot Avoider::status(Time now) const {
   return status;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::avoid

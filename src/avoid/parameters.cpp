@@ -1,6 +1,6 @@
 #include "frontier_pilot/avoid/parameters.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::avoid {
 namespace {
 
 constexpr double kStopMargin = 0.395;      // [m], ahead of the front
@@ -44,4 +44,4 @@ AvoiderDistances::AvoiderDistances(const AvoiderParameters& parameters) {
   turn = outline.isDisc() ? 0.0 : outline.circumscribedRadius() + parameters.guard_margin;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::avoid

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frontier_pilot {
+namespace frontier_pilot::avoid {
 namespace {
 
 /// A beam on the border of two sectors belongs to both, also after rounding to single precision.
@@ -109,4 +109,4 @@ std::string SectorReader::judge(const LaserScan2& scan) {
   return {};
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::avoid

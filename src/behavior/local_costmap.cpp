@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/grid_traversal.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 namespace {
 
 bool isHit(RangeKind kind) { return kind == RangeKind::kHit || kind == RangeKind::kTooNear; }
@@ -85,4 +85,4 @@ void LocalCostmap::clearUnder(const Pose2& T_odom_base) {
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

@@ -5,7 +5,7 @@
 
 #include "frontier_pilot/core/motion.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 namespace {
 
 double coast(double rate, double acceleration) { return 0.5 * rate * rate / acceleration; }
@@ -38,4 +38,4 @@ ProfileStep profileStep(const MotionLimits& limits, double remaining, const Moti
   return {reached, reached ? 0.0 : speed};
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

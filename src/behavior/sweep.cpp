@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 namespace {
 
 /// Looks at the footprint pose by pose.
@@ -73,4 +73,4 @@ SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pos
   return SweepResult::kClear;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 namespace {
 
 /// By so much [rad] or [m] a motion must come on to count as progress.
@@ -203,4 +203,4 @@ void BehaviorParameters::check(Problems& problems) const {
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

@@ -1,12 +1,11 @@
 #include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/core/grid_traversal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
-
-#include "frontier_pilot/core/ray_casting.h"
 
 namespace frontier_pilot {
 namespace {

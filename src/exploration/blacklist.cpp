@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 void Blacklist::add(const Vec2& position, const std::string& reason, const ObservedMap& map) {
   constexpr std::uint64_t kMaxDoublings = 16;
@@ -43,4 +43,4 @@ std::uint64_t Blacklist::timesListed(const Vec2& position) const {
   }));
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 namespace {
 
 /// The input by the name its user knows it by.
@@ -229,4 +229,4 @@ std::size_t Explorer::countRejected(Rejection rejection) const {
       std::count_if(all.begin(), all.end(), [&](const Frontier& f) { return f.rejection == rejection; }));
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -3,7 +3,7 @@
 
 #include "frontier_pilot/exploration/explorer.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 namespace {
 
 bool passed(Time since, double seconds, Time now) { return now - since >= fromSeconds(seconds); }
@@ -217,4 +217,4 @@ std::optional<GoalCandidate> Explorer::judgeAndChoose(bool keep_present, Time no
   return index ? std::optional<GoalCandidate>(all[*index]) : std::nullopt;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -1,6 +1,6 @@
 #include "frontier_pilot/exploration/explorer_types.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 const char* toString(Rejection rejection) {
   switch (rejection) {
@@ -102,4 +102,4 @@ const char* toString(ExplorerReason reason) {
   return "?";
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

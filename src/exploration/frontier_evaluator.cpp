@@ -5,7 +5,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 namespace {
 
 /// Offsets within `radius` cells, nearest first; equally near ones row by row.
@@ -290,4 +290,4 @@ void FrontierEvaluator::listCells() {
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -5,10 +5,10 @@
 #include <cstring>
 #include <numeric>
 
+#include "exploration/run_labels.h"
 #include "frontier_pilot/core/bounds.h"
-#include "run_labels.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 void markFrontierCells(const std::int8_t* below, const std::int8_t* row, const std::int8_t* above, int width,
                        std::vector<std::int8_t>& scratch, std::uint8_t* out) {
@@ -125,4 +125,4 @@ Cell cellOf(const FrontierClusters& all, const FrontierCluster& cluster, int k) 
   return {all.runs[i].begin + k, all.runs[i].y};
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

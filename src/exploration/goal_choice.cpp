@@ -1,6 +1,6 @@
 #include "frontier_pilot/exploration/goal_choice.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 double goalScore(const GoalCandidate& c, const ScoreParameters& p) {
   const double info = p.info_by_ray_casting ? c.info.area / (c.info.area + p.info_scale) : c.info.density;
@@ -24,4 +24,4 @@ std::optional<std::size_t> chooseBestScore(const std::vector<GoalCandidate>& can
   return best;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

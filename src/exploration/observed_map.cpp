@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 namespace {
 
 int classOf(std::int8_t value) { return isUnknown(value) ? 0 : (isFree(value) ? 1 : 2); }
@@ -72,4 +72,4 @@ std::uint64_t ObservedMap::changesAround(const Vec2& point, double radius) const
   return sum;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

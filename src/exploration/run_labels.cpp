@@ -1,10 +1,10 @@
-#include "run_labels.h"
+#include "exploration/run_labels.h"
 
 #include <algorithm>
 
 #include "frontier_pilot/core/bounds.h"
 
-namespace frontier_pilot::detail {
+namespace frontier_pilot::exploration::detail {
 namespace {
 
 int cellsOf(const FrontierRun& run) { return run.end - run.begin; }
@@ -133,4 +133,4 @@ FrontierClusters collectClusters(const std::vector<FrontierRun>& runs, const std
   return all;
 }
 
-}  // namespace frontier_pilot::detail
+}  // namespace frontier_pilot::exploration::detail

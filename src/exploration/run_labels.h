@@ -5,7 +5,7 @@
 
 #include "frontier_pilot/exploration/frontier_search.h"
 
-namespace frontier_pilot::detail {
+namespace frontier_pilot::exploration::detail {
 
 /// For each run (sorted by row, then column) the index of the first run that it hangs together with over 8-neighbours.
 std::vector<std::uint32_t> labelRuns(const std::vector<FrontierRun>& runs);
@@ -14,4 +14,4 @@ std::vector<std::uint32_t> labelRuns(const std::vector<FrontierRun>& runs);
 FrontierClusters collectClusters(const std::vector<FrontierRun>& runs, const std::vector<std::uint32_t>& labels,
                                  int min_cells, int max_extent);
 
-}  // namespace frontier_pilot::detail
+}  // namespace frontier_pilot::exploration::detail

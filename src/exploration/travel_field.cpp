@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "frontier_pilot/core/cell_window.h"
+#include "frontier_pilot/grids/cell_window.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 namespace {
 
 constexpr std::array<int, 8> kStepX = {1, 1, 0, -1, -1, -1, 0, 1};
@@ -99,7 +99,7 @@ void TravelField::seed(const TraversableSpace& space, const OccupancyGrid& map, 
   if (space.traversable(start)) return push(map.geometry().index(start), kNoDirection, 0);
   const int reach = std::min(static_cast<int>(escape_radius / map.resolution()),
                              static_cast<int>((kBuckets - kDiagonal - 1) / kDiagonal));
-  CellWindow<std::uint32_t> steps(start, reach, kUnreached);
+  grids::CellWindow<std::uint32_t> steps(start, reach, kUnreached);
   const CellRect box = CellRect{start.x, start.y, 1, 1}.grown(reach).intersection(map.geometry().rect());
   std::vector<Cell> queue = {start};
   steps[start] = 0;
@@ -154,4 +154,4 @@ void TravelField::goStraight(std::size_t index, unsigned direction, std::uint32_
   push(index, direction, units);
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -3,7 +3,7 @@
 
 #include "frontier_pilot/exploration/travel_field.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 namespace {
 
 using Row = std::vector<std::uint8_t>;
@@ -117,4 +117,4 @@ void TraversableSpace::linkNeighbours(const CellRect& window) {
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

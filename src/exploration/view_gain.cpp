@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/grid_traversal.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 namespace {
 
 /// Twice the area per radian, seen and unseen, along one beam.
@@ -88,4 +88,4 @@ bool inSight(const OccupancyGrid& map, Cell from, Cell to) {
                     [&](Cell c) { return map.contains(c) && isFree(map[c]); });
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -1,4 +1,4 @@
-#include "controls.h"
+#include "gui/controls.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -8,7 +8,7 @@
 #include <QVariant>
 #include <cmath>
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 
 Card::Card(const QString& title, QWidget* parent)
     : QFrame(parent), content_(new QVBoxLayout), remark_(makeLabel("", "muted")) {
@@ -31,10 +31,10 @@ Card::Card(const QString& title, QWidget* parent)
   outer->addLayout(content_);
 }
 
-void Card::setRemark(const QString& text, Severity severity) {
+void Card::setRemark(const QString& text, teleop::Severity severity) {
   remark_->setText(text);
   const Theme theme = Theme::current();
-  const bool loud = severity == Severity::kWarning || severity == Severity::kError;
+  const bool loud = severity == teleop::Severity::kWarning || severity == teleop::Severity::kError;
   remark_->setStyleSheet("color: " + (loud ? theme.color(severity) : theme.muted).name());
 }
 
@@ -109,7 +109,7 @@ void Switch::paintEvent(QPaintEvent*) {
 
 Dot::Dot(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed); }
 
-void Dot::setSeverity(Severity severity) {
+void Dot::setSeverity(teleop::Severity severity) {
   severity_ = severity;
   update();
 }
@@ -139,4 +139,4 @@ QString ageText(double seconds) {
   return QString::number(static_cast<int>(seconds / 3600.0)) + " h";
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

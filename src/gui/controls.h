@@ -7,11 +7,11 @@
 #include <QWidget>
 
 #include "frontier_pilot/teleop/drive_model.h"
-#include "theme.h"
+#include "gui/theme.h"
 
 class QVBoxLayout;
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 
 /// A framed group with a title. What belongs into it goes into `content()`.
 class Card : public QFrame {
@@ -21,7 +21,7 @@ class Card : public QFrame {
   explicit Card(const QString& title, QWidget* parent = nullptr);
   QVBoxLayout* content() { return content_; }
   /// A remark at the right of the title, such as how old the data is.
-  void setRemark(const QString& text, Severity severity);
+  void setRemark(const QString& text, teleop::Severity severity);
 
  private:
   QVBoxLayout* content_;
@@ -78,14 +78,14 @@ class Dot : public QWidget {
 
  public:
   explicit Dot(QWidget* parent = nullptr);
-  void setSeverity(Severity severity);
+  void setSeverity(teleop::Severity severity);
   QSize sizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  Severity severity_ = Severity::kIdle;
+  teleop::Severity severity_ = teleop::Severity::kIdle;
 };
 
 /// A bar from minus to plus `limit` around a zero in the middle: the set-point as the filled part, what really goes to
@@ -118,7 +118,7 @@ class PadButton : public QPushButton {
   Q_OBJECT
 
  public:
-  explicit PadButton(Motion motion, QWidget* parent = nullptr);
+  explicit PadButton(teleop::Motion motion, QWidget* parent = nullptr);
   QSize sizeHint() const override;
 
  signals:
@@ -130,7 +130,7 @@ class PadButton : public QPushButton {
   void leaveEvent(QEvent* event) override;
 
  private:
-  Motion motion_;
+  teleop::Motion motion_;
 };
 
 /// With two decimals, and never `-0.00`.
@@ -139,4 +139,4 @@ QString twoDecimals(double value);
 /// An age as people say it: `now`, `3.2 s`, `4 min`.
 QString ageText(double seconds);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

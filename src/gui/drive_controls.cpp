@@ -4,9 +4,9 @@
 #include <QStylePainter>
 #include <algorithm>
 
-#include "controls.h"
+#include "gui/controls.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 
 BarGauge::BarGauge(const QString& name, const QString& unit, double limit, bool mirrored, QWidget* parent)
     : QWidget(parent), name_(name), unit_(unit), limit_(limit), mirrored_(mirrored) {
@@ -66,9 +66,9 @@ void BarGauge::paintEvent(QPaintEvent*) {
 namespace {
 
 /// The arrow of `motion`, pointing up for Go, within the unit square around the origin.
-QPainterPath glyph(Motion motion) {
+QPainterPath glyph(teleop::Motion motion) {
   QPainterPath path;
-  if (motion == Motion::kStop) {
+  if (motion == teleop::Motion::kStop) {
     path.addRoundedRect(QRectF(-0.36, -0.36, 0.72, 0.72), 0.1, 0.1);
     return path;
   }
@@ -85,10 +85,10 @@ QPainterPath glyph(Motion motion) {
 
 }  // namespace
 
-PadButton::PadButton(Motion motion, QWidget* parent) : QPushButton(toString(motion), parent), motion_(motion) {
+PadButton::PadButton(teleop::Motion motion, QWidget* parent) : QPushButton(toString(motion), parent), motion_(motion) {
   setObjectName(toString(motion));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  if (motion == Motion::kStop) setProperty("role", "stop");
+  if (motion == teleop::Motion::kStop) setProperty("role", "stop");
 }
 
 QSize PadButton::sizeHint() const {
@@ -103,8 +103,8 @@ void PadButton::paintEvent(QPaintEvent*) {
   QStylePainter painter(this);
   painter.drawControl(QStyle::CE_PushButton, option);
   const Theme theme = Theme::current();
-  QColor color = motion_ == Motion::kStop ? theme.danger : theme.text;
-  if (isDown()) color = motion_ == Motion::kStop ? QColor(Qt::white) : theme.on_accent;
+  QColor color = motion_ == teleop::Motion::kStop ? theme.danger : theme.text;
+  if (isDown()) color = motion_ == teleop::Motion::kStop ? QColor(Qt::white) : theme.on_accent;
   if (!isEnabled()) color = theme.idle;
   const double em = emOf(*this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -124,4 +124,4 @@ void PadButton::leaveEvent(QEvent* event) {
   emit leftWhilePressed();
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

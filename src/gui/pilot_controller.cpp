@@ -1,6 +1,6 @@
-#include "frontier_pilot/gui/pilot_controller.h"
+#include "gui/pilot_controller.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 namespace {
 
 constexpr int kBeatPeriod = 50;      // [ms]
@@ -8,9 +8,10 @@ constexpr int kRefreshPeriod = 100;  // [ms]
 
 }  // namespace
 
-PilotController::PilotController(PilotWidget& widget, OperatorLink& link, Duration liveness_timeout)
+PilotController::PilotController(PilotWidget& widget, teleop::OperatorLink& link, Duration liveness_timeout)
     : widget_(widget), link_(link), liveness_timeout_(liveness_timeout) {
-  connect(&widget_, &PilotWidget::requested, this, [this](const OperatorRequest& request) { link_.request(request); });
+  connect(&widget_, &PilotWidget::requested, this,
+          [this](const teleop::OperatorRequest& request) { link_.request(request); });
   connect(&widget_, &PilotWidget::setPointChanged, this, [this](const Twist2&) { beat(); });
   connect(&beat_timer_, &QTimer::timeout, this, &PilotController::beat);
   connect(&refresh_timer_, &QTimer::timeout, this, &PilotController::refresh);
@@ -44,8 +45,8 @@ void PilotController::refresh() {
     emit closeAsked();
     return;
   }
-  for (const OperatorLogLine& line : link_.takeLog()) widget_.appendLog(line);
+  for (const teleop::OperatorLogLine& line : link_.takeLog()) widget_.appendLog(line);
   widget_.setState(link_.state());
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

@@ -2,31 +2,31 @@
 #include <QAbstractSpinBox>
 #include <QKeyEvent>
 
-#include "frontier_pilot/gui/pilot_widget.h"
+#include "gui/pilot_widget.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 namespace {
 
-std::optional<DriveKey> driveKeyOf(int key) {
+std::optional<teleop::DriveKey> driveKeyOf(int key) {
   switch (key) {
     case Qt::Key_Up:
-      return DriveKey::kUp;
+      return teleop::DriveKey::kUp;
     case Qt::Key_Down:
-      return DriveKey::kDown;
+      return teleop::DriveKey::kDown;
     case Qt::Key_Left:
-      return DriveKey::kLeft;
+      return teleop::DriveKey::kLeft;
     case Qt::Key_Right:
-      return DriveKey::kRight;
+      return teleop::DriveKey::kRight;
     case Qt::Key_W:
-      return DriveKey::kW;
+      return teleop::DriveKey::kW;
     case Qt::Key_A:
-      return DriveKey::kA;
+      return teleop::DriveKey::kA;
     case Qt::Key_S:
-      return DriveKey::kS;
+      return teleop::DriveKey::kS;
     case Qt::Key_D:
-      return DriveKey::kD;
+      return teleop::DriveKey::kD;
     case Qt::Key_Space:
-      return DriveKey::kSpace;
+      return teleop::DriveKey::kSpace;
     default:
       return std::nullopt;
   }
@@ -60,16 +60,16 @@ bool PilotWidget::handleKey(QWidget& focus, QKeyEvent& event) {
   }
   const auto key = driveKeyOf(event.key());
   const bool editing = qobject_cast<QAbstractSpinBox*>(&focus) != nullptr;
-  if (!key || (editing && *key != DriveKey::kSpace)) return false;
+  if (!key || (editing && *key != teleop::DriveKey::kSpace)) return false;
   // So that no shortcut of the application around, such as rviz' tools, takes it.
   if (event.type() == QEvent::ShortcutOverride) event.accept();
   if (event.type() == QEvent::ShortcutOverride || event.isAutoRepeat()) return true;
   if (event.type() == QEvent::KeyPress) {
-    press(motionOf(*key));
+    press(teleop::motionOf(*key));
   } else {
-    release(motionOf(*key));
+    release(teleop::motionOf(*key));
   }
   return true;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

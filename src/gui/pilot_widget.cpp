@@ -1,4 +1,4 @@
-#include "frontier_pilot/gui/pilot_widget.h"
+#include "gui/pilot_widget.h"
 
 #include <QApplication>
 #include <QResizeEvent>
@@ -6,12 +6,12 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include "cards.h"
 #include "frontier_pilot/teleop/journal.h"
-#include "header_card.h"
-#include "scan_card.h"
+#include "gui/cards/cards.h"
+#include "gui/cards/header_card.h"
+#include "gui/cards/scan_card.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 namespace {
 
 constexpr int kMostColumns = 3;
@@ -20,7 +20,7 @@ constexpr int kTwoColumns = 38, kThreeColumns = 54;
 
 }  // namespace
 
-PilotWidget::PilotWidget(const TeleopParameters& parameters, QWidget* parent)
+PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* parent)
     : QWidget(parent), parameters_(parameters), drive_(parameters) {
   setObjectName("pilot");
   setWindowTitle("frontier_pilot");
@@ -76,7 +76,7 @@ void PilotWidget::build() {
 }
 
 void PilotWidget::connectCards() {
-  using Kind = OperatorRequest::Kind;
+  using Kind = teleop::OperatorRequest::Kind;
   const auto ask = [this](Kind kind, bool on = false) { send({kind, on, {}, 0, 0.0, 0, 0.0}); };
   connect(drive_card_, &DriveCard::pressed, this, &PilotWidget::press);
   connect(drive_card_, &DriveCard::released, this, &PilotWidget::release);
@@ -86,7 +86,7 @@ void PilotWidget::connectCards() {
     showSetPoint();
   });
   connect(header_, &HeaderCard::stopAsked, this, [this, ask] {
-    press(Motion::kStop);
+    press(teleop::Motion::kStop);
     ask(Kind::kEmergencyStop);
   });
   connect(header_, &HeaderCard::clearAsked, this, [ask] { ask(Kind::kClearEmergencyStop); });
@@ -95,19 +95,19 @@ void PilotWidget::connectCards() {
   });
   connect(scan_card_, &ScanCard::avoiderAsked, this, [ask](bool on) { ask(Kind::kEnableAvoider, on); });
   connect(patrol_card_, &PatrolCard::startAsked, this, [this](int shape, double side, int laps) {
-    press(Motion::kStop);
+    press(teleop::Motion::kStop);
     send({Kind::kPatrol, true, {}, shape, side, laps, 0.0});
   });
   connect(patrol_card_, &PatrolCard::stopAsked, this, [this, ask] {
-    press(Motion::kStop);
+    press(teleop::Motion::kStop);
     ask(Kind::kStopPatrol);
   });
   connect(spin_card_, &SpinCard::startAsked, this, [this](double angle) {
-    press(Motion::kStop);
+    press(teleop::Motion::kStop);
     send({Kind::kSpin, true, {}, 0, 0.0, 0, angle});
   });
   connect(spin_card_, &SpinCard::stopAsked, this, [this, ask] {
-    press(Motion::kStop);
+    press(teleop::Motion::kStop);
     ask(Kind::kStopSpin);
   });
   connect(explorer_card_, &ExplorerCard::runAsked, this, [ask](bool on) { ask(Kind::kExplore, on); });
@@ -143,24 +143,25 @@ void PilotWidget::applyTheme() {
   applying_theme_ = false;
 }
 
-void PilotWidget::setState(const OperatorState& state) {
+void PilotWidget::setState(const teleop::OperatorState& state) {
   const bool dropped = state.arbiter && drive_.setDriver(state.arbiter->active_source);
-  const SourceView* manual = state.source("manual");
+  const teleop::SourceView* manual = state.source("manual");
   const Twist2 before = drive_.setPoint();
-  DriveLock lock = manual != nullptr && !manual->enabled ? DriveLock::kManualOff : DriveLock::kNone;
-  if (state.emergency_stop.value_or(false)) lock = DriveLock::kEmergencyStop;
+  teleop::DriveLock lock =
+      manual != nullptr && !manual->enabled ? teleop::DriveLock::kManualOff : teleop::DriveLock::kNone;
+  if (state.emergency_stop.value_or(false)) lock = teleop::DriveLock::kEmergencyStop;
   drive_.setLock(lock);
   if (dropped || before != drive_.setPoint()) {
-    const std::string why = lock == DriveLock::kNone ? "the wheels changed hands" : toString(lock);
-    appendLog({Severity::kWarning, "set-point dropped: " + why});
+    const std::string why = lock == teleop::DriveLock::kNone ? "the wheels changed hands" : toString(lock);
+    appendLog({teleop::Severity::kWarning, "set-point dropped: " + why});
   }
-  for (const OperatorLogLine& line : whatHappened(last_state_, state)) appendLog(line);
+  for (const teleop::OperatorLogLine& line : teleop::whatHappened(last_state_, state)) appendLog(line);
   last_state_ = state;
   showCards(state);
   showSetPoint();
 }
 
-void PilotWidget::showCards(const OperatorState& state) {
+void PilotWidget::showCards(const teleop::OperatorState& state) {
   header_->setState(state);
   drive_card_->setState(state);
   scan_card_->setState(state);
@@ -170,21 +171,21 @@ void PilotWidget::showCards(const OperatorState& state) {
   explorer_card_->setState(state);
 }
 
-void PilotWidget::appendLog(const OperatorLogLine& line) { log_card_->append(line); }
+void PilotWidget::appendLog(const teleop::OperatorLogLine& line) { log_card_->append(line); }
 
 void PilotWidget::stopBecause(const std::string& reason) {
   if (drive_.setPoint().isZero()) return drive_.stop();
   drive_.stop();
-  appendLog({Severity::kWarning, "set-point dropped: " + reason});
+  appendLog({teleop::Severity::kWarning, "set-point dropped: " + reason});
   showSetPoint();
 }
 
-void PilotWidget::press(Motion motion) {
+void PilotWidget::press(teleop::Motion motion) {
   drive_.press(motion);
   showSetPoint();
 }
 
-void PilotWidget::release(Motion motion) {
+void PilotWidget::release(teleop::Motion motion) {
   drive_.release(motion);
   showSetPoint();
 }
@@ -194,7 +195,7 @@ void PilotWidget::letGo() {
   showSetPoint();
 }
 
-void PilotWidget::send(const OperatorRequest& request) { emit requested(request); }
+void PilotWidget::send(const teleop::OperatorRequest& request) { emit requested(request); }
 
 void PilotWidget::showSetPoint() {
   drive_card_->showDrive(drive_);
@@ -220,4 +221,4 @@ void PilotWidget::hideEvent(QHideEvent* event) {
   letGo();
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

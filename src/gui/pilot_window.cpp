@@ -1,13 +1,13 @@
-#include "frontier_pilot/gui/pilot_window.h"
+#include "gui/pilot_window.h"
 
 #include <QApplication>
 #include <QScreen>
 #include <QStyleFactory>
 
-#include "frontier_pilot/gui/pilot_controller.h"
-#include "theme.h"
+#include "gui/pilot_controller.h"
+#include "gui/theme.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 namespace {
 
 /// Wide enough for three columns, if the screen is.
@@ -20,7 +20,7 @@ QSize windowSize(const QWidget& widget) {
 
 }  // namespace
 
-int runPilotWindow(int argc, char** argv, OperatorLink& link, const TeleopParameters& parameters) {
+int runPilotWindow(int argc, char** argv, teleop::OperatorLink& link, const teleop::TeleopParameters& parameters) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication application(argc, argv);
@@ -40,4 +40,4 @@ int runPilotWindow(int argc, char** argv, OperatorLink& link, const TeleopParame
   return QApplication::exec();
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

@@ -1,9 +1,9 @@
-#include "theme.h"
+#include "gui/theme.h"
 
 #include <QFontMetrics>
 #include <QGuiApplication>
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 namespace {
 
 QColor mixed(const QColor& a, const QColor& b, double share_of_b) {
@@ -59,17 +59,17 @@ Theme Theme::of(const QPalette& palette) {
 
 Theme Theme::current() { return of(QGuiApplication::palette()); }
 
-QColor Theme::color(Severity severity) const {
+QColor Theme::color(teleop::Severity severity) const {
   switch (severity) {
-    case Severity::kIdle:
+    case teleop::Severity::kIdle:
       return idle;
-    case Severity::kGood:
+    case teleop::Severity::kGood:
       return good;
-    case Severity::kActive:
+    case teleop::Severity::kActive:
       return accent;
-    case Severity::kWarning:
+    case teleop::Severity::kWarning:
       return warning;
-    case Severity::kError:
+    case teleop::Severity::kError:
       break;
   }
   return danger;
@@ -108,4 +108,4 @@ QColor faded(QColor color, double opacity) {
   return color;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

@@ -7,7 +7,7 @@
 
 #include "frontier_pilot/teleop/operator_state.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::gui {
 
 /// The colours of the cards, made from the desktop's palette so that a light and a dark one both work.
 struct Theme {
@@ -17,7 +17,7 @@ struct Theme {
   static Theme of(const QPalette& palette);
   /// That of the application.
   static Theme current();
-  QColor color(Severity severity) const;
+  QColor color(teleop::Severity severity) const;
   /// The style sheet of the widget; lengths follow `em`, the height of a line [px].
   QString styleSheet(int em) const;
 };
@@ -32,4 +32,4 @@ int emOf(const QWidget& widget);
 /// `color` with the given opacity (0 to 1).
 QColor faded(QColor color, double opacity);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::gui

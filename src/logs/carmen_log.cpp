@@ -1,13 +1,13 @@
-#include "frontier_pilot/logs/carmen_log.h"
+#include "logs/carmen_log.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "frontier_pilot/core/motion.h"
-#include "text_reader.h"
+#include "logs/text_reader.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 namespace {
 
 constexpr const char* kFrontLaser = "FLASER";
@@ -133,4 +133,4 @@ ScanLog readCarmenLog(std::istream& file, const std::string& name, const LogScan
   return log;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

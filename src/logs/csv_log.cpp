@@ -1,10 +1,10 @@
-#include "frontier_pilot/logs/csv_log.h"
+#include "logs/csv_log.h"
 
 #include <utility>
 
-#include "text_reader.h"
+#include "logs/text_reader.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 namespace {
 
 const Pose2 kMount(0.78, 0.0, 0.0);
@@ -51,4 +51,4 @@ ScanLog readCsvLog(std::istream& file, const std::string& name, const LogScanner
   return log;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

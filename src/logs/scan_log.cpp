@@ -1,9 +1,9 @@
 #include "frontier_pilot/logs/scan_log.h"
 
-#include "frontier_pilot/logs/carmen_log.h"
-#include "frontier_pilot/logs/csv_log.h"
+#include "logs/carmen_log.h"
+#include "logs/csv_log.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 
 LogFormat formatOf(std::istream& file) {
   constexpr const char* kBagMagic = "#ROSBAG";
@@ -32,4 +32,4 @@ ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanne
   throw LogError(name + ": is a rosbag, which this program was built without ROS to read");
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

@@ -1,4 +1,4 @@
-#include "text_reader.h"
+#include "logs/text_reader.h"
 
 #include <charconv>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/logs/scan_log.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 namespace {
 
 // ROS' last second since the epoch; nothing else in a log comes near it, and what is beyond cannot be a time.
@@ -75,4 +75,4 @@ void TextReader::fail(const std::string& problem) const {
   throw LogError(name_ + ":" + std::to_string(line_number_) + ": " + problem);
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 
 /// Goes through a text file line by line and word by word, and knows where it is when something is wrong.
 class TextReader {
@@ -39,4 +39,4 @@ class TextReader {
   std::size_t next_ = 0;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

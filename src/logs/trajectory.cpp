@@ -4,7 +4,7 @@
 #include <iomanip>
 #include <ostream>
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 void writeTum(std::ostream& out, const Trajectory& trajectory) {
   out << std::fixed << std::setprecision(6);
   for (const TrajectoryPose& entry : trajectory) {
@@ -14,4 +14,4 @@ void writeTum(std::ostream& out, const Trajectory& trajectory) {
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "frontier_pilot/logs/scan_log.h"
-#include "text_reader.h"
+#include "logs/text_reader.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 namespace {
 
 Spread spreadOf(const std::vector<double>& values) {
@@ -71,4 +71,4 @@ AbsoluteError absoluteError(const std::vector<Pose2>& estimate, const std::vecto
   return error;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
-bool MapSchedule::note(const MapChanges& changes, Time now) {
+bool MapSchedule::note(const occupancy::MapChanges& changes, Time now) {
   grown_ = grown_ || changes.geometry_changed;
   if (grown_ || changes.cells.empty()) return false;
   last_change_ = now;
@@ -34,4 +34,4 @@ bool MapSchedule::sent(Time now) {
   return std::exchange(grown_, false);
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

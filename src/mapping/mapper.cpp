@@ -5,7 +5,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 namespace {
 
 bool isWellFormed(const LaserScan2& scan) {
@@ -25,35 +25,36 @@ double shareOfUsable(const LaserScan2& scan) {
   return static_cast<double>(usable) / static_cast<double>(scan.ranges.size());
 }
 
-ScanVerdict verdictOf(Insertion insertion) {
+ScanVerdict verdictOf(occupancy::Insertion insertion) {
   switch (insertion) {
-    case Insertion::kInserted:
+    case occupancy::Insertion::kInserted:
       return ScanVerdict::kInserted;
-    case Insertion::kAllInvalid:
+    case occupancy::Insertion::kAllInvalid:
       return ScanVerdict::kAllInvalid;
-    case Insertion::kOutOfBounds:
+    case occupancy::Insertion::kOutOfBounds:
       break;
   }
   return ScanVerdict::kOutOfBounds;
 }
 
-PoseBelief beliefOf(const Pose2& pose) {
+scan_matching::PoseBelief beliefOf(const Pose2& pose) {
   constexpr double kPosition = 0.5;  // [m]
   constexpr double kYaw = 0.25;      // [rad]
   return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
 }
 
-std::unique_ptr<PoseCorrection> knownMap(const MapperParameters& parameters, OccupancyMap& map,
-                                         const PoseBelief& T_map_base) {
-  auto use = parameters.trust_odometry ? KnownMap::Use::kTrustOdometry : KnownMap::Use::kGoOnMapping;
-  if (parameters.localize_only) use = KnownMap::Use::kLocalizeOnly;
-  return std::make_unique<KnownMap>(use, parameters.slam, map, parameters.insertion, T_map_base);
+std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
+                                               const scan_matching::PoseBelief& T_map_base) {
+  auto use = parameters.trust_odometry ? localization::KnownMap::Use::kTrustOdometry
+                                       : localization::KnownMap::Use::kGoOnMapping;
+  if (parameters.localize_only) use = localization::KnownMap::Use::kLocalizeOnly;
+  return std::make_unique<localization::KnownMap>(use, parameters.slam, map, parameters.insertion, T_map_base);
 }
 
-std::unique_ptr<PoseCorrection> correctionFor(const MapperParameters& parameters, OccupancyMap& map) {
+std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map) {
   if (parameters.localize_only) return knownMap(parameters, map, beliefOf(Pose2()));
-  if (parameters.trust_odometry) return std::make_unique<TrustOdometry>();
-  return std::make_unique<GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
+  if (parameters.trust_odometry) return std::make_unique<slam::TrustOdometry>();
+  return std::make_unique<slam::GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
 }
 
 MapperParameters withRobotsRadius(MapperParameters parameters) {
@@ -64,7 +65,7 @@ MapperParameters withRobotsRadius(MapperParameters parameters) {
 
 }  // namespace
 
-Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<PoseCorrection> correction)
+Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<slam::PoseCorrection> correction)
     : parameters_(withRobotsRadius(parameters)),
       map_(parameters_.map),
       inserter_(parameters_.insertion, parameters_.slam.local.surface),
@@ -99,7 +100,7 @@ ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T
 }
 
 ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) {
-  const CorrectedScan corrected = correction_->correct(scan, T_odom_base, map_);
+  const slam::CorrectedScan corrected = correction_->correct(scan, T_odom_base, map_);
   last_correction_ = corrected.text;
   ++correction_counts_[corrected.text];
   sound_ = corrected.sound && corrected.fits_map;
@@ -119,18 +120,18 @@ ScanVerdict Mapper::put(const LaserScan2& scan, const Pose2& T_map_base) {
   return verdict;
 }
 
-RevisionWork Mapper::takeWork() {
-  RevisionWork work = correction_->takeWork();
+slam::RevisionWork Mapper::takeWork() {
+  slam::RevisionWork work = correction_->takeWork();
   if (!work) return work;
   working_ = true;
   return [work, epoch = epoch_] {
-    MapRevision revision = work();
+    slam::MapRevision revision = work();
     revision.epoch = epoch;
     return revision;
   };
 }
 
-bool Mapper::revise(MapRevision& revision) {
+bool Mapper::revise(slam::MapRevision& revision) {
   if (revision.epoch != epoch_) return false;
   if (isTooLarge(revision)) return refuse(revision);
   if (!correction_->accept(revision)) return false;
@@ -153,12 +154,12 @@ bool Mapper::revise(MapRevision& revision) {
   return true;
 }
 
-bool Mapper::isTooLarge(const MapRevision& revision) const {
+bool Mapper::isTooLarge(const slam::MapRevision& revision) const {
   // A map that left out more than was ever refused lacks something that is mapped.
   return revision.map && (revision.left_out > out_of_bounds_ || !map_.hasRoomFor(*revision.map));
 }
 
-bool Mapper::refuse(MapRevision& revision) {
+bool Mapper::refuse(slam::MapRevision& revision) {
   if (!correction_->refuse(revision)) return false;
   working_ = false;
   meanwhile_.clear();
@@ -179,21 +180,23 @@ bool Mapper::abandonWork() {
 }
 
 void Mapper::reviseNow() {
-  if (const RevisionWork work = takeWork()) {
-    MapRevision revision = work();
+  if (const slam::RevisionWork work = takeWork()) {
+    slam::MapRevision revision = work();
     revise(revision);
   }
 }
 
-PoseBelief Mapper::presentBelief() const { return beliefOf(last_ ? T_map_odom_ * last_->T_odom_base : T_map_odom_); }
+scan_matching::PoseBelief Mapper::presentBelief() const {
+  return beliefOf(last_ ? T_map_odom_ * last_->T_odom_base : T_map_odom_);
+}
 
-bool Mapper::load(OccupancyMap& loaded) {
+bool Mapper::load(occupancy::OccupancyMap& loaded) {
   if (!map_.exchange(loaded)) return false;
   replace(knownMap(parameters_, map_, presentBelief()));
   return true;
 }
 
-bool Mapper::resume(OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
+bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
   if (!map_.exchange(map)) return false;
   T_map_odom_ = T_map_odom;
   // Odometry that was taken for the truth since the first scan still is.
@@ -202,14 +205,14 @@ bool Mapper::resume(OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_o
   return true;
 }
 
-bool Mapper::locate(const PoseBelief& T_map_base) {
+bool Mapper::locate(const scan_matching::PoseBelief& T_map_base) {
   const auto& cells = grid().cells();
   if (std::none_of(cells.begin(), cells.end(), isOccupied)) return false;
   replace(knownMap(parameters_, map_, T_map_base));
   return true;
 }
 
-void Mapper::replace(std::unique_ptr<PoseCorrection> correction) {
+void Mapper::replace(std::unique_ptr<slam::PoseCorrection> correction) {
   correction_ = std::move(correction);
   ++epoch_;
   working_ = false;
@@ -246,4 +249,4 @@ void Mapper::reset() {
   if (epoch_ > 0) replace(correctionFor(parameters_, map_));
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <map>
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 namespace {
 
 constexpr Duration kWindow = std::chrono::seconds(5);
@@ -35,4 +35,4 @@ std::optional<MappingHealth::Remark> MappingHealth::worst(Time now) const {
   return Remark{most->first, share};
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

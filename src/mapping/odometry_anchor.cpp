@@ -4,7 +4,7 @@
 
 #include "frontier_pilot/core/motion.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 namespace {
 
 // Stamps may be those of the arrival, and two messages arrive together although they were made one after the other.
@@ -73,4 +73,4 @@ void OdometryAnchor::reset() {
   T_smooth_odom_ = Pose2();
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -4,7 +4,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
   const Vec2 position = a.position() + s * (b.position() - a.position());
@@ -37,4 +37,4 @@ OdometryLookup OdometryBuffer::at(Time stamp, Pose2& T_odom_base) const {
   return OdometryLookup::kFound;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 ScanPairing::ScanPairing(const ScanPairingParameters& parameters)
     : parameters_(parameters), odometry_(parameters.odometry) {}
@@ -30,4 +30,4 @@ void ScanPairing::clear() {
   waiting_.clear();
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

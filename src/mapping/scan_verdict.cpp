@@ -1,6 +1,6 @@
 #include "frontier_pilot/mapping/scan_verdict.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 const char* toString(ScanVerdict verdict) {
   switch (verdict) {
@@ -40,4 +40,4 @@ std::uint64_t ScanCounts::dropped() const {
   return sum;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -1,6 +1,6 @@
-#include "frontier_pilot/ros/behavior_server_adapter.h"
-#include "frontier_pilot/ros/node_main.h"
+#include "ros/behavior_server/behavior_server_adapter.h"
+#include "ros/common/node_main.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::BehaviorServerNode>(argc, argv, "behavior_server");
+  return frontier_pilot::runNode<frontier_pilot::BehaviorServerAdapter>(argc, argv, "behavior_server");
 }

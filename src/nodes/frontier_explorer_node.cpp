@@ -1,6 +1,6 @@
-#include "frontier_pilot/ros/explorer_adapter.h"
-#include "frontier_pilot/ros/node_main.h"
+#include "ros/common/node_main.h"
+#include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::ExplorerAdapter>(argc, argv, "frontier_explorer");
+  return frontier_pilot::runNode<frontier_pilot::FrontierExplorerAdapter>(argc, argv, "frontier_explorer");
 }

@@ -1,9 +1,9 @@
-#include "frontier_pilot/ros/bag_log.h"
-#include "frontier_pilot/tools/map_log.h"
+#include "ros/map_log/bag_log.h"
+#include "tools/map_log.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runMapLog({argv + 1, argv + argc},
-                                   [](const std::string& path, const frontier_pilot::BagTopics& topics) {
+  return frontier_pilot::tools::runMapLog({argv + 1, argv + argc},
+                                   [](const std::string& path, const frontier_pilot::tools::BagTopics& topics) {
                                      return frontier_pilot::readBagLogApart(path, topics);
                                    });
 }

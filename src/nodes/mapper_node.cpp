@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/mapper_adapter.h"
-#include "frontier_pilot/ros/node_main.h"
+#include "ros/common/node_main.h"
+#include "ros/mapper/mapper_adapter.h"
 
 int main(int argc, char** argv) { return frontier_pilot::runNode<frontier_pilot::MapperAdapter>(argc, argv, "mapper"); }

@@ -1,6 +1,6 @@
-#include "frontier_pilot/ros/node_main.h"
-#include "frontier_pilot/ros/obstacle_avoider_adapter.h"
+#include "ros/common/node_main.h"
+#include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::ObstacleAvoiderNode>(argc, argv, "obstacle_avoider");
+  return frontier_pilot::runNode<frontier_pilot::ObstacleAvoiderAdapter>(argc, argv, "obstacle_avoider");
 }

@@ -1,3 +1,3 @@
-#include "frontier_pilot/ros/patrol_client_adapter.h"
+#include "ros/patrol_client/patrol_client_adapter.h"
 
 int main(int argc, char** argv) { return frontier_pilot::runPatrolClient(argc, argv); }

@@ -1,6 +1,6 @@
-#include "frontier_pilot/ros/node_main.h"
-#include "frontier_pilot/ros/patrol_server_adapter.h"
+#include "ros/common/node_main.h"
+#include "ros/patrol_server/patrol_server_adapter.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::PatrolServerNode>(argc, argv, "patrol_server");
+  return frontier_pilot::runNode<frontier_pilot::PatrolServerAdapter>(argc, argv, "patrol_server");
 }

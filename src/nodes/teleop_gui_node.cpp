@@ -1,10 +1,10 @@
-#include "frontier_pilot/gui/pilot_window.h"
-#include "frontier_pilot/ros/gui_bridge.h"
-#include "frontier_pilot/ros/node_main.h"
-#include "frontier_pilot/ros/parameters.h"
+#include "gui/pilot_window.h"
+#include "ros/common/node_main.h"
+#include "ros/common/parameters.h"
+#include "ros/teleop_gui/gui_bridge.h"
 
 using frontier_pilot::GuiBridge;
-using frontier_pilot::TeleopParameters;
+using frontier_pilot::teleop::TeleopParameters;
 
 int main(int argc, char** argv) {
   return frontier_pilot::runNodeWithLoop(
@@ -12,6 +12,6 @@ int main(int argc, char** argv) {
       [&](ros::NodeHandle& node, ros::NodeHandle& private_node, const frontier_pilot::RunningFn& running) {
         const auto parameters = frontier_pilot::loadNodeParameters<TeleopParameters>(private_node);
         GuiBridge bridge(node, parameters, GuiBridge::Manual::kAlways, running);
-        return frontier_pilot::runPilotWindow(argc, argv, bridge, parameters);
+        return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters);
       });
 }

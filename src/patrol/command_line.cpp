@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 namespace {
 
 /// The mode of a shape's name; 0 if there is none.
@@ -89,4 +89,4 @@ Example:
 )";
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 namespace {
 
 /// By so much [m] or [rad] a step must come on to count as progress.
@@ -171,4 +171,4 @@ std::string Patrol::completeText() const {
   return std::string(toString(static_cast<PatrolShape>(static_cast<int>(goal_.mode)))) + " patrol complete!!";
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

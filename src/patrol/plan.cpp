@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 namespace {
 
 bool isShape(double mode) { return mode == 1.0 || mode == 2.0 || mode == 3.0; }
@@ -72,4 +72,4 @@ int legsOf(const PatrolOrder& goal) {
   return shape == PatrolShape::kCircle ? laps : cornersOf(shape) * laps;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 namespace {
 
 /// Off the leg's direction by more than this [rad], the robot turns before it drives on.
@@ -86,4 +86,4 @@ Twist2 StepDriver::follow(double speed) const {
   return {forward, std::clamp(curvature * forward + p.heading_gain * error, -p.turn_speed, p.turn_speed)};
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

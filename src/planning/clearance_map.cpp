@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/grid_traversal.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 /// Half a cell's diagonal, the interpolation's error and a little more, see the class.
@@ -63,7 +63,7 @@ void ClearanceMap::reset(const OccupancyGrid& map) {
   cost_ = Grid<std::uint8_t>(cells, 0);
   dirty_tiles_ = Grid<std::uint8_t>(tileGeometry(cells, kTile), kTileClean);
   for (int y = 0; y < cells.height; ++y) takeRow(map.row(y), {0, y}, cells.width);
-  field_ = DistanceField(obstacle_, preferred + cells.resolution);
+  field_ = grids::DistanceField(obstacle_, preferred + cells.resolution);
   std::fill(dirty_tiles_.cells().begin(), dirty_tiles_.cells().end(), static_cast<std::uint8_t>(kTileClean));
   rateCells(cells.rect());
 }
@@ -223,4 +223,4 @@ double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to) const {
   return free ? (to - from).norm() * sum / count : -1.0;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

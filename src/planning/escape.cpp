@@ -1,4 +1,4 @@
-#include "frontier_pilot/planning/escape.h"
+#include "planning/escape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <queue>
 #include <tuple>
 
-#include "frontier_pilot/core/cell_window.h"
+#include "frontier_pilot/grids/cell_window.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 /// What it costs to be in contact, in metres a metre.
@@ -79,8 +79,8 @@ class EscapeSearch {
   bool beyond_;
   Cell from_;
   int reach_;
-  CellWindow<double> cost_;
-  CellWindow<Cell> parent_;
+  grids::CellWindow<double> cost_;
+  grids::CellWindow<Cell> parent_;
   std::priority_queue<std::tuple<double, int, int>, std::vector<std::tuple<double, int, int>>, std::greater<>> queue_;
   std::vector<Escape> escapes_;
 };
@@ -91,4 +91,4 @@ std::vector<Escape> findEscapes(const ClearanceMap& map, Cell from, double radiu
   return EscapeSearch(map, from, radius, beyond).run();
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

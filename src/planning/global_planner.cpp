@@ -11,12 +11,12 @@
 #include <cmath>
 
 #include "frontier_pilot/core/bounds.h"
-#include "frontier_pilot/planning/escape.h"
-#include "frontier_pilot/planning/oriented_search.h"
-#include "frontier_pilot/planning/path_smoothing.h"
-#include "ompl_planner.h"
+#include "planning/escape.h"
+#include "planning/ompl_planner.h"
+#include "planning/oriented_search.h"
+#include "planning/path_smoothing.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 namespace ob = ompl::base;
@@ -265,4 +265,4 @@ bool isPathValid(const ClearanceMap& map, const Path& path, std::size_t escape, 
   return true;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

@@ -1,10 +1,10 @@
-#include "frontier_pilot/planning/grid_search.h"
+#include "planning/grid_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 // 99/70 is the root of two to 5e-5.
@@ -129,4 +129,4 @@ std::vector<Cell> GridSearch::pathTo(Cell cell) const {
   return path;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

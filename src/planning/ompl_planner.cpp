@@ -1,4 +1,4 @@
-#include "ompl_planner.h"
+#include "planning/ompl_planner.h"
 
 #include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 namespace ob = ompl::base;
@@ -136,4 +136,4 @@ void AnyAngleGridPlanner::addSolution(Cell goal) {
   pdef_->addSolutionPath(path, false, 0.0, getName());
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

@@ -6,9 +6,9 @@
 #include <ompl/base/StateValidityChecker.h>
 
 #include "frontier_pilot/planning/clearance_map.h"
-#include "frontier_pilot/planning/grid_search.h"
+#include "planning/grid_search.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 
 /// The plane of a map as OMPL's space, with exact checks on the ClearanceMap instead of a resolution along motions:
 /// OMPL's default of 1 % of the extent would step through walls. `map` must outlive it.
@@ -38,4 +38,4 @@ class AnyAngleGridPlanner : public ompl::base::Planner {
   std::size_t expanded_ = 0;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

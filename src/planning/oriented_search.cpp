@@ -1,4 +1,4 @@
-#include "frontier_pilot/planning/oriented_search.h"
+#include "planning/oriented_search.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 constexpr int kDirections = 16;
@@ -223,4 +223,4 @@ std::vector<Vec2> OrientedSearch::search(Cell start, const std::optional<Pose2>&
   return outline_.canFollow(map_, Path(points), 0, 0.0, begin) ? points : std::vector<Vec2>{};
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

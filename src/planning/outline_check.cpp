@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 double directionOf(const Path& path, std::size_t segment) {
@@ -96,4 +96,4 @@ bool OutlineCheck::canFollow(const ClearanceMap& map, const Path& path, std::siz
   return true;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

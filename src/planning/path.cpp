@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 
 Path::Path(const std::vector<Vec2>& points) {
   points_.reserve(points.size());
@@ -71,4 +71,4 @@ std::vector<Vec2> Path::sampled(double spacing) const {
   return samples;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

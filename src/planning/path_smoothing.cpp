@@ -1,10 +1,10 @@
-#include "frontier_pilot/planning/path_smoothing.h"
+#include "planning/path_smoothing.h"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 namespace {
 
 /// After so many blocked lines in a row the points farther on are given up.
@@ -97,4 +97,4 @@ Path smoothPath(const ClearanceMap& map, const Path& path) {
   return pullString(map, sampledAtCorners(pulled, 2.0 * cell, 10.0 * cell));
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

@@ -1,4 +1,4 @@
-#include "pilot_panel.h"
+#include "rviz/pilot_panel.h"
 
 #include <ros/console.h>
 #include <ros/init.h>
@@ -8,23 +8,23 @@
 #include <QVBoxLayout>
 #include <exception>
 
-#include "frontier_pilot/ros/names.h"
-#include "frontier_pilot/ros/parameters.h"
+#include "ros/common/names.h"
+#include "ros/common/parameters.h"
 
 namespace frontier_pilot {
 namespace {
 
 /// Those of teleop_gui, or the defaults if there is something wrong with them: rviz has to come up all the same.
-TeleopParameters panelParameters(const ros::NodeHandle& node) {
+teleop::TeleopParameters panelParameters(const ros::NodeHandle& node) {
   try {
-    TeleopParameters parameters;
+    teleop::TeleopParameters parameters;
     const Problems problems = loadParameters(readParameters(ros::NodeHandle(node, names::kTeleopGuiNode)), parameters);
     for (const std::string& problem : problems) ROS_WARN_STREAM("PilotPanel: " << problem);
     if (problems.empty()) return parameters;
   } catch (const std::exception& error) {
     ROS_WARN_STREAM("PilotPanel: " << error.what());
   }
-  return TeleopParameters{};
+  return teleop::TeleopParameters{};
 }
 
 }  // namespace
@@ -43,11 +43,11 @@ PilotPanel::PilotPanel(QWidget* parent) : rviz::Panel(parent) {
 
 void PilotPanel::fill(QVBoxLayout& layout) {
   const ros::NodeHandle node;
-  const TeleopParameters parameters = panelParameters(node);
+  const teleop::TeleopParameters parameters = panelParameters(node);
   bridge_ = std::make_unique<GuiBridge>(node, parameters, GuiBridge::Manual::kOnDemand, [] { return ros::ok(); });
-  widget_ = new PilotWidget(parameters);
+  widget_ = new gui::PilotWidget(parameters);
   layout.addWidget(widget_);
-  controller_ = std::make_unique<PilotController>(*widget_, *bridge_, fromSeconds(parameters.liveness_timeout));
+  controller_ = std::make_unique<gui::PilotController>(*widget_, *bridge_, fromSeconds(parameters.liveness_timeout));
 }
 
 PilotPanel::~PilotPanel() = default;

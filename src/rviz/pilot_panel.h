@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 #include <memory>
 
-#include "frontier_pilot/gui/pilot_controller.h"
-#include "frontier_pilot/ros/gui_bridge.h"
+#include "gui/pilot_controller.h"
+#include "ros/teleop_gui/gui_bridge.h"
 
 namespace frontier_pilot {
 
@@ -23,8 +23,8 @@ class PilotPanel : public rviz::Panel {
   void fill(QVBoxLayout& layout);
 
   std::unique_ptr<GuiBridge> bridge_;
-  PilotWidget* widget_ = nullptr;
-  std::unique_ptr<PilotController> controller_;
+  gui::PilotWidget* widget_ = nullptr;
+  std::unique_ptr<gui::PilotController> controller_;
 };
 
 }  // namespace frontier_pilot

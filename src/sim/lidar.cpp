@@ -37,7 +37,7 @@ Lidar::Lidar(const ScannerModel& scanner, const LidarNoise& noise)
   ranges_.resize(beams_.size());
 }
 
-void Lidar::scan(const Pose2& T_world_base, const RayCaster& walls, const DiscIndex& discs,
+void Lidar::scan(const Pose2& T_world_base, const grids::RayCaster& walls, const DiscIndex& discs,
                  std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan) {
   const Pose2 T_world_sensor = T_world_base * scanner_.T_base_sensor();
   const Vec2 from = T_world_sensor.position();

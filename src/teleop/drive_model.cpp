@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 namespace {
 
 /// `count` moved by `change`, but not beyond the first step that reaches `limit`.
@@ -140,4 +140,4 @@ Twist2 DriveModel::setPoint() const {
   return clamp({forward * parameters_.hold_linear, leftward * parameters_.hold_angular}, parameters_.robot.limits);
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 namespace {
 
 using Lines = std::vector<OperatorLogLine>;
@@ -75,4 +75,4 @@ std::vector<OperatorLogLine> whatHappened(const OperatorState& before, const Ope
   return lines;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

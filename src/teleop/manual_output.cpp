@@ -1,6 +1,6 @@
 #include "frontier_pilot/teleop/manual_output.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 
 void ManualOutput::beat(const Twist2& set_point, SteadyTime now) {
   if (state_ == State::kClosed) return;
@@ -48,4 +48,4 @@ const char* toString(ManualOutput::State state) {
   return "closed";
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

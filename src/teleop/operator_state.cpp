@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 
 const SourceView* OperatorState::source(const std::string& name) const {
   if (!arbiter) return nullptr;
@@ -11,4 +11,4 @@ const SourceView* OperatorState::source(const std::string& name) const {
   return found == arbiter->sources.end() ? nullptr : &*found;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

@@ -1,10 +1,10 @@
-#include "frontier_pilot/tools/arguments.h"
+#include "tools/arguments.h"
 
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
 
-namespace frontier_pilot {
+namespace frontier_pilot::tools {
 namespace {
 
 template <class T>
@@ -50,4 +50,4 @@ std::vector<int> Arguments::range() {
   return numbers;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::tools

@@ -1,11 +1,11 @@
-#include "frontier_pilot/tools/log_mapping.h"
+#include "tools/log_mapping.h"
 
 #include <algorithm>
 #include <iterator>
 
 #include "frontier_pilot/mapping/odometry_buffer.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::tools {
 namespace {
 
 /// An anchor, and what it makes of the trajectory around it.
@@ -14,11 +14,12 @@ struct Anchor {
   Pose2 T_new_old;
 };
 
-std::vector<Anchor> anchored(const Trajectory& trajectory, const Trajectory& anchors) {
+std::vector<Anchor> anchored(const logs::Trajectory& trajectory, const logs::Trajectory& anchors) {
   std::vector<Anchor> out;
   auto entry = trajectory.begin();
-  for (const TrajectoryPose& anchor : anchors) {
-    entry = std::find_if(entry, trajectory.end(), [&](const TrajectoryPose& e) { return e.stamp == anchor.stamp; });
+  for (const logs::TrajectoryPose& anchor : anchors) {
+    entry =
+        std::find_if(entry, trajectory.end(), [&](const logs::TrajectoryPose& e) { return e.stamp == anchor.stamp; });
     if (entry == trajectory.end()) break;
     out.push_back({anchor.stamp, anchor.pose * entry->pose.inverse()});
   }
@@ -27,25 +28,26 @@ std::vector<Anchor> anchored(const Trajectory& trajectory, const Trajectory& anc
 
 }  // namespace
 
-void DriveRecorder::note(const Mapper& mapper, Time stamp, const Pose2& T_odom_base) {
+void DriveRecorder::note(const mapping::Mapper& mapper, Time stamp, const Pose2& T_odom_base) {
   drive_.odometry.push_back({stamp, T_odom_base});
   drive_.online.push_back({stamp, mapper.T_map_odom() * T_odom_base});
-  const RevisionReport& revisions = mapper.revisions();
+  const mapping::RevisionReport& revisions = mapper.revisions();
   if (revisions.closures == drive_.closures.size()) return;
   drive_.closures.insert(drive_.closures.end(), revisions.last_closures.begin(), revisions.last_closures.end());
 }
 
-MappedDrive DriveRecorder::drive(const Mapper& mapper) const {
+MappedDrive DriveRecorder::drive(const mapping::Mapper& mapper) const {
   MappedDrive out = drive_;
-  Trajectory keyframes;
-  for (const KeyframePose& keyframe : mapper.trajectory()) keyframes.push_back({keyframe.stamp, keyframe.T_map_base});
+  logs::Trajectory keyframes;
+  for (const slam::KeyframePose& keyframe : mapper.trajectory())
+    keyframes.push_back({keyframe.stamp, keyframe.T_map_base});
   out.corrected = bend(drive_.online, keyframes);
   return out;
 }
 
-MappedDrive mapLog(const ScanLog& log, Mapper& mapper) {
+MappedDrive mapLog(const logs::ScanLog& log, mapping::Mapper& mapper) {
   DriveRecorder recorder;
-  for (const LogRecord& record : log.records) {
+  for (const logs::LogRecord& record : log.records) {
     mapper.insert(record.scan, record.T_odom_base, record.scan.stamp);
     mapper.reviseNow();
     recorder.note(mapper, record.scan.stamp, record.T_odom_base);
@@ -53,29 +55,30 @@ MappedDrive mapLog(const ScanLog& log, Mapper& mapper) {
   return recorder.drive(mapper);
 }
 
-Trajectory bend(const Trajectory& trajectory, const Trajectory& anchors) {
+logs::Trajectory bend(const logs::Trajectory& trajectory, const logs::Trajectory& anchors) {
   const std::vector<Anchor> fixed = anchored(trajectory, anchors);
   if (fixed.empty()) return trajectory;
-  Trajectory out;
+  logs::Trajectory out;
   std::size_t next = 0;
-  for (const TrajectoryPose& entry : trajectory) {
+  for (const logs::TrajectoryPose& entry : trajectory) {
     while (next < fixed.size() && fixed[next].stamp < entry.stamp) ++next;
     const Anchor& before = fixed[next == 0 ? 0 : next - 1];
     const Anchor& after = fixed[std::min(next, fixed.size() - 1)];
     const double gap = toSeconds(after.stamp - before.stamp);
     const double share = gap > 0.0 ? toSeconds(entry.stamp - before.stamp) / gap : 0.0;
     // What is interpolated are poses near to each other: the origin may lie far off.
-    out.push_back({entry.stamp, interpolate(before.T_new_old * entry.pose, after.T_new_old * entry.pose, share)});
+    out.push_back(
+        {entry.stamp, mapping::interpolate(before.T_new_old * entry.pose, after.T_new_old * entry.pose, share)});
   }
   return out;
 }
 
-std::vector<Pose2> posesOf(const Trajectory& trajectory) {
+std::vector<Pose2> posesOf(const logs::Trajectory& trajectory) {
   std::vector<Pose2> poses;
   poses.reserve(trajectory.size());
   std::transform(trajectory.begin(), trajectory.end(), std::back_inserter(poses),
-                 [](const TrajectoryPose& entry) { return entry.pose; });
+                 [](const logs::TrajectoryPose& entry) { return entry.pose; });
   return poses;
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::tools

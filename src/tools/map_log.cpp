@@ -1,4 +1,4 @@
-#include "frontier_pilot/tools/map_log.h"
+#include "tools/map_log.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -12,11 +12,11 @@
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/logs/trajectory_error.h"
-#include "frontier_pilot/mapping/map_io.h"
-#include "frontier_pilot/tools/log_mapping.h"
-#include "frontier_pilot/tools/map_picture.h"
+#include "frontier_pilot/map_files/map_io.h"
+#include "tools/log_mapping.h"
+#include "tools/map_picture.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::tools {
 namespace {
 
 constexpr int kDone = 0;
@@ -32,19 +32,20 @@ double cpuSeconds() {
 std::ifstream openFile(const std::string& path) {
   std::error_code error;
   const bool odd = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
-  if (odd) throw LogError(path + ": is no file");
+  if (odd) throw logs::LogError(path + ": is no file");
   std::ifstream file(path, std::ios::binary);
-  if (!file || file.peek() == std::ifstream::traits_type::eof()) throw LogError(path + ": cannot be read, or is empty");
+  if (!file || file.peek() == std::ifstream::traits_type::eof())
+    throw logs::LogError(path + ": cannot be read, or is empty");
   return file;
 }
 
-ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
+logs::ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
   std::ifstream file = openFile(options.log);
-  if (read_bag && formatOf(file) == LogFormat::kRosbag) return read_bag(options.log, options.topics);
-  return readScanLog(file, options.log, options.scanner);
+  if (read_bag && logs::formatOf(file) == logs::LogFormat::kRosbag) return read_bag(options.log, options.topics);
+  return logs::readScanLog(file, options.log, options.scanner);
 }
 
-double lengthOf(const Trajectory& trajectory) {
+double lengthOf(const logs::Trajectory& trajectory) {
   double length = 0.0;
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
     length += (trajectory[i].pose.position() - trajectory[i - 1].pose.position()).norm();
@@ -52,13 +53,13 @@ double lengthOf(const Trajectory& trajectory) {
   return length;
 }
 
-Polyline polylineOf(const Trajectory& trajectory) {
+Polyline polylineOf(const logs::Trajectory& trajectory) {
   Polyline track;
-  for (const TrajectoryPose& entry : trajectory) track.push_back(entry.pose.position());
+  for (const logs::TrajectoryPose& entry : trajectory) track.push_back(entry.pose.position());
   return track;
 }
 
-void printLog(const ScanLog& log, const MappedDrive& drive) {
+void printLog(const logs::ScanLog& log, const MappedDrive& drive) {
   for (const std::string& note : log.notes) std::printf("note: %s\n", note.c_str());
   const double seconds = toSeconds(log.records.back().scan.stamp - log.records.front().scan.stamp);
   std::printf("log: %zu scans of %zu beams, %.1f s, %.1f m by odometry\n", log.records.size(),
@@ -68,20 +69,21 @@ void printLog(const ScanLog& log, const MappedDrive& drive) {
 /// Where the closures are, corrected: from the place that was recognised to where that happened.
 std::vector<std::pair<Vec2, Vec2>> closuresOf(const MappedDrive& drive) {
   const auto at = [&](Time stamp) {
-    const auto later = std::lower_bound(drive.corrected.begin(), drive.corrected.end(), stamp,
-                                        [](const TrajectoryPose& entry, Time time) { return entry.stamp < time; });
+    const auto later =
+        std::lower_bound(drive.corrected.begin(), drive.corrected.end(), stamp,
+                         [](const logs::TrajectoryPose& entry, Time time) { return entry.stamp < time; });
     return later->pose.position();
   };
   std::vector<std::pair<Vec2, Vec2>> lines;
-  for (const LoopClosure& closure : drive.closures)
+  for (const slam::LoopClosure& closure : drive.closures)
     lines.emplace_back(at(closure.submap_stamp), at(closure.keyframe_stamp));
   return lines;
 }
 
-void printCounts(const Mapper& mapper, double cpu) {
+void printCounts(const mapping::Mapper& mapper, double cpu) {
   std::printf("scans:");
-  for (std::size_t i = 0; i < kScanVerdicts; ++i) {
-    const auto verdict = static_cast<ScanVerdict>(i);
+  for (std::size_t i = 0; i < mapping::kScanVerdicts; ++i) {
+    const auto verdict = static_cast<mapping::ScanVerdict>(i);
     if (mapper.counts()[verdict] == 0) continue;
     std::printf(" %s %llu", toString(verdict), static_cast<unsigned long long>(mapper.counts()[verdict]));
   }
@@ -95,8 +97,9 @@ void printCounts(const Mapper& mapper, double cpu) {
   std::printf("cpu: %.2f s\n", cpu);
 }
 
-void printError(const char* what, const Trajectory& trajectory, const std::vector<PoseRelation>& relations) {
-  const RelationError error = relationError(posesOf(trajectory), relations);
+void printError(const char* what, const logs::Trajectory& trajectory,
+                const std::vector<logs::PoseRelation>& relations) {
+  const logs::RelationError error = logs::relationError(posesOf(trajectory), relations);
   std::printf("%s: translation %.3f +- %.3f m, rotation %.2f +- %.2f deg from %zu relations\n", what,
               error.translation.mean, error.translation.stddev, error.rotation.mean * 180.0 / kPi,
               error.rotation.stddev * 180.0 / kPi, relations.size());
@@ -105,32 +108,32 @@ void printError(const char* what, const Trajectory& trajectory, const std::vecto
 void printErrors(const MapLogOptions& options, const MappedDrive& drive) {
   if (options.relations.empty()) return;
   std::ifstream file = openFile(options.relations);
-  const auto relations = readRelations(file, options.relations, drive.odometry.size());
+  const auto relations = logs::readRelations(file, options.relations, drive.odometry.size());
   printError("odometry ", drive.odometry, relations);
   printError("corrected", drive.corrected, relations);
 }
 
-void writeTrajectory(const Trajectory& trajectory, const std::string& path) {
+void writeTrajectory(const logs::Trajectory& trajectory, const std::string& path) {
   std::ostringstream text;
   writeTum(text, trajectory);
   const std::string problem = writeFile(path, text.str());
-  if (!problem.empty()) throw LogError(path + ": cannot be written: " + problem);
+  if (!problem.empty()) throw logs::LogError(path + ": cannot be written: " + problem);
 }
 
-void writeResults(const MapLogOptions& options, const MappedDrive& drive, Mapper& mapper) {
-  const MapIoResult saved = saveMap(mapper.map(), options.out);
-  if (!saved.ok()) throw LogError(saved.text);
+void writeResults(const MapLogOptions& options, const MappedDrive& drive, mapping::Mapper& mapper) {
+  const map_files::MapIoResult saved = map_files::saveMap(mapper.map(), options.out);
+  if (!saved.ok()) throw logs::LogError(saved.text);
   writeTrajectory(drive.corrected, options.out + ".tum");
   writeTrajectory(drive.odometry, options.out + "_odom.tum");
   const MapPicture picture{polylineOf(drive.odometry), polylineOf(drive.corrected), closuresOf(drive)};
   const std::string path = options.out + ".png";
-  if (!writePicture(mapper.grid(), picture, path)) throw LogError(path + ": cannot be written");
+  if (!writePicture(mapper.grid(), picture, path)) throw logs::LogError(path + ": cannot be written");
   std::printf("%s\nsaved %s.tum, _odom.tum and .png\n", saved.text.c_str(), options.out.c_str());
 }
 
 int run(const MapLogOptions& options, const BagReader& read_bag) {
-  const ScanLog log = readLog(options, read_bag);
-  Mapper mapper(options.mapper);
+  const logs::ScanLog log = readLog(options, read_bag);
+  mapping::Mapper mapper(options.mapper);
   const double begin = cpuSeconds();
   const MappedDrive drive = mapLog(log, mapper);
   const double cpu = cpuSeconds() - begin;
@@ -152,10 +155,10 @@ int runMapLog(const std::vector<std::string>& words, const BagReader& read_bag) 
   } catch (const std::invalid_argument& error) {
     std::cerr << "map_log: " << error.what() << "\n\n" << mapLogUsage();
     return kUsage;
-  } catch (const LogError& error) {
+  } catch (const logs::LogError& error) {
     std::cerr << "map_log: " << error.what() << "\n";
     return kFailed;
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::tools

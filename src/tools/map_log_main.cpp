@@ -1,3 +1,3 @@
-#include "frontier_pilot/tools/map_log.h"
+#include "tools/map_log.h"
 
 int main(int argc, char** argv) { return frontier_pilot::runMapLog({argv + 1, argv + argc}); }

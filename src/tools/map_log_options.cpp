@@ -1,11 +1,11 @@
-#include "frontier_pilot/tools/map_log_options.h"
+#include "tools/map_log_options.h"
 
 #include <regex>
 #include <stdexcept>
 
-#include "frontier_pilot/tools/arguments.h"
+#include "tools/arguments.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::tools {
 namespace {
 
 double positiveNumber(Arguments& arguments, const std::string& option) {
@@ -90,4 +90,4 @@ Example:
 )";
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::tools

@@ -1,4 +1,4 @@
-#include "frontier_pilot/tools/map_picture.h"
+#include "tools/map_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "frontier_pilot/core/files.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::tools {
 namespace {
 
 constexpr double kLargestSide = 4000.0;  // [pixels]
@@ -105,4 +105,4 @@ bool writePicture(const OccupancyGrid& map, const MapPicture& picture, const std
   }
 }
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::tools

@@ -3,6 +3,7 @@
 
 Usage: check_architecture.py [ROOT]. Prints one line for each problem; exit code 0 if there is none.
 """
+import collections
 import pathlib
 import re
 import statistics
@@ -10,10 +11,36 @@ import sys
 
 from cpp_functions import code_of, functions_of
 
-MODULES = ('core', 'sim', 'logs', 'arbiter', 'avoid', 'patrol', 'behavior', 'mapping', 'planning', 'exploration', 'teleop')
-# What a folder may include of the project besides itself; '*' is everything.
-MAY_INCLUDE = {module: {'core'} for module in MODULES}
-MAY_INCLUDE.update(gui={'core', 'teleop'}, tools={'core', 'logs', 'mapping'}, ros={'*'}, nodes={'*'}, rviz={'*'})
+# What a folder under src/ may include of the project besides itself: the arrows of docs/architecture.md. '*' is everything.
+MAY_INCLUDE = {
+    'core': set(),
+    'grids': {'core'},
+    'sim': {'core', 'grids'},
+    'logs': {'core'},
+    'arbiter': {'core'},
+    'avoid': {'core'},
+    'patrol': {'core'},
+    'behavior': {'core', 'grids'},
+    'teleop': {'core'},
+    'surfaces': {'core'},
+    'scan_matching': {'core', 'grids', 'surfaces'},
+    'occupancy': {'core', 'grids', 'surfaces'},
+    'slam': {'core', 'grids', 'surfaces', 'scan_matching', 'occupancy'},
+    'localization': {'core', 'grids', 'surfaces', 'scan_matching', 'occupancy', 'slam'},
+    'mapping': {'core', 'grids', 'surfaces', 'scan_matching', 'occupancy', 'slam', 'localization'},
+    'map_files': {'core', 'occupancy'},
+    'planning': {'core', 'grids'},
+    'navigation': {'core', 'grids', 'planning'},
+    'exploration': {'core', 'grids'},
+    'system': {'core', 'sim', 'arbiter', 'behavior', 'mapping', 'occupancy', 'navigation', 'exploration'},
+    'tools': {'core', 'logs', 'mapping', 'occupancy', 'slam', 'map_files'},
+    'gui': {'core', 'teleop'},
+    'ros': {'*'},
+    'nodes': {'*'},
+    'rviz': {'*'},
+}
+# Programs: nobody builds upon them, so all their headers lie beside their sources; who may include those.
+PROGRAMS = {'tools': {'ros', 'nodes'}, 'gui': {'nodes', 'rviz'}, 'ros': {'nodes', 'rviz'}, 'nodes': set(), 'rviz': set()}
 SEES_ROS = {'ros', 'nodes', 'rviz'}
 MAY_PRINT = SEES_ROS | {'tools'}
 # Whose headers these are, and the folders that may include them.
@@ -21,7 +48,7 @@ FOREIGN = (
     ('ROS', re.compile(r'^(ros|ros[a-z]+|tf2?|tf2_\w+|actionlib|diagnostic_updater|pluginlib|rviz|xmlrpcpp|message_filters|'
                        r'\w+_msgs|std_srvs|topic_tools)/|^frontier_pilot/[A-Z]\w*\.h$'), SEES_ROS),
     ('OMPL', re.compile(r'^ompl/'), {'planning'}),
-    ('OctoMap', re.compile(r'^octomap/'), {'mapping'}),
+    ('OctoMap', re.compile(r'^octomap/'), {'occupancy'}),
     ('Qt', re.compile(r'^Q[A-Z]|^Qt\w+/'), {'gui', 'rviz', 'nodes', 'ros'}),
 )
 IMPURE = re.compile(r'::now\(|\bsleep_(for|until)\(|\bu?sleep\(|\bnanosleep\(|\bgettimeofday\(|\bclock_gettime\(|'
@@ -33,6 +60,7 @@ UNCHECKED_SUBSCRIPTION = re.compile(r'\b(?:node|\w*_node|node_|nh_?|n)\.subscrib
                                     r'ros::NodeHandle\([^()]*\)\.subscribe\b')
 FRAME = re.compile(r'"(map|odom|base_footprint|base_link|base_scan|world)"')
 MAX_FILE, MAX_ADAPTER, MAX_MAIN, MAX_FUNCTION = 300, 150, 25, 60
+MAX_UNITS, MAX_PUBLIC_HEADERS = 15, 70
 
 
 def folder_of(path, root):
@@ -68,6 +96,10 @@ def check_arrows(root):
                 yield path, 'includes %s: reaches into another folder' % include
             elif own and own.group(1) != folder and '*' not in allowed and own.group(1) not in allowed:
                 yield path, 'includes %s: %s may only use %s' % (include, folder, ', '.join(sorted(allowed)))
+            private = re.match(r'^(\w+)/\S+\.h$', include)
+            owner_of_private = private.group(1) if private and (root / 'src' / include).exists() else folder
+            if owner_of_private != folder and folder not in PROGRAMS.get(owner_of_private, set()):
+                yield path, 'includes %s: a private header of %s' % (include, owner_of_private)
             for owner, pattern, homes in FOREIGN:
                 if pattern.search(include) and folder not in homes:
                     yield path, 'includes %s: %s belongs to %s' % (include, owner, ', '.join(sorted(homes)))
@@ -99,6 +131,25 @@ def check_sizes(root):
                 yield path, 'function %s has %d lines, %d is the limit' % (name, length, MAX_FUNCTION)
 
 
+def check_rooms(root):
+    """Folders hold what a reader can take in, and a header is public only where another module includes it."""
+    for folder in sorted(path for path in (root / 'src').rglob('*') if path.is_dir()):
+        units = {path.stem for path in folder.iterdir() if path.suffix in ('.h', '.cpp')}
+        if len(units) > MAX_UNITS:
+            yield folder, 'holds %d units, %d is the limit' % (len(units), MAX_UNITS)
+    public = list(sources(root, 'include'))
+    if len(public) > MAX_PUBLIC_HEADERS:
+        yield root / 'include', 'holds %d public headers, %d is the limit' % (len(public), MAX_PUBLIC_HEADERS)
+    included = collections.defaultdict(set)  # header: the folders that include it, and public headers that do
+    for path, folder in house(root):
+        for include in includes_of(path.read_text()):
+            included[include].add('public' if 'include' in path.relative_to(root).parts[0] else folder)
+    for path in public:
+        users = included[str(path.relative_to(root / 'include'))] - {folder_of(path, root)}
+        if not users:
+            yield path, 'is public, and nothing outside its module includes it'
+
+
 def check_names(root):
     for path, folder in house(root):
         if folder not in SEES_ROS or path.name == 'names.h':
@@ -106,7 +157,7 @@ def check_names(root):
         text = code_of(path.read_text(), keep_strings=True)
         for pattern in (LITERAL_NAME, FRAME):
             for match in pattern.finditer(text):
-                yield path, 'a name that belongs into ros/names.h: %s' % ' '.join(match.group(0).split())
+                yield path, 'a name that belongs into ros/common/names.h: %s' % ' '.join(match.group(0).split())
 
 
 def check_subscriptions(root):
@@ -137,7 +188,7 @@ def check_requirements(root):
             yield root / 'docs/requirements.md', '%s is built, but no test cites [%s]' % (name, name)
 
 
-CHECKS = (check_arrows, check_purity, check_sizes, check_names, check_subscriptions, check_requirements)
+CHECKS = (check_arrows, check_purity, check_sizes, check_rooms, check_names, check_subscriptions, check_requirements)
 
 
 def problems(root):

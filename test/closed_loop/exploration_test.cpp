@@ -3,7 +3,8 @@
 #include <string>
 
 #include "frontier_pilot/sim/world_image.h"
-#include "support/closed_loop/closed_loop.h"
+#include "frontier_pilot/system/closed_loop.h"
+#include "support/closed_loop/exploration_meter.h"
 
 namespace frontier_pilot::test {
 namespace {
@@ -14,18 +15,18 @@ sim::World load(const std::string& name) {
   return sim::loadWorld(std::string(WORLDS_DIRECTORY) + "/" + name + ".yaml");
 }
 
-ClosedLoopParameters seeded(int seed) {
-  ClosedLoopParameters parameters;
+system::ClosedLoopParameters seeded(int seed) {
+  system::ClosedLoopParameters parameters;
   parameters.simulator.seed = seed;
   return parameters;
 }
 
 /// Explores until DONE, or for `limit` [s] of simulated time.
-void explore(ClosedLoop& loop, double limit) {
+void explore(system::ClosedLoop& loop, double limit) {
   while (!loop.done() && toSeconds(loop.now()) < limit) loop.step();
 }
 
-double exploredShare(ClosedLoop& loop) {
+double exploredShare(system::ClosedLoop& loop) {
   ExplorationMeter meter(loop.simulator().map(), loop.simulator().startPose(0), kMeterRadius);
   return meter.explored(loop.mapper().grid());
 }
@@ -34,10 +35,10 @@ class EveryWorld : public testing::TestWithParam<const char*> {};
 
 // [EXP-7] [NAV-4] [SIM-3]
 TEST_P(EveryWorld, IsExploredToTheEndWithoutContact) {
-  ClosedLoop loop(load(GetParam()), seeded(1));
+  system::ClosedLoop loop(load(GetParam()), seeded(1));
   explore(loop, 3600.0);
   EXPECT_TRUE(loop.done()) << loop.status().reason_text;
-  EXPECT_EQ(loop.status().reason, ExplorerReason::kNoReachableFrontier) << loop.status().reason_text;
+  EXPECT_EQ(loop.status().reason, exploration::ExplorerReason::kNoReachableFrontier) << loop.status().reason_text;
   EXPECT_GE(exploredShare(loop), 0.99);
   EXPECT_EQ(loop.simulator().contactCount(0), 0);
 }
@@ -47,13 +48,13 @@ class LateData : public testing::TestWithParam<const char*> {};
 
 // What is seen, and what is done about it, is a third of a second old, as on a machine that has too much to do. [NAV-4]
 TEST_P(LateData, AtHalfAMetreASecondMakesNoContact) {
-  ClosedLoopParameters parameters = seeded(2);
+  system::ClosedLoopParameters parameters = seeded(2);
   RobotLimits fast;
   fast.max_linear = 0.5;
   fast.max_angular = 1.5;
   parameters.setLimits(fast);
   parameters.latency = 0.3;
-  ClosedLoop loop(load(GetParam()), parameters);
+  system::ClosedLoop loop(load(GetParam()), parameters);
   explore(loop, 3600.0);
   EXPECT_TRUE(loop.done()) << loop.status().reason_text;
   EXPECT_GE(exploredShare(loop), 0.99);
@@ -63,14 +64,14 @@ INSTANTIATE_TEST_SUITE_P(Worlds, LateData, testing::Values("maze", "cave"));
 
 // [EXP-5] [EXP-7]
 TEST(Exploration, GoesOnToTheEndWhenTheNavigatorsSourceIsSwitchedOffAndOnAgainAndAgain) {
-  ClosedLoop loop(load("flat"), seeded(1));
+  system::ClosedLoop loop(load("flat"), seeded(1));
   for (double change = 2.0; !loop.done() && change < 1800.0; change += 7.0) {
     explore(loop, change);
     loop.setNavEnabled(false);
     explore(loop, change + 5.0);
     loop.setNavEnabled(true);
   }
-  EXPECT_EQ(loop.status().reason, ExplorerReason::kNoReachableFrontier) << loop.status().reason_text;
+  EXPECT_EQ(loop.status().reason, exploration::ExplorerReason::kNoReachableFrontier) << loop.status().reason_text;
   EXPECT_EQ(loop.status().goals_failed, 0U) << "to be held up is no failure of the goal";
   EXPECT_GE(exploredShare(loop), 0.99);
 }
@@ -80,10 +81,10 @@ TEST(Exploration, TheSameSeedGivesTheSameHashAndAnotherSeedAnotherOne) {
   std::uint64_t hashes[3];
   const int seeds[3] = {3, 3, 4};
   for (int i = 0; i < 3; ++i) {
-    ClosedLoopParameters parameters = seeded(seeds[i]);
+    system::ClosedLoopParameters parameters = seeded(seeds[i]);
     parameters.simulator.odom_noise = true;
     parameters.mapper.trust_odometry = false;
-    ClosedLoop loop(load("small"), parameters);
+    system::ClosedLoop loop(load("small"), parameters);
     explore(loop, 600.0);
     hashes[i] = loop.hash();
   }

@@ -31,7 +31,7 @@ sim::SimulatorParameters badOdometry() {
 
 Outcome drive(sim::World world, test::SensorFault fault) {
   test::FaultyDrive drive(std::move(world), badOdometry(), 45.0, fault);
-  Mapper mapper;
+  mapping::Mapper mapper;
   Outcome outcome;
   while (const LaserScan2* scan = drive.nextScan()) {
     const auto T_odom_base = drive.T_odom_base();

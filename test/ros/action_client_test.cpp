@@ -1,6 +1,6 @@
 // What a client hears of its goal where the server's messages come late, or not at all.
 
-#include "frontier_pilot/ros/action_client.h"
+#include "ros/common/actions/action_client.h"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>

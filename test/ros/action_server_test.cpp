@@ -1,6 +1,6 @@
 // What a client is told of a goal that its owner does nothing about.
 
-#include "frontier_pilot/ros/action_server.h"
+#include "ros/common/actions/action_server.h"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>

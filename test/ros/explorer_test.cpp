@@ -14,10 +14,10 @@
 #include <functional>
 #include <memory>
 
-#include "frontier_pilot/ros/clock.h"
-#include "frontier_pilot/ros/conversions.h"
-#include "frontier_pilot/ros/names.h"
-#include "frontier_pilot/ros/tf_bridge.h"
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/tf/tf_bridge.h"
 
 namespace frontier_pilot {
 namespace {

@@ -11,7 +11,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "frontier_pilot/ros/names.h"
+#include "ros/common/names.h"
 #include "ros/gui_window.h"
 
 namespace frontier_pilot::test {

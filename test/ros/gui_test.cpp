@@ -16,8 +16,8 @@
 #include <cstring>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/ros/clock.h"
-#include "frontier_pilot/ros/names.h"
+#include "ros/common/clock.h"
+#include "ros/common/names.h"
 #include "ros/gui_robot.h"
 #include "ros/gui_window.h"
 #include "ros/gui_window_process.h"
@@ -146,7 +146,7 @@ TEST_F(GuiOnTheWire, SourcesThatNoServiceCanBeNamedAfterAreShownAndDoNotEndTheWi
   ASSERT_TRUE(ready(window));
   test::NamelessSources stranger;
   EXPECT_TRUE(waitFor([&] { return stranger.speaks() && window.find("enable_a b") != nullptr; }));
-  window.bridge.request({OperatorRequest::Kind::kEnableSource, true, "a b"});
+  window.bridge.request({teleop::OperatorRequest::Kind::kEnableSource, true, "a b"});
   QTest::qWait(2500);  // the services are looked for once a second
   EXPECT_TRUE(window.log().contains("'a b' has no switch") && window.log().contains("'set_a b_enabled' is no name"));
 }

@@ -8,15 +8,15 @@
 #include <QtTest>
 #include <functional>
 
-#include "frontier_pilot/gui/pilot_controller.h"
-#include "frontier_pilot/ros/gui_bridge.h"
+#include "gui/pilot_controller.h"
+#include "ros/teleop_gui/gui_bridge.h"
 
 namespace frontier_pilot::test {
 
 /// The whole operator's side, as teleop_gui has it, on a screen that is not there.
 struct Window {
-  Window() : Window(TeleopParameters{}) {}
-  explicit Window(const TeleopParameters& parameters)
+  Window() : Window(teleop::TeleopParameters{}) {}
+  explicit Window(const teleop::TeleopParameters& parameters)
       : bridge(ros::NodeHandle(), parameters, GuiBridge::Manual::kAlways, [] { return ros::ok(); }),
         widget(parameters),
         controller(widget, bridge, fromSeconds(parameters.liveness_timeout)) {
@@ -37,8 +37,8 @@ struct Window {
   QString log() const { return widget.findChild<QPlainTextEdit*>("log")->toPlainText(); }
 
   GuiBridge bridge;
-  PilotWidget widget;
-  PilotController controller;
+  gui::PilotWidget widget;
+  gui::PilotController controller;
 };
 
 /// Lets the window live until `condition` holds; false after 10 s.

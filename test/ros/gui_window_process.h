@@ -5,7 +5,7 @@
 
 #include <QApplication>
 
-#include "frontier_pilot/ros/names.h"
+#include "ros/common/names.h"
 #include "ros/gui_window.h"
 
 namespace frontier_pilot::test {

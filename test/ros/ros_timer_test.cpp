@@ -1,12 +1,12 @@
 // A timer on a clock that the test drives.
 
-#include "frontier_pilot/ros/ros_timer.h"
+#include "ros/common/ros_timer.h"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
-#include "frontier_pilot/ros/clock.h"
+#include "ros/common/clock.h"
 
 namespace frontier_pilot {
 namespace {

@@ -1,6 +1,6 @@
 // What the bridge says on /tf, and what it makes of what others say there.
 
-#include "frontier_pilot/ros/tf_bridge.h"
+#include "ros/common/tf/tf_bridge.h"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "frontier_pilot/ros/clock.h"
-#include "frontier_pilot/ros/conversions.h"
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
 
 namespace frontier_pilot {
 namespace {

@@ -11,7 +11,7 @@
 #include "frontier_pilot/core/clock_watch.h"
 #include "frontier_pilot/core/geometry.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::arbiter {
 
 /// What a service is answered, and what has to leave on `cmd_vel` before that.
 struct ArbiterAnswer {
@@ -110,4 +110,4 @@ class Arbiter {
   Decision last_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::arbiter

@@ -7,7 +7,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::arbiter {
 
 /// One source of velocity commands. An entry of a configuration that bears a built-in name starts from the built-in
 /// source, so that `{name: avoid, required: true}` changes one thing.
@@ -63,4 +63,4 @@ struct ArbiterParameters {
   void check(Problems& problems) const;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::arbiter

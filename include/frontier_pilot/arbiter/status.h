@@ -7,7 +7,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::arbiter {
 
 /// Why `cmd_vel` is what it is.
 enum class ArbiterState : std::uint8_t {
@@ -57,4 +57,4 @@ struct ArbiterSnapshot {
 /// One sentence: who drives, and if nobody does, why.
 std::string summarize(const ArbiterSnapshot& status);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::arbiter

@@ -8,7 +8,7 @@
 #include "frontier_pilot/avoid/sector_reader.h"
 #include "frontier_pilot/core/time.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::avoid {
 
 enum class AvoiderState : std::uint8_t {
   kIdle = 0,     ///< switched off: publishes nothing
@@ -98,4 +98,4 @@ class Avoider {
   AvoiderCommand last_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::avoid

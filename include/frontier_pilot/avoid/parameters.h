@@ -4,7 +4,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::avoid {
 
 /// The directions from `from` counter-clockwise to `to`, seen from the base's centre, both included.
 struct Sector {
@@ -86,4 +86,4 @@ struct AvoiderDistances {
   double turn;       ///< what its corners sweep in a turn; 0: it is a disc, which sweeps nothing
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::avoid

@@ -9,7 +9,7 @@
 #include "frontier_pilot/avoid/parameters.h"
 #include "frontier_pilot/core/laser_scan.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::avoid {
 
 /// What one scan says around the base: distances from the base's centre [m]; infinite where nothing is in range.
 struct SectorDistances {
@@ -53,4 +53,4 @@ class SectorReader {
   std::vector<Vec2> directions_;  ///< of the beams, in the base frame
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::avoid

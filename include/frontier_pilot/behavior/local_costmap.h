@@ -9,7 +9,7 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/outline.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 
 /// What the scans say of the surroundings: a square window of the odometry frame that rolls along with the robot, each
 /// cell unknown, free or occupied. What was seen stays until it is seen otherwise or leaves the window.
@@ -41,4 +41,4 @@ class LocalCostmap {
   std::vector<Cell> cells_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

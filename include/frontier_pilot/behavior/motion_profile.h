@@ -2,7 +2,7 @@
 
 #include "frontier_pilot/core/time.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 
 /// How a motion along one axis is driven: [m] or [rad] throughout.
 struct MotionLimits {
@@ -33,4 +33,4 @@ struct ProfileStep {
 /// now ends nearer to it than after one more cycle, coasting included. [SPN-4]
 ProfileStep profileStep(const MotionLimits& limits, double remaining, const MotionEstimate& estimate, double period);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

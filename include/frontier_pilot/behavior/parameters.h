@@ -4,7 +4,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 
 /// What has to be free around the robot.
 struct FootprintParameters {
@@ -70,4 +70,4 @@ struct BehaviorParameters {
   void check(Problems& problems) const;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

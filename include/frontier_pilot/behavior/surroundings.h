@@ -3,7 +3,7 @@
 #include "frontier_pilot/behavior/local_costmap.h"
 #include "frontier_pilot/behavior/timed_behavior.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 
 /// What the robot's surroundings are known by, as configured.
 struct SurroundingsParameters {
@@ -43,4 +43,4 @@ class Surroundings {
   LocalCostmap costmap_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

@@ -3,7 +3,7 @@
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/outline.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 
 /// A motion along one axis of the base: a turn in place or a straight line, with its sign.
 struct AxisMotion {
@@ -33,4 +33,4 @@ const char* toString(SweepResult result);
 /// it. [SPN-2] [SPN-3]
 SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, const AxisMotion& motion);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

@@ -9,7 +9,7 @@
 #include "frontier_pilot/behavior/sweep.h"
 #include "frontier_pilot/core/motion.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::behavior {
 
 enum class BehaviorKind { kSpin, kBackUp, kDriveOnHeading, kWait };
 const char* toString(BehaviorKind kind);
@@ -108,4 +108,4 @@ class TimedBehavior {
 /// What is wrong with a goal; nothing if it can be done. [SPN-4]
 std::optional<std::string> problemOf(const BehaviorGoal& goal);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::behavior

@@ -7,7 +7,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/exploration/observed_map.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 struct BlacklistParameters {
   double radius = 0.60;
@@ -58,4 +58,4 @@ class Blacklist {
   std::vector<Vec2> history_;  ///< where entries have been made since the reset
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

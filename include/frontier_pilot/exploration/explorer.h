@@ -8,7 +8,7 @@
 #include "frontier_pilot/exploration/frontier_evaluator.h"
 #include "frontier_pilot/exploration/goal_choice.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// Frontier exploration as a state machine: chooses where to look next until no reachable frontier is left. Goals go to
 /// whatever navigation the caller has. Deterministic. [EXP-1] to [EXP-8]
@@ -106,4 +106,4 @@ class Explorer {
   std::optional<ExplorerReason> done_reason_;  ///< on the way back to the start
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -10,7 +10,7 @@
 #include "frontier_pilot/exploration/blacklist.h"
 #include "frontier_pilot/exploration/frontier.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// The values of these three are those of msg/ExplorerProgress. [EXP-1]
 enum class ExplorerState : std::uint8_t { kIdle, kSelectGoal, kNavigating, kEvaluate, kDone };
@@ -148,4 +148,4 @@ struct ExplorerOutput {
   bool frontiers_judged = false;  ///< Explorer::frontiers() is news
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -6,7 +6,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/exploration/view_gain.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// Why a frontier cannot be chosen now. [EXP-3]
 enum class Rejection {
@@ -113,4 +113,4 @@ struct FrontierParameters {
   }
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

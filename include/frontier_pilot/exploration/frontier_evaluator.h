@@ -13,7 +13,7 @@
 #include "frontier_pilot/exploration/observed_map.h"
 #include "frontier_pilot/exploration/travel_field.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// Length [m] of the way between two points, or nothing where there is none. A caller with a better planner may hand it
 /// to the explorer; without one the explorer's own wavefront answers.
@@ -107,4 +107,4 @@ class FrontierEvaluator {
   std::unordered_map<std::size_t, Cell> goals_;  ///< found for an anchor before
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -5,7 +5,7 @@
 
 #include "frontier_pilot/core/grid.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// Frontier cells [begin, end) of row `y`.
 struct FrontierRun {
@@ -76,4 +76,4 @@ Cell anchorOf(const FrontierClusters& all, const FrontierCluster& cluster);
 /// The `k`-th cell of a cluster, row by row; 0 <= k < cells.
 Cell cellOf(const FrontierClusters& all, const FrontierCluster& cluster, int k);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -5,7 +5,7 @@
 
 #include "frontier_pilot/exploration/frontier.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// A place worth going to, with its price: all that a choice of the next goal is made from. [EXP-4]
 struct GoalCandidate {
@@ -29,4 +29,4 @@ double goalScore(const GoalCandidate& candidate, const ScoreParameters& paramete
 std::optional<std::size_t> chooseBestScore(const std::vector<GoalCandidate>& candidates,
                                            const std::optional<Vec2>& current, const ScoreParameters& parameters);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

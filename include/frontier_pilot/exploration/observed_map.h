@@ -5,7 +5,7 @@
 
 #include "frontier_pilot/core/grid.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// The explorer's own copy of the map, which knows what really changed: how many cells went from one class (unknown,
 /// free, occupied) to another, where, and how much floor is known. An update costs the block it is told of.
@@ -43,4 +43,4 @@ class ObservedMap {
   std::uint64_t changes_ = 0;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

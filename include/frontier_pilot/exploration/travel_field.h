@@ -6,7 +6,7 @@
 
 #include "frontier_pilot/core/grid.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// What a TraversableSpace keeps clear of.
 enum class KeepClearOf {
@@ -85,4 +85,4 @@ class TravelField {
   std::size_t reached_count_ = 0;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

@@ -3,7 +3,7 @@
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/parameters.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::exploration {
 
 /// How the scanner is expected to see from a goal.
 struct ViewParameters {
@@ -39,4 +39,4 @@ double obstacleDensity(const OccupancyGrid& map, Cell centre, int radius);
 /// Whether every cell between the centres of the two, ends included, is free.
 bool inSight(const OccupancyGrid& map, Cell from, Cell to);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::exploration

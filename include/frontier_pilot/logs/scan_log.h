@@ -8,7 +8,7 @@
 
 #include "frontier_pilot/core/laser_scan.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 
 /// A scan of a recorded drive, and what odometry said when it was taken (at `scan.stamp`).
 struct LogRecord {
@@ -47,4 +47,4 @@ struct LogScanner {
 /// Reads a CSV or CARMEN log. Throws a LogError where it is broken or holds no scan.
 ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanner& scanner = {});
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

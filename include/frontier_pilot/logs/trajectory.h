@@ -6,7 +6,7 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/time.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 
 /// Where something was at a time.
 struct TrajectoryPose {
@@ -19,4 +19,4 @@ using Trajectory = std::vector<TrajectoryPose>;
 /// could is left in the stream.
 void writeTum(std::ostream& out, const Trajectory& trajectory);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

@@ -7,7 +7,7 @@
 
 #include "frontier_pilot/logs/trajectory.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::logs {
 
 /// A reference measurement: where the base was at record `to`, seen from where it was at record `from`.
 struct PoseRelation {
@@ -48,4 +48,4 @@ struct AbsoluteError {
 /// but with the trajectories laid upon each other at their first pose. Both must be as long; all zero when empty.
 AbsoluteError absoluteError(const std::vector<Pose2>& estimate, const std::vector<Pose2>& truth);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::logs

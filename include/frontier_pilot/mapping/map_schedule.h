@@ -5,9 +5,9 @@
 
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/mapping/occupancy_map.h"
+#include "frontier_pilot/occupancy/occupancy_map.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 struct MapScheduleParameters {
   double min_period = 1.0;  ///< between two whole maps, at least [s]
@@ -31,7 +31,7 @@ class MapSchedule {
 
   /// Notes what has changed. Gives whether it can be sent as a change: it cannot when the map has grown since the last
   /// whole one, and goes out with the next.
-  bool note(const MapChanges& changes, Time now);
+  bool note(const occupancy::MapChanges& changes, Time now);
   /// Somebody has begun to listen, who knows nothing yet.
   void noteNewcomer() { newcomer_ = true; }
   /// Whether a map of `cells` cells is to be sent now.
@@ -50,4 +50,4 @@ class MapSchedule {
   bool newcomer_ = false;     ///< somebody has begun to listen since then
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -9,15 +9,15 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/mapping/graph_slam.h"
-#include "frontier_pilot/mapping/known_map.h"
+#include "frontier_pilot/localization/known_map.h"
 #include "frontier_pilot/mapping/mapping_health.h"
-#include "frontier_pilot/mapping/occupancy_map.h"
-#include "frontier_pilot/mapping/pose_correction.h"
-#include "frontier_pilot/mapping/scan_inserter.h"
 #include "frontier_pilot/mapping/scan_verdict.h"
+#include "frontier_pilot/occupancy/occupancy_map.h"
+#include "frontier_pilot/occupancy/scan_inserter.h"
+#include "frontier_pilot/slam/graph_slam.h"
+#include "frontier_pilot/slam/pose_correction.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 struct MapperParameters {
   RobotModel robot;              ///< it stands on free floor; described by the node
@@ -28,9 +28,9 @@ struct MapperParameters {
   double standing_period = 0.2;  ///< time between scans used while the robot stands [s]
   bool trust_odometry = false;   ///< take odometry for the truth: no matching, no loops
   bool localize_only = false;    ///< leave the map as it was loaded; described by the node
-  OccupancyMapParameters map;
-  ScanInsertionParameters insertion;
-  GraphSlamParameters slam;
+  occupancy::OccupancyMapParameters map;
+  occupancy::ScanInsertionParameters insertion;
+  slam::GraphSlamParameters slam;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -49,11 +49,11 @@ struct MapperParameters {
 
 /// What second thoughts have come to so far.
 struct RevisionReport {
-  std::uint64_t closures = 0;  ///< loops closed: `T_map_odom` jumps with these, and with nothing else
-  std::uint64_t rendered = 0;  ///< how often the map was rendered again
-  ClosureCounts attempts;      ///< of closing loops
-  Pose2 last_jump;             ///< by what the last closures have moved the robot in the map
-  std::vector<LoopClosure> last_closures;
+  std::uint64_t closures = 0;    ///< loops closed: `T_map_odom` jumps with these, and with nothing else
+  std::uint64_t rendered = 0;    ///< how often the map was rendered again
+  slam::ClosureCounts attempts;  ///< of closing loops
+  Pose2 last_jump;               ///< by what the last closures have moved the robot in the map
+  std::vector<slam::LoopClosure> last_closures;
 };
 
 /// Builds the map from scans and the odometry of the moment each was taken at. Whatever is wrong with a scan, what is
@@ -63,18 +63,18 @@ struct RevisionReport {
 class Mapper {
  public:
   /// Without a corrector the parameters choose one.
-  explicit Mapper(const MapperParameters& parameters = {}, std::unique_ptr<PoseCorrection> correction = nullptr);
+  explicit Mapper(const MapperParameters& parameters = {}, std::unique_ptr<slam::PoseCorrection> correction = nullptr);
 
   /// Puts `scan`, taken at `T_odom_base`, into the map, or says why not; no pose: there is no odometry for its stamp.
   /// Of more than bounds::kMostMappedBeams beams every n-th is used. [FLT-1]
   ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
 
   /// Work for another thread, if there is some; none while the last one's result has not come back.
-  RevisionWork takeWork();
+  slam::RevisionWork takeWork();
   /// Takes over what the work came to; `revision` then holds what is no longer needed. Scans that came meanwhile are
   /// put into a map that was rendered anew. A map that is too large is refused, and then poses stay as well: `health`
   /// says so until one fits. False, and nothing happens, when the mapper was reset since.
-  bool revise(MapRevision& revision);
+  bool revise(slam::MapRevision& revision);
   /// The work taken last threw: the map stays as it is, and mapping goes on without second thoughts until a reset.
   /// False, and nothing happens, when the mapper was reset since.
   bool abandonWork();
@@ -83,23 +83,23 @@ class Mapper {
 
   /// Puts `loaded` in the place of the map and looks for the robot in it, about where it is thought to be. False, and
   /// nothing happens, when the two together would be too large.
-  bool load(OccupancyMap& loaded);
+  bool load(occupancy::OccupancyMap& loaded);
   /// Goes on with a map that was made before, by a robot that odometry now has at `T_odom_base`. False, and nothing
   /// happens, when the map would be too large.
-  bool resume(OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
+  bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
   /// The robot is about at `T_map_base`: takes the map as it is for known, looks for the robot there, and goes on.
   /// False, and nothing happens, when the map shows nothing that could be recognised.
-  bool locate(const PoseBelief& T_map_base);
+  bool locate(const scan_matching::PoseBelief& T_map_base);
 
   /// Counts a scan that could not even be offered.
   void reject(ScanVerdict verdict, Time now);
 
   /// The map's projection; empty until the first scan.
   const OccupancyGrid& grid() const { return map_.grid(); }
-  OccupancyMap& map() { return map_; }
-  const OccupancyMap& map() const { return map_; }
+  occupancy::OccupancyMap& map() { return map_; }
+  const occupancy::OccupancyMap& map() const { return map_; }
   /// What changed in `grid` since the last call.
-  MapChanges takeChanges() { return map_.takeChanges(); }
+  occupancy::MapChanges takeChanges() { return map_.takeChanges(); }
   const Pose2& T_map_odom() const { return T_map_odom_; }
   const ScanCounts& counts() const { return counts_; }
   const RevisionReport& revisions() const { return revisions_; }
@@ -111,7 +111,7 @@ class Mapper {
   /// What has been remarkable about the scans of the last seconds.
   const MappingHealth& health() const { return health_; }
   /// The keyframes so far, each where it is by what is known now. Not while work is out.
-  std::vector<KeyframePose> trajectory() const { return correction_->trajectory(); }
+  std::vector<slam::KeyframePose> trajectory() const { return correction_->trajectory(); }
 
   /// Forgets the map and the correction; the geometry and the counts stay.
   void reset();
@@ -129,18 +129,18 @@ class Mapper {
   void note(ScanVerdict verdict, Time now);
   ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
   ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
-  bool isTooLarge(const MapRevision& revision) const;
-  bool refuse(MapRevision& revision);
-  PoseBelief presentBelief() const;
-  void replace(std::unique_ptr<PoseCorrection> correction);
+  bool isTooLarge(const slam::MapRevision& revision) const;
+  bool refuse(slam::MapRevision& revision);
+  scan_matching::PoseBelief presentBelief() const;
+  void replace(std::unique_ptr<slam::PoseCorrection> correction);
   ScanVerdict put(const LaserScan2& scan, const Pose2& T_map_base);
   std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
   bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
 
   MapperParameters parameters_;
-  OccupancyMap map_;
-  ScanInserter inserter_;
-  std::unique_ptr<PoseCorrection> correction_;
+  occupancy::OccupancyMap map_;
+  occupancy::ScanInserter inserter_;
+  std::unique_ptr<slam::PoseCorrection> correction_;
   Pose2 T_map_odom_;
   Time now_{};
   std::optional<Last> last_;  ///< the last scan that was placed
@@ -158,4 +158,4 @@ class Mapper {
   MappingHealth health_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -6,7 +6,7 @@
 
 #include "frontier_pilot/core/time.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 /// What has been remarkable about the scans of late: the line to read at a glance, where counts since the beginning
 /// would hide it.
@@ -30,4 +30,4 @@ class MappingHealth {
   std::deque<Entry> entries_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -7,7 +7,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/time.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 struct OdometryAnchorParameters {
   double max_speed = 2.0;       ///< odometry is not believed to drive faster [m/s]
@@ -70,4 +70,4 @@ class OdometryAnchor {
   Jump last_jump_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

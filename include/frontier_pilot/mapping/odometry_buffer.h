@@ -6,7 +6,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/time.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 struct OdometryBufferParameters {
   double length = 5.0;   ///< how long a pose is kept [s]
@@ -52,4 +52,4 @@ class OdometryBuffer {
 /// The pose at share `s` (0...1) of the way from `a` to `b`, turning the short way.
 Pose2 interpolate(const Pose2& a, const Pose2& b, double s);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -7,7 +7,7 @@
 #include "frontier_pilot/mapping/odometry_buffer.h"
 #include "frontier_pilot/mapping/scan_verdict.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 struct ScanPairingParameters {
   double patience = 0.3;  ///< how long a scan waits for its odometry [s]
@@ -48,4 +48,4 @@ class ScanPairing {
   std::deque<LaserScan2> waiting_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace frontier_pilot {
+namespace frontier_pilot::mapping {
 
 /// What became of a scan. [MAP-4]
 enum class ScanVerdict {
@@ -42,4 +42,4 @@ class ScanCounts {
   std::array<std::uint64_t, kScanVerdicts> counts_{};
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::mapping

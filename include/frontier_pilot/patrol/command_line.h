@@ -6,7 +6,7 @@
 
 #include "frontier_pilot/patrol/plan.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 
 /// What `patrol_client` was asked for.
 struct PatrolCommandLine {
@@ -24,4 +24,4 @@ PatrolCommandLine parsePatrolCommandLine(const std::vector<std::string>& words);
 /// The text of --help.
 const char* patrolUsage();
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

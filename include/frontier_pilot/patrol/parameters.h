@@ -3,7 +3,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 
 /// How a patrol is driven. The speeds stay below what a Burger can do, so that its wheels follow the profile; a robot
 /// that can do less is driven by its limits.
@@ -55,4 +55,4 @@ struct PatrolParameters {
 /// The same with speeds and accelerations that are within the robot's limits.
 PatrolParameters withinLimits(PatrolParameters parameters);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

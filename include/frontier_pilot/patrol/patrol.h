@@ -10,7 +10,7 @@
 #include "frontier_pilot/patrol/plan.h"
 #include "frontier_pilot/patrol/step_driver.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 
 /// How a patrol stands, or how it ended.
 enum class PatrolOutcome {
@@ -93,4 +93,4 @@ class Patrol {
   double best_progress_ = 0.0;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

@@ -7,7 +7,7 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/patrol/parameters.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 
 /// What can be patrolled; the values are those of ROBOTIS' Patrol action.
 enum class PatrolShape { kSquare = 1, kTriangle = 2, kCircle = 3 };
@@ -40,4 +40,4 @@ std::vector<PatrolStep> planPatrol(const PatrolOrder& goal);
 /// How many legs the goal has.
 int legsOf(const PatrolOrder& goal);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

@@ -3,7 +3,7 @@
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/patrol/plan.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::patrol {
 
 /// Drives one step of a patrol with a trapezoid profile. Progress comes from odometry alone, so that whatever moves the
 /// robot meanwhile is counted. [PAT-2] [PAT-5]
@@ -51,4 +51,4 @@ class StepDriver {
   double speed_ = 0.0;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::patrol

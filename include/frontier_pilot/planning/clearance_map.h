@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "frontier_pilot/core/distance_field.h"
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/grids/distance_field.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 
 /// How much room a path leaves to obstacles.
 struct ClearanceParams {
@@ -59,7 +59,7 @@ class ClearanceMap {
   bool empty() const { return obstacle_.empty(); }
   const GridGeometry& geometry() const { return obstacle_.geometry(); }
   const ClearanceParams& params() const { return params_; }
-  const DistanceField& field() const { return field_; }
+  const grids::DistanceField& field() const { return field_; }
   /// Least interpolated distance at which a touch is impossible [m].
   double requiredClearance() const { return required_; }
   /// Least interpolated distance that a path keeps, tight places included [m].
@@ -113,10 +113,10 @@ class ClearanceMap {
   Grid<std::uint8_t> state_;     ///< of the map
   Grid<std::uint8_t> live_;      ///< 1 where a live obstacle is
   Grid<std::uint8_t> obstacle_;  ///< either of both
-  DistanceField field_;
+  grids::DistanceField field_;
   Grid<std::uint8_t> cost_;  ///< class and kRoomy
   Grid<std::uint8_t> dirty_tiles_;
   std::vector<std::uint8_t> row_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

@@ -10,7 +10,7 @@
 #include "frontier_pilot/planning/outline_check.h"
 #include "frontier_pilot/planning/path.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 
 struct GlobalPlannerParams {
   std::string algorithm = "any_angle_grid";  ///< or "rrt_connect", which is neither complete nor short
@@ -85,4 +85,4 @@ class GlobalPlanner {
 /// Whether the path may still be driven from `from` [m along it] on; its first segments, `escape` of them, are exempt.
 bool isPathValid(const ClearanceMap& map, const Path& path, std::size_t escape, double from = 0.0);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

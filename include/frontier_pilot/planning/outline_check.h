@@ -7,7 +7,7 @@
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/path.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 
 /// Whether an outline that is no disc fits where it drives and turns. A ClearanceMap for a disc as wide as the robot
 /// answers for the lane of a straight motion; this adds the corners, which reach beyond that disc: each of the
@@ -62,4 +62,4 @@ class OutlineCheck {
   bool tight_ = false;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

@@ -4,7 +4,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::planning {
 
 /// A polyline in the map frame, measured along its length [m].
 class Path {
@@ -37,4 +37,4 @@ class Path {
   std::vector<double> along_;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::planning

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "frontier_pilot/core/distance_field.h"
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/grids/distance_field.h"
 #include "frontier_pilot/sim/outline_collision.h"
 
 namespace frontier_pilot::sim {
@@ -24,9 +24,9 @@ class CollisionMap {
   std::optional<Vec2> nearestFree(const Outline& outline, const Pose2& pose) const;
 
  private:
-  Grid<std::uint8_t> solid_;  ///< with a solid ring around it
-  double needed_;             ///< clearance of a cell's centre that is enough for any point in the cell [m]
-  DistanceField clearance_;   ///< between centres of cells [m]
+  Grid<std::uint8_t> solid_;        ///< with a solid ring around it
+  double needed_;                   ///< clearance of a cell's centre that is enough for any point in the cell [m]
+  grids::DistanceField clearance_;  ///< between centres of cells [m]
 };
 
 }  // namespace frontier_pilot::sim

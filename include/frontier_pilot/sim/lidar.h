@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/ray_casting.h"
 #include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/disc_index.h"
 #include "frontier_pilot/sim/parameters.h"
 #include "frontier_pilot/sim/random.h"
@@ -22,8 +22,8 @@ class Lidar {
 
   /// Fills `scan` as seen from a base at `T_world_base`, `own` being the base itself. As REP 117 wants it: +inf is no
   /// return, -inf nearer than `range_min`, NaN a drop-out.
-  void scan(const Pose2& T_world_base, const RayCaster& walls, const DiscIndex& discs, std::optional<DiscIndex::Id> own,
-            Random& random, LaserScan2& scan);
+  void scan(const Pose2& T_world_base, const grids::RayCaster& walls, const DiscIndex& discs,
+            std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan);
 
  private:
   static constexpr std::size_t kSectors = 64;

@@ -8,8 +8,8 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/ray_casting.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/diff_drive.h"
 #include "frontier_pilot/sim/disc_index.h"
 #include "frontier_pilot/sim/lidar.h"
@@ -108,7 +108,7 @@ class Simulator {
 
   World world_;
   Surroundings surroundings_;
-  RayCaster rays_;
+  grids::RayCaster rays_;
   Lidar lidar_;
   Duration scan_period_;
   Time now_;

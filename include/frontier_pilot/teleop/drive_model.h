@@ -7,7 +7,7 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/teleop/parameters.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 
 /// What a button or a key asks for.
 enum class Motion { kGo, kBack, kLeft, kRight, kStop };
@@ -66,4 +66,4 @@ class DriveModel {
   bool machine_drives_ = false;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

@@ -5,7 +5,7 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/time.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 
 /// Decides what goes out on `cmd_vel_manual`, by the window's signs of life. [GUI-3]
 ///
@@ -46,4 +46,4 @@ class ManualOutput {
 
 const char* toString(ManualOutput::State state);
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

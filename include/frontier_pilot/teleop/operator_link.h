@@ -6,7 +6,7 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/teleop/operator_state.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 
 /// Something that the operator wants of the system.
 struct OperatorRequest {
@@ -55,4 +55,4 @@ class OperatorLink {
   virtual void close() = 0;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

@@ -10,7 +10,7 @@
 
 /// What an operator is shown, as plain data: neither ROS nor Qt. A part that never was heard of is empty, and what was
 /// carries its age [s] of steady time; there are no stand-ins.
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 
 /// How much attention something deserves.
 enum class Severity : std::uint8_t { kIdle, kGood, kActive, kWarning, kError };
@@ -105,4 +105,4 @@ struct OperatorState {
 /// A status older than this [s] says nothing: its sender has died. Every sender repeats itself once a second.
 constexpr double kStatusLifetime = 3.0;
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

@@ -3,7 +3,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 
-namespace frontier_pilot {
+namespace frontier_pilot::teleop {
 
 /// How the operator's window drives.
 struct TeleopParameters {
@@ -39,4 +39,4 @@ struct TeleopParameters {
   void check(Problems& problems) const;
 };
 
-}  // namespace frontier_pilot
+}  // namespace frontier_pilot::teleop

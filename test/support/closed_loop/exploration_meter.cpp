@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "frontier_pilot/core/distance_field.h"
+#include "frontier_pilot/grids/distance_field.h"
 #include "frontier_pilot/sim/reachable_floor.h"
 
 namespace frontier_pilot::test {
@@ -14,7 +14,7 @@ constexpr double kNearWall = 0.25;  // [m]
 Grid<std::uint8_t> nearWall(const OccupancyGrid& truth) {
   Grid<std::uint8_t> solid(truth.geometry());
   for (std::size_t i = 0; i < truth.size(); ++i) solid[i] = truth[i] != kFree ? 1 : 0;
-  const DistanceField field(solid, 2.0 * kNearWall);
+  const grids::DistanceField field(solid, 2.0 * kNearWall);
   Grid<std::uint8_t> near(truth.geometry());
   for (std::size_t i = 0; i < near.size(); ++i) near[i] = field.grid()[i] <= kNearWall + 1e-6 ? 1 : 0;
   return near;

@@ -42,7 +42,7 @@ class FaultyDrive {
   GuidedDrive drive_;
   sim::Lidar lidar_;
   sim::Random random_{17};
-  RayCaster rays_;
+  grids::RayCaster rays_;
   sim::DiscIndex nobody_;
   LaserScan2 elsewhere_;
   Pose2 last_odometry_;

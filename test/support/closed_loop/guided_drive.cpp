@@ -14,8 +14,8 @@ constexpr int kTries = 1000;
 constexpr int kStuck = 20000;  // steps without a move
 
 /// The way must be one that nobody would call narrow: the follower sees no walls but the map's.
-ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
-  ClearanceParams params;
+planning::ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
+  planning::ClearanceParams params;
   params.inscribed_radius = parameters.robot.drivenOutline().circumscribedRadius();
   params.tight_weight = 0.0;
   return params;
@@ -58,8 +58,8 @@ const LaserScan2* GuidedDrive::nextScan() {
 
 void GuidedDrive::steer() {
   if (follower_.remaining() < kArrived || blocked_ > kPatience) headForNextPlace();
-  static const ScanPoints kNothingSeen;
-  const FollowerOutput output =
+  static const navigation::ScanPoints kNothingSeen;
+  const navigation::FollowerOutput output =
       follower_.update({simulator_.pose(0), simulator_.velocity(0), 0.0, kNothingSeen, clearance_});
   blocked_ = output.blocked ? blocked_ + 1 : 0;
   simulator_.setCommand(0, output.command);
@@ -69,10 +69,10 @@ void GuidedDrive::headForNextPlace() {
   const Vec2 here = simulator_.pose(0).position();
   for (int i = 0; i < kTries && !places_.empty(); ++i) {
     const auto place = static_cast<std::size_t>(random_.uniform() * static_cast<double>(places_.size()));
-    PlanRequest request;
+    planning::PlanRequest request;
     request.start = here;
     request.goal = clearance_.geometry().centre(places_[place]);
-    PlanResult plan = planner_.plan(clearance_, request);
+    planning::PlanResult plan = planner_.plan(clearance_, request);
     if (plan.found() && plan.path.length() > kArrived) return follower_.setPath(std::move(plan.path));
   }
   throw std::runtime_error("there is nowhere to drive to from the start");

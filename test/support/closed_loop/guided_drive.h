@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "frontier_pilot/navigation/path_follower.h"
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/global_planner.h"
-#include "frontier_pilot/planning/path_follower.h"
 #include "frontier_pilot/sim/simulator.h"
 
 namespace frontier_pilot::test {
@@ -33,9 +33,9 @@ class GuidedDrive {
   void headForNextPlace();
 
   sim::Simulator simulator_;
-  ClearanceMap clearance_;
-  GlobalPlanner planner_;
-  PathFollower follower_;
+  planning::ClearanceMap clearance_;
+  planning::GlobalPlanner planner_;
+  navigation::PathFollower follower_;
   std::vector<Cell> places_;  ///< where the robot can stand well
   sim::Random random_{1};
   double wanted_distance_;

@@ -8,7 +8,7 @@ namespace {
 TEST_F(ArbiterTest, WhileContestedZeroLeavesAtOnceAndAtEveryTickWhateverArrives_ARB_12) {
   send("nav", 0.2);
   EXPECT_EQ(contest("/stranger"), Twist2{}) << "[ARB-12]";
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kContested);
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kContested);
   published = 0;
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(send("nav", 0.1 + 0.001 * i), std::nullopt) << "[ARB-12]";
@@ -23,7 +23,7 @@ TEST_F(ArbiterTest, WhatWasCommandedWhileContestedIsForgottenWhenTheRivalIsGone_
   contest("/stranger");
   send("nav", 0.2);
   EXPECT_EQ(contest(""), Twist2{}) << "[ARB-12]";
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kIdle) << "no revival without a new message";
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kIdle) << "no revival without a new message";
   EXPECT_EQ(send("nav", 0.1), (Twist2{0.1, 0.0}));
 }
 
@@ -44,18 +44,18 @@ TEST_F(ArbiterTest, AStopGivenWhileContestedHoldsWhenTheRivalIsGone_ARB_12) {
   contest("/stranger");
   EXPECT_EQ(stop().publish, Twist2{});
   contest("");
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kEmergencyStop) << "[ARB-12]";
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kEmergencyStop) << "[ARB-12]";
   EXPECT_EQ(send("nav", 0.1), std::nullopt);
 }
 
 // [ARB-12]
 TEST_F(ArbiterTest, AParameterLetsTheRobotDriveOnBesideARival_ARB_12) {
-  ArbiterParameters tolerant;
+  arbiter::ArbiterParameters tolerant;
   tolerant.stand_when_contested = false;
   configure(tolerant);
   send("nav", 0.2);
   EXPECT_EQ(contest("/stranger"), (Twist2{0.2, 0.0})) << "[ARB-12]";
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kDriving);
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kDriving);
 }
 
 }  // namespace

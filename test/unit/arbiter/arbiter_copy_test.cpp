@@ -9,7 +9,7 @@ namespace {
 // [ARB-2]
 TEST_F(ArbiterTest, ACopyMadeWhileDrivingDoesAsTheOriginalDoes_ARB_2) {
   send("nav", 0.2);
-  Arbiter copy = arbiter;
+  arbiter::Arbiter copy = arbiter;
   advance(0.01);
   EXPECT_EQ(arbiter.update(now), std::nullopt) << "nothing has changed";
   EXPECT_EQ(copy.update(now), std::nullopt) << "nothing has changed for the copy either";
@@ -20,9 +20,9 @@ TEST_F(ArbiterTest, ACopyMadeWhileDrivingDoesAsTheOriginalDoes_ARB_2) {
 
 // [ARB-2]
 TEST_F(ArbiterTest, ACopyOutlivesTheArbiterThatItWasMadeOf_ARB_2) {
-  auto original = std::make_unique<Arbiter>(ArbiterParameters{});
+  auto original = std::make_unique<arbiter::Arbiter>(arbiter::ArbiterParameters{});
   original->onCommand(*original->find("nav"), {0.2, 0.0}, now);
-  Arbiter copy = *original;
+  arbiter::Arbiter copy = *original;
   original.reset();
   EXPECT_EQ(copy.status(now).active_source, "nav");
   EXPECT_EQ(copy.onCommand(*copy.find("nav"), {0.2, 0.0}, now), (Twist2{0.2, 0.0}));

@@ -16,9 +16,9 @@ class ArbiterTest : public ::testing::Test {
  protected:
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-  void configure(const ArbiterParameters& parameters) { arbiter = Arbiter(parameters); }
-  ArbiterParameters withRequiredAvoid() const {
-    ArbiterParameters parameters;
+  void configure(const arbiter::ArbiterParameters& parameters) { arbiter = arbiter::Arbiter(parameters); }
+  arbiter::ArbiterParameters withRequiredAvoid() const {
+    arbiter::ArbiterParameters parameters;
     parameters.sources[0].required = true;
     return parameters;
   }
@@ -46,20 +46,20 @@ class ArbiterTest : public ::testing::Test {
   std::optional<Twist2> send(const std::string& source, double linear, double angular = 0.0) {
     return out(arbiter.onCommand(*arbiter.find(source), {linear, angular}, now));
   }
-  ArbiterAnswer enable(const std::string& source, bool enabled) {
+  arbiter::ArbiterAnswer enable(const std::string& source, bool enabled) {
     return answer(arbiter.setEnabled(*arbiter.find(source), enabled, now));
   }
   std::optional<Twist2> contest(const std::string& rival) { return out(arbiter.contest(rival, now)); }
-  ArbiterAnswer stop() { return answer(arbiter.stop("test", now)); }
-  ArbiterAnswer clear() { return answer(arbiter.clear(now.steady, now)); }
-  SourceStatus source(const std::string& name) {
-    for (const SourceStatus& status : arbiter.status(now).sources) {
+  arbiter::ArbiterAnswer stop() { return answer(arbiter.stop("test", now)); }
+  arbiter::ArbiterAnswer clear() { return answer(arbiter.clear(now.steady, now)); }
+  arbiter::SourceStatus source(const std::string& name) {
+    for (const arbiter::SourceStatus& status : arbiter.status(now).sources) {
       if (status.name == name) return status;
     }
     return {};
   }
 
-  Arbiter arbiter{ArbiterParameters{}};
+  arbiter::Arbiter arbiter{arbiter::ArbiterParameters{}};
   Instant now{timeFromSeconds(1000.0), timeFromSeconds<SteadyTime>(50.0)};
   Twist2 wheels;      ///< the last twist that left
   int published = 0;  ///< how many left
@@ -70,7 +70,7 @@ class ArbiterTest : public ::testing::Test {
     if (twist) ++published;
     return twist;
   }
-  ArbiterAnswer answer(const ArbiterAnswer& given) {
+  arbiter::ArbiterAnswer answer(const arbiter::ArbiterAnswer& given) {
     out(given.publish);
     return given;
   }

@@ -12,7 +12,7 @@ namespace frontier_pilot {
 /// the latest entry backward each time it is asked. It shares no code with the arbiter.
 class ArbiterModel {
  public:
-  explicit ArbiterModel(const ArbiterParameters& parameters)
+  explicit ArbiterModel(const arbiter::ArbiterParameters& parameters)
       : parameters_(parameters), sources_(parameters.sources.size()) {
     for (std::size_t i = 0; i < sources_.size(); ++i) sources_[i].enabled = parameters.sources[i].enabled;
   }
@@ -117,13 +117,13 @@ class ArbiterModel {
   bool someoneRequiredIsSilentAbove(int winner, Time now) const {
     const int priority = parameters_.sources[static_cast<std::size_t>(winner)].priority;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
-      const SourceParameters& p = parameters_.sources[i];
+      const arbiter::SourceParameters& p = parameters_.sources[i];
       if (p.required && p.priority > priority && sources_[i].enabled && !fresh(i, now)) return true;
     }
     return false;
   }
 
-  ArbiterParameters parameters_;
+  arbiter::ArbiterParameters parameters_;
   std::vector<Source> sources_;
   bool seen_ = false, standing_ = false, latched_ = false;
   Time last_ros_;

@@ -26,15 +26,15 @@ TEST_F(ArbiterTest, ASourceCountsUpToItsTimeoutAndNotLonger_ARB_1) {
   EXPECT_EQ(arbiter.status(now).active_source, "nav") << "exactly the timeout old still counts [ARB-1]";
   advance(1e-9);
   EXPECT_EQ(arbiter.update(now), Twist2{}) << "one nanosecond more is stale [ARB-1]";
-  EXPECT_EQ(source("nav").state, SourceState::kStale);
+  EXPECT_EQ(source("nav").state, arbiter::SourceState::kStale);
 }
 
 // [ARB-1]
 TEST_F(ArbiterTest, NobodyWasEverHeardMeansNobodyDrives_ARB_1) {
   wait(0.1);
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kIdle);
-  for (const SourceStatus& status : arbiter.status(now).sources) {
-    EXPECT_EQ(status.state, SourceState::kNeverHeard) << status.name;
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kIdle);
+  for (const arbiter::SourceStatus& status : arbiter.status(now).sources) {
+    EXPECT_EQ(status.state, arbiter::SourceState::kNeverHeard) << status.name;
     EXPECT_FALSE(status.age);
   }
 }
@@ -76,7 +76,7 @@ TEST_F(ArbiterTest, AZeroOfAvoidKeepsItAliveButLeavesTheWheelsToTheOthers_ARB_3)
   send("nav", 0.2);
   EXPECT_EQ(send("avoid", 0.0), std::nullopt);
   EXPECT_EQ(arbiter.status(now).active_source, "nav") << "[ARB-3]";
-  EXPECT_EQ(source("avoid").state, SourceState::kIdle);
+  EXPECT_EQ(source("avoid").state, arbiter::SourceState::kIdle);
 }
 
 // [ARB-3]
@@ -135,7 +135,7 @@ TEST_F(ArbiterTest, ADisabledRequiredSourceIsNotMissed_ARB_4) {
 
 // [ARB-4]
 TEST_F(ArbiterTest, ASilentRequiredSourceDoesNotHinderTheOnesAboveIt_ARB_4) {
-  ArbiterParameters parameters;
+  arbiter::ArbiterParameters parameters;
   parameters.sources[3].required = true;
   configure(parameters);
   EXPECT_EQ(send("patrol", 0.2), (Twist2{0.2, 0.0})) << "patrol is above nav [ARB-4]";
@@ -151,7 +151,7 @@ TEST_F(ArbiterTest, ANonFiniteCommandMakesItsSourceStaleAtOnceAndIsCounted_ARB_5
     EXPECT_EQ(send("nav", 0.1, bad), (Twist2{0.05, 0.0})) << "either axis [ARB-5]";
   }
   EXPECT_EQ(source("nav").rejected, 6U);
-  EXPECT_EQ(source("nav").state, SourceState::kRejected);
+  EXPECT_EQ(source("nav").state, arbiter::SourceState::kRejected);
   EXPECT_EQ(send("nav", 0.2), (Twist2{0.2, 0.0})) << "a good message heals it";
 }
 

@@ -15,7 +15,7 @@ constexpr int kSteps = 1000000;  // for each of four configurations
 /// One arbiter, one model, and dice.
 class RandomDrive {
  public:
-  RandomDrive(const ArbiterParameters& parameters, std::uint32_t seed)
+  RandomDrive(const arbiter::ArbiterParameters& parameters, std::uint32_t seed)
       : parameters_(parameters), arbiter_(parameters), model_(parameters), dice_(seed) {}
 
   void step() {
@@ -102,7 +102,7 @@ class RandomDrive {
     const std::size_t source = anySource();
     const bool on = pick(3) > 0;
     const Twist2 before = wheels_;
-    const ArbiterAnswer answer = arbiter_.setEnabled(source, on, now_);
+    const arbiter::ArbiterAnswer answer = arbiter_.setEnabled(source, on, now_);
     model_.enable(source, on, now_);
     compare(answer.publish, model_.wheels(now_.ros));
     if (on && !wheels_.isZero() && before.isZero() &&
@@ -110,7 +110,7 @@ class RandomDrive {
       fail("enabling revived a command [ARB-6]");
   }
   void stop() {
-    const ArbiterAnswer answer = arbiter_.stop("dice", now_);
+    const arbiter::ArbiterAnswer answer = arbiter_.stop("dice", now_);
     model_.stop(now_);
     if (!answer.publish || !answer.publish->isZero()) fail("a stop without a zero [ARB-7]");
     compare(answer.publish, {});
@@ -118,7 +118,7 @@ class RandomDrive {
   void clear() {
     const SteadyTime called = now_.steady - std::chrono::milliseconds(pick(4) == 0 ? pick(50) : 0);
     const bool was_latched = arbiter_.stopped();
-    const ArbiterAnswer answer = arbiter_.clear(called, now_);
+    const arbiter::ArbiterAnswer answer = arbiter_.clear(called, now_);
     if (answer.success != model_.clear(called, now_)) fail("clear: " + answer.message + " [ARB-8]");
     compare(answer.publish, model_.wheels(now_.ros));
     if (was_latched && !wheels_.isZero()) fail("a clear moved the robot [ARB-8]");
@@ -139,8 +139,8 @@ class RandomDrive {
     if (failure_.empty()) failure_ = what;
   }
 
-  ArbiterParameters parameters_;
-  Arbiter arbiter_;
+  arbiter::ArbiterParameters parameters_;
+  arbiter::Arbiter arbiter_;
   ArbiterModel model_;
   std::mt19937 dice_;
   Instant now_{timeFromSeconds(1e5), timeFromSeconds<SteadyTime>(100.0)};
@@ -149,7 +149,7 @@ class RandomDrive {
   int motions_ = 0, clears_ = 0;
 };
 
-void drive(const ArbiterParameters& parameters, std::uint32_t seed) {
+void drive(const arbiter::ArbiterParameters& parameters, std::uint32_t seed) {
   RandomDrive random(parameters, seed);
   for (int i = 0; i < kSteps && random.failure().empty(); ++i) {
     random.step();
@@ -164,14 +164,14 @@ TEST(ArbiterRandom, AgreesWithTheModelUnderTheDefaultConfiguration_ARB_1) { driv
 
 // [ARB-4]
 TEST(ArbiterRandom, AgreesWithTheModelWhenAvoidIsRequired_ARB_4) {
-  ArbiterParameters parameters;
+  arbiter::ArbiterParameters parameters;
   parameters.sources[0].required = true;
   drive(parameters, 2);
 }
 
 // [ARB-4]
 TEST(ArbiterRandom, AgreesWithTheModelWhenTwoSourcesAreRequiredAndTheListIsNotSorted_ARB_4) {
-  ArbiterParameters parameters;
+  arbiter::ArbiterParameters parameters;
   std::swap(parameters.sources[0], parameters.sources[3]);
   parameters.sources[1].required = true;
   parameters.sources[3].required = true;
@@ -181,7 +181,7 @@ TEST(ArbiterRandom, AgreesWithTheModelWhenTwoSourcesAreRequiredAndTheListIsNotSo
 
 // [ARB-1]
 TEST(ArbiterRandom, AgreesWithTheModelWhenTimeoutsDifferAndOneSourceStartsDisabled_ARB_1) {
-  ArbiterParameters parameters;
+  arbiter::ArbiterParameters parameters;
   for (std::size_t i = 0; i < parameters.sources.size(); ++i) {
     parameters.sources[i].timeout = 0.1 * static_cast<double>(i + 1);
   }

@@ -7,19 +7,19 @@ namespace {
 // [ARB-6]
 TEST_F(ArbiterTest, DisablingTakesTheWheelsBeforeItAnswersAndForgetsTheCommand_ARB_6) {
   send("nav", 0.2);
-  const ArbiterAnswer answer = enable("nav", false);
+  const arbiter::ArbiterAnswer answer = enable("nav", false);
   EXPECT_EQ(answer.publish, Twist2{}) << "the zero is part of the answer [ARB-6]";
   EXPECT_EQ(answer.message, "nav disabled");
   EXPECT_EQ(send("nav", 0.2), std::nullopt) << "[ARB-6]";
   EXPECT_EQ(enable("nav", true).publish, std::nullopt);
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kIdle) << "no revival: a new message is needed [ARB-6]";
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kIdle) << "no revival: a new message is needed [ARB-6]";
   EXPECT_EQ(send("nav", 0.1), (Twist2{0.1, 0.0}));
 }
 
 // [ARB-6]
 TEST_F(ArbiterTest, SwitchingTwiceAnswersThatNothingChangedAndKeepsTheCommand_ARB_6) {
   send("nav", 0.2);
-  const ArbiterAnswer answer = enable("nav", true);
+  const arbiter::ArbiterAnswer answer = enable("nav", true);
   EXPECT_TRUE(answer.success);
   EXPECT_EQ(answer.message, "nav enabled already: nothing changed") << "[ARB-6]";
   EXPECT_EQ(answer.publish, std::nullopt);
@@ -41,13 +41,13 @@ TEST_F(ArbiterTest, AStopPutsOutZeroAndWhateverArrivesOnlyZeroLeavesAtTheTick_AR
     EXPECT_TRUE(wheels.isZero()) << "[ARB-7]";
   }
   EXPECT_EQ(published, 20) << "zero at 20 Hz [ARB-7]";
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kEmergencyStop);
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kEmergencyStop);
 }
 
 // [ARB-7]
 TEST_F(ArbiterTest, StoppingTwiceIsOneLatchThatKeepsItsFirstCause_ARB_7) {
   arbiter.stop("first", now);
-  const ArbiterAnswer second = arbiter.stop("second", now);
+  const arbiter::ArbiterAnswer second = arbiter.stop("second", now);
   EXPECT_TRUE(second.success);
   EXPECT_EQ(second.publish, Twist2{}) << "a zero leaves for every call [ARB-7]";
   EXPECT_EQ(arbiter.stopCause(), "first");
@@ -63,13 +63,13 @@ TEST_F(ArbiterTest, ClearingDropsEveryCommandAndNeverMovesTheRobot_ARB_8) {
   wait(0.45);
   send("manual", 0.0);
   wait(0.1);
-  const ArbiterAnswer answer = clear();
+  const arbiter::ArbiterAnswer answer = clear();
   EXPECT_TRUE(answer.success) << answer.message;
   EXPECT_TRUE(wheels.isZero());
   wait(0.5);
   EXPECT_TRUE(wheels.isZero()) << "nav's command of before the stop must not come back [ARB-8]";
-  for (const SourceStatus& status : arbiter.status(now).sources) {
-    EXPECT_EQ(status.state, SourceState::kNeverHeard) << status.name << " [ARB-8]";
+  for (const arbiter::SourceStatus& status : arbiter.status(now).sources) {
+    EXPECT_EQ(status.state, arbiter::SourceState::kNeverHeard) << status.name << " [ARB-8]";
   }
   EXPECT_EQ(send("nav", 0.1), (Twist2{0.1, 0.0}));
 }
@@ -80,7 +80,7 @@ TEST_F(ArbiterTest, ClearingIsRefusedWhileAnEnabledSourceAsksToMove_ARB_8) {
   wait(1.0);
   send("nav", 0.0, 0.1);
   wait(0.5);
-  const ArbiterAnswer refused = clear();
+  const arbiter::ArbiterAnswer refused = clear();
   EXPECT_FALSE(refused.success) << "0.5 s is not yet quiet [ARB-8]";
   EXPECT_EQ(refused.message, "refused: nav asked to move 500 ms ago");
   EXPECT_TRUE(arbiter.stopped());
@@ -101,7 +101,7 @@ TEST_F(ArbiterTest, ADisabledSourceOrAZeroDoesNotHinderClearing_ARB_8) {
 // [ARB-8]
 TEST_F(ArbiterTest, ClearingWhatIsNotStoppedSucceedsAndChangesNothing_ARB_8) {
   send("nav", 0.2);
-  const ArbiterAnswer answer = clear();
+  const arbiter::ArbiterAnswer answer = clear();
   EXPECT_TRUE(answer.success) << "[ARB-8]";
   EXPECT_EQ(answer.publish, std::nullopt);
   EXPECT_EQ(arbiter.status(now).active_source, "nav") << "not even the commands are dropped";
@@ -115,7 +115,7 @@ TEST_F(ArbiterTest, AStopThatWasGivenWhileAClearWasUnderWayWins_ARB_8) {
   advance(0.001);
   stop();
   advance(0.001);
-  const ArbiterAnswer answer = arbiter.clear(called, now);
+  const arbiter::ArbiterAnswer answer = arbiter.clear(called, now);
   EXPECT_FALSE(answer.success) << "[ARB-8]";
   EXPECT_EQ(answer.message, "refused: a stop was given while this call was under way");
   EXPECT_TRUE(arbiter.stopped());
@@ -143,7 +143,7 @@ TEST_F(ArbiterTest, AStandingClockStopsTheRobotAndNothingRevivesWithoutANewMessa
   EXPECT_EQ(wheels, (Twist2{0.2, 0.0}));
   waitWithStoppedClock(0.05);
   EXPECT_TRUE(wheels.isZero()) << "0.5 s of standing ROS time [ARB-9]";
-  EXPECT_EQ(arbiter.status(now).state, ArbiterState::kClockStopped);
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kClockStopped);
   EXPECT_EQ(send("nav", 0.2), std::nullopt) << "a message while time stands does not count [ARB-9]";
   published = 0;
   waitWithStoppedClock(1.0);
@@ -162,7 +162,7 @@ TEST_F(ArbiterTest, ABackwardJumpMakesEverySourceStaleForGood_ARB_9) {
   EXPECT_EQ(arbiter.tick(now), Twist2{}) << "[ARB-9]";
   jump(10.0);
   EXPECT_EQ(arbiter.tick(now), Twist2{}) << "jumping forth again revives nothing [ARB-9]";
-  EXPECT_EQ(source("nav").state, SourceState::kNeverHeard);
+  EXPECT_EQ(source("nav").state, arbiter::SourceState::kNeverHeard);
   EXPECT_EQ(send("manual", 0.1), (Twist2{0.1, 0.0}));
 }
 

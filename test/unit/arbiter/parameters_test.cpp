@@ -6,24 +6,24 @@
 namespace frontier_pilot {
 namespace {
 
-Problems load(const std::string& yaml, ArbiterParameters& parameters) {
+Problems load(const std::string& yaml, arbiter::ArbiterParameters& parameters) {
   return loadParameters(parseYaml(yaml), parameters);
 }
 
 std::string onlyProblem(const std::string& yaml) {
-  ArbiterParameters parameters;
+  arbiter::ArbiterParameters parameters;
   const Problems problems = load(yaml, parameters);
   return problems.size() == 1 ? problems.front() : std::to_string(problems.size()) + " problems";
 }
 
 // [ARB-1]
 TEST(ArbiterParameters, DefaultsAreTheFiveSourcesOfTheInterface_ARB_1) {
-  const ArbiterParameters parameters;
+  const arbiter::ArbiterParameters parameters;
   Problems problems;
   parameters.check(problems);
   EXPECT_TRUE(problems.empty());
   ASSERT_EQ(parameters.sources.size(), 5U) << "[ARB-1]";
-  for (const SourceParameters& source : parameters.sources) {
+  for (const arbiter::SourceParameters& source : parameters.sources) {
     EXPECT_EQ(source.topic, "cmd_vel_" + source.name);
     EXPECT_EQ(source.timeout, 1.0) << "[ARB-1]";
     EXPECT_TRUE(source.enabled);
@@ -54,7 +54,7 @@ TEST(ArbiterParameters, AnUnknownKeyIsRefused_ARB_1) {
 }
 
 TEST(ArbiterParameters, AnEntryWithABuiltInNameStartsFromThatSource) {
-  ArbiterParameters parameters;
+  arbiter::ArbiterParameters parameters;
   EXPECT_TRUE(load("sources: [{name: avoid, required: true}, {name: nav, timeout: 0.3}]", parameters).empty());
   ASSERT_EQ(parameters.sources.size(), 2U);
   EXPECT_EQ(parameters.sources[0].topic, "cmd_vel_avoid");
@@ -77,9 +77,9 @@ TEST(ArbiterParameters, TwoSourcesOfOneNameOrTopicAndSourcesOnCmdVelAreRefused) 
 }
 
 TEST(ArbiterParameters, AnArbiterCannotBeMadeFromABadConfiguration) {
-  ArbiterParameters parameters;
+  arbiter::ArbiterParameters parameters;
   parameters.sources[1].priority = parameters.sources[0].priority;
-  EXPECT_THROW(Arbiter{parameters}, std::invalid_argument);
+  EXPECT_THROW(arbiter::Arbiter{parameters}, std::invalid_argument);
 }
 
 }  // namespace

@@ -7,22 +7,22 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr AvoiderCommand kHold{{0.0, 0.0}, true};
-constexpr AvoiderCommand kHeartbeat{{0.0, 0.0}, false};
-constexpr AvoiderCommand kBack{{-0.08, 0.0}, false};
-constexpr AvoiderCommand kLeft{{0.0, 0.7}, false};
-constexpr AvoiderCommand kRight{{0.0, -0.7}, false};
+constexpr avoid::AvoiderCommand kHold{{0.0, 0.0}, true};
+constexpr avoid::AvoiderCommand kHeartbeat{{0.0, 0.0}, false};
+constexpr avoid::AvoiderCommand kBack{{-0.08, 0.0}, false};
+constexpr avoid::AvoiderCommand kLeft{{0.0, 0.7}, false};
+constexpr avoid::AvoiderCommand kRight{{0.0, -0.7}, false};
 
 class AvoiderTest : public ::testing::Test {
  protected:
   /// 100 ms pass, a scan of the world comes, and the node ticks.
-  AvoiderCommand tick() {
+  avoid::AvoiderCommand tick() {
     now += std::chrono::milliseconds(100);
     avoider.onScan(scan(), now);
-    return avoider.tick(now).value_or(AvoiderCommand{{9.0, 9.0}, false});
+    return avoider.tick(now).value_or(avoid::AvoiderCommand{{9.0, 9.0}, false});
   }
-  std::vector<AvoiderCommand> ticks(int count) {
-    std::vector<AvoiderCommand> commands;
+  std::vector<avoid::AvoiderCommand> ticks(int count) {
+    std::vector<avoid::AvoiderCommand> commands;
     for (int i = 0; i < count; ++i) commands.push_back(tick());
     return commands;
   }
@@ -34,15 +34,15 @@ class AvoiderTest : public ::testing::Test {
     return made;
   }
 
-  Avoider avoider{AvoiderParameters{}};
+  avoid::Avoider avoider{avoid::AvoiderParameters{}};
   Time now = timeFromSeconds(100.0);
   double left = 0.0, right = 0.0, rear = 0.0;  ///< obstacles [m]; 0: none
 };
 
 // [AVO-3]
 TEST_F(AvoiderTest, WhenClearSendsAHeartbeatOfZerosAtEveryTick_AVO_3) {
-  EXPECT_EQ(ticks(20), std::vector<AvoiderCommand>(20, kHeartbeat)) << "[AVO-3]";
-  EXPECT_EQ(avoider.state(), AvoiderState::kClear);
+  EXPECT_EQ(ticks(20), std::vector<avoid::AvoiderCommand>(20, kHeartbeat)) << "[AVO-3]";
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kClear);
   left = right = 0.501;
   EXPECT_EQ(tick(), kHeartbeat) << "not nearer than stop_distance [AVO-3]";
 }
@@ -52,8 +52,8 @@ TEST_F(AvoiderTest, BacksUpFor400msAndTurnsFor800msAndRepeatsWithoutAnIdleTick_A
   tick();
   left = 0.4, right = 0.3;
   for (int cycle = 1; cycle <= 3; ++cycle) {
-    EXPECT_EQ(ticks(4), std::vector<AvoiderCommand>(4, kBack)) << "cycle " << cycle << " [AVO-3]";
-    EXPECT_EQ(ticks(8), std::vector<AvoiderCommand>(8, kLeft)) << "cycle " << cycle << " [AVO-3]";
+    EXPECT_EQ(ticks(4), std::vector<avoid::AvoiderCommand>(4, kBack)) << "cycle " << cycle << " [AVO-3]";
+    EXPECT_EQ(ticks(8), std::vector<avoid::AvoiderCommand>(8, kLeft)) << "cycle " << cycle << " [AVO-3]";
     EXPECT_EQ(avoider.status(now).cycle, cycle);
   }
 }
@@ -72,7 +72,7 @@ TEST_F(AvoiderTest, HoldsTheDirectionForTheWholeEpisode_AVO_3) {
   left = 0.45, right = 0.4;
   ticks(4);
   left = 0.3, right = 0.6;
-  EXPECT_EQ(ticks(8), std::vector<AvoiderCommand>(8, kLeft)) << "[AVO-3]";
+  EXPECT_EQ(ticks(8), std::vector<avoid::AvoiderCommand>(8, kLeft)) << "[AVO-3]";
   ticks(4);
   EXPECT_EQ(tick(), kLeft) << "also in the next cycle [AVO-3]";
   left = right = 0.0;
@@ -91,7 +91,7 @@ TEST_F(AvoiderTest, RecoveryStartsAndEndsWithTheVeryScanThatSaysSo_AVO_3) {
   EXPECT_EQ(tick(), kBack) << "0.65 is not beyond clear_distance [AVO-3]";
   left = 0.651;
   EXPECT_EQ(avoider.onScan(scan(), now), kHeartbeat) << "[AVO-3]";
-  EXPECT_EQ(avoider.state(), AvoiderState::kClear);
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kClear);
 }
 
 // [AVO-3]
@@ -100,7 +100,7 @@ TEST_F(AvoiderTest, PhasesKeepTheirLengthWhenTicksAreUneven_AVO_3) {
   left = 0.3;
   tick();
   const Time start = now;
-  for (int i = 0; avoider.state() == AvoiderState::kReverse; ++i) {
+  for (int i = 0; avoider.state() == avoid::AvoiderState::kReverse; ++i) {
     now += std::chrono::milliseconds(i % 2 == 0 ? 97 : 102);
     avoider.onScan(scan(), now);
     avoider.tick(now);
@@ -112,10 +112,10 @@ TEST_F(AvoiderTest, PhasesKeepTheirLengthWhenTicksAreUneven_AVO_3) {
 TEST_F(AvoiderTest, SkipsReversingWhenSomethingIsBehind_AVO_4) {
   tick();
   left = 0.3, rear = 0.24;
-  EXPECT_EQ(ticks(20), std::vector<AvoiderCommand>(20, kRight)) << "cycles of turning alone [AVO-4]";
+  EXPECT_EQ(ticks(20), std::vector<avoid::AvoiderCommand>(20, kRight)) << "cycles of turning alone [AVO-4]";
   rear = 0.26;
   ticks(5);
-  EXPECT_EQ(avoider.state(), AvoiderState::kReverse) << "room again: the next cycle reverses";
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kReverse) << "room again: the next cycle reverses";
 }
 
 // [AVO-4]
@@ -128,18 +128,18 @@ TEST_F(AvoiderTest, DoesNotBeginToReverseWhenSomethingIsBehind_AVO_4) {
 
 // [AVO-3]
 TEST_F(AvoiderTest, ExactlyStopDistanceDoesNotStartAndExactlyClearDistanceDoesNotEndARecovery_AVO_3) {
-  AvoiderParameters parameters;
+  avoid::AvoiderParameters parameters;
   parameters.clear_distance = 0.75;
-  avoider = Avoider(parameters);
+  avoider = avoid::Avoider(parameters);
   LaserScan2 ahead = emptyScan({}, now);
   ahead.ranges[180] = 0.5F;
   avoider.onScan(ahead, now);
-  EXPECT_EQ(avoider.state(), AvoiderState::kClear) << "[AVO-3]";
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kClear) << "[AVO-3]";
   ahead.ranges[180] = 0.25F;
   avoider.onScan(ahead, now);
   ahead.ranges[180] = 0.75F;
   avoider.onScan(ahead, now);
-  EXPECT_EQ(avoider.state(), AvoiderState::kReverse) << "[AVO-3]";
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kReverse) << "[AVO-3]";
 }
 
 // [AVO-4]
@@ -175,7 +175,7 @@ TEST_F(AvoiderTest, HoldsWhenNoScanArrivesFor500ms_AVO_5) {
   EXPECT_EQ(avoider.tick(now), kHeartbeat);
   now += std::chrono::milliseconds(1);
   EXPECT_EQ(avoider.tick(now), kHold) << "[AVO-5]";
-  EXPECT_EQ(avoider.state(), AvoiderState::kFault);
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kFault);
 }
 
 // [AVO-5]
@@ -202,11 +202,11 @@ TEST_F(AvoiderTest, HoldsWhenNoScanArrivesAlthoughTheLastOneWasStampedAhead_AVO_
 // [AVO-5]
 TEST_F(AvoiderTest, HoldsBeforeTheFirstScanAndAfterTheClockJumpedBack_AVO_5) {
   EXPECT_EQ(avoider.tick(now), kHold) << "[AVO-5]";
-  EXPECT_EQ(avoider.state(), AvoiderState::kWaiting);
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kWaiting);
   tick();
   now -= std::chrono::seconds(10);
   EXPECT_EQ(avoider.tick(now), kHold) << "[AVO-5]";
-  EXPECT_EQ(avoider.state(), AvoiderState::kWaiting);
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kWaiting);
   EXPECT_EQ(tick(), kHeartbeat);
 }
 
@@ -216,7 +216,7 @@ TEST_F(AvoiderTest, GivesUpAfterMaxCyclesAndHoldsUntilTheWayIsClear_AVO_6) {
   left = 0.3;
   ticks(12 * 12);
   EXPECT_EQ(tick(), kHold) << "[AVO-6]";
-  EXPECT_EQ(avoider.state(), AvoiderState::kStuck);
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kStuck);
   EXPECT_EQ(avoider.status(now).reason, "12 cycles did not free the way ahead");
   left = 0.6;
   EXPECT_EQ(tick(), kHold) << "not yet clear";
@@ -259,11 +259,11 @@ TEST_F(AvoiderTest, WhatTheBodyWouldSweepBesideTheSectorsIsAvoidedToo) {
 }
 
 TEST(AvoiderParameters, ImpossibleOnesAreRefusedByName) {
-  AvoiderParameters parameters;
+  avoid::AvoiderParameters parameters;
   const Problems problems = loadParameters(
       parseYaml("{clear_distance: 0.5, rear: {from: -2.0, to: 2.0}, reverse_speed: -0.1, turn_sped: 1.0}"), parameters);
   ASSERT_EQ(problems.size(), 4U);
-  EXPECT_THROW(Avoider{parameters}, std::invalid_argument);
+  EXPECT_THROW(avoid::Avoider{parameters}, std::invalid_argument);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ class BlindDrive {
   }
   int contacts() const { return simulator_.contactCount(0); }
   double distance() const { return distance_; }
-  AvoiderSnapshot avoider() const { return avoider_.status(simulator_.now()); }
+  avoid::AvoiderSnapshot avoider() const { return avoider_.status(simulator_.now()); }
 
  private:
   static sim::SimulatorParameters simulation(std::uint32_t seed, const RobotModel& robot) {
@@ -80,20 +80,20 @@ class BlindDrive {
     parameters.lidar.dropout = 0.02;
     return parameters;
   }
-  static ArbiterParameters arbitration(const RobotModel& robot) {
-    ArbiterParameters parameters;
+  static arbiter::ArbiterParameters arbitration(const RobotModel& robot) {
+    arbiter::ArbiterParameters parameters;
     parameters.robot = robot;
     parameters.sources[0].required = true;
     return parameters;
   }
-  static AvoiderParameters avoidance(const RobotModel& robot) {
-    AvoiderParameters parameters;
+  static avoid::AvoiderParameters avoidance(const RobotModel& robot) {
+    avoid::AvoiderParameters parameters;
     parameters.robot = robot;
     return parameters;
   }
   Instant now() const { return {simulator_.now(), SteadyTime(simulator_.now().time_since_epoch())}; }
 
-  void avoid(const std::optional<AvoiderCommand>& command) {
+  void avoid(const std::optional<avoid::AvoiderCommand>& command) {
     if (command) publish(arbiter_.onCommand(0, command->twist, now(), command->hold));
   }
   void tick() {
@@ -106,8 +106,8 @@ class BlindDrive {
   }
 
   sim::Simulator simulator_;
-  Arbiter arbiter_;
-  Avoider avoider_;
+  arbiter::Arbiter arbiter_;
+  avoid::Avoider avoider_;
   Twist2 forward_;
   Vec2 last_{kSide / 2.0, kSide / 2.0};
   double distance_ = 0.0;
@@ -126,7 +126,7 @@ void driveBlindly(const std::string& name) {
     EXPECT_EQ(drive.contacts(), 0) << "seed " << seed << " [AVO-3]";
     distance += drive.distance();
     episodes += drive.avoider().episodes;
-    stuck += drive.avoider().state == AvoiderState::kStuck ? 1 : 0;
+    stuck += drive.avoider().state == avoid::AvoiderState::kStuck ? 1 : 0;
   }
   std::printf("%d seeds of %d s: %.0f m, %u recoveries, %d ended stuck\n", seeds, seconds, distance, episodes, stuck);
   EXPECT_GT(distance, 0.1 * robot.limits.max_linear * seeds * seconds) << "it must not be safe by standing";

@@ -11,15 +11,15 @@
 namespace frontier_pilot {
 namespace {
 
-AvoiderParameters avoiderOf(const std::string& robot) {
-  AvoiderParameters parameters;
+avoid::AvoiderParameters avoiderOf(const std::string& robot) {
+  avoid::AvoiderParameters parameters;
   parameters.robot = test::shippedRobot(robot);
   return parameters;
 }
 
 // [ROB-1]
 TEST(AvoiderDistances, AreForABurgerWhatTheyWereBeforeItsSizeWasKnown_ROB_1) {
-  const AvoiderDistances burger(avoiderOf("burger"));
+  const avoid::AvoiderDistances burger(avoiderOf("burger"));
   EXPECT_EQ(burger.stop, 0.5);
   EXPECT_EQ(burger.clear, 0.65);
   EXPECT_EQ(burger.rear_stop, 0.25);
@@ -29,13 +29,13 @@ TEST(AvoiderDistances, AreForABurgerWhatTheyWereBeforeItsSizeWasKnown_ROB_1) {
 
 // [ROB-1]
 TEST(AvoiderDistances, GrowWithTheRobot_ROB_1) {
-  const AvoiderDistances waffle(avoiderOf("waffle"));
+  const avoid::AvoiderDistances waffle(avoiderOf("waffle"));
   EXPECT_NEAR(waffle.stop, 0.077 + 0.395, 1e-12);
   EXPECT_NEAR(waffle.clear, 0.077 + 0.545, 1e-12);
   EXPECT_NEAR(waffle.rear_stop, 0.205 + 0.145, 1e-12) << "its wheels are near its front";
   EXPECT_NEAR(waffle.half_lane, 0.153 + 0.025, 1e-12);
   EXPECT_NEAR(waffle.turn, std::hypot(0.205, 0.153) + 0.025, 1e-12);
-  const AvoiderDistances turtlebot2(avoiderOf("turtlebot2"));
+  const avoid::AvoiderDistances turtlebot2(avoiderOf("turtlebot2"));
   EXPECT_NEAR(turtlebot2.stop, 0.177 + 0.395, 1e-12);
   EXPECT_NEAR(turtlebot2.rear_stop, 0.177 + 0.145, 1e-12);
   EXPECT_NEAR(turtlebot2.half_lane, 0.177 + 0.025, 1e-12);
@@ -43,11 +43,11 @@ TEST(AvoiderDistances, GrowWithTheRobot_ROB_1) {
 
 // [ROB-1]
 TEST(AvoiderDistances, AreTakenAsTheyAreWhereTheyAreGiven_ROB_1) {
-  AvoiderParameters parameters = avoiderOf("waffle");
+  avoid::AvoiderParameters parameters = avoiderOf("waffle");
   EXPECT_TRUE(
       loadParameters(parseYaml("{stop_distance: 0.4, clear_distance: 0.7, rear_stop_distance: 0.3}"), parameters)
           .empty());
-  const AvoiderDistances distances(parameters);
+  const avoid::AvoiderDistances distances(parameters);
   EXPECT_EQ(distances.stop, 0.4);
   EXPECT_EQ(distances.clear, 0.7);
   EXPECT_EQ(distances.rear_stop, 0.3);
@@ -55,7 +55,7 @@ TEST(AvoiderDistances, AreTakenAsTheyAreWhereTheyAreGiven_ROB_1) {
 
 // [ROB-1]
 TEST(AvoiderParameters, AreRefusedWhereTheyLieInsideTheRobotOrHaveAnOldName_ROB_1) {
-  AvoiderParameters parameters;
+  avoid::AvoiderParameters parameters;
   EXPECT_EQ(loadParameters(parseYaml("{stop_distance: 0.1, guard_half_width: 0.13}"), parameters),
             (Problems{"guard_half_width: is called guard_margin (on top of half the robot's width) now",
                       "stop_distance: must be beyond the robot's front"}));
@@ -67,17 +67,17 @@ TEST(AvoiderParameters, AreRefusedWhereTheyLieInsideTheRobotOrHaveAnOldName_ROB_
 /// A Waffle with something ahead, and at times something beside its tail and behind it.
 class WaffleAvoiderTest : public ::testing::Test {
  protected:
-  AvoiderCommand tick() {
+  avoid::AvoiderCommand tick() {
     now += std::chrono::milliseconds(100);
     LaserScan2 scan = emptyScan({}, now);
     putObstacle(scan, 0.3, 0.4);
     if (beside) putObstacle(scan, 1.9, 0.21, 0.0);  // 0.2 m to the left: past the side, within reach of a rear corner
     if (behind) putObstacle(scan, kPi, 0.34);
     avoider.onScan(scan, now);
-    return avoider.tick(now).value_or(AvoiderCommand{{9.0, 9.0}, false});
+    return avoider.tick(now).value_or(avoid::AvoiderCommand{{9.0, 9.0}, false});
   }
 
-  Avoider avoider{avoiderOf("waffle")};
+  avoid::Avoider avoider{avoiderOf("waffle")};
   Time now = timeFromSeconds(100.0);
   bool beside = false;
   bool behind = false;
@@ -93,27 +93,27 @@ TEST_F(WaffleAvoiderTest, TurnsWhereItsCornersAreFree_AVO_3) {
 TEST_F(WaffleAvoiderTest, BacksUpFurtherAsLongAsACornerWouldHitSomethingInATurn_AVO_3) {
   beside = true;
   for (int i = 0; i < 20; ++i) {
-    const AvoiderCommand command = tick();
+    const avoid::AvoiderCommand command = tick();
     EXPECT_LT(command.twist.linear, 0.0);
     EXPECT_EQ(command.twist.angular, 0.0);
   }
   beside = false;
   for (int i = 0; i < 4; ++i) tick();
-  EXPECT_EQ(avoider.state(), AvoiderState::kRotate);
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kRotate);
 }
 
 // [AVO-4] [AVO-6] [ROB-1]
 TEST_F(WaffleAvoiderTest, HoldsWhereItCanNeitherTurnNorBackUp_AVO_4) {
   beside = behind = true;
-  EXPECT_EQ(tick(), (AvoiderCommand{{0.0, 0.0}, true}));
-  EXPECT_EQ(avoider.state(), AvoiderState::kStuck);
+  EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, 0.0}, true}));
+  EXPECT_EQ(avoider.state(), avoid::AvoiderState::kStuck);
   EXPECT_EQ(avoider.status(now).reason, "obstacle ahead, and no room to turn or to back up");
 }
 
 // [AVO-3] [ROB-1]
 TEST_F(WaffleAvoiderTest, StopsTurningWhenSomethingComesWithinReachOfItsCorners_AVO_3) {
   for (int i = 0; i < 6; ++i) tick();
-  ASSERT_EQ(avoider.state(), AvoiderState::kRotate);
+  ASSERT_EQ(avoider.state(), avoid::AvoiderState::kRotate);
   beside = true;
   EXPECT_EQ(tick().twist.angular, 0.0);
 }

@@ -10,8 +10,8 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-SectorDistances read(const LaserScan2& scan, const AvoiderParameters& parameters = {}) {
-  return SectorReader(parameters).read(scan);
+avoid::SectorDistances read(const LaserScan2& scan, const avoid::AvoiderParameters& parameters = {}) {
+  return avoid::SectorReader(parameters).read(scan);
 }
 
 class EveryScanner : public ::testing::TestWithParam<ScannerLayout> {
@@ -21,7 +21,7 @@ class EveryScanner : public ::testing::TestWithParam<ScannerLayout> {
 
 // [AVO-1]
 TEST_P(EveryScanner, SeesAnObstacleInTheSectorThatItsBearingLiesIn_AVO_1) {
-  SectorReader reader{AvoiderParameters{}};
+  avoid::SectorReader reader{avoid::AvoiderParameters{}};
   for (int degree = -89; degree <= 89; degree += 2) {
     const double angle = degree * kPi / 180.0;
     LaserScan2 with_obstacle = scan();
@@ -29,7 +29,7 @@ TEST_P(EveryScanner, SeesAnObstacleInTheSectorThatItsBearingLiesIn_AVO_1) {
     const double bearing_of_beam = bearingOf(with_obstacle, beam);
     if (std::abs(std::abs(bearing_of_beam) - kPi / 3.0) < 1e-3 || std::abs(bearing_of_beam) < 1e-3) continue;
     with_obstacle.ranges[beam] = 1.0F;
-    const SectorDistances around = reader.read(with_obstacle);
+    const avoid::SectorDistances around = reader.read(with_obstacle);
     ASSERT_EQ(around.fault, "");
     const bool ahead = std::abs(bearing_of_beam) < kPi / 3.0;
     EXPECT_EQ(std::isfinite(around.front_left), ahead && bearing_of_beam > 0.0) << degree << " [AVO-1]";
@@ -44,7 +44,7 @@ TEST_P(EveryScanner, GivesTheSmallerOfTheTwoSectorMinima_AVO_1) {
   putObstacle(both, 0.5, 0.9);
   putObstacle(both, 0.8, 1.4);
   putObstacle(both, -0.5, 0.7);
-  const SectorDistances around = read(both);
+  const avoid::SectorDistances around = read(both);
   EXPECT_NEAR(around.front_left, 0.9, 1e-6);
   EXPECT_NEAR(around.front_right, 0.7, 1e-6);
   EXPECT_EQ(around.obstacleDistance(), around.front_right) << "[AVO-1]";
@@ -92,7 +92,7 @@ TEST(SectorReader, AnObstacleStraightAheadOrOnABorderBelongsToItsSectors_AVO_1) 
   EXPECT_NEAR(read(scan).front_left, 1.0, 1e-6) << "+60 degrees is inside [AVO-1]";
   scan.ranges[240] = kInf;
   scan.ranges[241] = 1.0F;
-  EXPECT_EQ(read(scan).front_left, SectorDistances::kNothing) << "+61 degrees is not [AVO-1]";
+  EXPECT_EQ(read(scan).front_left, avoid::SectorDistances::kNothing) << "+61 degrees is not [AVO-1]";
 }
 
 // [AVO-1]
@@ -101,17 +101,17 @@ TEST(SectorReader, TheRearSectorWrapsAround_AVO_1) {
     LaserScan2 scan = emptyScan({}, Time{});
     putObstacle(scan, angle, 0.4, 0.0);
     EXPECT_NEAR(read(scan).rear, 0.4, 1e-6) << angle;
-    EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing) << angle;
+    EXPECT_EQ(read(scan).obstacleDistance(), avoid::SectorDistances::kNothing) << angle;
   }
 }
 
 // [AVO-1]
 TEST(SectorReader, SectorsAreParameters_AVO_1) {
-  AvoiderParameters parameters;
+  avoid::AvoiderParameters parameters;
   parameters.front_left = {0.2, 0.4};
   LaserScan2 scan = emptyScan({}, Time{});
   putObstacle(scan, 0.6, 0.5);
-  EXPECT_EQ(read(scan, parameters).front_left, SectorDistances::kNothing);
+  EXPECT_EQ(read(scan, parameters).front_left, avoid::SectorDistances::kNothing);
   putObstacle(scan, 0.3, 0.5);
   EXPECT_NEAR(read(scan, parameters).front_left, 0.5, 1e-6) << "[AVO-1]";
 }
@@ -123,19 +123,19 @@ TEST(SectorReader, DistancesAndBearingsAreTheBasesNotTheScanners_AVO_1) {
   EXPECT_NEAR(read(scan).obstacleDistance(), 0.8, 1e-6) << "a scanner 0.3 m ahead of the centre [AVO-1]";
   scan = emptyScan({360, 2.0 * kPi, false, {-0.25, 0.0, 0.0}}, Time{});
   putObstacle(scan, kPi / 2.0, 0.5, 0.0);
-  EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing);
-  EXPECT_EQ(read(scan).rear, SectorDistances::kNothing) << "beside the tail is neither ahead nor behind";
+  EXPECT_EQ(read(scan).obstacleDistance(), avoid::SectorDistances::kNothing);
+  EXPECT_EQ(read(scan).rear, avoid::SectorDistances::kNothing) << "beside the tail is neither ahead nor behind";
 }
 
 // [AVO-1]
 TEST(SectorReader, ForgetsTheLayoutOfTheScanBefore_AVO_1) {
-  SectorReader reader{AvoiderParameters{}};
+  avoid::SectorReader reader{avoid::AvoiderParameters{}};
   LaserScan2 scan = emptyScan({}, Time{});
   putObstacle(scan, 0.5, 1.0);
   EXPECT_NEAR(reader.read(scan).front_left, 1.0, 1e-6);
   LaserScan2 turned = scan;
   turned.T_base_sensor.yaw = kPi;
-  EXPECT_EQ(reader.read(turned).front_left, SectorDistances::kNothing) << "another mount [AVO-1]";
+  EXPECT_EQ(reader.read(turned).front_left, avoid::SectorDistances::kNothing) << "another mount [AVO-1]";
   LaserScan2 mirrored = scan;
   mirrored.angle_min = -scan.angle_min;
   mirrored.angle_increment = -scan.angle_increment;
@@ -154,7 +154,7 @@ TEST(SectorReader, NaNAndZeroSayNothing_AVO_2) {
   LaserScan2 scan = emptyScan({}, Time{});
   scan.ranges[185] = kNaN;
   scan.ranges[186] = 0.0F;
-  EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing) << "[AVO-2]";
+  EXPECT_EQ(read(scan).obstacleDistance(), avoid::SectorDistances::kNothing) << "[AVO-2]";
 }
 
 // [AVO-2]
@@ -171,7 +171,7 @@ TEST(SectorReader, InfinityAndBeyondRangeMaxAreFree_AVO_2) {
   for (const float range : {kInf, 8.1F, 1e30F}) {
     LaserScan2 scan = emptyScan({}, Time{});
     scan.ranges[185] = range;
-    EXPECT_EQ(read(scan).obstacleDistance(), SectorDistances::kNothing) << range << " [AVO-2]";
+    EXPECT_EQ(read(scan).obstacleDistance(), avoid::SectorDistances::kNothing) << range << " [AVO-2]";
     EXPECT_EQ(read(scan).fault, "");
   }
 }
@@ -207,10 +207,10 @@ TEST(SectorReader, OnlyWhatTheBodyWouldSweepCountsBesideTheSectors) {
   putObstacle(scan, 80.0 * kPi / 180.0, 0.12, 0.0);
   putObstacle(scan, -80.0 * kPi / 180.0, 0.3, 0.0);
   putObstacle(scan, 100.0 * kPi / 180.0, 0.2, 0.0);
-  const SectorDistances around = read(scan);
+  const avoid::SectorDistances around = read(scan);
   EXPECT_NEAR(around.lane_left, 0.12, 1e-6);
-  EXPECT_EQ(around.lane_right, SectorDistances::kNothing);
-  EXPECT_EQ(around.rear, SectorDistances::kNothing);
+  EXPECT_EQ(around.lane_right, avoid::SectorDistances::kNothing);
+  EXPECT_EQ(around.rear, avoid::SectorDistances::kNothing);
 }
 
 }  // namespace

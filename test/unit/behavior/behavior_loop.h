@@ -15,26 +15,26 @@ class BehaviorLoop {
   explicit BehaviorLoop(double frequency = 10.0, const RobotLimits& limits = {}, const Pose2& start = {})
       : base(start, limits), behavior(parameters(frequency)), period_(1.0 / frequency) {}
 
-  static BehaviorParameters parameters(double frequency) {
-    BehaviorParameters p;
+  static behavior::BehaviorParameters parameters(double frequency) {
+    behavior::BehaviorParameters p;
     p.frequency = frequency;
     return p;
   }
 
-  BehaviorOutput start(const BehaviorGoal& goal) { return behavior.start(goal, base.now()); }
+  behavior::BehaviorOutput start(const behavior::BehaviorGoal& goal) { return behavior.start(goal, base.now()); }
   /// One cycle; `wheels`, if given, replaces the command on its way to the base.
-  BehaviorOutput cycle(const std::optional<Twist2>& wheels = std::nullopt) {
+  behavior::BehaviorOutput cycle(const std::optional<Twist2>& wheels = std::nullopt) {
     if (scanning) surroundings.costmap().insert(scan(), base.pose());
-    if (posing) inputs.pose = BehaviorInputs::Pose{base.now(), base.pose()};
+    if (posing) inputs.pose = behavior::BehaviorInputs::Pose{base.now(), base.pose()};
     inputs.look_ahead = surroundings.lookAhead(0.5, base.now());
-    const BehaviorOutput output = behavior.update(inputs, base.now());
+    const behavior::BehaviorOutput output = behavior.update(inputs, base.now());
     const Twist2 command = output.command.value_or(Twist2());
     if (!command.isZero()) moved = true;
     base.run(wheels ? *wheels : command, period_);
     return output;
   }
-  BehaviorOutput run(double seconds, const std::optional<Twist2>& wheels = std::nullopt) {
-    BehaviorOutput output;
+  behavior::BehaviorOutput run(double seconds, const std::optional<Twist2>& wheels = std::nullopt) {
+    behavior::BehaviorOutput output;
     const Time limit = base.now() + fromSeconds(seconds);
     do output = cycle(wheels);
     while (behavior.active() && base.now() < limit);
@@ -61,9 +61,9 @@ class BehaviorLoop {
   }
 
   KinematicBase base;
-  TimedBehavior behavior;
-  Surroundings surroundings;
-  BehaviorInputs inputs;
+  behavior::TimedBehavior behavior;
+  behavior::Surroundings surroundings;
+  behavior::BehaviorInputs inputs;
   std::vector<Vec2> points;  ///< obstacles, in the odometry frame
   bool scanning = true;
   bool posing = true;

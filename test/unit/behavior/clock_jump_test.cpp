@@ -7,10 +7,10 @@ namespace {
 
 // [FLT-1] No time is before that of a goal which came before the first /clock.
 TEST(TimedBehavior, AClockThatJumpsEndsItAlsoWhenItBeganAtTimeZero) {
-  TimedBehavior behavior{BehaviorParameters()};
-  behavior.start(BehaviorGoal{BehaviorKind::kSpin, 2.0}, Time{});
-  const BehaviorOutput output = behavior.abortByClockJump();
-  EXPECT_EQ(output.outcome, BehaviorOutcome::kPoseLost);
+  behavior::TimedBehavior behavior{behavior::BehaviorParameters()};
+  behavior.start(behavior::BehaviorGoal{behavior::BehaviorKind::kSpin, 2.0}, Time{});
+  const behavior::BehaviorOutput output = behavior.abortByClockJump();
+  EXPECT_EQ(output.outcome, behavior::BehaviorOutcome::kPoseLost);
   ASSERT_TRUE(output.command.has_value());
   EXPECT_TRUE(output.command->isZero());
   EXPECT_EQ(output.message, "the clock jumped");

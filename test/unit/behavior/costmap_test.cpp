@@ -24,7 +24,7 @@ LaserScan2 scanOf(std::size_t beams, float range) {
   return scan;
 }
 
-std::int8_t at(const LocalCostmap& map, const Vec2& point) {
+std::int8_t at(const behavior::LocalCostmap& map, const Vec2& point) {
   return map.grid().get(map.grid().geometry().cellAt(point), 55);
 }
 
@@ -32,7 +32,7 @@ Outline square(double half) { return Outline::polygon({{half, half}, {-half, hal
 
 // [SPN-3]
 TEST(LocalCostmap, WhatNoBeamCrossedIsUnknownWhatOneEndedInIsOccupied) {
-  LocalCostmap map({}, square(0.1));
+  behavior::LocalCostmap map({}, square(0.1));
   EXPECT_TRUE(map.grid().empty());
   EXPECT_FALSE(map.stamp().has_value());
   map.insert(scanOf(1440, 1.01F), {});
@@ -44,7 +44,7 @@ TEST(LocalCostmap, WhatNoBeamCrossedIsUnknownWhatOneEndedInIsOccupied) {
 }
 
 TEST(LocalCostmap, InvalidBeamsSayNothingAndTooNearOnesAreObstacles) {
-  LocalCostmap map({}, square(0.05));
+  behavior::LocalCostmap map({}, square(0.05));
   map.insert(scanOf(1440, std::numeric_limits<float>::quiet_NaN()), {});
   EXPECT_EQ(at(map, {0.5, 0.0}), kUnknown);
   EXPECT_EQ(at(map, {0.0, 0.0}), kFree) << "the robot stands there";
@@ -56,7 +56,7 @@ TEST(LocalCostmap, InvalidBeamsSayNothingAndTooNearOnesAreObstacles) {
 }
 
 TEST(LocalCostmap, RollsWithTheRobotAndKeepsWhatItSaw) {
-  LocalCostmap map({}, square(0.05));
+  behavior::LocalCostmap map({}, square(0.05));
   const LaserScan2 blind = scanOf(8, std::numeric_limits<float>::quiet_NaN());
   map.insert(scanOf(1440, 1.01F), {0.0, 0.0, 0.7});
   for (double x = 0.0; x <= 0.7; x += 0.013) map.insert(blind, {x, -0.5 * x, x});
@@ -72,7 +72,7 @@ TEST(LocalCostmap, TheScannersMountIsRespected) {
   LaserScan2 scan = scanOf(1440, kInf);
   scan.T_base_sensor = {0.2, 0.0, kPi};
   scan.ranges[720] = 0.615F;  // straight ahead of the sensor, which looks back
-  LocalCostmap map({}, square(0.05));
+  behavior::LocalCostmap map({}, square(0.05));
   map.insert(scan, {1.01, 1.01, 0.5 * kPi});
   EXPECT_EQ(at(map, {1.01, 1.01 + 0.2 - 0.615}), kOccupied);
 }
@@ -92,12 +92,13 @@ TEST(Sweep, UnknownCellsTheEdgeOfTheGridAndNoGridAreNotFree) {
   )");
   const Outline footprint = square(0.1);
   const Pose2 pose(world.point('A'), 0.0);
-  const auto line = [](double amount) { return AxisMotion{AxisMotion::Axis::kLine, amount}; };
-  EXPECT_EQ(sweep(world.map, footprint, pose, {AxisMotion::Axis::kTurn, 6.0}), SweepResult::kClear);
-  EXPECT_EQ(sweep(world.map, footprint, pose, line(0.05)), SweepResult::kClear);
-  EXPECT_EQ(sweep(world.map, footprint, pose, line(0.2)), SweepResult::kUnseen);
-  EXPECT_EQ(sweep(world.map, footprint, pose, line(-0.6)), SweepResult::kOffGrid);
-  EXPECT_EQ(sweep(OccupancyGrid(), footprint, pose, line(0.1)), SweepResult::kNoCostmap);
+  const auto line = [](double amount) { return behavior::AxisMotion{behavior::AxisMotion::Axis::kLine, amount}; };
+  EXPECT_EQ(behavior::sweep(world.map, footprint, pose, {behavior::AxisMotion::Axis::kTurn, 6.0}),
+            behavior::SweepResult::kClear);
+  EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(0.05)), behavior::SweepResult::kClear);
+  EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(0.2)), behavior::SweepResult::kUnseen);
+  EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(-0.6)), behavior::SweepResult::kOffGrid);
+  EXPECT_EQ(behavior::sweep(OccupancyGrid(), footprint, pose, line(0.1)), behavior::SweepResult::kNoCostmap);
 }
 
 // [SPN-2]
@@ -105,7 +106,7 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
   GridGeometry geometry;
   geometry.resolution = 0.025;
   geometry.width = geometry.height = 40;
-  const Outline footprint = Surroundings().footprint();
+  const Outline footprint = behavior::Surroundings().footprint();
   const Pose2 pose(0.5, 0.5, 0.3);
   std::vector<Cell> cells;
   std::set<std::pair<int, int>> touched;
@@ -117,7 +118,9 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
   for (const auto& [x, y] : touched) {
     OccupancyGrid grid(geometry, kFree);
     grid[Cell{x, y}] = kOccupied;
-    if (sweep(grid, footprint, pose, {AxisMotion::Axis::kTurn, 2.0}) == SweepResult::kClear) ++missed;
+    if (behavior::sweep(grid, footprint, pose, {behavior::AxisMotion::Axis::kTurn, 2.0}) ==
+        behavior::SweepResult::kClear)
+      ++missed;
   }
   // Between two poses a corner may graze less than half a cell's depth of a cell that neither touches.
   EXPECT_LE(missed, static_cast<int>(touched.size()) / 50);
@@ -125,14 +128,14 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
 
 // [ROB-1]
 TEST(Footprint, IsTheRobotsExactOutlineWithThePaddingAroundIt) {
-  const Outline burger = Surroundings().footprint();
+  const Outline burger = behavior::Surroundings().footprint();
   EXPECT_FALSE(burger.isDisc());
   EXPECT_NEAR(burger.halfWidth(), 0.099, 1e-9);
   EXPECT_NEAR(burger.front(), 0.047, 1e-9);
   EXPECT_NEAR(burger.circumscribedRadius(), std::hypot(0.111, 0.099), 1e-9);
-  SurroundingsParameters parameters;
+  behavior::SurroundingsParameters parameters;
   parameters.footprint.padding = 0.05;
-  const Outline waffle = Surroundings(parameters, test::shippedRobot("waffle")).footprint();
+  const Outline waffle = behavior::Surroundings(parameters, test::shippedRobot("waffle")).footprint();
   EXPECT_NEAR(waffle.halfWidth(), 0.203, 1e-9);
   EXPECT_NEAR(waffle.front(), 0.127, 1e-9);
   EXPECT_NEAR(waffle.circumscribedRadius(), std::hypot(0.255, 0.203), 1e-9);
@@ -140,7 +143,7 @@ TEST(Footprint, IsTheRobotsExactOutlineWithThePaddingAroundIt) {
 
 // [ROB-1]
 TEST(Footprint, NamesWhereThePolygonHasGone) {
-  SurroundingsParameters parameters;
+  behavior::SurroundingsParameters parameters;
   EXPECT_EQ(loadParameters(parseYaml("footprint: {polygon: [0.1, 0.1, -0.1, 0.1, 0.0, -0.1]}"), parameters),
             (Problems{"footprint/polygon: is called robot/outline now"}));
 }

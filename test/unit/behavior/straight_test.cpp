@@ -9,13 +9,15 @@ namespace {
 
 using test::BehaviorLoop;
 
-BehaviorGoal backUp(double distance, double speed = 0.0, double allowance = 0.0) {
-  return {BehaviorKind::kBackUp, distance, speed, allowance, true};
+behavior::BehaviorGoal backUp(double distance, double speed = 0.0, double allowance = 0.0) {
+  return {behavior::BehaviorKind::kBackUp, distance, speed, allowance, true};
 }
-BehaviorGoal drive(double distance, double speed = 0.0) {
-  return {BehaviorKind::kDriveOnHeading, distance, speed, 0.0, true};
+behavior::BehaviorGoal drive(double distance, double speed = 0.0) {
+  return {behavior::BehaviorKind::kDriveOnHeading, distance, speed, 0.0, true};
 }
-BehaviorGoal wait(double time, double allowance = 0.0) { return {BehaviorKind::kWait, time, 0.0, allowance, true}; }
+behavior::BehaviorGoal wait(double time, double allowance = 0.0) {
+  return {behavior::BehaviorKind::kWait, time, 0.0, allowance, true};
+}
 
 /// A wall across the x axis.
 std::vector<Vec2> wallAt(double x) {
@@ -24,7 +26,7 @@ std::vector<Vec2> wallAt(double x) {
   return points;
 }
 
-void expectOutcome(const BehaviorOutput& output, BehaviorOutcome outcome) {
+void expectOutcome(const behavior::BehaviorOutput& output, behavior::BehaviorOutcome outcome) {
   EXPECT_EQ(output.outcome, outcome) << toString(output.outcome) << ": " << output.message;
   ASSERT_TRUE(output.command.has_value());
   EXPECT_TRUE(output.command->isZero());
@@ -36,14 +38,14 @@ TEST(Straight, BacksUpAndDrivesItsDistanceAndStands) {
     for (const double speed : {0.0, 0.05, 0.2}) {
       BehaviorLoop back;
       back.start(backUp(distance, speed));
-      const BehaviorOutput backed = back.run(60.0);
-      expectOutcome(backed, BehaviorOutcome::kSucceeded);
+      const behavior::BehaviorOutput backed = back.run(60.0);
+      expectOutcome(backed, behavior::BehaviorOutcome::kSucceeded);
       EXPECT_NEAR(back.base.pose().x, -distance, 0.01);
       EXPECT_NEAR(backed.progress, distance, 0.01);
       for (const double sign : {1.0, -1.0}) {
         BehaviorLoop ahead;
         ahead.start(drive(sign * distance, speed));
-        expectOutcome(ahead.run(60.0), BehaviorOutcome::kSucceeded);
+        expectOutcome(ahead.run(60.0), behavior::BehaviorOutcome::kSucceeded);
         EXPECT_NEAR(ahead.base.pose().x, sign * distance, 0.01);
       }
     }
@@ -65,15 +67,15 @@ TEST(Straight, StopsBeforeAWallWithoutTouchingIt) {
   BehaviorLoop back;
   back.points = wallAt(-0.45);
   back.start(backUp(1.0));
-  const BehaviorOutput output = back.run(60.0);
-  expectOutcome(output, BehaviorOutcome::kCollisionAhead);
+  const behavior::BehaviorOutput output = back.run(60.0);
+  expectOutcome(output, behavior::BehaviorOutcome::kCollisionAhead);
   back.rest();
   EXPECT_LT(back.base.pose().x, -0.05);
   EXPECT_GT(back.base.pose().x - 0.101, -0.45);
   BehaviorLoop ahead;
   ahead.points = wallAt(0.1);
   ahead.start(drive(0.2));
-  expectOutcome(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
+  expectOutcome(ahead.cycle(), behavior::BehaviorOutcome::kCollisionAhead);
   EXPECT_FALSE(ahead.moved);
 }
 
@@ -83,43 +85,43 @@ TEST(Straight, ARobotThatTouchesSomethingMayBackAwayFromItButNotTurnOrDriveIntoI
   BehaviorLoop back;
   back.points = touching;
   back.start(backUp(0.2));
-  expectOutcome(back.run(20.0), BehaviorOutcome::kSucceeded);
+  expectOutcome(back.run(20.0), behavior::BehaviorOutcome::kSucceeded);
   BehaviorLoop ahead;
   ahead.points = touching;
   ahead.start(drive(0.2));
-  expectOutcome(ahead.cycle(), BehaviorOutcome::kCollisionAhead);
+  expectOutcome(ahead.cycle(), behavior::BehaviorOutcome::kCollisionAhead);
   BehaviorLoop turn;
   turn.points = touching;
-  turn.start({BehaviorKind::kSpin, 1.0, 0.0, 0.0, true});
-  expectOutcome(turn.cycle(), BehaviorOutcome::kCollisionAhead);
+  turn.start({behavior::BehaviorKind::kSpin, 1.0, 0.0, 0.0, true});
+  expectOutcome(turn.cycle(), behavior::BehaviorOutcome::kCollisionAhead);
 }
 
 // [SPN-5]
 TEST(Straight, TimeoutsLostPosesAndStandstillsEndIt) {
   BehaviorLoop late;
   late.start(backUp(1.0, 0.1, 1.0));
-  expectOutcome(late.run(20.0), BehaviorOutcome::kTimeout);
+  expectOutcome(late.run(20.0), behavior::BehaviorOutcome::kTimeout);
   BehaviorLoop lost;
   lost.start(backUp(1.0));
   lost.run(0.5);
   lost.posing = false;
-  expectOutcome(lost.run(20.0), BehaviorOutcome::kPoseLost);
+  expectOutcome(lost.run(20.0), behavior::BehaviorOutcome::kPoseLost);
   BehaviorLoop stuck;
   stuck.start(backUp(1.0));
-  expectOutcome(stuck.run(20.0, Twist2()), BehaviorOutcome::kNoProgress);
+  expectOutcome(stuck.run(20.0, Twist2()), behavior::BehaviorOutcome::kNoProgress);
 }
 
 // [SPN-5]
 TEST(Straight, BadGoalsAndZeroDistanceEndWithoutMotion) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  for (const BehaviorGoal& goal : {backUp(-0.1), backUp(kNan), backUp(0.1, -0.1), backUp(0.1, kNan),
-                                   backUp(0.1, 0.1, -1.0), drive(kNan), wait(-1.0), wait(kNan)}) {
+  for (const behavior::BehaviorGoal& goal : {backUp(-0.1), backUp(kNan), backUp(0.1, -0.1), backUp(0.1, kNan),
+                                             backUp(0.1, 0.1, -1.0), drive(kNan), wait(-1.0), wait(kNan)}) {
     BehaviorLoop loop;
-    expectOutcome(loop.start(goal), BehaviorOutcome::kInvalidGoal);
+    expectOutcome(loop.start(goal), behavior::BehaviorOutcome::kInvalidGoal);
   }
-  for (const BehaviorGoal& goal : {backUp(0.0), drive(0.0), wait(0.0)}) {
+  for (const behavior::BehaviorGoal& goal : {backUp(0.0), drive(0.0), wait(0.0)}) {
     BehaviorLoop loop;
-    expectOutcome(loop.start(goal), BehaviorOutcome::kSucceeded);
+    expectOutcome(loop.start(goal), behavior::BehaviorOutcome::kSucceeded);
   }
 }
 
@@ -127,9 +129,9 @@ TEST(Straight, BadGoalsAndZeroDistanceEndWithoutMotion) {
 TEST(Straight, CancelTellsTheDistanceDone) {
   BehaviorLoop loop;
   loop.start(backUp(0.5));
-  const BehaviorOutput last = loop.run(2.0);
-  const BehaviorOutput output = loop.behavior.cancel("canceled", loop.base.now());
-  expectOutcome(output, BehaviorOutcome::kCanceled);
+  const behavior::BehaviorOutput last = loop.run(2.0);
+  const behavior::BehaviorOutput output = loop.behavior.cancel("canceled", loop.base.now());
+  expectOutcome(output, behavior::BehaviorOutcome::kCanceled);
   EXPECT_EQ(output.progress, last.progress);
   EXPECT_GT(output.progress, 0.1);
 }
@@ -140,8 +142,8 @@ TEST(Wait, CountsRosTimeAndNeedsNeitherPoseNorCostmap) {
   loop.posing = loop.scanning = false;
   loop.start(wait(3.0));
   const Time since = loop.base.now();
-  const BehaviorOutput output = loop.run(20.0);
-  expectOutcome(output, BehaviorOutcome::kSucceeded);
+  const behavior::BehaviorOutput output = loop.run(20.0);
+  expectOutcome(output, behavior::BehaviorOutcome::kSucceeded);
   EXPECT_NEAR(toSeconds(loop.base.now() - since), 3.1, 1e-6);
   EXPECT_FALSE(loop.moved);
   EXPECT_NEAR(output.progress, 3.0, 1e-9);
@@ -151,35 +153,35 @@ TEST(Wait, CountsRosTimeAndNeedsNeitherPoseNorCostmap) {
 TEST(Wait, EndsByAllowanceCancelAndABackwardClock) {
   BehaviorLoop late;
   late.start(wait(3.0, 1.0));
-  expectOutcome(late.run(20.0), BehaviorOutcome::kTimeout);
+  expectOutcome(late.run(20.0), behavior::BehaviorOutcome::kTimeout);
   BehaviorLoop canceled;
   canceled.start(wait(3.0));
   canceled.run(1.0);
-  expectOutcome(canceled.behavior.cancel("canceled", canceled.base.now()), BehaviorOutcome::kCanceled);
+  expectOutcome(canceled.behavior.cancel("canceled", canceled.base.now()), behavior::BehaviorOutcome::kCanceled);
   BehaviorLoop back;
   back.start(wait(3.0));
   back.run(1.0);
-  EXPECT_EQ(back.behavior.update({}, back.base.now() - fromSeconds(0.5)).outcome, BehaviorOutcome::kPoseLost);
+  EXPECT_EQ(back.behavior.update({}, back.base.now() - fromSeconds(0.5)).outcome, behavior::BehaviorOutcome::kPoseLost);
 }
 
 // [ROB-1] [SPN-5]
 TEST(Behaviors, AreNoFasterThanTheRobot_ROB_1) {
-  BehaviorParameters parameters = BehaviorLoop::parameters(10.0);
+  behavior::BehaviorParameters parameters = BehaviorLoop::parameters(10.0);
   parameters.robot.limits.max_linear = 0.04;
   parameters.robot.limits.max_angular = 0.2;
   BehaviorLoop loop;
-  loop.behavior = TimedBehavior(parameters);
+  loop.behavior = behavior::TimedBehavior(parameters);
   loop.start(drive(0.5, 9.0));
   for (int i = 0; i < 10; ++i) EXPECT_LE(loop.cycle().command->linear, 0.04);
   loop.behavior.cancel("enough", loop.base.now());
   loop.rest();
-  loop.start({BehaviorKind::kSpin, 1.0, 0.0, 0.0, true});
+  loop.start({behavior::BehaviorKind::kSpin, 1.0, 0.0, 0.0, true});
   for (int i = 0; i < 10; ++i) EXPECT_LE(loop.cycle().command->angular, 0.2);
 }
 
 // [ROB-1]
 TEST(Behaviors, NameWhereTheLimitsHaveGone_ROB_1) {
-  BehaviorParameters parameters;
+  behavior::BehaviorParameters parameters;
   EXPECT_EQ(loadParameters(parseYaml("{rotational_acc_lim: 3.0, max_linear_vel: 0.2}"), parameters),
             (Problems{"rotational_acc_lim: is called robot/limits/max_angular_acc now",
                       "max_linear_vel: is called robot/limits/max_linear now"}));

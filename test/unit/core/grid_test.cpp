@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/grid_traversal.h"
 #include "support/ascii_world.h"
 
 namespace frontier_pilot {

@@ -58,13 +58,13 @@ class ExplorerTest : public ::testing::Test {
   )";
 
   /// A scanner that sees 1 m, so that the ends of the drawings are apart.
-  static ExplorerParameters shortSighted() {
-    ExplorerParameters parameters;
+  static exploration::ExplorerParameters shortSighted() {
+    exploration::ExplorerParameters parameters;
     parameters.frontier.view.sensor_range = 1.0;
     return parameters;
   }
 
-  explicit ExplorerTest(const ExplorerParameters& parameters = shortSighted()) : explorer(parameters) {}
+  explicit ExplorerTest(const exploration::ExplorerParameters& parameters = shortSighted()) : explorer(parameters) {}
 
   void show(const std::string& drawing) {
     world = drawWorld(drawing);
@@ -78,52 +78,53 @@ class ExplorerTest : public ::testing::Test {
   }
 
   /// One tick with all inputs there, but for what the test took away.
-  ExplorerOutput tick() {
+  exploration::ExplorerOutput tick() {
     inputs.T_map_base.reset();
     inputs.odometry_stamp.reset();
-    if (pose_comes) inputs.T_map_base = StampedPose2{pose, now};
+    if (pose_comes) inputs.T_map_base = exploration::StampedPose2{pose, now};
     if (odometry_comes) inputs.odometry_stamp = now;
-    ExplorerOutput output = explorer.update(inputs, now);
+    exploration::ExplorerOutput output = explorer.update(inputs, now);
     inputs.goal_events.clear();
     inputs.reset = false;
-    if (output.command.kind == GoalCommand::Kind::kSend) sent = output.command;
+    if (output.command.kind == exploration::GoalCommand::Kind::kSend) sent = output.command;
     history.insert(history.end(), output.transitions.begin(), output.transitions.end());
     notes.insert(notes.end(), output.notes.begin(), output.notes.end());
     now += fromSeconds(0.1);
     return output;
   }
-  ExplorerOutput tickFor(double seconds) {
-    ExplorerOutput output = tick();
+  exploration::ExplorerOutput tickFor(double seconds) {
+    exploration::ExplorerOutput output = tick();
     for (const Time end = now + fromSeconds(seconds); now < end;) {
-      const GoalCommand kept = output.command;
+      const exploration::GoalCommand kept = output.command;
       output = tick();
-      if (output.command.kind == GoalCommand::Kind::kNone) output.command = kept;
+      if (output.command.kind == exploration::GoalCommand::Kind::kNone) output.command = kept;
     }
     return output;
   }
-  void goalEnds(GoalEvent::Kind kind, const std::string& text = "") {
+  void goalEnds(exploration::GoalEvent::Kind kind, const std::string& text = "") {
     inputs.goal_events = {{sent.goal_id, kind, text}};
   }
 
-  bool wentThrough(ExplorerState state, ExplorerReason reason) const {
+  bool wentThrough(exploration::ExplorerState state, exploration::ExplorerReason reason) const {
     return std::any_of(history.begin(), history.end(),
-                       [&](const ExplorerProgress& p) { return p.state == state && p.reason == reason; });
+                       [&](const exploration::ExplorerProgress& p) { return p.state == state && p.reason == reason; });
   }
   std::size_t notesWith(const std::string& words) const {
-    return static_cast<std::size_t>(std::count_if(
-        notes.begin(), notes.end(), [&](const ExplorerNote& n) { return n.text.find(words) != std::string::npos; }));
+    return static_cast<std::size_t>(std::count_if(notes.begin(), notes.end(), [&](const exploration::ExplorerNote& n) {
+      return n.text.find(words) != std::string::npos;
+    }));
   }
 
-  Explorer explorer;
-  ExplorerInputs inputs;
+  exploration::Explorer explorer;
+  exploration::ExplorerInputs inputs;
   AsciiWorld world;
   Pose2 pose;
   Time now = timeFromSeconds(100.0);
   bool pose_comes = true;
   bool odometry_comes = true;
-  GoalCommand sent;
-  std::vector<ExplorerProgress> history;
-  std::vector<ExplorerNote> notes;
+  exploration::GoalCommand sent;
+  std::vector<exploration::ExplorerProgress> history;
+  std::vector<exploration::ExplorerNote> notes;
 
  private:
   bool placed_ = false;

@@ -4,14 +4,14 @@ namespace frontier_pilot {
 namespace {
 
 using test::ExplorerTest;
-using State = ExplorerState;
-using Reason = ExplorerReason;
+using State = exploration::ExplorerState;
+using Reason = exploration::ExplorerReason;
 using ExplorerInputsTest = ExplorerTest;
 
 // [EXP-8]
 TEST_F(ExplorerInputsTest, SaysEveryFiveSecondsWhichInputIsMissing_EXP_8) {
   pose_comes = odometry_comes = inputs.navigation_available = false;
-  const ExplorerOutput output = tickFor(11.0);
+  const exploration::ExplorerOutput output = tickFor(11.0);
   EXPECT_EQ(output.status.state, State::kIdle);
   EXPECT_EQ(output.status.reason, Reason::kWaitingForInputs);
   EXPECT_EQ(notesWith("map, odometry, TF from map to base, move_base"), 3U) << "[EXP-8] at 0, 5 and 10 s";
@@ -56,14 +56,14 @@ class ExplorerLosses : public ExplorerTest, public ::testing::WithParamInterface
 TEST_P(ExplorerLosses, StopsSaysSoAndResumes_EXP_8) {
   show(kRoom);
   tick();
-  const GoalCommand first = sent;
+  const exploration::GoalCommand first = sent;
   set(false);
   bool cancelled = false;
-  ExplorerOutput output;
+  exploration::ExplorerOutput output;
   for (int i = 0; i < 30; ++i) {
     output = tick();
-    cancelled =
-        cancelled || (output.command.kind == GoalCommand::Kind::kCancel && output.command.goal_id == first.goal_id);
+    cancelled = cancelled || (output.command.kind == exploration::GoalCommand::Kind::kCancel &&
+                              output.command.goal_id == first.goal_id);
   }
   EXPECT_TRUE(cancelled) << "[EXP-8]";
   EXPECT_EQ(output.status.state, State::kIdle);
@@ -86,8 +86,8 @@ TEST_F(ExplorerInputsTest, APauseCancelsTheGoalAndIsItsOwnReason_EXP_7) {
   show(kRoom);
   tick();
   inputs.enabled = false;
-  ExplorerOutput output = tick();
-  EXPECT_EQ(output.command.kind, GoalCommand::Kind::kCancel);
+  exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.command.kind, exploration::GoalCommand::Kind::kCancel);
   EXPECT_EQ(output.status.state, State::kIdle);
   EXPECT_EQ(output.status.reason, Reason::kPaused);
   EXPECT_EQ(tickFor(10.0).status.reason, Reason::kPaused);
@@ -100,14 +100,14 @@ TEST_F(ExplorerInputsTest, ResetForgetsBlacklistAndPhase) {
   show(kTwoEnds);
   tick();
   for (int i = 0; i < 2; ++i) {
-    inputs.goal_events = {{sent.goal_id, GoalEvent::Kind::kRejected, "no"}};
+    inputs.goal_events = {{sent.goal_id, exploration::GoalEvent::Kind::kRejected, "no"}};
     tickFor(0.5);
   }
   ASSERT_FALSE(explorer.blacklist().entries().empty());
   inputs.reset = true;
-  const ExplorerOutput output = tick();
+  const exploration::ExplorerOutput output = tick();
   EXPECT_TRUE(explorer.blacklist().entries().empty());
-  EXPECT_EQ(output.status.phase, ExplorerPhase::kRich);
+  EXPECT_EQ(output.status.phase, exploration::ExplorerPhase::kRich);
   EXPECT_EQ(output.status.state, State::kNavigating);
 }
 
@@ -115,7 +115,7 @@ TEST_F(ExplorerInputsTest, AMapOfAnotherSizeKeepsTheBlacklist) {
   show(kTwoEnds);
   tick();
   for (int i = 0; i < 2; ++i) {
-    inputs.goal_events = {{sent.goal_id, GoalEvent::Kind::kAborted, "no"}};
+    inputs.goal_events = {{sent.goal_id, exploration::GoalEvent::Kind::kAborted, "no"}};
     tickFor(0.5);
   }
   ASSERT_EQ(explorer.blacklist().entries().size(), 1U);

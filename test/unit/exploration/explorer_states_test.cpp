@@ -4,9 +4,9 @@ namespace frontier_pilot {
 namespace {
 
 using test::ExplorerTest;
-using State = ExplorerState;
-using Reason = ExplorerReason;
-using Event = GoalEvent::Kind;
+using State = exploration::ExplorerState;
+using Reason = exploration::ExplorerReason;
+using Event = exploration::GoalEvent::Kind;
 
 using ExplorerStates = ExplorerTest;
 
@@ -14,13 +14,13 @@ using ExplorerStates = ExplorerTest;
 TEST_F(ExplorerStates, GoFromIdleOverAGoalAndItsEvaluationToDone_EXP_1) {
   show(kRoom);
   EXPECT_EQ(tick().status.state, State::kNavigating);
-  ASSERT_EQ(sent.kind, GoalCommand::Kind::kSend);
+  ASSERT_EQ(sent.kind, exploration::GoalCommand::Kind::kSend);
   pose = sent.goal;
   change({30, 0, 4, 11}, kOccupied);
   goalEnds(Event::kReached);
   tickFor(5.0);
   std::vector<State> states;
-  for (const ExplorerProgress& p : history) {
+  for (const exploration::ExplorerProgress& p : history) {
     if (states.empty() || states.back() != p.state) states.push_back(p.state);
     EXPECT_FALSE(p.reason_text.empty()) << "every transition has its reason [EXP-1]";
   }
@@ -32,8 +32,8 @@ TEST_F(ExplorerStates, GoFromIdleOverAGoalAndItsEvaluationToDone_EXP_1) {
 
 class RichFirst : public ExplorerTest {
  protected:
-  static ExplorerParameters parameters() {
-    ExplorerParameters p = shortSighted();
+  static exploration::ExplorerParameters parameters() {
+    exploration::ExplorerParameters p = shortSighted();
     p.rich_min_density = 0.9;
     return p;
   }
@@ -43,8 +43,8 @@ class RichFirst : public ExplorerTest {
 // [EXP-1]
 TEST_F(RichFirst, PhaseCoverageFollowsWhenNoRichFrontierIsLeft_EXP_1) {
   show(kRoom);
-  const ExplorerOutput output = tick();
-  EXPECT_EQ(output.status.phase, ExplorerPhase::kCoverage);
+  const exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.status.phase, exploration::ExplorerPhase::kCoverage);
   EXPECT_EQ(output.status.state, State::kNavigating);
   EXPECT_TRUE(wentThrough(State::kSelectGoal, Reason::kRichFrontiersExhausted));
 }
@@ -59,7 +59,7 @@ TEST_F(ExplorerStates, AGoalThatFailsTwiceIsBlacklistedAndNotSooner_EXP_5) {
   EXPECT_TRUE(explorer.blacklist().entries().empty()) << "max_goal_retries 1 [EXP-5]";
   EXPECT_EQ(sent.goal, first);
   goalEnds(Event::kAborted, "no path");
-  const ExplorerOutput output = tickFor(0.5);
+  const exploration::ExplorerOutput output = tickFor(0.5);
   ASSERT_EQ(explorer.blacklist().entries().size(), 1U);
   EXPECT_EQ(explorer.blacklist().entries()[0].reason, "no path");
   EXPECT_GT((sent.goal.position() - first.position()).norm(), 0.6) << "[EXP-3] 0.60 m off blacklisted goals";
@@ -71,8 +71,8 @@ TEST_F(ExplorerStates, AGoalThatFailsTwiceIsBlacklistedAndNotSooner_EXP_5) {
 TEST_F(ExplorerStates, ATimedOutGoalIsCancelledAndBlacklistedAtOnce_EXP_5) {
   show(kTwoEnds);
   tick();
-  const GoalCommand first = sent;
-  const ExplorerOutput output = tickFor(120.5);
+  const exploration::GoalCommand first = sent;
+  const exploration::ExplorerOutput output = tickFor(120.5);
   EXPECT_TRUE(wentThrough(State::kEvaluate, Reason::kGoalTimedOut));
   ASSERT_EQ(explorer.blacklist().entries().size(), 1U);
   EXPECT_EQ(explorer.blacklist().entries()[0].position, first.goal.position());
@@ -84,12 +84,12 @@ TEST_F(ExplorerStates, ATimedOutGoalIsCancelledAndBlacklistedAtOnce_EXP_5) {
 TEST_F(ExplorerStates, AGoalReplacedByTheExplorerItselfIsNeverBlacklisted_EXP_5) {
   show(kTwoEnds);
   tick();
-  const GoalCommand first = sent;
+  const exploration::GoalCommand first = sent;
   change({0, 0, 4, 11}, kOccupied);  // the near end is seen to be a wall
   tickFor(1.0);
   ASSERT_NE(sent.goal_id, first.goal_id);
   inputs.goal_events = {{first.goal_id, Event::kPreempted, "a new goal"}, {first.goal_id, Event::kAborted, "late"}};
-  const ExplorerOutput output = tickFor(1.0);
+  const exploration::ExplorerOutput output = tickFor(1.0);
   EXPECT_TRUE(explorer.blacklist().entries().empty());
   EXPECT_EQ(output.status.goals_failed, 0U);
   EXPECT_EQ(output.status.state, State::kNavigating);
@@ -99,11 +99,11 @@ TEST_F(ExplorerStates, AGoalReplacedByTheExplorerItselfIsNeverBlacklisted_EXP_5)
 TEST_F(ExplorerStates, AGoalWithNothingLeftToSeeIsDroppedForABetterOneWithoutAStop_EXP_6) {
   show(kTwoEnds);
   tick();
-  const GoalCommand first = sent;
+  const exploration::GoalCommand first = sent;
   ASSERT_LT(first.goal.x, pose.x);
   change({0, 0, 4, 11}, kOccupied);
   bool cancelled = false;
-  for (int i = 0; i < 10; ++i) cancelled = tick().command.kind == GoalCommand::Kind::kCancel || cancelled;
+  for (int i = 0; i < 10; ++i) cancelled = tick().command.kind == exploration::GoalCommand::Kind::kCancel || cancelled;
   EXPECT_FALSE(cancelled) << "[EXP-6] the new goal replaces the old one";
   EXPECT_GT(sent.goal.x, pose.x);
   EXPECT_TRUE(wentThrough(State::kNavigating, Reason::kInformationGone));
@@ -123,7 +123,7 @@ TEST_F(ExplorerStates, AGoalThatPromisesAndDisappointsByTurnsIsGivenUp_EXP_6) {
 // [EXP-5] [EXP-7]
 TEST_F(ExplorerStates, ASaturatedBlacklistIsReportedRetriedOnceAndThenTheReasonOfDone_EXP_5) {
   show(kRoom);
-  ExplorerOutput output = tick();
+  exploration::ExplorerOutput output = tick();
   for (int i = 0; i < 40 && output.status.state != State::kDone; ++i) {
     if (output.status.state == State::kNavigating) goalEnds(Event::kAborted, "blocked");
     output = tickFor(1.0);
@@ -158,7 +158,7 @@ TEST_F(ExplorerStates, ABlacklistEntryExpiresWhenTheMapAroundItChanges_EXP_5) {
 TEST_F(ExplorerStates, AGoalTakenAwayByAnotherClientIsNotBlacklistedAndNotFoughtOver) {
   show(kRoom);
   tick();
-  const GoalCommand first = sent;
+  const exploration::GoalCommand first = sent;
   goalEnds(Event::kPreempted, "another goal");
   tickFor(2.0);
   EXPECT_EQ(sent.goal_id, first.goal_id);
@@ -172,7 +172,7 @@ TEST_F(ExplorerStates, AnOpenedDoorWakesItAfterDone_EXP_7) {
   EXPECT_EQ(tickFor(6.0).status.state, State::kDone);
   change({30, 3, 4, 5}, kFree);
   change({33, 1, 1, 9}, kUnknown);
-  const ExplorerOutput output = tickFor(4.0);
+  const exploration::ExplorerOutput output = tickFor(4.0);
   EXPECT_TRUE(wentThrough(State::kSelectGoal, Reason::kMapChanged));
   EXPECT_EQ(output.status.state, State::kNavigating);
 }
@@ -180,7 +180,7 @@ TEST_F(ExplorerStates, AnOpenedDoorWakesItAfterDone_EXP_7) {
 // [EXP-7]
 TEST_F(ExplorerStates, WhatWasReachedInVainIsNotTriedForEver_EXP_7) {
   show(kRoom);
-  ExplorerOutput output = tick();
+  exploration::ExplorerOutput output = tick();
   for (int i = 0; i < 60 && output.status.state != State::kDone; ++i) {
     if (output.status.state == State::kNavigating) {
       pose = sent.goal;
@@ -194,8 +194,8 @@ TEST_F(ExplorerStates, WhatWasReachedInVainIsNotTriedForEver_EXP_7) {
 
 class ReturnToStart : public ExplorerTest {
  protected:
-  static ExplorerParameters parameters() {
-    ExplorerParameters p = shortSighted();
+  static exploration::ExplorerParameters parameters() {
+    exploration::ExplorerParameters p = shortSighted();
     p.return_to_start = true;
     return p;
   }
@@ -210,7 +210,7 @@ TEST_F(ReturnToStart, DrivesBackBeforeItIsDone_EXP_7) {
   pose = sent.goal;
   change({30, 0, 4, 11}, kOccupied);
   goalEnds(Event::kReached);
-  ExplorerOutput output = tickFor(5.0);
+  exploration::ExplorerOutput output = tickFor(5.0);
   EXPECT_EQ(output.status.state, State::kNavigating);
   EXPECT_EQ(output.status.reason, Reason::kReturningToStart);
   EXPECT_EQ(sent.goal, start);
@@ -223,7 +223,7 @@ TEST_F(ReturnToStart, DrivesBackBeforeItIsDone_EXP_7) {
 TEST_F(ExplorerStates, ARobotOnUnknownGroundWaitsAndIsNotDone_EXP_7) {
   show("..............................??????????????????????????????");
   pose = Pose2(2.9, 0.02, 0.0);
-  const ExplorerOutput output = tickFor(20.0);
+  const exploration::ExplorerOutput output = tickFor(20.0);
   EXPECT_EQ(output.status.state, State::kSelectGoal);
   EXPECT_EQ(output.status.reason, Reason::kRobotOffKnownGround);
 }
@@ -232,10 +232,10 @@ TEST_F(ExplorerStates, ABackwardClockJumpCancelsTheGoalAndStartsOver) {
   show(kRoom);
   tick();
   now -= std::chrono::seconds(50);
-  const ExplorerOutput output = tick();
+  const exploration::ExplorerOutput output = tick();
   EXPECT_TRUE(wentThrough(State::kIdle, Reason::kClockJumpedBack));
   EXPECT_STREQ(toString(Reason::kClockJumpedBack), "the clock jumped");
-  EXPECT_EQ(output.command.kind, GoalCommand::Kind::kSend);
+  EXPECT_EQ(output.command.kind, exploration::GoalCommand::Kind::kSend);
 }
 
 }  // namespace

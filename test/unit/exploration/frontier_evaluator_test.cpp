@@ -11,31 +11,33 @@
 namespace frontier_pilot {
 namespace {
 
-FrontierParameters smallWorld() {
-  FrontierParameters p;
+exploration::FrontierParameters smallWorld() {
+  exploration::FrontierParameters p;
   p.view.sensor_range = 1.5;
   return p;
 }
 
 class FrontierJudgement : public ::testing::Test {
  protected:
-  const Frontier& judge(const std::string& drawing, FrontierParameters parameters = smallWorld()) {
+  const exploration::Frontier& judge(const std::string& drawing,
+                                     exploration::FrontierParameters parameters = smallWorld()) {
     world = test::drawWorld(drawing);
-    evaluator = FrontierEvaluator(parameters, robot.drivenOutline());
+    evaluator = exploration::FrontierEvaluator(parameters, robot.drivenOutline());
     evaluator.setPlan(plan);
     evaluator.setMap(world.map, world.map.geometry().rect());
     const auto& all = evaluator.evaluate({world.point('r'), world.point('r'), &blacklist, nullptr, nullptr, 0.0});
-    largest = *std::max_element(all.begin(), all.end(),
-                                [](const Frontier& a, const Frontier& b) { return a.cell_count < b.cell_count; });
+    largest = *std::max_element(
+        all.begin(), all.end(),
+        [](const exploration::Frontier& a, const exploration::Frontier& b) { return a.cell_count < b.cell_count; });
     return largest;
   }
 
   test::AsciiWorld world;
-  Blacklist blacklist{BlacklistParameters{}};
-  PlanFn plan;
+  exploration::Blacklist blacklist{exploration::BlacklistParameters{}};
+  exploration::PlanFn plan;
   RobotModel robot;
-  FrontierEvaluator evaluator{smallWorld(), robot.drivenOutline()};
-  Frontier largest;
+  exploration::FrontierEvaluator evaluator{smallWorld(), robot.drivenOutline()};
+  exploration::Frontier largest;
 };
 
 constexpr const char* kRoom = R"(
@@ -54,17 +56,17 @@ constexpr const char* kRoom = R"(
 
 // [EXP-2]
 TEST_F(FrontierJudgement, TheGoalIsAReachableFreeCellThatSeesTheFrontier_EXP_2) {
-  const Frontier& f = judge(kRoom);
-  ASSERT_EQ(f.rejection, Rejection::kNone);
+  const exploration::Frontier& f = judge(kRoom);
+  ASSERT_EQ(f.rejection, exploration::Rejection::kNone);
   const Cell goal = world.map.geometry().cellAt(f.goal);
   EXPECT_TRUE(isFree(world.map[goal]));
-  EXPECT_TRUE(inSight(world.map, goal, f.anchor)) << "[EXP-2]";
+  EXPECT_TRUE(exploration::inSight(world.map, goal, f.anchor)) << "[EXP-2]";
   EXPECT_NEAR(f.heading, 0.0, 0.5);
 }
 
 // [EXP-2]
 TEST_F(FrontierJudgement, ACentroidInAWallStillGivesAGoalOnFreeGround_EXP_2) {
-  const Frontier& f = judge(R"(
+  const exploration::Frontier& f = judge(R"(
     ????????????????????????????????
     ?..............................?
     ?..............................?
@@ -83,7 +85,7 @@ TEST_F(FrontierJudgement, ACentroidInAWallStillGivesAGoalOnFreeGround_EXP_2) {
     ????????????????????????????????
   )");
   EXPECT_TRUE(isOccupied(world.map.get(world.map.geometry().cellAt(f.centroid), kUnknown)));
-  ASSERT_NE(f.rejection, Rejection::kUnreachable);
+  ASSERT_NE(f.rejection, exploration::Rejection::kUnreachable);
   EXPECT_TRUE(isFree(world.map[world.map.geometry().cellAt(f.goal)])) << "[EXP-2]";
 }
 
@@ -100,12 +102,12 @@ TEST_F(FrontierJudgement, BehindAWallItIsUnreachable_EXP_3) {
     ##############################????
   )")
                 .rejection,
-            Rejection::kUnreachable);
+            exploration::Rejection::kUnreachable);
 }
 
 // [EXP-3]
 TEST_F(FrontierJudgement, WhatIsNearerThanTheLeastDistanceFromEverywhereIsTooNear_EXP_3) {
-  FrontierParameters parameters = smallWorld();
+  exploration::FrontierParameters parameters = smallWorld();
   parameters.goal_search_radius = 0.3;
   EXPECT_EQ(judge(R"(
     ############????
@@ -118,12 +120,12 @@ TEST_F(FrontierJudgement, WhatIsNearerThanTheLeastDistanceFromEverywhereIsTooNea
   )",
                   parameters)
                 .rejection,
-            Rejection::kTooNear);
+            exploration::Rejection::kTooNear);
 }
 
 // [EXP-3]
 TEST_F(FrontierJudgement, WhatIsNearIsLookedAtFromElsewhere_EXP_3) {
-  const Frontier& f = judge(R"(
+  const exploration::Frontier& f = judge(R"(
     ##############################????
     #.............................????
     #.............................????
@@ -134,13 +136,13 @@ TEST_F(FrontierJudgement, WhatIsNearIsLookedAtFromElsewhere_EXP_3) {
     #.............................????
     ##############################????
   )");
-  EXPECT_EQ(f.rejection, Rejection::kNone);
+  EXPECT_EQ(f.rejection, exploration::Rejection::kNone);
   EXPECT_GE(f.distance, 0.45) << "[EXP-3]";
 }
 
 // [EXP-3]
 TEST_F(FrontierJudgement, InClutterItIsRejectedForTheObstacleDensity_EXP_3) {
-  FrontierParameters parameters = smallWorld();
+  exploration::FrontierParameters parameters = smallWorld();
   parameters.max_obstacle_density = 0.05;
   parameters.goal_search_radius = 0.15;
   EXPECT_EQ(judge(R"(
@@ -154,29 +156,29 @@ TEST_F(FrontierJudgement, InClutterItIsRejectedForTheObstacleDensity_EXP_3) {
   )",
                   parameters)
                 .rejection,
-            Rejection::kCluttered);
+            exploration::Rejection::kCluttered);
 }
 
 // [EXP-3]
 TEST_F(FrontierJudgement, NearABlacklistedGoalItIsBlacklisted_EXP_3) {
   const Vec2 goal = judge(kRoom).goal;
-  ObservedMap observed;
+  exploration::ObservedMap observed;
   observed.update(world.map, world.map.geometry().rect());
   blacklist.add(goal + Vec2(0.55, 0.0), "test", observed);
-  EXPECT_EQ(judge(kRoom).rejection, Rejection::kBlacklisted) << "[EXP-3] within 0.60 m";
+  EXPECT_EQ(judge(kRoom).rejection, exploration::Rejection::kBlacklisted) << "[EXP-3] within 0.60 m";
   blacklist.reset();
   blacklist.add(goal + Vec2(0.65, 0.0), "test", observed);
-  EXPECT_EQ(judge(kRoom).rejection, Rejection::kNone);
+  EXPECT_EQ(judge(kRoom).rejection, exploration::Rejection::kNone);
 }
 
 TEST_F(FrontierJudgement, AFewCellsAreTooSmall) {
-  FrontierParameters parameters = smallWorld();
+  exploration::FrontierParameters parameters = smallWorld();
   parameters.min_frontier_cells = 20;
-  EXPECT_EQ(judge(kRoom, parameters).rejection, Rejection::kTooSmall);
+  EXPECT_EQ(judge(kRoom, parameters).rejection, exploration::Rejection::kTooSmall);
 }
 
 TEST_F(FrontierJudgement, AFrontierThroughTheCornersOfADiagonalWallHasNothingToSee) {
-  const Frontier& f = judge(R"(
+  const exploration::Frontier& f = judge(R"(
     #########################
     #.......................#
     #.......................#
@@ -191,14 +193,14 @@ TEST_F(FrontierJudgement, AFrontierThroughTheCornersOfADiagonalWallHasNothingToS
     #...............#????????
     #################????????
   )");
-  EXPECT_EQ(f.rejection, Rejection::kNothingToSee);
+  EXPECT_EQ(f.rejection, exploration::Rejection::kNothingToSee);
 }
 
 TEST_F(FrontierJudgement, APlannerOfTheCallersIsAskedForTheDistance) {
   plan = [](const Vec2&, const Vec2&) { return std::optional<double>(77.0); };
   EXPECT_EQ(judge(kRoom).distance, 77.0);
   plan = [](const Vec2&, const Vec2&) { return std::optional<double>(); };
-  EXPECT_EQ(judge(kRoom).rejection, Rejection::kUnreachable);
+  EXPECT_EQ(judge(kRoom).rejection, exploration::Rejection::kUnreachable);
 }
 
 TEST_F(FrontierJudgement, AWayThroughAGapThatIsNotYetSeenCountsOnlyWhenNothingElseIsLeft) {
@@ -220,13 +222,13 @@ TEST_F(FrontierJudgement, AWayThroughAGapThatIsNotYetSeenCountsOnlyWhenNothingEl
   )";
   judge(both);
   bool right = false;
-  for (const Frontier& f : evaluator.frontiers()) right = right || (f.selectable() && f.goal.x() > 1.6);
+  for (const exploration::Frontier& f : evaluator.frontiers()) right = right || (f.selectable() && f.goal.x() > 1.6);
   EXPECT_FALSE(right);
 }
 
 // [ROB-1]
 TEST_F(FrontierJudgement, WaysAreAsWideAsTheRobotNeedsThem_ROB_1) {
-  EXPECT_EQ(robot.drivenOutline().halfWidth() + FrontierParameters().clearance_margin, 0.15)
+  EXPECT_EQ(robot.drivenOutline().halfWidth() + exploration::FrontierParameters().clearance_margin, 0.15)
       << "what it was before a Burger's size was known";
   const char* door = R"(
     ##############################################
@@ -243,13 +245,14 @@ TEST_F(FrontierJudgement, WaysAreAsWideAsTheRobotNeedsThem_ROB_1) {
     #..............#.............................?
     ##############################################
   )";
-  EXPECT_EQ(judge(door).rejection, Rejection::kNone);
+  EXPECT_EQ(judge(door).rejection, exploration::Rejection::kNone);
   robot = test::shippedRobot("waffle");
-  EXPECT_EQ(judge(door).rejection, Rejection::kUnreachable) << "a Waffle is 0.306 m wide, and the door 0.25 m";
+  EXPECT_EQ(judge(door).rejection, exploration::Rejection::kUnreachable)
+      << "a Waffle is 0.306 m wide, and the door 0.25 m";
 }
 
 TEST(FrontierParameters, NameWhatTheRadiusIsCalledNow) {
-  FrontierParameters parameters;
+  exploration::FrontierParameters parameters;
   EXPECT_EQ(loadParameters(parseYaml("inscribed_radius: 0.2"), parameters),
             (Problems{"inscribed_radius: is called clearance_margin (on top of half the robot's width) now"}));
 }

@@ -46,18 +46,18 @@ std::set<CellSet> clustersByBreadthFirstSearch(const OccupancyGrid& map) {
   return clusters;
 }
 
-CellSet cellsOf(const FrontierClusters& all, const FrontierCluster& cluster) {
+CellSet cellsOf(const exploration::FrontierClusters& all, const exploration::FrontierCluster& cluster) {
   CellSet cells;
   for (int k = 0; k < cluster.cells; ++k) {
-    const Cell c = cellOf(all, cluster, k);
+    const Cell c = exploration::cellOf(all, cluster, k);
     cells.insert({c.x, c.y});
   }
   return cells;
 }
 
-std::set<CellSet> asSets(const FrontierClusters& all) {
+std::set<CellSet> asSets(const exploration::FrontierClusters& all) {
   std::set<CellSet> sets;
-  for (const FrontierCluster& cluster : all.clusters) sets.insert(cellsOf(all, cluster));
+  for (const exploration::FrontierCluster& cluster : all.clusters) sets.insert(cellsOf(all, cluster));
   return sets;
 }
 
@@ -84,9 +84,9 @@ TEST(FrontierSearch, FindsFreeCellsWithAnUnknownNeighbourAlsoDiagonally_EXP_2) {
     ?####
     .....
   )");
-  FrontierSearch search;
+  exploration::FrontierSearch search;
   search.update(world.map, world.map.geometry().rect());
-  const FrontierClusters all = search.clusters();
+  const exploration::FrontierClusters all = search.clusters();
   // [EXP-2]: beside and diagonally of an unknown cell; what lies outside of the map is no neighbour.
   EXPECT_EQ(asSets(all), (std::set<CellSet>{{{1, 3}, {1, 2}}, {{0, 0}, {1, 0}}}));
 }
@@ -94,7 +94,7 @@ TEST(FrontierSearch, FindsFreeCellsWithAnUnknownNeighbourAlsoDiagonally_EXP_2) {
 TEST(FrontierSearch, ClustersAreThoseOfABreadthFirstSearch_EXP_2) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const OccupancyGrid map = randomMap(seed, 3 + static_cast<int>(seed) * 2, 37, 1 + static_cast<int>(seed % 7));
-    FrontierSearch search;
+    exploration::FrontierSearch search;
     search.update(map, map.geometry().rect());
     EXPECT_EQ(asSets(search.clusters()), clustersByBreadthFirstSearch(map)) << "[EXP-2] seed " << seed;
   }
@@ -103,7 +103,7 @@ TEST(FrontierSearch, ClustersAreThoseOfABreadthFirstSearch_EXP_2) {
 TEST(FrontierSearch, AnUpdateOfABlockGivesWhatASearchOfTheWholeMapGives) {
   std::mt19937 random(1);
   OccupancyGrid map = randomMap(3, 90, 60, 5);
-  FrontierSearch search;
+  exploration::FrontierSearch search;
   search.update(map, map.geometry().rect());
   for (int i = 0; i < 60; ++i) {
     const CellRect block = CellRect{static_cast<int>(random() % 90) - 4, static_cast<int>(random() % 60) - 4,
@@ -112,7 +112,7 @@ TEST(FrontierSearch, AnUpdateOfABlockGivesWhatASearchOfTheWholeMapGives) {
     const auto value = static_cast<std::int8_t>(random() % 3 == 0 ? kUnknown : (random() % 2 == 0 ? kFree : kOccupied));
     for (int y = block.y; y < block.y + block.height; ++y) std::fill_n(map.row(y) + block.x, block.width, value);
     search.update(map, block);
-    FrontierSearch fresh;
+    exploration::FrontierSearch fresh;
     fresh.update(map, map.geometry().rect());
     ASSERT_EQ(asSets(search.clusters()), asSets(fresh.clusters())) << "change " << i;
   }
@@ -121,11 +121,11 @@ TEST(FrontierSearch, AnUpdateOfABlockGivesWhatASearchOfTheWholeMapGives) {
 TEST(FrontierSearch, ALongClusterIsCutIntoSlabsThatAddUpToIt) {
   std::string drawing = std::string(90, '?') + "\n" + std::string(90, '.') + "\n" + std::string(90, '#');
   const auto world = test::drawWorld(drawing);
-  FrontierSearch search;
+  exploration::FrontierSearch search;
   search.update(world.map, world.map.geometry().rect());
-  const FrontierClusters all = search.clusters(1, 40);
+  const exploration::FrontierClusters all = search.clusters(1, 40);
   ASSERT_EQ(all.clusters.size(), 3U);
-  for (const FrontierCluster& cluster : all.clusters) {
+  for (const exploration::FrontierCluster& cluster : all.clusters) {
     EXPECT_EQ(cluster.cells, 30);
     EXPECT_EQ(cluster.component_cells, 90);
     EXPECT_LE(cluster.box.width, 40);
@@ -135,9 +135,9 @@ TEST(FrontierSearch, ALongClusterIsCutIntoSlabsThatAddUpToIt) {
 TEST(FrontierSearch, SmallComponentsAreLeftOutButNotThePiecesOfLongOnes) {
   const auto world = test::drawWorld(std::string(41, '?') + "\n" + std::string(41, '.') + "\n" + std::string(41, '#') +
                                      "\n..??" + std::string(37, '#'));
-  FrontierSearch search;
+  exploration::FrontierSearch search;
   search.update(world.map, world.map.geometry().rect());
-  const FrontierClusters all = search.clusters(15, 10);
+  const exploration::FrontierClusters all = search.clusters(15, 10);
   EXPECT_EQ(all.clusters.size(), 5U);  // pieces of 8 or 9 cells of the long one; the single cell below is gone
 }
 
@@ -150,18 +150,18 @@ TEST(FrontierSearch, TheAnchorIsACellOfTheClusterAlsoWhereTheCentroidIsNot) {
     .???????.
     .........
   )");
-  FrontierSearch search;
+  exploration::FrontierSearch search;
   search.update(world.map, world.map.geometry().rect());
-  const FrontierClusters all = search.clusters();
+  const exploration::FrontierClusters all = search.clusters();
   ASSERT_EQ(all.clusters.size(), 1U);
-  const Cell anchor = anchorOf(all, all.clusters[0]);
+  const Cell anchor = exploration::anchorOf(all, all.clusters[0]);
   EXPECT_TRUE(isFrontierCell(world.map, anchor));
   EXPECT_TRUE(isUnknown(
       world.map[Cell{static_cast<int>(all.clusters[0].centroid.x()), static_cast<int>(all.clusters[0].centroid.y())}]));
 }
 
 TEST(FrontierSearch, AMapOfAnotherSizeIsSearchedAnew) {
-  FrontierSearch search;
+  exploration::FrontierSearch search;
   const OccupancyGrid large = randomMap(1, 80, 80, 3);
   const OccupancyGrid small = randomMap(2, 20, 10, 3);
   search.update(large, large.geometry().rect());

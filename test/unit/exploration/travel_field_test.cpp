@@ -25,7 +25,7 @@ bool isTraversable(const OccupancyGrid& map, Cell c, double clearance) {
 }
 
 /// Dijkstra over all eight neighbours, in units of a fifth of a cell.
-std::vector<int> dijkstra(const OccupancyGrid& map, const TraversableSpace& space, Cell start) {
+std::vector<int> dijkstra(const OccupancyGrid& map, const exploration::TraversableSpace& space, Cell start) {
   constexpr int kFar = std::numeric_limits<int>::max();
   std::vector<int> cost(map.size(), kFar);
   using Entry = std::pair<int, std::size_t>;
@@ -64,7 +64,7 @@ OccupancyGrid clutter(unsigned seed, int width, int height, unsigned one_in) {
 TEST(TraversableSpace, KeepsTheClearanceFromOccupiedCellsAndStaysOnKnownGround) {
   for (const double clearance : {0.0, 0.05, 0.07, 0.15, 0.21}) {
     const OccupancyGrid map = clutter(5, 40, 30, 60);
-    TraversableSpace space(clearance);
+    exploration::TraversableSpace space(clearance);
     space.update(map, map.geometry().rect());
     for (std::size_t i = 0; i < map.size(); ++i) {
       const Cell c = map.geometry().cell(i);
@@ -76,7 +76,7 @@ TEST(TraversableSpace, KeepsTheClearanceFromOccupiedCellsAndStaysOnKnownGround) 
 TEST(TraversableSpace, AnUpdateOfABlockGivesWhatTheWholeMapGives) {
   std::mt19937 random(2);
   OccupancyGrid map = clutter(1, 70, 50, 50);
-  TraversableSpace space(0.15);
+  exploration::TraversableSpace space(0.15);
   space.update(map, map.geometry().rect());
   for (int i = 0; i < 60; ++i) {
     const CellRect block =
@@ -85,7 +85,7 @@ TEST(TraversableSpace, AnUpdateOfABlockGivesWhatTheWholeMapGives) {
     const auto value = static_cast<std::int8_t>(random() % 2 == 0 ? kFree : (random() % 2 == 0 ? kUnknown : kOccupied));
     for (int y = block.y; y < block.y + block.height; ++y) std::fill_n(map.row(y) + block.x, block.width, value);
     space.update(map, block);
-    TraversableSpace fresh(0.15);
+    exploration::TraversableSpace fresh(0.15);
     fresh.update(map, map.geometry().rect());
     ASSERT_EQ(space.neighbours().cells(), fresh.neighbours().cells()) << "change " << i;
   }
@@ -95,11 +95,11 @@ TEST(TravelField, GivesTheDistancesOfDijkstra) {
   for (unsigned seed = 0; seed < 120; ++seed) {
     const unsigned one_in = seed % 4 == 0 ? 150 : 2 + seed % 11;  // open ground, where the wave runs ahead, or a maze
     const OccupancyGrid map = clutter(seed, 20 + static_cast<int>(seed), 45, one_in);
-    TraversableSpace space(0.0);
+    exploration::TraversableSpace space(0.0);
     space.update(map, map.geometry().rect());
     Cell start{7, 22};
     while (!space.traversable(start)) ++start.x;
-    TravelField field;
+    exploration::TravelField field;
     field.compute(space, map, start, 0.5);
     const std::vector<int> expected = dijkstra(map, space, start);
     for (std::size_t i = 0; i < map.size(); ++i) {
@@ -123,9 +123,9 @@ TEST(TravelField, AWallMakesTheWayLongerThanTheStraightLine_EXP_4) {
     #.........#
     ###########
   )");
-  TraversableSpace space(0.05);
+  exploration::TraversableSpace space(0.05);
   space.update(world.map, world.map.geometry().rect());
-  TravelField field;
+  exploration::TravelField field;
   field.compute(space, world.map, world.cell('a'), 0.5);
   // [EXP-4]: the travel distance, not the Euclidean one of 6 cells.
   EXPECT_NEAR(field.distance(world.cell('b')), (2 * 5 + 4 * 7) * 0.01, 1e-9);
@@ -142,10 +142,10 @@ TEST(TravelField, ARobotInsideTheInflationGetsOut) {
     #..........#
     ############
   )");
-  TraversableSpace space(0.15);
+  exploration::TraversableSpace space(0.15);
   space.update(world.map, world.map.geometry().rect());
   ASSERT_FALSE(space.traversable(world.cell('r')));
-  TravelField field;
+  exploration::TravelField field;
   field.compute(space, world.map, world.cell('r'), 0.5);
   EXPECT_TRUE(field.reached({5, 3}));
   field.compute(space, world.map, world.cell('r'), 0.05);
@@ -154,9 +154,9 @@ TEST(TravelField, ARobotInsideTheInflationGetsOut) {
 
 TEST(TravelField, ARobotOutsideOfTheMapReachesNothing) {
   const auto world = test::drawWorld("....\n....");
-  TraversableSpace space(0.0);
+  exploration::TraversableSpace space(0.0);
   space.update(world.map, world.map.geometry().rect());
-  TravelField field;
+  exploration::TravelField field;
   field.compute(space, world.map, {-3, 9}, 0.5);
   EXPECT_EQ(field.reachedCount(), 0U);
   EXPECT_TRUE(std::isinf(field.distance({1, 1})));

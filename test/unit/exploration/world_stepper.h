@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/core/ray_casting.h"
+#include "frontier_pilot/core/grid_traversal.h"
 #include "frontier_pilot/exploration/explorer.h"
+#include "frontier_pilot/grids/ray_casting.h"
 
 namespace frontier_pilot::test {
 
@@ -28,21 +29,21 @@ class WorldStepper {
   WorldStepper(const OccupancyGrid& truth, const Vec2& start, const Options& options)
       : options_(options), truth_(truth), caster_(solid(truth)), map_(truth.geometry(), kUnknown) {
     pose_ = Pose2(start, 0.0);
-    TraversableSpace floor(options.clearance + 0.01);
+    exploration::TraversableSpace floor(options.clearance + 0.01);
     floor.update(truth, truth.geometry().rect());
-    TravelField reach;
+    exploration::TravelField reach;
     reach.compute(floor, truth, truth.geometry().cellAt(start), 0.5);
     markReachableFloor(reach);
     scan();
   }
 
   /// One tick with the explorer in the loop.
-  ExplorerOutput step(Explorer& explorer) {
+  exploration::ExplorerOutput step(exploration::Explorer& explorer) {
     if (!changed_.empty()) explorer.setMap(map_, changed_);
     changed_ = {};
-    inputs_.T_map_base = StampedPose2{pose_, now_};
+    inputs_.T_map_base = exploration::StampedPose2{pose_, now_};
     inputs_.odometry_stamp = now_;
-    ExplorerOutput output = explorer.update(inputs_, now_);
+    exploration::ExplorerOutput output = explorer.update(inputs_, now_);
     inputs_.goal_events.clear();
     obey(output.command);
     drive();
@@ -57,7 +58,7 @@ class WorldStepper {
   const OccupancyGrid& map() const { return map_; }
   Time now() const { return now_; }
   const Pose2& pose() const { return pose_; }
-  ExplorerInputs& inputs() { return inputs_; }
+  exploration::ExplorerInputs& inputs() { return inputs_; }
   int plans = 0;
   const Grid<std::uint8_t>& floor() const { return floor_; }
 
@@ -68,7 +69,7 @@ class WorldStepper {
     return result;
   }
 
-  void markReachableFloor(const TravelField& reach) {
+  void markReachableFloor(const exploration::TravelField& reach) {
     floor_ = Grid<std::uint8_t>(truth_.geometry());
     const int r = static_cast<int>(std::ceil(options_.clearance / truth_.resolution()));
     for (std::size_t i = 0; i < truth_.size(); ++i) {
@@ -107,9 +108,9 @@ class WorldStepper {
     }
   }
 
-  void obey(const GoalCommand& command) {
-    if (command.kind == GoalCommand::Kind::kCancel) path_.clear();
-    if (command.kind != GoalCommand::Kind::kSend) return;
+  void obey(const exploration::GoalCommand& command) {
+    if (command.kind == exploration::GoalCommand::Kind::kCancel) path_.clear();
+    if (command.kind != exploration::GoalCommand::Kind::kSend) return;
     goal_id_ = command.goal_id;
     plan(command.goal.position());
   }
@@ -123,11 +124,11 @@ class WorldStepper {
     unplanned_ = {};
     const Cell here = map_.geometry().cellAt(pose_.position());
     Cell c = map_.geometry().cellAt(goal);
-    TravelField field;
+    exploration::TravelField field;
     field.compute(roomy_, map_, here, 0.6);
     if (!field.reached(c)) field.compute(space_, map_, here, 0.6);
     if (!field.reached(c)) {
-      inputs_.goal_events.push_back({goal_id_, GoalEvent::Kind::kAborted, "no path"});
+      inputs_.goal_events.push_back({goal_id_, exploration::GoalEvent::Kind::kAborted, "no path"});
       return;
     }
     for (double left = field.distance(c); left > 0.0;) {
@@ -157,15 +158,15 @@ class WorldStepper {
       if (step >= length - 1e-12) path_.pop_back();
     }
     scan();
-    if (path_.empty()) inputs_.goal_events.push_back({goal_id_, GoalEvent::Kind::kReached, ""});
+    if (path_.empty()) inputs_.goal_events.push_back({goal_id_, exploration::GoalEvent::Kind::kReached, ""});
   }
 
   Options options_;
   OccupancyGrid truth_;
-  RayCaster caster_;
+  grids::RayCaster caster_;
   OccupancyGrid map_;
-  TraversableSpace space_{0.15};
-  TraversableSpace roomy_{0.15, KeepClearOf::kObstaclesAndUnknown};
+  exploration::TraversableSpace space_{0.15};
+  exploration::TraversableSpace roomy_{0.15, exploration::KeepClearOf::kObstaclesAndUnknown};
   CellRect unplanned_;
   Grid<std::uint8_t> floor_;
   std::size_t floor_cells_ = 0;
@@ -173,7 +174,7 @@ class WorldStepper {
   CellRect changed_;
   Pose2 pose_;
   Time now_{};
-  ExplorerInputs inputs_;
+  exploration::ExplorerInputs inputs_;
   std::vector<Vec2> path_;  // the next point is the last one
   std::uint32_t goal_id_ = 0;
   double distance_ = 0.0;

@@ -77,7 +77,7 @@ TEST_F(Driving, SpaceStopsWhereverTheFocusIsAndPressesNothing) {
 TEST_F(Driving, EnterPressesTheButtonThatHasTheFocus) {
   QTest::keyClick(find("patrol(tri)"), Qt::Key_Return);
   ASSERT_EQ(requests_.size(), 1U);
-  EXPECT_EQ(requests_[0].kind, OperatorRequest::Kind::kPatrol);
+  EXPECT_EQ(requests_[0].kind, teleop::OperatorRequest::Kind::kPatrol);
 }
 
 TEST_F(Driving, ArrowsInANumberFieldEditTheNumberAndDoNotDrive) {
@@ -94,7 +94,8 @@ TEST_F(Driving, CommandKeysAreLeftToTheApplication) {
 
 TEST_F(Driving, AChangeOfTheSetPointIsToldAtOnce) {
   std::vector<Twist2> told;
-  QObject::connect(widget_.get(), &PilotWidget::setPointChanged, [&](const Twist2& twist) { told.push_back(twist); });
+  QObject::connect(widget_.get(), &gui::PilotWidget::setPointChanged,
+                   [&](const Twist2& twist) { told.push_back(twist); });
   click("Go");
   click("Stop");
   click("Stop");

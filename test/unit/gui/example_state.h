@@ -7,8 +7,8 @@
 
 namespace frontier_pilot::test {
 
-inline SourceView exampleSource(const char* name, int priority, Severity severity, const char* text) {
-  SourceView source;
+inline teleop::SourceView exampleSource(const char* name, int priority, teleop::Severity severity, const char* text) {
+  teleop::SourceView source;
   source.name = name;
   source.priority = priority;
   source.severity = severity;
@@ -35,21 +35,21 @@ inline LaserScan2 exampleScan() {
 }
 
 /// A system in the middle of an exploration: everything is up, nav drives.
-inline OperatorState exampleState() {
-  OperatorState state;
+inline teleop::OperatorState exampleState() {
+  teleop::OperatorState state;
   state.connected = true;
   state.emergency_stop = false;
   state.stop_service_up = state.clear_service_up = true;
-  ArbiterView arbiter;
-  arbiter.severity = Severity::kGood;
+  teleop::ArbiterView arbiter;
+  arbiter.severity = teleop::Severity::kGood;
   arbiter.summary = "nav drives at 0.18 m/s, 0.31 rad/s";
   arbiter.active_source = "nav";
   arbiter.command = {0.18, 0.31};
-  arbiter.sources = {exampleSource("avoid", 100, Severity::kGood, "alive, asks for nothing"),
-                     exampleSource("behavior", 90, Severity::kIdle, "never heard"),
-                     exampleSource("patrol", 80, Severity::kWarning, "stale"),
-                     exampleSource("nav", 60, Severity::kActive, "drives"),
-                     exampleSource("manual", 40, Severity::kGood, "ready")};
+  arbiter.sources = {exampleSource("avoid", 100, teleop::Severity::kGood, "alive, asks for nothing"),
+                     exampleSource("behavior", 90, teleop::Severity::kIdle, "never heard"),
+                     exampleSource("patrol", 80, teleop::Severity::kWarning, "stale"),
+                     exampleSource("nav", 60, teleop::Severity::kActive, "drives"),
+                     exampleSource("manual", 40, teleop::Severity::kGood, "ready")};
   for (const std::size_t i : {0U, 3U, 4U}) {
     arbiter.sources[i].rate = 10.0;
     arbiter.sources[i].age = 0.02 + 0.01 * static_cast<double>(i);
@@ -58,12 +58,12 @@ inline OperatorState exampleState() {
   arbiter.sources[2].age = 74.0;
   state.arbiter = arbiter;
   state.avoider_service_up = true;
-  state.avoider = AvoiderView{0.2, Severity::kGood, true, "clear", "nothing near", 1.1, 1.73, 1.9};
-  state.sectors = {SectorView{0.0, kPi / 3, 0.5, 0.65}, SectorView{-kPi / 3, 0.0, 0.5, 0.65},
-                   SectorView{2 * kPi / 3, -2 * kPi / 3, 0.25, 0.25}};
+  state.avoider = teleop::AvoiderView{0.2, teleop::Severity::kGood, true, "clear", "nothing near", 1.1, 1.73, 1.9};
+  state.sectors = {teleop::SectorView{0.0, kPi / 3, 0.5, 0.65}, teleop::SectorView{-kPi / 3, 0.0, 0.5, 0.65},
+                   teleop::SectorView{2 * kPi / 3, -2 * kPi / 3, 0.25, 0.25}};
   state.explorer_service_up = state.explorer_reset_up = true;
-  ExplorerView explorer;
-  explorer.severity = Severity::kActive;
+  teleop::ExplorerView explorer;
+  explorer.severity = teleop::Severity::kActive;
   explorer.running = true;
   explorer.state_text = "NAVIGATING";
   explorer.phase_text = "COVERAGE";
@@ -77,7 +77,7 @@ inline OperatorState exampleState() {
   state.explorer = explorer;
   state.patrol.server_up = state.spin.server_up = true;
   state.patrol.result = "square patrol complete!!";
-  state.scan = ScanView{0.06, exampleScan()};
+  state.scan = teleop::ScanView{0.06, exampleScan()};
   return state;
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "example_state.h"
-#include "frontier_pilot/gui/pilot_widget.h"
+#include "gui/pilot_widget.h"
 
 namespace frontier_pilot::test {
 
@@ -35,14 +35,14 @@ class Application : public ::testing::Environment {
 /// The widget on screen, with what it asked for.
 class PilotWidgetTest : public ::testing::Test {
  protected:
-  void SetUp() override { open(TeleopParameters{}); }
+  void SetUp() override { open(teleop::TeleopParameters{}); }
   void TearDown() override { widget_.reset(); }
 
-  void open(const TeleopParameters& parameters) {
+  void open(const teleop::TeleopParameters& parameters) {
     requests_.clear();
-    widget_ = std::make_unique<PilotWidget>(parameters);
-    QObject::connect(widget_.get(), &PilotWidget::requested,
-                     [this](const OperatorRequest& request) { requests_.push_back(request); });
+    widget_ = std::make_unique<gui::PilotWidget>(parameters);
+    QObject::connect(widget_.get(), &gui::PilotWidget::requested,
+                     [this](const teleop::OperatorRequest& request) { requests_.push_back(request); });
     widget_->resize(1200, 800);
     widget_->show();
     QApplication::setActiveWindow(widget_.get());
@@ -52,7 +52,7 @@ class PilotWidgetTest : public ::testing::Test {
     widget_->setState(state_);
   }
   void openHoldToRun() {
-    TeleopParameters parameters;
+    teleop::TeleopParameters parameters;
     parameters.hold_to_run = true;
     open(parameters);
   }
@@ -66,9 +66,9 @@ class PilotWidgetTest : public ::testing::Test {
   void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
 
-  std::unique_ptr<PilotWidget> widget_;
-  OperatorState state_;
-  std::vector<OperatorRequest> requests_;
+  std::unique_ptr<gui::PilotWidget> widget_;
+  teleop::OperatorState state_;
+  std::vector<teleop::OperatorRequest> requests_;
 };
 
 }  // namespace frontier_pilot::test

@@ -1,4 +1,4 @@
-#include "frontier_pilot/gui/pilot_controller.h"
+#include "gui/pilot_controller.h"
 
 #include <QPlainTextEdit>
 
@@ -8,18 +8,18 @@ namespace frontier_pilot {
 namespace {
 
 /// Writes down what it is told.
-class RecordingLink : public OperatorLink {
+class RecordingLink : public teleop::OperatorLink {
  public:
-  OperatorState state() override { return test::exampleState(); }
+  teleop::OperatorState state() override { return test::exampleState(); }
   void beat(const Twist2& set_point) override { beats.push_back(set_point); }
-  void request(const OperatorRequest& request) override { requests.push_back(request); }
-  std::vector<OperatorLogLine> takeLog() override { return std::exchange(log, {}); }
+  void request(const teleop::OperatorRequest& request) override { requests.push_back(request); }
+  std::vector<teleop::OperatorLogLine> takeLog() override { return std::exchange(log, {}); }
   bool running() const override { return is_running; }
   void close() override { ++closed; }
 
   std::vector<Twist2> beats;
-  std::vector<OperatorRequest> requests;
-  std::vector<OperatorLogLine> log{{Severity::kGood, "hello from the system"}};
+  std::vector<teleop::OperatorRequest> requests;
+  std::vector<teleop::OperatorLogLine> log{{teleop::Severity::kGood, "hello from the system"}};
   bool is_running = true;
   int closed = 0;
 };
@@ -29,18 +29,18 @@ class PilotControllerTest : public ::testing::Test {
   void clickGo() { QTest::mouseClick(widget_.findChild<QWidget*>("Go"), Qt::LeftButton); }
   QString logText() { return widget_.findChild<QPlainTextEdit*>("log")->toPlainText(); }
 
-  PilotWidget widget_{TeleopParameters{}};
+  gui::PilotWidget widget_{teleop::TeleopParameters{}};
   RecordingLink link_;
 };
 
 // [GUI-3]
 TEST_F(PilotControllerTest, BeatsByItselfForAsLongAsTheWindowLives) {
-  PilotController controller(widget_, link_, std::chrono::hours(1));
+  gui::PilotController controller(widget_, link_, std::chrono::hours(1));
   EXPECT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
 }
 
 TEST_F(PilotControllerTest, ASetPointDoesNotWaitForTheNextBeat) {
-  PilotController controller(widget_, link_, std::chrono::hours(1));
+  gui::PilotController controller(widget_, link_, std::chrono::hours(1));
   clickGo();
   ASSERT_FALSE(link_.beats.empty());
   EXPECT_EQ(link_.beats.back(), (Twist2{0.05, 0.0}));
@@ -48,7 +48,7 @@ TEST_F(PilotControllerTest, ASetPointDoesNotWaitForTheNextBeat) {
 
 // [GUI-3]
 TEST_F(PilotControllerTest, AWindowThatWasFrozenDropsItsSetPoint) {
-  PilotController controller(widget_, link_, Duration::zero());  // so that any two beats are too far apart
+  gui::PilotController controller(widget_, link_, Duration::zero());  // so that any two beats are too far apart
   clickGo();
   clickGo();
   EXPECT_TRUE(widget_.setPoint().isZero());
@@ -57,23 +57,23 @@ TEST_F(PilotControllerTest, AWindowThatWasFrozenDropsItsSetPoint) {
 }
 
 TEST_F(PilotControllerTest, AWindowThatWasFrozenWithoutASetPointHasNothingToTell) {
-  PilotController controller(widget_, link_, Duration::zero());
+  gui::PilotController controller(widget_, link_, Duration::zero());
   EXPECT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
   EXPECT_FALSE(logText().contains("frozen"));
 }
 
 TEST_F(PilotControllerTest, HandsWishesOnAndShowsTheStateAndTheLog) {
-  PilotController controller(widget_, link_, std::chrono::hours(1));
+  gui::PilotController controller(widget_, link_, std::chrono::hours(1));
   EXPECT_TRUE(QTest::qWaitFor([this] { return logText().contains("hello from the system"); }));
   QTest::mouseClick(widget_.findChild<QWidget*>("patrol(sqr)"), Qt::LeftButton);
   ASSERT_EQ(link_.requests.size(), 1U);
-  EXPECT_EQ(link_.requests[0].kind, OperatorRequest::Kind::kPatrol);
+  EXPECT_EQ(link_.requests[0].kind, teleop::OperatorRequest::Kind::kPatrol);
 }
 
 // [GUI-3]
 TEST_F(PilotControllerTest, ClosesTheLinkOnceAndSaysNothingAfterIt) {
   {
-    PilotController controller(widget_, link_, std::chrono::hours(1));
+    gui::PilotController controller(widget_, link_, std::chrono::hours(1));
     controller.close();
     const std::size_t beats = link_.beats.size();
     clickGo();
@@ -85,14 +85,14 @@ TEST_F(PilotControllerTest, ClosesTheLinkOnceAndSaysNothingAfterIt) {
 
 // [GUI-3]
 TEST_F(PilotControllerTest, GoingAwayClosesTheLink) {
-  { PilotController controller(widget_, link_, std::chrono::hours(1)); }
+  { gui::PilotController controller(widget_, link_, std::chrono::hours(1)); }
   EXPECT_EQ(link_.closed, 1);
 }
 
 TEST_F(PilotControllerTest, AsksForTheWindowToCloseWhenTheSystemEnds) {
-  PilotController controller(widget_, link_, std::chrono::hours(1));
+  gui::PilotController controller(widget_, link_, std::chrono::hours(1));
   bool asked = false;
-  QObject::connect(&controller, &PilotController::closeAsked, [&asked] { asked = true; });
+  QObject::connect(&controller, &gui::PilotController::closeAsked, [&asked] { asked = true; });
   link_.is_running = false;
   EXPECT_TRUE(QTest::qWaitFor([&asked] { return asked; }));
   EXPECT_EQ(link_.closed, 1);

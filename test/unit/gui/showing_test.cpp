@@ -10,7 +10,7 @@
 namespace frontier_pilot {
 namespace {
 
-using Kind = OperatorRequest::Kind;
+using Kind = teleop::OperatorRequest::Kind;
 
 class Showing : public test::PilotWidgetTest {};
 
@@ -97,7 +97,7 @@ TEST_F(Showing, EnterAfterStartPausesAndDoesNotReset) {
 
 // [GUI-2]
 TEST_F(Showing, EverySourceHasASwitchThatAsksAndShowsTheStatusAlone) {
-  for (const SourceView& source : state_.arbiter->sources) {
+  for (const teleop::SourceView& source : state_.arbiter->sources) {
     const std::string name = "enable_" + source.name;
     auto* toggle = find<QAbstractButton>(name.c_str());
     ASSERT_TRUE(toggle->isChecked());
@@ -151,7 +151,7 @@ TEST_F(Showing, ThePatrolButtonsAskForTheirShapeWithSideAndLaps) {
   click("patrol(cir)");
   ASSERT_EQ(requests_.size(), 3U);
   for (int i = 0; i < 3; ++i) {
-    const OperatorRequest& request = requests_[static_cast<std::size_t>(i)];
+    const teleop::OperatorRequest& request = requests_[static_cast<std::size_t>(i)];
     EXPECT_EQ(request.kind, Kind::kPatrol);
     EXPECT_EQ(request.shape, i + 1);
     EXPECT_DOUBLE_EQ(request.side, 1.5);
@@ -228,8 +228,8 @@ TEST_F(Showing, PatrolFeedbackAndResultAreShown) {
 
 // [GUI-2]
 TEST_F(Showing, TheLogIsBoundedAndTakesNoMarkupFromOutside) {
-  for (int i = 0; i < 1000; ++i) widget_->appendLog({Severity::kIdle, "line " + std::to_string(i)});
-  widget_->appendLog({Severity::kError, "<b>not bold</b>"});
+  for (int i = 0; i < 1000; ++i) widget_->appendLog({teleop::Severity::kIdle, "line " + std::to_string(i)});
+  widget_->appendLog({teleop::Severity::kError, "<b>not bold</b>"});
   auto* log = find<QPlainTextEdit>("log");
   EXPECT_LE(log->document()->blockCount(), 300);
   EXPECT_TRUE(log->toPlainText().contains("<b>not bold</b>"));
@@ -240,7 +240,7 @@ TEST_F(Showing, ServicesThatAreDownGreyTheirButtonsAndSaySo) {
   state_.clear_service_up = state_.avoider_service_up = state_.explorer_service_up = state_.explorer_reset_up = false;
   state_.patrol.server_up = state_.spin.server_up = false;
   state_.emergency_stop = true;
-  for (SourceView& source : state_.arbiter->sources) source.service_up = false;
+  for (teleop::SourceView& source : state_.arbiter->sources) source.service_up = false;
   widget_->setState(state_);
   for (const char* name : {"clear_emergency_stop", "enable_nav", "enable_avoid", "obstacle_avoider", "explore_start",
                            "explore_pause", "explore_reset", "patrol(sqr)", "patrol(tri)", "patrol(cir)", "spin"}) {

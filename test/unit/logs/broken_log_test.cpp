@@ -13,14 +13,14 @@ namespace {
 std::string problemOf(const std::string& text) {
   std::istringstream file(text);
   try {
-    const ScanLog log = readScanLog(file, "drive.log");
+    const logs::ScanLog log = logs::readScanLog(file, "drive.log");
     EXPECT_FALSE(log.records.empty());
-    for (const LogRecord& record : log.records) {
+    for (const logs::LogRecord& record : log.records) {
       EXPECT_GE(record.scan.ranges.size(), 2U);
       EXPECT_TRUE(std::isfinite(record.scan.angle_increment));
       EXPECT_LE(std::abs(toSeconds(record.scan.stamp)), 4294967296.0);
     }
-  } catch (const LogError& error) {
+  } catch (const logs::LogError& error) {
     EXPECT_NE(std::string(error.what()).find("drive.log"), std::string::npos) << error.what();
     return error.what();
   }

@@ -1,4 +1,4 @@
-#include "frontier_pilot/logs/carmen_log.h"
+#include "logs/carmen_log.h"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +11,15 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-ScanLog readCarmen(const std::string& text, const LogScanner& scanner = {}) {
+logs::ScanLog readCarmen(const std::string& text, const logs::LogScanner& scanner = {}) {
   std::istringstream file(text);
-  return readCarmenLog(file, "drive.log", scanner);
+  return logs::readCarmenLog(file, "drive.log", scanner);
 }
 
 std::string problemOfCarmen(const std::string& text) {
   try {
     readCarmen(text);
-  } catch (const LogError& error) {
+  } catch (const logs::LogError& error) {
     return error.what();
   }
   return "none";
@@ -39,11 +39,11 @@ constexpr const char* kRobotLaser =
     "0.3 0.4 99.0 100.5 host 0.7\n";
 
 TEST(CarmenLog, ReadsFrontLasers) {
-  const ScanLog log =
+  const logs::ScanLog log =
       readCarmen("# a comment\nPARAM robot_width 0.5\nODOM 1 2 3 4 5 6 7 host 8\n" +
                  frontLaser(180, "1 2 0.5 1 2 0.5", 100.25) + frontLaser(180, "2 2 0.5 2 2 0.5", 100.5));
   ASSERT_EQ(log.records.size(), 2U);
-  const LogRecord& first = log.records[0];
+  const logs::LogRecord& first = log.records[0];
   EXPECT_EQ(first.scan.stamp, timeFromSeconds(100.25));
   EXPECT_EQ(first.T_odom_base, Pose2(1.0, 2.0, 0.5));
   EXPECT_EQ(first.scan.T_base_sensor, Pose2());
@@ -66,9 +66,9 @@ TEST(CarmenLog, GivesFrontLasersTheAnglesOfTheScannerWithThatManyBeams) {
 }
 
 TEST(CarmenLog, ReadsRobotLasersWithRemissionsAndVelocities) {
-  const ScanLog log = readCarmen(kRobotLaser);
+  const logs::ScanLog log = readCarmen(kRobotLaser);
   ASSERT_EQ(log.records.size(), 1U);
-  const LogRecord& record = log.records[0];
+  const logs::LogRecord& record = log.records[0];
   EXPECT_EQ(record.scan.ranges, (std::vector<float>{1.5F, 81.92F, 4.5F}));
   EXPECT_EQ(record.scan.angle_min, -1.570796);
   EXPECT_EQ(record.scan.angle_increment, 1.570796);
@@ -80,25 +80,27 @@ TEST(CarmenLog, ReadsRobotLasersWithRemissionsAndVelocities) {
 }
 
 TEST(CarmenLog, TakesTheScannersPlaceFromTheTwoPoses) {
-  const ScanLog log = readCarmen(frontLaser(181, "1.3 2 0 1 2 0", 1) + frontLaser(181, "1 2.301 1.5708 1 2 1.5708", 2));
-  for (const LogRecord& record : log.records) {
+  const logs::ScanLog log =
+      readCarmen(frontLaser(181, "1.3 2 0 1 2 0", 1) + frontLaser(181, "1 2.301 1.5708 1 2 1.5708", 2));
+  for (const logs::LogRecord& record : log.records) {
     EXPECT_FALSE(isJump(record.scan.T_base_sensor, Pose2(0.3, 0.0, 0.0), 1e-9, 1e-9));
   }
-  LogScanner scanner;
+  logs::LogScanner scanner;
   scanner.T_base_sensor = Pose2(0.1, 0.0, 0.0);
   EXPECT_EQ(readCarmen(frontLaser(181, "1.3 2 0 1 2 0", 1), scanner).records[0].scan.T_base_sensor,
             Pose2(0.1, 0.0, 0.0));
 }
 
 TEST(CarmenLog, DoesNotTakeCorrectedLaserPosesForTheMount) {
-  const ScanLog log = readCarmen(frontLaser(181, "0 0 0 0 0 0", 1) + frontLaser(181, "3 1 0.2 2.5 1.5 0.1", 2));
+  const logs::ScanLog log = readCarmen(frontLaser(181, "0 0 0 0 0 0", 1) + frontLaser(181, "3 1 0.2 2.5 1.5 0.1", 2));
   EXPECT_EQ(log.records[1].scan.T_base_sensor, Pose2());
   EXPECT_EQ(log.records[1].T_odom_base, Pose2(2.5, 1.5, 0.1));
   ASSERT_EQ(log.notes.size(), 1U);
 }
 
 TEST(CarmenLog, ReadsTheKindOfScanThatComesFirst) {
-  const ScanLog log = readCarmen(frontLaser(181, "0 0 0 0 0 0", 1) + kRobotLaser + frontLaser(181, "1 0 0 1 0 0", 2));
+  const logs::ScanLog log =
+      readCarmen(frontLaser(181, "0 0 0 0 0 0", 1) + kRobotLaser + frontLaser(181, "1 0 0 1 0 0", 2));
   EXPECT_EQ(log.records.size(), 2U);
   ASSERT_EQ(log.notes.size(), 1U);
   EXPECT_EQ(log.notes[0], "1 scans of another kind than FLASER passed over");

@@ -1,4 +1,4 @@
-#include "frontier_pilot/logs/csv_log.h"
+#include "logs/csv_log.h"
 
 #include <gtest/gtest.h>
 
@@ -7,24 +7,24 @@
 namespace frontier_pilot {
 namespace {
 
-ScanLog readCsv(const std::string& text, const LogScanner& scanner = {}) {
+logs::ScanLog readCsv(const std::string& text, const logs::LogScanner& scanner = {}) {
   std::istringstream file(text);
-  return readCsvLog(file, "drive.csv", scanner);
+  return logs::readCsvLog(file, "drive.csv", scanner);
 }
 
 std::string problemOfCsv(const std::string& text) {
   try {
     readCsv(text);
-  } catch (const LogError& error) {
+  } catch (const logs::LogError& error) {
     return error.what();
   }
   return "none";
 }
 
 TEST(CsvLog, ReadsStampOdometryAndRangesFromRightToLeft) {
-  const ScanLog log = readCsv("# a comment\n\n10.5,1,2,0.5,3.0,0,7.25\n10.75, -1.5, 2, -0.25, 3, 4, 5\r\n");
+  const logs::ScanLog log = readCsv("# a comment\n\n10.5,1,2,0.5,3.0,0,7.25\n10.75, -1.5, 2, -0.25, 3, 4, 5\r\n");
   ASSERT_EQ(log.records.size(), 2U);
-  const LogRecord& first = log.records[0];
+  const logs::LogRecord& first = log.records[0];
   EXPECT_EQ(first.scan.stamp, timeFromSeconds(10.5));
   EXPECT_EQ(first.T_odom_base, Pose2(1.0, 2.0, 0.5));
   EXPECT_EQ(first.scan.ranges, (std::vector<float>{3.0F, 0.0F, 7.25F}));
@@ -41,7 +41,7 @@ TEST(CsvLog, TakesZeroForABeamThatSaysNothing) {
 }
 
 TEST(CsvLog, TakesAnotherScannerWhenTold) {
-  LogScanner scanner;
+  logs::LogScanner scanner;
   scanner.T_base_sensor = Pose2(0.1, 0.2, 0.3);
   scanner.range_max = 8.0;
   scanner.field_of_view = kPi / 2.0;

@@ -7,22 +7,22 @@
 namespace frontier_pilot {
 namespace {
 
-LogFormat formatOfText(const std::string& text) {
+logs::LogFormat formatOfText(const std::string& text) {
   std::istringstream file(text);
-  return formatOf(file);
+  return logs::formatOf(file);
 }
 
 std::size_t recordsOf(const std::string& text) {
   std::istringstream file(text);
-  return readScanLog(file, "drive").records.size();
+  return logs::readScanLog(file, "drive").records.size();
 }
 
 TEST(ScanLog, KnowsAFormatByItsFirstLine) {
-  EXPECT_EQ(formatOfText("1137834225.9,0,0,0,1.6,1.7\n"), LogFormat::kCsv);
-  EXPECT_EQ(formatOfText("# a comment\n\n -1.5,0,0,0,1.6,1.7\n"), LogFormat::kCsv);
-  EXPECT_EQ(formatOfText("# message_name [message contents]\nPARAM a, 1\n"), LogFormat::kCarmen);
-  EXPECT_EQ(formatOfText(""), LogFormat::kCarmen);
-  EXPECT_EQ(formatOfText("#ROSBAG V2.0\n"), LogFormat::kRosbag);
+  EXPECT_EQ(formatOfText("1137834225.9,0,0,0,1.6,1.7\n"), logs::LogFormat::kCsv);
+  EXPECT_EQ(formatOfText("# a comment\n\n -1.5,0,0,0,1.6,1.7\n"), logs::LogFormat::kCsv);
+  EXPECT_EQ(formatOfText("# message_name [message contents]\nPARAM a, 1\n"), logs::LogFormat::kCarmen);
+  EXPECT_EQ(formatOfText(""), logs::LogFormat::kCarmen);
+  EXPECT_EQ(formatOfText("#ROSBAG V2.0\n"), logs::LogFormat::kRosbag);
 }
 
 TEST(ScanLog, ReadsWhatItKnows) {
@@ -30,7 +30,7 @@ TEST(ScanLog, ReadsWhatItKnows) {
   EXPECT_EQ(recordsOf("FLASER 2 1 2 0 0 0 0 0 0 5 host 1\n"), 1U);
 }
 
-TEST(ScanLog, SaysThatItCannotReadARosbag) { EXPECT_THROW(recordsOf("#ROSBAG V2.0\n"), LogError); }
+TEST(ScanLog, SaysThatItCannotReadARosbag) { EXPECT_THROW(recordsOf("#ROSBAG V2.0\n"), logs::LogError); }
 
 }  // namespace
 }  // namespace frontier_pilot

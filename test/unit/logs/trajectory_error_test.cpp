@@ -12,15 +12,15 @@ namespace {
 
 const std::vector<Pose2> kSquare = {{0, 0, 0}, {2, 0, kPi / 2}, {2, 2, kPi}, {0, 2, -kPi / 2}};
 
-std::vector<PoseRelation> relationsOf(const std::string& text, std::size_t records) {
+std::vector<logs::PoseRelation> relationsOf(const std::string& text, std::size_t records) {
   std::istringstream file(text);
-  return readRelations(file, "drive.relations", records);
+  return logs::readRelations(file, "drive.relations", records);
 }
 
 std::string problemOfRelations(const std::string& text) {
   try {
     relationsOf(text, 10);
-  } catch (const LogError& error) {
+  } catch (const logs::LogError& error) {
     return error.what();
   }
   return "none";
@@ -49,15 +49,15 @@ TEST(Relations, SayInWhichLineWhatIsBroken) {
 }
 
 TEST(RelationError, IsZeroForTheTruthWhereverItLies) {
-  const std::vector<PoseRelation> relations = {{0, 1, {2, 0, kPi / 2}}, {1, 3, {2, 2, kPi}}};
-  const RelationError error = relationError(moved(kSquare, {5.0, -1.0, 0.7}), relations);
+  const std::vector<logs::PoseRelation> relations = {{0, 1, {2, 0, kPi / 2}}, {1, 3, {2, 2, kPi}}};
+  const logs::RelationError error = logs::relationError(moved(kSquare, {5.0, -1.0, 0.7}), relations);
   EXPECT_NEAR(error.translation.mean, 0.0, 1e-12);
   EXPECT_NEAR(error.rotation.mean, 0.0, 1e-12);
 }
 
 TEST(RelationError, IsMeanAndDeviationOfLengthsAndAngles) {
-  const std::vector<PoseRelation> relations = {{0, 1, {1.7, 0.4, kPi / 2 + 0.1}}, {1, 2, {2, 0, kPi / 2 - 0.3}}};
-  const RelationError error = relationError(kSquare, relations);
+  const std::vector<logs::PoseRelation> relations = {{0, 1, {1.7, 0.4, kPi / 2 + 0.1}}, {1, 2, {2, 0, kPi / 2 - 0.3}}};
+  const logs::RelationError error = logs::relationError(kSquare, relations);
   EXPECT_NEAR(error.translation.mean, 0.25, 1e-12);
   EXPECT_NEAR(error.translation.stddev, 0.25, 1e-12);
   EXPECT_NEAR(error.rotation.mean, 0.2, 1e-12);
@@ -65,7 +65,7 @@ TEST(RelationError, IsMeanAndDeviationOfLengthsAndAngles) {
 }
 
 TEST(AbsoluteError, LaysTheTrajectoriesUponEachOtherAtTheStart) {
-  const AbsoluteError error = absoluteError(moved(kSquare, {5.0, -1.0, 0.7}), kSquare);
+  const logs::AbsoluteError error = logs::absoluteError(moved(kSquare, {5.0, -1.0, 0.7}), kSquare);
   EXPECT_NEAR(error.position_max, 0.0, 1e-12);
   EXPECT_NEAR(error.yaw_max, 0.0, 1e-12);
 }
@@ -75,12 +75,12 @@ TEST(AbsoluteError, IsRootOfTheMeanSquareAndTheLargest) {
   estimate[1].x += 0.3;
   estimate[2].y -= 0.4;
   estimate[3].yaw += 0.2;
-  const AbsoluteError error = absoluteError(estimate, kSquare);
+  const logs::AbsoluteError error = logs::absoluteError(estimate, kSquare);
   EXPECT_NEAR(error.position_rmse, 0.25, 1e-12);
   EXPECT_NEAR(error.position_max, 0.4, 1e-12);
   EXPECT_NEAR(error.yaw_rmse, 0.1, 1e-12);
   EXPECT_NEAR(error.yaw_max, 0.2, 1e-12);
-  EXPECT_EQ(absoluteError({}, {}).position_rmse, 0.0);
+  EXPECT_EQ(logs::absoluteError({}, {}).position_rmse, 0.0);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "frontier_pilot/mapping/mapper.h"
-#include "tracked_drive.h"
+#include "support/drives/tracked_drive.h"
 
 namespace frontier_pilot::test {
 namespace {
@@ -22,20 +22,20 @@ class AbandonedWork : public ::testing::Test {
   }
   /// Takes the work that there is and lets it fail.
   bool fail() {
-    const RevisionWork work = mapper.takeWork();
+    const slam::RevisionWork work = mapper.takeWork();
     return work && mapper.abandonWork();
   }
 
   std::vector<Pose2> poses = aroundTheRooms();
   Scanner scanner{rooms(), 0.01};
-  Mapper mapper;
+  mapping::Mapper mapper;
   double worst = 0.0;  ///< farthest from the truth [m]
 };
 
 // [FLT-1]
 TEST_F(AbandonedWork, LeavesMapAndPoseAsTheyAre_FLT_1) {
   drive(0, 100);
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   ASSERT_TRUE(work);
   drive(100, 150);
   const OccupancyGrid before = mapper.grid();
@@ -74,10 +74,10 @@ TEST_F(AbandonedWork, IsTheLastUntilAResetAndScansGoOnWhereTheyBelong_FLT_1) {
 // [FLT-1]
 TEST_F(AbandonedWork, IsVoidWhenItEndsAfterAll_FLT_1) {
   drive(0, 100);
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   ASSERT_TRUE(work);
   ASSERT_TRUE(mapper.abandonWork());
-  MapRevision late = work();
+  slam::MapRevision late = work();
   EXPECT_FALSE(mapper.revise(late)) << "whoever abandons work has no result of it to offer";
 }
 

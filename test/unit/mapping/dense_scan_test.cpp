@@ -5,8 +5,8 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/mapping/mapper.h"
-#include "frontier_pilot/mapping/scan_inserter.h"
-#include "frontier_pilot/mapping/surface_points.h"
+#include "frontier_pilot/occupancy/scan_inserter.h"
+#include "frontier_pilot/surfaces/surface_points.h"
 
 /// Scans of as many beams as are taken, each of which has all the others for neighbours. [FLT-1]
 namespace frontier_pilot {
@@ -36,21 +36,22 @@ double secondsOf(const Work& work) {
 TEST(DenseScan, FLT_1_IsReadInTimeThatItsSizeBounds) {  // [FLT-1]
   for (const double roughness : {0.0, 0.01, 0.05}) {
     const LaserScan2 scan = scanOfPot(bounds::kMostRanges, roughness);
-    EXPECT_LT(secondsOf([&] { EXPECT_GT(thinned(readSurface(scan)).size(), 2U); }), 2.0) << roughness;
+    EXPECT_LT(secondsOf([&] { EXPECT_GT(surfaces::thinned(surfaces::readSurface(scan)).size(), 2U); }), 2.0)
+        << roughness;
   }
 }
 
 TEST(DenseScan, FLT_1_IsPutIntoTheMapInTimeThatItsSizeBounds) {  // [FLT-1]
   LaserScan2 scan = scanOfPot(bounds::kMostRanges, 0.0);
   for (float& range : scan.ranges) range = 60.0F;
-  OccupancyMap map;
-  ScanInserter inserter;
-  EXPECT_LT(secondsOf([&] { EXPECT_EQ(inserter.insert(scan, Pose2(), map), Insertion::kInserted); }), 8.0);
+  occupancy::OccupancyMap map;
+  occupancy::ScanInserter inserter;
+  EXPECT_LT(secondsOf([&] { EXPECT_EQ(inserter.insert(scan, Pose2(), map), occupancy::Insertion::kInserted); }), 8.0);
 }
 
 OccupancyGrid mapOf(const LaserScan2& scan) {
-  Mapper mapper;
-  EXPECT_EQ(mapper.insert(scan, Pose2(), scan.stamp), ScanVerdict::kInserted);
+  mapping::Mapper mapper;
+  EXPECT_EQ(mapper.insert(scan, Pose2(), scan.stamp), mapping::ScanVerdict::kInserted);
   return mapper.grid();
 }
 

@@ -1,12 +1,12 @@
-#include "frontier_pilot/mapping/known_map.h"
+#include "frontier_pilot/localization/known_map.h"
 
 #include <gtest/gtest.h>
 
-#include "drive.h"
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/mapping/odometry_buffer.h"
 #include "support/ascii_world.h"
+#include "support/drives/drive.h"
 
 namespace frontier_pilot::test {
 namespace {
@@ -32,11 +32,11 @@ class KnownMapTest : public ::testing::Test {
   KnownMapTest() : world(drawWorld(kRooms, 0.2)), scanner(world.solid(), 0.01) {}
 
   /// The robot goes from one pose to the other, in steps of 5 cm; odometry begins at zero at the start.
-  void drive(Mapper& mapper, const Pose2& from, const Pose2& to) {
+  void drive(mapping::Mapper& mapper, const Pose2& from, const Pose2& to) {
     const double length = (to.position() - from.position()).norm();
     const int steps = std::max(5, static_cast<int>(length / 0.05));
     for (int i = 0; i <= steps; ++i) {
-      T_world_base = interpolate(from, to, static_cast<double>(i) / steps);
+      T_world_base = mapping::interpolate(from, to, static_cast<double>(i) / steps);
       T_odom_base = from.inverse() * T_world_base;
       seconds += 0.6;
       verdict =
@@ -45,18 +45,18 @@ class KnownMapTest : public ::testing::Test {
     }
   }
   /// A mapper that knows the rooms; its map begins where the world does.
-  Mapper knowing(bool localize_only, bool trust_odometry = false) {
-    MapperParameters parameters;
+  mapping::Mapper knowing(bool localize_only, bool trust_odometry = false) {
+    mapping::MapperParameters parameters;
     parameters.localize_only = localize_only;
     parameters.trust_odometry = trust_odometry;
-    Mapper mapper(parameters);
-    OccupancyMap rooms(parameters.map);
+    mapping::Mapper mapper(parameters);
+    occupancy::OccupancyMap rooms(parameters.map);
     EXPECT_TRUE(rooms.reserve({0.0, 0.0}, 0.2 * Vec2(world.map.width(), world.map.height())));
     for (int certainty = 0; certainty < 10; ++certainty) draw(rooms);
     EXPECT_TRUE(mapper.load(rooms));
     return mapper;
   }
-  void draw(OccupancyMap& rooms) const {
+  void draw(occupancy::OccupancyMap& rooms) const {
     rooms.beginScan();
     for (int y = 0; y < 4 * world.map.height(); ++y) {
       for (int x = 0; x < 4 * world.map.width(); ++x) {
@@ -65,8 +65,10 @@ class KnownMapTest : public ::testing::Test {
       }
     }
   }
-  static PoseBelief about(const Pose2& pose) { return {pose, Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()}; }
-  void expectKnown(const Mapper& mapper, double distance) const {
+  static scan_matching::PoseBelief about(const Pose2& pose) {
+    return {pose, Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()};
+  }
+  void expectKnown(const mapping::Mapper& mapper, double distance) const {
     const Pose2 T_map_base = mapper.T_map_odom() * T_odom_base;
     EXPECT_FALSE(isJump(T_world_base, T_map_base, distance, 0.03))
         << T_map_base.x << " " << T_map_base.y << " " << T_map_base.yaw;
@@ -77,47 +79,47 @@ class KnownMapTest : public ::testing::Test {
   Pose2 T_world_base;
   Pose2 T_odom_base;
   double seconds = 1.0;
-  ScanVerdict verdict = ScanVerdict::kInserted;
+  mapping::ScanVerdict verdict = mapping::ScanVerdict::kInserted;
 };
 
 // [MAP-5]
 TEST_F(KnownMapTest, FindsTheRobotNearWhereItIsSaidToBeAndLeavesTheMapAsItIs_MAP_5) {
-  Mapper mapper = knowing(true);
+  mapping::Mapper mapper = knowing(true);
   const auto before = mapper.grid().cells();
   mapper.locate(about({4.3, 1.0, -0.3}));
   drive(mapper, {4.0, 1.2, 0.0}, {6.5, 1.2, 0.0});
-  EXPECT_EQ(verdict, ScanVerdict::kLocalized);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kLocalized);
   expectKnown(mapper, 0.05);
   EXPECT_TRUE(mapper.grid().cells() == before);
-  EXPECT_EQ(mapper.counts()[ScanVerdict::kInserted], 0U);
+  EXPECT_EQ(mapper.counts()[mapping::ScanVerdict::kInserted], 0U);
 }
 
 // [MAP-5]
 TEST_F(KnownMapTest, DoesNotFindItWhereItIsNot_MAP_5) {
-  Mapper mapper = knowing(true);
+  mapping::Mapper mapper = knowing(true);
   mapper.locate({{1.0, 2.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4});
   drive(mapper, {6.0, 0.8, 1.0}, {6.4, 0.8, 1.0});
-  EXPECT_EQ(verdict, ScanVerdict::kMisfit);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kMisfit);
 }
 
 // [MAP-5]
 TEST_F(KnownMapTest, WithoutAMapThereIsNothingToLocaliseOn_MAP_5) {
-  MapperParameters parameters;
+  mapping::MapperParameters parameters;
   parameters.localize_only = true;
-  Mapper mapper(parameters);
+  mapping::Mapper mapper(parameters);
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
-  EXPECT_EQ(verdict, ScanVerdict::kMisfit);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kMisfit);
   EXPECT_TRUE(mapper.grid().empty());
 }
 
 // [MAP-5]
 TEST_F(KnownMapTest, GoesOnMappingUponALoadedMapAndLosesNothing_MAP_5) {
-  Mapper mapper = knowing(false);
+  mapping::Mapper mapper = knowing(false);
   mapper.locate(about({4.3, 1.0, -0.2}));
   world.map[Cell{30, 4}] = kOccupied;  // something new
   scanner = Scanner(world.solid(), 0.01);
   drive(mapper, {4.0, 1.2, 0.0}, {5.2, 1.2, 0.0});
-  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
   expectKnown(mapper, 0.05);
   const auto valueAt = [&](const Vec2& point) { return mapper.grid()[mapper.grid().geometry().cellAt(point)]; };
   EXPECT_EQ(valueAt({6.02, 0.9}), kOccupied) << "what is new is in the map";
@@ -128,19 +130,19 @@ TEST_F(KnownMapTest, GoesOnMappingUponALoadedMapAndLosesNothing_MAP_5) {
 
 // [MAP-5]
 TEST_F(KnownMapTest, APoseThatIsSaidToBeCertainIsLookedForAllTheSame_MAP_5) {
-  Mapper mapper = knowing(true);
+  mapping::Mapper mapper = knowing(true);
   mapper.locate({{4.05, 1.17, 0.02}, Eigen::Matrix3d::Zero()});
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
-  EXPECT_EQ(verdict, ScanVerdict::kLocalized);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kLocalized);
   expectKnown(mapper, 0.05);
 }
 
 // [MAP-5]
 TEST_F(KnownMapTest, OdometryThatIsTrustedIsTrustedFromWhereTheRobotWasFound_MAP_5) {
-  Mapper mapper = knowing(false, true);
+  mapping::Mapper mapper = knowing(false, true);
   mapper.locate(about({4.3, 1.0, -0.2}));
   drive(mapper, {4.0, 1.2, 0.0}, {4.2, 1.2, 0.0});
-  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
   expectKnown(mapper, 0.05);
   const Pose2 found = mapper.T_map_odom();
   drive(mapper, {4.0, 1.2, 0.0}, {5.2, 1.2, 0.0});
@@ -150,51 +152,51 @@ TEST_F(KnownMapTest, OdometryThatIsTrustedIsTrustedFromWhereTheRobotWasFound_MAP
 
 // [MAP-5]
 TEST_F(KnownMapTest, WithoutAnythingInTheMapThereIsNoPlaceToLookForTheRobotIn_MAP_5) {
-  Mapper mapper;
+  mapping::Mapper mapper;
   EXPECT_FALSE(mapper.locate(about({4.0, 1.2, 0.0})));
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
-  EXPECT_EQ(verdict, ScanVerdict::kInserted) << "and mapping goes on";
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted) << "and mapping goes on";
   EXPECT_TRUE(mapper.locate(about({0.5, 0.0, 0.0})));
 }
 
 TEST_F(KnownMapTest, AResetForgetsAlsoWhatWasLoaded) {
-  Mapper mapper = knowing(false);
+  mapping::Mapper mapper = knowing(false);
   mapper.reset();
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
-  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
   EXPECT_FALSE(isJump(mapper.T_map_odom(), Pose2(), 0.02, 0.02)) << "a map of its own, from where the robot is";
 }
 
 // [MAP-5]
 TEST_F(KnownMapTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
-  Mapper mapper;
+  mapping::Mapper mapper;
   drive(mapper, {4.0, 1.2, 0.0}, {4.2, 1.2, 0.0});
   seconds += 0.6;
   mapper.insert(scanner.scan({4.5, 1.2, 0.0}, timeFromSeconds(seconds)), Pose2(0.5, 0.0, 0.0),
                 timeFromSeconds(seconds));
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   ASSERT_TRUE(work);
-  OccupancyMap empty(MapperParameters{}.map);
+  occupancy::OccupancyMap empty(mapping::MapperParameters{}.map);
   ASSERT_TRUE(mapper.load(empty));
-  MapRevision revision = work();
+  slam::MapRevision revision = work();
   EXPECT_FALSE(mapper.revise(revision));
 }
 
 // [FLT-2]
 TEST_F(KnownMapTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseThatItHad_FLT_2) {
-  Mapper first;
+  mapping::Mapper first;
   drive(first, {1.0, 1.0, 0.0}, {2.0, 1.0, 0.0});
-  OccupancyMap kept(first.map().parameters());
+  occupancy::OccupancyMap kept(first.map().parameters());
   std::stringstream bytes;
   ASSERT_TRUE(first.map().write(bytes));
   std::string why;
   ASSERT_TRUE(kept.read(bytes.str(), why)) << why;
-  const auto known = [](const Mapper& mapper) {
+  const auto known = [](const mapping::Mapper& mapper) {
     const auto& cells = mapper.grid().cells();
     return std::count_if(cells.begin(), cells.end(), [](auto cell) { return !isUnknown(cell); });
   };
   const auto before = known(first);
-  Mapper second;
+  mapping::Mapper second;
   ASSERT_TRUE(second.resume(kept, first.T_map_odom(), T_odom_base));
   EXPECT_GE(known(second), before) << "[FLT-2]";
   const Pose2 T_world_odom = T_world_base * T_odom_base.inverse();
@@ -206,7 +208,7 @@ TEST_F(KnownMapTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseThatItHa
         second.insert(scanner.scan(T_world_base, timeFromSeconds(seconds)), T_odom_base, timeFromSeconds(seconds));
     second.reviseNow();
   }
-  EXPECT_EQ(verdict, ScanVerdict::kInserted);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
   // The first one's map begins where odometry does.
   EXPECT_FALSE(isJump(T_odom_base, second.T_map_odom() * T_odom_base, 0.05, 0.03));
 }

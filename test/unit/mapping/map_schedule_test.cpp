@@ -9,11 +9,11 @@ constexpr std::size_t kCells = 1000;
 
 Time at(double seconds) { return timeFromSeconds(100.0 + seconds); }
 
-MapChanges changed(int cells) { return {false, {0, 0, cells, 1}}; }
+occupancy::MapChanges changed(int cells) { return {false, {0, 0, cells, 1}}; }
 
 /// One that has sent a whole map at 0 s.
-MapSchedule begun() {
-  MapSchedule schedule;
+mapping::MapSchedule begun() {
+  mapping::MapSchedule schedule;
   schedule.note({true, {0, 0, 100, 10}}, at(0.0));
   schedule.sent(at(0.0));
   return schedule;
@@ -21,7 +21,7 @@ MapSchedule begun() {
 
 // [MAP-2]
 TEST(MapSchedule, BeginsWithTheWholeMap_MAP_2) {
-  MapSchedule schedule;
+  mapping::MapSchedule schedule;
   EXPECT_FALSE(schedule.note(changed(5), at(0.0))) << "nobody knows what it would be a change of";
   EXPECT_TRUE(schedule.isDue(kCells, at(0.0)));
   EXPECT_TRUE(schedule.sent(at(0.0)));
@@ -31,7 +31,7 @@ TEST(MapSchedule, BeginsWithTheWholeMap_MAP_2) {
 }
 
 TEST(MapSchedule, SendsAGrownMapWholeAndNoMoreThanOnceASecond_MAP_2) {
-  MapSchedule schedule = begun();
+  mapping::MapSchedule schedule = begun();
   EXPECT_FALSE(schedule.note({true, {0, 0, 200, 10}}, at(0.1)));
   EXPECT_FALSE(schedule.note(changed(5), at(0.2))) << "what changes meanwhile goes out with it";
   EXPECT_FALSE(schedule.isDue(kCells, at(0.9)));
@@ -41,7 +41,7 @@ TEST(MapSchedule, SendsAGrownMapWholeAndNoMoreThanOnceASecond_MAP_2) {
 }
 
 TEST(MapSchedule, SendsTheWholeMapWhenAsMuchHasChangedAndLaterForLess_MAP_2) {
-  MapSchedule schedule = begun();
+  mapping::MapSchedule schedule = begun();
   EXPECT_TRUE(schedule.note(changed(130), at(0.5)));
   EXPECT_FALSE(schedule.isDue(kCells, at(4.9)));
   EXPECT_TRUE(schedule.isDue(kCells, at(5.0)));
@@ -51,7 +51,7 @@ TEST(MapSchedule, SendsTheWholeMapWhenAsMuchHasChangedAndLaterForLess_MAP_2) {
 }
 
 TEST(MapSchedule, WaitsWhileThereAreFewChangesButNotForEver_MAP_2) {
-  MapSchedule schedule = begun();
+  mapping::MapSchedule schedule = begun();
   for (int i = 1; i <= 100; ++i) {
     EXPECT_TRUE(schedule.note(changed(1), at(0.1 * i)));
     EXPECT_FALSE(schedule.isDue(kCells, at(0.1 * i)));
@@ -64,7 +64,7 @@ TEST(MapSchedule, WaitsWhileThereAreFewChangesButNotForEver_MAP_2) {
 }
 
 TEST(MapSchedule, TellsANewcomerWhatHasChanged_MAP_2) {
-  MapSchedule schedule = begun();
+  mapping::MapSchedule schedule = begun();
   schedule.noteNewcomer();
   EXPECT_FALSE(schedule.isDue(kCells, at(2.0))) << "the latched map is still true";
   schedule.note(changed(1), at(2.0));

@@ -20,19 +20,19 @@ LaserScan2 ring(double seconds, float range = 1.0F) {
   return scan;
 }
 
-MapperParameters trustingOdometry() {
-  MapperParameters parameters;
+mapping::MapperParameters trustingOdometry() {
+  mapping::MapperParameters parameters;
   parameters.trust_odometry = true;
   return parameters;
 }
 
 class MapperTest : public ::testing::Test {
  protected:
-  ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base = Pose2()) {
+  mapping::ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base = Pose2()) {
     return mapper.insert(scan, T_odom_base, scan.stamp);
   }
   /// Expects that `scan` is dropped for `reason`, is counted, and changes nothing.
-  void expectDrop(const LaserScan2& scan, const std::optional<Pose2>& pose, double now, ScanVerdict reason) {
+  void expectDrop(const LaserScan2& scan, const std::optional<Pose2>& pose, double now, mapping::ScanVerdict reason) {
     const auto before = mapper.grid().cells();
     const auto count = mapper.counts()[reason];
     EXPECT_EQ(mapper.insert(scan, pose, timeFromSeconds(now)), reason) << toString(reason);
@@ -40,66 +40,67 @@ class MapperTest : public ::testing::Test {
     EXPECT_TRUE(mapper.grid().cells() == before) << "nothing mapped may be lost";
   }
 
-  Mapper mapper{trustingOdometry()};
+  mapping::Mapper mapper{trustingOdometry()};
 };
 
 TEST_F(MapperTest, MapsInOdometrysFrameAsLongAsNothingCorrectsIt) {
-  EXPECT_EQ(insert(ring(1.0), Pose2(4.0, 2.0, 0.3)), ScanVerdict::kInserted);
+  EXPECT_EQ(insert(ring(1.0), Pose2(4.0, 2.0, 0.3)), mapping::ScanVerdict::kInserted);
   EXPECT_EQ(mapper.T_map_odom(), Pose2());
   EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({4.01, 2.01})], kFree);
 }
 
 // [MAP-4]
 TEST_F(MapperTest, DropsAndCountsStaleScans_MAP_4) {
-  ASSERT_EQ(insert(ring(10.0)), ScanVerdict::kInserted);
-  expectDrop(ring(10.0), Pose2(1.0, 0.0, 0.0), 10.1, ScanVerdict::kStale);
-  expectDrop(ring(10.5), Pose2(1.0, 0.0, 0.0), 11.6, ScanVerdict::kStale);
-  expectDrop(ring(13.0), Pose2(1.0, 0.0, 0.0), 11.7, ScanVerdict::kFuture);
+  ASSERT_EQ(insert(ring(10.0)), mapping::ScanVerdict::kInserted);
+  expectDrop(ring(10.0), Pose2(1.0, 0.0, 0.0), 10.1, mapping::ScanVerdict::kStale);
+  expectDrop(ring(10.5), Pose2(1.0, 0.0, 0.0), 11.6, mapping::ScanVerdict::kStale);
+  expectDrop(ring(13.0), Pose2(1.0, 0.0, 0.0), 11.7, mapping::ScanVerdict::kFuture);
   EXPECT_EQ(mapper.counts().dropped(), 3U);
 }
 
 // [MAP-4]
 TEST_F(MapperTest, DropsAndCountsMalformedScans_MAP_4) {
-  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
+  ASSERT_EQ(insert(ring(1.0)), mapping::ScanVerdict::kInserted);
   const Pose2 moved(1.0, 0.0, 0.0);
   LaserScan2 scan = ring(2.0);
   scan.angle_increment = 0.0;
-  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  expectDrop(scan, moved, 2.0, mapping::ScanVerdict::kMalformed);
   scan = ring(2.0);
   scan.angle_min = std::nan("");
-  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  expectDrop(scan, moved, 2.0, mapping::ScanVerdict::kMalformed);
   scan = ring(2.0);
   scan.range_max = scan.range_min;
-  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  expectDrop(scan, moved, 2.0, mapping::ScanVerdict::kMalformed);
   scan = ring(2.0);
   scan.ranges.clear();
-  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  expectDrop(scan, moved, 2.0, mapping::ScanVerdict::kMalformed);
   scan = ring(2.0);
   scan.T_base_sensor.x = std::nan("");
-  expectDrop(scan, moved, 2.0, ScanVerdict::kMalformed);
+  expectDrop(scan, moved, 2.0, mapping::ScanVerdict::kMalformed);
 }
 
 // [MAP-4]
 TEST_F(MapperTest, DropsAndCountsScansThatSayNothingOrCannotBePlaced_MAP_4) {
-  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
-  expectDrop(ring(2.0, std::nanf("")), Pose2(1.0, 0.0, 0.0), 2.0, ScanVerdict::kAllInvalid);
-  expectDrop(ring(2.0), Pose2(std::nan(""), 0.0, 0.0), 2.0, ScanVerdict::kNoOdometry);
-  expectDrop(ring(2.0), std::nullopt, 2.0, ScanVerdict::kNoOdometry);
-  expectDrop(ring(2.0), Pose2(1e5, 0.0, 0.0), 2.0, ScanVerdict::kOutOfBounds);
-  mapper.reject(ScanVerdict::kWrongFrame, timeFromSeconds(2.0));
-  EXPECT_EQ(mapper.counts()[ScanVerdict::kWrongFrame], 1U);
+  ASSERT_EQ(insert(ring(1.0)), mapping::ScanVerdict::kInserted);
+  expectDrop(ring(2.0, std::nanf("")), Pose2(1.0, 0.0, 0.0), 2.0, mapping::ScanVerdict::kAllInvalid);
+  expectDrop(ring(2.0), Pose2(std::nan(""), 0.0, 0.0), 2.0, mapping::ScanVerdict::kNoOdometry);
+  expectDrop(ring(2.0), std::nullopt, 2.0, mapping::ScanVerdict::kNoOdometry);
+  expectDrop(ring(2.0), Pose2(1e5, 0.0, 0.0), 2.0, mapping::ScanVerdict::kOutOfBounds);
+  mapper.reject(mapping::ScanVerdict::kWrongFrame, timeFromSeconds(2.0));
+  EXPECT_EQ(mapper.counts()[mapping::ScanVerdict::kWrongFrame], 1U);
   EXPECT_EQ(mapper.counts().dropped(), 5U);
-  EXPECT_EQ(insert(ring(2.0), Pose2(1.0, 0.0, 0.0)), ScanVerdict::kInserted) << "and the next good one goes in";
+  EXPECT_EQ(insert(ring(2.0), Pose2(1.0, 0.0, 0.0)), mapping::ScanVerdict::kInserted)
+      << "and the next good one goes in";
 }
 
 TEST_F(MapperTest, LooksSeldomWhileTheRobotStandsAndStillSeesWhatComes) {
-  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
-  EXPECT_EQ(insert(ring(1.1)), ScanVerdict::kNotMoved);
-  EXPECT_EQ(insert(ring(1.2), Pose2(0.02, 0.0, 0.0)), ScanVerdict::kInserted);
-  EXPECT_EQ(insert(ring(1.3), Pose2(0.02, 0.0, 0.02)), ScanVerdict::kInserted) << "turning is moving";
+  ASSERT_EQ(insert(ring(1.0)), mapping::ScanVerdict::kInserted);
+  EXPECT_EQ(insert(ring(1.1)), mapping::ScanVerdict::kNotMoved);
+  EXPECT_EQ(insert(ring(1.2), Pose2(0.02, 0.0, 0.0)), mapping::ScanVerdict::kInserted);
+  EXPECT_EQ(insert(ring(1.3), Pose2(0.02, 0.0, 0.02)), mapping::ScanVerdict::kInserted) << "turning is moving";
   int inserted = 0;
   for (int i = 1; i <= 100; ++i) {
-    inserted += insert(ring(1.3 + 0.1 * i, 0.5F), Pose2(0.02, 0.0, 0.02)) == ScanVerdict::kInserted ? 1 : 0;
+    inserted += insert(ring(1.3 + 0.1 * i, 0.5F), Pose2(0.02, 0.0, 0.02)) == mapping::ScanVerdict::kInserted ? 1 : 0;
   }
   EXPECT_EQ(inserted, 50) << "five a second";
   EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({0.53, 0.01})], kOccupied) << "someone came near";
@@ -107,48 +108,48 @@ TEST_F(MapperTest, LooksSeldomWhileTheRobotStandsAndStillSeesWhatComes) {
 }
 
 TEST_F(MapperTest, GoesOnAfterTheClockWasSetBackAndKeepsTheMap) {
-  ASSERT_EQ(insert(ring(100.0)), ScanVerdict::kInserted);
-  EXPECT_EQ(insert(ring(5.0), Pose2(1.0, 0.0, 0.0)), ScanVerdict::kInserted);
+  ASSERT_EQ(insert(ring(100.0)), mapping::ScanVerdict::kInserted);
+  EXPECT_EQ(insert(ring(5.0), Pose2(1.0, 0.0, 0.0)), mapping::ScanVerdict::kInserted);
   EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({-0.5, 0.01})], kFree);
 }
 
 TEST_F(MapperTest, ForgetsOnResetAndStartsAnew) {
-  ASSERT_EQ(insert(ring(1.0)), ScanVerdict::kInserted);
+  ASSERT_EQ(insert(ring(1.0)), mapping::ScanVerdict::kInserted);
   const GridGeometry geometry = mapper.grid().geometry();
   mapper.takeChanges();
   mapper.reset();
   EXPECT_EQ(mapper.takeChanges().cells, geometry.rect());
   for (const std::int8_t value : mapper.grid().cells()) ASSERT_EQ(value, kUnknown);
-  EXPECT_EQ(insert(ring(1.1)), ScanVerdict::kInserted) << "at once, though the robot has not moved";
+  EXPECT_EQ(insert(ring(1.1)), mapping::ScanVerdict::kInserted) << "at once, though the robot has not moved";
   EXPECT_EQ(mapper.grid().geometry(), geometry) << "a map never shrinks";
 }
 
 /// Says that odometry's frame lies a metre to the left.
-class Shift final : public PoseCorrection {
+class Shift final : public slam::PoseCorrection {
  public:
-  CorrectedScan correct(const LaserScan2&, const Pose2&, const OccupancyMap&) override {
+  slam::CorrectedScan correct(const LaserScan2&, const Pose2&, const occupancy::OccupancyMap&) override {
     return {Pose2(0.0, 1.0, 0.0), true, "shifted"};
   }
   void reset() override {}
 };
 
 TEST(Mapper, PutsScansWhereTheCorrectionSays) {
-  Mapper mapper({}, std::make_unique<Shift>());
-  ASSERT_EQ(mapper.insert(ring(1.0), Pose2(2.0, 0.0, 0.0), timeFromSeconds(1.0)), ScanVerdict::kInserted);
+  mapping::Mapper mapper({}, std::make_unique<Shift>());
+  ASSERT_EQ(mapper.insert(ring(1.0), Pose2(2.0, 0.0, 0.0), timeFromSeconds(1.0)), mapping::ScanVerdict::kInserted);
   EXPECT_EQ(mapper.T_map_odom(), Pose2(0.0, 1.0, 0.0));
   EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({2.01, 1.9})], kFree);
   EXPECT_EQ(mapper.grid()[mapper.grid().geometry().cellAt({2.01, -0.2})], kUnknown);
 }
 
 TEST(MapperParameters, RefuseNonsenseByName) {
-  MapperParameters parameters;
+  mapping::MapperParameters parameters;
   const Problems problems = loadParameters(parseYaml("{max_age: 0, map: {resolution: -1}, colour: red}"), parameters);
   EXPECT_EQ(problems.size(), 3U);
 }
 
 TEST(ScanVerdict, HasAWordForEach) {
-  for (std::size_t i = 0; i < kScanVerdicts; ++i) {
-    EXPECT_STRNE(toString(static_cast<ScanVerdict>(i)), "unknown");
+  for (std::size_t i = 0; i < mapping::kScanVerdicts; ++i) {
+    EXPECT_STRNE(toString(static_cast<mapping::ScanVerdict>(i)), "unknown");
   }
 }
 
@@ -160,11 +161,11 @@ TEST(MapperRobot, StandsOnFreeFloorOfItsSize_ROB_1) {
   ahead.ranges.resize(5);
   for (const auto& [name, radius] :
        {std::pair("burger", 0.105), std::pair("waffle", 0.077), std::pair("turtlebot2", 0.177)}) {
-    MapperParameters parameters = trustingOdometry();
+    mapping::MapperParameters parameters = trustingOdometry();
     parameters.map.resolution = 0.01;
     parameters.robot = test::shippedRobot(name);
-    Mapper mapper(parameters);
-    ASSERT_EQ(mapper.insert(ahead, Pose2(), ahead.stamp), ScanVerdict::kInserted);
+    mapping::Mapper mapper(parameters);
+    ASSERT_EQ(mapper.insert(ahead, Pose2(), ahead.stamp), mapping::ScanVerdict::kInserted);
     const auto behind = [&](double x) { return mapper.grid()[mapper.grid().geometry().cellAt({-x, 0.0})]; };
     EXPECT_EQ(behind(radius - 0.015), kFree) << name;
     EXPECT_EQ(behind(radius + 0.015), kUnknown) << name;
@@ -172,7 +173,7 @@ TEST(MapperRobot, StandsOnFreeFloorOfItsSize_ROB_1) {
 }
 
 TEST(MapperRobot, IsNamedByTheErrorOfItsOldRadius) {
-  MapperParameters parameters;
+  mapping::MapperParameters parameters;
   EXPECT_EQ(loadParameters(parseYaml("insertion: {robot_radius: 0.2}"), parameters),
             (Problems{"insertion/robot_radius: is called robot/disc_radius or robot/outline now"}));
 }

@@ -14,7 +14,7 @@ class MappingHealthTest : public ::testing::Test {
   }
 
   Time now = timeFromSeconds(100.0);
-  MappingHealth health;
+  mapping::MappingHealth health;
 };
 
 TEST_F(MappingHealthTest, NamesWhatIsWrongMostOftenAndHowOften) {

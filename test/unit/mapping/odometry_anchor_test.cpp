@@ -25,7 +25,7 @@ class OdometryAnchorTest : public ::testing::Test {
     EXPECT_NEAR(smooth->yaw, 0.0, tolerance);
   }
 
-  OdometryAnchor anchor;
+  mapping::OdometryAnchor anchor;
   Time now = timeFromSeconds(100.0);
   Pose2 pose;
 };
@@ -84,9 +84,9 @@ TEST_F(OdometryAnchorTest, FLT_1_TellsARestartFromAWayHomeAfterASilence) {
 
 // [FLT-1]
 TEST_F(OdometryAnchorTest, FLT_1_FollowsTrustedOdometryWhereItStaysAfterAJumpAndNotASingleMessage) {
-  OdometryAnchorParameters parameters;
+  mapping::OdometryAnchorParameters parameters;
   parameters.trusted = true;
-  anchor = OdometryAnchor(parameters);
+  anchor = mapping::OdometryAnchor(parameters);
   drive(40);
   EXPECT_FALSE(hear(Pose2(20.0, 0.0, 0.0)));
   expectAt(1.025, drive(1));

@@ -19,7 +19,7 @@ LaserScan2 ringAt(double seconds) {
 }
 
 /// Has second thoughts when it is told to: everything so far lies `T_new_old` from where it was put.
-class Thoughtful final : public PoseCorrection {
+class Thoughtful final : public slam::PoseCorrection {
  public:
   struct Script {
     std::optional<Pose2> T_new_old;
@@ -28,34 +28,35 @@ class Thoughtful final : public PoseCorrection {
   };
   explicit Thoughtful(std::shared_ptr<Script> script) : script_(std::move(script)) {}
 
-  CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const OccupancyMap&) override {
+  slam::CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
+                              const occupancy::OccupancyMap&) override {
     scans_.emplace_back(scan, T_map_odom_ * T_odom_base);
     return {T_map_odom_, true, "scripted"};
   }
-  RevisionWork takeWork() override {
+  slam::RevisionWork takeWork() override {
     if (!script_->T_new_old) return {};
     const Pose2 T_new_old = *std::exchange(script_->T_new_old, std::nullopt);
     return [T_new_old, scans = scans_, renders = script_->renders, left_out = script_->left_out,
             generation = generation_] {
-      MapRevision revision;
+      slam::MapRevision revision;
       revision.left_out = left_out;
       revision.generation = generation;
       revision.T_new_old = T_new_old;
       revision.closures.resize(2);
       if (renders) revision.map.emplace();
-      ScanInserter inserter;
+      occupancy::ScanInserter inserter;
       for (const auto& [scan, T_map_base] : scans) {
         if (renders) inserter.insert(scan, T_new_old * T_map_base, *revision.map);
       }
       return revision;
     };
   }
-  bool accept(const MapRevision& revision) override {
+  bool accept(const slam::MapRevision& revision) override {
     if (revision.generation != generation_) return false;
     T_map_odom_ = revision.T_new_old * T_map_odom_;
     return true;
   }
-  bool refuse(const MapRevision& revision) override { return revision.generation == generation_; }
+  bool refuse(const slam::MapRevision& revision) override { return revision.generation == generation_; }
   void reset() override {
     T_map_odom_ = Pose2();
     ++generation_;
@@ -71,14 +72,14 @@ class Thoughtful final : public PoseCorrection {
 class Revisions : public ::testing::Test {
  protected:
   void look(double seconds, const Pose2& T_odom_base) {
-    ASSERT_EQ(mapper.insert(ringAt(seconds), T_odom_base, timeFromSeconds(seconds)), ScanVerdict::kInserted);
+    ASSERT_EQ(mapper.insert(ringAt(seconds), T_odom_base, timeFromSeconds(seconds)), mapping::ScanVerdict::kInserted);
   }
   std::int8_t at(double x, double y) const {
     return mapper.grid().get(mapper.grid().geometry().cellAt({x, y}), kUnknown);
   }
 
   std::shared_ptr<Thoughtful::Script> script = std::make_shared<Thoughtful::Script>();
-  Mapper mapper{MapperParameters(), std::make_unique<Thoughtful>(script)};
+  mapping::Mapper mapper{mapping::MapperParameters(), std::make_unique<Thoughtful>(script)};
 };
 
 // [MAP-1]
@@ -109,7 +110,7 @@ TEST_F(Revisions, ReportWhatTheyChangedAndNothingElse) {
   script->T_new_old = Pose2(0.5, 0.0, 0.0);
   mapper.reviseNow();
   ASSERT_TRUE(mapper.grid().geometry() == before.geometry());
-  const MapChanges changes = mapper.takeChanges();
+  const occupancy::MapChanges changes = mapper.takeChanges();
   EXPECT_FALSE(changes.geometry_changed);
   EXPECT_TRUE(changes.cells == difference(before, mapper.grid()));
   EXPECT_LT(changes.cells.width, before.width() / 2);
@@ -122,7 +123,7 @@ TEST_F(Revisions, SayThatTheMapHasGrownWhenItHas) {
   const GridGeometry before = mapper.grid().geometry();
   script->T_new_old = Pose2(25.0, 0.0, 0.0);
   mapper.reviseNow();
-  const MapChanges changes = mapper.takeChanges();
+  const occupancy::MapChanges changes = mapper.takeChanges();
   EXPECT_TRUE(changes.geometry_changed);
   EXPECT_TRUE(changes.cells == mapper.grid().geometry().rect());
   EXPECT_GT(mapper.grid().width(), before.width);
@@ -134,9 +135,9 @@ TEST_F(Revisions, SayThatTheMapHasGrownWhenItHas) {
 TEST_F(Revisions, WhoseMapWouldBeTooLargeMoveNeitherTheMapNorTheRobot) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(250.0, 0.0, 0.0);
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   look(2.0, Pose2(3.0, 0.0, 0.0));
-  MapRevision revision = work();
+  slam::MapRevision revision = work();
   ASSERT_TRUE(mapper.revise(revision));
   EXPECT_EQ(mapper.T_map_odom(), Pose2());
   EXPECT_TRUE(revision.closures.empty()) << "nothing is announced";
@@ -179,7 +180,7 @@ TEST_F(Revisions, WhoseMapLeftOutSomethingThatIsMappedAreRefused) {
 // [MAP-4]
 TEST_F(Revisions, MayLeaveOutWhatTheMapHadNoRoomForAnyway) {
   look(1.0, Pose2());
-  ASSERT_EQ(mapper.insert(ringAt(2.0), Pose2(1e4, 0.0, 0.0), timeFromSeconds(2.0)), ScanVerdict::kOutOfBounds);
+  ASSERT_EQ(mapper.insert(ringAt(2.0), Pose2(1e4, 0.0, 0.0), timeFromSeconds(2.0)), mapping::ScanVerdict::kOutOfBounds);
   script->T_new_old = Pose2(3.0, 0.0, 0.0);
   script->left_out = 1;
   mapper.reviseNow();
@@ -190,9 +191,9 @@ TEST_F(Revisions, MayLeaveOutWhatTheMapHadNoRoomForAnyway) {
 TEST_F(Revisions, ThatAreTooLargeAreVoidAfterAResetToo) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(250.0, 0.0, 0.0);
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   mapper.reset();
-  MapRevision revision = work();
+  slam::MapRevision revision = work();
   EXPECT_FALSE(mapper.revise(revision));
   for (int i = 2; i < 10; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
   EXPECT_FALSE(mapper.health().worst(timeFromSeconds(10.0)).has_value());
@@ -202,12 +203,12 @@ TEST_F(Revisions, ThatAreTooLargeAreVoidAfterAResetToo) {
 TEST_F(Revisions, PutScansThatCameMeanwhileWhereTheyBelongNow) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(0.0, 4.0, 0.0);
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   ASSERT_TRUE(work);
   EXPECT_FALSE(mapper.takeWork()) << "one at a time";
   look(2.0, Pose2(6.0, 0.0, 0.0));
   EXPECT_EQ(at(6.0, 0.0), kFree) << "at once where it seems to be";
-  MapRevision revision = work();
+  slam::MapRevision revision = work();
   ASSERT_TRUE(mapper.revise(revision));
   EXPECT_EQ(at(6.0, 4.0), kFree);
   EXPECT_EQ(at(6.0, 0.0), kUnknown);
@@ -230,7 +231,7 @@ TEST_F(Revisions, MoveTheRobotWithoutTouchingTheMapWhereNothingElseMoved) {
 TEST_F(Revisions, ThatFailLeaveTheMapAndMappingGoesOn) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(3.0, 0.0, 0.0);
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   ASSERT_TRUE(work);
   look(1.5, Pose2(0.5, 0.0, 0.0));
   const OccupancyGrid before = mapper.grid();
@@ -254,9 +255,9 @@ TEST_F(Revisions, ThatFailAfterAResetAreNoneOfTheNewMap) {
 TEST_F(Revisions, AreVoidAfterAReset) {
   look(1.0, Pose2());
   script->T_new_old = Pose2(3.0, 0.0, 0.0);
-  const RevisionWork work = mapper.takeWork();
+  const slam::RevisionWork work = mapper.takeWork();
   mapper.reset();
-  MapRevision revision = work();
+  slam::MapRevision revision = work();
   EXPECT_FALSE(mapper.revise(revision));
   EXPECT_EQ(mapper.T_map_odom(), Pose2());
   EXPECT_EQ(at(3.0, 0.0), kUnknown);

@@ -12,51 +12,51 @@ LaserScan2 scanAt(double seconds) {
 }
 
 TEST(OdometryBuffer, InterpolatesBetweenNeighboursAndTurnsTheShortWay) {
-  OdometryBuffer buffer;
+  mapping::OdometryBuffer buffer;
   buffer.add(timeFromSeconds(1.0), Pose2(1.0, 0.0, 3.0));
   buffer.add(timeFromSeconds(1.1), Pose2(2.0, 1.0, -3.0));
   Pose2 pose;
-  ASSERT_EQ(buffer.at(timeFromSeconds(1.05), pose), OdometryLookup::kFound);
+  ASSERT_EQ(buffer.at(timeFromSeconds(1.05), pose), mapping::OdometryLookup::kFound);
   EXPECT_NEAR(pose.x, 1.5, 1e-9);
   EXPECT_NEAR(pose.y, 0.5, 1e-9);
   EXPECT_NEAR(std::abs(pose.yaw), kPi, 1e-9);
-  ASSERT_EQ(buffer.at(timeFromSeconds(1.0), pose), OdometryLookup::kFound);
+  ASSERT_EQ(buffer.at(timeFromSeconds(1.0), pose), mapping::OdometryLookup::kFound);
   EXPECT_EQ(pose, Pose2(1.0, 0.0, 3.0));
 }
 
 TEST(OdometryBuffer, NeverExtrapolatesAndSaysWhichWayItLacks) {
-  OdometryBuffer buffer;
+  mapping::OdometryBuffer buffer;
   Pose2 pose(7.0, 7.0, 7.0);
-  EXPECT_EQ(buffer.at(timeFromSeconds(1.0), pose), OdometryLookup::kTooNew);
+  EXPECT_EQ(buffer.at(timeFromSeconds(1.0), pose), mapping::OdometryLookup::kTooNew);
   buffer.add(timeFromSeconds(1.0), Pose2());
   buffer.add(timeFromSeconds(3.0), Pose2());
-  EXPECT_EQ(buffer.at(timeFromSeconds(0.9), pose), OdometryLookup::kTooOld);
-  EXPECT_EQ(buffer.at(timeFromSeconds(3.1), pose), OdometryLookup::kTooNew);
-  EXPECT_EQ(buffer.at(timeFromSeconds(2.0), pose), OdometryLookup::kGap);
+  EXPECT_EQ(buffer.at(timeFromSeconds(0.9), pose), mapping::OdometryLookup::kTooOld);
+  EXPECT_EQ(buffer.at(timeFromSeconds(3.1), pose), mapping::OdometryLookup::kTooNew);
+  EXPECT_EQ(buffer.at(timeFromSeconds(2.0), pose), mapping::OdometryLookup::kGap);
   EXPECT_EQ(pose, Pose2(7.0, 7.0, 7.0)) << "untouched unless found";
 }
 
 TEST(OdometryBuffer, FLT_1_KeepsALimitedNumberHoweverFastItComes) {  // [FLT-1]
-  OdometryBuffer buffer;
+  mapping::OdometryBuffer buffer;
   Pose2 pose;
   for (int i = 0; i < 6000; ++i) buffer.add(Time{} + Duration(i), {});
-  EXPECT_EQ(buffer.at(Time{} + Duration(999), pose), OdometryLookup::kTooOld);
-  EXPECT_EQ(buffer.at(Time{} + Duration(1000), pose), OdometryLookup::kFound);
+  EXPECT_EQ(buffer.at(Time{} + Duration(999), pose), mapping::OdometryLookup::kTooOld);
+  EXPECT_EQ(buffer.at(Time{} + Duration(1000), pose), mapping::OdometryLookup::kFound);
 }
 
 TEST(OdometryBuffer, KeepsALimitedTimeAndRestartsWhenTheClockIsSetBack) {
-  OdometryBuffer buffer;
+  mapping::OdometryBuffer buffer;
   for (int i = 0; i <= 1000; ++i) buffer.add(timeFromSeconds(0.01 * i), Pose2());
   Pose2 pose;
-  EXPECT_EQ(buffer.at(timeFromSeconds(4.9), pose), OdometryLookup::kTooOld);
-  EXPECT_EQ(buffer.at(timeFromSeconds(5.1), pose), OdometryLookup::kFound);
+  EXPECT_EQ(buffer.at(timeFromSeconds(4.9), pose), mapping::OdometryLookup::kTooOld);
+  EXPECT_EQ(buffer.at(timeFromSeconds(5.1), pose), mapping::OdometryLookup::kFound);
   buffer.add(timeFromSeconds(2.0), Pose2());
-  EXPECT_EQ(buffer.at(timeFromSeconds(5.1), pose), OdometryLookup::kTooNew);
+  EXPECT_EQ(buffer.at(timeFromSeconds(5.1), pose), mapping::OdometryLookup::kTooNew);
 }
 
 // [MAP-1] paired by stamp
 TEST(ScanPairing, GivesAScanTheOdometryOfItsStampWhicheverCameFirst_MAP_1) {
-  ScanPairing pairing;
+  mapping::ScanPairing pairing;
   pairing.addScan(scanAt(1.05));
   EXPECT_FALSE(pairing.next(timeFromSeconds(1.06))) << "its odometry may still come";
   pairing.addOdometry(timeFromSeconds(1.0), Pose2(1.0, 0.0, 0.0));
@@ -70,7 +70,7 @@ TEST(ScanPairing, GivesAScanTheOdometryOfItsStampWhicheverCameFirst_MAP_1) {
 
 // [MAP-4] no odometry
 TEST(ScanPairing, GivesUpWaitingAfterAWhile_MAP_4) {
-  ScanPairing pairing;
+  mapping::ScanPairing pairing;
   pairing.addOdometry(timeFromSeconds(1.0), Pose2());
   pairing.addScan(scanAt(1.05));
   EXPECT_FALSE(pairing.next(timeFromSeconds(1.3)));
@@ -80,7 +80,7 @@ TEST(ScanPairing, GivesUpWaitingAfterAWhile_MAP_4) {
 }
 
 TEST(ScanPairing, LetsNoScanFromTheFutureBlockTheOthers) {
-  ScanPairing pairing;
+  mapping::ScanPairing pairing;
   pairing.addScan(scanAt(100.0));
   const auto paired = pairing.next(timeFromSeconds(1.0));
   ASSERT_TRUE(paired);
@@ -88,7 +88,7 @@ TEST(ScanPairing, LetsNoScanFromTheFutureBlockTheOthers) {
 }
 
 TEST(ScanPairing, HoldsALimitedNumberOfScans) {
-  ScanPairing pairing;
+  mapping::ScanPairing pairing;
   for (int i = 0; i < 25; ++i) pairing.addScan(scanAt(1.0 + 0.001 * i));
   int given_up = 0;
   while (pairing.next(timeFromSeconds(1.1))) ++given_up;

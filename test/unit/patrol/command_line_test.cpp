@@ -11,7 +11,7 @@ TEST(PatrolCommandLine, ShapeSideAndLapsInAnyOrderAndSpelling) {
   for (const Words& words :
        {Words{"triangle", "--side", "0.5", "--laps", "3"}, Words{"--laps=3", "triangle", "--side=0.5"},
         Words{"--radius", "0.5", "--laps", "3", "triangle"}}) {
-    const PatrolCommandLine line = parsePatrolCommandLine(words);
+    const patrol::PatrolCommandLine line = patrol::parsePatrolCommandLine(words);
     ASSERT_TRUE(line.goal.has_value()) << line.problem;
     EXPECT_EQ(line.goal->mode, 2.0);
     EXPECT_EQ(line.goal->size, 0.5);
@@ -20,7 +20,7 @@ TEST(PatrolCommandLine, ShapeSideAndLapsInAnyOrderAndSpelling) {
 }
 
 TEST(PatrolCommandLine, DefaultsAreOneMetreAndOneLap) {
-  const PatrolCommandLine line = parsePatrolCommandLine({"circle"});
+  const patrol::PatrolCommandLine line = patrol::parsePatrolCommandLine({"circle"});
   ASSERT_TRUE(line.goal.has_value());
   EXPECT_EQ(line.goal->mode, 3.0);
   EXPECT_EQ(line.goal->size, 1.0);
@@ -28,7 +28,7 @@ TEST(PatrolCommandLine, DefaultsAreOneMetreAndOneLap) {
 }
 
 TEST(PatrolCommandLine, WhatIsWrongIsNamed) {
-  const auto problem = [](const Words& words) { return parsePatrolCommandLine(words).problem; };
+  const auto problem = [](const Words& words) { return patrol::parsePatrolCommandLine(words).problem; };
   EXPECT_EQ(problem({}), "which shape? square, triangle or circle");
   EXPECT_EQ(problem({"pentagon"}), "unknown argument: pentagon");
   EXPECT_EQ(problem({"square", "circle"}), "more than one shape: circle");
@@ -38,9 +38,9 @@ TEST(PatrolCommandLine, WhatIsWrongIsNamed) {
 }
 
 TEST(PatrolCommandLine, HelpComesFirst) {
-  EXPECT_TRUE(parsePatrolCommandLine({"--help"}).help);
-  EXPECT_TRUE(parsePatrolCommandLine({"square", "-h"}).help);
-  EXPECT_NE(std::string(patrolUsage()).find("--laps"), std::string::npos);
+  EXPECT_TRUE(patrol::parsePatrolCommandLine({"--help"}).help);
+  EXPECT_TRUE(patrol::parsePatrolCommandLine({"square", "-h"}).help);
+  EXPECT_NE(std::string(patrol::patrolUsage()).find("--laps"), std::string::npos);
 }
 
 }  // namespace

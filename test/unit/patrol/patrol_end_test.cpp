@@ -15,8 +15,8 @@ TEST(Patrol, CancelEndsItAtOnceInEveryPhase) {
     loop.start({1.0, 0.3, 1.0});
     for (int i = 0; i < cycles && loop.patrol.active(); ++i) loop.cycle();
     if (!loop.patrol.active()) break;
-    const PatrolOutput output = loop.patrol.cancel();
-    expectEnd(output, PatrolOutcome::kCanceled);
+    const patrol::PatrolOutput output = loop.patrol.cancel();
+    expectEnd(output, patrol::PatrolOutcome::kCanceled);
     EXPECT_EQ(output.text, "patrol canceled");
     EXPECT_FALSE(loop.cycle().command.has_value());
   }
@@ -29,8 +29,8 @@ TEST(Patrol, OdometryThatStopsEndsItAfterHalfASecond) {
   loop.run(2.0);
   loop.fresh_odometry = false;
   const Time silent = loop.base.now();
-  const PatrolOutput output = loop.run(5.0);
-  expectEnd(output, PatrolOutcome::kNoOdometry);
+  const patrol::PatrolOutput output = loop.run(5.0);
+  expectEnd(output, patrol::PatrolOutcome::kNoOdometry);
   EXPECT_EQ(output.text, "aborted: no odometry for 0.5 s");
   EXPECT_NEAR(toSeconds(loop.base.now() - silent), 0.6, 0.06);
 }
@@ -40,7 +40,7 @@ TEST(Patrol, WithoutAnyOdometryItNeverMoves) {
   PatrolLoop loop;
   loop.fresh_odometry = false;
   loop.start(kSquare);
-  expectEnd(loop.run(5.0), PatrolOutcome::kNoOdometry);
+  expectEnd(loop.run(5.0), patrol::PatrolOutcome::kNoOdometry);
   EXPECT_EQ(loop.fastest, Twist2());
 }
 
@@ -51,7 +51,7 @@ TEST(Patrol, AJumpOfOdometryEndsIt) {
     loop.start(kSquare);
     loop.run(2.0);
     loop.base.teleport(loop.base.pose() * jump);
-    expectEnd(loop.cycle(), PatrolOutcome::kOdometryJump);
+    expectEnd(loop.cycle(), patrol::PatrolOutcome::kOdometryJump);
   }
 }
 
@@ -61,8 +61,8 @@ TEST(Patrol, ABadQuaternionEndsItWithItsText) {
   loop.start(kSquare);
   loop.run(2.0);
   loop.inputs.odometry_problem = "quaternion of length 0";
-  const PatrolOutput output = loop.cycle();
-  expectEnd(output, PatrolOutcome::kBadOdometry);
+  const patrol::PatrolOutput output = loop.cycle();
+  expectEnd(output, patrol::PatrolOutcome::kBadOdometry);
   EXPECT_EQ(output.text, "aborted: bad odometry: quaternion of length 0");
 }
 
@@ -70,7 +70,7 @@ TEST(Patrol, AClockThatJumpsBackEndsIt) {
   PatrolLoop loop;
   loop.start(kSquare);
   loop.run(2.0);
-  expectEnd(loop.patrol.update(loop.inputs, loop.base.now() - fromSeconds(1.0)), PatrolOutcome::kClockJump);
+  expectEnd(loop.patrol.update(loop.inputs, loop.base.now() - fromSeconds(1.0)), patrol::PatrolOutcome::kClockJump);
 }
 
 // [PAT-4]
@@ -81,7 +81,7 @@ TEST(Patrol, ANewGoalAfterACancelledOneBeginsFromZeroWhereTheRobotIs) {
   EXPECT_TRUE(loop.patrol.cancel().command->isZero());
   EXPECT_TRUE(loop.start({2.0, 0.5, 1.0}).command->isZero());
   const Pose2 start = loop.base.pose();
-  const PatrolOutput output = loop.run(300.0);
+  const patrol::PatrolOutput output = loop.run(300.0);
   EXPECT_EQ(output.text, "triangle patrol complete!!");
   EXPECT_LT((loop.base.pose().position() - start.position()).norm(), 0.05);
 }
@@ -96,7 +96,7 @@ TEST(Patrol, WhatAnotherSourceDrivesIsCountedByOdometry) {
   loop.run(2.0, Twist2{0.15, 0.0});
   loop.run(1.0, Twist2{-0.1, 0.0});
   loop.inputs.wheels_held_by.reset();
-  const PatrolOutput output = loop.run(300.0);
+  const patrol::PatrolOutput output = loop.run(300.0);
   EXPECT_EQ(output.text, "square patrol complete!!");
   expectClosed(loop, Pose2());
 }
@@ -125,8 +125,8 @@ TEST(Patrol, HeldForTheBlockedTimeoutItGivesUpAndNamesWhoHoldsTheWheels) {
   loop.inputs.wheels_held_by = "avoid";
   const Time held = loop.base.now();
   // Even if the holder happens to drive along the leg.
-  const PatrolOutput output = loop.run(60.0, Twist2{0.02, 0.0});
-  expectEnd(output, PatrolOutcome::kBlocked);
+  const patrol::PatrolOutput output = loop.run(60.0, Twist2{0.02, 0.0});
+  expectEnd(output, patrol::PatrolOutcome::kBlocked);
   EXPECT_EQ(output.text, "aborted: blocked for 10 s: avoid holds the wheels");
   EXPECT_NEAR(toSeconds(loop.base.now() - held), 10.05, 0.051);
 }
@@ -135,8 +135,8 @@ TEST(Patrol, HeldForTheBlockedTimeoutItGivesUpAndNamesWhoHoldsTheWheels) {
 TEST(Patrol, WheelsThatDoNotTurnCountAsBlockedWhoeverHoldsThem) {
   PatrolLoop loop;
   loop.start(kSquare);
-  const PatrolOutput output = loop.run(60.0, Twist2());
-  expectEnd(output, PatrolOutcome::kBlocked);
+  const patrol::PatrolOutput output = loop.run(60.0, Twist2());
+  expectEnd(output, patrol::PatrolOutcome::kBlocked);
   EXPECT_EQ(output.text, "aborted: blocked for 10 s: no progress");
 }
 
@@ -160,8 +160,8 @@ TEST(Patrol, AnEmergencyStopEndsItForGood) {
   loop.start(kSquare);
   loop.run(2.0);
   loop.inputs.emergency_stop = true;
-  const PatrolOutput output = loop.cycle();
-  expectEnd(output, PatrolOutcome::kEmergencyStop);
+  const patrol::PatrolOutput output = loop.cycle();
+  expectEnd(output, patrol::PatrolOutcome::kEmergencyStop);
   EXPECT_EQ(output.text, "aborted: emergency stop");
   loop.inputs.emergency_stop = false;
   for (int i = 0; i < 100; ++i) EXPECT_FALSE(loop.cycle().command.has_value());
@@ -171,8 +171,8 @@ TEST(Patrol, AnEmergencyStopEndsItForGood) {
 TEST(Patrol, AClockThatJumpsEndsItAlsoWhenItBeganAtTimeZero) {
   PatrolLoop loop;
   loop.patrol.start(kSquare, Time{});
-  const PatrolOutput output = loop.patrol.abortByClockJump();
-  expectEnd(output, PatrolOutcome::kClockJump);
+  const patrol::PatrolOutput output = loop.patrol.abortByClockJump();
+  expectEnd(output, patrol::PatrolOutcome::kClockJump);
   EXPECT_EQ(output.text, "aborted: the clock jumped");
   EXPECT_STREQ(toString(output.outcome), "the clock jumped");
 }

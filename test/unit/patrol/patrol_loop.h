@@ -10,7 +10,7 @@
 
 namespace frontier_pilot::test {
 
-constexpr PatrolOrder kSquare{1.0, 1.0, 1.0};
+constexpr patrol::PatrolOrder kSquare{1.0, 1.0, 1.0};
 
 /// A patrol, a base without noise, and the loop around them.
 class PatrolLoop {
@@ -18,16 +18,16 @@ class PatrolLoop {
   explicit PatrolLoop(double frequency = 20.0, const Pose2& start = {}) : base(start), patrol(parameters(frequency)) {
     period_ = 1.0 / frequency;
   }
-  static PatrolParameters parameters(double frequency) {
-    PatrolParameters p;
+  static patrol::PatrolParameters parameters(double frequency) {
+    patrol::PatrolParameters p;
     p.frequency = frequency;
     return p;
   }
-  PatrolOutput start(const PatrolOrder& goal) { return patrol.start(goal, base.now()); }
+  patrol::PatrolOutput start(const patrol::PatrolOrder& goal) { return patrol.start(goal, base.now()); }
   /// One cycle; `wheels`, if given, replaces the patrol's command on its way to the base.
-  PatrolOutput cycle(const std::optional<Twist2>& wheels = std::nullopt) {
+  patrol::PatrolOutput cycle(const std::optional<Twist2>& wheels = std::nullopt) {
     if (fresh_odometry) inputs.odometry = base.sample();
-    const PatrolOutput output = patrol.update(inputs, base.now());
+    const patrol::PatrolOutput output = patrol.update(inputs, base.now());
     if (output.started_leg) legs.push_back(*output.started_leg);
     if (output.command) fastest.linear = std::max(fastest.linear, output.command->linear);
     if (output.command) fastest.angular = std::max(fastest.angular, output.command->angular);
@@ -35,8 +35,8 @@ class PatrolLoop {
     return output;
   }
   /// Cycles until the patrol ends or `seconds` have passed.
-  PatrolOutput run(double seconds, const std::optional<Twist2>& wheels = std::nullopt) {
-    PatrolOutput output;
+  patrol::PatrolOutput run(double seconds, const std::optional<Twist2>& wheels = std::nullopt) {
+    patrol::PatrolOutput output;
     const Time limit = base.now() + fromSeconds(seconds);
     do output = cycle(wheels);
     while (patrol.active() && base.now() < limit);
@@ -44,8 +44,8 @@ class PatrolLoop {
   }
 
   KinematicBase base;
-  Patrol patrol;
-  PatrolInputs inputs;
+  patrol::Patrol patrol;
+  patrol::PatrolInputs inputs;
   bool fresh_odometry = true;
   std::vector<int> legs;
   Twist2 fastest;
@@ -54,7 +54,7 @@ class PatrolLoop {
   double period_;
 };
 
-inline void expectEnd(const PatrolOutput& output, PatrolOutcome outcome) {
+inline void expectEnd(const patrol::PatrolOutput& output, patrol::PatrolOutcome outcome) {
   EXPECT_EQ(output.outcome, outcome) << toString(output.outcome) << ": " << output.text;
   ASSERT_TRUE(output.command.has_value());
   EXPECT_TRUE(output.command->isZero());

@@ -16,7 +16,7 @@ TEST(Patrol, EveryShapeClosesWithinTwoCentimetresAndOneDegree) {
       for (const double frequency : {10.0, 15.0, 20.0}) {
         PatrolLoop loop(frequency, start);
         loop.start({mode, size, 2.0});
-        expectEnd(loop.run(600.0), PatrolOutcome::kCompleted);
+        expectEnd(loop.run(600.0), patrol::PatrolOutcome::kCompleted);
         SCOPED_TRACE(::testing::Message() << "mode " << mode << " size " << size << " at " << frequency << " Hz");
         expectClosed(loop, start);
         EXPECT_TRUE(loop.base.twist().isZero());
@@ -44,11 +44,11 @@ TEST(Patrol, TheSquareHasItsFourCornersOnTheLeft) {
 // [PAT-2]
 TEST(Patrol, SpeedsRiseAndFallNoFasterThanTheProfileAllows) {
   PatrolLoop loop;
-  const PatrolParameters p;
+  const patrol::PatrolParameters p;
   loop.start(kSquare);
   Twist2 last;
   while (loop.patrol.active()) {
-    const PatrolOutput output = loop.cycle();
+    const patrol::PatrolOutput output = loop.cycle();
     const Twist2 command = output.command.value_or(Twist2());
     // The end of a leg is the exception: from the smallest speed to zero.
     EXPECT_LE(command.linear - last.linear, p.linear_acc * 0.05 + p.min_linear_speed);
@@ -97,26 +97,26 @@ TEST(Patrol, EachLegIsAnnouncedOnceWhenItStarts) {
 // [PAT-1]
 TEST(Patrol, ABadGoalEndsBeforeAnyMotion) {
   PatrolLoop loop;
-  const PatrolOutput output = loop.start({7.0, 1.0, 1.0});
-  expectEnd(output, PatrolOutcome::kInvalidGoal);
+  const patrol::PatrolOutput output = loop.start({7.0, 1.0, 1.0});
+  expectEnd(output, patrol::PatrolOutcome::kInvalidGoal);
   EXPECT_EQ(output.text, "invalid patrol mode");
   EXPECT_FALSE(loop.patrol.active());
 }
 
 TEST(PatrolParameters, AMinimumAboveTheSpeedIsRefused) {
-  PatrolParameters p;
+  patrol::PatrolParameters p;
   EXPECT_EQ(loadParameters(parseYaml("{linear_speed: 0.01, min_turn_speed: 5.0}"), p).size(), 2U);
   EXPECT_TRUE(loadParameters(parseYaml("linear_speed: 0.1"), p).size() <= 1U);
 }
 
 // [ROB-1]
 TEST(PatrolParameters, AreCutToWhatTheRobotCanDo_ROB_1) {
-  const PatrolParameters burger = withinLimits({});
-  EXPECT_EQ(printRows(describeParameters(burger)), printRows(describeParameters(PatrolParameters())))
+  const patrol::PatrolParameters burger = patrol::withinLimits({});
+  EXPECT_EQ(printRows(describeParameters(burger)), printRows(describeParameters(patrol::PatrolParameters())))
       << "a Burger can do all of it";
-  PatrolParameters slow;
+  patrol::PatrolParameters slow;
   slow.robot.limits = {0.015, 0.05, 0.2, 0.3};
-  const PatrolParameters cut = withinLimits(slow);
+  const patrol::PatrolParameters cut = patrol::withinLimits(slow);
   EXPECT_EQ(cut.linear_speed, 0.015);
   EXPECT_EQ(cut.min_linear_speed, 0.015);
   EXPECT_EQ(cut.turn_speed, 0.05);

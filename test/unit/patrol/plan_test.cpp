@@ -11,7 +11,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 std::string problem(double mode, double size, double laps) {
-  return problemOf({mode, size, laps}, PatrolParameters()).value_or("");
+  return problemOf({mode, size, laps}, patrol::PatrolParameters()).value_or("");
 }
 
 // [PAT-1]
@@ -44,13 +44,13 @@ TEST(PatrolOrder, LapsThatAreNotAWholeNumberInTheLimitsAreNamed) {
 
 TEST(PatrolPlan, StepsFollowEachOtherAndEndWhereTheyBegan) {
   for (const double mode : {1.0, 2.0}) {
-    const std::vector<PatrolStep> steps = planPatrol({mode, 1.5, 3.0});
+    const std::vector<patrol::PatrolStep> steps = patrol::planPatrol({mode, 1.5, 3.0});
     Pose2 pose;
-    for (const PatrolStep& step : steps) {
+    for (const patrol::PatrolStep& step : steps) {
       EXPECT_LT((pose.position() - step.start.position()).norm(), 1e-9);
       EXPECT_NEAR(angleDifference(pose.yaw, step.start.yaw), 0.0, 1e-9);
-      pose =
-          pose * (step.kind == PatrolStep::Kind::kLine ? Pose2(step.amount, 0.0, 0.0) : Pose2(0.0, 0.0, step.amount));
+      pose = pose * (step.kind == patrol::PatrolStep::Kind::kLine ? Pose2(step.amount, 0.0, 0.0)
+                                                                  : Pose2(0.0, 0.0, step.amount));
     }
     EXPECT_LT(pose.position().norm(), 1e-9);
     EXPECT_NEAR(angleDifference(pose.yaw, 0.0), 0.0, 1e-9);
@@ -59,21 +59,21 @@ TEST(PatrolPlan, StepsFollowEachOtherAndEndWhereTheyBegan) {
 
 TEST(PatrolPlan, LegsAreNumberedFromOneOverAllLaps) {
   int leg = 0;
-  for (const PatrolStep& step : planPatrol({2.0, 1.0, 2.0})) {
+  for (const patrol::PatrolStep& step : patrol::planPatrol({2.0, 1.0, 2.0})) {
     if (step.leg > 0) {
       EXPECT_EQ(step.leg, ++leg);
     }
   }
   EXPECT_EQ(leg, 6);
-  EXPECT_EQ(legsOf({2.0, 1.0, 2.0}), 6);
-  EXPECT_EQ(legsOf({1.0, 1.0, 2.0}), 8);
-  EXPECT_EQ(legsOf({3.0, 1.0, 2.0}), 2);
+  EXPECT_EQ(patrol::legsOf({2.0, 1.0, 2.0}), 6);
+  EXPECT_EQ(patrol::legsOf({1.0, 1.0, 2.0}), 8);
+  EXPECT_EQ(patrol::legsOf({3.0, 1.0, 2.0}), 2);
 }
 
 TEST(PatrolPlan, AllLapsOfACircleAreOneArc) {
-  const std::vector<PatrolStep> steps = planPatrol({3.0, 0.7, 2.0});
+  const std::vector<patrol::PatrolStep> steps = patrol::planPatrol({3.0, 0.7, 2.0});
   ASSERT_EQ(steps.size(), 1U);
-  EXPECT_EQ(steps[0].kind, PatrolStep::Kind::kArc);
+  EXPECT_EQ(steps[0].kind, patrol::PatrolStep::Kind::kArc);
   EXPECT_DOUBLE_EQ(steps[0].amount, 4.0 * kPi);
   EXPECT_DOUBLE_EQ(steps[0].radius, 0.7);
 }

@@ -9,10 +9,10 @@
 namespace frontier_pilot {
 namespace {
 
-using Kind = PatrolStep::Kind;
+using Kind = patrol::PatrolStep::Kind;
 
-PatrolStep step(Kind kind, double amount, double radius = 0.0) {
-  PatrolStep step;
+patrol::PatrolStep step(Kind kind, double amount, double radius = 0.0) {
+  patrol::PatrolStep step;
   step.kind = kind;
   step.amount = amount;
   step.radius = radius;
@@ -23,8 +23,8 @@ MotionSample at(const Pose2& T_odom_base, const Twist2& twist = {}) { return {Ti
 
 class StepDriverTest : public ::testing::Test {
  protected:
-  StepDriver driver{PatrolParameters()};
-  PatrolParameters limits;
+  patrol::StepDriver driver{patrol::PatrolParameters()};
+  patrol::PatrolParameters limits;
 };
 
 TEST_F(StepDriverTest, MeasuresALineAlongItsDirectionAlone) {
@@ -118,10 +118,10 @@ TEST_F(StepDriverTest, DrivesAnArcWithTheCurvatureOfItsCircle) {
 }
 
 TEST_F(StepDriverTest, BringsABaseToTheEndOfEveryKindOfStep) {
-  const PatrolStep line = step(Kind::kLine, 0.7);
-  const PatrolStep turn = step(Kind::kTurn, 2.0);
-  const PatrolStep arc = step(Kind::kArc, 3.0, 0.4);
-  for (const PatrolStep& asked : {line, turn, arc}) {
+  const patrol::PatrolStep line = step(Kind::kLine, 0.7);
+  const patrol::PatrolStep turn = step(Kind::kTurn, 2.0);
+  const patrol::PatrolStep arc = step(Kind::kArc, 3.0, 0.4);
+  for (const patrol::PatrolStep& asked : {line, turn, arc}) {
     const Pose2 start(1.0, 2.0, 3.0);
     test::KinematicBase base(start);
     driver.begin(asked, start, base.sample());

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "frontier_pilot/planning/scan_points.h"
 #include "support/ascii_world.h"
 
 namespace frontier_pilot {
@@ -34,9 +33,9 @@ TEST(ClearanceMap, KeepsTheFootprintOffEveryObstacleCell_NAV_4) {
   std::mt19937 random(1);
   for (int round = 0; round < 20; ++round) {
     const OccupancyGrid map = randomWorld(random, 40, 25);
-    ClearanceParams params;
+    planning::ClearanceParams params;
     params.tight_weight = 0.0;
-    ClearanceMap clearance(params);
+    planning::ClearanceMap clearance(params);
     clearance.setMap(map, map.geometry().rect());
     std::uniform_real_distribution<double> x(-1.0, 1.0);
     std::uniform_real_distribution<double> y(2.0, 4.0);
@@ -58,14 +57,14 @@ TEST(ClearanceMap, TakesATightPlaceOnlyAsTheLastResort_NAV_2) {
     if (i <= 18) map[Cell{i, 18}] = kOccupied;
     if (i >= 22) map[Cell{i, 22}] = kOccupied;
   }
-  ClearanceMap clearance;
+  planning::ClearanceMap clearance;
   clearance.setMap(map, map.geometry().rect());
   EXPECT_TRUE(clearance.isPassable({20, 20}));
-  EXPECT_EQ(clearance.costClass({20, 20}), ClearanceMap::kTightClass);
+  EXPECT_EQ(clearance.costClass({20, 20}), planning::ClearanceMap::kTightClass);
   EXPECT_NEAR(clearance.segmentCost({1.024, 1.025}, {1.026, 1.025}), 0.002 * clearance.params().tight_weight, 1e-9);
-  ClearanceParams params;
+  planning::ClearanceParams params;
   params.tight_weight = 0.0;
-  ClearanceMap strict(params);
+  planning::ClearanceMap strict(params);
   strict.setMap(map, map.geometry().rect());
   EXPECT_FALSE(strict.isPassable({20, 20}));
 }
@@ -74,7 +73,7 @@ TEST(ClearanceMap, LetsThroughWhatADiscOf15CentimetresReaches_NAV_2) {
   // Cells whose centres are more than three cells from every obstacle's are reachable floor for such a disc.
   std::mt19937 random(2);
   const OccupancyGrid map = randomWorld(random, 60, 30);
-  ClearanceMap clearance;
+  planning::ClearanceMap clearance;
   clearance.setMap(map, map.geometry().rect());
   int counted = 0;
   for (std::size_t i = 0; i < map.size(); ++i) {
@@ -89,7 +88,7 @@ TEST(ClearanceMap, LetsThroughWhatADiscOf15CentimetresReaches_NAV_2) {
 TEST(ClearanceMap, UpdatedPieceByPieceIsTheSameAsMadeAnew_NAV_2) {
   std::mt19937 random(3);
   OccupancyGrid map = randomWorld(random, 70, 60);
-  ClearanceMap updated;
+  planning::ClearanceMap updated;
   updated.setMap(map, map.geometry().rect());
   for (int round = 0; round < 30; ++round) {
     CellRect changed;
@@ -104,7 +103,7 @@ TEST(ClearanceMap, UpdatedPieceByPieceIsTheSameAsMadeAnew_NAV_2) {
     if (round % 2 == 0) updated.refresh();
     updated.setLive(live, false);
     updated.refresh();
-    ClearanceMap fresh;
+    planning::ClearanceMap fresh;
     fresh.setMap(map, map.geometry().rect());
     ASSERT_EQ(updated.costs().cells(), fresh.costs().cells()) << "round " << round;
   }
@@ -112,39 +111,15 @@ TEST(ClearanceMap, UpdatedPieceByPieceIsTheSameAsMadeAnew_NAV_2) {
 
 TEST(ClearanceMap, LeadsNoPathThroughUnknownCellsUnlessTold_NAV_2) {
   const auto world = test::drawWorld(std::string(20, '.') + "\n" + std::string(20, '?') + "\n" + std::string(20, '.'));
-  ClearanceMap strict;
+  planning::ClearanceMap strict;
   strict.setMap(world.map, world.map.geometry().rect());
   EXPECT_FALSE(strict.isValid({0.5, 0.02}, {0.5, 0.13}));
   EXPECT_TRUE(strict.isValid({0.5, 0.02}, {0.7, 0.02}));
-  ClearanceParams params;
+  planning::ClearanceParams params;
   params.unknown_is_traversable = true;
-  ClearanceMap bold(params);
+  planning::ClearanceMap bold(params);
   bold.setMap(world.map, world.map.geometry().rect());
   EXPECT_TRUE(bold.isValid({0.5, 0.02}, {0.5, 0.13}));
-}
-
-TEST(PoseHistory, InterpolatesAcrossTheSeamOfTheAngle) {
-  PoseHistory history;
-  history.add(timeFromSeconds(1.0), {0.0, 0.0, 3.0});
-  history.add(timeFromSeconds(2.0), {1.0, 0.0, -3.0});
-  const auto middle = history.at(timeFromSeconds(1.5));
-  ASSERT_TRUE(middle.has_value());
-  EXPECT_NEAR(middle->x, 0.5, 1e-12);
-  EXPECT_NEAR(std::abs(middle->yaw), kPi, 1e-9);
-  EXPECT_FALSE(history.at(timeFromSeconds(3.0)).has_value()) << "too far beyond what is known";
-}
-
-TEST(ScanPoints, TakesATooNearReadingForTheFootprintsEdge_NAV_4) {
-  LaserScan2 scan;
-  scan.angle_increment = kPi;
-  scan.range_min = 0.12;
-  scan.range_max = 8.0;
-  scan.T_base_sensor = {-0.03, 0.0, 0.0};
-  scan.ranges = {1.0F, 0.05F};
-  const ScanPoints points = scanPoints(scan, {10.0, 0.0, 0.0}, Outline::disc(0.105));
-  ASSERT_EQ(points.size(), 2U);
-  EXPECT_NEAR(static_cast<double>(points.x[0]), 10.97, 1e-5);
-  EXPECT_NEAR(static_cast<double>(points.x[1]), 10.0 - 0.105, 1e-5);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
-#include "frontier_pilot/planning/escape.h"
+#include "planning/escape.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 
-#include "open_floor.h"
 #include "support/ascii_world.h"
+#include "support/floors/open_floor.h"
 
 namespace frontier_pilot {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using test::clearanceOf;
 using test::drawWorld;
 
-double distance(const ClearanceMap& map, Cell a, Cell b) {
+double distance(const planning::ClearanceMap& map, Cell a, Cell b) {
   return (map.geometry().centre(a) - map.geometry().centre(b)).norm();
 }
 
@@ -31,9 +31,9 @@ const auto kAtAWall = drawWorld(R"(
 )");
 
 TEST(Escape, FromAPassableCellIsThatCell) {
-  const ClearanceMap map = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 20, 20}, kFree));
+  const planning::ClearanceMap map = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 20, 20}, kFree));
   for (const double radius : {0.0, 0.5}) {
-    const std::vector<Escape> escapes = findEscapes(map, {10, 10}, radius);
+    const std::vector<planning::Escape> escapes = planning::findEscapes(map, {10, 10}, radius);
     ASSERT_EQ(escapes.size(), 1U);
     EXPECT_EQ(escapes[0].cells, (std::vector<Cell>{{10, 10}}));
     EXPECT_EQ(escapes[0].cost, 0.0);
@@ -41,14 +41,14 @@ TEST(Escape, FromAPassableCellIsThatCell) {
 }
 
 TEST(Escape, LeadsFromAWallToTheNearestPassableCellFirst) {
-  const ClearanceMap map = clearanceOf(kAtAWall.map);
+  const planning::ClearanceMap map = clearanceOf(kAtAWall.map);
   const Cell start = kAtAWall.cell('S');
   ASSERT_FALSE(map.isPassable(start));
-  const std::vector<Escape> escapes = findEscapes(map, start, 0.3);
+  const std::vector<planning::Escape> escapes = planning::findEscapes(map, start, 0.3);
   ASSERT_GT(escapes.size(), 1U);
   EXPECT_EQ(escapes[0].cells.back().x, start.x) << "straight away from the wall";
   double last = 0.0;
-  for (const Escape& escape : escapes) {
+  for (const planning::Escape& escape : escapes) {
     EXPECT_GE(escape.cost, last) << "the cheapest first";
     last = escape.cost;
     EXPECT_EQ(escape.cells.front(), start);
@@ -64,12 +64,12 @@ TEST(Escape, LeadsFromAWallToTheNearestPassableCellFirst) {
 }
 
 TEST(Escape, IsNoneWhereNothingPassableIsNearEnough) {
-  const ClearanceMap map = clearanceOf(kAtAWall.map);
-  EXPECT_TRUE(findEscapes(map, kAtAWall.cell('S'), 0.0).empty());
-  EXPECT_TRUE(findEscapes(map, kAtAWall.cell('S'), 0.05).empty());
-  const ClearanceMap full = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 20, 20}, kOccupied));
-  EXPECT_TRUE(findEscapes(full, {10, 10}, 1.0).empty());
-  EXPECT_TRUE(findEscapes(clearanceOf(drawWorld("#").map), {0, 0}, 1.0).empty());
+  const planning::ClearanceMap map = clearanceOf(kAtAWall.map);
+  EXPECT_TRUE(planning::findEscapes(map, kAtAWall.cell('S'), 0.0).empty());
+  EXPECT_TRUE(planning::findEscapes(map, kAtAWall.cell('S'), 0.05).empty());
+  const planning::ClearanceMap full = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 20, 20}, kOccupied));
+  EXPECT_TRUE(planning::findEscapes(full, {10, 10}, 1.0).empty());
+  EXPECT_TRUE(planning::findEscapes(clearanceOf(drawWorld("#").map), {0, 0}, 1.0).empty());
 }
 
 TEST(Escape, CrossesNoWallToARoomBeyond) {
@@ -87,16 +87,16 @@ TEST(Escape, CrossesNoWallToARoomBeyond) {
     ####################
     ####################
   )");
-  EXPECT_TRUE(findEscapes(clearanceOf(world.map), world.cell('S'), 0.5).empty())
+  EXPECT_TRUE(planning::findEscapes(clearanceOf(world.map), world.cell('S'), 0.5).empty())
       << "the walls reach farther than what lies under the robot";
 }
 
 TEST(Escape, TakesWhatLiesUnderTheRobotForNoise) {
   OccupancyGrid grid(GridGeometry{0.05, Vec2::Zero(), 30, 30}, kFree);
   for (int k = 0; k < 9; ++k) grid[Cell{14 + k % 3, 14 + k / 3}] = kOccupied;
-  const ClearanceMap map = clearanceOf(grid);
+  const planning::ClearanceMap map = clearanceOf(grid);
   ASSERT_TRUE(map.isOccupied({15, 15}));
-  EXPECT_FALSE(findEscapes(map, {15, 15}, 0.5).empty());
+  EXPECT_FALSE(planning::findEscapes(map, {15, 15}, 0.5).empty());
 }
 
 TEST(Escape, LeadsOutOfTheUnknownAtTheEdgeOfTheMap) {
@@ -106,14 +106,14 @@ TEST(Escape, LeadsOutOfTheUnknownAtTheEdgeOfTheMap) {
     ???.........
     ???.........
   )");
-  const std::vector<Escape> escapes = findEscapes(clearanceOf(world.map), {0, 0}, 0.5);
+  const std::vector<planning::Escape> escapes = planning::findEscapes(clearanceOf(world.map), {0, 0}, 0.5);
   ASSERT_FALSE(escapes.empty());
   EXPECT_EQ(escapes[0].cells.back(), (Cell{3, 0}));
 }
 
 TEST(Escape, GoesBeyondTheFirstPassableCellOnlyWhenAskedTo) {
-  const ClearanceMap map = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 21, 21}, kFree));
-  const std::vector<Escape> escapes = findEscapes(map, {10, 10}, 0.1, true);
+  const planning::ClearanceMap map = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 21, 21}, kFree));
+  const std::vector<planning::Escape> escapes = planning::findEscapes(map, {10, 10}, 0.1, true);
   EXPECT_EQ(escapes.size(), 13U) << "every cell within two of it";
   EXPECT_EQ(escapes[0].cells.size(), 1U) << "the cell itself is the cheapest";
 }

@@ -1,4 +1,4 @@
-#include "frontier_pilot/planning/grid_search.h"
+#include "planning/grid_search.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <set>
 #include <tuple>
 
-#include "open_floor.h"
 #include "support/ascii_world.h"
+#include "support/floors/open_floor.h"
 
 namespace frontier_pilot {
 namespace {
@@ -25,26 +25,26 @@ OccupancyGrid worldOfSingleWalls(std::mt19937& random, int side, unsigned one_wa
   return map;
 }
 
-bool isStep(const ClearanceMap& map, Cell from, Cell to) {
+bool isStep(const planning::ClearanceMap& map, Cell from, Cell to) {
   const int dx = std::abs(to.x - from.x);
   const int dy = std::abs(to.y - from.y);
   if (std::max(dx, dy) != 1 || !map.isPassable(to)) return false;
   return map.isPassable({to.x, from.y}) && map.isPassable({from.x, to.y});
 }
 
-double stepCost(const ClearanceMap& map, Cell from, Cell to) {
+double stepCost(const planning::ClearanceMap& map, Cell from, Cell to) {
   const double length = from.x != to.x && from.y != to.y ? 99.0 : 70.0;
   return std::round(length * map.weight(map.costClass(to)));
 }
 
-double costOf(const ClearanceMap& map, const std::vector<Cell>& path) {
+double costOf(const planning::ClearanceMap& map, const std::vector<Cell>& path) {
   double cost = 0.0;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) cost += stepCost(map, path[i], path[i + 1]);
   return cost;
 }
 
 /// What the cheapest path costs by Dijkstra's search over the same steps; negative if there is none.
-double leastCost(const ClearanceMap& map, Cell start, Cell goal) {
+double leastCost(const planning::ClearanceMap& map, Cell start, Cell goal) {
   Grid<double> costs(map.geometry(), 1e18);
   std::set<std::tuple<double, int, int>> open{{0.0, start.x, start.y}};
   costs[start] = 0.0;
@@ -65,15 +65,15 @@ double leastCost(const ClearanceMap& map, Cell start, Cell goal) {
 }
 
 TEST(GridSearch, FindsThePathOfOneCellWhereTheStartIsTheGoal) {
-  const ClearanceMap map = clearanceOf(drawWorld(".").map, pointRobot());
-  GridSearch search;
+  const planning::ClearanceMap map = clearanceOf(drawWorld(".").map, pointRobot());
+  planning::GridSearch search;
   ASSERT_TRUE(search.search(map, {0, 0}, {0, 0}));
   EXPECT_EQ(search.pathTo({0, 0}), (std::vector<Cell>{{0, 0}}));
   EXPECT_EQ(search.expanded(), 1U);
 }
 
 TEST(GridSearch, HasReachedNothingBeforeItSearchedNorOutsideOfTheMap) {
-  GridSearch search;
+  planning::GridSearch search;
   EXPECT_FALSE(search.reached({0, 0}));
   ASSERT_TRUE(search.search(clearanceOf(drawWorld("...").map, pointRobot()), {0, 0}, {2, 0}));
   EXPECT_FALSE(search.reached({-1, 0}));
@@ -82,8 +82,9 @@ TEST(GridSearch, HasReachedNothingBeforeItSearchedNorOutsideOfTheMap) {
 }
 
 TEST(GridSearch, LooksAtNothingBesideAStraightLineInTheOpen) {
-  const ClearanceMap map = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 30, 30}, kFree), pointRobot());
-  GridSearch search;
+  const planning::ClearanceMap map =
+      clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 30, 30}, kFree), pointRobot());
+  planning::GridSearch search;
   ASSERT_TRUE(search.search(map, {2, 15}, {27, 15}));
   EXPECT_EQ(search.pathTo({27, 15}).size(), 26U);
   EXPECT_EQ(search.expanded(), 26U);
@@ -95,8 +96,8 @@ TEST(GridSearch, KnowsAllThatIsReachableWhereThereIsNoPath) {
     .S...#.G.
     .....#...
   )");
-  const ClearanceMap map = clearanceOf(world.map, pointRobot());
-  GridSearch search;
+  const planning::ClearanceMap map = clearanceOf(world.map, pointRobot());
+  planning::GridSearch search;
   ASSERT_FALSE(search.search(map, world.cell('S'), world.cell('G')));
   EXPECT_EQ(search.expanded(), 15U);
   for (std::size_t i = 0; i < world.map.size(); ++i) {
@@ -111,7 +112,7 @@ TEST(GridSearch, PassesNoCornerThatADiagonalStepWouldCut) {
     S.##
     ....
   )");
-  GridSearch search;
+  planning::GridSearch search;
   EXPECT_FALSE(search.search(clearanceOf(closed.map, pointRobot()), closed.cell('S'), closed.cell('G')));
   const auto corner = drawWorld(R"(
     .G
@@ -134,11 +135,11 @@ TEST(GridSearch, PrefersTheLongerWayWhereTheShorterOneRunsAlongWalls) {
     ....................
     ####################
   )");
-  ClearanceParams params = pointRobot();
+  planning::ClearanceParams params = pointRobot();
   params.preferred_clearance = 0.4;
   params.wall_weight = 3.0;
-  const ClearanceMap map = clearanceOf(world.map, params);
-  GridSearch search;
+  const planning::ClearanceMap map = clearanceOf(world.map, params);
+  planning::GridSearch search;
   ASSERT_TRUE(search.search(map, world.cell('S'), world.cell('G')));
   int highest = 0;
   for (const Cell cell : search.pathTo(world.cell('G'))) highest = std::max(highest, cell.y);
@@ -147,13 +148,13 @@ TEST(GridSearch, PrefersTheLongerWayWhereTheShorterOneRunsAlongWalls) {
 
 TEST(GridSearch, FindsTheCheapestPathWheneverThereIsOne) {
   std::mt19937 random(1);
-  GridSearch search;
+  planning::GridSearch search;
   int found = 0;
   for (int round = 0; round < 200; ++round) {
-    ClearanceParams params = pointRobot();
+    planning::ClearanceParams params = pointRobot();
     params.preferred_clearance = 0.2;
     params.wall_weight = 0.5 * (round % 7);
-    const ClearanceMap map = clearanceOf(worldOfSingleWalls(random, 25, 3 + round % 8), params);
+    const planning::ClearanceMap map = clearanceOf(worldOfSingleWalls(random, 25, 3 + round % 8), params);
     const Cell start = map.geometry().cell(random() % map.geometry().size());
     const Cell goal = map.geometry().cell(random() % map.geometry().size());
     if (!map.isPassable(start) || !map.isPassable(goal)) continue;
@@ -172,13 +173,13 @@ TEST(GridSearch, FindsTheCheapestPathWheneverThereIsOne) {
 
 TEST(GridSearch, AnswersTheSameWhateverItSearchedBefore) {
   std::mt19937 random(2);
-  GridSearch used;
+  planning::GridSearch used;
   for (int round = 0; round < 30; ++round) {
-    const ClearanceMap map = clearanceOf(worldOfSingleWalls(random, 10 + round % 3, 6), pointRobot());
+    const planning::ClearanceMap map = clearanceOf(worldOfSingleWalls(random, 10 + round % 3, 6), pointRobot());
     const Cell start = map.geometry().cell(random() % map.geometry().size());
     const Cell goal = map.geometry().cell(random() % map.geometry().size());
     if (!map.isPassable(start) || !map.isPassable(goal)) continue;
-    GridSearch fresh;
+    planning::GridSearch fresh;
     const bool found = fresh.search(map, start, goal);
     ASSERT_EQ(used.search(map, start, goal), found);
     ASSERT_EQ(used.expanded(), fresh.expanded());

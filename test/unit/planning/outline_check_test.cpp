@@ -9,17 +9,18 @@
 #include <vector>
 
 #include "frontier_pilot/planning/global_planner.h"
-#include "open_floor.h"
+#include "support/floors/open_floor.h"
+#include "support/floors/zigzag.h"
 #include "support/shipped_robot.h"
-#include "zigzag.h"
 
 namespace frontier_pilot {
 namespace {
 
 const Outline kWaffle = test::shippedRobot("waffle").drivenOutline();
 
-ClearanceMap laneMap(const OccupancyGrid& map, double radius = kWaffle.halfWidth(), double tight_weight = 10.0) {
-  ClearanceParams params;
+planning::ClearanceMap laneMap(const OccupancyGrid& map, double radius = kWaffle.halfWidth(),
+                               double tight_weight = 10.0) {
+  planning::ClearanceParams params;
   params.inscribed_radius = radius;
   params.tight_weight = tight_weight;
   return test::clearanceOf(map, params);
@@ -46,7 +47,7 @@ double exactDistance(const OccupancyGrid& map, const Pose2& pose) {
 }
 
 /// The least distance along a path of straight motions and turns on the spot.
-double exactDistanceAlong(const OccupancyGrid& map, const Path& path, double yaw) {
+double exactDistanceAlong(const OccupancyGrid& map, const planning::Path& path, double yaw) {
   double least = 10.0;
   for (std::size_t i = 0; i + 1 < path.points().size(); ++i) {
     const Vec2 from = path.points()[i];
@@ -61,17 +62,17 @@ double exactDistanceAlong(const OccupancyGrid& map, const Path& path, double yaw
 
 // [ROB-1]
 TEST(OutlineChecks, HaveNothingToAddForADisc) {
-  EXPECT_TRUE(OutlineCheck().isTrivial());
-  EXPECT_TRUE(OutlineCheck(Outline::disc(0.2)).isTrivial());
-  EXPECT_FALSE(OutlineCheck(kWaffle).isTrivial());
+  EXPECT_TRUE(planning::OutlineCheck().isTrivial());
+  EXPECT_TRUE(planning::OutlineCheck(Outline::disc(0.2)).isTrivial());
+  EXPECT_FALSE(planning::OutlineCheck(kWaffle).isTrivial());
 }
 
 // [ROB-1] [NAV-2]
 TEST(OutlineChecks, SeeTheCornersBehindThatSwingOutInATurn) {
   OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 60, 60}, kFree);
   for (int x = 0; x < 60; ++x) map[Cell{x, 20}] = kOccupied;  // its surface is at y = 1.05
-  const ClearanceMap clearance = laneMap(map);
-  const OutlineCheck check(kWaffle);
+  const planning::ClearanceMap clearance = laneMap(map);
+  const planning::OutlineCheck check(kWaffle);
   const Vec2 beside(1.5, 1.05 + 0.153 + 0.045);
   EXPECT_TRUE(check.fits(clearance, {beside, 0.0})) << "along the wall";
   EXPECT_FALSE(check.fits(clearance, {beside, 0.5 * kPi})) << "its back would be in the wall";
@@ -82,26 +83,26 @@ TEST(OutlineChecks, SeeTheCornersBehindThatSwingOutInATurn) {
 // [ROB-1] [NAV-2] The path is one for the outline, not for the circle around it.
 TEST(OutlineChecks, LeadThroughTurnsInCorridorsThatTheCircleDoesNotFit) {
   const OccupancyGrid map = test::zigzag(10);  // 0.5 m; the circle has 0.512 m
-  const PlanRequest request{{0.7, 0.75}, {5.4, 2.75}, 0.1, 0.0};
-  GlobalPlanner for_circle;
+  const planning::PlanRequest request{{0.7, 0.75}, {5.4, 2.75}, 0.1, 0.0};
+  planning::GlobalPlanner for_circle;
   EXPECT_FALSE(for_circle.plan(laneMap(map, kWaffle.circumscribedRadius()), request).found());
-  GlobalPlanner planner({}, OutlineCheck(kWaffle));
-  const ClearanceMap clearance = laneMap(map);
-  const PlanResult result = planner.plan(clearance, request);
+  planning::GlobalPlanner planner({}, planning::OutlineCheck(kWaffle));
+  const planning::ClearanceMap clearance = laneMap(map);
+  const planning::PlanResult result = planner.plan(clearance, request);
   ASSERT_TRUE(result.found()) << toString(result.status);
-  EXPECT_TRUE(isPathValid(clearance, result.path, result.escape));
-  EXPECT_TRUE(OutlineCheck(kWaffle).inTightPlaces().canFollow(clearance, result.path, result.escape, 0.0,
-                                                              Pose2(request.start, 0.0)));
+  EXPECT_TRUE(planning::isPathValid(clearance, result.path, result.escape));
+  EXPECT_TRUE(planning::OutlineCheck(kWaffle).inTightPlaces().canFollow(clearance, result.path, result.escape, 0.0,
+                                                                        Pose2(request.start, 0.0)));
   EXPECT_GT(exactDistanceAlong(map, result.path, 0.0), -0.005) << "the scan decides about the rest";
   EXPECT_LT(result.path.length(), 6.7);
 }
 
 TEST(OutlineChecks, RefuseATurnThatTheOutlineDoesNotFit) {
   const OccupancyGrid map = test::zigzag(8);  // 0.40 m: it fits straight on, and cannot turn
-  GlobalPlanner planner({}, OutlineCheck(kWaffle));
-  const ClearanceMap clearance = laneMap(map);
+  planning::GlobalPlanner planner({}, planning::OutlineCheck(kWaffle));
+  const planning::ClearanceMap clearance = laneMap(map);
   EXPECT_TRUE(planner.plan(clearance, {{0.7, 0.7}, {2.0, 0.7}, 0.0, 0.0}).found());
-  EXPECT_EQ(planner.plan(clearance, {{0.7, 0.7}, {5.4, 2.8}, 0.0, 0.0}).status, PlanStatus::kStartBlocked)
+  EXPECT_EQ(planner.plan(clearance, {{0.7, 0.7}, {5.4, 2.8}, 0.0, 0.0}).status, planning::PlanStatus::kStartBlocked)
       << "it might help to back up to where there is more room";
 }
 
@@ -114,17 +115,17 @@ TEST(OutlineChecks, HoldForEveryPathThatIsFound) {
   for (int round = 0; round < 40; ++round) {
     OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 100, 100}, kFree);
     for (int i = 0; i < 45; ++i) map[Cell{any(random), any(random)}] = kOccupied;
-    const ClearanceMap clearance = laneMap(map, kWaffle.halfWidth(), 0.0);
-    const OutlineCheck check(kWaffle);
+    const planning::ClearanceMap clearance = laneMap(map, kWaffle.halfWidth(), 0.0);
+    const planning::OutlineCheck check(kWaffle);
     const Pose2 start(0.5, 0.5, 0.06 * any(random));
     if (!clearance.isValid(start.position()) || !check.fits(clearance, start)) continue;
-    const PlanRequest request{start.position(), {4.5, 4.5}, 0.3, start.yaw};
-    const PlanResult lane = GlobalPlanner().plan(clearance, request);
-    const PlanResult result = GlobalPlanner({}, check).plan(clearance, request);
+    const planning::PlanRequest request{start.position(), {4.5, 4.5}, 0.3, start.yaw};
+    const planning::PlanResult lane = planning::GlobalPlanner().plan(clearance, request);
+    const planning::PlanResult result = planning::GlobalPlanner({}, check).plan(clearance, request);
     if (!result.found()) continue;
     ++found;
     oriented += check.canFollow(clearance, lane.path, lane.escape, 0.0, start) ? 0 : 1;
-    EXPECT_TRUE(isPathValid(clearance, result.path, result.escape)) << round;
+    EXPECT_TRUE(planning::isPathValid(clearance, result.path, result.escape)) << round;
     EXPECT_GT(exactDistanceAlong(map, result.path, start.yaw), 0.0) << round;
   }
   EXPECT_GT(found, 15);

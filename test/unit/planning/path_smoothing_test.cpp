@@ -1,19 +1,19 @@
-#include "frontier_pilot/planning/path_smoothing.h"
+#include "planning/path_smoothing.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "frontier_pilot/planning/grid_search.h"
-#include "open_floor.h"
+#include "planning/grid_search.h"
 #include "support/ascii_world.h"
+#include "support/floors/open_floor.h"
 
 namespace frontier_pilot {
 namespace {
 
 using test::clearanceOf;
 
-double costOf(const ClearanceMap& map, const Path& path) {
+double costOf(const planning::ClearanceMap& map, const planning::Path& path) {
   double cost = 0.0;
   for (std::size_t i = 0; i + 1 < path.points().size(); ++i) {
     const double step = map.segmentCost(path.points()[i], path.points()[i + 1]);
@@ -23,34 +23,37 @@ double costOf(const ClearanceMap& map, const Path& path) {
   return cost;
 }
 
-Path gridPath(const ClearanceMap& map, Cell start, Cell goal) {
-  GridSearch search;
+planning::Path gridPath(const planning::ClearanceMap& map, Cell start, Cell goal) {
+  planning::GridSearch search;
   if (!search.search(map, start, goal)) return {};
   std::vector<Vec2> points;
   for (const Cell cell : search.pathTo(goal)) points.push_back(map.geometry().centre(cell));
-  return Path(points);
+  return planning::Path(points);
 }
 
-ClearanceMap openFloor() { return clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 60, 60}, kFree)); }
+planning::ClearanceMap openFloor() {
+  return clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 60, 60}, kFree));
+}
 
 TEST(PathSmoothing, LeavesPathsWithoutACornerAsTheyAre) {
-  const ClearanceMap map = openFloor();
-  EXPECT_TRUE(smoothPath(map, Path()).empty());
-  EXPECT_TRUE(pullString(map, {}).empty());
-  const Path point({{1.0, 1.0}});
-  EXPECT_EQ(smoothPath(map, point).points(), point.points());
-  const Path line({{1.0, 1.0}, {2.0, 1.5}});
-  EXPECT_EQ(smoothPath(map, line).points(), line.points());
+  const planning::ClearanceMap map = openFloor();
+  EXPECT_TRUE(planning::smoothPath(map, planning::Path()).empty());
+  EXPECT_TRUE(planning::pullString(map, {}).empty());
+  const planning::Path point({{1.0, 1.0}});
+  EXPECT_EQ(planning::smoothPath(map, point).points(), point.points());
+  const planning::Path line({{1.0, 1.0}, {2.0, 1.5}});
+  EXPECT_EQ(planning::smoothPath(map, line).points(), line.points());
 }
 
 TEST(PathSmoothing, PullsADetourInTheOpenStraight) {
-  const ClearanceMap map = openFloor();
-  const Path smooth = smoothPath(map, Path({{0.5, 0.5}, {1.5, 0.5}, {1.5, 2.0}, {2.5, 2.0}}));
+  const planning::ClearanceMap map = openFloor();
+  const planning::Path smooth =
+      planning::smoothPath(map, planning::Path({{0.5, 0.5}, {1.5, 0.5}, {1.5, 2.0}, {2.5, 2.0}}));
   EXPECT_EQ(smooth.points(), (std::vector<Vec2>{{0.5, 0.5}, {2.5, 2.0}}));
 }
 
 TEST(PathSmoothing, DropsSamplesThatLieOnALine) {
-  EXPECT_EQ(pullString(openFloor(), {{0.5, 1.0}, {1.0, 1.0}, {1.5, 1.0}, {2.0, 1.0}}).points().size(), 2U);
+  EXPECT_EQ(planning::pullString(openFloor(), {{0.5, 1.0}, {1.0, 1.0}, {1.5, 1.0}, {2.0, 1.0}}).points().size(), 2U);
 }
 
 TEST(PathSmoothing, GivesTheSamplesWhereEachIsNeeded) {
@@ -69,11 +72,11 @@ TEST(PathSmoothing, GivesTheSamplesWhereEachIsNeeded) {
     .....S....#########..G........
     ..............................
   )");
-  ClearanceParams params;
+  planning::ClearanceParams params;
   params.wall_weight = 0.0;
-  const ClearanceMap map = clearanceOf(world.map, params);
+  const planning::ClearanceMap map = clearanceOf(world.map, params);
   const std::vector<Vec2> samples{world.point('S'), world.point('A'), world.point('B'), world.point('G')};
-  EXPECT_EQ(pullString(map, samples).points(), samples);
+  EXPECT_EQ(planning::pullString(map, samples).points(), samples);
 }
 
 TEST(PathSmoothing, KeepsEndsAndValidityAndNeverMakesAPathLonger) {
@@ -82,13 +85,13 @@ TEST(PathSmoothing, KeepsEndsAndValidityAndNeverMakesAPathLonger) {
   for (int round = 0; round < 60; ++round) {
     OccupancyGrid grid(GridGeometry{0.05, Vec2(-1.0, 1.0), 50, 50}, kFree);
     for (int i = 0; i < 25; ++i) grid[random() % grid.size()] = kOccupied;
-    const ClearanceMap map = clearanceOf(grid);
+    const planning::ClearanceMap map = clearanceOf(grid);
     const Cell start = grid.geometry().cell(random() % grid.size());
     const Cell goal = grid.geometry().cell(random() % grid.size());
     if (!map.isPassable(start) || !map.isPassable(goal)) continue;
-    const Path path = gridPath(map, start, goal);
+    const planning::Path path = gridPath(map, start, goal);
     if (path.empty()) continue;
-    const Path smooth = smoothPath(map, path);
+    const planning::Path smooth = planning::smoothPath(map, path);
     ASSERT_EQ(smooth.points().front(), path.points().front());
     ASSERT_EQ(smooth.goal(), path.goal());
     EXPECT_GE(costOf(map, smooth), smooth.length() - 1e-9);

@@ -1,8 +1,8 @@
-#include "frontier_pilot/ros/action_requests.h"
+#include "ros/common/actions/action_requests.h"
 
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/ros/clock.h"
+#include "ros/common/clock.h"
 
 namespace frontier_pilot {
 namespace {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/bag_log.h"
+#include "ros/map_log/bag_log.h"
 
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
@@ -69,14 +69,14 @@ class BagLog : public ::testing::Test {
       if (i < scans) writeScan(100.05 + 0.1 * i);
     }
   }
-  ScanLog read(const BagTopics& topics = {}) {
+  logs::ScanLog read(const tools::BagTopics& topics = {}) {
     bag_.close();
     return readBagLog(path_, topics);
   }
-  std::string problem(const BagTopics& topics = {}) {
+  std::string problem(const tools::BagTopics& topics = {}) {
     try {
       read(topics);
-    } catch (const LogError& error) {
+    } catch (const logs::LogError& error) {
       return error.what();
     }
     return "none";
@@ -91,10 +91,10 @@ class BagLog : public ::testing::Test {
 TEST_F(BagLog, PairsScansWithTheOdometryOfTheirStampAndFindsTheScanner) {
   writeDrive(20);
   writeMounts();  // the mount may come late in the file
-  const ScanLog log = read();
+  const logs::ScanLog log = read();
   ASSERT_EQ(log.records.size(), 20U);
   EXPECT_TRUE(log.notes.empty());
-  const LogRecord& record = log.records[7];
+  const logs::LogRecord& record = log.records[7];
   EXPECT_EQ(record.scan.stamp, timeFromSeconds(100.75));
   EXPECT_FALSE(isJump(record.T_odom_base, Pose2(0.75, 0.0, 0.0), 1e-6, 1e-6));
   EXPECT_FALSE(isJump(record.scan.T_base_sensor, Pose2(0.3, 0.0, 0.0), 1e-6, 1e-6));
@@ -106,7 +106,7 @@ TEST_F(BagLog, LeavesOutAndCountsWhatCannotBeUsed) {
   writeScan(90.0);
   writeDrive(5);
   writeScan(100.3, "elsewhere");
-  const ScanLog log = read();
+  const logs::ScanLog log = read();
   EXPECT_EQ(log.records.size(), 5U);
   ASSERT_EQ(log.notes.size(), 2U);
   EXPECT_NE((log.notes[0] + log.notes[1]).find("1 x scan without odometry for its stamp"), std::string::npos);
@@ -121,7 +121,7 @@ TEST_F(BagLog, SaysWhatItDidNotFind) {
 TEST_F(BagLog, ReadsOtherTopicsWhenTold) {
   writeMounts();
   writeDrive(3);
-  BagTopics topics;
+  tools::BagTopics topics;
   topics.scan = "/front/scan";
   EXPECT_NE(problem(topics).find("'/front/scan'"), std::string::npos);
   topics.scan = "/scan";
@@ -133,7 +133,7 @@ TEST_F(BagLog, FindsNothingOnATopicWithoutAName_FLT_1) {
   writeMounts();
   writeDrive(3);
   for (const char* topic : {"", "/", "///"}) {
-    BagTopics topics;
+    tools::BagTopics topics;
     topics.scan = topic;
     EXPECT_NE(problem(topics).find("holds no usable scan"), std::string::npos) << topic;
   }
@@ -143,13 +143,13 @@ TEST_F(BagLog, IsTheSameFromAnotherProcess) {
   writeMounts();
   writeScan(90.0);
   writeDrive(20);
-  const ScanLog here = read();
-  const ScanLog there = readBagLogApart(path_, {});
+  const logs::ScanLog here = read();
+  const logs::ScanLog there = readBagLogApart(path_, {});
   EXPECT_EQ(here.notes, there.notes);
   ASSERT_EQ(here.records.size(), there.records.size());
   for (std::size_t i = 0; i < here.records.size(); ++i) {
-    const LogRecord& a = here.records[i];
-    const LogRecord& b = there.records[i];
+    const logs::LogRecord& a = here.records[i];
+    const logs::LogRecord& b = there.records[i];
     EXPECT_EQ(a.T_odom_base, b.T_odom_base);
     EXPECT_EQ(a.scan.stamp, b.scan.stamp);
     EXPECT_EQ(a.scan.T_base_sensor, b.scan.T_base_sensor);
@@ -185,7 +185,7 @@ TEST_F(BagLog, IsReadOrRefusedWhateverItHolds_FLT_1) {
     std::ofstream(path_, std::ios::binary) << bytes;
     try {
       readBagLogApart(path_, {}, limits);
-    } catch (const LogError& error) {
+    } catch (const logs::LogError& error) {
       ++refused;
       EXPECT_NE(std::string(error.what()).find("drive.bag"), std::string::npos) << error.what();
     }
@@ -203,7 +203,7 @@ TEST_F(BagLog, IsRefusedWhenItNeedsTooMuch_FLT_1) {
   try {
     readBagLogApart(path_, {}, limits);
     FAIL() << "it was read";
-  } catch (const LogError& error) {
+  } catch (const logs::LogError& error) {
     EXPECT_NE(std::string(error.what()).find("more memory than"), std::string::npos) << error.what();
   }
   limits = BagReadLimits();
@@ -211,7 +211,7 @@ TEST_F(BagLog, IsRefusedWhenItNeedsTooMuch_FLT_1) {
   try {
     readBagLogApart(path_, {}, limits);
     FAIL() << "it was read";
-  } catch (const LogError& error) {
+  } catch (const logs::LogError& error) {
     EXPECT_NE(std::string(error.what()).find("longer than"), std::string::npos) << error.what();
   }
 }
@@ -219,10 +219,10 @@ TEST_F(BagLog, IsRefusedWhenItNeedsTooMuch_FLT_1) {
 TEST_F(BagLog, SaysThatAFileIsNoBag) {
   bag_.close();
   std::ofstream(path_) << "#ROSBAG V2.0\nand nothing else";
-  EXPECT_THROW(readBagLog(path_, {}), LogError);
-  EXPECT_THROW(readBagLog(path_ + ".none", {}), LogError);
-  EXPECT_THROW(readBagLogApart(path_, {}), LogError);
-  EXPECT_THROW(readBagLogApart(path_ + ".none", {}), LogError);
+  EXPECT_THROW(readBagLog(path_, {}), logs::LogError);
+  EXPECT_THROW(readBagLog(path_ + ".none", {}), logs::LogError);
+  EXPECT_THROW(readBagLogApart(path_, {}), logs::LogError);
+  EXPECT_THROW(readBagLogApart(path_ + ".none", {}), logs::LogError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/callback_guard.h"
+#include "ros/common/callback_guard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/checked_subscription.h"
+#include "ros/common/messages/checked_subscription.h"
 
 #include <gtest/gtest.h>
 #include <nav_msgs/Path.h>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/ros/clock_monitor.h"
+#include "ros/common/clock_monitor.h"
 
 namespace frontier_pilot {
 namespace {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/clock.h"
+#include "ros/common/clock.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/conversions.h"
+#include "ros/common/messages/conversions.h"
 
 #include <gtest/gtest.h>
 

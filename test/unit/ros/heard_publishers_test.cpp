@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/heard_publishers.h"
+#include "ros/common/messages/heard_publishers.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "frontier_pilot/core/bounds.h"
-#include "frontier_pilot/ros/conversions.h"
 #include "good_messages.h"
+#include "ros/common/messages/conversions.h"
 
 /// Messages that are well-formed and hold a number that would size memory or work. [FLT-1]
 namespace frontier_pilot {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/mailbox.h"
+#include "ros/common/messages/mailbox.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/map_mirror.h"
+#include "ros/common/messages/map_mirror.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "frontier_pilot/ros/conversions.h"
+#include "ros/common/messages/conversions.h"
 #include "support/ascii_world.h"
 
 namespace frontier_pilot {

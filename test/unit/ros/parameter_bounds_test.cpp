@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/ros/behavior_server_adapter.h"
-#include "frontier_pilot/ros/cmd_vel_arbiter_adapter.h"
-#include "frontier_pilot/ros/explorer_adapter.h"
-#include "frontier_pilot/ros/mapper_adapter.h"
-#include "frontier_pilot/ros/navigator_adapter.h"
-#include "frontier_pilot/ros/obstacle_avoider_adapter.h"
-#include "frontier_pilot/ros/patrol_server_adapter.h"
-#include "frontier_pilot/ros/simulator_adapter.h"
 #include "frontier_pilot/teleop/parameters.h"
+#include "ros/behavior_server/behavior_server_adapter.h"
+#include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/frontier_explorer/frontier_explorer_adapter.h"
+#include "ros/mapper/mapper_adapter.h"
+#include "ros/navigator/navigator_adapter.h"
+#include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
+#include "ros/patrol_server/patrol_server_adapter.h"
+#include "ros/simulator/simulator_adapter.h"
 
 namespace frontier_pilot {
 namespace {
@@ -33,14 +33,14 @@ void appendRows(const std::string& node, std::vector<Row>& rows) {
 std::vector<Row> rowsOfAllNodes() {
   std::vector<Row> rows;
   appendRows<SimulatorNodeParameters>("simulator", rows);
-  appendRows<ArbiterParameters>("cmd_vel_arbiter", rows);
+  appendRows<arbiter::ArbiterParameters>("cmd_vel_arbiter", rows);
   appendRows<ObstacleAvoiderNodeParameters>("obstacle_avoider", rows);
   appendRows<PatrolServerParameters>("patrol_server", rows);
   appendRows<BehaviorServerParameters>("behavior_server", rows);
   appendRows<MapperNodeParameters>("mapper", rows);
   appendRows<NavigatorNodeParameters>("navigator", rows);
   appendRows<ExplorerNodeParameters>("frontier_explorer", rows);
-  appendRows<TeleopParameters>("teleop_gui", rows);
+  appendRows<teleop::TeleopParameters>("teleop_gui", rows);
   return rows;
 }
 

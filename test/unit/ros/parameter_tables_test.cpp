@@ -12,15 +12,15 @@
 
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
-#include "frontier_pilot/ros/behavior_server_adapter.h"
-#include "frontier_pilot/ros/cmd_vel_arbiter_adapter.h"
-#include "frontier_pilot/ros/explorer_adapter.h"
-#include "frontier_pilot/ros/mapper_adapter.h"
-#include "frontier_pilot/ros/navigator_adapter.h"
-#include "frontier_pilot/ros/obstacle_avoider_adapter.h"
-#include "frontier_pilot/ros/patrol_server_adapter.h"
-#include "frontier_pilot/ros/simulator_adapter.h"
 #include "frontier_pilot/teleop/parameters.h"
+#include "ros/behavior_server/behavior_server_adapter.h"
+#include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/frontier_explorer/frontier_explorer_adapter.h"
+#include "ros/mapper/mapper_adapter.h"
+#include "ros/navigator/navigator_adapter.h"
+#include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
+#include "ros/patrol_server/patrol_server_adapter.h"
+#include "ros/simulator/simulator_adapter.h"
 
 namespace frontier_pilot {
 namespace {
@@ -59,11 +59,12 @@ std::string allTables() {
          "Each stands in its node's private namespace; `a/b` is the key `b` in the dictionary `a`. A key that is not\n"
          "here, a value of the wrong type or out of bounds stops the node at start, all of them named at once.\n"
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
-         robotTable() + table<SimulatorNodeParameters>("simulator") + table<ArbiterParameters>("cmd_vel_arbiter") +
+         robotTable() + table<SimulatorNodeParameters>("simulator") +
+         table<arbiter::ArbiterParameters>("cmd_vel_arbiter") +
          table<ObstacleAvoiderNodeParameters>("obstacle_avoider") + table<PatrolServerParameters>("patrol_server") +
          table<BehaviorServerParameters>("behavior_server") + table<MapperNodeParameters>("mapper") +
          table<NavigatorNodeParameters>("navigator") + table<ExplorerNodeParameters>("frontier_explorer") +
-         table<TeleopParameters>("teleop_gui");
+         table<teleop::TeleopParameters>("teleop_gui");
 }
 
 TEST(ParameterTables, TheDocumentedOnesAreThoseOfTheStructs) {
@@ -117,15 +118,15 @@ void expectGood(const std::string& file) {
 TEST(ShippedConfigurations, AreAllAcceptedByTheNodesTheyAreFor) {
   expectGood<SimulatorNodeParameters>("simulator.yaml");
   expectGood<SimulatorNodeParameters>("robots.yaml");
-  expectGood<ArbiterParameters>("arbiter.yaml");
-  expectGood<ArbiterParameters>("arbiter_avoid_required.yaml");
+  expectGood<arbiter::ArbiterParameters>("arbiter.yaml");
+  expectGood<arbiter::ArbiterParameters>("arbiter_avoid_required.yaml");
   expectGood<ObstacleAvoiderNodeParameters>("avoider.yaml");
   expectGood<PatrolServerParameters>("patrol.yaml");
   expectGood<BehaviorServerParameters>("behavior.yaml");
   expectGood<MapperNodeParameters>("mapper.yaml");
   expectGood<NavigatorNodeParameters>("navigator.yaml");
   expectGood<ExplorerNodeParameters>("explorer.yaml");
-  expectGood<TeleopParameters>("teleop.yaml");
+  expectGood<teleop::TeleopParameters>("teleop.yaml");
   expectGood<RobotLimits>("limits_fast.yaml");
 }
 
@@ -145,13 +146,13 @@ TEST(RobotParameters, StandOnceInTheDocumentationAndAreTakenByEveryNode_ROB_1) {
       return problem.rfind("robot", 0) == 0 || problem.rfind("limits", 0) == 0;
     });
   };
-  EXPECT_TRUE(takes(ArbiterParameters()));
+  EXPECT_TRUE(takes(arbiter::ArbiterParameters()));
   EXPECT_TRUE(takes(ObstacleAvoiderNodeParameters()));
   EXPECT_TRUE(takes(PatrolServerParameters()));
   EXPECT_TRUE(takes(BehaviorServerParameters()));
   EXPECT_TRUE(takes(MapperNodeParameters()));
   EXPECT_TRUE(takes(ExplorerNodeParameters()));
-  EXPECT_TRUE(takes(TeleopParameters()));
+  EXPECT_TRUE(takes(teleop::TeleopParameters()));
   EXPECT_TRUE(takes(SimulatorNodeParameters()));
   EXPECT_TRUE(takes(NavigatorNodeParameters()));
 }

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/parameters.h"
+#include "ros/common/parameters.h"
 
 #include <gtest/gtest.h>
 #include <xmlrpcpp/XmlRpcValue.h>

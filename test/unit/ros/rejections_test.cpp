@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "frontier_pilot/core/bounds.h"
-#include "frontier_pilot/ros/diagnostics.h"
+#include "ros/common/diagnostics.h"
 
 namespace frontier_pilot {
 namespace {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/session_memory.h"
+#include "ros/common/session_memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,6 +1,6 @@
 // Which of the stamps of a moving frame are to be believed.
 
-#include "frontier_pilot/ros/stamp_order.h"
+#include "ros/common/tf/stamp_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/throttled_log.h"
+#include "ros/common/throttled_log.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "frontier_pilot/ros/clock.h"
-#include "frontier_pilot/ros/tf_listener.h"
+#include "ros/common/clock.h"
+#include "ros/common/tf/tf_listener.h"
 
 namespace frontier_pilot {
 namespace {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/ros/worker.h"
+#include "ros/mapper/worker.h"
 
 #include <gtest/gtest.h>
 

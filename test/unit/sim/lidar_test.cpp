@@ -40,7 +40,7 @@ TEST(Lidar, SeesDiscsAsAskingEveryOneOfThem_SIM_2) {
   for (int world = 0; world < 60; ++world) {
     Grid<std::uint8_t> solid(kOpen);
     for (int i = 0; i < 20 * (world % 30); ++i) solid[random() % solid.size()] = 1;
-    const RayCaster walls(solid);
+    const grids::RayCaster walls(solid);
     ScannerModel scanner = centred();
     scanner.angle_min = place(random) / 3.0;
     scanner.field_of_view = world % 2 == 0 ? 2.0 * kPi : 2.0 + size(random);
@@ -72,7 +72,7 @@ TEST(Lidar, DoesNotSeeTheRobotItSitsOn) {
   Lidar lidar(centred(), kExact);
   LaserScan2 scan;
   Random noise(1);
-  lidar.scan({}, RayCaster(Grid<std::uint8_t>{kOpen}), index, own, noise, scan);
+  lidar.scan({}, grids::RayCaster(Grid<std::uint8_t>{kOpen}), index, own, noise, scan);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) EXPECT_EQ(readBeam(scan, i).kind, RangeKind::kFree);
 }
 
@@ -80,7 +80,7 @@ TEST(Lidar, SpreadsTheBeamsOverItsFieldOfView) {
   ScannerModel scanner = centred();
   LaserScan2 scan;
   Random noise(1);
-  const RayCaster walls(Grid<std::uint8_t>{kOpen});
+  const grids::RayCaster walls(Grid<std::uint8_t>{kOpen});
   Lidar(scanner, kExact).scan({}, walls, DiscIndex(kOpen), std::nullopt, noise, scan);
   EXPECT_NEAR(scan.angle(360), 2.0 * kPi, 1e-9) << "a full turn has no beam twice";
   scanner.field_of_view = kPi;
@@ -99,8 +99,8 @@ TEST(Lidar, NoiseAndDropoutsAreAsConfigured_SIM_2) {
   LaserScan2 scan;
   Random noise(3);
   Lidar(scanner, {0.02, 0.1})
-      .scan({0.65, 0.05, -0.0005}, RayCaster(world.solid()), DiscIndex(world.map.geometry()), std::nullopt, noise,
-            scan);
+      .scan({0.65, 0.05, -0.0005}, grids::RayCaster(world.solid()), DiscIndex(world.map.geometry()), std::nullopt,
+            noise, scan);
   double sum = 0.0;
   double squares = 0.0;
   double hits = 0.0;
@@ -122,7 +122,8 @@ TEST(Lidar, SaysTooNearAndNothingThereAsREP117Wants) {
   LaserScan2 scan;
   Random noise(1);
   Lidar(scanner, kExact)
-      .scan({0.15, 0.05, kPi}, RayCaster(world.solid()), DiscIndex(world.map.geometry()), std::nullopt, noise, scan);
+      .scan({0.15, 0.05, kPi}, grids::RayCaster(world.solid()), DiscIndex(world.map.geometry()), std::nullopt, noise,
+            scan);
   EXPECT_EQ(scan.ranges[0], -INFINITY);
   EXPECT_EQ(scan.ranges[180], INFINITY);
 }

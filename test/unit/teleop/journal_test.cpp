@@ -5,11 +5,11 @@
 namespace frontier_pilot {
 namespace {
 
-OperatorState quietState() {
-  OperatorState state;
+teleop::OperatorState quietState() {
+  teleop::OperatorState state;
   state.emergency_stop = false;
-  state.arbiter = ArbiterView{};
-  state.explorer = ExplorerView{};
+  state.arbiter = teleop::ArbiterView{};
+  state.explorer = teleop::ExplorerView{};
   state.explorer->state_text = "IDLE";
   state.explorer->reason_text = "paused";
   return state;
@@ -19,11 +19,11 @@ class Journal : public ::testing::Test {
  protected:
   std::vector<std::string> lines() const {
     std::vector<std::string> texts;
-    for (const OperatorLogLine& line : whatHappened(before_, now_)) texts.push_back(line.text);
+    for (const teleop::OperatorLogLine& line : teleop::whatHappened(before_, now_)) texts.push_back(line.text);
     return texts;
   }
 
-  OperatorState before_ = quietState(), now_ = quietState();
+  teleop::OperatorState before_ = quietState(), now_ = quietState();
 };
 
 using Lines = std::vector<std::string>;
@@ -32,7 +32,7 @@ TEST_F(Journal, IsSilentWhileNothingHappens) {
   EXPECT_EQ(lines(), Lines());
   before_ = {};
   EXPECT_EQ(lines(), Lines()) << "what is found at the start is no event";
-  EXPECT_TRUE(whatHappened({}, {}).empty());
+  EXPECT_TRUE(teleop::whatHappened({}, {}).empty());
 }
 
 // [GUI-2]
@@ -74,14 +74,14 @@ TEST_F(Journal, TellsEachStepOfTheExplorer) {
 }
 
 TEST_F(Journal, TellsWhoFallsSilent) {
-  now_.arbiter->status_age = now_.explorer->status_age = 2.0 * kStatusLifetime;
+  now_.arbiter->status_age = now_.explorer->status_age = 2.0 * teleop::kStatusLifetime;
   EXPECT_EQ(lines(), (Lines{"the arbiter fell silent", "the explorer fell silent"}));
 }
 
 TEST_F(Journal, TellsWhenTheAvoiderIsInTrouble) {
-  before_.avoider = AvoiderView{};
-  now_.avoider = AvoiderView{};
-  now_.avoider->severity = Severity::kError;
+  before_.avoider = teleop::AvoiderView{};
+  now_.avoider = teleop::AvoiderView{};
+  now_.avoider->severity = teleop::Severity::kError;
   now_.avoider->state_text = "stuck: after 12 cycles";
   EXPECT_EQ(lines(), Lines{"avoider: stuck: after 12 cycles"});
   before_ = now_;

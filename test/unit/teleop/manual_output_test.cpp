@@ -12,8 +12,8 @@ const Twist2 kForward{0.1, 0.0};
 SteadyTime at(double seconds) { return timeFromSeconds<SteadyTime>(seconds); }
 
 /// An output that has got `set_point` through at 0 s. A liveness timeout of 0.4 s.
-ManualOutput liveOutput(const Twist2& set_point) {
-  ManualOutput output(fromSeconds(0.4));
+teleop::ManualOutput liveOutput(const Twist2& set_point) {
+  teleop::ManualOutput output(fromSeconds(0.4));
   output.beat({}, at(-0.1));
   output.update(true, at(-0.1));
   output.beat(set_point, at(0.0));
@@ -22,13 +22,13 @@ ManualOutput liveOutput(const Twist2& set_point) {
 }
 
 TEST(ManualOutput, IsSilentBeforeTheFirstSignOfLife) {
-  ManualOutput output(fromSeconds(0.4));
+  teleop::ManualOutput output(fromSeconds(0.4));
   EXPECT_FALSE(output.update(true, at(1.0)));
 }
 
 // [GUI-1]
 TEST(ManualOutput, RepeatsTheSetPointWhileTheWindowLives) {
-  ManualOutput output = liveOutput(kForward);
+  teleop::ManualOutput output = liveOutput(kForward);
   for (int i = 1; i <= 10; ++i) {
     output.beat(kForward, at(0.1 * i));
     EXPECT_EQ(output.update(true, at(0.1 * i)), kForward);
@@ -37,17 +37,17 @@ TEST(ManualOutput, RepeatsTheSetPointWhileTheWindowLives) {
 
 // [GUI-3]
 TEST(ManualOutput, AFrozenWindowGetsOneZeroAndThenSilence) {
-  ManualOutput output = liveOutput(kForward);
+  teleop::ManualOutput output = liveOutput(kForward);
   EXPECT_EQ(output.update(true, at(0.4)), kForward);
   EXPECT_EQ(output.update(true, at(0.5)), Twist2{});
-  EXPECT_EQ(output.state(), ManualOutput::State::kFrozen);
+  EXPECT_EQ(output.state(), teleop::ManualOutput::State::kFrozen);
   EXPECT_FALSE(output.update(true, at(0.6)));
   EXPECT_FALSE(output.update(true, at(60.0)));
 }
 
 // [GUI-3]
 TEST(ManualOutput, AWindowThatThawsDoesNotMoveTheRobotWithWhatWasAskedBefore) {
-  ManualOutput output = liveOutput(kForward);
+  teleop::ManualOutput output = liveOutput(kForward);
   output.update(true, at(0.5));
   output.beat(kForward, at(3.0));
   EXPECT_EQ(output.update(true, at(3.0)), Twist2{});
@@ -59,30 +59,30 @@ TEST(ManualOutput, AWindowThatThawsDoesNotMoveTheRobotWithWhatWasAskedBefore) {
 
 // [GUI-3]
 TEST(ManualOutput, AProcessThatStoodStillAltogetherCountsAsFrozenToo) {
-  ManualOutput output = liveOutput(kForward);
+  teleop::ManualOutput output = liveOutput(kForward);
   output.beat(kForward, at(5.0));  // nobody asked for an update in between
   EXPECT_EQ(output.update(true, at(5.0)), Twist2{});
 }
 
 TEST(ManualOutput, SwitchedOffItSaysZeroOnceAndStartsAgainOnlyFromZero) {
-  ManualOutput output = liveOutput(kForward);
+  teleop::ManualOutput output = liveOutput(kForward);
   EXPECT_EQ(output.update(false, at(0.1)), Twist2{});
   EXPECT_FALSE(output.update(false, at(0.2)));
   output.beat(kForward, at(0.3));
   EXPECT_EQ(output.update(true, at(0.3)), Twist2{});
-  EXPECT_EQ(output.state(), ManualOutput::State::kRearm);
+  EXPECT_EQ(output.state(), teleop::ManualOutput::State::kRearm);
 }
 
 // [GUI-3]
 TEST(ManualOutput, NothingLeavesAfterTheZeroOfClosing) {
-  ManualOutput output = liveOutput(kForward);
+  teleop::ManualOutput output = liveOutput(kForward);
   EXPECT_EQ(output.close(), Twist2{});
   output.beat(kForward, at(0.1));
   EXPECT_FALSE(output.update(true, at(0.1)));
 }
 
 TEST(ManualOutput, ASetPointThatIsNotFiniteCountsAsZero) {
-  ManualOutput output = liveOutput(kForward);
+  teleop::ManualOutput output = liveOutput(kForward);
   output.beat({std::numeric_limits<double>::quiet_NaN(), 0.0}, at(0.1));
   EXPECT_EQ(output.update(true, at(0.1)), Twist2{});
 }

@@ -1,4 +1,4 @@
-#include "frontier_pilot/tools/arguments.h"
+#include "tools/arguments.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,10 @@ namespace frontier_pilot {
 namespace {
 
 TEST(Arguments, GivesWordsAndTheirValues) {
-  Arguments arguments({"drive.csv", "--range", "2.5", "--count=3", "--seeds", "2-4", "--one", "7", "--low", "-3-1"});
+  tools::Arguments arguments(
+      {"drive.csv", "--range", "2.5", "--count=3", "--seeds", "2-4", "--one", "7", "--low", "-3-1"});
   EXPECT_EQ(arguments.next(), "drive.csv");
-  EXPECT_TRUE(Arguments::isOption(arguments.next()));
+  EXPECT_TRUE(tools::Arguments::isOption(arguments.next()));
   EXPECT_EQ(arguments.number(), 2.5);
   EXPECT_EQ(arguments.next(), "--count");
   EXPECT_EQ(arguments.integer(), 3);
@@ -25,7 +26,7 @@ TEST(Arguments, GivesWordsAndTheirValues) {
 
 TEST(Arguments, NameTheOptionThatLacksItsValue) {
   const auto problemOf = [](const std::vector<std::string>& words) -> std::string {
-    Arguments arguments(words);
+    tools::Arguments arguments(words);
     arguments.next();
     try {
       arguments.number();

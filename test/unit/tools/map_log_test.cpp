@@ -1,4 +1,4 @@
-#include "frontier_pilot/tools/map_log.h"
+#include "tools/map_log.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 std::string problemOf(const std::vector<std::string>& words) {
   try {
-    parseMapLogOptions(words);
+    tools::parseMapLogOptions(words);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -29,8 +29,8 @@ std::string problemOf(const std::vector<std::string>& words) {
 }
 
 TEST(MapLogOptions, AreReadInAnyOrder) {
-  const MapLogOptions options =
-      parseMapLogOptions({"--out=/tmp/x", "--resolution", "0.1", "drive.csv", "--mount", "0.1", "0", "-0.5", "--fov",
+  const tools::MapLogOptions options =
+      tools::parseMapLogOptions({"--out=/tmp/x", "--resolution", "0.1", "drive.csv", "--mount", "0.1", "0", "-0.5", "--fov",
                           "90", "--range", "12", "--relations", "r", "--scan", "/base_scan", "--odom", "wheel_odom"});
   EXPECT_EQ(options.log, "drive.csv");
   EXPECT_EQ(options.out, "/tmp/x");
@@ -49,7 +49,7 @@ TEST(MapLogOptions, SayWhatIsWrong) {
   EXPECT_EQ(problemOf({"a", "b", "--out", "x"}), "more than one log: a and b");
   EXPECT_EQ(problemOf({"a", "--fast"}), "unknown option --fast");
   EXPECT_EQ(problemOf({"a", "--out", "x", "--range", "0"}), "--range must be positive");
-  EXPECT_TRUE(parseMapLogOptions({"--help"}).help);
+  EXPECT_TRUE(tools::parseMapLogOptions({"--help"}).help);
 }
 
 // [FLT-1]
@@ -83,10 +83,10 @@ class MapLog : public ::testing::Test {
   void SetUp() override { writeDrive(path("drive.csv")); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   /// Runs the program: its exit code and what it printed.
-  int run(const std::vector<std::string>& words, const BagReader& read_bag = {}) {
+  int run(const std::vector<std::string>& words, const tools::BagReader& read_bag = {}) {
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
-    const int code = runMapLog(words, read_bag);
+    const int code = tools::runMapLog(words, read_bag);
     out_ = ::testing::internal::GetCapturedStdout();
     errors_ = ::testing::internal::GetCapturedStderr();
     return code;
@@ -169,10 +169,10 @@ TEST_F(MapLog, HandsARosbagToItsReader) {
   EXPECT_EQ(run({path("drive.bag"), "--out", path("map")}), 1);
   EXPECT_NE(errors_.find("without ROS"), std::string::npos) << errors_;
   std::string asked;
-  const BagReader reader = [&](const std::string& bag, const BagTopics& topics) {
+  const tools::BagReader reader = [&](const std::string& bag, const tools::BagTopics& topics) {
     asked = bag + " " + topics.scan;
     std::ifstream file(path("drive.csv"));
-    return readScanLog(file, "drive.csv");
+    return logs::readScanLog(file, "drive.csv");
   };
   EXPECT_EQ(run({path("drive.bag"), "--out", path("map"), "--scan", "laser"}, reader), 0) << errors_;
   EXPECT_EQ(asked, path("drive.bag") + " laser");

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "frontier_pilot/slam/local_slam.h"
+
+namespace frontier_pilot::localization {
+
+/// Follows a robot in a map that does not change. Where it begins has to be said: the first scan that fits there,
+/// within three standard deviations, decides. [MAP-5]
+class Localizer {
+ public:
+  /// `map` may be empty: then no scan ever fits.
+  Localizer(const slam::LocalSlamParameters& parameters, const OccupancyGrid& map,
+            const scan_matching::PoseBelief& T_map_base);
+
+  /// `scan`, well-formed and newer than the last one, was taken at `T_odom_base`. Before the robot is found the verdict
+  /// says why it is not.
+  slam::MatchVerdict update(const LaserScan2& scan, const Pose2& T_odom_base);
+
+  /// Whether the robot has been found.
+  bool isLocated() const { return !sought_; }
+  const Pose2& T_map_odom() const { return T_map_odom_; }
+
+ private:
+  slam::MatchVerdict find(const surfaces::SurfacePoints& points, const Pose2& T_odom_base);
+
+  slam::LocalSlamParameters parameters_;
+  scan_matching::SurfaceMap map_;
+  std::optional<scan_matching::MaxPyramid> pyramid_;       ///< none without a map
+  std::optional<scan_matching::MaxPyramid> wide_pyramid_;  ///< while the robot is sought
+  slam::ScanTracker tracker_;
+  std::optional<scan_matching::PoseBelief> sought_;  ///< T_map_base of the next scan; none once the robot is found
+  std::optional<Pose2> T_odom_sought_;               ///< the base's pose that `sought_` is the map's pose of
+  Pose2 T_map_odom_;
+};
+
+}  // namespace frontier_pilot::localization

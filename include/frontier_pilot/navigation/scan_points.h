@@ -1,0 +1,54 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/outline.h"
+
+namespace frontier_pilot::navigation {
+
+/// The surfaces that a scan saw, as points in the map frame [m]. Coordinates lie apart so that loops over them
+/// vectorise.
+struct ScanPoints {
+  std::vector<float> x;
+  std::vector<float> y;
+
+  std::size_t size() const { return x.size(); }
+  void add(const Vec2& point);
+  /// Those within `radius` [m] of `centre`, padded with far away points to a multiple of `kLanes`.
+  ScanPoints near(const Vec2& centre, double radius) const;
+  /// Distance from `point` to the nearest one [m]; large if there is none.
+  double distance(const Vec2& point) const;
+  /// Distance to the nearest one from the outline of a robot at `T_map_base` [m], negative inside of it; large if there
+  /// is none.
+  double distance(const Outline& outline, const Pose2& T_map_base) const;
+
+  static constexpr std::size_t kLanes = 8;
+};
+
+/// The hits of `scan`, taken from a base at `T_map_base`. A too near reading is somewhere between the robot's outline
+/// and the sensor's least range: it counts as the outline's edge, where that is the nearer one.
+ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline);
+
+/// Whether enough beams say something for the scan to be driven by: more than a tenth of a scan that is not empty.
+bool isUsable(const LaserScan2& scan);
+
+/// Poses of the last second, so that a scan can be placed where it was taken, not where the robot is by now.
+class PoseHistory {
+ public:
+  void add(Time stamp, const Pose2& T_map_base);
+  void clear() { poses_.clear(); }
+  /// The pose at `stamp`, interpolated; beyond the ends the nearest one if it is at most 0.2 s away.
+  std::optional<Pose2> at(Time stamp) const;
+
+ private:
+  struct Stamped {
+    Time stamp;
+    Pose2 pose;
+  };
+  std::deque<Stamped> poses_;
+};
+
+}  // namespace frontier_pilot::navigation

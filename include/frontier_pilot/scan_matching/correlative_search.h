@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+
+#include "frontier_pilot/scan_matching/likelihood_grid.h"
+#include "frontier_pilot/surfaces/surface_points.h"
+
+namespace frontier_pilot::scan_matching {
+
+/// Half widths around the expected pose.
+struct SearchWindow {
+  double x = 0.0;    ///< along the map's axes [m]
+  double y = 0.0;    ///< [m]
+  double yaw = 0.0;  ///< [rad]; pi or more: all directions
+};
+
+/// What a deviation from the expected pose costs: weight * min(limit^2, (d / sigma_position)^2 + (a / sigma_yaw)^2)
+/// of score. Bounded, so that the expectation decides between equals and never against what the scan shows.
+struct SearchPenalty {
+  double weight = 0.0;          ///< 0: none
+  double limit = 3.0;           ///< in standard deviations
+  double sigma_position = 1.0;  ///< [m]
+  double sigma_yaw = 1.0;       ///< [rad]
+};
+
+/// Poses that do not count, to look for a second peak: those within both bounds of `pose`.
+struct SearchExclusion {
+  Pose2 pose;
+  double distance = 0.0;  ///< [m]
+  double angle = 0.0;     ///< [rad]
+};
+
+struct SearchRequest {
+  Pose2 expected;  ///< T_map_points
+  SearchWindow window;
+  SearchPenalty penalty;
+  std::optional<SearchExclusion> exclusion;
+  double min_score = 0.0;  ///< what scores less is not found
+};
+
+struct SearchResult {
+  Pose2 pose;              ///< T_map_points
+  double score = 0.0;      ///< mean of the likelihoods at the points, 0 ... 1
+  double rating = 0.0;     ///< the score less the penalty: what was maximised
+  bool on_border = false;  ///< of the window: the true optimum may lie outside
+};
+
+/// The pose in the window with the best rating, and no other has a better one: exact on the lattice of the field's
+/// cells and of the angle by which the points move one cell in the root mean square. None if no pose reaches
+/// `min_score`. Olson, "Real-Time Correlative Scan Matching", ICRA 2009; depth-first branch and bound over the pyramid
+/// by Hess et al., ICRA 2016, V. A pyramid with top 0 gives the exhaustive search; its best top is about log2 of the
+/// window's width in cells. `points` must not be empty.
+std::optional<SearchResult> correlativeSearch(const MaxPyramid& pyramid, const surfaces::SurfacePoints& points,
+                                              const SearchRequest& request);
+
+/// The level that a pyramid should have for `window`.
+int pyramidTop(const SearchWindow& window, double resolution);
+
+}  // namespace frontier_pilot::scan_matching

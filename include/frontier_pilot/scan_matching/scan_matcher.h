@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
+#include "frontier_pilot/scan_matching/surface_map.h"
+
+namespace frontier_pilot::scan_matching {
+
+/// A pose and how sure it is. The error is of (x, y, yaw), each added to the pose's own; x and y along the axes of the
+/// frame that the pose is in.
+struct PoseBelief {
+  Pose2 pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2, m rad, rad^2]
+};
+
+struct RefinementParameters {
+  int iterations = 12;         ///< at most
+  double outlier = 0.05;       ///< a point this far from its surface counts a quarter [m]
+  double independence = 0.25;  ///< share of the points that count as independent of each other
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("iterations", iterations, "", "greatest number of iterations", between(1, 100));
+    v.field("outlier", outlier, "m", "a point this far from its surface counts a quarter", positive());
+    v.field("independence", independence, "", "share of the points that count as independent", {0.0, 1.0, true});
+  }
+};
+
+struct Refinement {
+  Pose2 pose;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the points alone, without the prior; as in PoseBelief
+  double inliers = 0.0;                                   ///< share of the points that lie on a surface, 0 ... 1
+};
+
+/// Moves `start` to where `points` lie on the surfels: Gauss-Newton on the distances along the surfels' normals (Chen &
+/// Medioni, "Object Modelling by Registration of Multiple Range Images", 1992), with the weights of Geman & McClure.
+/// Along a wall a point says nothing, so a corridor leaves the information along it near zero, and `prior` decides
+/// there: what it says is minimised together with the distances.
+Refinement refine(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& start,
+                  const std::optional<PoseBelief>& prior, const RefinementParameters& parameters);
+
+/// Share of the points whose beams from `T_map_base` contradict the map: they pass through a known surface, or end
+/// before one where nothing is known to be. A scan of a new place shares little with the map, and yet contradicts
+/// nothing; one of another place does.
+double contradictions(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
+
+}  // namespace frontier_pilot::scan_matching

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/scan_matching/scan_matcher.h"
+#include "frontier_pilot/slam/loop_closure.h"
+#include "frontier_pilot/slam/submap_graph.h"
+
+namespace frontier_pilot::slam {
+
+struct LoopSearchParameters {
+  double min_score = 0.55;     ///< mean likelihood of the points, as in LocalSlam
+  double min_inliers = 0.6;    ///< share of the points that must lie on a surface
+  double ambiguity = 0.9;      ///< a second place that scores this share of the best one makes it ambiguous
+  double peak_distance = 0.2;  ///< nearer than this it is the same place [m]
+  double peak_angle = 0.1;     ///< turned less than this it is the same place [rad]
+  int submaps_kept = 8;        ///< so many submaps are kept ready for a search
+  surfaces::SurfaceParameters surface;
+  scan_matching::LikelihoodParameters likelihood;
+  scan_matching::RefinementParameters refinement;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("min_score", min_score, "", "mean likelihood that a closure must reach", between(0.0, 1.0));
+    v.field("min_inliers", min_inliers, "", "share of the points that must lie on a surface", between(0.0, 1.0));
+    v.field("ambiguity", ambiguity, "", "a second place that scores this share of the best makes it ambiguous",
+            between(0.0, 1.0));
+    v.field("peak_distance", peak_distance, "m", "nearer than this it is the same place", positive());
+    v.field("peak_angle", peak_angle, "rad", "turned less than this it is the same place", positive());
+    v.field("submaps_kept", submaps_kept, "", "so many submaps are kept ready for a search", between(1, 1000));
+    v.group("surface", surface, "how scans are read");
+    v.group("likelihood", likelihood, "the field that is searched");
+    v.group("refinement", refinement, "the match below the size of a cell");
+  }
+};
+
+/// Looks for a keyframe in an old submap: the exact optimum in a window, refined, and looked at with suspicion.
+class LoopSearch {
+ public:
+  struct Result {
+    ClosureVerdict verdict = ClosureVerdict::kNotFound;  ///< kAccepted: found, nothing speaks against it
+    scan_matching::PoseBelief T_submap_keyframe;
+  };
+
+  explicit LoopSearch(const LoopSearchParameters& parameters = {}) : parameters_(parameters) {}
+
+  /// Around `expected`, T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
+  Result find(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
+              const Pose2& expected, const scan_matching::SearchWindow& window);
+  /// What is matched of a keyframe.
+  surfaces::SurfacePoints pointsOf(const Keyframe& keyframe) const;
+  /// Share of a keyframe's points that contradict a submap, as in `contradictions`, if it is at `T_submap_keyframe`.
+  double contradiction(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
+                       const Pose2& T_submap_keyframe);
+
+ private:
+  /// What a search needs of a submap, made of its keyframes.
+  struct Prepared {
+    std::size_t submap;
+    std::size_t keyframes;  ///< of it that are in the map: the newest submaps still grow
+    scan_matching::SurfaceMap map;
+    scan_matching::MaxPyramid pyramid;
+  };
+
+  const Prepared& prepare(const SubmapGraph& graph, std::size_t submap, int top);
+  bool isAmbiguous(const scan_matching::MaxPyramid& pyramid, const surfaces::SurfacePoints& points,
+                   scan_matching::SearchRequest request, const scan_matching::SearchResult& best,
+                   const Eigen::Matrix3d& information) const;
+
+  LoopSearchParameters parameters_;
+  std::list<Prepared> prepared_;  ///< the last used one first
+};
+
+}  // namespace frontier_pilot::slam

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/slam/local_slam.h"
+#include "frontier_pilot/slam/pose_graph.h"
+
+namespace frontier_pilot::slam {
+
+/// How far a submap is believed to be off, seen from its predecessor, even where the scans show all there is to see.
+struct SubmapDrift {
+  double position = 0.008;  ///< standard deviation [m]
+  double yaw = 0.002;       ///< standard deviation [rad]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("position", position, "m", "standard deviation of a submap's position, seen from its predecessor",
+            positive());
+    v.field("yaw", yaw, "rad", "standard deviation of a submap's yaw, seen from its predecessor", positive());
+  }
+};
+
+/// A keyframe and where it went.
+struct PlacedKeyframe {
+  Keyframe keyframe;
+  Eigen::Matrix3d drift = Eigen::Matrix3d::Zero();  ///< of the step from the keyframe before, see LocalDrift
+  struct Place {
+    std::size_t submap = 0;
+    Pose2 T_local_submap;
+  };
+  std::vector<Place> places;  ///< the submaps that it is in, the older first
+  Pose2 T_map_base;           ///< where it went into the map
+};
+
+/// The submaps of a drive as nodes of a pose graph; the keyframes ride on them. A submap is rigid. A keyframe in two of
+/// them is placed between what either says, the nearer to the younger one the later it came: so the map bends
+/// smoothly where the graph does.
+class SubmapGraph {
+ public:
+  struct Submap {
+    Pose2 T_local_submap;
+    std::vector<std::size_t> keyframes;  ///< ascending
+  };
+
+  explicit SubmapGraph(const SubmapDrift& drift = {}, const PoseGraphParameters& parameters = {});
+
+  /// Keyframes come in the order of their ids, from 0, each in at least one submap.
+  void add(PlacedKeyframe placed);
+
+  std::size_t keyframeCount() const { return keyframes_.size(); }
+  std::size_t submapCount() const { return submaps_.size(); }
+  const Keyframe& keyframe(std::size_t id) const { return keyframes_[id]; }
+  const Submap& submap(std::size_t id) const { return submaps_[id]; }
+
+  /// How many submaps later or earlier the nearest one with the keyframe in it was begun.
+  std::size_t gap(std::size_t submap, std::size_t keyframe) const;
+
+  Pose2 T_map_submap(std::size_t submap) const { return graph_.pose(submap); }
+  Pose2 T_map_keyframe(std::size_t keyframe) const;
+  Pose2 T_submap_keyframe(std::size_t submap, std::size_t keyframe) const;
+  /// Where the local frame is by what is known now.
+  Pose2 T_map_local() const;
+
+  /// For each submap the covariance of (x, y, yaw) of its pose seen from `submap`, along the axes of that, at most:
+  /// that of the most certain way through the graph. Olson, "Robust and Efficient Robotic Mapping", 2008, 3.3.
+  std::vector<Eigen::Matrix3d> uncertaintyFrom(std::size_t submap) const;
+
+  /// Adds a closure: `keyframe`, which is in submap `of`, is at `T_submap_keyframe`. Moves nothing yet.
+  void close(std::size_t submap, std::size_t of, std::size_t keyframe,
+             const scan_matching::PoseBelief& T_submap_keyframe);
+  PoseGraphReport optimize() { return graph_.optimize(); }
+  const PoseGraph& graph() const { return graph_; }
+  /// Puts an earlier copy of `graph` back.
+  void setGraph(const PoseGraph& graph) { graph_ = graph; }
+
+ private:
+  void begin(const PlacedKeyframe::Place& place);
+
+  SubmapDrift drift_;
+  PoseGraph graph_;  ///< node i is submap i
+  std::vector<Submap> submaps_;
+  std::vector<Keyframe> keyframes_;
+  struct Range {
+    std::size_t first = 0, last = 0;
+  };
+  std::vector<Range> places_;                              ///< by keyframe: the submaps that it is in
+  Eigen::Matrix3d drift_since_ = Eigen::Matrix3d::Zero();  ///< the drift of the steps since the last submap began
+  int steps_ = 0;                                          ///< their number
+};
+
+}  // namespace frontier_pilot::slam

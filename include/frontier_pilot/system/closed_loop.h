@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/arbiter/arbiter.h"
+#include "frontier_pilot/exploration/explorer.h"
+#include "frontier_pilot/mapping/mapper.h"
+#include "frontier_pilot/navigation/navigator.h"
+#include "frontier_pilot/sim/simulator.h"
+
+namespace frontier_pilot::system {
+
+/// The parameters of every part, as the nodes have them.
+struct ClosedLoopParameters {
+  sim::SimulatorParameters simulator;
+  mapping::MapperParameters mapper = trustingOdometry();  ///< as system.launch has it without noise
+  navigation::NavigatorParams navigator;
+  exploration::ExplorerParameters explorer;
+  arbiter::ArbiterParameters arbiter;
+  double latency = 0.0;     ///< from a measurement to those who use it [s]
+  double head_start = 0.0;  ///< of all others before the explorer [s]
+
+  static mapping::MapperParameters trustingOdometry() {
+    mapping::MapperParameters parameters;
+    parameters.trust_odometry = true;
+    return parameters;
+  }
+  /// One robot for everybody who needs to know it.
+  void setRobot(const RobotModel& robot);
+  /// The same robot with other limits.
+  void setLimits(const RobotLimits& limits);
+};
+
+/// Where the processor time went [s].
+struct ModuleTimes {
+  double simulator = 0.0;
+  double mapper = 0.0;
+  double navigator = 0.0;
+  double explorer = 0.0;
+  double arbiter = 0.0;
+
+  double sum() const { return simulator + mapper + navigator + explorer + arbiter; }
+};
+
+/// Simulator, mapper, navigator, explorer and arbiter in lockstep in one process: what system.launch does over topics.
+/// Simulated time only; deterministic for a seed.
+class ClosedLoop {
+ public:
+  /// Throws as sim::Simulator does. `wall_clock`, if given, is read to fill `times()`; nothing else depends on it.
+  ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)() = nullptr);
+
+  /// One step of the simulator, and what falls due in it.
+  void step();
+  /// Switches the navigator's source at the arbiter off and on: while it is off the robot is told to stand.
+  void setNavEnabled(bool on);
+
+  Time now() const { return simulator_.now(); }
+  sim::Simulator& simulator() { return simulator_; }
+  const mapping::Mapper& mapper() const { return mapper_; }
+  const navigation::Navigator& navigator() const { return navigator_; }
+  const exploration::Explorer& explorer() const { return explorer_; }
+  const exploration::ExplorerProgress& status() const { return status_; }
+  bool done() const { return status_.state == exploration::ExplorerState::kDone; }
+  /// Every transition and remark of the explorer and every end of a goal since the last call, one line each.
+  std::vector<std::string> takeLog();
+  const ModuleTimes& times() const { return times_; }
+  /// FNV-1a over the robot's poses, commands and decisions so far: equal runs have equal hashes.
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  /// What the robot's sensors said at one moment.
+  struct Sensed {
+    Time stamp;
+    Pose2 T_odom_base;
+    Twist2 twist;
+    std::optional<LaserScan2> scan;
+  };
+
+  void sense();
+  void control();
+  void explore();
+  void navigate();
+  void noteGoals(const navigation::NavigatorOutput& output);
+  Instant instant() const;
+  navigation::StampedPose lastPose() const;
+  void log(const std::string& line);
+  void mix(double value);
+
+  /// Adds the time that a scope took.
+  class Stopwatch;
+
+  sim::Simulator simulator_;
+  mapping::Mapper mapper_;
+  navigation::Navigator navigator_;
+  exploration::Explorer explorer_;
+  arbiter::Arbiter arbiter_;
+  std::size_t nav_source_;
+  double (*wall_clock_)();
+
+  Duration head_start_;
+  Duration latency_;
+  std::deque<Sensed> on_the_way_;
+  Sensed sensed_;  ///< the newest that has arrived
+  LaserScan2 scan_;
+  exploration::GoalCommand pending_;
+  std::uint32_t goal_id_ = 0;
+  std::vector<exploration::GoalEvent> goal_events_;
+  exploration::ExplorerProgress status_;
+  std::vector<std::string> log_;
+  ModuleTimes times_;
+  std::uint64_t hash_ = 14695981039346656037ULL;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace frontier_pilot::system

@@ -1,0 +1,299 @@
+#include "frontier_pilot/grids/ray_casting.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace frontier_pilot::grids {
+namespace {
+
+// A "canonical" frame has the ray's longer axis as x and both components of its direction positive; eight of them, by
+// which axis is the longer one and which are mirrored, cover the circle. Canonical grids have a ring of solid cells
+// around them, so that a walk needs no check of the grid's border, and cell (0, 0) of the grid becomes (1, 1).
+constexpr int kOctants = 8;
+
+// Slopes (short axis over long axis) are sorted into [0, 1/8), [1/8, 1/4), [1/4, 1/2) and [1/2, 1]. Within one of them
+// the greatest slope is at most twice the smallest (but for the first), so that each leap towards a wall beside the ray
+// at least halves the distance to it.
+constexpr int kSlopes = 4;
+constexpr int kFlattest = 1 << (kSlopes - 1);
+
+constexpr int kMaxLeap = 254;
+
+// Rows are followed in fixed point: adding up slopes is then exact, and whole cells are a shift away. 40 bits make the
+// error of a slope 10^-12, far below what a range of a few thousand cells can show.
+constexpr int kFraction = 40;
+constexpr double kOne = static_cast<double>(std::int64_t{1} << kFraction);
+
+// Rays that take turns for their first leaps, so that one is worked on while others wait for memory.
+constexpr std::size_t kAtOnce = 32;
+constexpr int kTurns = 5;
+
+int slopeClass(double slope) { return (slope >= 0.125) + (slope >= 0.25) + (slope >= 0.5); }
+
+int planeIndex(bool steep, bool mirror_x, bool mirror_y, int slope_class) {
+  return ((steep * 2 + mirror_x) * 2 + mirror_y) * kSlopes + slope_class;
+}
+
+// The canonical cells of an octant: their free run lengths, and then the leaps of each class of slopes. Cells of one
+// column lie side by side: rays that start in one place leap to the same column, and so to the same line of cache.
+class LeapBuilder {
+ public:
+  LeapBuilder(const Grid<std::uint8_t>& solid, bool steep, bool mirror_x, bool mirror_y)
+      : columns_((steep ? solid.height() : solid.width()) + 2),
+        stride_((steep ? solid.width() : solid.height()) + 2),
+        runs_(static_cast<std::size_t>((columns_ + kTailColumns) * stride_)) {
+    for (int y = 0; y < solid.height(); ++y) {
+      for (int x = 0; x < solid.width(); ++x) {
+        const int cx = mirror_x ? solid.width() - x : x + 1;
+        const int cy = mirror_y ? solid.height() - y : y + 1;
+        runs_[steep ? at(cy, cx) : at(cx, cy)] = solid[{x, y}] == 0;
+      }
+    }
+    countRuns();
+  }
+
+  // Fills a plane; `leaps` must be readable for a tail of columns beyond it (what stands there does not matter).
+  void fill(int slope_class, std::uint8_t* leaps) const {
+    for (std::ptrdiff_t column = columns_ - 2; column > 0; --column) {
+      if (slope_class == 0) {
+        fillFlatColumn(column, leaps);
+      } else {
+        fillSlopedColumn(column, kFlattest >> slope_class, leaps);
+      }
+    }
+  }
+
+  static constexpr std::ptrdiff_t kTailColumns = kFlattest + 1;
+
+ private:
+  std::size_t at(std::ptrdiff_t column, std::ptrdiff_t row) const {
+    return static_cast<std::size_t>(column * stride_ + row);
+  }
+
+  static std::uint8_t plus(std::uint8_t leap, int columns) {
+    return static_cast<std::uint8_t>(std::min(leap + columns, kMaxLeap));
+  }
+  static std::uint8_t leapOf(std::uint8_t stored) { return static_cast<std::uint8_t>(stored - (stored > 0)); }
+  static std::uint8_t stored(std::uint8_t leap, std::uint8_t run) {
+    return static_cast<std::uint8_t>(leap + (run > 0));
+  }
+
+  void countRuns() {
+    for (std::ptrdiff_t column = columns_ - 2; column > 0; --column) {
+      std::uint8_t* run = runs_.data() + at(column, 0);
+      for (std::ptrdiff_t row = 0; row < stride_; ++row) run[row] = run[row] != 0 ? plus(run[row + stride_], 1) : 0;
+    }
+  }
+
+  // Slopes in [0, 1/m): in the first m columns a ray from a cell stays in its row and the one above, and it enters
+  // column m in one of these two. Reads beyond the last column cannot matter: the run is shorter than that.
+  void fillFlatColumn(std::ptrdiff_t column, std::uint8_t* leaps) const {
+    constexpr int m = kFlattest;
+    const std::uint8_t* run = runs_.data() + at(column, 0);
+    const std::uint8_t* next = leaps + at(column + m, 0);
+    std::uint8_t* here = leaps + at(column, 0);
+    for (std::ptrdiff_t row = 1; row < stride_ - 1; ++row) {
+      const std::uint8_t near = std::min(run[row], run[row + 1]);
+      const std::uint8_t far = plus(std::min(leapOf(next[row]), leapOf(next[row + 1])), m);
+      here[row] = stored(std::min(near, far), run[row]);
+    }
+  }
+
+  // Slopes in [1/2m, 1/m]: in the first m columns as above, in the next m in one row more, and a ray enters column 2m
+  // one or two rows up.
+  void fillSlopedColumn(std::ptrdiff_t column, int m, std::uint8_t* leaps) const {
+    const std::uint8_t* run = runs_.data() + at(column, 0);
+    const std::uint8_t* run_later = runs_.data() + at(column + m, 0);
+    const std::uint8_t* next = leaps + at(column + m + m, 0);
+    std::uint8_t* here = leaps + at(column, 0);
+    for (std::ptrdiff_t row = 1; row < stride_ - 1; ++row) {
+      const std::uint8_t near = std::min(std::min(run[row], run[row + 1]), plus(run_later[row + 2], m));
+      const std::uint8_t far = plus(std::min(leapOf(next[row + 1]), leapOf(next[row + 2])), 2 * m);
+      here[row] = stored(std::min(near, far), run[row]);
+    }
+  }
+
+  std::ptrdiff_t columns_;
+  std::ptrdiff_t stride_;
+  std::vector<std::uint8_t> runs_;
+};
+
+}  // namespace
+
+// A start point, in cells, in the unmirrored [0] and the mirrored [1] direction of each axis.
+struct RayCaster::Origin {
+  double x[2], y[2];
+  int cell_x[2], cell_y[2];
+};
+
+// A ray on its way in its canonical frame; lengths in cells.
+struct RayCaster::Ray {
+  const std::uint8_t* plane;
+  std::ptrdiff_t stride;
+  std::int64_t slope;   // rows per column, fixed point
+  std::int64_t height;  // where it enters column `column`, fixed point
+  std::int64_t row;
+  std::int64_t column;
+  std::int64_t end;  // the first column that is out of range
+  std::int64_t columns, rows;
+  double start_x, start_y;
+  double unit_x, unit_y;
+
+  const std::uint8_t* here() const { return plane + column * stride + row; }
+  std::uint8_t leap() const { return *here(); }
+  bool crosses() const { return ((height + slope) >> kFraction) > row; }
+  void advance(std::int64_t by) {
+    column += by;
+    height += by * slope;
+    row = height >> kFraction;
+  }
+  // Goes on to where nothing more can be leapt over: at a solid cell, right below one, or out of range.
+  void run() {
+    while (column < end) {
+      const std::uint8_t stored = leap();
+      if (stored > 1) {
+        advance(stored - 1);
+      } else if (stored == 0 || crosses()) {
+        return;
+      } else {
+        advance(1);
+      }
+    }
+  }
+  // One leap, or none if `run` would go no further; without a branch, so that several rays can take turns.
+  void leapOnce() {
+    const std::uint8_t stored = leap();
+    const bool creeps = (stored == 1) & !crosses();
+    const std::int64_t row_before = row;
+    const std::int64_t by = column < end ? stored - (stored > 0) + creeps : 0;
+    advance(by);
+    row = by > 0 ? row : row_before;
+    __builtin_prefetch(here());
+  }
+  // How far it came until `run` stopped it [cells]; `none` if that was the range or the border of the grid.
+  double length(double none) const {
+    if (column >= end) return none;
+    if (leap() > 0) return row >= rows ? none : (static_cast<double>(row + 1) - start_y) / unit_y;
+    if (column > columns || row > rows) return none;
+    return std::max(0.0, (static_cast<double>(column) - start_x) / unit_x);
+  }
+  double range(double resolution, double max_range) const {
+    return std::min(length(std::numeric_limits<double>::infinity()) * resolution, max_range);
+  }
+};
+
+RayCaster::RayCaster(const Grid<std::uint8_t>& solid)
+    : geometry_(solid.geometry()), cells_per_metre_(1.0 / solid.resolution()) {
+  const std::size_t plane =
+      static_cast<std::size_t>(geometry_.width + 2) * static_cast<std::size_t>(geometry_.height + 2);
+  const auto longest_column = static_cast<std::size_t>(std::max(geometry_.width, geometry_.height)) + 2U;
+  leaps_.resize(plane * kOctants * kSlopes + longest_column * LeapBuilder::kTailColumns);
+  for (int octant = 0; octant < kOctants; ++octant) {
+    const bool steep = (octant & 4) != 0;
+    const bool mirror_x = (octant & 2) != 0;
+    const bool mirror_y = (octant & 1) != 0;
+    const LeapBuilder builder(solid, steep, mirror_x, mirror_y);
+    for (int slope_class = 0; slope_class < kSlopes; ++slope_class) {
+      const auto index = static_cast<std::size_t>(planeIndex(steep, mirror_x, mirror_y, slope_class));
+      builder.fill(slope_class, leaps_.data() + index * plane);
+    }
+  }
+}
+
+bool RayCaster::contains(const Vec2& from) const {
+  const Vec2 cells = (from - geometry_.origin) / geometry_.resolution;
+  return cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() < geometry_.width && cells.y() < geometry_.height;
+}
+
+RayCaster::Origin RayCaster::originAt(const Vec2& from) const {
+  const Vec2 cells = (from - geometry_.origin) / geometry_.resolution;
+  const int x = std::clamp(static_cast<int>(std::floor(cells.x())), 0, geometry_.width - 1);
+  const int y = std::clamp(static_cast<int>(std::floor(cells.y())), 0, geometry_.height - 1);
+  return {{cells.x() + 1.0, geometry_.width + 1 - cells.x()},
+          {cells.y() + 1.0, geometry_.height + 1 - cells.y()},
+          {x + 1, geometry_.width - x},
+          {y + 1, geometry_.height - y}};
+}
+
+RayCaster::Ray RayCaster::rayAlong(const Origin& origin, const Vec2& unit, double max_cells) const {
+  const bool mirror_x = unit.x() < 0.0;
+  const bool mirror_y = unit.y() < 0.0;
+  const double along_x = std::abs(unit.x());
+  const double along_y = std::abs(unit.y());
+  const bool steep = along_y > along_x;
+  Ray ray;
+  ray.unit_x = steep ? along_y : along_x;
+  ray.unit_y = steep ? along_x : along_y;
+  ray.start_x = steep ? origin.y[mirror_y] : origin.x[mirror_x];
+  ray.start_y = steep ? origin.x[mirror_x] : origin.y[mirror_y];
+  ray.column = steep ? origin.cell_y[mirror_y] : origin.cell_x[mirror_x];
+  ray.row = steep ? origin.cell_x[mirror_x] : origin.cell_y[mirror_y];
+  ray.columns = steep ? geometry_.height : geometry_.width;
+  ray.rows = steep ? geometry_.width : geometry_.height;
+  ray.stride = ray.rows + 2;
+  const double slope = ray.unit_y / ray.unit_x;
+  ray.slope = static_cast<std::int64_t>(slope * kOne);
+  // The first column is entered, on paper, behind the start; only the row of the start itself is taken from it.
+  ray.height =
+      static_cast<std::int64_t>((ray.start_y - slope * (ray.start_x - static_cast<double>(ray.column))) * kOne);
+  const double end = std::min(ray.start_x + max_cells * ray.unit_x, static_cast<double>(ray.columns + 1));
+  ray.end = static_cast<std::int64_t>(end) + 1;
+  const std::size_t plane = static_cast<std::size_t>(ray.columns + 2) * static_cast<std::size_t>(ray.rows + 2);
+  ray.plane =
+      leaps_.data() + static_cast<std::size_t>(planeIndex(steep, mirror_x, mirror_y, slopeClass(slope))) * plane;
+  return ray;
+}
+
+double RayCaster::walk(const Origin& origin, const Vec2& unit, double max_range) const {
+  Ray ray = rayAlong(origin, unit, max_range * cells_per_metre_);
+  ray.run();
+  return ray.range(geometry_.resolution, max_range);
+}
+
+double RayCaster::cast(const Vec2& from, const Vec2& unit, double max_range) const {
+  if (!contains(from)) return castFromOutside(from, unit, max_range);
+  return walk(originAt(from), unit, max_range);
+}
+
+void RayCaster::castAll(const Vec2& from, const std::vector<Vec2>& units, std::vector<double>& ranges) const {
+  if (!contains(from)) {
+    for (std::size_t i = 0; i < units.size(); ++i) ranges[i] = castFromOutside(from, units[i], ranges[i]);
+    return;
+  }
+  const Origin origin = originAt(from);
+  std::array<Ray, kAtOnce> rays;
+  for (std::size_t first = 0; first < units.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, units.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      rays[i] = rayAlong(origin, units[first + i], ranges[first + i] * cells_per_metre_);
+      __builtin_prefetch(rays[i].here());
+    }
+    for (int turn = 0; turn < kTurns; ++turn) {
+      for (std::size_t i = 0; i < count; ++i) rays[i].leapOnce();
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      rays[i].run();
+      ranges[first + i] = rays[i].range(geometry_.resolution, ranges[first + i]);
+    }
+  }
+}
+
+double RayCaster::castFromOutside(const Vec2& from, const Vec2& unit, double max_range) const {
+  const Vec2 low = geometry_.origin - from;
+  const Vec2 high = low + Vec2(geometry_.width, geometry_.height) * geometry_.resolution;
+  double enter = 0.0;
+  double leave = max_range;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (unit[axis] == 0.0 && (low[axis] > 0.0 || high[axis] <= 0.0)) return max_range;
+    if (unit[axis] == 0.0) continue;
+    const auto [near, far] = std::minmax({low[axis] / unit[axis], high[axis] / unit[axis]});
+    enter = std::max(enter, near);
+    leave = std::min(leave, far);
+  }
+  if (enter >= leave || geometry_.size() == 0) return max_range;
+  return enter + walk(originAt(from + enter * unit), unit, max_range - enter);
+}
+
+}  // namespace frontier_pilot::grids

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+#include <array>
+#include <vector>
+
+#include "frontier_pilot/teleop/operator_link.h"
+#include "gui/controls.h"
+
+namespace frontier_pilot::gui {
+
+/// Manual driving: the pad, the set-point and what of it reaches the base. [GUI-1] [GUI-4]
+class DriveCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit DriveCard(const teleop::TeleopParameters& parameters, QWidget* parent = nullptr);
+  void setState(const teleop::OperatorState& state);
+  void showDrive(const teleop::DriveModel& drive);
+
+ signals:
+  void pressed(frontier_pilot::teleop::Motion motion);
+  void released(frontier_pilot::teleop::Motion motion);
+  void letGo();
+  void holdToRunChanged(bool hold);
+
+ private:
+  QLayout* makePad();
+  QString hint(const teleop::DriveModel& drive) const;
+
+  std::vector<PadButton*> buttons_;
+  BarGauge* linear_;
+  BarGauge* angular_;
+  QCheckBox* hold_;
+  ElidedLabel* hint_;
+  QString driver_;  ///< who holds the wheels instead
+};
+
+/// Every source of velocity commands: its switch, what it does, how old its last message is. [GUI-2]
+class SourcesCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit SourcesCard(QWidget* parent = nullptr);
+  void setState(const teleop::OperatorState& state);
+
+ signals:
+  void enableAsked(const QString& source, bool on);
+
+ private:
+  struct Row {
+    QString name;
+    QWidget* widget;
+    Switch* toggle;
+    Dot* dot;
+    ElidedLabel* text;
+    QLabel* figures;
+  };
+  void rebuild(const std::vector<teleop::SourceView>& sources);
+  void fill(const Row& row, const teleop::SourceView& source, bool silent) const;
+
+  std::vector<Row> rows_;
+  QLabel* empty_;
+};
+
+/// What the card of an action has: buttons that start it, one that stops it, and how far it is.
+class ActionCard : public Card {
+  Q_OBJECT
+
+ signals:
+  void stopAsked();
+
+ protected:
+  /// `name` is that of the stop button, `server` the node that may be down.
+  ActionCard(const QString& title, const QString& name, const QString& server, QWidget* parent);
+  QPushButton* makeStart(const QString& text);
+  QPushButton* stopButton() { return stop_; }
+  ElidedLabel* progressLabel() { return progress_; }
+  void showAction(const teleop::ActionView& action, bool emergency_stop);
+
+ private:
+  QString server_;
+  std::vector<QPushButton*> start_;
+  QPushButton* stop_;
+  ElidedLabel* progress_;
+};
+
+/// Patrols: what, how large, how often.
+class PatrolCard : public ActionCard {
+  Q_OBJECT
+
+ public:
+  explicit PatrolCard(const teleop::TeleopParameters& parameters, QWidget* parent = nullptr);
+  void setState(const teleop::OperatorState& state);
+
+ signals:
+  void startAsked(int shape, double side, int laps);
+
+ private:
+  QLayout* makeButtons();
+
+  QDoubleSpinBox* side_;
+  QSpinBox* laps_;
+};
+
+/// A turn in place by an angle.
+class SpinCard : public ActionCard {
+  Q_OBJECT
+
+ public:
+  explicit SpinCard(QWidget* parent = nullptr);
+  void setState(const teleop::OperatorState& state);
+
+ signals:
+  /// `angle` [rad]
+  void startAsked(double angle);
+
+ private:
+  QSpinBox* angle_;
+};
+
+/// The explorer: what it does and why, and what came of it.
+class ExplorerCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit ExplorerCard(QWidget* parent = nullptr);
+  void setState(const teleop::OperatorState& state);
+
+ signals:
+  void runAsked(bool on);
+  void resetAsked();
+
+ private:
+  QLayout* makeFigures();
+
+  Dot* dot_;
+  ElidedLabel* state_;
+  QLabel* reason_;
+  QLabel* area_;
+  QLabel* distance_;
+  QLabel* frontiers_;
+  QLabel* goals_;
+  QPushButton* start_;
+  QPushButton* pause_;
+  QPushButton* reset_;
+};
+
+/// The last lines of what happened, no more than a few hundred.
+class LogCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit LogCard(QWidget* parent = nullptr);
+  void append(const teleop::OperatorLogLine& line);
+
+ private:
+  QPlainTextEdit* text_;
+};
+
+}  // namespace frontier_pilot::gui

@@ -1,0 +1,103 @@
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "gui/cards/cards.h"
+
+namespace frontier_pilot::gui {
+
+namespace {
+
+/// The focus of a button that goes grey would wander to the next one, and Enter would press that: it goes to the other.
+void enableInTurn(QPushButton& first, bool first_on, QPushButton& second, bool second_on) {
+  if (first_on) first.setEnabled(true);
+  if (second_on) second.setEnabled(true);
+  if (!first_on && first.hasFocus()) second.setFocus();
+  if (!second_on && second.hasFocus()) first.setFocus();
+  first.setEnabled(first_on);
+  second.setEnabled(second_on);
+}
+
+}  // namespace
+
+ExplorerCard::ExplorerCard(QWidget* parent)
+    : Card("Explore", parent),
+      dot_(new Dot),
+      state_(new ElidedLabel("strong")),
+      reason_(makeLabel("", "muted", true)),
+      area_(makeLabel("", "figure")),
+      distance_(makeLabel("", "figure")),
+      frontiers_(makeLabel("", "figure")),
+      goals_(makeLabel("", "figure")),
+      start_(new QPushButton("Start")),
+      pause_(new QPushButton("Pause")),
+      reset_(new QPushButton("Reset")) {
+  start_->setObjectName("explore_start");
+  start_->setProperty("role", "primary");
+  pause_->setObjectName("explore_pause");
+  reset_->setObjectName("explore_reset");
+  area_->setObjectName("explored_area");
+  state_->setObjectName("explorer_state");
+  reason_->setTextFormat(Qt::PlainText);
+  // Room for the longest that it says, so that the buttons under it keep their place.
+  reason_->setMinimumHeight(emOf(*this) * 13 / 4);
+  reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  auto* line = new QHBoxLayout;
+  line->addWidget(dot_);
+  line->addWidget(state_, 1);
+  content()->addLayout(line);
+  content()->addWidget(reason_);
+  content()->addLayout(makeFigures());
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(emOf(*this) / 3);
+  for (QPushButton* button : {start_, pause_, reset_}) buttons->addWidget(button, 1);
+  content()->addLayout(buttons);
+  connect(start_, &QPushButton::clicked, this, [this] { emit runAsked(true); });
+  connect(pause_, &QPushButton::clicked, this, [this] { emit runAsked(false); });
+  connect(reset_, &QPushButton::clicked, this, &ExplorerCard::resetAsked);
+}
+
+QLayout* ExplorerCard::makeFigures() {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(emOf(*this));
+  grid->setVerticalSpacing(0);
+  const std::array<std::pair<const char*, QLabel*>, 4> figures{
+      {{"explored", area_}, {"driven", distance_}, {"frontiers left", frontiers_}, {"goals reached", goals_}}};
+  for (int i = 0; i < 4; ++i) {
+    const auto& [name, label] = figures[static_cast<std::size_t>(i)];
+    grid->addWidget(label, i / 2 * 2, i % 2);
+    grid->addWidget(makeLabel(name, "muted"), i / 2 * 2 + 1, i % 2);
+  }
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  return grid;
+}
+
+void ExplorerCard::setState(const teleop::OperatorState& state) {
+  const bool heard = state.explorer.has_value() && state.explorer->status_age <= teleop::kStatusLifetime;
+  const bool up = state.explorer_service_up;
+  setRemark(!up ? "explorer down" : (heard ? "" : "silent"), teleop::Severity::kWarning);
+  const bool running = heard && state.explorer->running;
+  enableInTurn(*start_, up && !running, *pause_, up && (!heard || running));
+  for (QPushButton* button : {start_, pause_}) button->setToolTip(up ? "" : "set_exploration_enabled is down");
+  reset_->setEnabled(state.explorer_reset_up);
+  reset_->setToolTip(state.explorer_reset_up ? "Forgets the blacklist, the visits and the phase"
+                                             : "frontier_explorer/reset is down");
+  dot_->setSeverity(heard ? state.explorer->severity : teleop::Severity::kIdle);
+  if (!state.explorer) {
+    state_->setFullText("not heard of");
+    for (QLabel* label : {area_, distance_, frontiers_, goals_}) label->setText("–");
+    return;
+  }
+  const teleop::ExplorerView& explorer = *state.explorer;
+  const QString phase = QString::fromStdString(explorer.phase_text);
+  const QString now = QString::fromStdString(explorer.state_text) + (phase.isEmpty() ? "" : "  ·  " + phase);
+  state_->setFullText(heard ? now : "silent for " + ageText(explorer.status_age));
+  reason_->setText(heard ? QString::fromStdString(explorer.reason_text) : QString());
+  area_->setText(QString("%1 m²").arg(explorer.explored_area, 0, 'f', 1));
+  distance_->setText(QString("%1 m").arg(explorer.distance_travelled, 0, 'f', 1));
+  frontiers_->setText(QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));
+  goals_->setText(QString("%1 of %2").arg(explorer.goals_reached).arg(explorer.goals_sent));
+}
+
+}  // namespace frontier_pilot::gui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "gui/controls.h"
+
+class QBoxLayout;
+
+namespace frontier_pilot::gui {
+
+/// The emergency stop. It always accepts a click, and what it shows is the latched topic alone. [GUI-2]
+class StopButton : public QPushButton {
+  Q_OBJECT
+
+ public:
+  explicit StopButton(QWidget* parent = nullptr);
+  /// `latched`: as the topic says, nothing if it says nothing; `asked`: a click has not been answered yet.
+  void setShown(std::optional<bool> latched, bool asked);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString caption() const;
+
+  std::optional<bool> latched_;
+  bool asked_ = false;
+};
+
+/// Who drives and why, and the emergency stop: always in sight.
+class HeaderCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit HeaderCard(QWidget* parent = nullptr);
+  void setState(const teleop::OperatorState& state);
+
+ signals:
+  void stopAsked();
+  void clearAsked();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void showDriver(const teleop::OperatorState& state);
+
+  QBoxLayout* line_;
+  Dot* dot_;
+  QLabel* driver_;
+  QLabel* summary_;
+  QLabel* problems_;
+  StopButton* stop_;
+  QPushButton* clear_;
+  int asked_refreshes_ = 0;  ///< how long a click still counts as unanswered
+};
+
+}  // namespace frontier_pilot::gui

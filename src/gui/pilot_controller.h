@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include "frontier_pilot/teleop/operator_link.h"
+#include "gui/pilot_widget.h"
+
+namespace frontier_pilot::gui {
+
+/// Joins a PilotWidget to a link: beats with the set-point every 50 ms, shows the state ten times a second, and hands
+/// wishes on. It runs in the GUI thread, so that its beat is the window's sign of life. [GUI-3]
+class PilotController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both must outlive it. A gap between two beats of more than `liveness_timeout` counts as a freeze.
+  PilotController(PilotWidget& widget, teleop::OperatorLink& link, Duration liveness_timeout);
+  /// Closes the link.
+  ~PilotController() override;
+
+  /// Zero goes out and what was started is cancelled. Nothing is sent after it. Idempotent.
+  void close();
+
+ signals:
+  /// The system wants the window to close.
+  void closeAsked();
+
+ private:
+  void beat();
+  void refresh();
+
+  PilotWidget& widget_;
+  teleop::OperatorLink& link_;
+  Duration liveness_timeout_;
+  QTimer beat_timer_, refresh_timer_;
+  QElapsedTimer since_beat_;
+  bool closed_ = false;
+};
+
+}  // namespace frontier_pilot::gui

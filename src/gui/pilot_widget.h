@@ -1,0 +1,85 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "frontier_pilot/teleop/drive_model.h"
+#include "frontier_pilot/teleop/operator_link.h"
+
+class QBoxLayout;
+class QKeyEvent;
+class QVBoxLayout;
+
+namespace frontier_pilot::gui {
+
+class DriveCard;
+class ExplorerCard;
+class HeaderCard;
+class LogCard;
+class PatrolCard;
+class ScanCard;
+class SourcesCard;
+class SpinCard;
+
+/// The operator's side: everything that is seen and can be asked for, in the desktop window and in rviz alike.
+///
+/// State comes in as plain data, wishes go out as signals; nothing here knows ROS, waits or blocks. What a control
+/// shows is always what the system last said of itself, never the click. The cards flow into one to three columns.
+class PilotWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PilotWidget(const teleop::TeleopParameters& parameters, QWidget* parent = nullptr);
+  ~PilotWidget() override;
+
+  void setState(const teleop::OperatorState& state);
+  void appendLog(const teleop::OperatorLogLine& line);
+  /// The manual set-point, in the base frame.
+  Twist2 setPoint() const { return drive_.setPoint(); }
+  /// Zeroes the set-point and says why.
+  void stopBecause(const std::string& reason);
+
+ signals:
+  /// The operator wants something of the system.
+  void requested(const frontier_pilot::teleop::OperatorRequest& request);
+  /// The set-point is another one, to be sent without waiting for the next beat.
+  void setPointChanged(const frontier_pilot::Twist2& set_point);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void build();
+  void connectCards();
+  void layOut(int columns);
+  void applyTheme();
+  void press(teleop::Motion motion);
+  void release(teleop::Motion motion);
+  void letGo();
+  void send(const teleop::OperatorRequest& request);
+  void showCards(const teleop::OperatorState& state);
+  void showSetPoint();
+  bool handleKey(QWidget& focus, QKeyEvent& event);
+
+  teleop::TeleopParameters parameters_;
+  teleop::DriveModel drive_;
+  teleop::OperatorState last_state_;
+  Twist2 shown_;
+  int columns_ = 0;
+  bool applying_theme_ = false;
+  std::vector<QVBoxLayout*> column_layouts_;
+  QBoxLayout* body_ = nullptr;
+  HeaderCard* header_ = nullptr;
+  DriveCard* drive_card_ = nullptr;
+  ScanCard* scan_card_ = nullptr;
+  SourcesCard* sources_card_ = nullptr;
+  PatrolCard* patrol_card_ = nullptr;
+  SpinCard* spin_card_ = nullptr;
+  ExplorerCard* explorer_card_ = nullptr;
+  LogCard* log_card_ = nullptr;
+};
+
+}  // namespace frontier_pilot::gui

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "frontier_pilot/teleop/operator_link.h"
+#include "frontier_pilot/teleop/parameters.h"
+
+/// The desktop window, for a main() that knows nothing of Qt.
+namespace frontier_pilot::gui {
+
+/// Opens the window on `link` and runs it until it is closed or the link wants to end. Gives the exit code. To be
+/// called in the main thread, once in a process.
+int runPilotWindow(int argc, char** argv, teleop::OperatorLink& link, const teleop::TeleopParameters& parameters);
+
+}  // namespace frontier_pilot::gui

@@ -1,0 +1,233 @@
+#include "frontier_pilot/map_files/map_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "frontier_pilot/core/files.h"
+#include "map_files/map_yaml.h"
+
+namespace frontier_pilot::map_files {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr unsigned char kFreePixel = 254;
+constexpr unsigned char kOccupiedPixel = 0;
+constexpr unsigned char kUnknownPixel = 205;
+constexpr std::size_t kLongestExtension = 5;  // .yaml
+constexpr std::size_t kLongestYaml = 65536;   // [bytes]
+
+MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what) {
+  return {status, file + ": " + what};
+}
+
+unsigned char pixelOf(std::int8_t value) {
+  if (isUnknown(value)) return kUnknownPixel;
+  return isOccupied(value) ? kOccupiedPixel : kFreePixel;
+}
+
+std::string pgmOf(const OccupancyGrid& grid) {
+  cv::Mat image(grid.height(), grid.width(), CV_8UC1);
+  for (int y = 0; y < grid.height(); ++y) {
+    // An image's first row is its upper edge.
+    std::transform(grid.row(y), grid.row(y) + grid.width(), image.ptr(grid.height() - 1 - y), pixelOf);
+  }
+  std::vector<unsigned char> bytes;
+  cv::imencode(".pgm", image, bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+fs::path withoutExtension(const std::string& path) {
+  const fs::path whole(path);
+  const std::string extension = whole.extension().string();
+  const bool ours = extension == ".pgm" || extension == ".yaml" || extension == ".bt";
+  return ours ? fs::path(whole).replace_extension() : whole;
+}
+
+MapIoResult checkTarget(const fs::path& base) {
+  const std::string problem = fileNameProblem(base.filename().string(), kLongestExtension);
+  // The name is not repeated: what is wrong with it would do harm in a log as well.
+  if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
+  if (base.string().find('\0') != std::string::npos) return {MapIoStatus::kBadPath, "the folder's name ends early"};
+  const fs::path directory = base.has_parent_path() ? base.parent_path() : fs::path(".");
+  std::error_code error;
+  if (!fs::is_directory(directory, error))
+    return failure(MapIoStatus::kBadPath, directory.string(), "no such directory");
+  return {};
+}
+
+/// A file that is to be written, and what it is to hold.
+struct MapFile {
+  MapFile(fs::path path, std::string bytes, Survives survives)
+      : file(std::move(path), survives), content(std::move(bytes)) {}
+
+  std::string name() const { return file.target().string(); }
+  MapIoResult cannot(const std::string& what, const std::string& problem) const {
+    return failure(MapIoStatus::kCannotWrite, name(), what + ": " + problem);
+  }
+
+  AtomicFile file;
+  std::string content;
+};
+
+/// Nothing takes its place before all that can be foreseen is known to be well.
+MapIoResult prepare(std::array<MapFile, 3>& files) {
+  for (MapFile& file : files) {
+    std::error_code error;
+    if (fs::symlink_status(file.name(), error).type() == fs::file_type::directory)
+      return file.cannot("cannot be written", "it is a directory");
+    const std::string problem = file.file.write(file.content);
+    if (!problem.empty()) return file.cannot("cannot be written", problem);
+  }
+  return {};
+}
+
+MapIoResult putInPlace(std::array<MapFile, 3>& files) {
+  std::string done;
+  for (MapFile& file : files) {
+    std::string problem = file.file.commit();
+    if (!problem.empty()) {
+      problem.append(done.empty() ? "; nothing was replaced" : "; replaced were only").append(done);
+      return file.cannot("cannot be put in its place", problem);
+    }
+    done.append(done.empty() ? " " : ", ").append(file.name());
+  }
+  return {};
+}
+
+/// Whether what is on the disk now is what was written.
+MapIoResult readBack(const std::array<MapFile, 3>& files) {
+  for (const MapFile& file : files) {
+    const FileContent content = readFile(file.name(), file.content.size());
+    if (!content.ok()) return file.cannot("cannot be read back", content.problem);
+    if (content.bytes != file.content) return file.cannot("cannot be read back", "it holds something else");
+  }
+  return {};
+}
+
+std::string appended(const fs::path& base, const char* extension) { return base.string() + extension; }
+
+MapIoResult cannotRead(const std::string& path, const FileContent& content) {
+  const bool missing = content.status == FileContent::Status::kMissing;
+  return failure(missing ? MapIoStatus::kMissing : MapIoStatus::kBroken, path, content.problem);
+}
+
+/// Whether the YAML beside a .bt, if there is one, was written with it; the text then says if that is not known.
+MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_path, const std::string& octree) {
+  const FileContent yaml = readFile(yaml_path, kLongestYaml);
+  if (yaml.status == FileContent::Status::kMissing) return {MapIoStatus::kOk, ", not verified: it has no YAML"};
+  if (!yaml.ok()) return cannotRead(yaml_path, yaml);
+  try {
+    switch (compareOctree(yaml.bytes, octree)) {
+      case OctreeMatch::kSame:
+        return {};
+      case OctreeMatch::kNotMentioned:
+        return {MapIoStatus::kOk, ", not verified: its YAML holds no checksum"};
+      case OctreeMatch::kPrevious:
+        return {MapIoStatus::kOk, ", as it was before it was saved the last time: that did not come to its end"};
+      case OctreeMatch::kAnother:
+        break;
+    }
+  } catch (const std::invalid_argument& error) {
+    return failure(MapIoStatus::kBroken, yaml_path, error.what());
+  }
+  return failure(MapIoStatus::kBroken, bt_path,
+                 "is not the one that " + yaml_path + " was written with: length or checksum differ");
+}
+
+/// The .bt that a save takes the place of, if that is a map.
+std::optional<std::string> previousOctree(const fs::path& base, std::size_t most_bytes) {
+  const std::string bt = appended(base, ".bt");
+  FileContent octree = readFile(bt, most_bytes);
+  if (!octree.ok() || !compareWithYaml(appended(base, ".yaml"), bt, octree.bytes).ok()) return std::nullopt;
+  return std::move(octree.bytes);
+}
+
+MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, occupancy::OccupancyMap& map) {
+  std::string why;
+  if (!map.read(bytes, why)) return failure(MapIoStatus::kBroken, bt_path, why);
+  return {MapIoStatus::kOk, "loaded " + bt_path};
+}
+
+}  // namespace
+
+const char* toString(MapIoStatus status) {
+  switch (status) {
+    case MapIoStatus::kOk:
+      return "ok";
+    case MapIoStatus::kBadPath:
+      return "bad path";
+    case MapIoStatus::kEmptyMap:
+      return "empty map";
+    case MapIoStatus::kCannotWrite:
+      return "cannot write";
+    case MapIoStatus::kMissing:
+      return "missing file";
+    case MapIoStatus::kBroken:
+      return "broken file";
+  }
+  return "unknown";
+}
+
+MapSnapshot takeSnapshot(occupancy::OccupancyMap& map) {
+  MapSnapshot snapshot{map.grid(), {}, map.mostBytes()};
+  std::ostringstream octree;
+  if (!map.grid().empty() && map.write(octree)) snapshot.octree = octree.str();
+  return snapshot;
+}
+
+MapIoResult saveMap(occupancy::OccupancyMap& map, const std::string& path) { return saveMap(takeSnapshot(map), path); }
+
+MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives) {
+  const fs::path base = withoutExtension(path);
+  MapIoResult result = checkTarget(base);
+  if (!result.ok()) return result;
+  // A file without any cell could not be loaded, and may take the place of one that can.
+  const auto& cells = map.grid.cells();
+  if (std::all_of(cells.begin(), cells.end(), isUnknown)) return {MapIoStatus::kEmptyMap, "the map is empty"};
+  if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
+  const std::string name = base.filename().string();
+  const std::string yaml = mapYaml(map.grid.geometry(), name, map.octree, previousOctree(base, map.most_bytes));
+  // The YAML comes first: it vouches for the .bt that is there and for the one that takes its place.
+  std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml, survives),
+                                  MapFile(appended(base, ".bt"), map.octree, survives),
+                                  MapFile(appended(base, ".pgm"), pgmOf(map.grid), survives)};
+  if (!readsAs(yaml, name, map.octree)) return files.front().cannot("cannot be written", "it could not be read again");
+  for (const auto step : {prepare, putInPlace}) {
+    result = step(files);
+    if (!result.ok()) return result;
+  }
+  result = readBack(files);
+  if (result.ok()) result.text = "saved " + base.string() + ".pgm, .yaml and .bt";
+  return result;
+}
+
+MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
+  const fs::path base = withoutExtension(path);
+  const std::string problem = fileNameProblem(base.filename().string(), kLongestExtension);
+  if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
+  const std::string bt = appended(base, ".bt");
+  const FileContent octree = readFile(bt, map.mostBytes());
+  if (!octree.ok()) return cannotRead(bt, octree);
+  MapIoResult belongs = compareWithYaml(appended(base, ".yaml"), bt, octree.bytes);
+  if (!belongs.ok()) return belongs;
+  MapIoResult result = loadBytes(bt, octree.bytes, map);
+  if (result.ok()) result.text += belongs.text;
+  return result;
+}
+
+MapIoResult loadOctree(const std::string& bt_path, occupancy::OccupancyMap& map) {
+  const FileContent octree = readFile(bt_path, map.mostBytes());
+  return octree.ok() ? loadBytes(bt_path, octree.bytes, map) : cannotRead(bt_path, octree);
+}
+
+}  // namespace frontier_pilot::map_files

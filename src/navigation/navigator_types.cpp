@@ -1,0 +1,79 @@
+#include "frontier_pilot/navigation/navigator_types.h"
+
+namespace frontier_pilot::navigation {
+
+const char* toString(NavState state) {
+  switch (state) {
+    case NavState::kIdle:
+      return "idle";
+    case NavState::kDriving:
+      return "driving";
+    case NavState::kTurning:
+      return "turning";
+    case NavState::kRecovering:
+      return "recovering";
+    case NavState::kWaiting:
+      return "waiting";
+  }
+  return "unknown";
+}
+
+const char* toString(NavReason reason) {
+  switch (reason) {
+    case NavReason::kNone:
+      return "no goal";
+    case NavReason::kDriving:
+      return "on the way";
+    case NavReason::kTurning:
+      return "turning to the goal's direction";
+    case NavReason::kReached:
+      return "goal reached";
+    case NavReason::kPreempted:
+      return "preempted by a newer goal";
+    case NavReason::kCanceled:
+      return "canceled";
+    case NavReason::kNoMap:
+      return "no map";
+    case NavReason::kNoPose:
+      return "lost pose";
+    case NavReason::kNoScan:
+      return "no scan";
+    case NavReason::kInvalidGoal:
+      return "invalid goal";
+    case NavReason::kGoalOutside:
+      return "goal outside of the map";
+    case NavReason::kGoalOccupied:
+      return "goal occupied";
+    case NavReason::kGoalUnreachable:
+      return "goal unreachable";
+    case NavReason::kNoPath:
+      return "no path";
+    case NavReason::kStartOutside:
+      return "robot outside of the map";
+    case NavReason::kStartBlocked:
+      return "start blocked";
+    case NavReason::kBlocked:
+      return "blocked";
+    case NavReason::kOscillating:
+      return "oscillating";
+    case NavReason::kClockJumped:
+      return "the clock jumped";
+  }
+  return "unknown";
+}
+
+const char* toString(NavResult result) {
+  switch (result) {
+    case NavResult::kSucceeded:
+      return "succeeded";
+    case NavResult::kPreempted:
+      return "preempted";
+    case NavResult::kCanceled:
+      return "canceled";
+    case NavResult::kAborted:
+      return "aborted";
+  }
+  return "unknown";
+}
+
+}  // namespace frontier_pilot::navigation

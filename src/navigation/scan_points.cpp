@@ -1,0 +1,150 @@
+#include "frontier_pilot/navigation/scan_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace frontier_pilot::navigation {
+namespace {
+
+constexpr float kFarAway = 1e6F;
+const Duration kHistory = fromSeconds(1.0);
+const Duration kExtrapolation = fromSeconds(0.2);
+
+/// Near surfaces are averaged over this many beams to either side: noise makes the nearest of many readings a good deal
+/// nearer than the surface is, and a narrow passage impassable.
+constexpr long kAveraged = 3;
+constexpr double kAveragedWithin = 1.0;  ///< farther ones lie too far apart [m]
+constexpr double kSameSurface = 0.04;    ///< neighbours that differ by more are of another surface [m]
+
+/// The distance of a hit, averaged with those of its neighbours that lie on the same surface.
+double averaged(const LaserScan2& scan, std::size_t beam, double distance) {
+  if (distance > kAveragedWithin) return distance;
+  const auto beams = static_cast<long>(scan.ranges.size());
+  double sum = 0.0;
+  int count = 0;
+  for (long offset = -kAveraged; offset <= kAveraged; ++offset) {
+    const long other = static_cast<long>(beam) + offset;
+    if (other < 0 || other >= beams) continue;
+    const RangeReading reading = readBeam(scan, static_cast<std::size_t>(other));
+    if (reading.kind != RangeKind::kHit || std::abs(reading.distance - distance) > kSameSurface) continue;
+    sum += reading.distance;
+    ++count;
+  }
+  return sum / count;
+}
+
+}  // namespace
+
+void ScanPoints::add(const Vec2& point) {
+  x.push_back(static_cast<float>(point.x()));
+  y.push_back(static_cast<float>(point.y()));
+}
+
+ScanPoints ScanPoints::near(const Vec2& centre, double radius) const {
+  ScanPoints result;
+  const auto cx = static_cast<float>(centre.x());
+  const auto cy = static_cast<float>(centre.y());
+  const auto limit = static_cast<float>(radius * radius);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const float dx = x[i] - cx;
+    const float dy = y[i] - cy;
+    if (dx * dx + dy * dy > limit) continue;
+    result.x.push_back(x[i]);
+    result.y.push_back(y[i]);
+  }
+  while (result.size() % kLanes != 0) {
+    result.x.push_back(kFarAway);
+    result.y.push_back(kFarAway);
+  }
+  return result;
+}
+
+double ScanPoints::distance(const Vec2& point) const {
+  const auto px = static_cast<float>(point.x());
+  const auto py = static_cast<float>(point.y());
+  // One minimum per lane: a single one would be a chain that the compiler may not reorder.
+  std::array<float, kLanes> least{};
+  least.fill(kFarAway * kFarAway);
+  const std::size_t whole = size() / kLanes * kLanes;
+  for (std::size_t i = 0; i < whole; i += kLanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const float dx = x[i + k] - px;
+      const float dy = y[i + k] - py;
+      const float squared = dx * dx + dy * dy;
+      least[k] = squared < least[k] ? squared : least[k];
+    }
+  }
+  for (std::size_t i = whole; i < size(); ++i) {
+    const float squared = (x[i] - px) * (x[i] - px) + (y[i] - py) * (y[i] - py);
+    least[0] = std::min(least[0], squared);
+  }
+  return std::sqrt(static_cast<double>(*std::min_element(least.begin(), least.end())));
+}
+
+double ScanPoints::distance(const Outline& outline, const Pose2& T_map_base) const {
+  if (outline.isDisc()) return distance(T_map_base.position()) - outline.inscribedRadius();
+  const Pose2 T_base_map = T_map_base.inverse();
+  double least = static_cast<double>(kFarAway);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Vec2 point = T_base_map * Vec2(static_cast<double>(x[i]), static_cast<double>(y[i]));
+    // The outline is at least as far away as the circle around it.
+    if (point.norm() - outline.circumscribedRadius() < least) least = std::min(least, outline.distance(point));
+  }
+  return least;
+}
+
+ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline) {
+  const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
+  ScanPoints points;
+  points.x.reserve(scan.ranges.size());
+  points.y.reserve(scan.ranges.size());
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const RangeReading reading = readBeam(scan, i);
+    if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
+    double distance = reading.kind == RangeKind::kHit ? averaged(scan, i, reading.distance) : reading.distance;
+    if (reading.kind == RangeKind::kTooNear) {
+      const Vec2 unit = direction(scan.T_base_sensor.yaw + scan.angle(i));
+      distance = std::min(distance, outline.distanceToEdge(scan.T_base_sensor.position(), unit));
+    }
+    points.add(T_map_sensor.position() + distance * direction(T_map_sensor.yaw + scan.angle(i)));
+  }
+  return points;
+}
+
+bool isUsable(const LaserScan2& scan) {
+  const auto says_something = [&](float range) {
+    return readRange(range, scan.range_min, scan.range_max).kind != RangeKind::kInvalid;
+  };
+  const auto valid = std::count_if(scan.ranges.begin(), scan.ranges.end(), says_something);
+  return static_cast<std::size_t>(valid) * 10 > scan.ranges.size();
+}
+
+void PoseHistory::add(Time stamp, const Pose2& T_map_base) {
+  if (!poses_.empty() && stamp <= poses_.back().stamp) {
+    // A corrected pose of the same instant replaces the old one.
+    if (stamp == poses_.back().stamp) poses_.back().pose = T_map_base;
+    return;
+  }
+  poses_.push_back({stamp, T_map_base});
+  while (poses_.front().stamp + kHistory < stamp) poses_.pop_front();
+}
+
+std::optional<Pose2> PoseHistory::at(Time stamp) const {
+  if (poses_.empty()) return std::nullopt;
+  const auto after = std::find_if(poses_.begin(), poses_.end(), [&](const Stamped& s) { return s.stamp >= stamp; });
+  if (after == poses_.end()) {
+    if (stamp - poses_.back().stamp > kExtrapolation) return std::nullopt;
+    return poses_.back().pose;
+  }
+  if (after == poses_.begin()) {
+    if (after->stamp - stamp > kExtrapolation) return std::nullopt;
+    return after->pose;
+  }
+  const Stamped& before = *std::prev(after);
+  const double part = toSeconds(stamp - before.stamp) / toSeconds(after->stamp - before.stamp);
+  const Vec2 position = before.pose.position() + part * (after->pose.position() - before.pose.position());
+  return Pose2(position, normalizeAngle(before.pose.yaw + part * angleDifference(after->pose.yaw, before.pose.yaw)));
+}
+
+}  // namespace frontier_pilot::navigation

@@ -1,0 +1,108 @@
+#include "frontier_pilot/occupancy/octree_layer.h"
+
+#include <octomap/OcTree.h>
+
+#include <ostream>
+#include <sstream>
+
+#include "occupancy/octree_check.h"
+
+namespace frontier_pilot::occupancy {
+
+namespace {
+
+void configure(octomap::OcTree& tree, const OccupancyModel& model) {
+  tree.setProbHit(model.hit);
+  tree.setProbMiss(model.miss);
+  tree.setClampingThresMin(model.clamp_min);
+  tree.setClampingThresMax(model.clamp_max);
+  tree.setOccupancyThres(0.5);
+}
+
+/// A leaf, which above the lowest level stands for a cube of cells.
+struct LeafCube {
+  octomap::OcTreeKey low;
+  int side;
+
+  LeafCube(const octomap::OcTree& tree, const octomap::OcTree::leaf_iterator& leaf)
+      : low(leaf.getIndexKey()), side(1 << (tree.getTreeDepth() - leaf.getDepth())) {}
+
+  /// One layer of the cube lies in ours, or none.
+  bool holds(octomap::key_type z) const { return z >= low[2] && z < low[2] + side; }
+  CellRect cells() const { return {low[0] - OctreeLayer::kHalfSide, low[1] - OctreeLayer::kHalfSide, side, side}; }
+};
+
+}  // namespace
+
+struct OctreeLayer::Impl {
+  OccupancyModel model;
+  octomap::OcTree tree;
+  octomap::key_type z;  ///< the layer
+
+  Impl(double resolution, double height, const OccupancyModel& occupancy)
+      : model(occupancy), tree(resolution), z(tree.coordToKey(height)) {
+    configure(tree, model);
+  }
+
+  octomap::OcTreeKey key(Cell cell) const {
+    return {static_cast<octomap::key_type>(cell.x + kHalfSide), static_cast<octomap::key_type>(cell.y + kHalfSide), z};
+  }
+};
+
+OctreeLayer::OctreeLayer(double resolution, double height, const OccupancyModel& model)
+    : impl_(std::make_unique<Impl>(resolution, height, model)) {}
+OctreeLayer::~OctreeLayer() = default;
+OctreeLayer::OctreeLayer(OctreeLayer&&) noexcept = default;
+OctreeLayer& OctreeLayer::operator=(OctreeLayer&&) noexcept = default;
+
+void OctreeLayer::set(Cell cell, float log_odds) {
+  // Lazy: inner nodes are brought up to date once, before the tree is written. A single layer never prunes, because
+  // four of a node's eight children are missing.
+  impl_->tree.setNodeValue(impl_->key(cell), log_odds, true);
+}
+
+CellRect OctreeLayer::extent() const {
+  CellRect extent;
+  for (auto leaf = impl_->tree.begin_leafs(); leaf != impl_->tree.end_leafs(); ++leaf) {
+    const LeafCube cube(impl_->tree, leaf);
+    if (cube.holds(impl_->z)) extent.include(cube.cells());
+  }
+  return extent;
+}
+
+void OctreeLayer::forEach(const std::function<void(Cell, float)>& visit) const {
+  for (auto leaf = impl_->tree.begin_leafs(); leaf != impl_->tree.end_leafs(); ++leaf) {
+    const LeafCube cube(impl_->tree, leaf);
+    if (!cube.holds(impl_->z)) continue;
+    const CellRect cells = cube.cells();
+    for (int y = 0; y < cells.height; ++y) {
+      for (int x = 0; x < cells.width; ++x) visit({cells.x + x, cells.y + y}, leaf->getLogOdds());
+    }
+  }
+}
+
+void OctreeLayer::clear() { impl_->tree.clear(); }
+
+std::size_t OctreeLayer::leafCount() const { return impl_->tree.getNumLeafNodes(); }
+
+std::size_t OctreeLayer::memory() const { return impl_->tree.memoryUsage(); }
+
+bool OctreeLayer::write(std::ostream& out) {
+  impl_->tree.updateInnerOccupancy();
+  // The const version: the other one would first round our log-odds to free and occupied.
+  return impl_->tree.writeBinaryConst(out) && out.good();
+}
+
+std::string OctreeLayer::read(const std::string& bytes, std::uint64_t most_nodes) {
+  const OctreeFile file = checkOctree(bytes, impl_->tree.getResolution(), most_nodes);
+  if (!file.ok()) return file.problem;
+  octomap::OcTree tree(impl_->tree.getResolution());
+  configure(tree, impl_->model);
+  std::istringstream in{std::string(file.tree)};
+  // The tree alone: the header has been read, and OctoMap's reader of it would take more than that.
+  if (!tree.readBinaryData(in).good() || tree.size() != file.nodes) return "its tree cannot be read";
+  impl_->tree.swapContent(tree);
+  return {};
+}
+
+}  // namespace frontier_pilot::occupancy

@@ -1,0 +1,92 @@
+#include "frontier_pilot/occupancy/scan_inserter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frontier_pilot/core/grid_traversal.h"
+
+namespace frontier_pilot::occupancy {
+
+Insertion ScanInserter::insert(const LaserScan2& scan, const Pose2& T_map_base, OccupancyMap& map) {
+  const Vec2 sensor = T_map_base * scan.T_base_sensor.position();
+  readRays(scan, T_map_base, map.parameters().resolution);
+  if (rays_.empty()) return Insertion::kAllInvalid;
+  if (!reserve(T_map_base, sensor, map)) return Insertion::kOutOfBounds;
+  map.beginScan();
+  markHits(map);
+  clearRays(sensor, map);
+  clearFootprint(T_map_base.position(), map);
+  return Insertion::kInserted;
+}
+
+void ScanInserter::readRays(const LaserScan2& scan, const Pose2& T_map_base, double resolution) {
+  const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
+  const Vec2 sensor = T_map_sensor.position();
+  rays_.clear();
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    // Too near says that something is there, but not where.
+    const RangeReading reading = readBeam(scan, beam);
+    if (reading.kind != RangeKind::kFree) continue;
+    const Vec2 unit = direction(T_map_sensor.yaw + scan.angle(beam));
+    rays_.push_back({sensor + std::min(reading.distance, parameters_.max_clear_range) * unit, std::nullopt});
+  }
+  for (const surfaces::SurfacePoint& point :
+       surfaces::placed(T_map_base, surfaces::readSurface(scan, surface_parameters_))) {
+    rays_.push_back(rayThatMet(point, sensor, resolution));
+  }
+}
+
+ScanInserter::Ray ScanInserter::rayThatMet(const surfaces::SurfacePoint& point, const Vec2& sensor,
+                                           double resolution) const {
+  constexpr double kFlattest = 0.1;  // cosine: at a flatter angle a beam would clear nothing far before the surface
+  const double range = (point.position - sensor).norm();
+  // Eigen leaves a vector of no length as it is.
+  const Vec2 unit = (point.position - sensor).normalized();
+  const Vec2 behind = point.hasNormal() ? Vec2(-point.normal) : unit;
+  const double margin = parameters_.clear_margin * resolution / std::max(kFlattest, unit.dot(behind));
+  return {sensor + std::max(0.0, range - margin) * unit, point.position + parameters_.hit_offset * resolution * behind};
+}
+
+bool ScanInserter::reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const {
+  const Vec2 radius = Vec2::Constant(parameters_.robot_radius);
+  Vec2 low = sensor.cwiseMin(T_map_base.position() - radius);
+  Vec2 high = sensor.cwiseMax(T_map_base.position() + radius);
+  for (const Ray& ray : rays_) {
+    const Vec2 hit = ray.hit.value_or(ray.clear_to);
+    low = low.cwiseMin(ray.clear_to).cwiseMin(hit);
+    high = high.cwiseMax(ray.clear_to).cwiseMax(hit);
+  }
+  return map.reserve(low, high);
+}
+
+void ScanInserter::markHits(OccupancyMap& map) const {
+  for (const Ray& ray : rays_) {
+    if (ray.hit) map.hit(map.geometry().cellAt(*ray.hit));
+  }
+}
+
+void ScanInserter::clearRays(const Vec2& sensor, OccupancyMap& map) const {
+  const GridGeometry geometry = map.geometry();
+  for (const Ray& ray : rays_) {
+    visitCells(geometry, sensor, ray.clear_to, [&](Cell cell) {
+      // A beam that was lost at a wall looks like a free one. So it argues with the first obstacle on its way, and does
+      // not look behind until enough others have agreed.
+      const bool doubtful = !ray.hit && map.isOccupied(cell);
+      map.miss(cell);
+      return !doubtful;
+    });
+  }
+}
+
+void ScanInserter::clearFootprint(const Vec2& robot, OccupancyMap& map) const {
+  const GridGeometry& geometry = map.geometry();
+  const Cell low = geometry.cellAt(robot - Vec2::Constant(parameters_.robot_radius));
+  const Cell high = geometry.cellAt(robot + Vec2::Constant(parameters_.robot_radius));
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      if ((geometry.centre({x, y}) - robot).norm() <= parameters_.robot_radius) map.miss({x, y});
+    }
+  }
+}
+
+}  // namespace frontier_pilot::occupancy

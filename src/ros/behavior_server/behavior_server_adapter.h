@@ -1,0 +1,68 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_msgs/Bool.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/behavior/timed_behavior.h"
+#include "ros/behavior_server/behavior_actions.h"
+#include "ros/behavior_server/behavior_surroundings.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/node_connections.h"
+#include "ros/common/tf/tf_bridge.h"
+
+namespace frontier_pilot {
+
+/// What the node is configured with.
+struct BehaviorServerParameters {
+  behavior::BehaviorParameters behavior;
+  behavior::SurroundingsParameters surroundings;
+  BehaviorFrames frames;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    behavior.describe(v);
+    surroundings.describe(v);
+    frames.describe(v);
+  }
+  void check(Problems& problems) const { behavior.check(problems); }
+};
+
+/// The node `behavior_server`: the actions spin, back_up, drive_on_heading and wait around one TimedBehavior. A newer
+/// goal on any of them replaces the one under way; cancels and an emergency stop act in their own callbacks. [SPN-5]
+class BehaviorServerAdapter {
+ public:
+  BehaviorServerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// Ends a behaviour that is going on, with a zero.
+  void sayLastWords();
+
+ private:
+  template <class Action, class Result, class Feedback>
+  void addPort(const char* name);
+  void start(BehaviorPort& port, const behavior::BehaviorGoal& goal);
+  void cancel(const std::string& why);
+  void handleStop(const std_msgs::Bool& msg);
+  void tick();
+  void put(const behavior::BehaviorOutput& output);
+  /// The robot's outline, for rviz.
+  void publishFootprint();
+  void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  ros::NodeHandle node_;
+  BehaviorServerParameters parameters_;
+  behavior::TimedBehavior behavior_;
+  TfBridge tf_;
+  BehaviorSurroundings around_;
+  bool emergency_stop_ = false;
+  std::string last_result_ = "none yet";
+  ros::Publisher cmd_vel_, footprint_;
+  BehaviorPort* port_ = nullptr;  ///< whose goal is under way
+  std::vector<std::unique_ptr<BehaviorPort>> ports_;
+  NodeDiagnostics diagnostics_;
+  NodeConnections connections_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,52 @@
+#include "ros/behavior_server/behavior_surroundings.h"
+
+#include <utility>
+
+#include "ros/common/messages/conversions.h"
+
+namespace frontier_pilot {
+
+BehaviorSurroundings::BehaviorSurroundings(const behavior::SurroundingsParameters& parameters, const RobotModel& robot,
+                                           BehaviorFrames frames, const TfBridge& tf)
+    : surroundings_(parameters, robot), frames_(std::move(frames)), tf_(tf) {
+  frames_.base_frame = robot.baseFrameOr(frames_.base_frame);
+}
+
+void BehaviorSurroundings::subscribe(NodeConnections& connections) {
+  connections.subscribeToOne(names::kScan, 1, &BehaviorSurroundings::handleScan, this,
+                             ros::TransportHints().tcpNoDelay());
+}
+
+void BehaviorSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
+  std::string why;
+  // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
+  const auto T_base_sensor = tf_.lookup3d(frames_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
+  waiting_ = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (!waiting_) return rejections_.add(why);
+  takeIn();
+}
+
+void BehaviorSurroundings::takeIn() {
+  if (!waiting_) return;
+  const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->stamp);
+  if (!T_odom_base) return;
+  surroundings_.costmap().insert(*waiting_, *T_odom_base);
+  waiting_.reset();
+}
+
+void BehaviorSurroundings::clear() {
+  waiting_.reset();
+  surroundings_.costmap().clear();
+}
+
+behavior::BehaviorInputs BehaviorSurroundings::inputs(double max_age, Time now) {
+  takeIn();
+  behavior::BehaviorInputs inputs;
+  const auto stamp = poseStamp();
+  const auto T_odom_base = stamp ? tf_.lookup(frames_.odom_frame, frames_.base_frame, *stamp) : std::nullopt;
+  if (T_odom_base) inputs.pose = behavior::BehaviorInputs::Pose{*stamp, *T_odom_base};
+  inputs.look_ahead = surroundings_.lookAhead(max_age, now);
+  return inputs;
+}
+
+}  // namespace frontier_pilot

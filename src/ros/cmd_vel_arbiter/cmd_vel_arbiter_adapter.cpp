@@ -1,0 +1,147 @@
+#include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+
+#include <ros/console.h>
+#include <ros/this_node.h>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kTick = 0.05;                                      // [s]
+constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop is offered again within 2 s [ARB-12]
+constexpr Duration kMasterPatience = std::chrono::seconds(5);
+
+/// A zero on purpose says so on an axis that the base does not have: the message is not all zero.
+bool isHold(const geometry_msgs::Twist& msg) {
+  return msg.linear.y != 0.0 || msg.linear.z != 0.0 || msg.angular.x != 0.0 || msg.angular.y != 0.0;
+}
+
+}  // namespace
+
+CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : node_(node),
+      arbiter_(loadNodeParameters<arbiter::ArbiterParameters>(private_node)),
+      memory_(rosHome(), rosSessions(), "stopped", node.resolveName(names::kEmergencyStop),
+              SessionMemory::Owner::kService),
+      status_(takeItsPlace(node_)),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
+      stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
+      diagnostics_(node, private_node),
+      connections_(node, kMasterPeriod) {
+  around_.own_name = ros::this_node::getName();
+  around_.cmd_vel = cmd_vel_.getTopic();
+  around_.status = status_.getTopic();
+  around_.emergency_stop_state = stop_state_.getTopic();
+  restoreStop();
+  for (std::size_t i = 0; i < arbiter_.parameters().sources.size(); ++i) addSource(i);
+  addStopServices();
+  connections_.subscribeToEvents<std_msgs::Bool>(
+      names::kEmergencyStopState, 10, [this](const auto& event) { handleStopState(event); },
+      ros::TransportHints().tcpNoDelay());
+  connections_.master().claimTopics({around_.status, around_.cmd_vel});  // who publishes both is an arbiter too
+  // A new master means a new session, in which the arbiter has to find its stop again.
+  connections_.master().onRenewal([this] { session_.put(rosSessions()); });
+  diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    fillDiagnostics(arbiter_.status(instantNow()), around_, status);
+  });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
+  connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
+  connections_.everySteady(ros::WallDuration(1.0), [this] {
+    keepStop();
+    takeOverStop();
+    publishStatus(true);
+  });
+  // In ROS time as well, so that a fast simulation sees expiry in time.
+  connections_.every(ros::Duration(kTick), [this] { publish(arbiter_.update(instantNow())); });
+  tick();
+}
+
+void CmdVelArbiterAdapter::sayLastWords() {
+  publish(Twist2{});
+  memory_.endInOrder();
+}
+
+void CmdVelArbiterAdapter::addSource(std::size_t source) {
+  const arbiter::SourceParameters& settings = arbiter_.parameters().sources[source];
+  rejections_.emplace_back(settings.topic);
+  const ros::Subscriber commands = connections_.subscribe<geometry_msgs::Twist>(
+      settings.topic, 1, [this, source](const geometry_msgs::Twist& msg) { handleCommand(source, msg); },
+      ros::TransportHints().tcpNoDelay());
+  around_.source_topics[settings.name] = commands.getTopic();
+  restoreSwitch(source);
+  connections_.serve<std_srvs::SetBool::Request, std_srvs::SetBool::Response>(
+      names::setEnabled(settings.name),
+      [this, source](auto& request, auto& response) { return handleEnable(source, request, response); });
+}
+
+bool CmdVelArbiterAdapter::hasJustWoken() {
+  constexpr Duration kSuspended = std::chrono::milliseconds(300);  // six ticks
+  constexpr Duration kBacklog = std::chrono::milliseconds(100);
+  const SteadyTime now = steadyNow();
+  if (now - last_seen_ > kSuspended) woken_until_ = now + kBacklog;
+  last_seen_ = now;
+  return now < woken_until_;
+}
+
+void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {
+  if (hasJustWoken()) return;
+  std::string why;
+  const std::optional<Twist2> twist = toTwist(msg, &why);
+  if (!twist) rejections_[source].add(why);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  publish(arbiter_.onCommand(source, twist.value_or(Twist2{nan, nan}), instantNow(), isHold(msg)));
+}
+
+void CmdVelArbiterAdapter::tick() {
+  hasJustWoken();
+  publish(arbiter_.tick(instantNow()));
+  takeMasterReport();
+  publishStatus(false);
+}
+
+void CmdVelArbiterAdapter::takeMasterReport() {
+  if (auto report = connections_.master().take()) {
+    around_.publishers = std::move(report->publishers);
+    around_.rivals = std::move(report->rivals);
+    takeOverStop();  // before a rival that has ended sets the wheels free
+    publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
+  }
+  around_.registration_problems = connections_.master().problems();
+  around_.master_answers = steadyNow() - connections_.master().lastAnswer() < kMasterPatience;
+  const auto session = session_.take();
+  if (session && memory_.enter(*session)) keepStop();
+}
+
+void CmdVelArbiterAdapter::handleStopState(const ros::MessageEvent<const std_msgs::Bool>& event) {
+  const std::string& node = event.getPublisherName();
+  if (node == around_.own_name || event.getConstMessage()->data == 0) return;
+  if (!arbiter_.stopped()) stop("told by " + node + " on " + around_.emergency_stop_state);
+}
+
+void CmdVelArbiterAdapter::publish(const std::optional<Twist2>& twist) {
+  if (twist) cmd_vel_.publish(toTwistMsg(*twist));
+}
+
+void CmdVelArbiterAdapter::publishStopState() {
+  std_msgs::Bool state;
+  state.data = static_cast<std::uint8_t>(arbiter_.stopped());
+  stop_state_.publish(state);
+}
+
+void CmdVelArbiterAdapter::publishStatus(bool anyway) {
+  const ArbiterStatus status = toStatusMsg(arbiter_.status(instantNow()), around_);
+  const std::string now = essence(status);
+  const bool changed = now != last_essence_;
+  last_essence_ = now;
+  if (changed || anyway) status_.publish(status);
+  if (changed) diagnostics_.publish();
+  if (status.summary != last_summary_) THROTTLED_INFO(status.summary);
+  last_summary_ = status.summary;
+}
+
+}  // namespace frontier_pilot

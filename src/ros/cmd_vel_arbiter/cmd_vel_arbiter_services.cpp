@@ -1,0 +1,84 @@
+// The arbiter's services: what has to leave on cmd_vel leaves before the answer.
+#include <ros/console.h>
+
+#include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/common/names.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// For the zero to reach the wire before the answer does. A subscriber that does not read must not hold the stop up.
+constexpr Duration kFlushPatience = std::chrono::milliseconds(50);
+
+template <class Response>
+bool reply(const arbiter::ArbiterAnswer& answer, Response& response) {
+  response.success = static_cast<std::uint8_t>(answer.success);
+  response.message = answer.message;
+  return true;
+}
+
+std::string causeOf(const std::string& service, const std::string& caller) { return service + " called by " + caller; }
+
+}  // namespace
+
+void CmdVelArbiterAdapter::addStopServices() {
+  ros::AdvertiseServiceOptions set;
+  set.initBySpecType<SetBoolCall>(names::kSetEmergencyStop, [this](SetBoolCall& call) { return handleSetStop(call); });
+  set.callback_queue = &calls_;
+  connections_.serve(set);
+  ros::AdvertiseServiceOptions trigger;
+  trigger.initBySpecType<TriggerCall>(names::kEmergencyStop, [this](TriggerCall& call) { return handleStop(call); });
+  trigger.callback_queue = &calls_;
+  connections_.serve(trigger);
+}
+
+bool CmdVelArbiterAdapter::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,
+                                        std_srvs::SetBool::Response& response) {
+  arbiter::ArbiterAnswer answer = arbiter_.setEnabled(source, request.data != 0, instantNow());
+  answer.message += switches_[source].set(request.data == 0);
+  publish(answer.publish);
+  if (answer.publish) flush_.wait(kFlushPatience);
+  publishStatus(false);
+  return reply(answer, response);
+}
+
+bool CmdVelArbiterAdapter::handleSetStop(SetBoolCall& call) {
+  const bool on = call.getRequest().data != 0;
+  return reply(
+      signedBy(on ? stop(causeOf(names::kSetEmergencyStop, call.getCallerName())) : clear(call.getCallerName())),
+      call.getResponse());
+}
+
+bool CmdVelArbiterAdapter::handleStop(TriggerCall& call) {
+  return reply(signedBy(stop(causeOf(names::kEmergencyStop, call.getCallerName()))), call.getResponse());
+}
+
+arbiter::ArbiterAnswer CmdVelArbiterAdapter::signedBy(arbiter::ArbiterAnswer answer) const {
+  answer.message += " (answered by " + around_.own_name + ")";
+  return answer;
+}
+
+arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
+  arbiter::ArbiterAnswer answer = arbiter_.stop(cause, instantNow());
+  publish(answer.publish);
+  if (!flush_.wait(kFlushPatience)) answer.message += "; its zero may still be under way";
+  around_.memory_problem = memory_.remember(arbiter_.stopCause());
+  if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
+  publishStopState();
+  publishStatus(false);
+  arbiter_.answerStop(steadyNow());
+  return answer;
+}
+
+arbiter::ArbiterAnswer CmdVelArbiterAdapter::clear(const std::string& caller) {
+  arbiter::ArbiterAnswer answer = arbiter_.clear(calls_.arrival(), instantNow());
+  publish(answer.publish);
+  if (!arbiter_.stopped()) around_.memory_problem = memory_.forget();
+  THROTTLED_INFO("set_emergency_stop false called by " << caller << ": " << answer.message);
+  publishStopState();
+  publishStatus(false);
+  return answer;
+}
+
+}  // namespace frontier_pilot

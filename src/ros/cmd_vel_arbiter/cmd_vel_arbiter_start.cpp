@@ -1,0 +1,90 @@
+// Whether an arbiter may start at all, and what it finds of the one before it.
+#include <ros/console.h>
+#include <ros/names.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/common/master/master_state.h"
+#include "ros/common/master/namesake.h"
+#include "ros/common/names.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr const char* kRestarted = "from before a restart: ";
+
+/// A living node that offers what only the arbiter of this namespace offers; empty if there is none.
+std::string findArbiter() {
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return {};
+  std::vector<std::string> found = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
+  for (const char* service : {names::kEmergencyStop, names::kSetEmergencyStop}) {
+    const std::vector<std::string> providers = nodesOf(state->providers, ros::names::resolve(service));
+    found.insert(found.end(), providers.begin(), providers.end());
+  }
+  const auto living = std::find_if(found.begin(), found.end(), nodeLives);
+  return living == found.end() ? std::string() : *living;
+}
+
+/// A living node that the master has known as an arbiter of this namespace for longer than this one.
+std::string findElder() {
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return {};
+  const std::vector<std::string> nodes = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
+  // The master has them in the order in which it registered them.
+  const auto self = std::find(nodes.begin(), nodes.end(), ros::this_node::getName());
+  if (self == nodes.end()) return {};
+  const auto elder = std::find_if(nodes.begin(), self, nodeLives);
+  return elder == self ? std::string() : *elder;
+}
+
+void endBeside(const std::string& other) {
+  if (other.empty()) return;
+  throw std::runtime_error(other + " is an arbiter of this namespace already: two of them would take turns at the " +
+                           "wheels, and only one could be stopped. End that one first");
+}
+
+}  // namespace
+
+void refuseASecondArbiter() { endBeside(waitUntilGone(findArbiter)); }
+
+ros::Publisher CmdVelArbiterAdapter::takeItsPlace(ros::NodeHandle& node) {
+  ros::Publisher status = node.advertise<ArbiterStatus>(names::kArbiterStatus, 1, true);
+  endBeside(findElder());
+  return status;
+}
+
+void CmdVelArbiterAdapter::restoreStop() {
+  if (const auto cause = memory_.recall()) {
+    const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
+    arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
+    ROS_WARN_STREAM("comes up stopped, as the arbiter before it was: " << *cause);
+  }
+  keepStop();
+  publishStopState();
+}
+
+void CmdVelArbiterAdapter::keepStop() {
+  // Again and again: a disk may be full for a while, and files may be deleted, or not.
+  if (arbiter_.stopped()) around_.memory_problem = memory_.remember(arbiter_.stopCause());
+  if (!arbiter_.stopped() && !around_.memory_problem.empty()) around_.memory_problem = memory_.forget();
+  connections_.memory().setProblem("an emergency stop",
+                                   arbiter_.stopped() ? around_.memory_problem : memory_.problem());
+}
+
+void CmdVelArbiterAdapter::takeOverStop() {
+  // Files that could not be removed when the stop was cleared say nothing.
+  if (arbiter_.stopped() || !around_.memory_problem.empty()) return;
+  if (const auto cause = memory_.recallOthers()) stop("of another arbiter of this namespace: " + *cause);
+}
+
+void CmdVelArbiterAdapter::restoreSwitch(std::size_t source) {
+  const std::string& name = arbiter_.parameters().sources[source].name;
+  switches_.emplace_back(name + "_disabled", names::setEnabled(name), connections_);
+  if (const auto disabled = switches_.back().wasLeftSafe()) arbiter_.setEnabled(source, !*disabled, instantNow());
+}
+
+}  // namespace frontier_pilot

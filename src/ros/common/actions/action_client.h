@@ -1,0 +1,150 @@
+#pragma once
+
+#include <actionlib/client/client_helpers.h>
+#include <actionlib/client/connection_monitor.h>
+#include <actionlib_msgs/GoalID.h>
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <ros/node_handle.h>
+
+#include <boost/make_shared.hpp>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ros/common/callback_guard.h"
+#include "ros/common/clock.h"
+#include "ros/common/messages/checked_subscription.h"
+
+namespace frontier_pilot {
+
+/// How the goal of this id ended, by what the server says of it; LOST where it does not say that it ended.
+inline actionlib::TerminalState endOf(const std::string& id, const actionlib_msgs::GoalStatusArray& statuses) {
+  using Status = actionlib_msgs::GoalStatus;
+  using State = actionlib::TerminalState;
+  static const std::map<std::uint8_t, State::StateEnum> ends{
+      {Status::SUCCEEDED, State::SUCCEEDED}, {Status::ABORTED, State::ABORTED},   {Status::REJECTED, State::REJECTED},
+      {Status::PREEMPTED, State::PREEMPTED}, {Status::RECALLED, State::RECALLED},
+  };
+  for (const Status& status : statuses.status_list) {
+    const auto end = ends.find(status.status);
+    if (status.goal_id.id == id && end != ends.end()) return State(end->second, status.text);
+  }
+  return State(State::LOST, "its end was not told");
+}
+
+/// An action as somebody has it who pursues one goal at a time, with actionlib's bookkeeping behind subscriptions that
+/// check what they read. Nothing here blocks, not even for the first /clock. For the node's own thread. [FLT-1]
+template <class Action>
+class ActionClient {
+ public:
+  ACTION_DEFINITION(Action)
+  using Done = std::function<void(const actionlib::TerminalState&, const ResultConstPtr&)>;
+  using Heard = std::function<void(const FeedbackConstPtr&)>;
+
+  ActionClient(const ros::NodeHandle& node, const std::string& name)
+      : node_(node),
+        manager_(boost::make_shared<actionlib::DestructionGuard>()),
+        status_(listen<actionlib_msgs::GoalStatusArray>(name + "/status", &ActionClient::takeStatus)),
+        feedback_(listen<ActionFeedback>(name + "/feedback", &ActionClient::takeFeedback)),
+        result_(listen<ActionResult>(name + "/result", &ActionClient::takeResult)),
+        monitor_(feedback_, result_),
+        goal_(offer<ActionGoal>(name + "/goal", &Monitor::goalConnectCallback, &Monitor::goalDisconnectCallback)),
+        cancel_(offer<GoalID>(name + "/cancel", &Monitor::cancelConnectCallback, &Monitor::cancelDisconnectCallback)) {
+    manager_.registerSendGoalFunc([this](const ActionGoalConstPtr& goal) {
+      id_ = goal->goal_id.id;
+      goal_.publish(goal);
+    });
+    manager_.registerCancelFunc([this](const GoalID& id) { cancel_.publish(id); });
+  }
+
+  /// Whether a server is there now that takes goals and cancels, and has said so.
+  bool isServerConnected() { return monitor_.isServerConnected(); }
+
+  /// Sends a goal; the end of the one before is not told. `done` is called once, when it has ended, and `heard` with
+  /// each feedback. A result is lost where the server published it before it had accepted this client's connection:
+  /// `done` is then called with an empty result, once the status has shown the end for a second.
+  void send(const Goal& goal, Done done, Heard heard = {}) {
+    done_ = done;
+    ended_at_.reset();
+    const auto changed = [done = std::move(done)](const GoalHandle& handle) {
+      if (handle.getCommState() == actionlib::CommState::DONE) done(handle.getTerminalState(), handle.getResult());
+    };
+    const auto told = [heard = std::move(heard)](const GoalHandle&, const FeedbackConstPtr& feedback) {
+      if (heard) heard(feedback);
+    };
+    handle_ = manager_.initGoal(goal, changed, told);
+  }
+  /// Asks the server to end the goal that was sent last.
+  void cancel() {
+    if (!handle_.isExpired()) handle_.cancel();
+  }
+  /// What becomes of that goal is not told any more.
+  void forget() { handle_.reset(); }
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+    if (callbacks_.total() > 0) callbacks_.report(status);
+    unreadable_.report(status);
+  }
+
+ private:
+  using GoalHandle = actionlib::ClientGoalHandle<Action>;
+  using GoalID = actionlib_msgs::GoalID;
+  using Monitor = actionlib::ConnectionMonitor;
+  using Connection = ros::SingleSubscriberPublisher;
+
+  static constexpr std::uint32_t kQueue = 50;
+  static constexpr Duration kResultPatience = std::chrono::seconds(1);  ///< of the steady clock
+
+  template <class Msg>
+  ros::Subscriber listen(const std::string& topic, void (ActionClient::*take)(const ros::MessageEvent<const Msg>&)) {
+    ros::SubscribeOptions options = checkedSubscription<Msg>(
+        topic, kQueue, unreadable_, [this, topic, take](const ros::MessageEvent<const Msg>& event) {
+          callbacks_.run(node_.resolveName(topic), [&] { (this->*take)(event); });
+        });
+    return node_.subscribe(options);
+  }
+  template <class Msg>
+  ros::Publisher offer(const std::string& topic, void (Monitor::*come)(const Connection&),
+                       void (Monitor::*gone)(const Connection&)) {
+    return node_.advertise<Msg>(
+        topic, kQueue, [this, come](const Connection& connection) { (monitor_.*come)(connection); },
+        [this, gone](const Connection& connection) { (monitor_.*gone)(connection); });
+  }
+
+  void takeStatus(const ros::MessageEvent<const actionlib_msgs::GoalStatusArray>& event) {
+    monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
+    manager_.updateStatuses(event.getConstMessage());
+    endWithoutResult(*event.getConstMessage());
+  }
+  void endWithoutResult(const actionlib_msgs::GoalStatusArray& statuses) {
+    if (handle_.isExpired() || handle_.getCommState() != actionlib::CommState::WAITING_FOR_RESULT) return;
+    const SteadyTime now = steadyNow();
+    if (!ended_at_) ended_at_ = now;
+    if (now - *ended_at_ < kResultPatience) return;
+    const actionlib::TerminalState end = endOf(id_, statuses);
+    forget();
+    if (const Done done = std::exchange(done_, {})) done(end, nullptr);
+  }
+  void takeFeedback(const ros::MessageEvent<const ActionFeedback>& event) {
+    manager_.updateFeedbacks(event.getConstMessage());
+  }
+  void takeResult(const ros::MessageEvent<const ActionResult>& event) {
+    manager_.updateResults(event.getConstMessage());
+  }
+
+  ros::NodeHandle node_;
+  CallbackGuard callbacks_;
+  UnreadableMessages unreadable_;
+  actionlib::GoalManager<Action> manager_;
+  GoalHandle handle_;
+  std::string id_;                      ///< of the goal that was sent last
+  Done done_;                           ///< its end is told here where its result was lost
+  std::optional<SteadyTime> ended_at_;  ///< since when its status shows the end while its result is missing
+  // Callbacks run on the node's own thread: none comes before the last of these is there.
+  ros::Subscriber status_, feedback_, result_;
+  Monitor monitor_;  ///< knows servers by their subscriptions, too
+  ros::Publisher goal_, cancel_;
+};
+
+}  // namespace frontier_pilot

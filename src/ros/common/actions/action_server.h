@@ -1,0 +1,263 @@
+#pragma once
+
+#include <actionlib/server/action_server_base.h>
+#include <actionlib_msgs/GoalID.h>
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <boost/thread/recursive_mutex.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "frontier_pilot/core/bounds.h"
+#include "ros/common/actions/action_requests.h"
+#include "ros/common/callback_guard.h"
+#include "ros/common/clock.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/messages/checked_subscription.h"
+
+namespace frontier_pilot {
+
+/// An action on the wire, with actionlib's bookkeeping of goals behind a gate: no stamp, name or number of goals and
+/// cancels ends the node, outranks what comes later, or is kept for ever. The owner answers goal handles as it would
+/// those of actionlib::ActionServer. [FLT-1]
+template <class Action>
+class ActionServer : public actionlib::ActionServerBase<Action> {
+ public:
+  using Base = actionlib::ActionServerBase<Action>;
+  using typename Base::Feedback;
+  using typename Base::Goal;
+  using typename Base::GoalHandle;
+  using typename Base::Result;
+  using Handle = std::function<void(GoalHandle)>;
+
+  /// `recalled()` is called for a goal whose cancel came before it. The client had a newer goal than the one under way
+  /// and wants neither.
+  ActionServer(const ros::NodeHandle& node, const std::string& name, Handle goal, Handle cancel,
+               std::function<void()> recalled)
+      : Base(std::move(goal), std::move(cancel), false),
+        node_(node),
+        name_(name),
+        recalled_(std::move(recalled)),
+        rejections_("action " + name) {
+    Base::start();
+  }
+
+  const Rejections& rejections() const { return rejections_; }
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+    rejections_.report(status);
+    if (callbacks_.total() > 0) callbacks_.report(status);
+    unreadable_.report(status);
+  }
+
+ private:
+  using typename Base::ActionFeedback;
+  using typename Base::ActionGoal;
+  using typename Base::ActionGoalConstPtr;
+  using typename Base::ActionResult;
+  using GoalID = actionlib_msgs::GoalID;
+  using GoalStatus = actionlib_msgs::GoalStatus;
+  using Lock = boost::recursive_mutex::scoped_lock;
+
+  static constexpr std::uint32_t kQueue = 50;
+  static constexpr double kStatusPeriod = 0.2;                  ///< [s]
+  static constexpr Duration kMemory = std::chrono::seconds(5);  ///< of a goal that has ended
+
+  void initialize() override {
+    const std::string goal_topic = name_ + "/goal", cancel_topic = name_ + "/cancel", status_topic = name_ + "/status";
+    const std::string feedback_topic = name_ + "/feedback", result_topic = name_ + "/result";
+    result_ = node_.advertise<ActionResult>(result_topic, kQueue);
+    feedback_ = node_.advertise<ActionFeedback>(feedback_topic, kQueue);
+    status_ = node_.advertise<actionlib_msgs::GoalStatusArray>(status_topic, kQueue, true);
+    goals_ = listen<ActionGoal>(goal_topic, [this](const ActionGoalConstPtr& msg) { takeGoal(msg); });
+    cancels_ = listen<GoalID>(cancel_topic, [this](const GoalID::ConstPtr& msg) { takeCancel(*msg); });
+    // On steady time: clients judge the server by it, also while the clock stands still.
+    timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
+      callbacks_.run(name_ + "/status", [&] {
+        const Lock lock(this->lock_);
+        tidy(bounds::kMostTrackedGoals);
+        publishStatus();
+      });
+    });
+  }
+
+  template <class Msg, class Take>
+  ros::Subscriber listen(const std::string& topic, Take take) {
+    ros::SubscribeOptions options = checkedSubscription<Msg>(
+        topic, kQueue, unreadable_, [this, topic, take](const ros::MessageEvent<const Msg>& event) {
+          callbacks_.run(topic, [&] { take(event.getConstMessage()); });
+        });
+    return node_.subscribe(options);
+  }
+
+  void takeGoal(const ActionGoalConstPtr& msg) {
+    const Lock lock(this->lock_);
+    if (const char* why = problemOf(msg->goal_id)) return rejections_.add(why);
+    tidy(bounds::kMostTrackedGoals);
+    const bool recalled = isRecalling(msg->goal_id.id);
+    Base::goalCallback(withSafeStamp(msg));
+    if (recalled) recalled_();
+  }
+
+  static ActionGoalConstPtr withSafeStamp(const ActionGoalConstPtr& msg) {
+    const ros::Time stamp = goalStamp(msg->goal_id.stamp, rosNow());
+    if (stamp == msg->goal_id.stamp) return msg;
+    const auto goal = boost::make_shared<ActionGoal>(*msg);
+    goal->goal_id.stamp = stamp;
+    return goal;
+  }
+
+  bool isRecalling(const std::string& id) const {
+    const auto& list = this->status_list_;
+    return std::any_of(list.begin(), list.end(), [&](const auto& tracked) {
+      return tracked.status_.goal_id.id == id && tracked.status_.status == GoalStatus::RECALLING;
+    });
+  }
+
+  void takeCancel(const GoalID& msg) {
+    const Lock lock(this->lock_);
+    if (const char* why = problemOf(msg)) return rejections_.add(why);
+    tidy(bounds::kMostTrackedGoals);
+    const auto cancel = boost::make_shared<GoalID>(msg);
+    cancel->stamp = stampOrNow(msg.stamp, rosNow());
+    Base::cancelCallback(cancel);
+  }
+
+  /// Forgets what the clock has not come to yet, because it was set back, and then the goals that have ended: those
+  /// that did so long ago, and the oldest of them where there are more than `most`. Never while actionlib is at work:
+  /// it looks at a goal again after it has published how that ended.
+  void tidy(std::size_t most) {
+    const Time now = rosNow();
+    this->last_cancel_ = stampOrNow(this->last_cancel_, now);
+    auto& list = this->status_list_;
+    std::size_t excess = list.size() > most ? list.size() - most : 0;
+    for (auto it = list.begin(); it != list.end();) {
+      it->status_.goal_id.stamp = stampOrNow(it->status_.goal_id.stamp, now);
+      const bool has_ended = it->handle_tracker_.expired();
+      ros::Time& ended = it->handle_destruction_time_;
+      if (has_ended) ended = ended.isZero() ? toRosTime(now) : stampOrNow(ended, now);
+      if (has_ended && (excess > 0 || now - toTime(ended) > kMemory)) {
+        it = list.erase(it);
+        excess -= excess > 0 ? 1U : 0U;
+      } else {
+        ++it;
+      }
+    }
+  }
+
+  void publishStatus() override {
+    const Lock lock(this->lock_);
+    actionlib_msgs::GoalStatusArray msg;
+    msg.header.stamp = ros::Time::now();
+    msg.status_list.reserve(this->status_list_.size());
+    for (const auto& tracked : this->status_list_) msg.status_list.push_back(tracked.status_);
+    status_.publish(msg);
+  }
+
+  void publishResult(const GoalStatus& status, const Result& result) override {
+    const Lock lock(this->lock_);
+    const auto msg = stamped<ActionResult>(status);
+    msg->result = result;
+    result_.publish(msg);
+    publishStatus();
+  }
+
+  void publishFeedback(const GoalStatus& status, const Feedback& feedback) override {
+    const Lock lock(this->lock_);
+    const auto msg = stamped<ActionFeedback>(status);
+    msg->feedback = feedback;
+    feedback_.publish(msg);
+  }
+
+  template <class Message>
+  static boost::shared_ptr<Message> stamped(const GoalStatus& status) {
+    auto msg = boost::make_shared<Message>();
+    msg->header.stamp = ros::Time::now();
+    msg->status = status;
+    return msg;
+  }
+
+  ros::NodeHandle node_;
+  std::string name_;
+  std::function<void()> recalled_;
+  Rejections rejections_;
+  CallbackGuard callbacks_;
+  UnreadableMessages unreadable_;
+  ros::Publisher result_, feedback_, status_;
+  ros::Subscriber goals_, cancels_;
+  ros::SteadyTimer timer_;
+};
+
+/// An action of which one goal at a time is pursued: the newest to arrive wins.
+template <class Action>
+class SingleGoalServer {
+ public:
+  using Server = ActionServer<Action>;
+  using Goal = typename Server::Goal;
+  using Result = typename Server::Result;
+  using Feedback = typename Server::Feedback;
+  using Start = std::function<void(const Goal&)>;
+  /// The goal under way is to be ended, because a newer one has come or because it was cancelled.
+  using Cancel = std::function<void(bool replaced)>;
+
+  SingleGoalServer(const ros::NodeHandle& node, const std::string& name, Start start, Cancel cancel)
+      : start_(std::move(start)),
+        cancel_(std::move(cancel)),
+        server_(
+            node, name, [this](const GoalHandle& handle) { take(handle); },
+            [this](const GoalHandle& handle) {
+              if (current_ && *current_ == handle) end(false, "canceled");
+            },
+            [this] {
+              if (current_) end(false, "replaced by a newer goal, which was canceled");
+            }) {}
+
+  void publishFeedback(const Feedback& feedback) {
+    if (current_) current_->publishFeedback(feedback);
+  }
+  void setSucceeded(const Result& result, const std::string& text) {
+    if (auto handle = release()) handle->setSucceeded(result, text);
+  }
+  void setAborted(const Result& result, const std::string& text) {
+    if (auto handle = release()) handle->setAborted(result, text);
+  }
+  void setPreempted(const Result& result, const std::string& text) {
+    if (auto handle = release()) handle->setCanceled(result, text);
+  }
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { server_.report(status); }
+
+ private:
+  using GoalHandle = typename Server::GoalHandle;
+
+  std::optional<GoalHandle> release() { return std::exchange(current_, std::nullopt); }
+
+  void take(const GoalHandle& handle) {
+    if (current_) end(true, "replaced by a newer goal");
+    current_ = handle;
+    current_->setAccepted();
+    try {
+      start_(*handle.getGoal());
+    } catch (...) {
+      setAborted({}, "could not be started");
+      cancel_(false);  // what had begun all the same
+      throw;
+    }
+  }
+
+  void end(bool replaced, const char* why) {
+    cancel_(replaced);
+    setPreempted({}, why);  // where the owner had nothing under way
+  }
+
+  Start start_;
+  Cancel cancel_;
+  std::optional<GoalHandle> current_;
+  Server server_;  ///< the last member: its callbacks use the others
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,101 @@
+#include "ros/common/master/master_state.h"
+
+#include <netdb.h>
+#include <poll.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <sys/socket.h>
+#include <unistd.h>
+#include <xmlrpcpp/XmlRpcException.h>
+
+#include <cerrno>
+#include <memory>
+
+#include "ros/common/master/xml_rpc.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr int kPatience = 300;  // [ms] for a connection
+
+NodesByName toNodes(XmlRpc::XmlRpcValue& list) {
+  NodesByName nodes;
+  for (XmlRpc::XmlRpcValue& entry : elements(list)) {
+    std::vector<std::string>& names = nodes[static_cast<std::string>(entry[0])];
+    for (XmlRpc::XmlRpcValue& name : elements(entry[1])) names.push_back(static_cast<std::string>(name));
+  }
+  return nodes;
+}
+
+/// A TCP socket that is closed when it goes.
+class Socket {
+ public:
+  explicit Socket(const addrinfo& address)
+      : descriptor_(socket(address.ai_family, address.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {}
+  ~Socket() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+
+  /// False only if the other side says no: one that says nothing may hang, and come back.
+  bool mayConnect(const addrinfo& address) const {
+    if (descriptor_ < 0) return true;
+    if (connect(descriptor_, address.ai_addr, address.ai_addrlen) == 0) return true;
+    if (errno != EINPROGRESS) return errno != ECONNREFUSED;
+    pollfd wanted{descriptor_, POLLOUT, 0};
+    if (poll(&wanted, 1, kPatience) <= 0) return true;
+    int error = 0;
+    socklen_t size = sizeof(error);
+    getsockopt(descriptor_, SOL_SOCKET, SO_ERROR, &error, &size);
+    return error != ECONNREFUSED;
+  }
+
+ private:
+  int descriptor_;
+};
+
+bool takesConnections(const std::string& host, std::uint32_t port) {
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) return true;  // cannot be told
+  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, freeaddrinfo);
+  for (const addrinfo* address = found; address != nullptr; address = address->ai_next) {
+    if (Socket(*address).mayConnect(*address)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<MasterState> askMaster() {
+  XmlRpc::XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  try {
+    std::optional<XmlRpc::XmlRpcValue> state = requestFromMaster("getSystemState", request);
+    if (!state) return std::nullopt;
+    return MasterState{toNodes((*state)[0]), toNodes((*state)[1]), toNodes((*state)[2])};
+  } catch (const XmlRpc::XmlRpcException&) {
+    return std::nullopt;  // whatever listens there is no master
+  }
+}
+
+std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& name) {
+  const auto found = nodes.find(name);
+  return found == nodes.end() ? std::vector<std::string>() : found->second;
+}
+
+bool nodeLives(const std::string& node) {
+  XmlRpc::XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  std::optional<XmlRpc::XmlRpcValue> uri = requestFromMaster("lookupNode", request);
+  std::string host;
+  std::uint32_t port = 0;
+  if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return false;
+  if (!ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return false;
+  return takesConnections(host, port);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,225 @@
+#include "ros/common/master/master_watch.h"
+
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ros/common/clock.h"
+#include "ros/common/master/registration.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kRemembered = std::chrono::seconds(10);  // so that an operator sees what has been mended
+constexpr std::size_t kOften =
+    5;  // looks without a service, in that time: a master that is replaced makes two or three
+
+/// Whether a node lives, asked once in a look.
+using LivingNodes = std::map<std::string, bool>;
+
+bool isIn(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool lives(const std::string& node, LivingNodes& known) {
+  const auto [entry, unknown] = known.try_emplace(node);
+  if (unknown) entry->second = nodeLives(node);
+  return entry->second;
+}
+
+/// Another living node of `nodes`; empty if there is none.
+std::string findOther(const std::vector<std::string>& nodes, LivingNodes& known) {
+  for (const std::string& node : nodes) {
+    if (node != ros::this_node::getName() && lives(node, known)) return node;
+  }
+  return {};
+}
+
+/// The nodes that publish all of `topics`.
+std::vector<std::string> publishersOfAll(const std::vector<std::string>& topics, const NodesByName& publishers) {
+  std::vector<std::string> nodes = nodesOf(publishers, topics.front());
+  const auto lacksOne = [&](const std::string& node) {
+    return !std::all_of(topics.begin(), topics.end(),
+                        [&](const std::string& topic) { return isIn(nodesOf(publishers, topic), node); });
+  };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), lacksOne), nodes.end());
+  return nodes;
+}
+
+}  // namespace
+
+MasterWatch::MasterWatch(Duration period)
+    : period_(period), last_answer_(steadyNow()), thread_(&MasterWatch::run, this) {}
+
+MasterWatch::~MasterWatch() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ending_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void MasterWatch::claimService(const std::string& service) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  claims_.services.push_back(service);
+}
+
+void MasterWatch::claimTopics(const std::vector<std::string>& topics) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  claims_.topics.push_back(topics);
+}
+
+MasterWatch::Claims MasterWatch::claims() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return claims_;
+}
+
+void MasterWatch::onRenewal(std::function<void()> f) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  renewals_.push_back(std::move(f));
+}
+
+void MasterWatch::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ending_) {
+    lock.unlock();
+    guard_.run("what the master says", [this] { look(); });
+    lock.lock();
+    wake_.wait_for(lock, period_, [this] { return ending_; });
+  }
+}
+
+void MasterWatch::look() {
+  std::optional<MasterState> state = askMaster();
+  if (!state) return;
+  last_answer_ = steadyNow();
+  MasterReport report;
+  missing_before_ = std::exchange(missing_, {});
+  report.rivals = findRivals(*state);
+  lookAtTopics(*state);
+  lookAtServices(*state, report.rivals);
+  lookAtAnAddress(*state);
+  findTakers(report.rivals);
+  sayWhatWasRenewed();
+  setRivals(report.rivals);
+  report.publishers = std::move(state->publishers);
+  report_.put(std::move(report));
+}
+
+std::map<std::string, std::string> MasterWatch::findRivals(const MasterState& state) const {
+  const Claims own = claims();
+  LivingNodes known;
+  std::map<std::string, std::string> rivals;
+  const auto note = [&](const std::string& what, const std::vector<std::string>& nodes) {
+    const std::string other = findOther(nodes, known);
+    if (!other.empty()) rivals[what] = other;
+  };
+  for (const std::string& service : own.services) note(service, nodesOf(state.providers, service));
+  for (const auto& topics : own.topics) note(topics.front(), publishersOfAll(topics, state.publishers));
+  return rivals;
+}
+
+void MasterWatch::lookAtTopics(const MasterState& state) {
+  const std::string& self = ros::this_node::getName();
+  std::vector<std::string> advertised, subscribed;
+  ros::this_node::getAdvertisedTopics(advertised);
+  ros::this_node::getSubscribedTopics(subscribed);
+  for (const std::string& topic : advertised) {
+    const bool known = isIn(nodesOf(state.publishers, topic), self);
+    if (!known && missingTwice("publisher of " + topic) && registerPublisher(topic))
+      renewed_.push_back("publisher of " + topic);
+  }
+  for (const std::string& topic : subscribed) {
+    const bool known = isIn(nodesOf(state.subscribers, topic), self);
+    if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic))
+      renewed_.push_back("subscriber of " + topic);
+  }
+}
+
+void MasterWatch::lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals) {
+  const std::string& self = ros::this_node::getName();
+  for (const std::string& service : claims().services) {
+    if (isIn(nodesOf(state.providers, service), self) || rivals.count(service) > 0) continue;
+    if (missingTwice("service " + service) && registerService(service)) renewed_.push_back("service " + service);
+  }
+}
+
+void MasterWatch::lookAtAnAddress(const MasterState& state) {
+  const std::vector<std::string> services = claims().services;
+  if (services.empty()) return;
+  const std::string& service = services[next_service_++ % services.size()];
+  if (!isIn(nodesOf(state.providers, service), ros::this_node::getName()) || pointsHere(service)) return;
+  THROTTLED_ERROR("the master sends calls of " << service << " elsewhere, under the name of this node");
+  if (registerService(service)) renewed_.push_back("service " + service);
+}
+
+void MasterWatch::findTakers(std::map<std::string, std::string>& rivals) {
+  const SteadyTime now = steadyNow();
+  for (const std::string& service : claims().services) {
+    std::deque<SteadyTime>& losses = losses_[service];
+    if (missing_.count("service " + service) > 0) losses.push_back(now);
+    while (!losses.empty() && now - losses.front() > kRemembered) losses.pop_front();
+    if (losses.size() >= kOften) rivals.try_emplace(service, "a node that comes and goes");
+  }
+}
+
+bool MasterWatch::missingTwice(const std::string& what) {
+  missing_.insert(what);
+  return missing_before_.count(what) > 0;
+}
+
+void MasterWatch::sayWhatWasRenewed() {
+  const std::vector<std::string> renewed = std::exchange(renewed_, {});
+  if (renewed.empty()) return;
+  const std::string more = renewed.size() > 1 ? " and " + std::to_string(renewed.size() - 1) + " more" : "";
+  THROTTLED_ERROR("the master had forgotten this node: registered again as " << renewed.front() << more);
+  for (const std::string& what : renewed) remembered_[what] = steadyNow();
+  if (parameters_.restore()) THROTTLED_WARN("the master had lost the parameters of this node: they are set again");
+  std::vector<std::function<void()>> renewals;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    renewals = renewals_;
+  }
+  for (const auto& renewal : renewals) renewal();
+}
+
+void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {
+  std::vector<std::string> problems;
+  for (const auto& [what, node] : rivals) {
+    const bool offered = isIn(claims().services, what);
+    std::string problem = node;
+    problem.append(offered ? " offers " : " publishes ").append(what).append(" as well");
+    problems.push_back(std::move(problem));
+    const auto before = rivals_.find(what);
+    if (before == rivals_.end() || before->second != node) THROTTLED_ERROR(problems.back());
+  }
+  rivals_ = rivals;
+  const SteadyTime now = steadyNow();
+  for (auto entry = remembered_.begin(); entry != remembered_.end();) {
+    const bool recent = now - entry->second < kRemembered;
+    if (recent) problems.push_back("the master had forgotten this node as " + entry->first + ": registered again");
+    entry = recent ? std::next(entry) : remembered_.erase(entry);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  problems_ = std::move(problems);
+}
+
+std::vector<std::string> MasterWatch::problems() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return problems_;
+}
+
+void MasterWatch::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  status.summary(DiagnosticStatus::OK, "registered at the master");
+  const std::vector<std::string> all = problems();
+  if (all.empty()) return;
+  const std::string more = all.size() > 1 ? " (and " + std::to_string(all.size() - 1) + " more)" : "";
+  status.summary(DiagnosticStatus::ERROR, all.front() + more);
+  for (std::size_t i = 0; i < all.size(); ++i) status.add("problem " + std::to_string(i + 1), all[i]);
+}
+
+}  // namespace frontier_pilot

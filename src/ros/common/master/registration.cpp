@@ -1,0 +1,104 @@
+#include "ros/common/master/registration.h"
+
+#include <ros/connection_manager.h>
+#include <ros/network.h>
+#include <ros/publication.h>
+#include <ros/this_node.h>
+#include <ros/topic_manager.h>
+#include <ros/xmlrpc_manager.h>
+
+#include <optional>
+#include <set>
+
+#include "ros/common/master/xml_rpc.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Value = XmlRpc::XmlRpcValue;
+
+const std::string& ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
+
+std::string ownServiceUri() {
+  const std::uint32_t port = ros::ConnectionManager::instance()->getTCPPort();
+  return "rosrpc://" + ros::network::getHost() + ":" + std::to_string(port);
+}
+
+/// The registration calls of the master API differ in the argument between the name and this node's URI.
+std::optional<Value> askMasterApi(const char* method, const std::string& name, const std::string& detail) {
+  Value request;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  request[2] = detail;
+  request[3] = ownUri();
+  return requestFromMaster(method, request);
+}
+
+/// Calls a method of this node's own slave API, which roscpp offers to the master and not to its own process.
+std::optional<Value> askSlaveApi(const char* method, const Value& arguments) {
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(ownUri(), host, port)) return std::nullopt;
+  return requestFrom(host, port, method, arguments);
+}
+
+/// The publishers of `topic` that this node is connected to, by their URIs.
+std::set<std::string> connectedPublishers(const std::string& topic) {
+  Value arguments;
+  arguments[0] = ros::this_node::getName();
+  std::set<std::string> uris;
+  std::optional<Value> connections = askSlaveApi("getBusInfo", arguments);
+  if (!connections || connections->getType() != Value::TypeArray) return uris;
+  for (Value& connection : elements(*connections)) {
+    // [id, URI of the other node, direction, transport, topic, ...]
+    const bool inbound = static_cast<std::string>(connection[2]) == "i";
+    if (inbound && static_cast<std::string>(connection[4]) == topic) {
+      uris.insert(static_cast<std::string>(connection[1]));
+    }
+  }
+  return uris;
+}
+
+/// What the master would tell this node: who publishes on `topic` now.
+bool updatePublishers(const std::string& topic, const std::set<std::string>& uris) {
+  Value arguments;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = topic;
+  arguments[2].setSize(0);
+  int i = 0;
+  for (const std::string& uri : uris) arguments[2][i++] = uri;
+  return askSlaveApi("publisherUpdate", arguments).has_value();
+}
+
+}  // namespace
+
+bool registerPublisher(const std::string& topic) {
+  const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
+  return publication && askMasterApi("registerPublisher", topic, publication->getDataType());
+}
+
+bool registerService(const std::string& service) {
+  return askMasterApi("registerService", service, ownServiceUri()).has_value();
+}
+
+bool pointsHere(const std::string& service) {
+  Value request;
+  request[0] = ros::this_node::getName();
+  request[1] = service;
+  std::optional<Value> uri = requestFromMaster("lookupService", request);
+  if (!uri || uri->getType() != Value::TypeString) return true;
+  return static_cast<std::string>(*uri) == ownServiceUri();
+}
+
+bool registerSubscriber(const std::string& topic) {
+  std::optional<Value> publishers = askMasterApi("registerSubscriber", topic, "*");
+  if (!publishers) return false;
+  std::set<std::string> uris = connectedPublishers(topic);
+  if (publishers->getType() == Value::TypeArray) {
+    for (Value& uri : elements(*publishers)) uris.insert(static_cast<std::string>(uri));
+  }
+  uris.erase(ownUri());
+  return uris.empty() || updatePublishers(topic, uris);
+}
+
+}  // namespace frontier_pilot

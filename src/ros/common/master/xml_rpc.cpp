@@ -1,0 +1,36 @@
+#include "ros/common/master/xml_rpc.h"
+
+#include <ros/master.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+
+namespace frontier_pilot {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr double kAnswerPatience = 2000.0;  // [ms]
+
+/// An answer is [code, text, value], and 1 is the code of success.
+std::optional<XmlRpcValue> valueOf(XmlRpcValue& answer) {
+  const bool complete = answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3;
+  if (!complete || answer[0].getType() != XmlRpcValue::TypeInt || static_cast<int>(answer[0]) != 1) return std::nullopt;
+  return answer[2];
+}
+
+}  // namespace
+
+std::optional<XmlRpcValue> requestFrom(const std::string& host, std::uint32_t port, const char* method,
+                                       const XmlRpcValue& arguments) {
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  if (!client.executeNonBlock(method, arguments)) return std::nullopt;
+  client._disp.work(kAnswerPatience);  // until the answer is there, or for so long
+  XmlRpcValue answer;
+  if (!client.executeCheckDone(answer) || client.isFault()) return std::nullopt;
+  return valueOf(answer);
+}
+
+std::optional<XmlRpcValue> requestFromMaster(const char* method, const XmlRpcValue& arguments) {
+  return requestFrom(ros::master::getHost(), ros::master::getPort(), method, arguments);
+}
+
+}  // namespace frontier_pilot

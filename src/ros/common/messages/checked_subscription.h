@@ -1,0 +1,113 @@
+#pragma once
+
+#include <ros/message_event.h>
+#include <ros/serialization.h>
+#include <ros/subscribe_options.h>
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ros/common/diagnostics.h"
+
+namespace frontier_pilot {
+
+/// The bytes of a message, read with the checks that roscpp leaves out: roscpp makes room for as many elements as an
+/// array says that it has before it looks whether the message is long enough for them. Throws
+/// ros::serialization::StreamOverrunException where it is not. [FLT-1]
+class CheckedStream {
+ public:
+  CheckedStream(std::uint8_t* data, std::uint32_t size) : data_(data), end_(data + size) {}
+
+  template <class T>
+  void next(T& value) {
+    ros::serialization::deserialize(*this, value);
+  }
+  template <class T, class Allocator>
+  void next(std::vector<T, Allocator>& values) {
+    static const std::uint32_t kLeastElement = ros::serialization::serializationLength(T());
+    std::uint32_t count = 0;
+    std::uint8_t* const array = data_;
+    next(count);
+    if (count > left() / std::max<std::uint32_t>(kLeastElement, 1)) ros::serialization::throwStreamOverrun();
+    data_ = array;
+    ros::serialization::deserialize(*this, values);
+  }
+  /// Where the next `size` bytes begin.
+  std::uint8_t* advance(std::uint32_t size) {
+    if (size > left()) ros::serialization::throwStreamOverrun();
+    std::uint8_t* const here = data_;
+    data_ += size;
+    return here;
+  }
+
+ private:
+  std::uint32_t left() const { return static_cast<std::uint32_t>(end_ - data_); }
+
+  std::uint8_t* data_;
+  std::uint8_t* end_;
+};
+
+/// The messages that could not be read: for each topic counted by reason, with a warning at most every five seconds.
+/// Safe to use from several threads. [FLT-1]
+class UnreadableMessages {
+ public:
+  void add(const std::string& topic, const std::string& why) noexcept;
+  std::uint64_t total() const;
+  /// For /diagnostics; nothing where every message could be read.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, Rejections> by_topic_;
+};
+
+/// Hands messages to a callback after a CheckedStream has read them. What cannot be read is dropped and counted in
+/// `unreadable`, which has to outlive the subscription; roscpp would say so in a line for each message. [FLT-1]
+template <class Msg>
+class CheckedSubscription : public ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Msg>&> {
+ public:
+  using Base = ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Msg>&>;
+
+  CheckedSubscription(std::string topic, UnreadableMessages& unreadable, const typename Base::Callback& handle)
+      : Base(handle), topic_(std::move(topic)), unreadable_(unreadable) {}
+
+  /// Null for what cannot be read: roscpp then calls nobody.
+  ros::VoidConstPtr deserialize(const ros::SubscriptionCallbackHelperDeserializeParams& bytes) override {
+    try {
+      const auto msg = boost::make_shared<Msg>();
+      CheckedStream(bytes.buffer, bytes.length).next(*msg);
+      return msg;
+    } catch (const ros::serialization::StreamOverrunException&) {
+      unreadable_.add(topic_, "shorter than its fields");
+    } catch (const std::exception& error) {
+      unreadable_.add(topic_, error.what());
+    }
+    return {};
+  }
+
+ private:
+  std::string topic_;
+  UnreadableMessages& unreadable_;
+};
+
+/// What subscribes `handle(const ros::MessageEvent<const Msg>&)` to `topic` by a CheckedSubscription.
+template <class Msg>
+ros::SubscribeOptions checkedSubscription(const std::string& topic, std::uint32_t queue_size,
+                                          UnreadableMessages& unreadable,
+                                          const boost::function<void(const ros::MessageEvent<const Msg>&)>& handle,
+                                          const ros::TransportHints& hints = {}) {
+  ros::SubscribeOptions options;
+  options.template initByFullCallbackType<const ros::MessageEvent<const Msg>&>(topic, queue_size, handle);
+  options.helper = boost::make_shared<CheckedSubscription<Msg>>(topic, unreadable, handle);
+  options.transport_hints = hints;
+  return options;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,138 @@
+#include "ros/common/messages/map_mirror.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "frontier_pilot/core/bounds.h"
+#include "ros/common/names.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+void copy(const GridUpdate& update, OccupancyGrid& map) {
+  const CellRect& rect = update.rect;
+  for (int row = 0; row < rect.height; ++row) {
+    std::copy_n(update.cells.data() + static_cast<std::ptrdiff_t>(row) * rect.width, rect.width,
+                map.row(rect.y + row) + rect.x);
+  }
+}
+
+bool isInside(const CellRect& rect, const OccupancyGrid& map) {
+  return rect.intersection(map.geometry().rect()) == rect;
+}
+
+}  // namespace
+
+void RecentUpdates::add(Time stamp, GridUpdate update) {
+  cells_ += update.cells.size();
+  updates_.push_back({stamp, std::move(update)});
+  while (updates_.size() > bounds::kMostRecentUpdates || cells_ > bounds::kMostRecentCells) {
+    lost_ = updates_.front().stamp;
+    cells_ -= updates_.front().update.cells.size();
+    updates_.pop_front();
+  }
+}
+
+void RecentUpdates::dropBefore(Time stamp) {
+  while (!updates_.empty() && updates_.front().stamp < stamp) {
+    cells_ -= updates_.front().update.cells.size();
+    updates_.pop_front();
+  }
+}
+
+std::optional<Time> RecentUpdates::applyTo(OccupancyGrid& map) const {
+  std::optional<Time> last;
+  for (const Stamped& recent : updates_) {
+    if (!isInside(recent.update.rect, map)) continue;
+    copy(recent.update, map);
+    last = recent.stamp;
+  }
+  return last;
+}
+
+void MapMirror::subscribe(NodeConnections& connections, const std::string& frame) {
+  frame_ = frame;
+  map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
+      names::kMap, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
+  connections.subscribe(names::kMapUpdates, 100, &MapMirror::handleUpdate, this);
+}
+
+bool MapMirror::rightFrame(const std::string& frame) {
+  const bool right = frame_.empty() || frame == frame_;
+  if (!right) rejections_.add("in frame '" + frame + "', not '" + frame_ + "'");
+  return right;
+}
+
+void MapMirror::startOver() {
+  map_stamp_.reset();
+  update_stamp_.reset();
+  recent_.clear();
+}
+
+void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
+  if (!rightFrame(msg.header.frame_id)) return;
+  std::string why;
+  auto map = toOccupancyGrid(msg, &why);
+  if (!map) return rejections_.add(why);
+  const Time stamp = toTime(msg.header.stamp);
+  // One connection keeps the order: stamps that go back are those of a clock that was set back.
+  const bool went_back = map_stamp_ && stamp < *map_stamp_;
+  if (stamp == Time{} || went_back || (ready() && publisher != publisher_)) startOver();
+  publisher_ = publisher;
+  takeWhole(std::move(*map), stamp);
+}
+
+void MapMirror::takeWhole(OccupancyGrid map, Time stamp) {
+  const bool comparable = map_stamp_.has_value();
+  const bool same_geometry = ready() && map.geometry() == map_.geometry();
+  map_stamp_ = stamp;
+  // An update with the stamp of a map of another geometry belongs to the map before it.
+  recent_.dropBefore(same_geometry ? stamp : stamp + Duration(1));
+  // With updates missing in between, the copy, which has had them all, is newer than what could be made of this map.
+  if (comparable && same_geometry && !recent_.completeFrom(stamp)) return;
+  const std::optional<Time> last = recent_.applyTo(map);
+  replace(std::move(map));
+  stamp_ = last.value_or(stamp);
+}
+
+void MapMirror::replace(OccupancyGrid map) {
+  const GridGeometry& was = map_.geometry();
+  const GridGeometry& is = map.geometry();
+  if (ready() && was == is) {
+    changed_.include(difference(map_, map));
+  } else {
+    if (ready() && (is.width < was.width || is.height < was.height)) {
+      THROTTLED_WARN("map shrank from " << was.width << " x " << was.height << " to " << is.width << " x " << is.height
+                                        << " cells: the smaller one counts");
+    }
+    changed_ = is.rect();
+  }
+  map_ = std::move(map);
+}
+
+void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg) {
+  if (!rightFrame(msg.header.frame_id)) return;
+  std::string why;
+  const auto update = toGridUpdate(msg, &why);
+  if (!update) return rejections_.add(why);
+  const Time stamp = toTime(msg.header.stamp);
+  remember(stamp, *update);
+  if (!ready() || isOld(stamp)) return;
+  if (!isInside(update->rect, map_)) return rejections_.add("update reaches beyond the map");
+  copy(*update, map_);
+  changed_.include(update->rect);
+  stamp_ = stamp;
+}
+
+void MapMirror::remember(Time stamp, const GridUpdate& update) {
+  if (stamp == Time{}) return;
+  if (update_stamp_ && stamp < *update_stamp_) startOver();
+  update_stamp_ = stamp;
+  if (!isOld(stamp)) recent_.add(stamp, update);
+}
+
+CellRect MapMirror::takeChanged() { return std::exchange(changed_, CellRect{}); }
+
+}  // namespace frontier_pilot

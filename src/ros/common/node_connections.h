@@ -1,0 +1,156 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ros/common/callback_guard.h"
+#include "ros/common/clock.h"
+#include "ros/common/clock_monitor.h"
+#include "ros/common/master/master_watch.h"
+#include "ros/common/memory_report.h"
+#include "ros/common/messages/checked_subscription.h"
+#include "ros/common/messages/heard_publishers.h"
+#include "ros/common/ros_timer.h"
+
+namespace frontier_pilot {
+
+/// A node's subscriptions, services and timers, for as long as this object lives. Every callback is guarded: what it
+/// throws is counted and said, and the node goes on (roscpp itself would end the node, or never call that timer again).
+/// What the master has forgotten is registered again. To be a node's last member: its callbacks use the others. [FLT-1]
+class NodeConnections {
+ public:
+  /// `master_period` is the time between two looks at what the master knows of this node.
+  explicit NodeConnections(const ros::NodeHandle& node, Duration master_period = std::chrono::milliseconds(700))
+      : node_(node), clock_(node), master_(master_period) {}
+
+  /// `handle(const Msg&)` for each message of `topic`.
+  template <class Msg, class F>
+  ros::Subscriber subscribe(const std::string& topic, std::uint32_t queue_size, F handle,
+                            const ros::TransportHints& hints = {}) {
+    return subscribeToEvents<Msg>(
+        topic, queue_size, [handle](const ros::MessageEvent<const Msg>& event) { handle(*event.getConstMessage()); },
+        hints);
+  }
+  template <class Node, class Msg>
+  ros::Subscriber subscribe(const std::string& topic, std::uint32_t queue_size, void (Node::*handle)(const Msg&),
+                            Node* node, const ros::TransportHints& hints = {}) {
+    return subscribe<Msg>(
+        topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
+  }
+  /// The same with the message's event, which knows the node that published it.
+  template <class Msg, class F>
+  ros::Subscriber subscribeToEvents(const std::string& topic, std::uint32_t queue_size, F handle,
+                                    const ros::TransportHints& hints = {}) {
+    const boost::function<void(const ros::MessageEvent<const Msg>&)> guarded =
+        [this, what = messageOf(topic), handle](const ros::MessageEvent<const Msg>& event) {
+          guard_.run(what, [&] { handle(event); });
+        };
+    ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, unreadable_, guarded, hints);
+    subscribers_.push_back(node_.subscribe(options));
+    return subscribers_.back();
+  }
+
+  /// The same as `subscribe`, for a topic that one node alone should publish: report() names those that do when they
+  /// are several. Whatever a second one says of walls or wheels is believed as much as the first.
+  template <class Msg, class F>
+  ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, F handle,
+                                 const ros::TransportHints& hints = {}) {
+    const auto heard = std::make_shared<HeardPublishers>();
+    heard_[topic] = heard;
+    return subscribeToEvents<Msg>(
+        topic, queue_size,
+        [heard, handle](const ros::MessageEvent<const Msg>& event) {
+          heard->add(event.getPublisherName(), steadyNow());
+          handle(*event.getConstMessage());
+        },
+        hints);
+  }
+  template <class Node, class Msg>
+  ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, void (Node::*handle)(const Msg&),
+                                 Node* node, const ros::TransportHints& hints = {}) {
+    return subscribeToOne<Msg>(
+        topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
+  }
+
+  /// `handle(request, response)` answers calls of `service`; the call fails where it gives false or throws.
+  template <class Node, class Request, class Response>
+  void serve(const std::string& service, bool (Node::*handle)(Request&, Response&), Node* node) {
+    serve<Request, Response>(
+        service, [node, handle](Request& request, Response& response) { return (node->*handle)(request, response); });
+  }
+  template <class Request, class Response, class F>
+  void serve(const std::string& service, F handle) {
+    const boost::function<bool(Request&, Response&)> guarded = [this, what = requestTo(service), handle](
+                                                                   Request& request, Response& response) {
+      bool answered = false;
+      guard_.run(what, [&] { answered = handle(request, response); });
+      return answered;
+    };
+    ros::AdvertiseServiceOptions options;
+    options.init(service, guarded);
+    serve(options);
+  }
+  /// For a service with options of its own; roscpp guards these calls itself.
+  void serve(ros::AdvertiseServiceOptions& options) {
+    services_.push_back(node_.advertiseService(options));
+    master_.claimService(services_.back().getService());
+  }
+
+  /// Calls `tick()` every `period` of ROS time.
+  template <class F>
+  void every(const ros::Duration& period, F tick) {
+    timers_.push_back(
+        std::make_unique<RosTimer>(node_, toDuration(period), [this, tick] { guard_.run("a timer", tick); }));
+  }
+  /// Calls `tick()` every `period` of steady time.
+  template <class F>
+  void everySteady(const ros::WallDuration& period, F tick) {
+    steady_timers_.push_back(
+        node_.createSteadyTimer(period, [this, tick](const ros::SteadyTimerEvent&) { guard_.run("a timer", tick); }));
+  }
+
+  CallbackGuard& guard() { return guard_; }
+  ClockMonitor& clock() { return clock_; }
+  MasterWatch& master() { return master_; }
+  const MasterWatch& master() const { return master_; }
+  MemoryReport& memory() { return memory_; }
+  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, what callbacks
+  /// threw, which messages could not be read, and who speaks where one alone should. For the thread that the callbacks
+  /// run on.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+    using diagnostic_msgs::DiagnosticStatus;
+    master_.diagnose(status);
+    clock_.report(status);
+    guard_.report(status);
+    unreadable_.report(status);
+    for (const auto& [topic, heard] : heard_) {
+      const std::string names = heard->severalNames(steadyNow());
+      if (names.empty()) continue;
+      status.mergeSummaryf(DiagnosticStatus::WARN, "several nodes publish %s: %s", topic.c_str(), names.c_str());
+    }
+  }
+
+ private:
+  static std::string messageOf(const std::string& topic) { return "a message of " + topic; }
+  static std::string requestTo(const std::string& service) { return "a request to " + service; }
+
+  ros::NodeHandle node_;
+  CallbackGuard guard_;
+  MemoryReport memory_;
+  UnreadableMessages unreadable_;
+  std::map<std::string, std::shared_ptr<HeardPublishers>> heard_;  ///< by topic
+  ClockMonitor clock_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+  std::vector<std::unique_ptr<RosTimer>> timers_;
+  std::vector<ros::SteadyTimer> steady_timers_;
+  MasterWatch master_;  ///< the last member: it ends before anything is taken back
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,114 @@
+#include "ros/common/node_main.h"
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <ros/service_manager.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "ros/common/callback_guard.h"
+#include "ros/common/master/namesake.h"
+#include "ros/common/parameters.h"
+#include "ros/common/publish_flush.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+volatile std::sig_atomic_t g_stop = 0;
+volatile std::sig_atomic_t g_building = 1;
+
+constexpr unsigned kBuildPatience = 1;  // [s]
+
+void onSignal(int signal) {
+  // A constructor may wait for something that never comes, or read a large world for long. A shutdown of ROS ends such
+  // a wait, and takes back at the master what is there by then; what lasts all the same has no last words yet.
+  if (g_building != 0 && g_stop != 0) _exit(128 + signal);
+  g_stop = 1;
+  if (g_building == 0) return;
+  alarm(kBuildPatience);
+  ros::requestShutdown();
+}
+
+/// ROS' own handler closes the publishers before the node can say its last words.
+void catchSignals() {
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  std::signal(SIGALRM, onSignal);
+}
+
+/// To be asked once the node is built, again and again.
+bool isRunning() {
+  g_building = 0;
+  return ros::ok() && g_stop == 0;
+}
+
+/// Callbacks guard themselves; what is left comes from libraries.
+void spinUntilStopped() {
+  CallbackGuard guard;
+  while (isRunning()) {
+    guard.run("a callback", [] { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1)); });
+  }
+}
+
+/// Waits until what was published is written to the sockets; after a shutdown of ROS there are none.
+void flush() {
+  constexpr Duration kLastWordsPatience = std::chrono::milliseconds(500);  // for a machine that is busy
+  if (ros::ok()) PublishFlush().wait(kLastWordsPatience);
+}
+
+void end(const RunningNode& running) {
+  if (!running.say_last_words) return;
+  CallbackGuard guard;
+  guard.run("the last words", running.say_last_words);
+  flush();
+}
+
+int fail(const std::string& name, const std::exception& error, int exit_code) {
+  ROS_FATAL_STREAM(name << ": " << error.what());
+  // The console may be configured to hide or buffer it.
+  std::cerr << name << ": " << error.what() << std::endl;
+  return exit_code;
+}
+
+}  // namespace
+
+int runNode(int argc, char** argv, const std::string& name,
+            const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
+            const std::function<void()>& check) {
+  return runNodeWithLoop(
+      argc, argv, name,
+      [&make](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn&) {
+        const RunningNode running = make(node, private_node);
+        spinUntilStopped();
+        end(running);
+        return 0;
+      },
+      check);
+}
+
+int runNodeWithLoop(int& argc, char** argv, const std::string& name,
+                    const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,
+                    const std::function<void()>& check) {
+  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  catchSignals();
+  try {
+    if (check) check();
+    refuseANamesake();
+    ros::NodeHandle node;
+    ros::NodeHandle private_node("~");
+    // It crashes when it is asked a second time, inside of the log library. [FLT-1]
+    ros::ServiceManager::instance()->unadvertiseService(private_node.resolveName("get_loggers"));
+    const int exit_code = body(node, private_node, isRunning);
+    flush();  // the log's last lines
+    return exit_code;
+  } catch (const ConfigurationError& error) {
+    return fail(name, error, 2);
+  } catch (const std::exception& error) {
+    return fail(name, error, 1);
+  }
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,270 @@
+#include <ros/master.h>
+#include <ros/param.h>
+#include <ros/this_node.h>
+#include <unistd.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "frontier_pilot/core/files.h"
+#include "frontier_pilot/core/text.h"
+#include "ros/common/session_memory.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr std::size_t kLongestText = 65536;  // [bytes]
+
+std::string asFileName(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '.');
+  return name;
+}
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kRestart(10);  // for a node that is started again
+const fs::file_time_type g_process_began = fs::file_time_type::clock::now();
+
+constexpr const char* kNoSession = "the ROS session has no name";
+constexpr const char* kOfProcess = "~";  // in no name of ROS
+constexpr const char* kDigits = "0123456789";
+
+/// A process that writes such files, and the one that started it: a roslaunch starts what has died again.
+struct Writer {
+  int process = 0;
+  int parent = 0;
+  std::uint64_t began = 0;  ///< numbers of processes are given again
+};
+
+/// When `process` began, in ticks since the machine did; 0 if it is gone.
+std::uint64_t beginOf(int process) {
+  std::string stat;
+  std::getline(std::ifstream("/proc/" + std::to_string(process) + "/stat"), stat);
+  // Its third field is the state, its 22nd what is asked for; the second may hold anything, and ends with the last ')'.
+  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
+  std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
+  if (words.size() < 20 || words.front() == "Z" || words.front() == "X") return 0;
+  return std::strtoull(words[19].c_str(), nullptr, 10);
+}
+
+/// Who wrote `file`, as its second line says; zeros if that cannot be read.
+Writer writerOf(const fs::path& file) {
+  std::istringstream content(readFile(file, kLongestText).bytes);
+  std::string text;
+  Writer writer;
+  if (std::getline(content, text)) content >> writer.process >> writer.parent >> writer.began;
+  return writer;
+}
+
+bool lives(const Writer& writer) { return writer.began != 0 && beginOf(writer.process) == writer.began; }
+
+/// Whether this process was started in the place of `writer`, which is gone.
+bool replaces(const Writer& writer) { return writer.process > 0 && writer.parent == getppid() && !lives(writer); }
+
+bool isThere(const fs::path& file) {
+  std::error_code error;
+  return fs::symlink_status(file, error).type() != fs::file_type::not_found;
+}
+
+std::string textIn(const fs::path& file) {
+  // Whatever is there was put there by a stop, even if it cannot be read.
+  const std::string text = readFile(file, kLongestText).bytes;
+  return printable(text.substr(0, text.find('\n')), kLongestText);
+}
+
+void append(std::vector<fs::path>& files, const std::vector<fs::path>& more) {
+  files.insert(files.end(), more.begin(), more.end());
+}
+
+/// Whether one of `files` lies in `folder`.
+bool isSessionOf(const fs::path& folder, const std::vector<fs::path>& files) {
+  return std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return file.parent_path() == folder; });
+}
+
+/// Makes `folder`. Gives what would keep a file from being written there, or an empty text.
+std::string whyNotWritable(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && access(folder.c_str(), W_OK | X_OK) != 0) error.assign(errno, std::generic_category());
+  if (!error && fs::space(folder, error).available == 0) error = std::make_error_code(std::errc::no_space_on_device);
+  return error ? error.message() : std::string();
+}
+
+/// Gives what went wrong, or an empty text.
+std::string removeAll(const std::vector<fs::path>& files) {
+  std::string problem;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) problem = error.message();
+  }
+  return problem;
+}
+
+/// The files of `folder` that processes have written under `name`.
+std::vector<fs::path> ofProcesses(const fs::path& folder, const std::string& name) {
+  const std::string beginning = name + kOfProcess;
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string file = entry->path().filename().string();
+    // What lies there under a longer name is being written.
+    const bool named = file.rfind(beginning, 0) == 0 && file.find_first_not_of(kDigits, beginning.size()) == file.npos;
+    if (named) found.push_back(entry->path());
+  }
+  return found;
+}
+
+/// Those of `files` whose writers died just before this process was started in their place.
+std::vector<fs::path> leftBehind(std::vector<fs::path> files) {
+  const auto isOld = [](const fs::path& file) {
+    std::error_code missing;
+    const auto written = fs::last_write_time(file, missing);
+    return missing || written < g_process_began - kRestart || !replaces(writerOf(file));
+  };
+  files.erase(std::remove_if(files.begin(), files.end(), isOld), files.end());
+  return files;
+}
+
+}  // namespace
+
+SessionMemory::SessionMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions,
+                             std::string what, std::string owner, Owner kind)
+    : ros_home_(ros_home), name_(std::move(what) + asFileName(std::move(owner))), kind_(kind) {
+  enter(sessions);
+  std::vector<fs::path> elsewhere;
+  std::error_code error;
+  for (const auto& session : fs::directory_iterator(ros_home_ / "frontier_pilot", error)) {
+    if (isSessionOf(session.path(), files_)) continue;
+    append(elsewhere,
+           kind_ == Owner::kNode ? std::vector<fs::path>{session.path() / name_} : ofProcesses(session.path(), name_));
+  }
+  elsewhere_ = leftBehind(std::move(elsewhere));
+}
+
+bool SessionMemory::enter(const std::vector<std::string>& sessions) {
+  const std::vector<std::filesystem::path> before = std::exchange(files_, {});
+  const std::string name = kind_ == Owner::kNode ? name_ : name_ + kOfProcess + std::to_string(getpid());
+  for (const std::string& session : sessions) {
+    files_.push_back(ros_home_ / "frontier_pilot" / asFileName(session) / name);
+  }
+  if (files_ == before) return false;
+  elsewhere_ = before;
+  return true;
+}
+
+std::vector<fs::path> SessionMemory::others() const {
+  std::vector<fs::path> found;
+  if (kind_ == Owner::kNode) return found;
+  for (const fs::path& own : files_) {
+    for (fs::path& file : ofProcesses(own.parent_path(), name_)) {
+      if (file != own) found.push_back(std::move(file));
+    }
+  }
+  return found;
+}
+
+std::vector<fs::path> SessionMemory::all() const {
+  std::vector<fs::path> files = files_;
+  append(files, others());
+  append(files, elsewhere_);
+  files.erase(std::remove_if(files.begin(), files.end(), [](const fs::path& file) { return !isThere(file); }),
+              files.end());
+  return files;
+}
+
+std::optional<fs::path> SessionMemory::find() const {
+  const std::vector<fs::path> files = all();
+  return files.empty() ? std::nullopt : std::optional<fs::path>(files.front());
+}
+
+std::optional<std::string> SessionMemory::recall() const {
+  const std::optional<fs::path> file = find();
+  return file ? std::optional<std::string>(textIn(*file)) : std::nullopt;
+}
+
+std::vector<std::string> SessionMemory::recallAll() const {
+  std::vector<std::string> texts;
+  for (const fs::path& file : all()) texts.push_back(textIn(file));
+  return texts;
+}
+
+std::optional<std::string> SessionMemory::recallOthers() const {
+  const std::vector<fs::path> files = others();
+  return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
+}
+
+std::string SessionMemory::remember(const std::string& text) const {
+  const std::string content = text + "\n" + std::to_string(getpid()) + " " + std::to_string(getppid()) + " " +
+                              std::to_string(beginOf(getpid())) + "\n";
+  std::string problem = files_.empty() ? kNoSession : "";
+  for (const fs::path& file : files_) {
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    // It has to survive this process and not the machine: a new master starts free, and the zeros must not wait for a
+    // disk.
+    const std::string why = error ? error.message() : writeFile(file, content, Survives::kProcessDeath);
+    if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
+  }
+  if (problem.empty()) removeThoseOfTheDead();
+  return problem;
+}
+
+std::string SessionMemory::problem() const {
+  if (files_.empty()) return kNoSession;
+  for (const fs::path& file : files_) {
+    const std::string why = whyNotWritable(file.parent_path());
+    if (!why.empty()) return "cannot write " + file.string() + ": " + why;
+  }
+  return {};
+}
+
+std::string SessionMemory::removeThoseOfTheDead() const {
+  std::vector<fs::path> files = others();
+  files.erase(std::remove_if(files.begin(), files.end(), [](const fs::path& file) { return lives(writerOf(file)); }),
+              files.end());
+  append(files, elsewhere_);
+  return removeAll(files);
+}
+
+std::string SessionMemory::forget() const {
+  const std::string problem = removeThoseOfTheDead();
+  const std::string own = removeAll(files_);
+  return own.empty() ? problem : own;
+}
+
+void SessionMemory::endInOrder() const {
+  std::error_code ignored;
+  for (const fs::path& file : files_) fs::last_write_time(file, fs::file_time_type::min(), ignored);
+}
+
+std::filesystem::path rosHome() {
+  if (const char* ros_home = std::getenv("ROS_HOME")) return ros_home;
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : "/") / ".ros";
+}
+
+std::vector<std::string> rosSessions() {
+  std::vector<std::string> sessions;
+  std::string run_id;
+  if (ros::param::get("/run_id", run_id) && !run_id.empty()) sessions.push_back(run_id);
+  XmlRpc::XmlRpcValue request, response, pid;
+  request[0] = ros::this_node::getName();
+  if (!ros::master::execute("getPid", request, response, pid, true)) return sessions;
+  // The numbers of processes begin anew when a machine does.
+  std::string boot;
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
+  sessions.push_back("master-" + std::to_string(static_cast<int>(pid)) + "-" + boot);
+  return sessions;
+}
+
+}  // namespace frontier_pilot

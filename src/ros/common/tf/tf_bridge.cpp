@@ -1,0 +1,78 @@
+#include "ros/common/tf/tf_bridge.h"
+
+#include <chrono>
+#include <exception>
+#include <thread>
+
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+/// TF's own wait runs on ROS time and would hang on a clock that stands still.
+std::optional<geometry_msgs::TransformStamped> wait(const tf2_ros::Buffer& buffer, const std::string& target,
+                                                    const std::string& source, Time stamp, Duration timeout,
+                                                    std::string* why) {
+  const SteadyTime deadline = steadyNow() + timeout;
+  while (true) {
+    try {
+      return buffer.lookupTransform(target, source, toRosTime(stamp));
+    } catch (const std::exception& error) {  // not only TF's own: the arithmetic of ROS time throws, too
+      if (steadyNow() >= deadline) {
+        if (why != nullptr) *why = error.what();
+        return std::nullopt;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+geometry_msgs::TransformStamped stamped(const std::string& target, const std::string& source, const Pose2& pose,
+                                        Time stamp) {
+  geometry_msgs::TransformStamped msg;
+  msg.header.frame_id = target;
+  msg.header.stamp = toRosTime(stamp);
+  msg.child_frame_id = source;
+  msg.transform = toTransformMsg(pose);
+  return msg;
+}
+
+}  // namespace
+
+TfBridge::TfBridge() : listener_(buffer_) {}
+
+std::optional<Pose2> TfBridge::lookup(const std::string& target, const std::string& source, Time stamp,
+                                      Duration timeout, std::string* why) const {
+  const auto msg = wait(buffer_, target, source, stamp, timeout, why);
+  return msg ? toPose(msg->transform, why) : std::nullopt;
+}
+
+std::optional<Eigen::Isometry3d> TfBridge::lookup3d(const std::string& target, const std::string& source, Time stamp,
+                                                    Duration timeout, std::string* why) const {
+  const auto msg = wait(buffer_, target, source, stamp, timeout, why);
+  return msg ? toIsometry(msg->transform, why) : std::nullopt;
+}
+
+std::optional<Time> TfBridge::latestStamp(const std::string& target, const std::string& source) const {
+  const auto msg = wait(buffer_, target, source, Time{}, Duration::zero(), nullptr);
+  return msg ? std::optional<Time>(toTime(msg->header.stamp)) : std::nullopt;
+}
+
+void TfBridge::broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source,
+                         Time stamp) {
+  const auto [sent, first] = sent_.try_emplace(source, stamp);
+  if (!first && sent->second == stamp) return;
+  sent->second = stamp;
+  broadcaster_.sendTransform(stamped(target, source, T_target_source, stamp));
+}
+
+void TfBridge::broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,
+                               double height) {
+  auto msg = stamped(target, source, T_target_source, rosNow());
+  msg.transform.translation.z = height;
+  static_broadcaster_.sendTransform(msg);
+}
+
+}  // namespace frontier_pilot

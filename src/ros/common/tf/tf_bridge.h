@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/time.h"
+#include "ros/common/tf/tf_listener.h"
+
+namespace frontier_pilot {
+
+/// TF, in one place. A lookup that fails gives std::nullopt, never the identity.
+class TfBridge {
+ public:
+  TfBridge();
+
+  /// `T_target_source` at `stamp`; Time{} is the latest there is. Waits for it at most `timeout` of steady time, so
+  /// that a simulated clock that stands still cannot hold the node. `why`, if given, gets TF's own words.
+  std::optional<Pose2> lookup(const std::string& target, const std::string& source, Time stamp,
+                              Duration timeout = Duration::zero(), std::string* why = nullptr) const;
+  /// The same in three dimensions, for a sensor's mount.
+  std::optional<Eigen::Isometry3d> lookup3d(const std::string& target, const std::string& source, Time stamp,
+                                            Duration timeout = Duration::zero(), std::string* why = nullptr) const;
+  /// When the latest `T_target_source` is from: the lookup that an age is judged by.
+  std::optional<Time> latestStamp(const std::string& target, const std::string& source) const;
+
+  /// Publishes `T_target_source`: `target` becomes the parent of `source`. Once a stamp: TF keeps the first and warns
+  /// of others, and a timer that catches up with a simulated clock ticks several times at one time.
+  void broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source, Time stamp);
+  /// The same for ever (latched).
+  void broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,
+                       double height = 0.0);
+
+  /// For /diagnostics: which transforms were refused.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { listener_.report(status); }
+
+ private:
+  tf2_ros::Buffer buffer_;
+  TfListener listener_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  std::map<std::string, Time> sent_;  ///< the stamp sent last, by source
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,149 @@
+#include "ros/common/tf/tf_listener.h"
+
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
+#include "ros/common/clock.h"
+#include "ros/common/clock_monitor.h"
+#include "ros/common/messages/checked_subscription.h"
+#include "ros/common/messages/conversions.h"
+
+namespace frontier_pilot {
+
+namespace {
+
+constexpr double kListenPeriod = 0.01;                   // [s]
+constexpr std::uint32_t kTfQueue = 100;                  // as TransformListener has
+constexpr Duration kMargin = std::chrono::seconds(600);  // from the end of ROS time, for what tf2 adds to a stamp
+
+/// As tf2 does: "/base" and "base" are the same frame.
+std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
+
+bool isPrintable(const std::string& frame) { return printable(frame, bounds::kMostName) == frame; }
+
+}  // namespace
+
+const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now, bool is_static) {
+  const std::string parent = plain(transform.header.frame_id);
+  const std::string child = plain(transform.child_frame_id);
+  if (parent.empty() || child.empty()) return "frame without a name";
+  if (parent.size() > bounds::kMostName || child.size() > bounds::kMostName)
+    return "frame's name longer than 256 characters";
+  if (!isPrintable(parent) || !isPrintable(child)) return "control characters in a frame's name";
+  if (parent == child) return "frame that is its own parent";
+  if (!toIsometry(transform.transform)) return "not finite, or its quaternion not of unit length";
+  const Time stamp = toTime(transform.header.stamp);
+  if (transform.header.stamp.nsec >= 1'000'000'000U || stamp > toTime(ros::TIME_MAX) - kMargin) {
+    return "stamp out of range";
+  }
+  if (!is_static && isAhead(stamp, now)) return "stamp too far in the future";
+  return nullptr;
+}
+
+TfListener::TfListener(tf2_ros::Buffer& buffer)
+    : buffer_(buffer), trust_(clockPace()), order_(toDuration(buffer.getCacheLength())) {
+  node_.setCallbackQueue(&queue_);
+  const auto listen = [this](const std::string& topic, bool is_static) {
+    ros::SubscribeOptions options = checkedSubscription<tf2_msgs::TFMessage>(
+        topic, kTfQueue, unreadable_,
+        [this, topic, is_static](const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
+          guard_.run(topic, [&] { take(*event.getConstMessage(), is_static); });
+        });
+    return node_.subscribe(options);
+  };
+  transforms_ = listen("/tf", false);
+  static_transforms_ = listen("/tf_static", true);
+  thread_ = std::thread(&TfListener::run, this);
+}
+
+TfListener::~TfListener() {
+  ending_ = true;
+  thread_.join();
+  transforms_.shutdown();
+  static_transforms_.shutdown();
+}
+
+void TfListener::run() {
+  while (!ending_) {
+    guard_.run("tf", [this] {
+      watchClock();
+      queue_.callAvailable(ros::WallDuration(kListenPeriod));
+    });
+  }
+}
+
+void TfListener::watchClock() {
+  // Static transforms stay: they are of no time.
+  if (trust_.observe({rosNow(), steadyNow()}) == TrustChange::kNone) return;
+  buffer_.clear();
+  order_.clear();
+}
+
+void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
+  watchClock();
+  const Time now = rosNow();
+  for (const geometry_msgs::TransformStamped& transform : msg.transforms) {
+    if (const char* why = problemOf(transform, now, is_static)) {
+      refuse(why);
+    } else if (contradictsAFixedOne(transform, is_static)) {
+      refuse("'" + plain(transform.child_frame_id) +
+             "' is fixed elsewhere already: start the nodes anew if it has moved");
+    } else if (!mayKeep(transform)) {
+      refuse("there are 1000 frames already");
+    } else if (isOfItsTime(transform, is_static, now)) {
+      buffer_.setTransform(transform, "", is_static);
+    }
+  }
+}
+
+bool TfListener::isOfItsTime(const geometry_msgs::TransformStamped& transform, bool is_static, Time now) {
+  if (is_static) return true;
+  const std::string child = plain(transform.child_frame_id);
+  switch (order_.judge(child, toTime(transform.header.stamp), now)) {
+    case StampOrder::Verdict::kKeep:
+      return true;
+    case StampOrder::Verdict::kTooOld:
+      refuse("older than the buffer keeps");
+      return false;
+    case StampOrder::Verdict::kForgetAndKeep:
+      refuse("'" + child + "' had a stamp of the future: all transforms before are forgotten");
+      buffer_.clear();
+      return true;
+  }
+  return false;
+}
+
+void TfListener::refuse(const std::string& why) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rejections_.add(why);
+}
+
+bool TfListener::mayKeep(const geometry_msgs::TransformStamped& transform) {
+  for (const std::string& frame : {plain(transform.header.frame_id), plain(transform.child_frame_id)}) {
+    if (frames_.count(frame) > 0) continue;
+    if (frames_.size() >= bounds::kMostFrames) return false;
+    frames_.insert(frame);
+  }
+  return true;
+}
+
+bool TfListener::contradictsAFixedOne(const geometry_msgs::TransformStamped& transform, bool is_static) {
+  const std::string child = plain(transform.child_frame_id);
+  const auto known = fixed_.find(child);
+  if (known == fixed_.end()) {
+    if (is_static && frames_.size() < bounds::kMostFrames) fixed_.emplace(child, transform);
+    return false;
+  }
+  if (plain(known->second.header.frame_id) != plain(transform.header.frame_id)) return true;
+  if (!is_static) return false;
+  constexpr double kSame = 1e-3;  // of each entry of the matrices: [m] and about [rad]
+  const auto before = toIsometry(known->second.transform), now = toIsometry(transform.transform);
+  return !before || !now || (before->matrix() - now->matrix()).cwiseAbs().maxCoeff() > kSame;
+}
+
+void TfListener::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  unreadable_.report(status);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rejections_.report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,125 @@
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "ros/common/clock.h"
+#include "ros/frontier_explorer/explorer_markers.h"
+
+namespace frontier_pilot {
+namespace {
+
+using visualization_msgs::Marker;
+
+struct Colour {
+  float r, g, b, a;
+};
+constexpr Colour kGreen = {0.1F, 0.8F, 0.3F, 0.9F};
+constexpr Colour kBlue = {0.1F, 0.4F, 1.0F, 0.8F};
+constexpr Colour kRed = {1.0F, 0.1F, 0.1F, 0.8F};
+constexpr Colour kGrey = {0.55F, 0.55F, 0.55F, 0.8F};
+constexpr Colour kInk = {0.1F, 0.1F, 0.1F, 1.0F};
+
+std::string text(const char* format, double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+/// Collects the markers of one message; ids count up within each namespace.
+class MarkerWriter {
+ public:
+  MarkerWriter(const std::string& frame, Time stamp) {
+    blank_.header.frame_id = frame;
+    blank_.header.stamp = toRosTime(stamp);
+    blank_.pose.orientation.w = 1.0;
+    Marker clear = blank_;
+    clear.action = Marker::DELETEALL;
+    array_.markers.push_back(clear);
+  }
+
+  void sphere(const std::string& ns, const Vec2& at, double diameter, const Colour& colour) {
+    Marker& marker = add(ns, Marker::SPHERE, at, colour);
+    marker.scale.x = marker.scale.y = diameter;
+    marker.scale.z = 0.05;
+  }
+  void text(const std::string& ns, const Vec2& at, const std::string& words, const Colour& colour) {
+    Marker& marker = add(ns, Marker::TEXT_VIEW_FACING, at, colour);
+    marker.pose.position.z = 0.3;
+    marker.scale.z = 0.25;
+    marker.text = words;
+  }
+  void cells(const std::string& ns, const std::vector<Cell>& list, const GridGeometry& geometry, const Colour& colour) {
+    const auto found = points_.find(ns);
+    if (found == points_.end()) {
+      Marker& marker = add(ns, Marker::POINTS, Vec2::Zero(), colour);
+      marker.scale.x = marker.scale.y = geometry.resolution;
+      points_[ns] = array_.markers.size() - 1;
+    }
+    for (const Cell cell : list) {
+      geometry_msgs::Point point;
+      point.x = geometry.centre(cell).x();
+      point.y = geometry.centre(cell).y();
+      point.z = 0.02;
+      array_.markers[points_[ns]].points.push_back(point);
+    }
+  }
+  visualization_msgs::MarkerArray take() { return std::move(array_); }
+
+ private:
+  Marker& add(const std::string& ns, int type, const Vec2& at, const Colour& colour) {
+    Marker marker = blank_;
+    marker.ns = ns;
+    marker.id = next_id_[ns]++;
+    marker.type = type;
+    marker.pose.position.x = at.x();
+    marker.pose.position.y = at.y();
+    marker.color.r = colour.r;
+    marker.color.g = colour.g;
+    marker.color.b = colour.b;
+    marker.color.a = colour.a;
+    array_.markers.push_back(marker);
+    return array_.markers.back();
+  }
+
+  Marker blank_;
+  visualization_msgs::MarkerArray array_;
+  std::map<std::string, int> next_id_;
+  std::map<std::string, std::size_t> points_;
+};
+
+void writeSelectable(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {
+  writer.cells("cells", frontier.cells, geometry, kGreen);
+  writer.sphere("centroids", frontier.centroid, 0.15 + 0.2 * std::sqrt(frontier.info.area), kBlue);
+  writer.text("scores", frontier.centroid, text("%.2f", frontier.score), kInk);
+}
+
+void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {
+  const std::string reason = toString(frontier.rejection);
+  writer.cells("rejected: " + reason, frontier.cells, geometry, kGrey);
+  const bool one_of_many =
+      frontier.rejection == exploration::Rejection::kTooSmall || frontier.rejection == exploration::Rejection::kLeftOut;
+  if (!one_of_many) writer.text("reasons", frontier.centroid, reason, kGrey);
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
+                                                    const std::vector<exploration::Blacklist::Entry>& blacklist,
+                                                    const GridGeometry& geometry, const std::string& frame,
+                                                    Time stamp) {
+  MarkerWriter writer(frame, stamp);
+  for (const exploration::Frontier& frontier : frontiers) {
+    if (frontier.selectable()) {
+      writeSelectable(writer, frontier, geometry);
+    } else {
+      writeRejected(writer, frontier, geometry);
+    }
+  }
+  for (const exploration::Blacklist::Entry& entry : blacklist) {
+    writer.sphere("blacklist", entry.position, 0.4, kRed);
+    writer.text("blacklist reasons", entry.position, entry.reason, kRed);
+  }
+  return writer.take();
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <frontier_pilot/ExplorerStatus.h>
+
+#include <string>
+
+#include "frontier_pilot/exploration/explorer_types.h"
+
+namespace frontier_pilot {
+
+ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const std::string& frame, Time stamp);
+
+}  // namespace frontier_pilot

@@ -1,0 +1,136 @@
+#include <frontier_pilot/ExplorerStatus.h>
+#include <geometry_msgs/PoseStamped.h>
+
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+#include "ros/frontier_explorer/explorer_markers.h"
+#include "ros/frontier_explorer/explorer_status.h"
+#include "ros/frontier_explorer/frontier_explorer_adapter.h"
+
+namespace frontier_pilot {
+
+FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : parameters_(loadNodeParameters<ExplorerNodeParameters>(private_node)),
+      base_frame_(parameters_.explorer.robot.baseFrameOr(parameters_.base_frame)),
+      explorer_(parameters_.explorer),
+      navigation_(node),
+      diagnostics_(node, private_node),
+      enabled_(parameters_.autostart),
+      connections_(node) {
+  paused_.emplace("exploration_paused", names::kSetExplorationEnabled, connections_);
+  if (const auto paused = paused_->wasLeftSafe()) enabled_ = !*paused;
+  diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
+  map_.subscribe(connections_, parameters_.map_frame);
+  connections_.subscribeToOne(names::kOdom, 20, &FrontierExplorerAdapter::handleOdometry, this);
+  status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
+  markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
+  goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
+  connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
+  connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
+  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
+  connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
+  connections_.clock().onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });
+}
+
+void FrontierExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
+  std::string why;
+  const auto odometry = toOdometry(msg, &why);
+  if (!odometry) return bad_odometry_.add(why);
+  odometry_stamp_ = odometry->stamp;
+}
+
+bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  const bool before = enabled_;
+  enabled_ = request.data != 0;
+  const std::string problem = paused_->set(!enabled_);
+  tick();  // a pause has cancelled the goal before the caller hears of it
+  response.success = 1U;
+  response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
+                     (before == enabled_ ? " (as it was)" : "") + problem;
+  return true;
+}
+
+bool FrontierExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  reset_ = true;
+  tick();
+  response.success = 1U;
+  response.message = "blacklist, visits and phase forgotten";
+  return true;
+}
+
+void FrontierExplorerAdapter::update(Time now) {
+  const CellRect changed = map_.takeChanged();
+  if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
+  const exploration::ExplorerOutput output = explorer_.update(gather(now), now);
+  status_ = output.status;
+  obey(output.command, now);
+  report(output);
+  for (const exploration::ExplorerProgress& transition : output.transitions) publishStatus(transition, now);
+  if (!last_status_ || now - *last_status_ >= std::chrono::seconds(1)) publishStatus(status_, now);
+  showFrontiers(output.frontiers_judged, now);
+}
+
+exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
+  exploration::ExplorerInputs inputs;
+  inputs.enabled = enabled_;
+  inputs.reset = std::exchange(reset_, false);
+  inputs.map_available = map_.ready() && map_.published();
+  inputs.navigation_available = navigation_.available();
+  inputs.odometry_stamp = odometry_stamp_;
+  inputs.goal_events = navigation_.takeEvents();
+  if (const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_)) {
+    // A transform that is only static has no stamp of its own: it holds now.
+    const Time when = *stamp == Time{} ? now : *stamp;
+    const auto pose = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
+    if (pose) inputs.T_map_base = exploration::StampedPose2{*pose, when};
+  }
+  return inputs;
+}
+
+void FrontierExplorerAdapter::obey(const exploration::GoalCommand& command, Time now) {
+  if (command.kind == exploration::GoalCommand::Kind::kCancel) navigation_.cancel();
+  if (command.kind != exploration::GoalCommand::Kind::kSend) return;
+  navigation_.send(command.goal_id, command.goal, parameters_.map_frame, now);
+  goal_publisher_.publish(toPoseStampedMsg(command.goal, parameters_.map_frame, now));
+}
+
+void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress& status, Time now) {
+  status_publisher_.publish(toStatusMsg(status, parameters_.map_frame, now));
+  last_status_ = now;
+}
+
+void FrontierExplorerAdapter::report(const exploration::ExplorerOutput& output) const {
+  for (const exploration::ExplorerProgress& to : output.transitions) {
+    THROTTLED_INFO(toString(to.state) << " (" << toString(to.phase) << "): " << to.reason_text);
+  }
+  for (const exploration::ExplorerNote& note : output.notes) {
+    if (note.warning) THROTTLED_WARN(note.text);
+    if (!note.warning) THROTTLED_INFO(note.text);
+  }
+  if (!output.frontiers_judged) return;
+  for (const exploration::Frontier& f : explorer_.frontiers()) {
+    ROS_DEBUG_STREAM("frontier of " << f.cell_count << " cells at (" << f.centroid.x() << ", " << f.centroid.y()
+                                    << "): " << toString(f.rejection) << ", score " << f.score);
+  }
+}
+
+void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
+  markers_due_ = markers_due_ || news;
+  if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
+  markers_due_ = false;
+  markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist().entries(),
+                                                 explorer_.map().geometry(), parameters_.map_frame, now));
+}
+
+/// Ticks are on ROS time: without a clock nothing else would ever say so.
+void FrontierExplorerAdapter::watchClock() {
+  const Time now = rosNow();
+  if (now == watched_clock_) THROTTLED_WARN("exploration waits for: /clock (ROS time stands still)");
+  watched_clock_ = now;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/exploration/explorer.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/messages/map_mirror.h"
+#include "ros/common/names.h"
+#include "ros/common/node_connections.h"
+#include "ros/common/safe_switch.h"
+#include "ros/common/tf/tf_bridge.h"
+#include "ros/frontier_explorer/move_base_client.h"
+
+namespace frontier_pilot {
+
+struct ExplorerNodeParameters {
+  bool autostart = false;
+  double rate = 10.0;
+  std::string map_frame = names::kMapFrame;
+  std::string base_frame;  ///< empty: the robot's
+  exploration::ExplorerParameters explorer;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("autostart", autostart, "",
+            "explore as soon as all inputs are there; false: when set_exploration_enabled says so");
+    v.field("rate", rate, "Hz", "ticks of the explorer", tickRate());
+    v.field("map_frame", map_frame, "", "frame of the map and of the goals", FrameName::kGiven);
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
+    explorer.describe(v);
+  }
+};
+
+/// The explorer as a node: map, odometry and TF in, goals to any `move_base` out.
+class FrontierExplorerAdapter {
+ public:
+  FrontierExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// A goal left behind would be driven to with nobody watching.
+  void sayLastWords() { navigation_.cancel(); }
+
+ private:
+  void handleOdometry(const nav_msgs::Odometry& msg);
+  bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  void tick() {
+    if (const auto now = connections_.clock().now()) update(*now);
+  }
+  void update(Time now);
+  exploration::ExplorerInputs gather(Time now);
+  void obey(const exploration::GoalCommand& command, Time now);
+  void publishStatus(const exploration::ExplorerProgress& status, Time now);
+  void report(const exploration::ExplorerOutput& output) const;
+  void showFrontiers(bool news, Time now);
+  void watchClock();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  ExplorerNodeParameters parameters_;
+  std::string base_frame_;
+  exploration::Explorer explorer_;
+  MapMirror map_;
+  TfBridge tf_;
+  MoveBaseClient navigation_;
+  NodeDiagnostics diagnostics_;
+  Rejections bad_odometry_{"odometry"};
+  exploration::ExplorerProgress status_;
+  bool enabled_;
+  bool reset_ = false;
+  bool markers_due_ = false;
+  std::optional<Time> odometry_stamp_;
+  std::optional<Time> last_status_;
+  Time watched_clock_{};
+  ros::Publisher status_publisher_;
+  ros::Publisher markers_publisher_;
+  ros::Publisher goal_publisher_;
+  std::optional<SafeSwitch> paused_;
+  NodeConnections connections_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,51 @@
+#include <utility>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/frontier_explorer/move_base_client.h"
+
+namespace frontier_pilot {
+namespace {
+
+exploration::GoalEvent::Kind kindOf(const actionlib::TerminalState& state) {
+  using State = actionlib::TerminalState;
+  switch (state.state_) {
+    case State::SUCCEEDED:
+      return exploration::GoalEvent::Kind::kReached;
+    case State::REJECTED:
+      return exploration::GoalEvent::Kind::kRejected;
+    case State::PREEMPTED:
+    case State::RECALLED:
+      return exploration::GoalEvent::Kind::kPreempted;
+    default:
+      return exploration::GoalEvent::Kind::kAborted;
+  }
+}
+
+}  // namespace
+
+MoveBaseClient::MoveBaseClient(ros::NodeHandle& node) : client_(node, names::kMoveBase) {}
+
+void MoveBaseClient::send(std::uint32_t goal_id, const Pose2& goal, const std::string& frame, Time now) {
+  move_base_msgs::MoveBaseGoal msg;
+  msg.target_pose = toPoseStampedMsg(goal, frame, now);
+  client_.send(msg, [this, goal_id](const auto& state, const auto&) { handleDone(goal_id, state); });
+  active_ = true;
+}
+
+void MoveBaseClient::cancel() {
+  if (!active_) return;
+  client_.cancel();
+  client_.forget();
+  active_ = false;
+}
+
+std::vector<exploration::GoalEvent> MoveBaseClient::takeEvents() { return std::exchange(events_, {}); }
+
+void MoveBaseClient::handleDone(std::uint32_t goal_id, const actionlib::TerminalState& state) {
+  active_ = false;
+  const std::string text = state.getText().empty() ? state.toString() : state.getText();
+  events_.push_back({goal_id, kindOf(state), text});
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <move_base_msgs/MoveBaseAction.h>
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/exploration/explorer_types.h"
+#include "ros/common/actions/action_client.h"
+
+namespace frontier_pilot {
+
+/// The explorer's side of the `move_base` action, whoever serves it. Nothing here waits: what happens to a goal is
+/// collected as events.
+class MoveBaseClient {
+ public:
+  explicit MoveBaseClient(ros::NodeHandle& node);
+
+  /// Whether a server is connected now.
+  bool available() { return client_.isServerConnected(); }
+  /// Sends a goal, in place of the present one if there is one; the old one's end is not reported.
+  void send(std::uint32_t goal_id, const Pose2& goal, const std::string& frame, Time now);
+  /// Cancels the goal that was sent last, and no goal of anybody else.
+  void cancel();
+  /// What has happened since the last call.
+  std::vector<exploration::GoalEvent> takeEvents();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { client_.report(status); }
+
+ private:
+  void handleDone(std::uint32_t goal_id, const actionlib::TerminalState& state);
+
+  ActionClient<move_base_msgs::MoveBaseAction> client_;
+  bool active_ = false;
+  std::vector<exploration::GoalEvent> events_;
+};
+
+}  // namespace frontier_pilot

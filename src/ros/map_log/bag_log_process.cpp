@@ -1,0 +1,252 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <type_traits>
+
+#include "ros/common/clock.h"
+#include "ros/map_log/bag_log.h"
+
+namespace frontier_pilot {
+namespace {
+
+// The first byte of what the child says; without one of them it did not get to the end.
+constexpr char kRead = 'R';
+constexpr char kRefused = 'E';
+constexpr char kNoMemory = 'M';
+
+/// A log as bytes, from one process to its own child: no other program ever reads them.
+class Packer {
+ public:
+  explicit Packer(std::string& bytes) : bytes_(bytes) {}
+  template <class T>
+  void number(const T& value) {
+    static_assert(std::is_arithmetic_v<T>, "numbers only");
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  void text(const std::string& text) {
+    number(text.size());
+    bytes_ += text;
+  }
+  void pose(const Pose2& pose) {
+    for (const double value : {pose.x, pose.y, pose.yaw}) number(value);
+  }
+  void record(const logs::LogRecord& record) {
+    const LaserScan2& scan = record.scan;
+    pose(record.T_odom_base);
+    pose(scan.T_base_sensor);
+    number(scan.stamp.time_since_epoch().count());
+    for (const double value : {scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max}) number(value);
+    number(scan.ranges.size());
+    for (const float range : scan.ranges) number(range);
+  }
+
+ private:
+  std::string& bytes_;
+};
+
+/// Reads what a Packer wrote; throws std::exception where there is less of it.
+class Unpacker {
+ public:
+  explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
+  template <class T>
+  T number() {
+    T value{};
+    std::memcpy(&value, take(sizeof value), sizeof value);
+    return value;
+  }
+  std::string text() {
+    const auto size = number<std::size_t>();
+    return {take(size), size};
+  }
+  Pose2 pose() {
+    const auto x = number<double>();
+    const auto y = number<double>();
+    return {x, y, number<double>()};
+  }
+  logs::LogRecord record() {
+    logs::LogRecord record;
+    LaserScan2& scan = record.scan;
+    record.T_odom_base = pose();
+    scan.T_base_sensor = pose();
+    scan.stamp = Time(Duration(number<Duration::rep>()));
+    for (double* value : {&scan.angle_min, &scan.angle_increment, &scan.range_min, &scan.range_max}) {
+      *value = number<double>();
+    }
+    const auto ranges = number<std::size_t>();
+    if (ranges > bytes_.size()) throw std::length_error("ranges");
+    scan.ranges.resize(ranges);
+    for (float& range : scan.ranges) range = number<float>();
+    return record;
+  }
+
+ private:
+  const char* take(std::size_t size) {
+    if (size > bytes_.size() - next_) throw std::length_error("the end");
+    next_ += size;
+    return bytes_.data() + next_ - size;
+  }
+
+  const std::string& bytes_;
+  std::size_t next_ = 1;
+};
+
+std::string pack(const logs::ScanLog& log) {
+  std::string bytes(1, kRead);
+  Packer packer(bytes);
+  packer.number(log.notes.size());
+  for (const std::string& note : log.notes) packer.text(note);
+  packer.number(log.records.size());
+  for (const logs::LogRecord& record : log.records) packer.record(record);
+  return bytes;
+}
+
+logs::ScanLog unpack(const std::string& bytes) {
+  Unpacker unpacker(bytes);
+  logs::ScanLog log;
+  for (auto notes = unpacker.number<std::size_t>(); notes > 0; --notes) log.notes.push_back(unpacker.text());
+  for (auto left = unpacker.number<std::size_t>(); left > 0; --left) log.records.push_back(unpacker.record());
+  return log;
+}
+
+/// What this process has reserved by now [bytes].
+std::uint64_t addressSpace() {
+  std::uint64_t pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "re")) {
+    unsigned long long first = 0;
+    if (std::fscanf(file, "%llu", &first) == 1) pages = first;
+    std::fclose(file);
+  }
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+void restrict(const BagReadLimits& limits) {
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);
+#if !defined(__SANITIZE_ADDRESS__)  // which reserves more than any limit allows
+  const rlim_t memory = addressSpace() + limits.memory;
+  const rlimit memory_limit{memory, memory};
+  setrlimit(RLIMIT_AS, &memory_limit);
+#endif
+}
+
+void send(int pipe, const std::string& bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count = write(pipe, bytes.data() + done, bytes.size() - done);
+    if (count < 0 && errno != EINTR) return;
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+}
+
+/// All that the child does. What it prints while it dies is of no use to anybody.
+[[noreturn]] void readInChild(int pipe, const std::string& path, const tools::BagTopics& topics,
+                              const BagReadLimits& limits) {
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT}) std::signal(signal, SIG_DFL);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  restrict(limits);
+  try {
+    send(pipe, pack(readBagLog(path, topics)));
+  } catch (const std::bad_alloc&) {
+    send(pipe, std::string(1, kNoMemory));
+  } catch (const logs::LogError& error) {
+    send(pipe, kRefused + std::string(error.what()));
+  } catch (const std::exception& error) {
+    send(pipe, kRefused + path + ": " + error.what());
+  }
+  _exit(0);  // without the parent's destructors
+}
+
+/// The child's end of a pipe; ends the child when it goes away.
+class Child {
+ public:
+  Child(const std::string& path, const tools::BagTopics& topics, const BagReadLimits& limits) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw logs::LogError(path + ": no pipe: " + std::strerror(errno));
+    process_ = fork();
+    if (process_ == 0) readInChild(ends[1], path, topics, limits);
+    close(ends[1]);
+    pipe_ = ends[0];
+    if (process_ < 0) throw logs::LogError(path + ": no process to read it: " + std::strerror(errno));
+  }
+  ~Child() {
+    close(pipe_);
+    if (process_ <= 0) return;
+    kill(process_, SIGKILL);
+    end();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// All that the child says. False if it is not done by `deadline`, or says more than `most` bytes.
+  bool listen(SteadyTime deadline, std::uint64_t most, std::string& said) const {
+    std::array<char, 65536> buffer{};
+    while (said.size() <= most) {
+      const double left = toSeconds(deadline - steadyNow());
+      pollfd wait{pipe_, POLLIN, 0};
+      const int ready = left > 0.0 ? poll(&wait, 1, static_cast<int>(std::min(left, 1e6) * 1e3) + 1) : 0;
+      if (ready < 0 && errno == EINTR) continue;
+      if (ready <= 0) return false;
+      const ssize_t count = read(pipe_, buffer.data(), buffer.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return true;
+      said.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    return false;
+  }
+  /// How it ended, once it has nothing more to say.
+  int end() {
+    int status = 0;
+    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+    process_ = 0;
+    return status;
+  }
+
+ private:
+  pid_t process_ = -1;
+  int pipe_ = -1;
+};
+
+std::string causeOf(int status) {
+  if (!WIFSIGNALED(status)) return "without a word";
+  return std::string("with signal ") + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
+}
+
+}  // namespace
+
+logs::ScanLog readBagLogApart(const std::string& path, const tools::BagTopics& topics, const BagReadLimits& limits) {
+  Child child(path, topics, limits);
+  const std::string megabytes = std::to_string(limits.memory >> 20U) + " MB";
+  std::string said;
+  if (!child.listen(steadyNow() + limits.time, limits.memory, said)) {
+    if (said.size() > limits.memory) throw logs::LogError(path + ": takes more memory than " + megabytes);
+    throw logs::LogError(path + ": reading it takes longer than " + std::to_string(limits.time.count()) + " s");
+  }
+  const int status = child.end();
+  if (said.empty() || status != 0)
+    throw logs::LogError(path + ": is broken: what reads it ended " + causeOf(status) +
+                         ", on a broken record or for memory");
+  if (said[0] == kNoMemory) throw logs::LogError(path + ": takes more memory than " + megabytes);
+  if (said[0] != kRead) throw logs::LogError(said.substr(1));
+  try {
+    return unpack(said);
+  } catch (const std::length_error&) {
+    throw logs::LogError(path + ": what reads it did not get to the end");
+  }
+}
+
+}  // namespace frontier_pilot

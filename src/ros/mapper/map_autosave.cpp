@@ -1,0 +1,155 @@
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "frontier_pilot/map_files/map_io.h"
+#include "ros/common/clock.h"
+#include "ros/mapper/map_autosave.h"
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOlder = 3;
+constexpr Duration kMadeAnew = std::chrono::minutes(1);
+constexpr int kRest = 20;  // times as long as the map took to be saved
+constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
+
+/// All digits, so that the pose is the same when it is read.
+std::string toText(const Pose2& pose) {
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << pose.x << ' ' << pose.y << ' ' << pose.yaw;
+  return text.str();
+}
+
+std::optional<Pose2> toPose(const std::string& text) {
+  std::istringstream in(text);
+  Pose2 pose;
+  if (!(in >> pose.x >> pose.y >> pose.yaw)) return std::nullopt;
+  return pose;
+}
+
+void removeMap(const fs::path& base) {
+  std::error_code ignored;
+  for (const char* ending : kEndings) fs::remove(base.string() + ending, ignored);
+}
+
+/// Maps of the same node that were left in other sessions, the newest first.
+std::vector<fs::path> olderMaps(const fs::path& own) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  std::error_code ignored;
+  for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
+    const fs::path base = session.path() / own.filename();
+    const auto written = fs::last_write_time(base.string() + ".bt", ignored);
+    if (base != own && !ignored) found.emplace_back(written, base);
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<fs::path> maps;
+  for (auto& [written, base] : found) maps.push_back(std::move(base));
+  return maps;
+}
+
+void removeOldest(const fs::path& own) {
+  const std::vector<fs::path> maps = olderMaps(own);
+  for (std::size_t i = kMostOlder; i < maps.size(); ++i) removeMap(maps[i]);
+}
+
+/// Gives why it could not be saved, or an empty text.
+std::string save(const map_files::MapSnapshot& map, const Pose2& T_map_odom, const SessionMemory& memory) {
+  if (memory.files().empty()) return "the ROS session has no name";
+  const fs::path base = memory.files().front();
+  std::error_code error;
+  fs::create_directories(base.parent_path(), error);
+  const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
+  if (!result.ok()) return result.text;
+  removeOldest(base);
+  return memory.remember(toText(T_map_odom));
+}
+
+}  // namespace
+
+MapAutosave::MapAutosave()
+    : memory_(rosHome(), rosSessions(), "kept_map", ros::this_node::getName(), SessionMemory::Owner::kNode),
+      wanted_(std::make_shared<std::atomic<bool>>(true)),
+      done_(std::make_shared<Mailbox<Saved>>()) {}
+
+std::optional<Pose2> MapAutosave::restore(occupancy::OccupancyMap& map) const {
+  const std::optional<std::string> text = memory_.recall();
+  if (!text) return std::nullopt;
+  const std::optional<Pose2> T_map_odom = toPose(*text);
+  if (!T_map_odom) throw std::runtime_error("the pose that was saved with it cannot be read");
+  // The map lies beside the first of the names that the session had.
+  map_files::MapIoResult result = map_files::loadMap(memory_.find()->string(), map);
+  if (!result.ok() && !memory_.files().empty()) result = map_files::loadMap(memory_.files().front().string(), map);
+  if (!result.ok()) throw std::runtime_error(result.text);
+  return T_map_odom;
+}
+
+void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver) {
+  const SteadyTime now = steadyNow();
+  if (auto done = done_->take()) {
+    problem_ = std::move(done->problem);
+    next_ = done->at + kRest * done->took;
+    saving_ = false;
+    if (!problem_.empty()) saved_content_.reset();
+  }
+  noteMapping(content, now);
+  if (saving_) return;
+  if (content == saved_content_) {  // says that it is alive, for a mapper that finds it in another session
+    problem_ = memory_.remember(toText(T_map_odom));
+    return;
+  }
+  if (map.grid().empty()) problem_ = memory_.problem();
+  if (now < next_ || map.grid().empty()) return;
+  saving_ = true;
+  saved_content_ = content;
+  saver.run([snapshot = map_files::takeSnapshot(map), T_map_odom, memory = memory_, wanted = wanted_, done = done_] {
+    const SteadyTime begun = steadyNow();
+    std::string problem = *wanted ? frontier_pilot::save(snapshot, T_map_odom, memory) : std::string();
+    if (!*wanted) memory.forget();
+    const SteadyTime at = steadyNow();
+    done->put({std::move(problem), at, at - begun});
+  });
+}
+
+void MapAutosave::noteMapping(std::uint64_t content, SteadyTime now) {
+  if (loss_.empty() || content == 0) return;
+  if (!mapping_since_) mapping_since_ = now;
+  if (now - *mapping_since_ >= kMadeAnew) loss_.clear();
+}
+
+void MapAutosave::replace() {
+  saved_content_.reset();
+  loss_.clear();
+}
+
+void MapAutosave::lose(const std::string& why) {
+  loss_ = why;
+  mapping_since_.reset();
+}
+
+void MapAutosave::tell(MemoryReport& report) const {
+  report.setProblem("the map", problem_);
+  report.setLoss("the map that the mapper had when it died", loss_);
+}
+
+void MapAutosave::forget() {
+  loss_.clear();
+  *wanted_ = false;
+  wanted_ = std::make_shared<std::atomic<bool>>(true);
+  memory_.forget();
+  for (const fs::path& base : memory_.files()) removeMap(base);
+}
+
+void MapAutosave::enter(const std::vector<std::string>& sessions) {
+  if (memory_.enter(sessions)) saved_content_.reset();
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,65 @@
+#include <Eigen/Core>
+#include <array>
+#include <iomanip>
+#include <optional>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+#include "ros/mapper/mapper_adapter.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// x, y and yaw in the 6 x 6 covariance of a geometry_msgs/PoseWithCovariance; none where it is not one.
+std::optional<Eigen::Matrix3d> covarianceOf(const geometry_msgs::PoseWithCovariance& msg) {
+  using Covariance6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  const std::array<int, 3> axes = {0, 1, 5};
+  const Eigen::Matrix3d covariance = Eigen::Map<const Covariance6>(msg.covariance.data())(axes, axes);
+  const bool usable = covariance.allFinite() && covariance.diagonal().minCoeff() >= 0.0;
+  return usable ? std::optional<Eigen::Matrix3d>(covariance) : std::nullopt;
+}
+
+}  // namespace
+
+void MapperAdapter::loadFirstMap(const ros::NodeHandle& private_node) {
+  if (parameters_.map_file.empty()) return;
+  const map_files::MapIoResult result = load(parameters_.map_file);
+  if (!result.ok()) throw ConfigurationError(private_node.getNamespace(), {"map_file: " + result.text});
+}
+
+map_files::MapIoResult MapperAdapter::load(const std::string& path) {
+  occupancy::OccupancyMap loaded(parameters_.mapper.map);
+  map_files::MapIoResult result = map_files::loadMap(path, loaded);
+  if (result.ok() && !mapper_.load(loaded)) return {map_files::MapIoStatus::kBroken, path + ": too large"};
+  if (result.ok()) thoughts_failure_.clear();
+  if (result.ok()) autosave_.replace();
+  return result;
+}
+
+bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& response) {
+  const map_files::MapIoResult result = load(request.path);
+  response.success = static_cast<std::uint8_t>(result.ok());
+  response.message = result.text;
+  if (result.ok()) {
+    THROTTLED_INFO(result.text);
+  } else {
+    THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
+  }
+  return true;
+}
+
+void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg) {
+  std::string why = "frame '" + msg.header.frame_id + "' is not '" + parameters_.map_frame + "'";
+  const bool in_map = msg.header.frame_id == parameters_.map_frame;
+  const auto pose = in_map ? toPose(msg.pose.pose, &why) : std::nullopt;
+  const auto covariance = covarianceOf(msg.pose);
+  if (pose && !covariance) why = "its covariance is none";
+  if (!pose || !covariance) return bad_initial_poses_.add(why);
+  if (!mapper_.locate({*pose, *covariance})) {
+    return bad_initial_poses_.add("there is nothing in the map yet that could be recognised");
+  }
+  THROTTLED_INFO("looking for the robot around " << std::fixed << std::setprecision(2) << pose->x << ", " << pose->y);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,61 @@
+#include <iomanip>
+
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/throttled_log.h"
+#include "ros/mapper/mapper_adapter.h"
+
+namespace frontier_pilot {
+
+void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
+  if (msg.header.frame_id != parameters_.odom_frame) {
+    return bad_odometry_.add("frame '" + msg.header.frame_id + "' is not '" + parameters_.odom_frame + "'");
+  }
+  std::string why;
+  const auto odometry = toOdometry(msg, &why);
+  if (!odometry) return bad_odometry_.add(why);
+  const auto now = connections_.clock().now();
+  if (!now) return bad_odometry_.add("the clock jumped");
+  if (isAhead(odometry->stamp, *now)) return bad_odometry_.add("stamp too far in the future");
+  resume(odometry->T_odom_base);
+  const std::uint64_t resets = anchor_.resets();
+  const auto T_smooth_base = anchor_.follow(odometry->stamp, odometry->T_odom_base);
+  if (!T_smooth_base) return bad_odometry_.add("farther from the last one than any robot drives in that time");
+  if (anchor_.resets() != resets) noteOdometryReset();
+  pairing_.addOdometry(odometry->stamp, *T_smooth_base);
+  insertPaired();
+}
+
+void MapperAdapter::noteOdometryReset() {
+  odometry_reset_ = steadyNow();
+  const mapping::OdometryAnchor::Jump& jump = anchor_.lastJump();
+  THROTTLED_WARN("odometry jumped by " << std::fixed << std::setprecision(2) << jump.distance << " m and "
+                                       << jump.turn * 180.0 / kPi << " deg within " << jump.seconds
+                                       << (parameters_.mapper.trust_odometry
+                                               ? " s: trusted, the robot is there now in the map"
+                                               : " s: taken for a reset, the robot stays where it is in the map"));
+  broadcast();
+}
+
+void MapperAdapter::broadcast() {
+  const auto now = connections_.clock().now();
+  if (!now) return;  // others would believe a future that never was
+  const Time stamp = *now + fromSeconds(parameters_.tf_lead);
+  tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, T_map_odom(), stamp);
+}
+
+void MapperAdapter::reportOdometry(Status& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  constexpr Duration kNews = std::chrono::seconds(10);
+  const SteadyTime now = steadyNow();
+  const mapping::OdometryAnchor::Jump& jump = anchor_.lastJump();
+  status.add("odometry resets", anchor_.resets());
+  status.addf("last reset of odometry [m, deg]", "%.2f, %.1f", jump.distance, jump.turn * 180.0 / kPi);
+  const Pose2 T_map_odom = this->T_map_odom();
+  status.addf("map -> odom [m, m, deg]", "%.3f, %.3f, %.2f", T_map_odom.x, T_map_odom.y, T_map_odom.yaw * 180.0 / kPi);
+  if (odometry_reset_ && now - *odometry_reset_ < kNews) {
+    status.mergeSummary(DiagnosticStatus::WARN, "odometry jumped, taken for a reset");
+  }
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,77 @@
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include <string>
+
+#include "ros/common/clock.h"
+#include "ros/mapper/mapper_adapter.h"
+
+namespace frontier_pilot {
+namespace {
+
+using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+constexpr double kDegrees = 180.0 / kPi;
+
+void reportScans(const mapping::Mapper& mapper, Status& status) {
+  for (std::size_t i = 0; i < mapping::kScanVerdicts; ++i) {
+    const auto verdict = static_cast<mapping::ScanVerdict>(i);
+    status.add(std::string("scans, ") + toString(verdict), mapper.counts()[verdict]);
+  }
+  status.add("scans dropped", mapper.counts().dropped());
+  status.addf("beams of the last scan that say nothing [%]", "%.0f", 100.0 * (1.0 - mapper.usableShare()));
+}
+
+void reportCorrection(const mapping::Mapper& mapper, Status& status) {
+  status.add("last pose", mapper.lastCorrection());
+  for (const auto& [text, count] : mapper.correctionCounts()) status.add("poses, " + text, count);
+}
+
+void reportRevisions(const mapping::RevisionReport& revisions, Status& status) {
+  status.add("loops closed", revisions.closures);
+  for (std::size_t i = 0; i < slam::kClosureVerdicts; ++i) {
+    const auto verdict = static_cast<slam::ClosureVerdict>(i);
+    status.add(std::string("closures, ") + toString(verdict), revisions.attempts[verdict]);
+  }
+  status.addf("last jump [m, deg]", "%.3f, %.2f", revisions.last_jump.position().norm(),
+              revisions.last_jump.yaw * kDegrees);
+  status.add("map rendered again", revisions.rendered);
+}
+
+}  // namespace
+
+void MapperAdapter::report(Status& status) const {
+  summarize(status);
+  reportScans(mapper_, status);
+  bad_scans_.report(status);
+  bad_odometry_.report(status);
+  tf_.report(status);
+  bad_initial_poses_.report(status);
+  reportCorrection(mapper_, status);
+  reportOdometry(status);
+  reportRevisions(mapper_.revisions(), status);
+  status.addf("last second thoughts took [s]", "%.3f", revision_seconds_);
+  const GridGeometry& geometry = mapper_.grid().geometry();
+  status.addf("map size [m]", "%.1f x %.1f", geometry.width * geometry.resolution,
+              geometry.height * geometry.resolution);
+}
+
+void MapperAdapter::summarize(Status& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  status.summary(DiagnosticStatus::OK, "mapping");
+  if (const auto remark = mapper_.health().worst(rosNow())) {
+    status.summaryf(DiagnosticStatus::WARN, "%.0f %% of the last scans: %s", 100.0 * remark->share,
+                    remark->text.c_str());
+  } else if (!last_inserted_) {
+    status.summary(DiagnosticStatus::WARN, pairing_.hasOdometry() ? "no usable scan yet" : "no odometry yet");
+  } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
+    status.summary(DiagnosticStatus::WARN, "no usable scan any more");
+  }
+  if (!thoughts_failure_.empty()) {
+    status.mergeSummary(DiagnosticStatus::WARN, "no loop is closed any more until a reset: " + thoughts_failure_);
+  }
+  if (!publisher_.other().empty()) {
+    status.summary(DiagnosticStatus::ERROR, publisher_.other() + " publishes " + publisher_.topic() + " as well");
+  }
+}
+
+}  // namespace frontier_pilot

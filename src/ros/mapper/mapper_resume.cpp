@@ -1,0 +1,43 @@
+// A mapper that is started again after it died goes on with the map that it had. [FLT-2]
+#include <ros/console.h>
+
+#include "ros/common/throttled_log.h"
+#include "ros/mapper/mapper_adapter.h"
+
+namespace frontier_pilot {
+
+void MapperAdapter::restore() {
+  if (parameters_.autosave_period == 0.0) return;
+  Restored restored{occupancy::OccupancyMap(parameters_.mapper.map), Pose2()};
+  try {
+    const std::optional<Pose2> T_map_odom = autosave_.restore(restored.map);
+    if (!T_map_odom) return;
+    restored.T_map_odom = *T_map_odom;
+    restored_.emplace(std::move(restored));
+  } catch (const std::exception& error) {
+    autosave_.lose(error.what());
+    ROS_ERROR_STREAM("the map that the mapper had when it died is lost: " << error.what());
+  }
+}
+
+void MapperAdapter::resume(const Pose2& T_odom_base) {
+  if (!restored_) return;
+  if (mapper_.resume(restored_->map, restored_->T_map_odom, T_odom_base)) {
+    ROS_WARN("goes on with the map that the mapper had when it died");
+  } else {
+    autosave_.lose("it is larger than a map may be");
+    ROS_ERROR("the map that the mapper had when it died is larger than a map may be");
+  }
+  restored_.reset();
+}
+
+void MapperAdapter::autosave() {
+  if (const auto session = session_.take()) autosave_.enter(*session);
+  const std::string before = autosave_.problem();
+  const std::uint64_t content = mapper_.counts()[mapping::ScanVerdict::kInserted] + mapper_.revisions().rendered;
+  autosave_.save(mapper_.map(), T_map_odom(), content, saver_);
+  if (autosave_.problem().empty() || autosave_.problem() == before) return;
+  THROTTLED_WARN("the map would not survive this node: " << autosave_.problem());
+}
+
+}  // namespace frontier_pilot

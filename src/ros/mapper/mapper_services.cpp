@@ -1,0 +1,37 @@
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/mapper/mapper_adapter.h"
+
+namespace frontier_pilot {
+
+void MapperAdapter::advertiseServices() {
+  connections_.serve(names::kDynamicMap, &MapperAdapter::handleGet, this);
+  connections_.serve(names::kLoadMap, &MapperAdapter::handleLoad, this);
+  saver_.serve(connections_);
+  connections_.serve(names::kResetMap, &MapperAdapter::handleReset, this);
+}
+
+bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
+  // The response has no field to say so: without a map the call fails.
+  if (mapper_.grid().empty()) return false;
+  response.map = toOccupancyGridMsg(mapper_.grid(), parameters_.map_frame, rosNow());
+  return true;
+}
+
+bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  if (parameters_.mapper.localize_only) {
+    response.success = 0U;
+    response.message = "localising only: the map stays";
+    return true;
+  }
+  mapper_.reset();
+  autosave_.forget();
+  anchor_.reset();
+  pairing_.clear();
+  thoughts_failure_.clear();
+  response.success = 1U;
+  response.message = "the map is forgotten; its size stays";
+  return true;
+}
+
+}  // namespace frontier_pilot

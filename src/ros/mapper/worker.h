@@ -1,0 +1,94 @@
+#pragma once
+
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "ros/common/messages/mailbox.h"
+
+namespace frontier_pilot {
+
+/// Does one long job at a time on a thread of its own; the result is fetched like any other input. What a job holds is
+/// destroyed on that thread too. A job that throws gives no result; what it threw is fetched instead. The destructor
+/// waits for the job that is running.
+template <class Result>
+class Worker {
+ public:
+  using Job = std::function<Result()>;
+
+  Worker() : thread_(&Worker::run, this) {}
+  ~Worker() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ending_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Whether there is no job whose result or failure was not taken yet.
+  bool idle() const { return idle_; }
+  /// Only when it is idle.
+  void start(Job job) {
+    idle_ = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      job_ = std::move(job);
+    }
+    wake_.notify_all();
+  }
+  /// The result, once.
+  std::optional<Result> take() {
+    std::optional<Result> result = result_.take();
+    idle_ = idle_ || result;
+    return result;
+  }
+  /// The text of what the job threw, once.
+  std::optional<std::string> takeFailure() {
+    std::optional<std::string> failure = failure_.take();
+    idle_ = idle_ || failure;
+    return failure;
+  }
+
+ private:
+  void run() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (true) {
+      wake_.wait(lock, [this] { return ending_ || job_; });
+      if (ending_) return;
+      Job job = std::exchange(job_, nullptr);
+      lock.unlock();
+      perform(std::move(job));
+      lock.lock();
+    }
+  }
+
+  /// Takes `job` by value: it is destroyed here.
+  void perform(Job job) {
+    try {
+      result_.put(job());
+    } catch (const std::exception& error) {
+      failure_.put(error.what());
+    } catch (...) {
+      failure_.put("an exception of unknown type");
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  Job job_;
+  bool ending_ = false;
+  bool idle_ = true;  ///< the owner's
+  Mailbox<Result> result_;
+  Mailbox<std::string> failure_;
+  std::thread thread_;  ///< the last member: everything else is there before it starts
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,112 @@
+#include "ros/navigator/navigator_action.h"
+
+#include <utility>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+
+MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw)
+    : tf_(tf),
+      map_frame_(std::move(map_frame)),
+      use_yaw_(use_yaw),
+      server_(
+          node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
+          [this](const Server::GoalHandle& handle) { handleCancel(handle); }, [this] { cancelWhatWasReplaced(); }) {}
+
+void MoveBaseServer::subscribe(NodeConnections& connections) {
+  connections.subscribe(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this);
+}
+
+std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg, std::string& why) const {
+  const auto pose = toPose(msg.pose, &why);
+  if (!pose || msg.header.frame_id == map_frame_) return pose;
+  // The latest transform: the goal's stamp is when it was clicked, not when it is to be.
+  const auto T_map_frame = tf_.lookup(map_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
+  if (!T_map_frame) return std::nullopt;
+  return *T_map_frame * *pose;
+}
+
+std::uint64_t MoveBaseServer::submit(const Pose2& T_map_goal) {
+  // One that was not even begun is overtaken by the newer one.
+  if (pending_) settle({pending_->id, navigation::NavResult::kPreempted, navigation::NavReason::kPreempted});
+  pending_ = navigation::NavGoal{++last_id_, T_map_goal, use_yaw_};
+  return last_id_;
+}
+
+void MoveBaseServer::handleGoal(const Server::GoalHandle& offered) {
+  Server::GoalHandle handle = offered;
+  std::string why;
+  const auto goal = read(handle.getGoal()->target_pose, why);
+  if (!goal) {
+    THROTTLED_WARN("goal rejected: " << why);
+    handle.setRejected({}, "invalid goal: " + why);
+    return;
+  }
+  handle.setAccepted();
+  handles_[submit(*goal)] = handle;
+}
+
+void MoveBaseServer::handleSimple(const geometry_msgs::PoseStamped& msg) {
+  std::string why;
+  if (const auto goal = read(msg, why)) {
+    submit(*goal);
+  } else {
+    bad_simple_goals_.add(why);
+  }
+}
+
+void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
+  for (const auto& [id, known] : handles_) {
+    if (known != handle) continue;
+    if (pending_ && pending_->id == id) {
+      cancelWhatWasReplaced();
+    } else {
+      cancel_ = id == active_id_;
+    }
+    return;
+  }
+}
+
+void MoveBaseServer::cancelWhatWasReplaced() {
+  // The goal that is driven to was over before the one that has just been canceled.
+  if (pending_) settle({pending_->id, navigation::NavResult::kCanceled, navigation::NavReason::kCanceled});
+  pending_.reset();
+  cancel_ = active_id_ != 0;
+}
+
+void MoveBaseServer::fill(navigation::NavigatorInputs& inputs) {
+  inputs.cancel = std::exchange(cancel_, false);
+  inputs.new_goal = std::exchange(pending_, std::nullopt);
+  if (inputs.new_goal) active_id_ = inputs.new_goal->id;
+}
+
+void MoveBaseServer::settle(const navigation::NavFinished& finished) {
+  if (finished.id == active_id_) active_id_ = 0;
+  const auto found = handles_.find(finished.id);
+  if (found == handles_.end()) return;
+  Server::GoalHandle handle = found->second;
+  handles_.erase(found);
+  const std::string text = toString(finished.reason);
+  switch (finished.result) {
+    case navigation::NavResult::kSucceeded:
+      return handle.setSucceeded({}, text);
+    case navigation::NavResult::kPreempted:
+    case navigation::NavResult::kCanceled:
+      return handle.setCanceled({}, text);
+    case navigation::NavResult::kAborted:
+      return handle.setAborted({}, text);
+  }
+}
+
+void MoveBaseServer::feedback(const Pose2& T_map_base, Time stamp) {
+  const auto active = handles_.find(active_id_);
+  if (active == handles_.end()) return;
+  move_base_msgs::MoveBaseFeedback feedback;
+  feedback.base_position = toPoseStampedMsg(T_map_base, map_frame_, stamp);
+  active->second.publishFeedback(feedback);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/navigation/navigator_types.h"
+#include "ros/common/actions/action_server.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/node_connections.h"
+#include "ros/common/tf/tf_bridge.h"
+
+namespace frontier_pilot {
+
+/// The `move_base` action and `move_base_simple/goal`, turned into the navigator's events. One goal is pursued at a
+/// time, a newer one preempts it; there is no execute loop. Goals are brought into the map's frame on arrival.
+class MoveBaseServer {
+ public:
+  MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw);
+
+  /// Begins to listen to rviz' goals.
+  void subscribe(NodeConnections& connections);
+  /// Moves the events since the last call into `inputs`.
+  void fill(navigation::NavigatorInputs& inputs);
+  /// Tells the clients what became of their goals.
+  void settle(const navigation::NavFinished& finished);
+  void feedback(const Pose2& T_map_base, Time stamp);
+  /// For /diagnostics: what was refused, also of goals that came without a client who could be told.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+    server_.report(status);
+    bad_simple_goals_.report(status);
+  }
+
+ private:
+  using Server = ActionServer<move_base_msgs::MoveBaseAction>;
+
+  void handleGoal(const Server::GoalHandle& offered);
+  void handleCancel(const Server::GoalHandle& handle);
+  /// A goal was canceled before the navigator began with it: the one that it replaced ends as well.
+  void cancelWhatWasReplaced();
+  void handleSimple(const geometry_msgs::PoseStamped& msg);
+  /// The goal in the map's frame, or why not.
+  std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;
+  std::uint64_t submit(const Pose2& T_map_goal);
+
+  const TfBridge& tf_;
+  std::string map_frame_;
+  bool use_yaw_;
+  std::uint64_t last_id_ = 0;
+  std::uint64_t active_id_ = 0;  ///< 0 is none
+  std::optional<navigation::NavGoal> pending_;
+  bool cancel_ = false;
+  Rejections bad_simple_goals_{"goal of move_base_simple"};
+  std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< goals from rviz have none
+  Server server_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,148 @@
+#include "ros/navigator/navigator_adapter.h"
+
+#include <geometry_msgs/Twist.h>
+
+#include "frontier_pilot/system/behavior_ladder.h"
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+
+NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : parameters_(loadNodeParameters<NavigatorNodeParameters>(private_node)),
+      base_frame_(parameters_.robot.baseFrameOr(parameters_.base_frame)),
+      navigator_(parameters_, system::behaviorLadder(parameters_.recovery, parameters_.robot, parameters_.rate)),
+      server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
+      publisher_(node, parameters_.map_frame),
+      diagnostics_(node, private_node),
+      connections_(node) {
+  command_ = node.advertise<geometry_msgs::Twist>(names::kCmdVelNav, 1);
+  diagnostics_.add("navigation", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  map_.subscribe(connections_, parameters_.map_frame);
+  server_.subscribe(connections_);
+  connections_.subscribeToOne(names::kScan, 1, &NavigatorAdapter::handleScan, this);
+  connections_.subscribeToOne(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
+  connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
+  connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
+  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
+    if (const auto now = connections_.clock().now()) tick(*now);
+  });
+  connections_.clock().onJump([this] {  // the goal stays
+    scan_.reset();
+    if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
+  });
+}
+
+void NavigatorAdapter::sayLastWords() {
+  if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
+}
+
+void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
+  std::string why;
+  const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
+  auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (scan) {
+    scan_ = std::move(scan);
+  } else {
+    bad_scans_.add(why);
+  }
+}
+
+void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
+  std::string why;
+  if (const auto odometry = toOdometry(msg, &why)) {
+    twist_.put(odometry->twist, steadyNow());
+  } else {
+    bad_odometry_.add(why);
+  }
+}
+
+std::optional<navigation::StampedPose> NavigatorAdapter::pose() const {
+  const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_);
+  if (!stamp) return std::nullopt;
+  const auto T_map_base = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
+  if (!T_map_base) return std::nullopt;
+  return navigation::StampedPose{*stamp, *T_map_base};
+}
+
+std::optional<Vec2> NavigatorAdapter::positionNow() const {
+  const auto now = pose();
+  return now ? std::optional<Vec2>(now->T_map_base.position()) : std::nullopt;
+}
+
+void NavigatorAdapter::takeMap() {
+  const CellRect changed = map_.takeChanged();
+  if (!changed.empty()) navigator_.setMap(map_.map(), changed);
+}
+
+navigation::NavigatorInputs NavigatorAdapter::gather() {
+  takeMap();
+  navigation::NavigatorInputs inputs;
+  inputs.pose = pose();
+  inputs.scan = scan_ ? &*scan_ : nullptr;
+  inputs.map_alive = map_.published() || !parameters_.map_must_live;
+  inputs.twist = twist_.fresh(steadyNow(), fromSeconds(parameters_.max_age)).value_or(Twist2{});
+  server_.fill(inputs);
+  return inputs;
+}
+
+void NavigatorAdapter::tick(Time now) {
+  const navigation::NavigatorInputs inputs = gather();
+  const navigation::NavigatorOutput output = navigator_.update(inputs, now);
+  state_ = output.state;
+  // Zero goes out before the client hears of the end. [NAV-1]
+  if (output.command) command_.publish(toTwistMsg(*output.command));
+  for (const navigation::NavFinished& finished : output.finished) {
+    failure_ = finished.result == navigation::NavResult::kAborted ? toString(finished.reason) : "";
+    server_.settle(finished);
+  }
+  const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->T_map_base) : std::nullopt;
+  if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
+  publisher_.publish(navigator_, output, T_map_base, now);
+}
+
+bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response) {
+  takeMap();
+  const auto in_map = [&](const geometry_msgs::PoseStamped& msg) -> std::optional<Vec2> {
+    const auto T_map_frame = tf_.lookup(parameters_.map_frame, msg.header.frame_id, Time{});
+    const auto given = toPose(msg.pose);
+    if (!T_map_frame || !given) return std::nullopt;
+    return *T_map_frame * given->position();
+  };
+  // As move_base does: without a frame the start is where the robot is.
+  const auto start = request.start.header.frame_id.empty() ? positionNow() : in_map(request.start);
+  const auto goal = in_map(request.goal);
+  response.plan.header.frame_id = parameters_.map_frame;
+  if (!start || !goal) {
+    THROTTLED_WARN("make_plan: start or goal is malformed or in a frame that is not known");
+    return false;
+  }
+  const double tolerance = request.tolerance > 0.0F ? static_cast<double>(request.tolerance) : -1.0;
+  const planning::PlanResult result = navigator_.makePlan({*start, *goal, tolerance});
+  if (!result.found()) THROTTLED_WARN("make_plan: " << toString(result.status));
+  response.plan = toPathMsg(withYaw(result.path.sampled(0.1)), parameters_.map_frame, rosNow());
+  return true;
+}
+
+bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+  navigator_.clearObstacles();
+  return true;
+}
+
+void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  const bool is_hindered = state_ == navigation::NavState::kWaiting || state_ == navigation::NavState::kRecovering;
+  status.summary(is_hindered ? DiagnosticStatus::WARN : DiagnosticStatus::OK, publisher_.status());
+  if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
+  if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
+  map_.rejections().report(status);
+  bad_scans_.report(status);
+  bad_odometry_.report(status);
+  server_.report(status);
+  tf_.report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,104 @@
+#include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
+
+#include <geometry_msgs/Twist.h>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+#include "ros/obstacle_avoider/avoider_report.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr const char* kSafeState = "avoider_enabled";
+constexpr double kTick = 0.1;     // [s], the heartbeat
+constexpr double kUpdate = 0.02;  // [s], so that a phase ends in time between two ticks
+
+/// A hold is zero for the wheels and not all zero for the arbiter: no wheeled base moves along its z axis.
+geometry_msgs::Twist toCommandMsg(const avoid::AvoiderCommand& command) {
+  geometry_msgs::Twist msg = toTwistMsg(command.twist);
+  if (command.hold) msg.linear.z = 1e-9;
+  return msg;
+}
+
+}  // namespace
+
+ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : node_(node),
+      parameters_(loadNodeParameters<ObstacleAvoiderNodeParameters>(private_node)),
+      base_frame_(parameters_.avoider.robot.baseFrameOr(parameters_.base_frame)),
+      avoider_(parameters_.avoider),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelAvoid, 1)),
+      status_(node_.advertise<AvoiderStatus>(names::kAvoiderStatus, 1, true)),
+      diagnostics_(node, private_node),
+      connections_(node) {
+  switched_on_.emplace(kSafeState, names::kSetObstacleAvoidEnabled, connections_);
+  if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
+  connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderAdapter::handleEnable, this);
+  connections_.subscribeToOne(names::kScan, 1, &ObstacleAvoiderAdapter::handleScan, this,
+                              ros::TransportHints().tcpNoDelay());
+  diagnostics_.add("obstacle avoidance", [this](auto& status) {
+    fillDiagnostics(avoider_.status(rosNow()), status);
+    rejections_.report(status);
+    tf_.report(status);
+  });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
+  // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
+  connections_.every(ros::Duration(kTick), [this] { tick(); });
+  connections_.every(ros::Duration(kUpdate), [this] { publish(avoider_.update(rosNow())); });
+  connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });
+  publishStatus(true);
+}
+
+void ObstacleAvoiderAdapter::sayLastWords() { publish(avoider_.setEnabled(false, rosNow())); }
+
+void ObstacleAvoiderAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
+  std::string why;
+  const std::optional<LaserScan2> scan = read(msg, &why);
+  if (!scan) rejections_.add(why);
+  publish(scan ? avoider_.onScan(*scan, rosNow()) : avoider_.onBadScan(why, rosNow()));
+  publishStatus(false);
+}
+
+std::optional<LaserScan2> ObstacleAvoiderAdapter::read(const sensor_msgs::LaserScan& msg, std::string* why) const {
+  // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
+  const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), why);
+  return T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
+}
+
+bool ObstacleAvoiderAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  const bool on = request.data != 0;
+  const bool changes = on != avoider_.enabled();
+  publish(avoider_.setEnabled(on, rosNow()));
+  const std::string problem = switched_on_->set(on);
+  publishStatus(false);
+  response.success = 1;
+  response.message = std::string("obstacle avoider ") + (on ? "enabled" : "disabled");
+  if (!changes) response.message += " already: nothing changed";
+  response.message += problem;
+  return true;
+}
+
+void ObstacleAvoiderAdapter::tick() {
+  publish(avoider_.tick(rosNow()));
+  publishStatus(false);
+}
+
+void ObstacleAvoiderAdapter::publish(const std::optional<avoid::AvoiderCommand>& command) {
+  if (command) cmd_vel_.publish(toCommandMsg(*command));
+}
+
+void ObstacleAvoiderAdapter::publishStatus(bool anyway) {
+  const avoid::AvoiderSnapshot snapshot = avoider_.status(rosNow());
+  const std::string essence = summarize(snapshot);
+  const bool changed = essence != last_essence_;
+  last_essence_ = essence;
+  if (changed || anyway) status_.publish(toStatusMsg(snapshot));
+  if (!changed) return;
+  THROTTLED_INFO(essence);
+  diagnostics_.publish();
+}
+
+}  // namespace frontier_pilot

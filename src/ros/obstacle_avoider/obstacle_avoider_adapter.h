@@ -1,0 +1,63 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_srvs/SetBool.h>
+
+#include <optional>
+#include <string>
+
+#include "frontier_pilot/avoid/avoider.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/names.h"
+#include "ros/common/node_connections.h"
+#include "ros/common/safe_switch.h"
+#include "ros/common/tf/tf_bridge.h"
+
+namespace frontier_pilot {
+
+/// What the node is configured with beyond the avoider itself.
+struct ObstacleAvoiderNodeParameters {
+  avoid::AvoiderParameters avoider;
+  std::string base_frame;  ///< empty: the robot's
+  bool enabled = true;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    avoider.describe(v);
+    v.field("base_frame", base_frame, "", "the frame that the sectors are seen from; empty: robot/base_frame",
+            FrameName::kMayBeEmpty);
+    v.field("enabled", enabled, "", "whether it is on at the start");
+  }
+  void check(Problems& problems) const { avoider.check(problems); }
+};
+
+/// The node `obstacle_avoider`: hands each scan with its mount to the avoider and publishes what that asks for.
+class ObstacleAvoiderAdapter {
+ public:
+  ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// Lets go of the wheels.
+  void sayLastWords();
+
+ private:
+  void handleScan(const sensor_msgs::LaserScan& msg);
+  std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg, std::string* why) const;
+  bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  void tick();
+  void publish(const std::optional<avoid::AvoiderCommand>& command);
+  void publishStatus(bool anyway);
+
+  ros::NodeHandle node_;
+  ObstacleAvoiderNodeParameters parameters_;
+  std::string base_frame_;
+  avoid::Avoider avoider_;
+  TfBridge tf_;
+  Rejections rejections_{"scan"};
+  ros::Publisher cmd_vel_, status_;
+  NodeDiagnostics diagnostics_;
+  std::string last_essence_;
+  std::optional<SafeSwitch> switched_on_;
+  NodeConnections connections_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,135 @@
+#include "ros/patrol_client/patrol_client_adapter.h"
+
+#include <ros/callback_queue.h>
+#include <ros/init.h>
+#include <ros/master.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "ros/common/clock.h"
+#include "ros/common/names.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kPatience = std::chrono::milliseconds(1700);
+constexpr Duration kNobodyThere = std::chrono::milliseconds(1000);  // a master answers in a fraction of it
+constexpr Duration kCancelPatience = std::chrono::seconds(5);
+constexpr double kLook = 0.05;  // [s] between two looks
+
+volatile std::sig_atomic_t interrupts = 0;
+void handleInterrupt(int) { interrupts = interrupts + 1; }
+
+void say(const std::string& text) { std::cout << text << std::endl; }
+void complain(const std::string& text) { std::cerr << "patrol_client: " << text << std::endl; }
+
+}  // namespace
+
+PatrolClientAdapter::PatrolClientAdapter(ros::NodeHandle& node, const patrol::PatrolOrder& order)
+    : order_(order), client_(node, names::kPatrol), since_(steadyNow()), heard_(since_) {
+  auto options = checkedSubscription<actionlib_msgs::GoalStatusArray>(names::kPatrolStatus, 1, unreadable_,
+                                                                      [this](const auto&) { handleStatus(); });
+  status_ = node.subscribe(options);
+}
+
+std::optional<patrol::PatrolExit> PatrolClientAdapter::update(int interrupts_so_far) {
+  if (outcome_) return outcome_;
+  return phase_ == Phase::kConnecting ? connect(interrupts_so_far) : watch(interrupts_so_far);
+}
+
+std::optional<patrol::PatrolExit> PatrolClientAdapter::connect(int interrupts_so_far) {
+  if (interrupts_so_far > 0) return patrol::PatrolExit::kInterrupted;
+  if (client_.isServerConnected()) {
+    send();
+    return std::nullopt;
+  }
+  const Duration waited = steadyNow() - since_;
+  if (waited < (status_.getNumPublishers() > 0 ? 2 * kPatience : kNobodyThere)) return std::nullopt;
+  complain(std::string("no patrol server answers on '") + names::kPatrol + "': is patrol_server running?");
+  return patrol::PatrolExit::kNoServer;
+}
+
+void PatrolClientAdapter::send() {
+  PatrolGoal msg;
+  msg.goal.x = order_.mode;
+  msg.goal.y = order_.size;
+  msg.goal.z = order_.laps;
+  phase_ = Phase::kRunning;
+  since_ = heard_ = steadyNow();
+  heard_ros_ = rosNow();
+  client_.send(
+      msg, [this](const auto& state, const auto& result) { handleDone(state, result); },
+      [this](const auto& feedback) { handleFeedback(feedback); });
+}
+
+std::optional<patrol::PatrolExit> PatrolClientAdapter::watch(int interrupts_so_far) {
+  if (serverLost()) {
+    complain("the patrol server is gone; the robot stops because its commands expire");
+    return patrol::PatrolExit::kNoServer;
+  }
+  if (interrupts_so_far > 0 && phase_ == Phase::kRunning) {
+    say("stopping ...");
+    client_.cancel();
+    phase_ = Phase::kCanceling;
+    since_ = steadyNow();
+  }
+  if (phase_ != Phase::kCanceling) return std::nullopt;
+  if (interrupts_so_far < 2 && steadyNow() - since_ < kCancelPatience) return std::nullopt;
+  complain("the server has not said that it stopped");
+  return patrol::PatrolExit::kInterrupted;
+}
+
+bool PatrolClientAdapter::serverLost() {
+  if (!client_.isServerConnected()) return true;
+  // A server that hangs keeps its connections. Its heart beats in ROS time, which may stand still.
+  return steadyNow() - heard_ > kPatience && rosNow() - heard_ros_ > std::chrono::seconds(1);
+}
+
+void PatrolClientAdapter::handleStatus() {
+  heard_ = steadyNow();
+  heard_ros_ = rosNow();
+}
+
+void PatrolClientAdapter::handleFeedback(const PatrolFeedbackConstPtr& feedback) {
+  say(feedback->state + " of " + std::to_string(patrol::legsOf(order_)));
+}
+
+void PatrolClientAdapter::handleDone(const actionlib::TerminalState& state, const PatrolResultConstPtr& result) {
+  using State = actionlib::TerminalState;
+  const bool told = result && !result->result.empty();
+  say(told ? result->result : state.getText());
+  if (state == State::SUCCEEDED) {
+    outcome_ = patrol::PatrolExit::kCompleted;
+  } else {
+    outcome_ = phase_ == Phase::kCanceling ? patrol::PatrolExit::kInterrupted : patrol::PatrolExit::kAborted;
+  }
+}
+
+int runPatrolClient(int argc, char** argv) {
+  ros::init(argc, argv, "patrol_client", ros::init_options::NoSigintHandler);
+  const patrol::PatrolCommandLine line = patrol::parsePatrolCommandLine({argv + 1, argv + argc});
+  if (line.help) {
+    std::cout << patrol::patrolUsage();
+    return 0;
+  }
+  if (!line.goal) {
+    complain(line.problem + "\n\n" + patrol::patrolUsage());
+    return static_cast<int>(patrol::PatrolExit::kUsage);
+  }
+  if (!ros::master::check()) {
+    complain("no ROS master at " + ros::master::getURI());
+    return static_cast<int>(patrol::PatrolExit::kNoServer);
+  }
+  std::signal(SIGINT, handleInterrupt);
+  std::signal(SIGTERM, handleInterrupt);
+  ros::NodeHandle node;
+  PatrolClientAdapter client(node, *line.goal);
+  while (ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kLook));
+    if (const auto outcome = client.update(interrupts)) return static_cast<int>(*outcome);
+  }
+  return static_cast<int>(patrol::PatrolExit::kNoServer);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,119 @@
+#include "ros/patrol_server/patrol_server_adapter.h"
+
+#include <geometry_msgs/Twist.h>
+
+#include "frontier_pilot/core/bounds.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+
+PatrolServerAdapter::PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : node_(node),
+      parameters_(loadNodeParameters<PatrolServerParameters>(private_node)),
+      patrol_(parameters_.patrol),
+      cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVelPatrol, 10)),
+      server_(
+          node_, names::kPatrol, [this](const PatrolGoal& goal) { handleGoal(goal); },
+          [this](bool) { put(patrol_.cancel()); }),
+      diagnostics_(node, private_node),
+      connections_(node) {
+  subscribe();
+  diagnostics_.add("patrol", [this](auto& status) { fillDiagnostics(status); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  connections_.every(ros::Duration(1.0 / parameters_.patrol.frequency), [this] { tick(); });
+  connections_.clock().onJump([this] {
+    inputs_.odometry.reset();
+    put(patrol_.abortByClockJump());
+  });
+}
+
+void PatrolServerAdapter::sayLastWords() {
+  if (patrol_.active()) put(patrol_.cancel());
+}
+
+void PatrolServerAdapter::subscribe() {
+  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  connections_.subscribeToOne(names::kOdom, 1, &PatrolServerAdapter::handleOdometry, this, hints);
+  connections_.subscribe(names::kEmergencyStopState, 1, &PatrolServerAdapter::handleStop, this, hints);
+  connections_.subscribe(names::kArbiterStatus, 1, &PatrolServerAdapter::handleArbiter, this, hints);
+}
+
+void PatrolServerAdapter::handleGoal(const PatrolGoal& msg) {
+  // A patrol that was going on has been ended before.
+  const patrol::PatrolOrder order{msg.goal.x, msg.goal.y, msg.goal.z};
+  THROTTLED_INFO("patrol asked for: mode " << order.mode << ", size " << order.size << " m, " << order.laps << " laps");
+  put(patrol_.start(order, rosNow()));
+}
+
+void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
+  std::string why;
+  const std::optional<Odometry2> odometry = toOdometry(msg, &why);
+  if (!odometry) {
+    bad_odometry_.add(why);
+    inputs_.odometry_problem = why;
+    return tick();
+  }
+  inputs_.odometry_problem.reset();
+  // Dated when it came: a base whose clock is a little off is no reason to stop.
+  inputs_.odometry = MotionSample{rosNow(), odometry->T_odom_base, odometry->twist};
+}
+
+void PatrolServerAdapter::handleStop(const std_msgs::Bool& msg) {
+  inputs_.emergency_stop = msg.data != 0;
+  if (inputs_.emergency_stop) tick();
+}
+
+void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
+  const bool other = msg.state == ArbiterStatus::DRIVING && msg.active_source != parameters_.source;
+  inputs_.wheels_held_by = other ? std::make_optional(msg.active_source.substr(0, bounds::kMostName)) : std::nullopt;
+}
+
+void PatrolServerAdapter::tick() {
+  if (const auto now = connections_.clock().now()) put(patrol_.update(inputs_, *now));
+}
+
+void PatrolServerAdapter::put(const patrol::PatrolOutput& output) {
+  if (output.command) cmd_vel_.publish(toTwistMsg(*output.command));
+  if (output.started_leg) {
+    PatrolFeedback feedback;
+    feedback.state = "line " + std::to_string(*output.started_leg);
+    server_.publishFeedback(feedback);
+  }
+  if (output.command && !patrol_.active()) finish(output);
+}
+
+void PatrolServerAdapter::finish(const patrol::PatrolOutput& output) {
+  last_text_ = output.text;
+  PatrolResult result;
+  result.result = output.text;
+  if (output.outcome == patrol::PatrolOutcome::kCompleted) {
+    server_.setSucceeded(result, output.text);
+  } else if (output.outcome == patrol::PatrolOutcome::kCanceled) {
+    server_.setPreempted(result, output.text);
+  } else {
+    server_.setAborted(result, output.text);
+  }
+  THROTTLED_INFO(output.text);
+  diagnostics_.publish();
+}
+
+void PatrolServerAdapter::fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const bool no_odometry = !inputs_.odometry || toSeconds(rosNow() - inputs_.odometry->stamp) > 1.0;
+  if (inputs_.emergency_stop) {
+    status.summary(Level::WARN, "emergency stop");
+  } else if (no_odometry) {
+    status.summary(Level::WARN, "no odometry");
+  } else {
+    status.summary(Level::OK, patrol_.active() ? "patrolling" : "ready");
+  }
+  status.add("last result", last_text_);
+  status.add("wheels held by", inputs_.wheels_held_by.value_or("nobody else"));
+  bad_odometry_.report(status);
+  server_.report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <frontier_pilot/ArbiterStatus.h>
+#include <frontier_pilot/PatrolAction.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <std_msgs/Bool.h>
+
+#include <string>
+
+#include "frontier_pilot/patrol/patrol.h"
+#include "ros/common/actions/action_server.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/node_connections.h"
+
+namespace frontier_pilot {
+
+/// What the node is configured with beyond the patrol itself.
+struct PatrolServerParameters {
+  patrol::PatrolParameters patrol;
+  std::string source = "patrol";
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    patrol.describe(v);
+    v.field("source", source, "", "the arbiter's name for this node");
+  }
+  void check(Problems& problems) const { patrol.check(problems); }
+};
+
+/// The node `patrol_server`: the action `turtlebot3` around a Patrol. Goals, cancels and an emergency stop act in their
+/// own callbacks, not at the next tick; zero velocity leaves before any result. [PAT-4]
+class PatrolServerAdapter {
+ public:
+  PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// Ends a patrol that is going on, with a zero.
+  void sayLastWords();
+
+ private:
+  using Server = SingleGoalServer<PatrolAction>;
+
+  void subscribe();
+  void handleGoal(const PatrolGoal& msg);
+  void handleOdometry(const nav_msgs::Odometry& msg);
+  void handleStop(const std_msgs::Bool& msg);
+  void handleArbiter(const ArbiterStatus& msg);
+  void tick();
+  void put(const patrol::PatrolOutput& output);
+  void finish(const patrol::PatrolOutput& output);
+  void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  ros::NodeHandle node_;
+  PatrolServerParameters parameters_;
+  patrol::Patrol patrol_;
+  patrol::PatrolInputs inputs_;
+  std::string last_text_ = "no patrol yet";
+  Rejections bad_odometry_{"odometry"};
+  ros::Publisher cmd_vel_;
+  Server server_;
+  NodeDiagnostics diagnostics_;
+  NodeConnections connections_;
+};
+
+}  // namespace frontier_pilot

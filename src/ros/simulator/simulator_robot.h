@@ -1,0 +1,48 @@
+#pragma once
+
+#include <geometry_msgs/Twist.h>
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/sim/simulator.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/node_connections.h"
+#include "ros/common/tf/tf_bridge.h"
+
+namespace frontier_pilot {
+
+/// One simulated robot on the wire: its topics in its namespace, its frames behind its name.
+class SimulatorRobot {
+ public:
+  SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf, sim::Simulator& simulator,
+                 std::size_t index, const RobotModel& model);
+
+  /// Odometry, truth, contact and the transform of it.
+  void publishState();
+  /// What the last step brought: a scan if there is one, and contact as soon as it changes.
+  void publishNews();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+ private:
+  std::string frame(const std::string& name) const;
+  void publishStaticFrames(const RobotModel& model);
+  void publishStalled();
+  void handleCommand(const geometry_msgs::Twist& msg);
+
+  TfBridge& tf_;
+  sim::Simulator& simulator_;
+  std::size_t index_;
+  std::string base_frame_;
+  double scan_time_;  ///< [s]
+  bool stalled_ = false;
+  std::string command_topic_;  ///< relative
+  Rejections rejections_;
+  ros::Publisher odometry_;
+  ros::Publisher truth_;
+  ros::Publisher scan_;
+  ros::Publisher stalled_topic_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,108 @@
+#include "ros/teleop_gui/action_link.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frontier_pilot/core/geometry.h"
+
+namespace frontier_pilot {
+namespace {
+
+bool isGoingOn(const actionlib_msgs::GoalStatus& status) {
+  using Status = actionlib_msgs::GoalStatus;
+  return status.status == Status::PENDING || status.status == Status::ACTIVE || status.status == Status::PREEMPTING ||
+         status.status == Status::RECALLING;
+}
+
+std::string turned(double angle) { return "turned " + std::to_string(std::lround(angle * 180.0 / kPi)) + "°"; }
+
+std::string textOf(const PatrolFeedback& feedback) { return feedback.state; }
+std::string textOf(const PatrolResult& result) { return result.result; }
+std::string textOf(const SpinFeedback& feedback) { return turned(feedback.angular_distance_traveled); }
+std::string textOf(const SpinResult& result) {
+  return turned(result.angular_distance_traveled) + (result.error_msg.empty() ? "" : ": " + result.error_msg);
+}
+
+}  // namespace
+
+template <class Action>
+ActionLink<Action>::ActionLink(ros::NodeHandle& node, NodeConnections& connections, const std::string& action,
+                               std::string name, OperatorLog log)
+    : name_(std::move(name)), log_(std::move(log)) {
+  const std::string goal = action + "/goal", cancel = action + "/cancel", status = action + "/status";
+  const std::string feedback = action + "/feedback", result = action + "/result";
+  goal_publisher_ = node.advertise<ActionGoal>(goal, 2);
+  cancel_publisher_ = node.advertise<actionlib_msgs::GoalID>(cancel, 2);
+  status_subscriber_ = connections.subscribe(status, 2, &ActionLink::onStatus, this);
+  connections.subscribe(feedback, 10, &ActionLink::onFeedback, this);
+  connections.subscribe(result, 10, &ActionLink::onResult, this);
+}
+
+template <class Action>
+void ActionLink<Action>::start(const Goal& goal) {
+  if (!view().server_up) return log_(teleop::Severity::kError, name_ + ": the server is down");
+  ActionGoal msg;
+  msg.goal_id = ids_.generateID();
+  msg.header.stamp = msg.goal_id.stamp;
+  msg.goal = goal;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    own_id_ = msg.goal_id.id;
+    view_.result.clear();
+    view_.feedback.clear();
+  }
+  goal_publisher_.publish(msg);
+  log_(teleop::Severity::kIdle, name_ + " asked for");
+}
+
+template <class Action>
+void ActionLink<Action>::cancelAll() {
+  cancel_publisher_.publish(actionlib_msgs::GoalID());  // empty: all of them
+  log_(teleop::Severity::kIdle, name_ + " stop asked for");
+}
+
+template <class Action>
+void ActionLink<Action>::cancelOwn() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (own_id_.empty()) return;
+  actionlib_msgs::GoalID id;
+  id.id = own_id_;
+  cancel_publisher_.publish(id);
+  own_id_.clear();
+}
+
+template <class Action>
+teleop::ActionView ActionLink<Action>::view() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  teleop::ActionView view = view_;
+  // A listener that is no server has no status to tell; a server that died is off the goal topic at once.
+  view.server_up = goal_publisher_.getNumSubscribers() > 0 && status_subscriber_.getNumPublishers() > 0;
+  view.active = view.active && view.server_up;
+  return view;
+}
+
+template <class Action>
+void ActionLink<Action>::onStatus(const actionlib_msgs::GoalStatusArray& msg) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_.active = std::any_of(msg.status_list.begin(), msg.status_list.end(), isGoingOn);
+}
+
+template <class Action>
+void ActionLink<Action>::onFeedback(const ActionFeedback& msg) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_.feedback = textOf(msg.feedback);
+}
+
+template <class Action>
+void ActionLink<Action>::onResult(const ActionResult& msg) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (msg.status.goal_id.id == own_id_) own_id_.clear();
+  view_.result = textOf(msg.result).empty() ? msg.status.text : textOf(msg.result);
+  const bool good = msg.status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
+  log_(good ? teleop::Severity::kGood : teleop::Severity::kWarning, name_ + ": " + view_.result);
+}
+
+template class ActionLink<PatrolAction>;
+template class ActionLink<SpinAction>;
+
+}  // namespace frontier_pilot

@@ -1,0 +1,151 @@
+#include "ros/teleop_gui/gui_bridge.h"
+
+#include <geometry_msgs/Twist.h>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/throttled_log.h"
+#include "ros/teleop_gui/operator_views.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr std::size_t kMostLogLines = 200;  // of a window that does not take them
+constexpr Duration kMotionLinger = std::chrono::seconds(1);
+
+ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
+  node.setCallbackQueue(&queue);
+  return node;
+}
+
+PatrolGoal toPatrolGoal(const teleop::OperatorRequest& request) {
+  PatrolGoal goal;
+  goal.goal.x = request.shape;
+  goal.goal.y = request.side;
+  goal.goal.z = request.laps;
+  return goal;
+}
+
+SpinGoal toSpinGoal(const teleop::OperatorRequest& request) {
+  SpinGoal goal;
+  goal.target_yaw = request.angle;
+  return goal;
+}
+
+}  // namespace
+
+GuiBridge::GuiBridge(const ros::NodeHandle& node, const teleop::TeleopParameters& parameters, Manual manual,
+                     std::function<bool()> running)
+    : manual_output_(fromSeconds(parameters.liveness_timeout)),
+      parameters_(parameters),
+      manual_(manual),
+      running_(std::move(running)),
+      node_(onQueue(node, queue_)),
+      connections_(node_),
+      patrol_(node_, connections_, names::kPatrol, "patrol", logger()),
+      spin_(node_, connections_, names::kSpin, "spin", logger()),
+      caller_(node_, logger()),
+      stop_caller_(node_, logger()),
+      watch_(node_, [this](const std::string& service) { onServiceUp(service); }),
+      spinner_(1, &queue_) {
+  watchServices();
+  subscribe();
+  connections_.everySteady(ros::WallDuration(1.0 / parameters_.publish_rate), [this] { publishManual(); });
+  spinner_.start();
+}
+
+GuiBridge::~GuiBridge() {
+  close();
+  spinner_.stop();
+}
+
+void GuiBridge::watchServices() {
+  for (const char* service : {names::kEmergencyStop, names::kSetEmergencyStop, names::kSetObstacleAvoidEnabled,
+                              names::kSetExplorationEnabled, names::kResetExplorer}) {
+    watch_.watch(service);
+  }
+}
+
+void GuiBridge::beat(const Twist2& set_point) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  manual_output_.beat(set_point, steadyNow());
+  if (!set_point.isZero()) last_motion_ = steadyNow();
+}
+
+bool GuiBridge::manualWanted(SteadyTime now) {
+  return manual_ == Manual::kAlways || (last_motion_ != SteadyTime{} && now - last_motion_ < kMotionLinger);
+}
+
+/// Published under the lock, so that nothing can leave after the zero of close().
+void GuiBridge::publishManual() {
+  const SteadyTime now = steadyNow();
+  caller_.reportSlow(now);
+  stop_caller_.reportSlow(now);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!manualWanted(now)) return manual_publisher_.shutdown();
+  const auto before = manual_output_.state();
+  const std::optional<Twist2> command = manual_output_.update(manualOn(now), now);
+  if (manual_output_.state() == teleop::ManualOutput::State::kFrozen &&
+      before != teleop::ManualOutput::State::kFrozen) {
+    THROTTLED_WARN("the window gives no sign of life: zero sent, manual is silent");
+  }
+  if (!command) return;
+  if (!manual_publisher_) manual_publisher_ = node_.advertise<geometry_msgs::Twist>(names::kCmdVelManual, 1);
+  manual_publisher_.publish(toTwistMsg(*command));
+}
+
+void GuiBridge::close() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (manual_output_.state() == teleop::ManualOutput::State::kClosed) return;
+  const Twist2 zero = manual_output_.close();
+  if (manual_publisher_) manual_publisher_.publish(toTwistMsg(zero));
+  patrol_.cancelOwn();
+  spin_.cancelOwn();
+}
+
+void GuiBridge::request(const teleop::OperatorRequest& request) {
+  using Kind = teleop::OperatorRequest::Kind;
+  switch (request.kind) {
+    case Kind::kEmergencyStop:
+      return stop_caller_.trigger(names::kEmergencyStop);
+    case Kind::kClearEmergencyStop:
+      return caller_.set(names::kSetEmergencyStop, false);
+    case Kind::kEnableSource:
+      return caller_.set(names::setEnabled(request.name), request.on);
+    case Kind::kEnableAvoider:
+      return caller_.set(names::kSetObstacleAvoidEnabled, request.on);
+    case Kind::kExplore:
+      return caller_.set(names::kSetExplorationEnabled, request.on);
+    case Kind::kResetExplorer:
+      return caller_.trigger(names::kResetExplorer);
+    case Kind::kPatrol:
+      return patrol_.start(toPatrolGoal(request));
+    case Kind::kStopPatrol:
+      return patrol_.cancelAll();
+    case Kind::kSpin:
+      return spin_.start(toSpinGoal(request));
+    case Kind::kStopSpin:
+      return spin_.cancelAll();
+  }
+}
+
+std::vector<teleop::OperatorLogLine> GuiBridge::takeLog() {
+  const std::lock_guard<std::mutex> lock(log_mutex_);
+  return std::exchange(log_, {});
+}
+
+OperatorLog GuiBridge::logger() {
+  return [this](teleop::Severity severity, const std::string& text) { log(severity, text); };
+}
+
+void GuiBridge::log(teleop::Severity severity, const std::string& text) {
+  if (severity == teleop::Severity::kError || severity == teleop::Severity::kWarning) {
+    THROTTLED_WARN(text);
+  } else {
+    THROTTLED_INFO(text);
+  }
+  const std::lock_guard<std::mutex> lock(log_mutex_);
+  if (log_.size() < kMostLogLines) log_.push_back({severity, text});
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <frontier_pilot/ArbiterStatus.h>
+#include <frontier_pilot/AvoiderStatus.h>
+#include <frontier_pilot/ExplorerStatus.h>
+#include <ros/callback_queue.h>
+#include <ros/spinner.h>
+#include <ros/steady_timer.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
+
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/teleop/manual_output.h"
+#include "frontier_pilot/teleop/operator_link.h"
+#include "frontier_pilot/teleop/parameters.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/messages/mailbox.h"
+#include "ros/common/node_connections.h"
+#include "ros/common/tf/tf_bridge.h"
+#include "ros/teleop_gui/action_link.h"
+#include "ros/teleop_gui/service_caller.h"
+
+namespace frontier_pilot {
+
+/// An operator's window on ROS: one thread for the topics and `cmd_vel_manual`, one for the service calls, one for the
+/// emergency stop alone, which never waits behind another call, and one that watches which services are up. The
+/// window's thread only copies. [GUI-3]
+class GuiBridge : public teleop::OperatorLink {
+ public:
+  /// How `cmd_vel_manual` is used: always at the rate, or only from a first motion until a second after the last, so
+  /// that a panel that nobody drives with does not speak against the window that somebody does.
+  enum class Manual { kAlways, kOnDemand };
+
+  /// `running` says whether the window may stay open.
+  GuiBridge(const ros::NodeHandle& node, const teleop::TeleopParameters& parameters, Manual manual,
+            std::function<bool()> running);
+  ~GuiBridge() override;
+
+  teleop::OperatorState state() override;
+  void beat(const Twist2& set_point) override;
+  void request(const teleop::OperatorRequest& request) override;
+  std::vector<teleop::OperatorLogLine> takeLog() override;
+  bool running() const override { return running_(); }
+  void close() override;
+
+ private:
+  void subscribe();
+  void watchServices();
+  void onScan(const sensor_msgs::LaserScan& msg);
+  void onArbiter(const ArbiterStatus& msg);
+  void watchSwitchOf(const std::string& source);
+  void onServiceUp(const std::string& service);
+  void publishManual();
+  bool manualWanted(SteadyTime now);
+  bool manualOn(SteadyTime now) const;
+  std::optional<bool> stopState(SteadyTime now) const;
+  OperatorLog logger();
+  void log(teleop::Severity severity, const std::string& text);
+
+  std::mutex log_mutex_;  ///< guards the log alone: lines come from under other locks
+  std::vector<teleop::OperatorLogLine> log_;
+  mutable std::mutex mutex_;  ///< guards what follows, up to the parameters
+  teleop::ManualOutput manual_output_;
+  SteadyTime last_motion_{};
+  Latest<ArbiterStatus> arbiter_;
+  Latest<AvoiderStatus> avoider_;
+  Latest<ExplorerStatus> explorer_;
+  Latest<bool> stop_;
+  Latest<Twist2> command_;
+  Latest<LaserScan2> scan_;
+  teleop::AvoiderSectors sectors_;
+
+  Rejections nameless_{"switch of a source"};  ///< these two are of the topics' thread
+  std::set<std::string> said_nameless_;
+  const teleop::TeleopParameters parameters_;
+  const Manual manual_;
+  const std::function<bool()> running_;
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  TfBridge tf_;
+  ros::Publisher manual_publisher_;
+  ros::Subscriber stop_subscriber_;
+  NodeConnections connections_;
+  PatrolLink patrol_;
+  SpinLink spin_;
+  ServiceCaller caller_, stop_caller_;
+  ServiceWatch watch_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,138 @@
+#include <geometry_msgs/Twist.h>
+#include <ros/console.h>
+#include <ros/serialization.h>
+
+#include <algorithm>
+
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+#include "ros/teleop_gui/gui_bridge.h"
+#include "ros/teleop_gui/operator_views.h"
+
+/// What the bridge hears, and what of it the window is shown.
+namespace frontier_pilot {
+namespace {
+
+const Duration kFresh = fromSeconds(teleop::kStatusLifetime);
+
+constexpr const char* kManualSource = "manual";
+
+/// Whether a message is no larger than what the window can show. [FLT-1]
+template <class Msg>
+bool isShown(const Msg& msg) {
+  const bool shown = ros::serialization::serializationLength(msg) <= bounds::kMostStatus;
+  if (!shown) THROTTLED_WARN("a status of more than " << bounds::kMostStatus << " bytes is not shown");
+  return shown;
+}
+
+/// The message as the view of it, if there is one.
+template <class View, class Msg>
+void show(const Latest<Msg>& latest, SteadyTime now, std::optional<View>& view) {
+  if (latest.has()) view = toView(*latest.get(), toSeconds(*latest.age(now)));
+}
+
+}  // namespace
+
+void GuiBridge::subscribe() {
+  const auto keep = [this](auto& latest, auto value) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    latest.put(std::move(value), steadyNow());
+  };
+  connections_.subscribe<AvoiderStatus>(names::kAvoiderStatus, 1, [=](const AvoiderStatus& msg) {
+    if (isShown(msg)) keep(avoider_, msg);
+  });
+  connections_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1, [=](const ExplorerStatus& msg) {
+    if (isShown(msg)) keep(explorer_, msg);
+  });
+  connections_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this);
+  connections_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 1, [=](const geometry_msgs::Twist& msg) {
+    keep(command_, Twist2{msg.linear.x, msg.angular.z});
+  });
+  connections_.subscribe(names::kScan, 1, &GuiBridge::onScan, this);
+  stop_subscriber_ = connections_.subscribe<std_msgs::Bool>(
+      names::kEmergencyStopState, 1, [=](const std_msgs::Bool& msg) { keep(stop_, msg.data != 0); });
+}
+
+void GuiBridge::onArbiter(const ArbiterStatus& msg) {
+  if (!isShown(msg)) return;
+  for (const ArbiterSource& source : msg.sources) watchSwitchOf(source.name);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  arbiter_.put(msg, steadyNow());
+}
+
+/// The sources are shown whatever their names are; only a name that ROS takes has a switch. [FLT-1]
+void GuiBridge::watchSwitchOf(const std::string& source) {
+  const std::string service = names::setEnabled(source);
+  if (isServiceName(service)) return watch_.watch(service);
+  const std::string name = printable(source, bounds::kMostReason);
+  nameless_.add("'" + name + "' cannot be part of a service's name");
+  const bool is_news = said_nameless_.size() < bounds::kMostReasons && said_nameless_.insert(name).second;
+  if (is_news) log(teleop::Severity::kWarning, "the source '" + name + "' has no switch: no service can have its name");
+}
+
+void GuiBridge::onScan(const sensor_msgs::LaserScan& msg) {
+  const auto T_base_sensor = tf_.lookup3d(parameters_.robot.base_frame, msg.header.frame_id, Time{});
+  if (!T_base_sensor) return;  // shown as a scan that grows old
+  auto scan = toLaserScan(msg, *T_base_sensor);
+  if (!scan) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scan_.put(std::move(*scan), steadyNow());
+}
+
+/// The avoider's sectors are its configuration, to be had when it is there.
+void GuiBridge::onServiceUp(const std::string& service) {
+  if (service != names::kSetObstacleAvoidEnabled) return;
+  connections_.guard().run("the avoider's parameters", [this] {
+    avoid::AvoiderParameters parameters;
+    const ParameterMap map = readParameters(ros::NodeHandle(node_, names::kObstacleAvoiderNode));
+    loadParameters(map, parameters);  // the avoider itself complains of what is wrong with them
+    const std::lock_guard<std::mutex> lock(mutex_);
+    sectors_ = toSectors(parameters);
+  });
+}
+
+bool GuiBridge::manualOn(SteadyTime now) const {
+  const auto status = arbiter_.fresh(now, kFresh);
+  if (!status) return true;
+  return std::none_of(status->sources.begin(), status->sources.end(),
+                      [](const ArbiterSource& source) { return source.name == kManualSource && source.enabled == 0; });
+}
+
+/// The latched topic, as long as whoever says it lives.
+std::optional<bool> GuiBridge::stopState(SteadyTime now) const {
+  const bool dead = arbiter_.has() && !arbiter_.fresh(now, kFresh);
+  return dead || stop_subscriber_.getNumPublishers() == 0 ? std::nullopt : stop_.get();
+}
+
+teleop::OperatorState GuiBridge::state() {
+  teleop::OperatorState state;
+  state.connected = watch_.masterUp();
+  state.stop_service_up = watch_.up(names::kEmergencyStop);
+  state.clear_service_up = watch_.up(names::kSetEmergencyStop);
+  state.avoider_service_up = watch_.up(names::kSetObstacleAvoidEnabled);
+  state.explorer_service_up = watch_.up(names::kSetExplorationEnabled);
+  state.explorer_reset_up = watch_.up(names::kResetExplorer);
+  state.patrol = patrol_.view();
+  state.spin = spin_.view();
+  const SteadyTime now = steadyNow();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  state.emergency_stop = stopState(now);
+  state.sectors = sectors_;
+  show(arbiter_, now, state.arbiter);
+  show(avoider_, now, state.avoider);
+  show(explorer_, now, state.explorer);
+  if (scan_.has()) state.scan = teleop::ScanView{toSeconds(*scan_.age(now)), *scan_.get()};
+  if (state.arbiter) {
+    // The status comes once a second: too seldom for a needle.
+    state.arbiter->command = command_.fresh(now, kFresh).value_or(state.arbiter->command);
+    for (teleop::SourceView& source : state.arbiter->sources)
+      source.service_up = watch_.up(names::setEnabled(source.name));
+  }
+  return state;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,149 @@
+#include "ros/teleop_gui/operator_views.h"
+
+#include <cmath>
+
+namespace frontier_pilot {
+namespace {
+
+teleop::Severity severityOf(const ArbiterSource& source) {
+  switch (source.state) {
+    case ArbiterSource::ACTIVE:
+      return teleop::Severity::kActive;
+    case ArbiterSource::READY:
+    case ArbiterSource::IDLE:
+      return teleop::Severity::kGood;
+    case ArbiterSource::REJECTED:
+      return teleop::Severity::kError;
+    case ArbiterSource::DISABLED:
+      return teleop::Severity::kIdle;
+    default:
+      // To be silent is wrong only for a source that has to be there.
+      return source.required ? teleop::Severity::kError : teleop::Severity::kIdle;
+  }
+}
+
+teleop::SourceView toView(const ArbiterSource& msg, double status_age) {
+  teleop::SourceView view;
+  view.name = msg.name;
+  view.state_text = msg.state_text;
+  view.severity = severityOf(msg);
+  view.enabled = msg.enabled != 0;
+  view.required = msg.required != 0;
+  view.priority = msg.priority;
+  view.rate = msg.rate;
+  view.rejected = msg.rejected;
+  const bool talks = msg.state >= ArbiterSource::IDLE;
+  if (msg.age >= 0.0) view.age = msg.age + (talks ? 0.0 : status_age);
+  if (msg.publishers.size() > 1) {
+    view.severity = teleop::Severity::kWarning;
+    view.state_text += ", " + std::to_string(msg.publishers.size()) + " publishers";
+  }
+  return view;
+}
+
+teleop::Severity severityOf(const ArbiterStatus& msg) {
+  if (msg.emergency_stop || msg.state == ArbiterStatus::CLOCK_STOPPED || msg.state == ArbiterStatus::CONTESTED)
+    return teleop::Severity::kError;
+  if (!msg.problems.empty()) return teleop::Severity::kWarning;
+  return msg.active_source.empty() ? teleop::Severity::kIdle : teleop::Severity::kGood;
+}
+
+teleop::Severity severityOf(const AvoiderStatus& msg) {
+  switch (msg.state) {
+    case AvoiderStatus::CLEAR:
+      return teleop::Severity::kGood;
+    case AvoiderStatus::REVERSE:
+    case AvoiderStatus::ROTATE:
+      return teleop::Severity::kActive;
+    case AvoiderStatus::WAITING:
+      return teleop::Severity::kWarning;
+    case AvoiderStatus::FAULT:
+    case AvoiderStatus::STUCK:
+      return teleop::Severity::kError;
+    default:
+      return teleop::Severity::kIdle;
+  }
+}
+
+/// Nothing for what the avoider does not know.
+std::optional<double> known(double distance) {
+  return std::isnan(distance) ? std::nullopt : std::optional<double>(distance);
+}
+
+teleop::Severity severityOf(const ExplorerStatus& msg) {
+  switch (msg.reason) {
+    case ExplorerStatus::NAVIGATION_GONE:
+    case ExplorerStatus::MAP_GONE:
+    case ExplorerStatus::POSE_GONE:
+    case ExplorerStatus::ODOMETRY_GONE:
+    case ExplorerStatus::ROBOT_OFF_KNOWN_GROUND:
+      return teleop::Severity::kError;
+    case ExplorerStatus::WAITING_FOR_INPUTS:
+    case ExplorerStatus::ALL_BLACKLISTED:
+      return teleop::Severity::kWarning;
+    default:
+      break;
+  }
+  if (msg.state == ExplorerStatus::DONE) return teleop::Severity::kGood;
+  return msg.state == ExplorerStatus::IDLE ? teleop::Severity::kIdle : teleop::Severity::kActive;
+}
+
+teleop::SectorView toSectorView(const avoid::Sector& sector, double stop, double clear) {
+  return {sector.from, sector.to, stop, clear};
+}
+
+}  // namespace
+
+teleop::ArbiterView toView(const ArbiterStatus& msg, double status_age) {
+  teleop::ArbiterView view;
+  view.status_age = status_age;
+  view.severity = severityOf(msg);
+  view.summary = msg.summary;
+  view.active_source = msg.active_source;
+  view.stop_cause = msg.emergency_stop_cause;
+  view.problems = msg.problems;
+  view.command = {msg.command.linear.x, msg.command.angular.z};
+  for (const ArbiterSource& source : msg.sources) view.sources.push_back(toView(source, status_age));
+  return view;
+}
+
+teleop::AvoiderView toView(const AvoiderStatus& msg, double status_age) {
+  teleop::AvoiderView view;
+  view.status_age = status_age;
+  view.severity = severityOf(msg);
+  view.enabled = msg.state != AvoiderStatus::IDLE;
+  view.state_text = msg.summary.empty() ? msg.reason : msg.summary;
+  view.summary = msg.summary;
+  view.front_left = known(msg.front_left);
+  view.front_right = known(msg.front_right);
+  view.rear = known(msg.rear);
+  return view;
+}
+
+teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
+  teleop::ExplorerView view;
+  view.status_age = status_age;
+  view.severity = severityOf(msg);
+  view.running = msg.state != ExplorerStatus::DONE && msg.reason != ExplorerStatus::PAUSED;
+  view.state_text = msg.state_text;
+  view.phase_text = msg.phase_text;
+  view.reason_text = msg.reason_text;
+  view.frontiers_found = msg.frontiers_found;
+  view.frontiers_selectable = msg.frontiers_selectable;
+  view.frontiers_blacklisted = msg.frontiers_blacklisted;
+  view.goals_sent = msg.goals_sent;
+  view.goals_reached = msg.goals_reached;
+  view.goals_failed = msg.goals_failed;
+  view.explored_area = msg.explored_area;
+  view.distance_travelled = msg.distance_travelled;
+  return view;
+}
+
+teleop::AvoiderSectors toSectors(const avoid::AvoiderParameters& parameters) {
+  const avoid::AvoiderDistances distances(parameters);
+  return {toSectorView(parameters.front_left, distances.stop, distances.clear),
+          toSectorView(parameters.front_right, distances.stop, distances.clear),
+          toSectorView(parameters.rear, distances.rear_stop, distances.rear_stop)};
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,172 @@
+#include "ros/teleop_gui/service_caller.h"
+
+#include <ros/master.h>
+#include <ros/names.h>
+#include <ros/service.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+
+#include "frontier_pilot/core/bounds.h"
+#include "ros/common/clock.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kSlow = std::chrono::seconds(2);
+constexpr auto kWatchPeriod = std::chrono::seconds(1);
+
+}  // namespace
+
+bool isServiceName(const std::string& service) {
+  std::string why;
+  return ros::names::validate(service, why);
+}
+
+ServiceCaller::ServiceCaller(const ros::NodeHandle& node, OperatorLog log)
+    : node_(node), log_(std::move(log)), thread_([this] { run(); }) {}
+
+ServiceCaller::~ServiceCaller() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+    calls_.clear();
+    client_.shutdown();  // ends the call that waits for an answer
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void ServiceCaller::set(const std::string& service, bool value) { post({service, value}); }
+void ServiceCaller::trigger(const std::string& service) { post({service, std::nullopt}); }
+
+void ServiceCaller::post(Call call) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto same = [&call](const Call& other) { return other.service == call.service; };
+    calls_.erase(std::remove_if(calls_.begin(), calls_.end(), same), calls_.end());
+    calls_.push_back(std::move(call));
+  }
+  wake_.notify_all();
+}
+
+void ServiceCaller::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stopping_) {
+    if (calls_.empty()) {
+      wake_.wait(lock);
+      continue;
+    }
+    const Call call = calls_.front();
+    calls_.pop_front();
+    current_ = call.service;
+    since_ = steadyNow();
+    lock.unlock();
+    tryPerform(call);
+    lock.lock();
+    since_.reset();
+    client_ = {};
+  }
+}
+
+bool ServiceCaller::begin(const ros::ServiceClient& client) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  client_ = client;
+  return !stopping_;
+}
+
+void ServiceCaller::tryPerform(const Call& call) {
+  if (!isServiceName(call.service))
+    return log_(teleop::Severity::kError, "'" + call.service + "' is no name of a service");
+  const bool came_to_its_end = guard_.run("a call of " + call.service, [&] { perform(call); });
+  if (!came_to_its_end) log_(teleop::Severity::kError, call.service + " failed");
+}
+
+void ServiceCaller::perform(const Call& call) {
+  std_srvs::SetBool set;
+  std_srvs::Trigger trigger;
+  // Persistent, because only such a client can be shut down in the middle of a call.
+  ros::ServiceClient client = call.value ? node_.serviceClient<std_srvs::SetBool>(call.service, true)
+                                         : node_.serviceClient<std_srvs::Trigger>(call.service, true);
+  if (!begin(client)) return;
+  if (call.value) set.request.data = *call.value ? 1 : 0;
+  const bool answered = client.isValid() && (call.value ? client.call(set) : client.call(trigger));
+  if (!answered) return log_(teleop::Severity::kError, call.service + ": no such service, or it died");
+  const bool success = (call.value ? set.response.success : trigger.response.success) != 0;
+  const std::string& message = call.value ? set.response.message : trigger.response.message;
+  log_(success ? teleop::Severity::kGood : teleop::Severity::kError,
+       call.service + (call.value ? (*call.value ? " on: " : " off: ") : ": ") +
+           (message.empty() ? (success ? "done" : "refused") : message));
+}
+
+void ServiceCaller::reportSlow(SteadyTime now) {
+  std::string slow;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!since_ || now - *since_ < kSlow || current_.empty()) return;
+    slow.swap(current_);
+  }
+  log_(teleop::Severity::kWarning, slow + " gives no answer");
+}
+
+ServiceWatch::ServiceWatch(const ros::NodeHandle& node, std::function<void(const std::string&)> appeared)
+    : node_(node), appeared_(std::move(appeared)), thread_([this] { run(); }) {}
+
+ServiceWatch::~ServiceWatch() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void ServiceWatch::watch(const std::string& service) {
+  if (!isServiceName(service)) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (up_.size() < bounds::kMostServices && up_.emplace(service, false).second) wake_.notify_all();
+}
+
+bool ServiceWatch::up(const std::string& service) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = up_.find(service);
+  return found != up_.end() && found->second;
+}
+
+bool ServiceWatch::masterUp() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return master_up_;
+}
+
+void ServiceWatch::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stopping_) {
+    lock.unlock();
+    guard_.run("the look for services", [this] { lookOnce(); });
+    lock.lock();
+    if (!stopping_) wake_.wait_for(lock, kWatchPeriod);
+  }
+}
+
+void ServiceWatch::lookOnce() {
+  std::map<std::string, bool> before;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    before = up_;
+  }
+  const bool master = ros::master::check();
+  for (const auto& [service, was_up] : before) {
+    // Asks the server itself too, so that one that died without a word is noticed.
+    const bool is_up = master && ros::service::exists(node_.resolveName(service), false);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      up_[service] = is_up;
+    }
+    if (is_up && !was_up) appeared_(service);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  master_up_ = master;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/service_client.h>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/teleop/operator_link.h"
+#include "ros/common/callback_guard.h"
+
+namespace frontier_pilot {
+
+/// Where lines for the operator go; may be called from any thread.
+using OperatorLog = std::function<void(teleop::Severity, const std::string&)>;
+
+/// Whether ROS takes `service` for a name. What it does not take it throws at, also from threads where nothing catches.
+bool isServiceName(const std::string& service);
+
+/// Calls services on a thread of its own, one after the other, and says in the log what they answered. A caller that
+/// goes away ends the call it is in, also when the server never answers.
+class ServiceCaller {
+ public:
+  ServiceCaller(const ros::NodeHandle& node, OperatorLog log);
+  ~ServiceCaller();
+  ServiceCaller(const ServiceCaller&) = delete;
+  ServiceCaller& operator=(const ServiceCaller&) = delete;
+
+  /// std_srvs/SetBool. A call of the same service that still waits in line is replaced.
+  void set(const std::string& service, bool value);
+  /// std_srvs/Trigger
+  void trigger(const std::string& service);
+  /// Says once of each call that has been without an answer for too long. To be called now and then.
+  void reportSlow(SteadyTime now);
+
+ private:
+  struct Call {
+    std::string service;
+    std::optional<bool> value;  ///< nothing: a Trigger
+  };
+
+  void post(Call call);
+  void run();
+  void tryPerform(const Call& call);
+  void perform(const Call& call);
+  /// False if the caller is going away.
+  bool begin(const ros::ServiceClient& client);
+
+  ros::NodeHandle node_;
+  OperatorLog log_;
+  CallbackGuard guard_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<Call> calls_;
+  ros::ServiceClient client_;  ///< of the call that is under way
+  std::string current_;
+  std::optional<SteadyTime> since_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+/// Knows which services are up, by asking on a thread of its own once a second.
+class ServiceWatch {
+ public:
+  /// `appeared` is called on that thread when a service has come up.
+  ServiceWatch(const ros::NodeHandle& node, std::function<void(const std::string&)> appeared);
+  ~ServiceWatch();
+  ServiceWatch(const ServiceWatch&) = delete;
+  ServiceWatch& operator=(const ServiceWatch&) = delete;
+
+  /// What is no name of a service is never up.
+  void watch(const std::string& service);
+  bool up(const std::string& service) const;
+  bool masterUp() const;
+
+ private:
+  void run();
+  void lookOnce();
+
+  ros::NodeHandle node_;
+  std::function<void(const std::string&)> appeared_;
+  CallbackGuard guard_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::map<std::string, bool> up_;
+  bool master_up_ = true;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,93 @@
+#include <cmath>
+#include <utility>
+
+#include "frontier_pilot/slam/graph_slam.h"
+
+namespace frontier_pilot::slam {
+
+GraphBackEnd::GraphBackEnd(const GraphSlamParameters& parameters, const occupancy::OccupancyMapParameters& map,
+                           const occupancy::ScanInsertionParameters& insertion, std::string base)
+    : parameters_(parameters),
+      map_parameters_(map),
+      inserter_(insertion, parameters.local.surface),
+      base_(std::move(base)),
+      graph_(parameters.drift, parameters.graph),
+      closer_(parameters.loops) {}
+
+MapRevision GraphBackEnd::update(std::vector<PlacedKeyframe> batch) {
+  MapRevision revision;
+  const Pose2 T_map_local = graph_.T_map_local();
+  const std::size_t known = closures_.size();
+  for (PlacedKeyframe& placed : batch) {
+    const surfaces::SurfacePoints points = std::exchange(placed.keyframe.points, {});
+    rendered_.push_back(placed.T_map_base);
+    graph_.add(std::move(placed));
+    for (const LoopClosure& closure : closer_.update(graph_, points)) closures_.push_back(closure);
+  }
+  // A submap begins where the local frame is thought to be, so that only closures move that.
+  if (closures_.size() > known) {
+    const Pose2 jump = graph_.T_map_local() * T_map_local.inverse();
+    T_new_old_ = withheld_ ? jump * T_new_old_ : jump;
+    moved_ = true;
+  }
+  revision.counts = closer_.counts();
+  if (isRenderingDue()) render(revision);
+  if (withheld_) return revision;
+  revision.closures = std::exchange(closures_, {});
+  revision.T_new_old = std::exchange(T_new_old_, Pose2());
+  return revision;
+}
+
+void GraphBackEnd::takeBack(const MapRevision& refused) {
+  rendered_ = replaced_;
+  closures_ = refused.closures;
+  T_new_old_ = refused.T_new_old;
+  moved_ = true;
+  withheld_ = true;
+}
+
+bool GraphBackEnd::isRenderingDue() const {
+  if (!moved_) return false;
+  bool visible = false;
+  for (std::size_t i = 0; i < rendered_.size(); ++i) {
+    const Pose2 step = rendered_[i].inverse() * graph_.T_map_keyframe(i);
+    const double distance = step.position().norm();
+    // A map that was too large is likely to be so again: that is not tried with each keyframe.
+    if (distance > parameters_.rendering.urgent_distance && !withheld_) return true;
+    visible = visible || distance > parameters_.rendering.min_distance ||
+              std::abs(step.yaw) > parameters_.rendering.min_angle;
+  }
+  const auto fresh = static_cast<double>(rendered_.size() - rendered_count_);
+  return visible && fresh >= parameters_.rendering.share * static_cast<double>(rendered_.size());
+}
+
+void GraphBackEnd::render(MapRevision& revision) {
+  occupancy::OccupancyMap& map = revision.map.emplace(map_parameters_);
+  if (!base_.empty()) {
+    std::string ignored;  // it was this map's own once
+    map.read(base_, ignored);
+  }
+  replaced_ = rendered_;
+  map.beginBatch();
+  for (std::size_t i = 0; i < rendered_.size(); ++i) {
+    rendered_[i] = graph_.T_map_keyframe(i);
+    const occupancy::Insertion insertion = inserter_.insert(graph_.keyframe(i).scan, rendered_[i], map);
+    if (insertion == occupancy::Insertion::kOutOfBounds) ++revision.left_out;
+  }
+  map.endBatch();
+  rendered_count_ = rendered_.size();
+  moved_ = false;
+  withheld_ = false;
+}
+
+std::vector<KeyframePose> GraphBackEnd::trajectory() const {
+  std::vector<KeyframePose> trajectory;
+  trajectory.reserve(graph_.keyframeCount());
+  for (std::size_t i = 0; i < graph_.keyframeCount(); ++i) {
+    const Keyframe& keyframe = graph_.keyframe(i);
+    trajectory.push_back({keyframe.scan.stamp, keyframe.T_odom_base, graph_.T_map_keyframe(i)});
+  }
+  return trajectory;
+}
+
+}  // namespace frontier_pilot::slam

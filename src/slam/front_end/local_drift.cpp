@@ -1,0 +1,57 @@
+#include "frontier_pilot/slam/local_drift.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "slam/graph/covariance.h"
+
+namespace frontier_pilot::slam {
+namespace {
+
+/// (1 + K^4)^-2 of a symmetric K, direction by direction: what is known next to nothing in one must not drown in the
+/// rounding of what is known a million times better in another.
+Eigen::Matrix3d unknownShare(const Eigen::Matrix3d& known) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions(known);
+  const Eigen::Array3d squared = directions.eigenvalues().array().square();
+  const Eigen::Vector3d share = (1.0 + squared.square()).square().inverse();
+  return directions.eigenvectors() * share.asDiagonal() * directions.eigenvectors().transpose();
+}
+
+}  // namespace
+
+Eigen::Matrix3d LocalDrift::step(const Keyframe& keyframe, MatchVerdict verdict) {
+  const Pose2 motion = last_ ? last_->inverse() * keyframe.T_local_base : Pose2();
+  const bool first = !last_;
+  last_ = keyframe.T_local_base;
+  if (first) return Eigen::Matrix3d::Zero();
+  // Nothing joins what was begun anew to what was before, but that the robot did not fly.
+  constexpr double kLostPosition = 1.5;  // [m]
+  constexpr double kLostYaw = 0.5;       // [rad]
+  if (verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
+  const Eigen::Matrix3d sigma = odometrySigma(motion).asDiagonal();
+  const Eigen::Matrix3d known = sigma * surfaceInformation(keyframe.points) * sigma;
+  const Eigen::Matrix3d open = sigma * unknownShare(known) * sigma;
+  return alongAxes(open, -keyframe.T_local_base.yaw);
+}
+
+Eigen::Vector3d LocalDrift::odometrySigma(const Pose2& motion) const {
+  const OdometryTrust& trust = parameters_.tracker.odometry;
+  const double driven = motion.position().norm();
+  const double position = trust.distance * driven;
+  return {position, position, trust.yaw_distance * driven + trust.yaw_turn * std::abs(motion.yaw)};
+}
+
+Eigen::Matrix3d LocalDrift::surfaceInformation(const surfaces::SurfacePoints& points) const {
+  // As if each point said something of its own: the question is which knows more, not how well it knows. Less than the
+  // points know of themselves: the normals of a corridor's walls are off by a little, and must not look like features.
+  constexpr double kNoise = 0.02;  // [m]
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const surfaces::SurfacePoint& point : points) {
+    const Vec2& n = point.normal;
+    const Eigen::Vector3d along(n.x(), n.y(), point.position.x() * n.y() - point.position.y() * n.x());
+    sum += along * along.transpose();
+  }
+  return sum / (kNoise * kNoise);
+}
+
+}  // namespace frontier_pilot::slam

@@ -1,0 +1,84 @@
+#include "frontier_pilot/slam/local_slam.h"
+
+#include <utility>
+
+#include "frontier_pilot/core/motion.h"
+
+namespace frontier_pilot::slam {
+
+LocalSlam::LocalSlam(const LocalSlamParameters& parameters) : parameters_(parameters), tracker_(parameters.tracker) {}
+
+LocalSlamOutput LocalSlam::update(const LaserScan2& scan, const Pose2& T_odom_base) {
+  const surfaces::SurfacePoints surface = surfaces::readSurface(scan, parameters_.surface);
+  surfaces::SurfacePoints points = surfaces::thinned(surface, parameters_.surface);
+  LocalSlamOutput output;
+  output.track = tracker_.track(points, scan.stamp, T_odom_base, target());
+  if (!isKeyframe(output.track) || points.empty()) {
+    if (isMatched(output.track.verdict)) sharpen(surface, output.track.T_local_base.pose);
+    return output;
+  }
+  if (output.track.verdict == MatchVerdict::kLost) output.finished = takeFinished(1);
+  output.keyframe = Keyframe{keyframes_++, scan, std::move(points), output.track.T_local_base.pose, T_odom_base};
+  insert(*output.keyframe, surface);
+  for (auto& submap : takeFinished(static_cast<std::size_t>(parameters_.submap_keyframes))) {
+    output.finished.push_back(std::move(submap));
+  }
+  return output;
+}
+
+std::optional<MatchTarget> LocalSlam::target() {
+  if (active_.empty()) return std::nullopt;
+  const Submap& submap = *active_.front();
+  if (!pyramid_) {
+    const int top = scan_matching::pyramidTop(tracker_.usualWindow(), parameters_.likelihood.resolution);
+    pyramid_.emplace(submap.map.likelihood().grid(), top);
+  }
+  return MatchTarget{submap.map, *pyramid_, submap.T_local_submap};
+}
+
+bool LocalSlam::isKeyframe(const Track& track) const {
+  if (track.verdict == MatchVerdict::kFirst || track.verdict == MatchVerdict::kLost) return true;
+  // The farther a scanner sees, the less it takes to see something new.
+  constexpr double kSoon = 0.1;
+  const double share = track.inliers < parameters_.keyframe_inliers ? kSoon : 1.0;
+  return isMatched(track.verdict) && isJump(*T_local_keyframe_, track.T_local_base.pose,
+                                            share * parameters_.keyframe_distance, share * parameters_.keyframe_angle);
+}
+
+void LocalSlam::insert(const Keyframe& keyframe, const surfaces::SurfacePoints& surface) {
+  const auto half = static_cast<std::size_t>(parameters_.submap_keyframes / 2);
+  if (active_.empty() || active_.back()->keyframes.size() >= half) begin(keyframe.T_local_base);
+  const surfaces::SurfacePoints dense = surfaces::filled(surface, parameters_.surface);
+  for (const auto& submap : active_) {
+    submap->map.add(dense, submap->T_local_submap.inverse() * keyframe.T_local_base);
+    submap->keyframes.push_back(keyframe.id);
+  }
+  T_local_keyframe_ = keyframe.T_local_base;
+  pyramid_.reset();
+}
+
+void LocalSlam::sharpen(const surfaces::SurfacePoints& surface, const Pose2& T_local_base) {
+  const surfaces::SurfacePoints dense = surfaces::filled(surface, parameters_.surface);
+  for (const auto& submap : active_) submap->map.sharpen(dense, submap->T_local_submap.inverse() * T_local_base);
+}
+
+std::vector<std::shared_ptr<const Submap>> LocalSlam::takeFinished(std::size_t keyframes) {
+  std::vector<std::shared_ptr<const Submap>> finished;
+  while (!active_.empty() && active_.front()->keyframes.size() >= keyframes) {
+    finished.push_back(std::move(active_.front()));
+    active_.pop_front();
+  }
+  return finished;
+}
+
+void LocalSlam::begin(const Pose2& T_local_submap) {
+  auto submap = std::make_shared<Submap>();
+  submap->id = submaps_++;
+  submap->T_local_submap = T_local_submap;
+  submap->map = scan_matching::SurfaceMap(parameters_.likelihood);
+  active_.push_back(std::move(submap));
+}
+
+void LocalSlam::reset() { *this = LocalSlam(parameters_); }
+
+}  // namespace frontier_pilot::slam

@@ -1,0 +1,129 @@
+#include "frontier_pilot/slam/submap_graph.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
+
+#include "slam/graph/covariance.h"
+
+namespace frontier_pilot::slam {
+namespace {
+
+/// Between 0 for a and 1 for b; the two are near each other.
+Pose2 blend(const Pose2& a, const Pose2& b, double share) {
+  const Vec2 position = a.position() + share * (b.position() - a.position());
+  return {position, normalizeAngle(a.yaw + share * angleDifference(b.yaw, a.yaw))};
+}
+
+/// One number for how uncertain a pose is: a turn counts by what it moves at a scanner's reach.
+double spread(const Eigen::Matrix3d& covariance) {
+  constexpr double kReach = 5.0;  // [m]
+  return covariance(0, 0) + covariance(1, 1) + kReach * kReach * covariance(2, 2);
+}
+
+}  // namespace
+
+SubmapGraph::SubmapGraph(const SubmapDrift& drift, const PoseGraphParameters& parameters)
+    : drift_(drift), graph_(parameters) {}
+
+void SubmapGraph::add(PlacedKeyframe placed) {
+  const std::size_t id = keyframes_.size();
+  drift_since_ += placed.drift;
+  ++steps_;
+  for (const PlacedKeyframe::Place& place : placed.places) {
+    if (place.submap == submaps_.size()) begin(place);
+    submaps_[place.submap].keyframes.push_back(id);
+  }
+  places_.push_back({placed.places.front().submap, placed.places.back().submap});
+  keyframes_.push_back(std::move(placed.keyframe));
+}
+
+void SubmapGraph::begin(const PlacedKeyframe::Place& place) {
+  const Pose2 T_map_submap = submaps_.empty() ? place.T_local_submap : T_map_local() * place.T_local_submap;
+  submaps_.push_back({place.T_local_submap, {}});
+  const std::size_t node = graph_.addNode(T_map_submap);
+  if (node == 0) return;
+  const Pose2& T_local_before = submaps_[node - 1].T_local_submap;
+  // Odometry's errors go the same way for a while: they add up as such, not as their squares do.
+  const Eigen::Matrix3d drifted = static_cast<double>(steps_) * drift_since_;
+  drift_since_.setZero();
+  steps_ = 0;
+  const Eigen::Matrix3d covariance =
+      alongAxes(drifted, T_local_before.yaw) + diagonalCovariance(drift_.position, drift_.yaw);
+  graph_.addConstraint({node - 1, node, T_local_before.inverse() * place.T_local_submap, covariance.inverse(), false});
+}
+
+std::size_t SubmapGraph::gap(std::size_t submap, std::size_t keyframe) const {
+  const auto [first, last] = places_[keyframe];
+  if (submap < first) return first - submap;
+  return submap > last ? submap - last : 0;
+}
+
+Pose2 SubmapGraph::T_submap_keyframe(std::size_t submap, std::size_t keyframe) const {
+  return submaps_[submap].T_local_submap.inverse() * keyframes_[keyframe].T_local_base;
+}
+
+Pose2 SubmapGraph::T_map_keyframe(std::size_t keyframe) const {
+  const auto [first, last] = places_[keyframe];
+  const Pose2 by_first = T_map_submap(first) * T_submap_keyframe(first, keyframe);
+  if (first == last) return by_first;
+  // The older submap ends where the two stop to overlap; as long as it does not, both agree but for little.
+  const std::size_t begin = submaps_[last].keyframes.front();
+  const std::size_t end = submaps_[first].keyframes.back();
+  const double share = (static_cast<double>(keyframe - begin) + 0.5) / static_cast<double>(end - begin + 1);
+  return blend(by_first, T_map_submap(last) * T_submap_keyframe(last, keyframe), share);
+}
+
+Pose2 SubmapGraph::T_map_local() const {
+  return submaps_.empty() ? Pose2() : graph_.poses().back() * submaps_.back().T_local_submap.inverse();
+}
+
+std::vector<Eigen::Matrix3d> SubmapGraph::uncertaintyFrom(std::size_t submap) const {
+  std::vector<std::vector<std::size_t>> incident(submaps_.size());
+  for (std::size_t i = 0; i < graph_.constraints().size(); ++i) {
+    incident[graph_.constraints()[i].from].push_back(i);
+    incident[graph_.constraints()[i].to].push_back(i);
+  }
+  const Pose2 T_origin_map = graph_.pose(submap).inverse();
+  constexpr double kFar = 1e6;  // [m]: not connected, nothing is known
+  std::vector<Eigen::Matrix3d> covariances(submaps_.size(), diagonalCovariance(kFar, kFar));
+  covariances[submap].setZero();
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  open.emplace(0.0, submap);
+  std::vector<bool> done(submaps_.size(), false);
+  while (!open.empty()) {
+    const std::size_t at = open.top().second;
+    open.pop();
+    if (done[at]) continue;
+    done[at] = true;
+    const Pose2 T_origin_at = T_origin_map * graph_.pose(at);
+    for (const std::size_t index : incident[at]) {
+      const PoseConstraint& constraint = graph_.constraints()[index];
+      const bool forward = constraint.from == at;
+      const std::size_t next = forward ? constraint.to : constraint.from;
+      if (done[next]) continue;
+      const Eigen::Matrix3d inverse = constraint.information.inverse();
+      const Eigen::Matrix3d step = forward ? inverse : reversed(inverse, constraint.T_from_to);
+      const Eigen::Matrix3d covariance =
+          compounded(T_origin_at, covariances[at], T_origin_map * graph_.pose(next), step);
+      if (spread(covariance) >= spread(covariances[next])) continue;
+      covariances[next] = covariance;
+      open.emplace(spread(covariance), next);
+    }
+  }
+  return covariances;
+}
+
+void SubmapGraph::close(std::size_t submap, std::size_t of, std::size_t keyframe,
+                        const scan_matching::PoseBelief& T_submap_keyframe) {
+  const Pose2 T_submap_of = T_submap_keyframe.pose * this->T_submap_keyframe(of, keyframe).inverse();
+  const Eigen::Matrix3d covariance =
+      compounded(T_submap_keyframe.pose, T_submap_keyframe.covariance, T_submap_of, Eigen::Matrix3d::Zero());
+  graph_.addConstraint({submap, of, T_submap_of, covariance.inverse(), true});
+}
+
+}  // namespace frontier_pilot::slam

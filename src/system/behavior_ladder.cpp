@@ -1,0 +1,80 @@
+#include "frontier_pilot/system/behavior_ladder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frontier_pilot::system {
+
+behavior::LookAhead lookAtScan(const navigation::ScanPoints& scan, const Outline& outline) {
+  return [&scan, outline](const Pose2& T_map_base, const behavior::AxisMotion& motion) {
+    if (motion.axis == behavior::AxisMotion::Axis::kTurn && outline.isDisc()) return behavior::SweepResult::kClear;
+    constexpr double kStep = 0.03;  // that the farthest point of the outline moves at most between two poses [m]
+    const bool turns = motion.axis == behavior::AxisMotion::Axis::kTurn;
+    const double travel = std::abs(motion.amount) * (turns ? outline.circumscribedRadius() : 1.0);
+    const int poses = std::max(10, static_cast<int>(std::ceil(travel / kStep)));
+    const double at_start = scan.distance(outline, T_map_base);
+    // Along a wall other points of it, noisy as well, come up beside a straight outline.
+    constexpr double kNoise = 0.005;  // [m]
+    const double least = outline.isDisc() || at_start < -kNoise ? at_start : at_start - kNoise;
+    for (int i = 1; i <= poses; ++i) {
+      const double there = scan.distance(outline, T_map_base * motion.at(static_cast<double>(i) / poses));
+      if (there < 0.0 && there < least) return behavior::SweepResult::kObstacle;
+    }
+    return behavior::SweepResult::kClear;
+  };
+}
+
+behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
+                                  const Outline& outline) {
+  if (outline.isDisc()) return goal;
+  const behavior::LookAhead look = lookAtScan(in.scan, outline);
+  const double sign = goal.kind == behavior::BehaviorKind::kBackUp ? -1.0 : 1.0;
+  const auto axis = goal.kind == behavior::BehaviorKind::kSpin ? behavior::AxisMotion::Axis::kTurn
+                                                               : behavior::AxisMotion::Axis::kLine;
+  constexpr int kParts = 8;
+  behavior::BehaviorGoal part = goal;
+  for (int i = kParts; i > 1; --i) {
+    part.target = goal.target * i / kParts;
+    if (look(in.T_map_base, {axis, sign * part.target}) == behavior::SweepResult::kClear) break;
+  }
+  return part;
+}
+
+navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavior::BehaviorParameters& behavior,
+                                const Outline& outline) {
+  return [goal, outline, core = behavior::TimedBehavior(behavior), begun = false](const navigation::RecoveryInputs& in,
+                                                                                  Time now) mutable {
+    if (!begun) core.start(freePartOf(goal, in, outline), now);
+    begun = true;
+    behavior::BehaviorInputs inputs;
+    inputs.pose = behavior::BehaviorInputs::Pose{now, in.T_map_base};
+    inputs.look_ahead = lookAtScan(in.scan, outline);
+    const behavior::BehaviorOutput output = core.update(inputs, now);
+    return navigation::RecoveryStep{output.command.value_or(Twist2()), !core.active()};
+  };
+}
+
+behavior::BehaviorParameters recoveryBehavior(const navigation::RecoveryParams& params, const RobotLimits& limits,
+                                              double rate) {
+  behavior::BehaviorParameters behavior;
+  behavior.frequency = rate;
+  behavior.robot.limits = limits;
+  behavior.max_rotational_vel = params.spin_rate;
+  behavior.min_rotational_vel = std::min(behavior.min_rotational_vel, behavior.max_rotational_vel);
+  behavior.default_linear_vel = params.back_up_speed;
+  return behavior;
+}
+
+std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::RecoveryParams& params, const RobotModel& robot,
+                                                     double rate) {
+  const behavior::BehaviorParameters behavior = recoveryBehavior(params, robot.limits, rate);
+  const Outline outline = robot.drivenOutline().padded(params.margin);
+  const behavior::BehaviorGoal back_up{behavior::BehaviorKind::kBackUp, params.back_up_distance, 0.0,
+                                       params.time_allowance, true};
+  const behavior::BehaviorGoal spin{behavior::BehaviorKind::kSpin, params.spin_angle, 0.0, params.time_allowance, true};
+  return {{"clearing the local costmap", true, {}},
+          {"backing up", false, [=] { return recoveryBy(back_up, behavior, outline); }},
+          {"spinning", true, [=] { return recoveryBy(spin, behavior, outline); }}};
+}
+
+}  // namespace frontier_pilot::system

@@ -1,0 +1,166 @@
+#include "frontier_pilot/map_files/map_io.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "frontier_pilot/sim/world_image.h"
+#include "support/temporary_folder.h"
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MapIo : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
+    map.beginScan();
+    for (int i = 0; i < 100; ++i) map.miss({10 + i, 20 + i / 2});
+    for (int i = 0; i < 50; ++i) map.hit({17, 100 + i});
+  }
+  std::string path(const std::string& name) const { return (directory / name).string(); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+  }
+
+  const test::TemporaryFolder temporary;
+  const fs::path directory = temporary.path();
+  occupancy::OccupancyMap map;
+};
+
+TEST_F(MapIo, SavesThreeFilesThatLoadAgain) {
+  const map_files::MapIoResult saved = map_files::saveMap(map, path("floor"));
+  ASSERT_TRUE(saved.ok()) << saved.text;
+  EXPECT_EQ(files(), 3U);
+  const OccupancyGrid grid = sim::loadWorld(path("floor.yaml")).map;
+  EXPECT_EQ(grid.geometry(), map.geometry());
+  EXPECT_TRUE(grid.cells() == map.grid().cells());
+  occupancy::OccupancyMap tree;
+  const map_files::MapIoResult octree = map_files::loadOctree(path("floor.bt"), tree);
+  ASSERT_TRUE(octree.ok()) << octree.text;
+  for (std::size_t i = 0; i < map.grid().size(); ++i) {
+    const Vec2 centre = map.geometry().centre(map.geometry().cell(i));
+    ASSERT_EQ(tree.grid().get(tree.geometry().cellAt(centre), kUnknown), map.grid()[i]);
+  }
+}
+
+TEST_F(MapIo, WritesMapServersTrinaryPixels) {
+  ASSERT_TRUE(map_files::saveMap(map, path("floor.yaml")).ok()) << "an extension is ignored";
+  std::ifstream file(path("floor.pgm"), std::ios::binary);
+  const std::string pgm((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  ASSERT_EQ(pgm.substr(0, 2), "P5");
+  const std::string pixels = pgm.substr(pgm.size() - map.grid().size());
+  const int height = map.geometry().height;
+  const auto pixel = [&](Cell cell) {
+    return static_cast<unsigned char>(pixels[map.geometry().index({cell.x, height - 1 - cell.y})]);
+  };
+  EXPECT_EQ(pixel({0, 0}), 205);
+  EXPECT_EQ(pixel({10, 20}), 254);
+  EXPECT_EQ(pixel({17, 100}), 0);
+}
+
+TEST_F(MapIo, OverwritesAnOlderMap) {
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  map.beginScan();
+  map.hit({1, 1});
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  EXPECT_TRUE(sim::loadWorld(path("floor.yaml")).map.cells() == map.grid().cells());
+  EXPECT_EQ(files(), 3U) << "nothing is left lying around";
+}
+
+TEST_F(MapIo, SaysWhyItCannotSave) {
+  EXPECT_EQ(map_files::saveMap(map, "").status, map_files::MapIoStatus::kBadPath);
+  EXPECT_EQ(map_files::saveMap(map, directory.string() + "/").status, map_files::MapIoStatus::kBadPath);
+  const map_files::MapIoResult nowhere = map_files::saveMap(map, path("no/such/floor"));
+  EXPECT_EQ(nowhere.status, map_files::MapIoStatus::kBadPath);
+  EXPECT_NE(nowhere.text.find("no such directory"), std::string::npos);
+  occupancy::OccupancyMap empty;
+  EXPECT_EQ(map_files::saveMap(empty, path("floor")).status, map_files::MapIoStatus::kEmptyMap);
+  fs::create_directory(path("floor.pgm"));
+  EXPECT_EQ(map_files::saveMap(map, path("floor")).status, map_files::MapIoStatus::kCannotWrite);
+}
+
+// [MAP-5] It could not be loaded, and would take the place of one that can.
+TEST_F(MapIo, DoesNotSaveAMapThatWasEmptied_MAP_5) {
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  map.clear();
+  const map_files::MapIoResult emptied = map_files::saveMap(map, path("floor"));
+  EXPECT_EQ(emptied.status, map_files::MapIoStatus::kEmptyMap) << emptied.text;
+  EXPECT_EQ(emptied.text, "the map is empty");
+  EXPECT_TRUE(map_files::loadMap(path("floor"), map).ok());
+  EXPECT_EQ(files(), 3U);
+}
+
+TEST_F(MapIo, KeepsAnOlderMapWhenSavingFails) {
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  const auto before = map.grid().cells();
+  map.clear();
+  map.hit({1, 1});
+  fs::remove(path("floor.bt"));
+  fs::create_directory(path("floor.bt"));
+  ASSERT_EQ(map_files::saveMap(map, path("floor")).status, map_files::MapIoStatus::kCannotWrite);
+  EXPECT_TRUE(sim::loadWorld(path("floor.yaml")).map.cells() == before);
+}
+
+TEST_F(MapIo, KeepsTheMapWhenAnOctreeCannotBeLoaded) {
+  const auto before = map.grid().cells();
+  EXPECT_EQ(map_files::loadOctree(path("floor.bt"), map).status, map_files::MapIoStatus::kMissing);
+  write("floor.bt", "no octree");
+  EXPECT_EQ(map_files::loadOctree(path("floor.bt"), map).status, map_files::MapIoStatus::kBroken);
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
+// [MAP-5]
+TEST_F(MapIo, LoadsWhatItSavedByTheSamePath_MAP_5) {
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  for (const char* name : {"floor", "floor.bt", "floor.yaml"}) {
+    occupancy::OccupancyMap loaded;
+    const map_files::MapIoResult result = map_files::loadMap(path(name), loaded);
+    ASSERT_TRUE(result.ok()) << result.text;
+    EXPECT_EQ(loaded.grid()[loaded.geometry().cellAt(map.geometry().centre({17, 120}))], kOccupied);
+  }
+}
+
+// [MAP-5]
+TEST_F(MapIo, KeepsTheMapWhenAnotherCannotBeLoaded_MAP_5) {
+  const auto before = map.grid().cells();
+  EXPECT_EQ(map_files::loadMap("", map).status, map_files::MapIoStatus::kBadPath);
+  EXPECT_EQ(map_files::loadMap(path("none"), map).status, map_files::MapIoStatus::kMissing);
+  occupancy::OccupancyMapParameters coarse;
+  coarse.resolution = 0.1;
+  occupancy::OccupancyMap other(coarse);
+  ASSERT_TRUE(other.reserve({0.0, 0.0}, {1.0, 1.0}));
+  other.beginScan();
+  other.hit({3, 3});
+  ASSERT_TRUE(map_files::saveMap(other, path("coarse")).ok());
+  EXPECT_EQ(map_files::loadMap(path("coarse"), map).status, map_files::MapIoStatus::kBroken);
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
+// [MAP-5]
+TEST_F(MapIo, KeepsTheMapWhenTheOtherIsOfAnotherHeight_MAP_5) {
+  const auto before = map.grid().cells();
+  occupancy::OccupancyMapParameters high;
+  high.scanner_height += 0.5;
+  occupancy::OccupancyMap other(high);
+  ASSERT_TRUE(other.reserve({0.0, 0.0}, {1.0, 1.0}));
+  other.beginScan();
+  other.hit({3, 3});
+  ASSERT_TRUE(map_files::saveMap(other, path("high")).ok());
+  EXPECT_EQ(map_files::loadMap(path("high"), map).status, map_files::MapIoStatus::kBroken);
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
+TEST(MapIoStatus, HasAWordForEach) {
+  for (int i = 0; i <= static_cast<int>(map_files::MapIoStatus::kBroken); ++i) {
+    EXPECT_STRNE(toString(static_cast<map_files::MapIoStatus>(i)), "unknown");
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot

@@ -1,0 +1,144 @@
+#include "frontier_pilot/navigation/obstacle_layer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/floors/open_floor.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// A floor of 6 m x 6 m with a wall along its right edge and unknown cells along its upper one.
+OccupancyGrid floorWithAWall() {
+  OccupancyGrid grid(GridGeometry{0.05, Vec2::Zero(), 120, 120}, kFree);
+  for (int i = 0; i < 120; ++i) {
+    grid[Cell{119, i}] = kOccupied;
+    grid[Cell{i, 119}] = kUnknown;
+  }
+  return grid;
+}
+
+/// One that sees nothing around itself, a beam for each degree.
+LaserScan2 emptyScan() {
+  LaserScan2 scan;
+  scan.angle_min = -kPi;
+  scan.angle_increment = kPi / 180.0;
+  scan.range_min = 0.12;
+  scan.range_max = 8.0;
+  scan.ranges.assign(360, std::numeric_limits<float>::infinity());
+  return scan;
+}
+
+class ObstacleLayerTest : public ::testing::Test {
+ protected:
+  bool see(const LaserScan2& scan, double seconds) {
+    const bool changed = layer.update(scan, navigation::scanPoints(scan, T_map_base, Outline::disc(0.105)), T_map_base,
+                                      map, timeFromSeconds(seconds));
+    map.refresh();
+    return changed;
+  }
+  /// A scan with a surface `range` [m] away over five beams about `bearing` [degrees].
+  LaserScan2 withObstacle(float range, int bearing = 0) const {
+    LaserScan2 scan = emptyScan();
+    for (int i = -2; i <= 2; ++i) scan.ranges[static_cast<std::size_t>((180 + bearing + i + 360) % 360)] = range;
+    return scan;
+  }
+  bool isBlocked(const Vec2& point) const { return map.isOccupied(map.geometry().cellAt(point)); }
+
+  planning::ClearanceMap map = test::clearanceOf(floorWithAWall());
+  navigation::ObstacleLayer layer;
+  Pose2 T_map_base{3.01, 3.01, 0.0};
+};
+
+TEST_F(ObstacleLayerTest, MarksWhatTheMapLacksAndSaysWhetherThatIsNew) {
+  EXPECT_FALSE(see(emptyScan(), 1.0));
+  EXPECT_TRUE(layer.empty());
+  EXPECT_TRUE(see(withObstacle(1.0F), 1.1));
+  EXPECT_TRUE(isBlocked({4.01, 3.01}));
+  const std::size_t size = layer.size();
+  EXPECT_FALSE(see(withObstacle(1.0F), 1.2)) << "the same again";
+  EXPECT_EQ(layer.size(), size);
+}
+
+TEST_F(ObstacleLayerTest, TakesAMarkAwayWhenBeamsGoThrough) {
+  see(withObstacle(1.0F), 1.0);
+  EXPECT_FALSE(see(withObstacle(1.1F), 1.1) && !isBlocked({4.01, 3.01})) << "a surface a little behind it is the same";
+  EXPECT_TRUE(see(emptyScan(), 1.2));
+  EXPECT_FALSE(isBlocked({4.01, 3.01}));
+  EXPECT_TRUE(layer.empty());
+}
+
+TEST_F(ObstacleLayerTest, KeepsAMarkWhenASingleBeamIsLostOrSaysNothing) {
+  see(withObstacle(1.0F), 1.0);
+  LaserScan2 scan = withObstacle(1.0F);
+  scan.ranges[180] = std::numeric_limits<float>::infinity();
+  see(scan, 1.1);
+  EXPECT_TRUE(isBlocked({4.01, 3.01}));
+  for (float& range : scan.ranges) range = std::nanf("");
+  see(scan, 1.2);
+  EXPECT_TRUE(isBlocked({4.01, 3.01})) << "a covered scanner has not seen it go";
+}
+
+TEST_F(ObstacleLayerTest, ForgetsWhatIsOutOfSightAfterAWhile) {
+  see(withObstacle(1.0F), 1.0);
+  LaserScan2 blind = emptyScan();
+  for (float& range : blind.ranges) range = std::nanf("");
+  EXPECT_FALSE(see(blind, 30.9));
+  EXPECT_TRUE(isBlocked({4.01, 3.01}));
+  EXPECT_TRUE(see(blind, 31.1));
+  EXPECT_FALSE(isBlocked({4.01, 3.01}));
+}
+
+TEST_F(ObstacleLayerTest, LeavesToTheMapWhatTheMapHas) {
+  EXPECT_FALSE(see(withObstacle(2.86F), 1.0)) << "a hit in front of the wall is the wall";
+  EXPECT_FALSE(see(withObstacle(2.97F, 90), 1.1)) << "nobody may go where the map is unknown anyway";
+  EXPECT_FALSE(see(withObstacle(3.3F, 180), 1.2)) << "beyond the range, and out of the map";
+  EXPECT_TRUE(layer.empty());
+}
+
+TEST_F(ObstacleLayerTest, SeesBehindItselfAcrossTheSeamOfTheAngle) {
+  for (const double heading : {0.0, 1.0, -2.5, kPi}) {
+    T_map_base.yaw = heading;
+    see(withObstacle(1.0F, 180), 1.0);
+    const Vec2 obstacle = T_map_base * Vec2(-1.0, 0.0);
+    EXPECT_TRUE(isBlocked(obstacle)) << heading;
+    see(emptyScan(), 1.1);
+    EXPECT_FALSE(isBlocked(obstacle)) << heading;
+  }
+}
+
+TEST_F(ObstacleLayerTest, BelievesInWhatANarrowScannerDoesNotLookAt) {
+  see(withObstacle(1.0F, 180), 1.0);
+  LaserScan2 ahead = emptyScan();
+  ahead.angle_min = -0.5 * kPi;
+  ahead.ranges.resize(180);
+  see(ahead, 1.1);
+  EXPECT_TRUE(isBlocked({2.01, 3.01}));
+}
+
+TEST_F(ObstacleLayerTest, ReadsAScannerThatTurnsClockwise) {
+  see(withObstacle(1.0F, 90), 1.0);
+  ASSERT_TRUE(isBlocked({3.01, 4.01}));
+  LaserScan2 scan = emptyScan();
+  scan.angle_min = kPi;
+  scan.angle_increment = -kPi / 180.0;
+  for (std::size_t i = 85; i <= 95; ++i) scan.ranges[i] = 1.0F;
+  see(scan, 1.1);
+  EXPECT_TRUE(isBlocked({3.01, 4.01})) << "beam 90 looks to the left";
+  see(withObstacle(1.0F, -90), 1.2);
+  EXPECT_FALSE(isBlocked({3.01, 4.01}));
+}
+
+TEST_F(ObstacleLayerTest, ClearsAllMarksAndSaysWhetherThereWereAny) {
+  EXPECT_FALSE(layer.clear(map));
+  see(withObstacle(1.0F), 1.0);
+  EXPECT_TRUE(layer.clear(map));
+  map.refresh();
+  EXPECT_FALSE(isBlocked({4.01, 3.01}));
+  EXPECT_TRUE(layer.empty());
+}
+
+}  // namespace
+}  // namespace frontier_pilot

@@ -1,0 +1,90 @@
+#include "frontier_pilot/navigation/path_follower.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "frontier_pilot/sim/simulator.h"
+
+namespace frontier_pilot {
+namespace {
+
+RobotLimits fast() {
+  RobotLimits limits;
+  limits.max_linear = 0.5;
+  limits.max_angular = 1.5;
+  return limits;
+}
+
+RobotModel fastRobot() {
+  RobotModel robot;
+  robot.limits = fast();
+  return robot;
+}
+
+/// Two posts whose corners are 0.224 m apart.
+OccupancyGrid posts() {
+  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 60, 60}, kFree);
+  map[Cell{28, 31}] = kOccupied;
+  map[Cell{33, 28}] = kOccupied;
+  return map;
+}
+
+// [NAV-4] One post beside the scanner, too near to be measured, must not let the robot come as near to the other.
+TEST(PathFollower, KeepsItsDistanceFromBothSidesOfAPassageThatIsTooNarrow_NAV_4) {
+  planning::ClearanceMap open;
+  open.setMap(OccupancyGrid(posts().geometry(), kFree), {0, 0, 60, 60});
+  open.refresh();
+  const Vec2 left(1.45, 1.55);  // corners of the posts
+  const Vec2 right(1.65, 1.45);
+  const Vec2 along = Vec2(1.0, 2.0).normalized();
+  const Vec2 aside = Vec2(2.0, -1.0).normalized();
+  for (int i = 0; i < 21; ++i) {
+    const double off = 0.001 * (i - 10);  // as the map may be
+    const Vec2 start = 0.5 * (left + right) - 0.1 * along + off * aside;
+    sim::SimulatorParameters parameters;
+    parameters.seed = i + 1;
+    parameters.x = start.x();
+    parameters.y = start.y();
+    parameters.yaw = bearing(along);
+    parameters.robot.limits = fast();
+    sim::Simulator simulator(sim::World{posts(), Pose2(start, parameters.yaw)}, parameters);
+    navigation::PathFollower follower({}, fastRobot());
+    follower.setPath(planning::Path({start, start + 1.2 * along}));
+    std::optional<navigation::ScanPoints> scan;
+    double nearest = 1.0;
+    for (int step = 0; step < 6000; ++step) {
+      simulator.step();
+      const Vec2 position = simulator.pose(0).position();
+      nearest = std::min({nearest, (position - left).norm(), (position - right).norm()});
+      if (const LaserScan2* fresh = simulator.newScan(0))
+        scan = navigation::scanPoints(*fresh, simulator.pose(0), Outline::disc(0.105));
+      if (!scan || step % 5 != 0) continue;
+      const navigation::FollowerInputs inputs{simulator.pose(0), simulator.velocity(0), 0.05, *scan, open};
+      simulator.setCommand(0, follower.update(inputs).command);
+    }
+    EXPECT_EQ(simulator.contactCount(0), 0) << "on a path " << off << " m off the middle";
+    EXPECT_GT(nearest, 0.105 + 0.003) << "on a path " << off << " m off the middle";
+  }
+}
+
+TEST(PathFollower, IsFreeToLeaveWhatItIsTooNearTo_NAV_4) {
+  // Somewhere on a large map, where a float is coarse: straight behind the robot something touches its edge.
+  planning::ClearanceMap open;
+  open.setMap(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 800, 800}, kFree), {0, 0, 800, 800});
+  open.refresh();
+  for (int i = 0; i < 50; ++i) {
+    const Vec2 position(30.0 + 0.0137 * i, 30.0 + 0.0071 * i);
+    navigation::ScanPoints scan;
+    scan.add(position - Vec2(0.105, 0.0));
+    navigation::PathFollower follower({}, fastRobot());
+    follower.setPath(planning::Path({position, position + Vec2(1.0, 0.0)}));
+    const navigation::FollowerOutput output = follower.update({Pose2(position, 0.0), {}, 0.05, scan, open});
+    EXPECT_FALSE(output.blocked) << i;
+    EXPECT_GT(output.command.linear, 0.1) << i;
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot
