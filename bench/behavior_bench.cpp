@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "frontier_pilot/behavior/surroundings.h"
+#include "frontier_pilot/behavior/collision_check.h"
 #include "frontier_pilot/behavior/timed_behavior.h"
 #include "frontier_pilot/patrol/patrol.h"
 #include "frontier_pilot/sim/simulator.h"
@@ -86,7 +86,7 @@ void tabulatePatrols(bool noise, int seeds) {
 
 /// One cycle's view of the world for a behaviour.
 struct Eyes {
-  behavior::Surroundings around{behavior::SurroundingsParameters()};
+  behavior::CollisionCheck around{behavior::CollisionCheckParameters()};
   std::chrono::duration<double> spent{};
   int scans = 0;
 

@@ -49,19 +49,19 @@ std::optional<Twist2> Arbiter::onCommand(std::size_t source, const Twist2& comma
   Source& speaker = at(source);
   store(speaker, command, hold, now);
   const Decision decision = decide(now.ros);
-  return putOut(decision, isWinner(speaker, decision));
+  return makeOutput(decision, isWinner(speaker, decision));
 }
 
 std::optional<Twist2> Arbiter::update(const Instant& now) {
   observe(now);
-  return putOut(decide(now.ros), false);
+  return makeOutput(decide(now.ros), false);
 }
 
 std::optional<Twist2> Arbiter::tick(const Instant& now) {
   observe(now);
   measureRates(now.steady);
   const Decision decision = decide(now.ros);
-  return putOut(decision, !decision.winner);
+  return makeOutput(decision, !decision.winner);
 }
 
 void Arbiter::observe(const Instant& now) {
@@ -129,10 +129,10 @@ bool Arbiter::isWinner(const Source& source, const Decision& decision) const {
   return decision.winner && &source == &sources_[*decision.winner];
 }
 
-std::optional<Twist2> Arbiter::putOut(const Decision& decision, bool anyway) {
+std::optional<Twist2> Arbiter::makeOutput(const Decision& decision, bool always) {
   const bool changed = decision.winner != last_.winner || decision.command != last_.command;
   last_ = decision;
-  if (!changed && !anyway) return std::nullopt;
+  if (!changed && !always) return std::nullopt;
   return decision.command;
 }
 
@@ -152,7 +152,7 @@ ArbiterAnswer Arbiter::stop(const std::string& cause, const Instant& now) {
   const bool already = latched_;
   if (!already) stop_cause_ = cause;
   latched_ = true;
-  const std::optional<Twist2> zero = putOut(decide(now.ros), true);
+  const std::optional<Twist2> zero = makeOutput(decide(now.ros), true);
   return {true, already ? "stopped already: " + stop_cause_ : "stopped", zero};
 }
 
@@ -172,7 +172,7 @@ std::optional<Twist2> Arbiter::contest(const std::string& rival, const Instant& 
   if (rival == rival_) return std::nullopt;
   rival_ = rival;
   if (parameters_.stand_when_contested) forgetAll();
-  return putOut(decide(now.ros), true);
+  return makeOutput(decide(now.ros), true);
 }
 
 std::string Arbiter::refusalToClear(SteadyTime requested, const Instant& now) const {

@@ -34,7 +34,7 @@ std::optional<AvoiderCommand> Avoider::onScan(const LaserScan2& scan, Time now) 
   scan_received_ = now;
   if (!around_.fault.empty()) ++faults_;
   decide(now);
-  return putOut();
+  return makeOutput();
 }
 
 std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time now) {
@@ -46,14 +46,14 @@ std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time no
   scan_stamp_ = scan_received_ = now;
   ++faults_;
   decide(now);
-  return putOut();
+  return makeOutput();
 }
 
 std::optional<AvoiderCommand> Avoider::update(Time now) {
   observe(now);
   if (!enabled()) return std::nullopt;
   decide(now);
-  return putOut();
+  return makeOutput();
 }
 
 std::optional<AvoiderCommand> Avoider::tick(Time now) {
@@ -169,7 +169,7 @@ AvoiderCommand Avoider::command() const {
   return {{0.0, 0.0}, true};
 }
 
-std::optional<AvoiderCommand> Avoider::putOut() {
+std::optional<AvoiderCommand> Avoider::makeOutput() {
   const AvoiderCommand next = command();
   if (next == last_) return std::nullopt;
   last_ = next;

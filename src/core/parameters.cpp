@@ -37,13 +37,13 @@ std::string joined(const std::vector<double>& values) {
 }  // namespace
 
 bool Bounds::allows(double value) const {
-  return std::isfinite(value) && (above_min ? value > min : value >= min) && value <= max;
+  return std::isfinite(value) && (exclusive_min ? value > min : value >= min) && value <= max;
 }
 
 std::string Bounds::text() const {
   const bool has_min = std::isfinite(min);
   const bool has_max = std::isfinite(max);
-  std::string low = (above_min ? "> " : ">= ") + frontier_pilot::text(min);
+  std::string low = (exclusive_min ? "> " : ">= ") + frontier_pilot::text(min);
   const std::string high = "<= " + frontier_pilot::text(max);
   if (has_min && has_max) return low + " and " + high;
   if (has_min) return low;
@@ -76,6 +76,12 @@ const ParameterValue* Loader::find(const char* name) {
 
 void Loader::moved(const char* name, const char* now) {
   if (find(name) != nullptr) problem(name, std::string("is called ") + now + " now");
+}
+
+void Loader::fixed(std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    if (find(name) != nullptr) problem(name, "is a constant of the program now, and no parameter any more");
+  }
 }
 
 void Loader::problem(const std::string& name, const std::string& what) {

@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "frontier_pilot/teleop/drive_model.h"
 #include "gui/theme.h"
+#include "teleop/drive_model.h"
 
 class QVBoxLayout;
 

@@ -4,8 +4,8 @@
 #include <QObject>
 #include <QTimer>
 
-#include "frontier_pilot/teleop/operator_link.h"
 #include "gui/pilot_widget.h"
+#include "teleop/operator_link.h"
 
 namespace frontier_pilot::gui {
 

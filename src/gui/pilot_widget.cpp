@@ -6,10 +6,10 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include "frontier_pilot/teleop/journal.h"
 #include "gui/cards/cards.h"
 #include "gui/cards/header_card.h"
 #include "gui/cards/scan_card.h"
+#include "teleop/operator_events.h"
 
 namespace frontier_pilot::gui {
 namespace {
@@ -155,7 +155,7 @@ void PilotWidget::setState(const teleop::OperatorState& state) {
     const std::string why = lock == teleop::DriveLock::kNone ? "the wheels changed hands" : toString(lock);
     appendLog({teleop::Severity::kWarning, "set-point dropped: " + why});
   }
-  for (const teleop::OperatorLogLine& line : teleop::whatHappened(last_state_, state)) appendLog(line);
+  for (const teleop::OperatorLogLine& line : teleop::eventsBetween(last_state_, state)) appendLog(line);
   last_state_ = state;
   showCards(state);
   showSetPoint();

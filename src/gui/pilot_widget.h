@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "frontier_pilot/teleop/drive_model.h"
-#include "frontier_pilot/teleop/operator_link.h"
+#include "teleop/drive_model.h"
+#include "teleop/operator_link.h"
 
 class QBoxLayout;
 class QKeyEvent;

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "frontier_pilot/teleop/operator_link.h"
-#include "frontier_pilot/teleop/parameters.h"
+#include "teleop/operator_link.h"
+#include "teleop/parameters.h"
 
 /// The desktop window, for a main() that knows nothing of Qt.
 namespace frontier_pilot::gui {

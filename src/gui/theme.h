@@ -5,7 +5,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "frontier_pilot/teleop/operator_state.h"
+#include "teleop/operator_state.h"
 
 namespace frontier_pilot::gui {
 

@@ -21,7 +21,7 @@ slam::ScanTrackerParameters withoutEnd(slam::ScanTrackerParameters parameters) {
 
 double reachOf(double variance) { return std::clamp(kSigmas * std::sqrt(variance), kLeastReach, kMostReach); }
 
-scan_matching::SearchRequest requestFor(const scan_matching::PoseBelief& belief, double min_score) {
+scan_matching::SearchRequest requestFor(const scan_matching::PoseWithCovariance& belief, double min_score) {
   scan_matching::SearchRequest request;
   request.expected = belief.pose;
   const Eigen::Matrix3d& covariance = belief.covariance;
@@ -36,7 +36,7 @@ scan_matching::SearchRequest requestFor(const scan_matching::PoseBelief& belief,
 }  // namespace
 
 Localizer::Localizer(const slam::LocalSlamParameters& parameters, const OccupancyGrid& map,
-                     const scan_matching::PoseBelief& T_map_base)
+                     const scan_matching::PoseWithCovariance& T_map_base)
     : parameters_(parameters),
       map_(parameters.likelihood),
       tracker_(withoutEnd(parameters.tracker)),
@@ -62,7 +62,7 @@ slam::MatchVerdict Localizer::update(const LaserScan2& scan, const Pose2& T_odom
 
 slam::MatchVerdict Localizer::find(const surfaces::SurfacePoints& points, const Pose2& T_odom_base) {
   if (!T_odom_sought_) T_odom_sought_ = T_odom_base;
-  scan_matching::PoseBelief belief = *sought_;
+  scan_matching::PoseWithCovariance belief = *sought_;
   belief.pose = belief.pose * T_odom_sought_->inverse() * T_odom_base;
   T_map_odom_ = belief.pose * T_odom_base.inverse();
   if (!pyramid_) return slam::MatchVerdict::kFirst;
@@ -76,7 +76,7 @@ slam::MatchVerdict Localizer::find(const surfaces::SurfacePoints& points, const 
   if (!found) return slam::MatchVerdict::kPoor;
   // As sure as the window was wide: what is said to be certain may be a covariance that nobody filled in.
   const Eigen::Vector3d sigma = Eigen::Vector3d(request.window.x, request.window.y, request.window.yaw) / kSigmas;
-  const scan_matching::PoseBelief prior{belief.pose, sigma.cwiseAbs2().asDiagonal()};
+  const scan_matching::PoseWithCovariance prior{belief.pose, sigma.cwiseAbs2().asDiagonal()};
   const scan_matching::Refinement refined =
       scan_matching::refine(map_.surfels(), points, found->pose, prior, parameters_.tracker.refinement);
   if (refined.inliers < parameters_.tracker.min_inliers) return slam::MatchVerdict::kPoor;

@@ -37,18 +37,18 @@ ScanVerdict verdictOf(occupancy::Insertion insertion) {
   return ScanVerdict::kOutOfBounds;
 }
 
-scan_matching::PoseBelief beliefOf(const Pose2& pose) {
+scan_matching::PoseWithCovariance beliefOf(const Pose2& pose) {
   constexpr double kPosition = 0.5;  // [m]
   constexpr double kYaw = 0.25;      // [rad]
   return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
 }
 
 std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
-                                               const scan_matching::PoseBelief& T_map_base) {
-  auto use = parameters.trust_odometry ? localization::KnownMap::Use::kTrustOdometry
-                                       : localization::KnownMap::Use::kGoOnMapping;
-  if (parameters.localize_only) use = localization::KnownMap::Use::kLocalizeOnly;
-  return std::make_unique<localization::KnownMap>(use, parameters.slam, map, parameters.insertion, T_map_base);
+                                               const scan_matching::PoseWithCovariance& T_map_base) {
+  auto use = parameters.trust_odometry ? localization::MapLocalization::Use::kTrustOdometry
+                                       : localization::MapLocalization::Use::kGoOnMapping;
+  if (parameters.localize_only) use = localization::MapLocalization::Use::kLocalizeOnly;
+  return std::make_unique<localization::MapLocalization>(use, parameters.slam, map, parameters.insertion, T_map_base);
 }
 
 std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map) {
@@ -186,7 +186,7 @@ void Mapper::reviseNow() {
   }
 }
 
-scan_matching::PoseBelief Mapper::presentBelief() const {
+scan_matching::PoseWithCovariance Mapper::presentBelief() const {
   return beliefOf(last_ ? T_map_odom_ * last_->T_odom_base : T_map_odom_);
 }
 
@@ -205,7 +205,7 @@ bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const
   return true;
 }
 
-bool Mapper::locate(const scan_matching::PoseBelief& T_map_base) {
+bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
   const auto& cells = grid().cells();
   if (std::none_of(cells.begin(), cells.end(), isOccupied)) return false;
   replace(knownMap(parameters_, map_, T_map_base));

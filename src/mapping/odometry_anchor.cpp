@@ -19,11 +19,11 @@ std::optional<Pose2> OdometryAnchor::follow(Time stamp, const Pose2& T_odom_base
   // A clock that stands still says nothing about speed, and no scan is paired with such a message.
   if (last_ && stamp == last_->stamp) return T_smooth_odom_ * T_odom_base;
   // First whether it goes on from the landing: a restart counts from the origin, and soon leaves it.
-  if (landing_ && isDrivable(*doubtful_, sample)) return doubt(sample);
+  if (landing_ && isDrivable(*unconfirmed_, sample)) return confirmLater(sample);
   const bool believed = !last_ || (isDrivable(*last_, sample) && !isRestart(*last_, sample));
   if (believed) return accept(sample);
   landing_.reset();
-  return doubt(sample);
+  return confirmLater(sample);
 }
 
 bool OdometryAnchor::isDrivable(const Sample& from, const Sample& to) const {
@@ -46,8 +46,8 @@ std::optional<Pose2> OdometryAnchor::accept(const Sample& sample) {
   return T_smooth_odom_ * sample.T_odom_base;
 }
 
-std::optional<Pose2> OdometryAnchor::doubt(const Sample& sample) {
-  doubtful_ = sample;
+std::optional<Pose2> OdometryAnchor::confirmLater(const Sample& sample) {
+  unconfirmed_ = sample;
   if (!landing_) {
     landing_ = sample;
     followers_ = 0;

@@ -69,11 +69,11 @@ void ScanInserter::clearRays(const Vec2& sensor, OccupancyMap& map) const {
   const GridGeometry geometry = map.geometry();
   for (const Ray& ray : rays_) {
     visitCells(geometry, sensor, ray.clear_to, [&](Cell cell) {
-      // A beam that was lost at a wall looks like a free one. So it argues with the first obstacle on its way, and does
-      // not look behind until enough others have agreed.
-      const bool doubtful = !ray.hit && map.isOccupied(cell);
+      // A beam that a surface did not reflect looks like one that met nothing. It therefore ends at the first obstacle
+      // on its way, whose cell it makes less likely; only when enough such beams have cleared that cell do others pass.
+      const bool conflicting = !ray.hit && map.isOccupied(cell);
       map.miss(cell);
-      return !doubtful;
+      return !conflicting;
     });
   }
 }

@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "frontier_pilot/core/bounds.h"
-#include "planning/escape.h"
+#include "planning/inflation_exit.h"
 #include "planning/ompl_planner.h"
 #include "planning/oriented_search.h"
 #include "planning/path_smoothing.h"
@@ -76,11 +76,11 @@ PlanStatus checkRequest(const ClearanceMap& map, const PlanRequest& request) {
 }
 
 ob::ProblemDefinitionPtr makeProblem(const ob::SpaceInformationPtr& si, const ClearanceMap& map,
-                                     const std::vector<Escape>& escapes, const std::vector<Cell>& goals) {
+                                     const std::vector<InflationExit>& escapes, const std::vector<Cell>& goals) {
   auto problem = std::make_shared<ob::ProblemDefinition>(si);
   auto goal = std::make_shared<ob::GoalStates>(si);
   ob::ScopedState<> state(si);
-  for (const Escape& escape : escapes) {
+  for (const InflationExit& escape : escapes) {
     setPoint(state.get(), map.geometry().centre(escape.cells.back()));
     problem->addStartState(state);
   }
@@ -102,12 +102,12 @@ std::vector<Vec2> solutionPoints(const ob::ProblemDefinition& problem) {
 }
 
 /// Joins the request's exact ends to a path between cells, and pulls it taut.
-PlanResult finish(const ClearanceMap& map, const PlanRequest& request, const std::vector<Escape>& escapes,
+PlanResult finish(const ClearanceMap& map, const PlanRequest& request, const std::vector<InflationExit>& escapes,
                   std::vector<Vec2> points) {
   const GridGeometry& grid = map.geometry();
   const Cell first = grid.cellAt(points.front());
   const auto escape =
-      std::find_if(escapes.begin(), escapes.end(), [&](const Escape& e) { return e.cells.back() == first; });
+      std::find_if(escapes.begin(), escapes.end(), [&](const InflationExit& e) { return e.cells.back() == first; });
   if (grid.cellAt(points.back()) == grid.cellAt(request.goal) && map.isValid(points.back(), request.goal)) {
     points.push_back(request.goal);
   }
@@ -137,7 +137,7 @@ struct GlobalPlanner::Impl {
   OutlineCheck outline;
   GridSearch search;
 
-  PlanResult plan(const ClearanceMap& map, const PlanRequest& request, const std::vector<Escape>& escapes,
+  PlanResult plan(const ClearanceMap& map, const PlanRequest& request, const std::vector<InflationExit>& escapes,
                   const std::vector<Cell>& goals) {
     PlanResult result;
     result.status =
@@ -245,10 +245,10 @@ PlanResult GlobalPlanner::plan(const ClearanceMap& map, const PlanRequest& reque
   const std::vector<Cell> goals = goalCells(map, request.goal, tolerance);
   const Cell start = map.geometry().cellAt(request.start);
   const double radius = impl_->params.escape_radius;
-  result = impl_->plan(map, request, findEscapes(map, start, radius), goals);
+  result = impl_->plan(map, request, findInflationExits(map, start, radius), goals);
   // On an island the way out may be one that the map shows as too narrow.
   if (!result.found() && !goals.empty()) {
-    result = impl_->plan(map, request, findEscapes(map, start, radius, true), goals);
+    result = impl_->plan(map, request, findInflationExits(map, start, radius, true), goals);
   }
   return impl_->withRoomToTurn(map, request, std::move(result), goals);
 }

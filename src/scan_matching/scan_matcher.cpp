@@ -65,7 +65,7 @@ Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
 
 /// The Gauss-Newton step; none where the equations do not determine it.
 Eigen::Vector3d stepOf(const Linearization& equations, const Pose2& pose, const Pose2& start,
-                       const std::optional<PoseBelief>& prior) {
+                       const std::optional<PoseWithCovariance>& prior) {
   // Without a prior the start holds, weakly, what nothing else determines.
   const Eigen::Matrix3d known = prior ? Eigen::Matrix3d(prior->covariance.inverse()) : Eigen::Matrix3d::Identity();
   const Eigen::Vector3d off = difference(pose, prior ? prior->pose : start);
@@ -89,7 +89,7 @@ bool contradicts(const Grid<std::uint8_t>& field, const Vec2& origin, const Vec2
 }  // namespace
 
 Refinement refine(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& start,
-                  const std::optional<PoseBelief>& prior, const RefinementParameters& parameters) {
+                  const std::optional<PoseWithCovariance>& prior, const RefinementParameters& parameters) {
   Pose2 pose = start;
   for (int i = 0; i < parameters.iterations; ++i) {
     const Eigen::Vector3d step = stepOf(Linearization(surfels, points, pose, parameters), pose, start, prior);
@@ -100,7 +100,7 @@ Refinement refine(const SurfelMap& surfels, const surfaces::SurfacePoints& point
   return {pose, last.information, last.inliers / static_cast<double>(points.size())};
 }
 
-double contradictions(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base) {
+double inconsistentShare(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base) {
   const auto count = std::count_if(points.begin(), points.end(), [&](const surfaces::SurfacePoint& point) {
     return contradicts(field.grid(), T_map_base.position(), T_map_base * point.position);
   });

@@ -46,7 +46,7 @@ void SurfelMap::add(const surfaces::SurfacePoints& points, const Pose2& T_map_po
   for (const surfaces::SurfacePoint& point : surfaces::placed(T_map_points, points)) add(point);
 }
 
-void SurfelMap::sharpen(const surfaces::SurfacePoints& points, const Pose2& T_map_points) {
+void SurfelMap::updateKnown(const surfaces::SurfacePoints& points, const Pose2& T_map_points) {
   for (const surfaces::SurfacePoint& point : surfaces::placed(T_map_points, points)) {
     const std::int32_t index = surfelOf(point);
     if (index != kNone) add(point, index);

@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/reachable_floor.h"
+#include "sim/reachable_floor.h"
 
 #include <algorithm>
 #include <cstdlib>

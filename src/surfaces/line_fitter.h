@@ -21,9 +21,9 @@ class LineFitter {
  public:
   explicit LineFitter(const SurfacePoints& points);
 
-  /// The line through a span; none if its points are none.
+  /// The line through a span of points; none if they do not lie on a line.
   std::optional<Line> line(const Span& span, double max_error) const;
-  /// The same for a short one, that may be as thick as long if it has points enough to say where it leads.
+  /// As `line`, for a short span: its points may scatter as far across the line as along it when they are many.
   std::optional<Line> arm(const Span& span, double max_error) const;
 
  private:

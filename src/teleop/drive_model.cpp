@@ -1,4 +1,4 @@
-#include "frontier_pilot/teleop/drive_model.h"
+#include "teleop/drive_model.h"
 
 #include <algorithm>
 #include <cmath>

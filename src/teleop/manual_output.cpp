@@ -1,4 +1,4 @@
-#include "frontier_pilot/teleop/manual_output.h"
+#include "teleop/manual_output.h"
 
 namespace frontier_pilot::teleop {
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/teleop/operator_state.h"
+#include "teleop/operator_state.h"
 
 #include <algorithm>
 

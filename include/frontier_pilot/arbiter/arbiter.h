@@ -24,7 +24,7 @@ struct ArbiterAnswer {
 ///
 /// Every method is one input at one moment, in the order of steady time; the twist that it gives, if any, is to be
 /// published at once. What leaves is always the command of the highest valid source, or zero: never stale, never
-/// beyond the limits, never non-finite. Requirements: behaviour.md, ARB-1 to ARB-9, ARB-12.
+/// beyond the limits, never non-finite. Requirements: docs/requirements.md, ARB-1 to ARB-9, ARB-12.
 class Arbiter {
  public:
   /// Throws std::invalid_argument when the parameters do not pass their own check.
@@ -92,7 +92,7 @@ class Arbiter {
   bool claims(const Source& source, Time now) const;
   Decision decide(Time now) const;
   bool isWinner(const Source& source, const Decision& decision) const;
-  std::optional<Twist2> putOut(const Decision& decision, bool anyway);
+  std::optional<Twist2> makeOutput(const Decision& decision, bool always);
   std::string refusalToClear(SteadyTime requested, const Instant& now) const;
   void measureRates(SteadyTime now);
   SourceState stateOf(const Source& source, const Decision& decision, Time now) const;

@@ -22,13 +22,15 @@ struct SourceParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("name", name, "", "short name, as in set_<name>_enabled");
+    v.field("name", name, "", "name of the source, as in the service set_<name>_enabled");
     startFromBuiltIn();
-    v.field("topic", topic, "", "where its geometry_msgs/Twist come from");
-    v.field("priority", priority, "", "the higher one wins; every source has its own", anyNumber());
-    v.field("timeout", timeout, "s", "how old its last message may be", Bounds{0.0, 3600.0, true});
-    v.field("enabled", enabled, "", "whether it is on at the start");
-    v.field("zero_means_idle", zero_means_idle, "", "an all-zero message keeps it alive but does not claim the wheels");
+    v.field("topic", topic, "", "topic of its commands (geometry_msgs/Twist)");
+    v.field("priority", priority, "", "the source with the highest priority drives; each has its own", anyNumber());
+    v.field("timeout", timeout, "s", "greatest age of its last message, after which it is stale",
+            Bounds{0.0, 3600.0, true});
+    v.field("enabled", enabled, "", "whether the source is enabled at the start");
+    v.field("zero_means_idle", zero_means_idle, "",
+            "an all-zero message keeps the source alive without claiming the wheels");
     v.field("required", required, "", "while it is enabled but silent, lower sources may not drive forward");
   }
 

@@ -46,7 +46,7 @@ struct AvoiderSnapshot {
 ///
 /// The direction of a turn is chosen once for an episode, that is until `clear_distance` is free again. Every method is
 /// one input at one moment of ROS time and gives what has to be published at once, if anything has. A backward jump of
-/// the clock makes it wait for a new scan. Requirements: behaviour.md, AVO-1 to AVO-6.
+/// the clock makes it wait for a new scan. Requirements: docs/requirements.md, AVO-1 to AVO-6.
 class Avoider {
  public:
   /// Throws std::invalid_argument when the parameters do not pass their own check.
@@ -80,7 +80,7 @@ class Avoider {
   bool ahead() const;
   bool clear() const;
   AvoiderCommand command() const;
-  std::optional<AvoiderCommand> putOut();
+  std::optional<AvoiderCommand> makeOutput();
 
   AvoiderParameters parameters_;
   AvoiderDistances distances_;

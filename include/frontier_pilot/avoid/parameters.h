@@ -13,8 +13,9 @@ struct Sector {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("from", from, "rad", "first direction, in the base frame", between(-2.0 * kPi, 2.0 * kPi));
-    v.field("to", to, "rad", "last direction, counter-clockwise of the first", between(-2.0 * kPi, 2.0 * kPi));
+    v.field("from", from, "rad", "first direction of the sector, in the base frame", between(-2.0 * kPi, 2.0 * kPi));
+    v.field("to", to, "rad", "last direction of the sector, counter-clockwise of the first",
+            between(-2.0 * kPi, 2.0 * kPi));
   }
   /// How wide it is [rad], in [0, 2 pi).
   double width() const;
@@ -56,18 +57,15 @@ struct AvoiderParameters {
             "no reversing when something behind is nearer to the base's centre; 0: 0.145 m behind the robot's rear, "
             "0.25 m for a Burger",
             atLeast(0.0));
-    v.field("guard_margin", guard_margin, "m",
-            "room beside the robot that counts as in its way, for the noise of a scan and a course that is not quite "
-            "straight: what is in that lane counts beside the sectors too",
-            atLeast(0.0));
+    v.fixed({"guard_margin"});
     v.moved("guard_half_width", "guard_margin (on top of half the robot's width)");
     v.field("reverse_speed", reverse_speed, "m/s", "speed of reversing", positive());
-    v.field("reverse_time", reverse_time, "s", "how long a cycle reverses", Bounds{0.0, 60.0, false});
+    v.field("reverse_time", reverse_time, "s", "duration of reversing in a cycle", Bounds{0.0, 60.0, false});
     v.field("turn_speed", turn_speed, "rad/s", "rate of turning away", positive());
-    v.field("turn_time", turn_time, "s", "how long a cycle turns at most", Bounds{0.0, 60.0, true});
+    v.field("turn_time", turn_time, "s", "greatest duration of turning in a cycle", Bounds{0.0, 60.0, true});
     v.field("max_cycles", max_cycles, "", "cycles that did not help before it gives up", atLeast(1.0));
     v.field("max_scan_age", max_scan_age, "s", "an older scan is a fault", Bounds{0.0, 60.0, true});
-    v.field("max_invalid_share", max_invalid_share, "", "a scan with more invalid beams is a fault", between(0.0, 1.0));
+    v.fixed({"max_invalid_share"});
   }
   /// Sectors must be narrower than half a turn, `stop_distance` beyond the robot's front and `clear_distance` beyond
   /// that.

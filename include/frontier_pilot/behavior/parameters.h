@@ -25,8 +25,8 @@ struct LocalCostmapParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("side", side, "m", "of the square window around the robot", between(0.5, 20.0));
-    v.field("resolution", resolution, "m", "side of a cell", between(0.005, 0.2));
+    v.field("side", side, "m", "side of the square window around the robot", between(0.5, 20.0));
+    v.field("resolution", resolution, "m", "side of a cell of the costmap", between(0.005, 0.2));
   }
 };
 
@@ -50,20 +50,18 @@ struct BehaviorParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     describeRobot(v, robot);
-    v.field("frequency", frequency, "Hz", "control cycles a second", between(5.0, 100.0));
-    v.field("min_rotational_vel", min_rotational_vel, "rad/s", "slowest turn", positive());
-    v.field("max_rotational_vel", max_rotational_vel, "rad/s", "fastest turn", positive());
-    v.field("linear_acc_lim", linear_acc_lim, "m/s^2", "a straight motion slows down with", positive());
-    v.field("min_linear_vel", min_linear_vel, "m/s", "slowest straight motion", positive());
-    v.field("default_linear_vel", default_linear_vel, "m/s", "where a goal asks for none", positive());
-    v.field("simulate_ahead_time", simulate_ahead_time, "s", "how far ahead the motion must be free", timeSpan());
-    v.field("pose_timeout", pose_timeout, "s", "how old a pose may be", timeSpan());
-    v.field("costmap_timeout", costmap_timeout, "s", "how old the last scan in the costmap may be", timeSpan());
-    v.field("no_progress_timeout", no_progress_timeout, "s", "a robot that does not come on for so long is stuck",
-            timeSpan());
-    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill before success is told", timeSpan());
-    v.field("jump_distance", jump_distance, "m", "a longer step of the pose is a jump", positive());
-    v.field("jump_angle", jump_angle, "rad", "a larger turn of the pose at once is a jump", Bounds{0.0, 3.0, true});
+    v.field("frequency", frequency, "Hz", "control cycles per second", between(5.0, 100.0));
+    v.field("min_rotational_vel", min_rotational_vel, "rad/s", "least rate of turn", positive());
+    v.field("max_rotational_vel", max_rotational_vel, "rad/s", "greatest rate of turn", positive());
+    v.field("linear_acc_lim", linear_acc_lim, "m/s^2", "deceleration at the end of a straight motion", positive());
+    v.fixed({"min_linear_vel"});
+    v.field("default_linear_vel", default_linear_vel, "m/s", "speed of a straight motion whose goal names none",
+            positive());
+    v.field("simulate_ahead_time", simulate_ahead_time, "s",
+            "how far ahead, in time, the motion must be free of obstacles", timeSpan());
+    v.field("pose_timeout", pose_timeout, "s", "greatest age of the robot's pose", timeSpan());
+    v.field("costmap_timeout", costmap_timeout, "s", "greatest age of the last scan in the costmap", timeSpan());
+    v.fixed({"no_progress_timeout", "settle_timeout", "jump_distance", "jump_angle"});
     v.moved("rotational_acc_lim", "robot/limits/max_angular_acc");
     v.moved("max_linear_vel", "robot/limits/max_linear");
   }

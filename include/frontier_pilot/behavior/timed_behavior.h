@@ -61,7 +61,7 @@ struct BehaviorOutput {
 };
 
 /// Turns, drives straight or waits, looking ahead in every cycle, the first one included. One behaviour at a time;
-/// every end gives a zero command with it. Requirements: behaviour.md, SPN-1 to SPN-5.
+/// every end gives a zero command with it. Requirements: docs/requirements.md, SPN-1 to SPN-5.
 class TimedBehavior {
  public:
   explicit TimedBehavior(const BehaviorParameters& parameters) : parameters_(parameters) {}

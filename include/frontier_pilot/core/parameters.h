@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <string>
@@ -26,7 +27,7 @@ using Problems = std::vector<std::string>;
 struct Bounds {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  bool above_min = false;  ///< `min` itself is not allowed
+  bool exclusive_min = false;  ///< `min` itself is not allowed
 
   bool allows(double value) const;
   std::string text() const;
@@ -77,6 +78,8 @@ class Loader {
   void alias(const char* name, P& group);
   /// A parameter that had this name in the last release, and what it is called now.
   void moved(const char* name, const char* now);
+  /// Parameters of the last release that are constants now: whoever sets one of them is told so.
+  void fixed(std::initializer_list<const char*> names);
 
   template <class P>
   void load(P& parameters);
@@ -113,6 +116,7 @@ class Describer {
   template <class P>
   void alias(const char*, P&) {}
   void moved(const char*, const char*) {}
+  void fixed(std::initializer_list<const char*>) {}
 
   std::vector<Row> rows;
 

@@ -18,9 +18,7 @@ struct BlacklistParameters {
   void describe(V& v) {
     v.field("radius", radius, "m", "a frontier whose goal is within this of a blacklisted goal is not tried",
             positive());
-    v.field("change_radius", change_radius, "m", "an entry watches the map within this", positive());
-    v.field("change_cells", change_cells, "", "cells that must change there to lift an entry; twice as many each time",
-            atLeast(1));
+    v.fixed({"change_radius", "change_cells"});
   }
 };
 

@@ -70,16 +70,17 @@ struct ExplorerParameters {
             between(0.0, 1.0));
     v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled and blacklisted", timeSpan());
     v.field("max_goal_retries", max_goal_retries, "", "times a failed goal is tried again", atLeast(0));
-    v.field("check_period", check_period, "s", "how often the goal's information is checked on the way", timeSpan());
-    v.field("decision_period", decision_period, "s", "how often all goals are compared on the way", timeSpan());
-    v.field("settle_time", settle_time, "s", "how long the map is waited for at a goal", timeSpanOrNone());
-    v.field("done_settle_time", done_settle_time, "s", "how long nothing may be left before it is believed",
+    v.fixed({"check_period"});
+    v.field("decision_period", decision_period, "s", "time between two comparisons of the present goal with the others",
+            timeSpan());
+    v.field("settle_time", settle_time, "s", "time to wait at a goal for the map to show what was expected",
             timeSpanOrNone());
-    v.field("yield_time", yield_time, "s", "pause after somebody else took the navigation", timeSpanOrNone());
-    v.field("vanished_share", vanished_share, "", "a goal with less of its information left is dropped",
-            between(0.0, 1.0));
-    v.field("input_timeout", input_timeout, "s", "an older pose or odometry is missing", timeSpan());
-    v.field("report_period", report_period, "s", "how often it is said what is missing", tickPeriod());
+    v.field("done_settle_time", done_settle_time, "s", "time without a goal to send after which exploration is done",
+            timeSpanOrNone());
+    v.fixed({"yield_time", "vanished_share"});
+    v.field("input_timeout", input_timeout, "s", "greatest age of pose and odometry; beyond it they count as missing",
+            timeSpan());
+    v.field("report_period", report_period, "s", "time between two warnings about missing inputs", tickPeriod());
     v.field("return_to_start", return_to_start, "", "drive back to the start before DONE");
     v.group("frontier", frontier, "frontiers and their goals");
     v.group("blacklist", blacklist, "places that are not to be tried");

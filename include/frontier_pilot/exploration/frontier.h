@@ -59,12 +59,11 @@ struct ScoreParameters {
     v.field("w_dist", w_dist, "", "weight of the distance", atLeast(0.0));
     v.field("w_obs", w_obs, "", "weight of the obstacle density around the goal", atLeast(0.0));
     v.field("w_visit", w_visit, "", "weight of earlier goals close by", atLeast(0.0));
-    v.field("info_scale", info_scale, "m^2", "area that counts half: info = area / (area + info_scale)", positive());
-    v.field("distance_scale", distance_scale, "m", "distance that counts 1", positive());
-    v.field("switch_margin", switch_margin, "", "by this much another goal must be better to drop the present one",
-            atLeast(0.0));
-    v.field("info_by_ray_casting", info_by_ray_casting, "", "false: unknown share around the goal");
-    v.field("distance_by_travel", distance_by_travel, "", "false: Euclidean distance");
+    v.fixed({"info_scale", "distance_scale", "switch_margin"});
+    v.field("info_by_ray_casting", info_by_ray_casting, "",
+            "whether the information is found by ray casting; false: by the unknown share around the goal");
+    v.field("distance_by_travel", distance_by_travel, "",
+            "whether the distance is that of the way to the goal; false: the Euclidean distance");
   }
 };
 
@@ -88,26 +87,20 @@ struct FrontierParameters {
   template <class V>
   void describe(V& v) {
     v.field("min_frontier_cells", min_frontier_cells, "", "smaller frontiers are ignored", atLeast(1));
-    v.field("max_cluster_extent", max_cluster_extent, "m", "longer clusters are cut, 0: never", atLeast(0.0));
+    v.fixed({"max_cluster_extent"});
     v.field("clearance_margin", clearance_margin, "m",
             "room that a way to a goal leaves on either side of the robot: nearly a cell of the map, for its walls are "
             "known no better",
             atLeast(0.0));
     v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
-    v.field(
-        "trap_margin", trap_margin, "m",
-        "more clearance while anything else is left: a gap that just fits may be mapped too narrow from the other side",
-        atLeast(0.0));
-    v.field("escape_radius", escape_radius, "m", "how far a robot inside the inflation looks for a way out",
+    v.fixed({"trap_margin", "escape_radius", "goal_search_radius"});
+    v.field("min_distance", min_distance, "m", "goals nearer to the robot are not sent", atLeast(0.0));
+    v.fixed({"obstacle_radius_cells"});
+    v.field("max_obstacle_density", max_obstacle_density, "",
+            "goals with a greater obstacle density around them are not sent", between(0.0, 1.0));
+    v.field("min_info_area", min_info_area, "m^2", "goals that are expected to show less unknown area are not sent",
             atLeast(0.0));
-    v.field("goal_search_radius", goal_search_radius, "m", "how far from a frontier its goal may lie", positive());
-    v.field("min_distance", min_distance, "m", "nearer goals are not sent", atLeast(0.0));
-    v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "where obstacle density is measured", atLeast(1));
-    v.field("max_obstacle_density", max_obstacle_density, "", "denser goals are not sent", between(0.0, 1.0));
-    v.field("min_info_area", min_info_area, "m^2", "goals that show less are not sent", atLeast(0.0));
-    v.field("min_info_share", min_info_share, "", "nor are those that show less than this share of the known floor",
-            between(0.0, 1.0));
-    v.field("visit_radius", visit_radius, "m", "earlier goals within this count as visits", atLeast(0.0));
+    v.fixed({"min_info_share", "visit_radius"});
     v.group("view", view, "what is expected to be seen from a goal");
     v.group("score", score, "how goals are compared");
   }

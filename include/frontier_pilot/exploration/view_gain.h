@@ -14,8 +14,7 @@ struct ViewParameters {
   template <class V>
   void describe(V& v) {
     v.field("sensor_range", sensor_range, "m", "range that is counted on when a view is judged", positive());
-    v.field("unknown_depth", unknown_depth, "m", "how far into unknown ground a beam is expected to see", positive());
-    v.field("rays", rays, "", "beams cast to judge a view", between(8, 3600));
+    v.fixed({"unknown_depth", "rays"});
   }
 };
 

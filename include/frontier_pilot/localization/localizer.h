@@ -12,7 +12,7 @@ class Localizer {
  public:
   /// `map` may be empty: then no scan ever fits.
   Localizer(const slam::LocalSlamParameters& parameters, const OccupancyGrid& map,
-            const scan_matching::PoseBelief& T_map_base);
+            const scan_matching::PoseWithCovariance& T_map_base);
 
   /// `scan`, well-formed and newer than the last one, was taken at `T_odom_base`. Before the robot is found the verdict
   /// says why it is not.
@@ -30,8 +30,9 @@ class Localizer {
   std::optional<scan_matching::MaxPyramid> pyramid_;       ///< none without a map
   std::optional<scan_matching::MaxPyramid> wide_pyramid_;  ///< while the robot is sought
   slam::ScanTracker tracker_;
-  std::optional<scan_matching::PoseBelief> sought_;  ///< T_map_base of the next scan; none once the robot is found
-  std::optional<Pose2> T_odom_sought_;               ///< the base's pose that `sought_` is the map's pose of
+  std::optional<scan_matching::PoseWithCovariance>
+      sought_;                          ///< T_map_base of the next scan; none once the robot is found
+  std::optional<Pose2> T_odom_sought_;  ///< the base's pose that `sought_` is the map's pose of
   Pose2 T_map_odom_;
 };
 

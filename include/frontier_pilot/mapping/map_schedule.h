@@ -11,20 +11,23 @@ namespace frontier_pilot::mapping {
 
 struct MapScheduleParameters {
   double min_period = 1.0;  ///< between two whole maps, at least [s]
-  double max_period = 5.0;  ///< changes wait for a whole map this long, 12 times that while there are few [s]
+  double max_period = 5.0;  ///< after which changes are followed by a whole map; 12 times that while they are few [s]
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("min_period", min_period, "s", "between two whole maps, at least", timeSpan());
-    v.field("max_period", max_period, "s", "changes wait for a whole map this long, 12 times that while there are few",
-            timeSpan());
+    v.field("min_period", min_period, "s", "least time between two whole maps", timeSpan());
+    v.field("max_period", max_period, "s",
+            "time after which changes are followed by a whole map; 12 times that while they are few", timeSpan());
   }
 };
 
-/// Says when the whole of a map is to be sent, besides the changes that are sent at once: when it has grown, when
-/// somebody new listens, when what was sent as changes since the last one comes to as much; after a while when it comes
-/// to an eighth, or when there have been no more for as long; and never later than 12 times that. So all in all
-/// publishing costs what changed, and the map once a minute. [MAP-2]
+/// Says when the whole map is to be sent, besides the changes, which are sent at once. It is due when
+///  - the map has grown, or a new subscriber has come;
+///  - as many cells were sent as changes since the last whole map as the map has;
+///  - `max_period` has passed since the last whole map, and either an eighth of its cells were sent as changes or there
+///    were no changes for another `max_period`;
+///  - 12 times `max_period` has passed and anything has changed.
+/// The cost of publishing is thus proportional to what changed, plus one map a minute. [MAP-2]
 class MapSchedule {
  public:
   explicit MapSchedule(const MapScheduleParameters& parameters = {}) : parameters_(parameters) {}
@@ -32,13 +35,13 @@ class MapSchedule {
   /// Notes what has changed. Gives whether it can be sent as a change: it cannot when the map has grown since the last
   /// whole one, and goes out with the next.
   bool note(const occupancy::MapChanges& changes, Time now);
-  /// Somebody has begun to listen, who knows nothing yet.
+  /// A new subscriber has come, who has no map yet.
   void noteNewcomer() { newcomer_ = true; }
   /// Whether a map of `cells` cells is to be sent now.
   bool isDue(std::size_t cells, Time now) const;
   /// The whole map was sent. Gives whether it had grown.
   bool sent(Time now);
-  /// Nobody knows anything any more.
+  /// Forgets what was sent.
   void reset() { *this = MapSchedule(parameters_); }
 
  private:

@@ -9,7 +9,7 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/localization/known_map.h"
+#include "frontier_pilot/localization/map_localization.h"
 #include "frontier_pilot/mapping/mapping_health.h"
 #include "frontier_pilot/mapping/scan_verdict.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
@@ -35,11 +35,9 @@ struct MapperParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("max_age", max_age, "s", "an older scan is stale", timeSpan());
-    v.field("max_lead", max_lead, "s", "a scan may be this much ahead of the clock", timeSpanOrNone());
+    v.fixed({"max_lead"});
     v.field("min_travel", min_travel, "m", "a robot that moved less since the last scan stands", atLeast(0.0));
-    v.field("min_rotation", min_rotation, "rad", "a robot that turned less since the last scan stands", atLeast(0.0));
-    v.field("standing_period", standing_period, "s", "time between the scans used while the robot stands",
-            timeSpanOrNone());
+    v.fixed({"min_rotation", "standing_period"});
     v.field("trust_odometry", trust_odometry, "", "take odometry for the truth: no scan matching, no loop closing");
     v.group("map", map, "the map and its octree");
     v.group("insertion", insertion, "how a scan goes into the map");
@@ -89,7 +87,7 @@ class Mapper {
   bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
   /// The robot is about at `T_map_base`: takes the map as it is for known, looks for the robot there, and goes on.
   /// False, and nothing happens, when the map shows nothing that could be recognised.
-  bool locate(const scan_matching::PoseBelief& T_map_base);
+  bool locate(const scan_matching::PoseWithCovariance& T_map_base);
 
   /// Counts a scan that could not even be offered.
   void reject(ScanVerdict verdict, Time now);
@@ -131,7 +129,7 @@ class Mapper {
   ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
   bool isTooLarge(const slam::MapRevision& revision) const;
   bool refuse(slam::MapRevision& revision);
-  scan_matching::PoseBelief presentBelief() const;
+  scan_matching::PoseWithCovariance presentBelief() const;
   void replace(std::unique_ptr<slam::PoseCorrection> correction);
   ScanVerdict put(const LaserScan2& scan, const Pose2& T_map_base);
   std::optional<ScanVerdict> checkStamp(Time stamp, Time now);

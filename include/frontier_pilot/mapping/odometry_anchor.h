@@ -16,8 +16,10 @@ struct OdometryAnchorParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("max_speed", max_speed, "m/s", "what moves faster than this between two messages has jumped", positive());
-    v.field("max_turn_rate", max_turn_rate, "rad/s", "or turns faster than this", positive());
+    v.field("max_speed", max_speed, "m/s", "greatest credible speed between two messages; more is a jump of odometry",
+            positive());
+    v.field("max_turn_rate", max_turn_rate, "rad/s",
+            "greatest credible rate of turn between two messages; more is a jump of odometry", positive());
   }
 };
 
@@ -58,14 +60,14 @@ class OdometryAnchor {
   bool isDrivable(const Sample& from, const Sample& to) const;
   bool isRestart(const Sample& from, const Sample& to) const;
   std::optional<Pose2> accept(const Sample& sample);
-  std::optional<Pose2> doubt(const Sample& sample);
+  std::optional<Pose2> confirmLater(const Sample& sample);
 
   OdometryAnchorParameters parameters_;
   Pose2 T_smooth_odom_;
-  std::optional<Sample> last_;      ///< that was believed
-  std::optional<Sample> landing_;   ///< the first one after a jump that may be a mistake
-  std::optional<Sample> doubtful_;  ///< the last one since then
-  int followers_ = 0;               ///< how many have gone on from there
+  std::optional<Sample> last_;         ///< that was believed
+  std::optional<Sample> landing_;      ///< the first one after a jump that may be a mistake
+  std::optional<Sample> unconfirmed_;  ///< the last one since then
+  int followers_ = 0;                  ///< how many have gone on from there
   std::uint64_t resets_ = 0;
   Jump last_jump_;
 };

@@ -14,8 +14,7 @@ struct OdometryBufferParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("length", length, "s", "how long odometry is kept", timeSpan());
-    v.field("max_gap", max_gap, "s", "no interpolation between odometry farther apart than this", timeSpan());
+    v.fixed({"length", "max_gap"});
   }
 };
 

@@ -16,8 +16,7 @@ struct ScanPairingParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("patience", patience, "s", "how long a scan waits for its odometry", timeSpanOrNone());
-    v.field("max_waiting", max_waiting, "", "greatest number of waiting scans", between(1, 1000));
+    v.fixed({"patience", "max_waiting"});
     v.group("odometry", odometry, "odometry buffer");
   }
 };

@@ -39,13 +39,14 @@ struct NavigatorParams {
     v.group("watchdog", watchdog, "progress and oscillation");
     v.group("recovery", recovery, "recoveries");
     v.field("goal_tolerance", goal_tolerance, "m", "a goal is reached at this distance", positive());
-    v.field("yaw_tolerance", yaw_tolerance, "rad", "and, if its direction matters, at this deviation", positive());
-    v.field("max_age", max_age, "s", "pose and scan may be this old, else the robot stands", timeSpan());
+    v.field("yaw_tolerance", yaw_tolerance, "rad",
+            "greatest deviation of the yaw at the goal, if its direction matters", positive());
+    v.field("max_age", max_age, "s", "greatest age of pose and scan; beyond it the robot stands", timeSpan());
     v.field("data_patience", data_patience, "s", "a goal that waits for data longer is aborted", timeSpan());
     v.field("blocked_patience", blocked_patience, "s", "a blocked robot waits this long before a recovery",
             timeSpanOrNone());
-    v.field("replan_period", replan_period, "s", "how often a better path is looked for", timeSpan());
-    v.field("map_period", map_period, "s", "map updates take effect at most this often", timeSpanOrNone());
+    v.field("replan_period", replan_period, "s", "time between two searches for a better path", timeSpan());
+    v.fixed({"map_period"});
   }
 };
 

@@ -16,12 +16,9 @@ struct ObstacleLayerParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("range", range, "m", "obstacles that the map lacks are taken in up to here", positive());
-    v.field("memory", memory, "s", "how long an obstacle out of sight is believed", timeSpan());
-    v.field("map_tolerance", map_tolerance, "cells", "a hit this near to an occupied cell is the map's own",
-            between(0.0, 10.0));
-    v.field("seen_through", seen_through, "m", "a beam this much farther than an obstacle says that it is gone",
-            positive());
+    v.field("range", range, "m", "greatest range at which obstacles that the map lacks are taken in", positive());
+    v.field("memory", memory, "s", "time after which an obstacle that is out of sight is forgotten", timeSpan());
+    v.fixed({"map_tolerance", "seen_through"});
   }
 };
 

@@ -25,14 +25,7 @@ struct FollowerParams {
     v.moved("inscribed_radius", "robot/disc_radius");
     v.field("scan_margin", scan_margin, "m", "room that the robot's outline keeps to the scan's points",
             between(0.0, 0.5));
-    v.field("lookahead_time", lookahead_time, "s", "the pursued point is as far ahead as full speed gets in this",
-            timeSpan());
-    v.field("min_lookahead", min_lookahead, "m", "least distance of the pursued point", positive());
-    v.field("turn_in_place_angle", turn_in_place_angle, "rad", "above this bearing the robot turns on the spot",
-            between(0.3, 3.0));
-    v.field("horizon", horizon, "s", "how far ahead motions are tried out", between(0.3, 5.0));
-    v.field("reaction_time", reaction_time, "s", "until the wheels brake for what is seen next, if it comes at once",
-            between(0.0, 2.0));
+    v.fixed({"lookahead_time", "min_lookahead", "turn_in_place_angle", "horizon", "reaction_time"});
   }
 };
 

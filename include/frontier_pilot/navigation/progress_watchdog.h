@@ -14,12 +14,12 @@ struct WatchdogParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("progress_distance", progress_distance, "m", "coming this much nearer to the goal is progress", positive());
+    v.fixed({"progress_distance"});
     v.field("progress_timeout", progress_timeout, "s", "without progress for this long the robot is blocked",
             timeSpan());
-    v.field("oscillation_distance", oscillation_distance, "m", "a robot that stays within this circle oscillates",
-            positive());
-    v.field("oscillation_timeout", oscillation_timeout, "s", "if it does so for this long", timeSpan());
+    v.fixed({"oscillation_distance"});
+    v.field("oscillation_timeout", oscillation_timeout, "s",
+            "time within that circle after which the robot is oscillating", timeSpan());
   }
 };
 

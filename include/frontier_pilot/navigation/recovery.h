@@ -44,10 +44,10 @@ struct RecoveryParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("back_up_distance", back_up_distance, "m", "how far a blocked robot backs up", positive());
-    v.field("back_up_speed", back_up_speed, "m/s", "how fast", positive());
-    v.field("spin_angle", spin_angle, "rad", "how far it turns to look around", positive());
-    v.field("spin_rate", spin_rate, "rad/s", "how fast", positive());
+    v.field("back_up_distance", back_up_distance, "m", "distance that a blocked robot backs up", positive());
+    v.fixed({"back_up_speed"});
+    v.field("spin_angle", spin_angle, "rad", "angle that a blocked robot turns to look around", positive());
+    v.fixed({"spin_rate"});
     v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", timeSpan());
     v.field("margin", margin, "m", "room that the robot's outline keeps to the scan's points while it recovers",
             between(0.0, 0.5));

@@ -24,10 +24,9 @@ struct OccupancyMapParameters {
   void describe(Visitor& v) {
     v.field("resolution", resolution, "m", "side of a cell", between(0.005, 1.0));
     v.field("scanner_height", scanner_height, "m", "height of the layer in the octree", between(0.0, 10.0));
-    v.field("growth_step", growth_step, "m", "the map grows by multiples of this", between(1.0, 100.0));
+    v.fixed({"growth_step"});
     v.field("max_side", max_side, "m", "the map never gets wider or higher than this", between(10.0, 1000.0));
-    v.field("probabilities", probabilities, "",
-            "map values are probabilities [%]; otherwise 0 free and 100 occupied, as costmaps expect");
+    v.fixed({"probabilities"});
     v.group("model", model, "inverse sensor model");
   }
 };

@@ -20,9 +20,7 @@ struct ScanInsertionParameters {
   void describe(Visitor& v) {
     v.field("max_clear_range", max_clear_range, "m", "a beam without a return clears at most this far", positive());
     v.moved("robot_radius", "robot/disc_radius or robot/outline");
-    v.field("hit_offset", hit_offset, "cells", "a hit is put this much behind the measured surface", between(0.0, 1.0));
-    v.field("clear_margin", clear_margin, "cells", "beams clear cells until this much before the surface",
-            between(0.0, 1.0));
+    v.fixed({"hit_offset", "clear_margin"});
   }
 };
 

@@ -29,22 +29,19 @@ struct PatrolParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     describeRobot(v, robot);
-    v.field("frequency", frequency, "Hz", "control cycles a second", between(5.0, 100.0));
-    v.field("linear_speed", linear_speed, "m/s", "on a line or an arc", positive());
-    v.field("linear_acc", linear_acc, "m/s^2", "of the trapezoid profile", positive());
-    v.field("min_linear_speed", min_linear_speed, "m/s", "the last centimetres are driven at", positive());
-    v.field("turn_speed", turn_speed, "rad/s", "at a corner, and the most on an arc", positive());
-    v.field("turn_acc", turn_acc, "rad/s^2", "of the trapezoid profile", positive());
-    v.field("min_turn_speed", min_turn_speed, "rad/s", "the last degrees are turned at", positive());
-    v.field("heading_gain", heading_gain, "1/s", "turns back to the leg's heading", atLeast(0.0));
-    v.field("lateral_gain", lateral_gain, "rad/m", "heads back to the leg from beside it", atLeast(0.0));
+    v.field("frequency", frequency, "Hz", "control cycles per second", between(5.0, 100.0));
+    v.field("linear_speed", linear_speed, "m/s", "speed on a line or an arc", positive());
+    v.field("linear_acc", linear_acc, "m/s^2", "acceleration of the trapezoid profile", positive());
+    v.fixed({"min_linear_speed"});
+    v.field("turn_speed", turn_speed, "rad/s", "rate of turn at a corner, and greatest one on an arc", positive());
+    v.field("turn_acc", turn_acc, "rad/s^2", "acceleration of the trapezoid profile", positive());
+    v.fixed({"min_turn_speed", "heading_gain", "lateral_gain"});
     v.field("max_side", max_side, "m", "longest side, or radius, that is accepted", positive());
-    v.field("max_laps", max_laps, "", "most laps that are accepted", between(1, 10000));
-    v.field("odometry_timeout", odometry_timeout, "s", "how old odometry may be", timeSpan());
-    v.field("jump_distance", jump_distance, "m", "a longer step of odometry is a jump", positive());
-    v.field("jump_angle", jump_angle, "rad", "a larger turn of odometry at once is a jump", Bounds{0.0, 3.0, true});
+    v.field("max_laps", max_laps, "", "greatest number of laps that is accepted", between(1, 10000));
+    v.field("odometry_timeout", odometry_timeout, "s", "greatest age of odometry", timeSpan());
+    v.fixed({"jump_distance", "jump_angle"});
     v.field("blocked_timeout", blocked_timeout, "s", "without the wheels or without progress: give up", timeSpan());
-    v.field("settle_timeout", settle_timeout, "s", "longest wait for a standstill between legs", timeSpan());
+    v.fixed({"settle_timeout"});
   }
   void check(Problems& problems) const {
     if (min_linear_speed > linear_speed) problems.push_back("min_linear_speed: must not exceed linear_speed");

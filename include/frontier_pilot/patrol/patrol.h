@@ -45,7 +45,7 @@ struct PatrolOutput {
 };
 
 /// Patrols a square, a triangle or a circle by odometry. Everything that ends a patrol gives a zero command with it.
-/// Requirements: behaviour.md, PAT-1 to PAT-6.
+/// Requirements: docs/requirements.md, PAT-1 to PAT-6.
 class Patrol {
  public:
   explicit Patrol(const PatrolParameters& parameters) : parameters_(parameters), driver_(withinLimits(parameters)) {}

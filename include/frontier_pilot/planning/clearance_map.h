@@ -21,12 +21,9 @@ struct ClearanceParams {
   template <class Visitor>
   void describe(Visitor& v) {
     v.moved("inscribed_radius", "robot/disc_radius");
-    v.field("preferred_clearance", preferred_clearance, "m", "paths keep this far from walls where it costs little",
-            between(0.0, 2.0));
-    v.field("wall_weight", wall_weight, "1", "a metre along a wall costs 1 + this many metres in the open",
-            between(0.0, 3.0));
-    v.field("tight_weight", tight_weight, "1",
-            "a metre where walls may be too near, if the map exaggerates them; 0: never", between(0.0, 15.0));
+    v.field("preferred_clearance", preferred_clearance, "m",
+            "distance that paths keep from walls where that costs little", between(0.0, 2.0));
+    v.fixed({"wall_weight", "tight_weight"});
     v.field("unknown_is_traversable", unknown_is_traversable, "", "paths may lead through unknown cells");
   }
 };

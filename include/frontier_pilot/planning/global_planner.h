@@ -23,9 +23,7 @@ struct GlobalPlannerParams {
     v.field("algorithm", algorithm, "", "any_angle_grid (complete), or rrt_connect (for comparison)");
     v.field("goal_tolerance", goal_tolerance, "m", "a goal in an inflated or unknown cell is moved by at most this",
             between(0.0, 5.0));
-    v.field("escape_radius", escape_radius, "m", "how far a start inside the inflation may be from open ground",
-            between(0.0, 5.0));
-    v.field("max_iterations", max_iterations, "1", "after this many a sampling planner gives up", positive());
+    v.fixed({"escape_radius", "max_iterations"});
   }
   void check(Problems& problems) const;
 };

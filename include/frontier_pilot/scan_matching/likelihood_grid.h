@@ -15,8 +15,7 @@ struct LikelihoodParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("resolution", resolution, "m", "side of a cell of the field", between(0.005, 1.0));
-    v.field("sigma", sigma, "m", "standard deviation of the Gaussian around each point", positive());
+    v.fixed({"resolution", "sigma"});
   }
 };
 

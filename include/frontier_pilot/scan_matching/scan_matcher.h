@@ -11,7 +11,7 @@ namespace frontier_pilot::scan_matching {
 
 /// A pose and how sure it is. The error is of (x, y, yaw), each added to the pose's own; x and y along the axes of the
 /// frame that the pose is in.
-struct PoseBelief {
+struct PoseWithCovariance {
   Pose2 pose;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2, m rad, rad^2]
 };
@@ -23,16 +23,15 @@ struct RefinementParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("iterations", iterations, "", "greatest number of iterations", between(1, 100));
-    v.field("outlier", outlier, "m", "a point this far from its surface counts a quarter", positive());
-    v.field("independence", independence, "", "share of the points that count as independent", {0.0, 1.0, true});
+    v.fixed({"iterations", "outlier", "independence"});
   }
 };
 
 struct Refinement {
   Pose2 pose;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the points alone, without the prior; as in PoseBelief
-  double inliers = 0.0;                                   ///< share of the points that lie on a surface, 0 ... 1
+  Eigen::Matrix3d information =
+      Eigen::Matrix3d::Zero();  ///< of the points alone, without the prior; as in PoseWithCovariance
+  double inliers = 0.0;         ///< share of the points that lie on a surface, 0 ... 1
 };
 
 /// Moves `start` to where `points` lie on the surfels: Gauss-Newton on the distances along the surfels' normals (Chen &
@@ -40,11 +39,11 @@ struct Refinement {
 /// Along a wall a point says nothing, so a corridor leaves the information along it near zero, and `prior` decides
 /// there: what it says is minimised together with the distances.
 Refinement refine(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& start,
-                  const std::optional<PoseBelief>& prior, const RefinementParameters& parameters);
+                  const std::optional<PoseWithCovariance>& prior, const RefinementParameters& parameters);
 
 /// Share of the points whose beams from `T_map_base` contradict the map: they pass through a known surface, or end
 /// before one where nothing is known to be. A scan of a new place shares little with the map, and yet contradicts
 /// nothing; one of another place does.
-double contradictions(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
+double inconsistentShare(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
 
 }  // namespace frontier_pilot::scan_matching

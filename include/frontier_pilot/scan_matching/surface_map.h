@@ -14,8 +14,8 @@ class SurfaceMap {
   /// `points` at `T_map_points`; dense, see `filled`.
   void add(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
   /// As `add`, but for the surfels only: what is known well becomes known better, nothing is found that was not.
-  void sharpen(const surfaces::SurfacePoints& points, const Pose2& T_map_points) {
-    surfels_.sharpen(points, T_map_points);
+  void updateKnown(const surfaces::SurfacePoints& points, const Pose2& T_map_points) {
+    surfels_.updateKnown(points, T_map_points);
   }
 
   const LikelihoodGrid& likelihood() const { return likelihood_; }

@@ -33,7 +33,7 @@ class SurfelMap {
   /// `points` at `T_map_points`.
   void add(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
   /// The same for those of them that lie on surfels: what is known becomes known better.
-  void sharpen(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
+  void updateKnown(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
   /// The nearest surfel within `kReach` that looks the same way, within 60 degrees; nullptr if there is none.
   const Surfel* nearest(const surfaces::SurfacePoint& point) const;
 

@@ -96,7 +96,8 @@ struct SimulatorParameters {
     v.field("y", y, "m", "start in the world's frame; not given: where the world file says", anyNumber());
     v.field("yaw", yaw, "rad", "start in the world's frame; not given: where the world file says", anyNumber());
     v.field("speed", speed, "", "simulated over real time; 0: as fast as it can", between(0.0, 1e4));
-    v.field("seed", seed, "", "of all noise; same seed and commands, same bytes", atLeast(0));
+    v.field("seed", seed, "", "seed of all noise; the same seed and commands give the same output, byte by byte",
+            atLeast(0));
     v.field("odom_noise", odom_noise, "", "whether the odometry drifts");
     v.field("unknown_is_free", unknown_is_free, "",
             "whether unknown cells of the world can be driven and seen through");

@@ -10,12 +10,12 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/grids/ray_casting.h"
+#include "frontier_pilot/sim/collision_scene.h"
 #include "frontier_pilot/sim/diff_drive.h"
 #include "frontier_pilot/sim/disc_index.h"
 #include "frontier_pilot/sim/lidar.h"
 #include "frontier_pilot/sim/odometry.h"
 #include "frontier_pilot/sim/parameters.h"
-#include "frontier_pilot/sim/surroundings.h"
 #include "frontier_pilot/sim/world_image.h"
 
 namespace frontier_pilot::sim {
@@ -107,7 +107,7 @@ class Simulator {
   bool startIsTaken(const Robot& robot, const std::vector<bool>& stays) const;
 
   World world_;
-  Surroundings surroundings_;
+  CollisionScene surroundings_;
   grids::RayCaster rays_;
   Lidar lidar_;
   Duration scan_period_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frontier_pilot/occupancy/scan_inserter.h"
-#include "frontier_pilot/slam/local_drift.h"
+#include "frontier_pilot/slam/drift_covariance.h"
 #include "frontier_pilot/slam/local_slam.h"
 #include "frontier_pilot/slam/loop_closer.h"
 #include "frontier_pilot/slam/pose_correction.h"
@@ -23,11 +23,7 @@ struct RenderingParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("min_distance", min_distance, "m", "the map is rendered again when a keyframe moved this far", positive());
-    v.field("min_angle", min_angle, "rad", "or turned this far", positive());
-    v.field("urgent_distance", urgent_distance, "m", "at once, when one moved this far", positive());
-    v.field("share", share, "", "else after so many new keyframes, as a share of all: what rendering may cost",
-            between(0.0, 1.0));
+    v.fixed({"min_distance", "min_angle", "urgent_distance", "share"});
   }
 };
 
@@ -110,7 +106,7 @@ class GraphSlam final : public PoseCorrection {
   occupancy::ScanInsertionParameters insertion_parameters_;
   std::string base_;
   LocalSlam local_;
-  LocalDrift drift_;
+  DriftCovariance drift_;
   Pose2 T_map_local_;
   std::shared_ptr<GraphBackEnd> back_end_;  ///< only the work touches it while it is out
   std::vector<PlacedKeyframe> inbox_;       ///< keyframes for the next work

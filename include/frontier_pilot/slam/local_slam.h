@@ -41,12 +41,7 @@ struct LocalSlamParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("keyframe_distance", keyframe_distance, "m", "a keyframe is made after moving this far", positive());
-    v.field("keyframe_angle", keyframe_angle, "rad", "or after turning this far", positive());
-    v.field("keyframe_inliers", keyframe_inliers, "",
-            "or after a tenth of either where the map shows less of the scan than this share", between(0.0, 1.0));
-    v.field("submap_keyframes", submap_keyframes, "",
-            "a submap is finished with so many keyframes; the next one begins at half of them", between(2, 10000));
+    v.fixed({"keyframe_distance", "keyframe_angle", "keyframe_inliers", "submap_keyframes"});
     v.group("surface", surface, "how scans are read, to be matched and to be mapped");
     v.group("likelihood", likelihood, "the field that is searched");
     v.group("tracker", tracker, "how the robot is followed");
@@ -81,7 +76,7 @@ class LocalSlam {
  private:
   bool isKeyframe(const Track& track) const;
   void insert(const Keyframe& keyframe, const surfaces::SurfacePoints& surface);
-  void sharpen(const surfaces::SurfacePoints& surface, const Pose2& T_local_base);
+  void updateKnown(const surfaces::SurfacePoints& surface, const Pose2& T_local_base);
   std::vector<std::shared_ptr<const Submap>> takeFinished(std::size_t keyframes);
   void begin(const Pose2& T_local_submap);
   std::optional<MatchTarget> target();

@@ -25,13 +25,7 @@ struct LoopSearchParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("min_score", min_score, "", "mean likelihood that a closure must reach", between(0.0, 1.0));
-    v.field("min_inliers", min_inliers, "", "share of the points that must lie on a surface", between(0.0, 1.0));
-    v.field("ambiguity", ambiguity, "", "a second place that scores this share of the best makes it ambiguous",
-            between(0.0, 1.0));
-    v.field("peak_distance", peak_distance, "m", "nearer than this it is the same place", positive());
-    v.field("peak_angle", peak_angle, "rad", "turned less than this it is the same place", positive());
-    v.field("submaps_kept", submaps_kept, "", "so many submaps are kept ready for a search", between(1, 1000));
+    v.fixed({"min_score", "min_inliers", "ambiguity", "peak_distance", "peak_angle", "submaps_kept"});
     v.group("surface", surface, "how scans are read");
     v.group("likelihood", likelihood, "the field that is searched");
     v.group("refinement", refinement, "the match below the size of a cell");
@@ -43,7 +37,7 @@ class LoopSearch {
  public:
   struct Result {
     ClosureVerdict verdict = ClosureVerdict::kNotFound;  ///< kAccepted: found, nothing speaks against it
-    scan_matching::PoseBelief T_submap_keyframe;
+    scan_matching::PoseWithCovariance T_submap_keyframe;
   };
 
   explicit LoopSearch(const LoopSearchParameters& parameters = {}) : parameters_(parameters) {}
@@ -53,7 +47,7 @@ class LoopSearch {
               const Pose2& expected, const scan_matching::SearchWindow& window);
   /// What is matched of a keyframe.
   surfaces::SurfacePoints pointsOf(const Keyframe& keyframe) const;
-  /// Share of a keyframe's points that contradict a submap, as in `contradictions`, if it is at `T_submap_keyframe`.
+  /// Share of a keyframe's points that contradict a submap, as in `inconsistentShare`, if it is at `T_submap_keyframe`.
   double contradiction(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
                        const Pose2& T_submap_keyframe);
 

@@ -15,7 +15,7 @@ struct PoseConstraint {
   std::size_t to = 0;
   Pose2 T_from_to;
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  ///< of x, y [m] and yaw [rad], along the axes of `from`
-  bool doubtful = false;  ///< it may be false: then it counts less the less the rest of the graph agrees
+  bool weighted_robustly = false;  ///< a robust kernel lowers its weight where the graph disagrees
 };
 
 /// x, y [m] and yaw [rad] of the constraint's `to`, seen from `from`, less what was measured.
@@ -30,16 +30,12 @@ ResidualJacobians residualJacobians(const Pose2& T_map_from, const Pose2& T_map_
 
 struct PoseGraphParameters {
   int max_iterations = 50;
-  double tolerance = 1e-6;   ///< done when a step lowers the cost by a smaller share
-  double outlier_chi2 = 16;  ///< a doubtful constraint with this error counts a quarter
+  double tolerance = 1e-6;   ///< an optimisation ends when a step lowers the cost by a smaller share
+  double outlier_chi2 = 16;  ///< squared error at which a robustly weighted constraint counts a quarter
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("max_iterations", max_iterations, "", "greatest number of steps of an optimisation", between(1, 1000));
-    v.field("tolerance", tolerance, "", "an optimisation ends when a step lowers the cost by a smaller share",
-            between(1e-12, 0.1));
-    v.field("outlier_chi2", outlier_chi2, "",
-            "squared error, in standard deviations, at which a closure counts a quarter", positive());
+    v.fixed({"max_iterations", "tolerance", "outlier_chi2"});
   }
 };
 
@@ -55,9 +51,9 @@ struct PoseGraphReport {
 /// Levenberg and Marquardt on a sparse Cholesky factorisation. Plain data: a copy is an independent graph. The same
 /// graph gives the same poses, bit by bit.
 /// Grisetti, Kuemmerle, Stachniss & Burgard, "A Tutorial on Graph-Based SLAM", IEEE ITS Magazine 2(4), 2010.
-/// Doubtful constraints have the loss of Geman & McClure (that of Agarwal et al., "Robust Map Optimization using
-/// Dynamic Covariance Scaling", ICRA 2013, differs by a constant), reached from plain least squares by graduated
-/// non-convexity, so that a true closure of a long loop, which at first looks absurd, is not taken for a false one:
+/// Robustly weighted constraints have the loss of Geman & McClure (related to that of Agarwal et al., "Robust Map
+/// Optimization using Dynamic Covariance Scaling", ICRA 2013), reached from plain least squares by graduated
+/// non-convexity, so that a true closure of a long loop, whose error is large at first, is not rejected as an outlier:
 /// Yang, Antonante, Tzoumas & Carlone, RA-L 5(2), 2020.
 class PoseGraph {
  public:

@@ -8,45 +8,39 @@
 
 namespace frontier_pilot::slam {
 
-/// How far odometry is believed. Variances grow with the way, so that it does not matter how often one looks.
+/// The motion model of odometry. Variances grow with the distance driven, so that they do not depend on how often
+/// odometry is read.
 struct OdometryTrust {
-  double distance = 0.06;      ///< standard deviation of the position after a metre [m]
-  double yaw_distance = 0.04;  ///< of the yaw after a metre [rad]
-  double yaw_turn = 0.06;      ///< of the yaw after a radian [rad]
-  double unseen_speed = 0.6;   ///< the robot may move this fast unseen by odometry [m/s]
-  double unseen_turn = 3.0;    ///< and turn this fast [rad/s]
+  double distance = 0.06;         ///< standard deviation of the position after a metre [m]
+  double yaw_distance = 0.04;     ///< of the yaw after a metre [rad]
+  double yaw_turn = 0.06;         ///< of the yaw after a radian [rad]
+  double unmeasured_speed = 0.6;  ///< greatest speed that odometry may fail to measure, such as slip [m/s]
+  double unmeasured_turn = 3.0;   ///< greatest rate of turn that it may fail to measure [rad/s]
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("distance", distance, "m", "standard deviation of the position after a metre", positive());
-    v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre", positive());
-    v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a radian", positive());
-    v.field("unseen_speed", unseen_speed, "m/s", "the robot may move this fast unseen by odometry", atLeast(0.0));
-    v.field("unseen_turn", unseen_turn, "rad/s", "the robot may turn this fast unseen by odometry", atLeast(0.0));
+    v.field("distance", distance, "m", "standard deviation of the position after a metre of odometry", positive());
+    v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre of odometry", positive());
+    v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a turn of a radian", positive());
+    v.fixed({"unseen_speed", "unseen_turn"});
   }
 };
 
 struct ScanTrackerParameters {
   int min_points = 25;        ///< fewer are not matched
   double min_score = 0.4;     ///< mean likelihood that a match must reach
-  double min_inliers = 0.5;   ///< share of the points that must lie on surfaces, for all to be well
-  double new_inliers = 0.3;   ///< less will do where the others contradict nothing: they are of a new place
+  double min_inliers = 0.5;   ///< share of the points that must lie on known surfaces
+  double new_inliers = 0.3;   ///< the same while the other points are consistent with the map: they show a new place
   double max_distance = 1.0;  ///< greatest half width of the search [m]
   double max_angle = 0.6;     ///< [rad]
-  double max_silence = 5.0;   ///< without a match for so long the robot is lost [s]
+  double max_silence = 5.0;   ///< after so long with scans that fit nowhere the robot is lost [s]
   OdometryTrust odometry;
   scan_matching::RefinementParameters refinement;
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("min_points", min_points, "", "scans with fewer points are not matched", between(3, 10000));
-    v.field("min_score", min_score, "", "mean likelihood that a match must reach", between(0.0, 1.0));
-    v.field("min_inliers", min_inliers, "", "share of the points that must lie on surfaces", between(0.0, 1.0));
-    v.field("new_inliers", new_inliers, "", "less will do where the others contradict nothing", between(0.0, 1.0));
-    v.field("max_distance", max_distance, "m", "greatest half width of the search", positive());
-    v.field("max_angle", max_angle, "rad", "greatest half width of the search in yaw", positive());
-    v.field("max_silence", max_silence, "s", "without a match for so long a new submap is begun", timeSpan());
-    v.group("odometry", odometry, "how far odometry is believed");
+    v.fixed({"min_points", "min_score", "min_inliers", "new_inliers", "max_distance", "max_angle", "max_silence"});
+    v.group("odometry", odometry, "the motion model of odometry");
     v.group("refinement", refinement, "the match below the size of a cell");
   }
 };
@@ -77,9 +71,9 @@ struct MatchTarget {
 
 struct Track {
   MatchVerdict verdict = MatchVerdict::kFirst;
-  scan_matching::PoseBelief T_local_base;  ///< the covariance is relative to what it was matched with
-  double score = 0.0;                      ///< mean likelihood of the points, 0 ... 1
-  double inliers = 0.0;                    ///< share of the points that lie on surfaces, 0 ... 1
+  scan_matching::PoseWithCovariance T_local_base;  ///< the covariance is relative to what it was matched with
+  double score = 0.0;                              ///< mean likelihood of the points, 0 ... 1
+  double inliers = 0.0;                            ///< share of the points that lie on surfaces, 0 ... 1
   bool slides = false;  ///< matched, but along some direction the scan shows nothing, as in a bare corridor
 };
 

@@ -26,7 +26,7 @@ struct SubmapDrift {
 /// A keyframe and where it went.
 struct PlacedKeyframe {
   Keyframe keyframe;
-  Eigen::Matrix3d drift = Eigen::Matrix3d::Zero();  ///< of the step from the keyframe before, see LocalDrift
+  Eigen::Matrix3d drift = Eigen::Matrix3d::Zero();  ///< of the step from the keyframe before, see DriftCovariance
   struct Place {
     std::size_t submap = 0;
     Pose2 T_local_submap;
@@ -70,7 +70,7 @@ class SubmapGraph {
 
   /// Adds a closure: `keyframe`, which is in submap `of`, is at `T_submap_keyframe`. Moves nothing yet.
   void close(std::size_t submap, std::size_t of, std::size_t keyframe,
-             const scan_matching::PoseBelief& T_submap_keyframe);
+             const scan_matching::PoseWithCovariance& T_submap_keyframe);
   PoseGraphReport optimize() { return graph_.optimize(); }
   const PoseGraph& graph() const { return graph_; }
   /// Puts an earlier copy of `graph` back.

@@ -37,15 +37,8 @@ struct SurfaceParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("fit_radius", fit_radius, "m", "neighbours within this take part in fitting a line", positive());
-    v.field("fit_error", fit_error, "m", "greatest standard deviation of the neighbours from that line", positive());
-    v.field("range_noise", range_noise, "m", "standard deviation of a range", positive());
-    v.field("bearing_noise", bearing_noise, "rad", "standard deviation of a beam's direction", atLeast(0.0));
-    v.field("roughness", roughness, "m", "standard deviation of a surface from a line, at least", positive());
-    v.field("thinning", thinning, "m", "points this near to each other are matched as one", positive());
-    v.field("max_points", max_points, "", "no more points than this are matched", between(20, 5000));
-    v.field("fill_spacing", fill_spacing, "m", "gaps between beams on one surface are filled this densely", positive());
-    v.field("max_gap", max_gap, "m", "wider gaps are not filled", atLeast(0.0));
+    v.fixed({"fit_radius", "fit_error", "range_noise", "bearing_noise", "roughness", "thinning", "max_points",
+             "fill_spacing", "max_gap"});
   }
 };
 

@@ -8,8 +8,8 @@
 #include <array>
 #include <vector>
 
-#include "frontier_pilot/teleop/operator_link.h"
 #include "gui/controls.h"
+#include "teleop/operator_link.h"
 
 namespace frontier_pilot::gui {
 

@@ -9,7 +9,7 @@
 
 #include "frontier_pilot/behavior/timed_behavior.h"
 #include "ros/behavior_server/behavior_actions.h"
-#include "ros/behavior_server/behavior_surroundings.h"
+#include "ros/behavior_server/behavior_costmap.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
@@ -19,7 +19,7 @@ namespace frontier_pilot {
 /// What the node is configured with.
 struct BehaviorServerParameters {
   behavior::BehaviorParameters behavior;
-  behavior::SurroundingsParameters surroundings;
+  behavior::CollisionCheckParameters surroundings;
   BehaviorFrames frames;
 
   template <class Visitor>
@@ -55,7 +55,7 @@ class BehaviorServerAdapter {
   BehaviorServerParameters parameters_;
   behavior::TimedBehavior behavior_;
   TfBridge tf_;
-  BehaviorSurroundings around_;
+  BehaviorCostmap around_;
   bool emergency_stop_ = false;
   std::string last_result_ = "none yet";
   ros::Publisher cmd_vel_, footprint_;

@@ -17,7 +17,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::vector<std::string> publishersOn(const std::string& topic, const ArbiterSurroundings& around) {
+std::vector<std::string> publishersOn(const std::string& topic, const ArbiterConnections& around) {
   return nodesOf(around.publishers, topic);
 }
 
@@ -47,7 +47,7 @@ std::string stateInWords(const arbiter::SourceStatus& source, const arbiter::Arb
 }
 
 ArbiterSource toSourceMsg(const arbiter::SourceStatus& source, const arbiter::ArbiterSnapshot& snapshot,
-                          const ArbiterSurroundings& around) {
+                          const ArbiterConnections& around) {
   ArbiterSource msg;
   msg.name = source.name;
   msg.topic = around.source_topics.at(source.name);
@@ -63,7 +63,7 @@ ArbiterSource toSourceMsg(const arbiter::SourceStatus& source, const arbiter::Ar
   return msg;
 }
 
-void findForeignPublishers(const std::string& topic, unsigned char level, const ArbiterSurroundings& around,
+void findForeignPublishers(const std::string& topic, unsigned char level, const ArbiterConnections& around,
                            std::vector<ArbiterProblem>& problems) {
   for (std::string text : publishersOn(topic, around)) {
     if (text == around.own_name) continue;
@@ -72,7 +72,7 @@ void findForeignPublishers(const std::string& topic, unsigned char level, const 
   }
 }
 
-void findSourceProblems(const arbiter::SourceStatus& source, const ArbiterSurroundings& around,
+void findSourceProblems(const arbiter::SourceStatus& source, const ArbiterConnections& around,
                         std::vector<ArbiterProblem>& problems) {
   const std::vector<std::string> publishers = publishersOn(around.source_topics.at(source.name), around);
   if (publishers.size() > 1) {
@@ -86,7 +86,7 @@ void findSourceProblems(const arbiter::SourceStatus& source, const ArbiterSurrou
 
 }  // namespace
 
-std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapshot, const ArbiterSurroundings& around) {
+std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around) {
   std::vector<ArbiterProblem> problems;
   for (const std::string& text : around.registration_problems) problems.push_back({Level::ERROR, text});
   findForeignPublishers(around.cmd_vel, Level::ERROR, around, problems);
@@ -108,7 +108,7 @@ std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapsho
   return problems;
 }
 
-ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const ArbiterSurroundings& around) {
+ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around) {
   ArbiterStatus msg;
   msg.stamp = ros::Time::now();
   msg.summary = summarize(snapshot);
@@ -124,13 +124,13 @@ ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const Arbite
   return msg;
 }
 
-std::string essence(const ArbiterStatus& status) {
+std::string summaryOf(const ArbiterStatus& status) {
   std::string text = status.summary + '\n' + joined(status.problems);
   for (const ArbiterSource& source : status.sources) text += '\n' + source.state_text + joined(source.publishers);
   return text;
 }
 
-void fillDiagnostics(const arbiter::ArbiterSnapshot& snapshot, const ArbiterSurroundings& around,
+void fillDiagnostics(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around,
                      diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
   diagnostics.summary(Level::OK, summarize(snapshot));
   for (const ArbiterProblem& problem : findProblems(snapshot, around)) {

@@ -13,7 +13,7 @@
 namespace frontier_pilot {
 
 /// What the arbiter's node knows beyond the arbiter itself.
-struct ArbiterSurroundings {
+struct ArbiterConnections {
   std::string own_name;
   std::string cmd_vel, status, emergency_stop_state;  ///< resolved topics
   std::map<std::string, std::string> source_topics;   ///< resolved, by source
@@ -31,16 +31,16 @@ struct ArbiterProblem {
 };
 
 /// Everything that is wrong, errors before warnings.
-std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapshot, const ArbiterSurroundings& around);
+std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around);
 
 /// The status for the wire, in words.
-ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const ArbiterSurroundings& around);
+ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around);
 
 /// What in a status makes it a change: all but ages, rates, counts and velocities.
-std::string essence(const ArbiterStatus& status);
+std::string summaryOf(const ArbiterStatus& status);
 
 /// The same at a glance, for /diagnostics.
-void fillDiagnostics(const arbiter::ArbiterSnapshot& snapshot, const ArbiterSurroundings& around,
+void fillDiagnostics(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around,
                      diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
 }  // namespace frontier_pilot

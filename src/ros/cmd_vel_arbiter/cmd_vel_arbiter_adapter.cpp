@@ -133,12 +133,12 @@ void CmdVelArbiterAdapter::publishStopState() {
   stop_state_.publish(state);
 }
 
-void CmdVelArbiterAdapter::publishStatus(bool anyway) {
+void CmdVelArbiterAdapter::publishStatus(bool always) {
   const ArbiterStatus status = toStatusMsg(arbiter_.status(instantNow()), around_);
-  const std::string now = essence(status);
-  const bool changed = now != last_essence_;
-  last_essence_ = now;
-  if (changed || anyway) status_.publish(status);
+  const std::string now = summaryOf(status);
+  const bool changed = now != last_summary_;
+  last_summary_ = now;
+  if (changed || always) status_.publish(status);
   if (changed) diagnostics_.publish();
   if (status.summary != last_summary_) THROTTLED_INFO(status.summary);
   last_summary_ = status.summary;

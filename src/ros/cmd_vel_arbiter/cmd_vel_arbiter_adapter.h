@@ -68,18 +68,18 @@ class CmdVelArbiterAdapter {
   arbiter::ArbiterAnswer signedBy(arbiter::ArbiterAnswer answer) const;
   void publish(const std::optional<Twist2>& twist);
   void publishStopState();
-  void publishStatus(bool anyway);
+  void publishStatus(bool always);
 
   ros::NodeHandle node_;
   arbiter::Arbiter arbiter_;
   SessionMemory memory_;
-  ArbiterSurroundings around_;
+  ArbiterConnections around_;
   std::vector<Rejections> rejections_;
   ArrivalQueue calls_;
   ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: a place, and then what only its holder has
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
-  std::string last_essence_, last_summary_;
+  std::string last_summary_, last_summary_;
   SteadyTime last_seen_ = steadyNow(), woken_until_{};
   std::deque<SafeSwitch> switches_;            ///< of the sources, which are safe while they are off
   Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one

@@ -106,7 +106,7 @@ void MapperAdapter::insertPaired() {
 void MapperAdapter::think() {
   if (auto done = worker_.take()) takeOver(*done);
   if (const auto failure = worker_.takeFailure(); failure && mapper_.abandonWork()) {
-    thoughts_failure_ = *failure;
+    revision_failure_ = *failure;
     ROS_ERROR_STREAM("no loop is closed any more until a reset, the map is kept: " << *failure);
   }
   if (!worker_.idle()) return;
@@ -115,13 +115,13 @@ void MapperAdapter::think() {
   // A map that has been replaced takes a while to be freed: the worker does that, too.
   worker_.start([work = std::move(work), old = std::exchange(old_, nullptr)] {
     const SteadyTime start = steadyNow();
-    Thoughts thoughts{work(), 0.0};
+    TimedRevision thoughts{work(), 0.0};
     thoughts.seconds = toSeconds(steadyNow() - start);
     return thoughts;
   });
 }
 
-void MapperAdapter::takeOver(Thoughts& thoughts) {
+void MapperAdapter::takeOver(TimedRevision& thoughts) {
   if (!mapper_.revise(thoughts.revision)) return;
   revision_seconds_ = thoughts.seconds;
   const slam::MapRevision& revision = thoughts.revision;

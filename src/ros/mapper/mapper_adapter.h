@@ -49,16 +49,16 @@ struct MapperNodeParameters {
     v.field("map_frame", map_frame, "", "frame of the map", FrameName::kGiven);
     v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
-    v.field("map_file", map_file, "", "a saved map to begin with; none: an empty one");
+    v.field("map_file", map_file, "", "saved map to begin with; empty: begin with an empty map");
     v.field(
         "autosave_period", autosave_period, "s",
         "least time between two copies of the map for a mapper that is started again after it died; 0: none is kept",
         between(0.0, 3600.0));
     v.field("localize_only", mapper.localize_only, "",
-            "leave the map as it was loaded, and only say where the robot is");
-    v.field("update_period", update_period, "s", "between two map updates", tickPeriod());
-    v.field("tf_period", tf_period, "s", "between two transforms map -> odom", tickPeriod());
-    v.field("tf_lead", tf_lead, "s", "how far map -> odom is dated ahead", timeSpanOrNone());
+            "leave the loaded map as it is, and only localise the robot in it");
+    v.field("update_period", update_period, "s", "time between two map updates", tickPeriod());
+    v.fixed({"tf_period"});
+    v.field("tf_lead", tf_lead, "s", "time by which the stamp of map -> odom is ahead of the clock", timeSpanOrNone());
     v.field("silence", silence, "s", "without a scan in the map for so long something is wrong", timeSpan());
     v.group("mapper", mapper, "the mapper");
     v.group("odometry", odometry, "what odometry is believed");
@@ -82,7 +82,7 @@ class MapperAdapter {
 
  private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
-  struct Thoughts {
+  struct TimedRevision {
     slam::MapRevision revision;
     double seconds;  ///< that they took
   };
@@ -101,7 +101,7 @@ class MapperAdapter {
   void insertPaired();
   /// Hands work to the worker and takes its results over.
   void think();
-  void takeOver(Thoughts& thoughts);
+  void takeOver(TimedRevision& thoughts);
   void note(mapping::ScanVerdict verdict, const std::string& detail);
   void broadcast();
   /// The mapper is given odometry without its jumps.
@@ -135,10 +135,10 @@ class MapperAdapter {
   Rejections bad_initial_poses_{"initial pose"};
   std::optional<SteadyTime> odometry_reset_;  ///< when the last one was noticed
   std::optional<SteadyTime> last_inserted_;   ///< when the last scan was found good
-  std::string thoughts_failure_;              ///< what ended the second thoughts, until a reset
+  std::string revision_failure_;              ///< what ended the second thoughts, until a reset
   double revision_seconds_ = 0.0;             ///< what the last second thoughts took
   std::shared_ptr<slam::MapRevision> old_;    ///< what the last ones replaced
-  Worker<Thoughts> worker_;
+  Worker<TimedRevision> worker_;
   MapSaver saver_;
   MapAutosave autosave_;
   std::optional<Restored> restored_;           ///< until it is gone on with

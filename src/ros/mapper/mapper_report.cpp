@@ -66,8 +66,8 @@ void MapperAdapter::summarize(Status& status) const {
   } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
   }
-  if (!thoughts_failure_.empty()) {
-    status.mergeSummary(DiagnosticStatus::WARN, "no loop is closed any more until a reset: " + thoughts_failure_);
+  if (!revision_failure_.empty()) {
+    status.mergeSummary(DiagnosticStatus::WARN, "no loop is closed any more until a reset: " + revision_failure_);
   }
   if (!publisher_.other().empty()) {
     status.summary(DiagnosticStatus::ERROR, publisher_.other() + " publishes " + publisher_.topic() + " as well");

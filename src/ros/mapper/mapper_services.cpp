@@ -28,7 +28,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   autosave_.forget();
   anchor_.reset();
   pairing_.clear();
-  thoughts_failure_.clear();
+  revision_failure_.clear();
   response.success = 1U;
   response.message = "the map is forgotten; its size stays";
   return true;

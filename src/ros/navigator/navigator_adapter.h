@@ -33,7 +33,7 @@ struct NavigatorNodeParameters : navigation::NavigatorParams {
     navigation::NavigatorParams::describe(v);
     v.field("map_frame", map_frame, "", "frame of the map", FrameName::kGiven);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
-    v.field("rate", rate, "Hz", "of the control loop", between(1.0, 100.0));
+    v.field("rate", rate, "Hz", "control cycles per second", between(1.0, 100.0));
     v.field("use_goal_yaw", use_goal_yaw, "", "whether a goal's direction matters");
     v.field("map_must_live", map_must_live, "", "stand still when nobody publishes the map any more");
   }

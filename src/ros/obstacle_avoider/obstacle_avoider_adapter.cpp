@@ -90,14 +90,14 @@ void ObstacleAvoiderAdapter::publish(const std::optional<avoid::AvoiderCommand>&
   if (command) cmd_vel_.publish(toCommandMsg(*command));
 }
 
-void ObstacleAvoiderAdapter::publishStatus(bool anyway) {
+void ObstacleAvoiderAdapter::publishStatus(bool always) {
   const avoid::AvoiderSnapshot snapshot = avoider_.status(rosNow());
-  const std::string essence = summarize(snapshot);
-  const bool changed = essence != last_essence_;
-  last_essence_ = essence;
-  if (changed || anyway) status_.publish(toStatusMsg(snapshot));
+  const std::string summary = summarize(snapshot);
+  const bool changed = summary != last_summary_;
+  last_summary_ = summary;
+  if (changed || always) status_.publish(toStatusMsg(snapshot));
   if (!changed) return;
-  THROTTLED_INFO(essence);
+  THROTTLED_INFO(summary);
   diagnostics_.publish();
 }
 

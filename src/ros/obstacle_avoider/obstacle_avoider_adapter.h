@@ -27,7 +27,7 @@ struct ObstacleAvoiderNodeParameters {
     avoider.describe(v);
     v.field("base_frame", base_frame, "", "the frame that the sectors are seen from; empty: robot/base_frame",
             FrameName::kMayBeEmpty);
-    v.field("enabled", enabled, "", "whether it is on at the start");
+    v.field("enabled", enabled, "", "whether it is enabled at the start");
   }
   void check(Problems& problems) const { avoider.check(problems); }
 };
@@ -45,7 +45,7 @@ class ObstacleAvoiderAdapter {
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void tick();
   void publish(const std::optional<avoid::AvoiderCommand>& command);
-  void publishStatus(bool anyway);
+  void publishStatus(bool always);
 
   ros::NodeHandle node_;
   ObstacleAvoiderNodeParameters parameters_;
@@ -55,7 +55,7 @@ class ObstacleAvoiderAdapter {
   Rejections rejections_{"scan"};
   ros::Publisher cmd_vel_, status_;
   NodeDiagnostics diagnostics_;
-  std::string last_essence_;
+  std::string last_summary_;
   std::optional<SafeSwitch> switched_on_;
   NodeConnections connections_;
 };

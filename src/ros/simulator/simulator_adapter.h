@@ -10,7 +10,7 @@
 #include <list>
 #include <vector>
 
-#include "frontier_pilot/sim/pace.h"
+#include "frontier_pilot/sim/real_time_pacer.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
@@ -25,7 +25,7 @@ struct SimulatorNodeParameters : sim::SimulatorParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     sim::SimulatorParameters::describe(v);
-    v.field("state_rate", state_rate, "Hz", "odometry, truth and transform per simulated second", between(1.0, 100.0));
+    v.fixed({"state_rate"});
   }
 
   void check(Problems& problems) const {
@@ -57,7 +57,7 @@ class SimulatorAdapter {
 
   SimulatorNodeParameters parameters_;
   sim::Simulator simulator_;
-  sim::Pace pace_;
+  sim::RealTimePacer pace_;
   TfBridge tf_;
   std::list<SimulatorRobot> robots_;
   Duration state_period_;

@@ -15,15 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/teleop/manual_output.h"
-#include "frontier_pilot/teleop/operator_link.h"
-#include "frontier_pilot/teleop/parameters.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/teleop_gui/action_link.h"
 #include "ros/teleop_gui/service_caller.h"
+#include "teleop/manual_output.h"
+#include "teleop/operator_link.h"
+#include "teleop/parameters.h"
 
 namespace frontier_pilot {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "frontier_pilot/avoid/parameters.h"
-#include "frontier_pilot/teleop/operator_state.h"
+#include "teleop/operator_state.h"
 
 /// From the status messages to what an operator is shown.
 namespace frontier_pilot {

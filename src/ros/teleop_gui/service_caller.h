@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/teleop/operator_link.h"
 #include "ros/common/callback_guard.h"
+#include "teleop/operator_link.h"
 
 namespace frontier_pilot {
 

@@ -91,7 +91,7 @@ double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, c
                                  const Pose2& T_submap_keyframe) {
   const Prepared& prepared = prepare(graph, submap, 0);
   if (prepared.map.empty() || points.empty()) return 0.0;
-  return scan_matching::contradictions(prepared.map.likelihood(), points, T_submap_keyframe);
+  return scan_matching::inconsistentShare(prepared.map.likelihood(), points, T_submap_keyframe);
 }
 
 LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
@@ -109,7 +109,7 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   request.penalty = {kPenalty, kSigmas, sigma.x(), sigma.y()};
   const auto best = scan_matching::correlativeSearch(prepared.pyramid, points, request);
   if (!best || best->on_border) return {};
-  const scan_matching::PoseBelief prior{
+  const scan_matching::PoseWithCovariance prior{
       expected, Eigen::Vector3d(sigma.x(), sigma.x(), sigma.y()).array().square().matrix().asDiagonal()};
   const scan_matching::Refinement refined =
       scan_matching::refine(prepared.map.surfels(), points, best->pose, prior, parameters_.refinement);

@@ -14,7 +14,7 @@ LocalSlamOutput LocalSlam::update(const LaserScan2& scan, const Pose2& T_odom_ba
   LocalSlamOutput output;
   output.track = tracker_.track(points, scan.stamp, T_odom_base, target());
   if (!isKeyframe(output.track) || points.empty()) {
-    if (isMatched(output.track.verdict)) sharpen(surface, output.track.T_local_base.pose);
+    if (isMatched(output.track.verdict)) updateKnown(surface, output.track.T_local_base.pose);
     return output;
   }
   if (output.track.verdict == MatchVerdict::kLost) output.finished = takeFinished(1);
@@ -57,9 +57,9 @@ void LocalSlam::insert(const Keyframe& keyframe, const surfaces::SurfacePoints& 
   pyramid_.reset();
 }
 
-void LocalSlam::sharpen(const surfaces::SurfacePoints& surface, const Pose2& T_local_base) {
+void LocalSlam::updateKnown(const surfaces::SurfacePoints& surface, const Pose2& T_local_base) {
   const surfaces::SurfacePoints dense = surfaces::filled(surface, parameters_.surface);
-  for (const auto& submap : active_) submap->map.sharpen(dense, submap->T_local_submap.inverse() * T_local_base);
+  for (const auto& submap : active_) submap->map.updateKnown(dense, submap->T_local_submap.inverse() * T_local_base);
 }
 
 std::vector<std::shared_ptr<const Submap>> LocalSlam::takeFinished(std::size_t keyframes) {

@@ -34,7 +34,7 @@ constexpr double kRivalDistance = 4;         ///< poses nearer than this to a pe
 constexpr double kRivalAngle = 0.1;          ///< [rad]
 constexpr double kSlide = 0.01;  ///< what a scan says along a corridor, at most, as a share of what it says across it
 
-scan_matching::PoseBelief beliefOf(const Pose2& pose, double position, double yaw) {
+scan_matching::PoseWithCovariance beliefOf(const Pose2& pose, double position, double yaw) {
   return {pose, Eigen::Vector3d(position, position, yaw).array().square().matrix().asDiagonal()};
 }
 
@@ -43,13 +43,14 @@ Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
 }
 
 /// Whether two beliefs cannot both be right.
-bool contradict(const scan_matching::PoseBelief& a, const scan_matching::PoseBelief& b) {
+bool contradict(const scan_matching::PoseWithCovariance& a, const scan_matching::PoseWithCovariance& b) {
   const Eigen::Vector3d apart = difference(a.pose, b.pose);
   return apart.dot((a.covariance + b.covariance).ldlt().solve(apart)) > kContradiction;
 }
 
 /// What the points and odometry say together.
-scan_matching::PoseBelief fused(const scan_matching::Refinement& refined, const scan_matching::PoseBelief& odometry) {
+scan_matching::PoseWithCovariance fused(const scan_matching::Refinement& refined,
+                                        const scan_matching::PoseWithCovariance& odometry) {
   const Eigen::Matrix3d covariance = (refined.information + odometry.covariance.inverse()).inverse();
   const Eigen::Vector3d shift = covariance * refined.information * difference(refined.pose, odometry.pose);
   const Pose2& pose = odometry.pose;
@@ -57,7 +58,7 @@ scan_matching::PoseBelief fused(const scan_matching::Refinement& refined, const 
 }
 
 /// A belief in a map's frame, as one in the frame that the map lies in.
-scan_matching::PoseBelief moved(const Pose2& T_local_map, const scan_matching::PoseBelief& belief) {
+scan_matching::PoseWithCovariance moved(const Pose2& T_local_map, const scan_matching::PoseWithCovariance& belief) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_local_map.yaw).toRotationMatrix();
   return {T_local_map * belief.pose, turn * belief.covariance * turn.transpose()};
@@ -117,8 +118,8 @@ ScanTracker::Prediction ScanTracker::predict(Time stamp, const Pose2& T_odom_bas
   const double silence = std::max(0.0, toSeconds(stamp - last_->matched));
   return {T_map_base,
           odometry,
-          {odometry.position + parameters_.odometry.unseen_speed * silence,
-           odometry.yaw + parameters_.odometry.unseen_turn * silence}};
+          {odometry.position + parameters_.odometry.unmeasured_speed * silence,
+           odometry.yaw + parameters_.odometry.unmeasured_turn * silence}};
 }
 
 Track ScanTracker::track(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
@@ -152,7 +153,7 @@ bool ScanTracker::fits(const scan_matching::Refinement& refined, const surfaces:
   // A hand before the scanner is small enough to lie on some surface by chance.
   const bool evident = refined.inliers * static_cast<double>(points.size()) >= kEvidence;
   return evident && refined.inliers >= parameters_.new_inliers &&
-         scan_matching::contradictions(map.likelihood(), points, refined.pose) <= kMostContradictions;
+         scan_matching::inconsistentShare(map.likelihood(), points, refined.pose) <= kMostContradictions;
 }
 
 bool ScanTracker::overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
@@ -161,7 +162,7 @@ bool ScanTracker::overrulesOdometry(const scan_matching::Refinement& refined, co
   constexpr double kWide = 0.75;  // [m]
   constexpr double kSure = 0.8;
   return prediction.unseen.position < kWide || refined.inliers >= kSure ||
-         scan_matching::contradictions(target.map.likelihood(), points, refined.pose) <= kMostContradictions;
+         scan_matching::inconsistentShare(target.map.likelihood(), points, refined.pose) <= kMostContradictions;
 }
 
 Track ScanTracker::match(const surfaces::SurfacePoints& points, const MatchTarget& target,
@@ -174,15 +175,16 @@ Track ScanTracker::match(const surfaces::SurfacePoints& points, const MatchTarge
   if (!found) return track;
   track.score = found->score;
   // What odometry says holds the pose loosely at first: it may be wrong, and then it must not pull.
-  const scan_matching::PoseBelief loose =
+  const scan_matching::PoseWithCovariance loose =
       beliefOf(prediction.T_map_base, prediction.unseen.position, prediction.unseen.yaw);
   const scan_matching::Refinement refined =
       scan_matching::refine(target.map.surfels(), points, found->pose, loose, parameters_.refinement);
   track.inliers = refined.inliers;
   track.slides = slidesAlong(refined.information);
   if (!fits(refined, points, target.map)) return track;
-  const scan_matching::PoseBelief seen{refined.pose, (refined.information + loose.covariance.inverse()).inverse()};
-  const scan_matching::PoseBelief odometry =
+  const scan_matching::PoseWithCovariance seen{refined.pose,
+                                               (refined.information + loose.covariance.inverse()).inverse()};
+  const scan_matching::PoseWithCovariance odometry =
       beliefOf(prediction.T_map_base, prediction.odometry.position, prediction.odometry.yaw);
   if (!contradict(seen, odometry)) {
     track.verdict = MatchVerdict::kMatched;
@@ -235,8 +237,8 @@ bool ScanTracker::hasRival(const surfaces::SurfacePoints& points, const scan_mat
 scan_matching::SearchWindow ScanTracker::usualWindow() const {
   constexpr double kUsualGap = 0.3;
   const double reach =
-      parameters_.odometry.unseen_speed * kUsualGap + kLimit * parameters_.odometry.distance * std::sqrt(kUsualGap);
-  return {reach, reach, parameters_.odometry.unseen_turn * kUsualGap};
+      parameters_.odometry.unmeasured_speed * kUsualGap + kLimit * parameters_.odometry.distance * std::sqrt(kUsualGap);
+  return {reach, reach, parameters_.odometry.unmeasured_turn * kUsualGap};
 }
 
 void ScanTracker::remember(Time stamp, const Pose2& T_odom_base, const Track& track) {

@@ -119,7 +119,7 @@ std::vector<Eigen::Matrix3d> SubmapGraph::uncertaintyFrom(std::size_t submap) co
 }
 
 void SubmapGraph::close(std::size_t submap, std::size_t of, std::size_t keyframe,
-                        const scan_matching::PoseBelief& T_submap_keyframe) {
+                        const scan_matching::PoseWithCovariance& T_submap_keyframe) {
   const Pose2 T_submap_of = T_submap_keyframe.pose * this->T_submap_keyframe(of, keyframe).inverse();
   const Eigen::Matrix3d covariance =
       compounded(T_submap_keyframe.pose, T_submap_keyframe.covariance, T_submap_of, Eigen::Matrix3d::Zero());

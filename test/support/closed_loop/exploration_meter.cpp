@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "frontier_pilot/grids/distance_field.h"
-#include "frontier_pilot/sim/reachable_floor.h"
+#include "sim/reachable_floor.h"
 
 namespace frontier_pilot::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frontier_pilot/behavior/surroundings.h"
+#include "frontier_pilot/behavior/collision_check.h"
 #include "frontier_pilot/behavior/timed_behavior.h"
 #include "support/kinematic_base.h"
 
@@ -62,7 +62,7 @@ class BehaviorLoop {
 
   KinematicBase base;
   behavior::TimedBehavior behavior;
-  behavior::Surroundings surroundings;
+  behavior::CollisionCheck surroundings;
   behavior::BehaviorInputs inputs;
   std::vector<Vec2> points;  ///< obstacles, in the odometry frame
   bool scanning = true;

@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "frontier_pilot/behavior/surroundings.h"
+#include "frontier_pilot/behavior/collision_check.h"
 #include "support/ascii_world.h"
 #include "support/shipped_robot.h"
 
@@ -106,7 +106,7 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
   GridGeometry geometry;
   geometry.resolution = 0.025;
   geometry.width = geometry.height = 40;
-  const Outline footprint = behavior::Surroundings().footprint();
+  const Outline footprint = behavior::CollisionCheck().footprint();
   const Pose2 pose(0.5, 0.5, 0.3);
   std::vector<Cell> cells;
   std::set<std::pair<int, int>> touched;
@@ -128,14 +128,14 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
 
 // [ROB-1]
 TEST(Footprint, IsTheRobotsExactOutlineWithThePaddingAroundIt) {
-  const Outline burger = behavior::Surroundings().footprint();
+  const Outline burger = behavior::CollisionCheck().footprint();
   EXPECT_FALSE(burger.isDisc());
   EXPECT_NEAR(burger.halfWidth(), 0.099, 1e-9);
   EXPECT_NEAR(burger.front(), 0.047, 1e-9);
   EXPECT_NEAR(burger.circumscribedRadius(), std::hypot(0.111, 0.099), 1e-9);
-  behavior::SurroundingsParameters parameters;
+  behavior::CollisionCheckParameters parameters;
   parameters.footprint.padding = 0.05;
-  const Outline waffle = behavior::Surroundings(parameters, test::shippedRobot("waffle")).footprint();
+  const Outline waffle = behavior::CollisionCheck(parameters, test::shippedRobot("waffle")).footprint();
   EXPECT_NEAR(waffle.halfWidth(), 0.203, 1e-9);
   EXPECT_NEAR(waffle.front(), 0.127, 1e-9);
   EXPECT_NEAR(waffle.circumscribedRadius(), std::hypot(0.255, 0.203), 1e-9);
@@ -143,7 +143,7 @@ TEST(Footprint, IsTheRobotsExactOutlineWithThePaddingAroundIt) {
 
 // [ROB-1]
 TEST(Footprint, NamesWhereThePolygonHasGone) {
-  behavior::SurroundingsParameters parameters;
+  behavior::CollisionCheckParameters parameters;
   EXPECT_EQ(loadParameters(parseYaml("footprint: {polygon: [0.1, 0.1, -0.1, 0.1, 0.0, -0.1]}"), parameters),
             (Problems{"footprint/polygon: is called robot/outline now"}));
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "frontier_pilot/teleop/operator_state.h"
+#include "teleop/operator_state.h"
 
 namespace frontier_pilot::test {
 

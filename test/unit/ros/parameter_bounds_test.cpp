@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/teleop/parameters.h"
 #include "ros/behavior_server/behavior_server_adapter.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
@@ -16,6 +15,7 @@
 #include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
 #include "ros/patrol_server/patrol_server_adapter.h"
 #include "ros/simulator/simulator_adapter.h"
+#include "teleop/parameters.h"
 
 namespace frontier_pilot {
 namespace {
@@ -81,7 +81,6 @@ TEST(ParameterBounds, NoTimerIsMadeOfWhatNoTimerKeeps_FLT_1) {
   for (const char* period : {"1e-300", "1e-6", "1e300"}) {
     expectRefused<ExplorerNodeParameters>(std::string("report_period: ") + period, "report_period");
     expectRefused<MapperNodeParameters>(std::string("update_period: ") + period, "update_period");
-    expectRefused<MapperNodeParameters>(std::string("tf_period: ") + period, "tf_period");
     expectRefused<MapperNodeParameters>(std::string("autosave_period: ") + period, "autosave_period");
   }
   EXPECT_EQ(refusal<MapperNodeParameters>("autosave_period: 0.0"), "") << "never";

@@ -12,7 +12,6 @@
 
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
-#include "frontier_pilot/teleop/parameters.h"
 #include "ros/behavior_server/behavior_server_adapter.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
@@ -21,20 +20,77 @@
 #include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
 #include "ros/patrol_server/patrol_server_adapter.h"
 #include "ros/simulator/simulator_adapter.h"
+#include "teleop/parameters.h"
 
 namespace frontier_pilot {
 namespace {
 
 const std::string kRoot = PROJECT_ROOT;
 
-bool isOfTheRobot(const detail::Describer::Row& row) { return row.name.rfind("robot/", 0) == 0; }
+using Rows = std::vector<detail::Describer::Row>;
 
-/// The rows of the robot are those of every node: they have a table of their own.
+/// The rows of the robot and of the frames are those of many nodes: they have tables of their own.
+bool isOfManyNodes(const detail::Describer::Row& row) {
+  return row.name.rfind("robot/", 0) == 0 || row.name == "map_frame" || row.name == "odom_frame" ||
+         row.name == "base_frame";
+}
+
+/// All sources of the arbiter as one: their defaults side by side, once where they are the same.
+Rows withOneSource(const Rows& rows) {
+  const std::string first = "sources[0]/";
+  Rows merged;
+  for (const auto& row : rows) {
+    const std::size_t slash = row.name.find('/');
+    if (row.name.rfind("sources[", 0) != 0) {
+      merged.push_back(row);
+    } else if (row.name.rfind(first, 0) == 0) {
+      merged.push_back(row);
+      merged.back().name = "sources[i]/" + row.name.substr(first.size());
+    } else {
+      const std::string name = "sources[i]" + row.name.substr(slash);
+      const auto of_first = std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return m.name == name; });
+      if (of_first->value != row.value) of_first->value += ", " + row.value;
+    }
+  }
+  return merged;
+}
+
+/// The table of a node, with what most people change before the rest.
 template <class P>
-std::string table(const std::string& node) {
-  auto rows = describeParameters(P());
-  rows.erase(std::remove_if(rows.begin(), rows.end(), isOfTheRobot), rows.end());
-  return "\n## " + node + "\n\n" + tabulateRows(rows);
+std::string table(const std::string& node, const std::vector<std::string>& often_changed) {
+  const Rows rows = withOneSource(describeParameters(P()));
+  const auto is_often = [&](const std::string& name) {
+    return std::find(often_changed.begin(), often_changed.end(), name) != often_changed.end();
+  };
+  Rows often, rest;
+  for (const auto& row : rows) {
+    if (is_often(row.name)) often.push_back(row);
+    if (!is_often(row.name) && !isOfManyNodes(row)) rest.push_back(row);
+  }
+  EXPECT_EQ(often.size(), often_changed.size()) << node << " lacks a parameter that is said to be changed often";
+  std::string text = "\n## " + node + "\n\nWhat most people change:\n\n" + tabulateRows(often);
+  if (!rest.empty()) text += "\nThe rest:\n\n" + tabulateRows(rest);
+  return text;
+}
+
+struct Frames {
+  std::string map_frame = "map";
+  std::string odom_frame = "odom";
+  std::string base_frame;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("map_frame", map_frame, "", "frame of the map", FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
+    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
+  }
+};
+
+std::string frameTable() {
+  return "\n## Frames\n\n"
+         "`map_frame` of mapper, navigator and frontier_explorer, `odom_frame` of mapper and behavior_server, "
+         "`base_frame` of\nthese and of obstacle_avoider.\n\n" +
+         tabulateRows(describeParameters(Frames()));
 }
 
 struct RobotGroup {
@@ -59,12 +115,24 @@ std::string allTables() {
          "Each stands in its node's private namespace; `a/b` is the key `b` in the dictionary `a`. A key that is not\n"
          "here, a value of the wrong type or out of bounds stops the node at start, all of them named at once.\n"
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
-         robotTable() + table<SimulatorNodeParameters>("simulator") +
-         table<arbiter::ArbiterParameters>("cmd_vel_arbiter") +
-         table<ObstacleAvoiderNodeParameters>("obstacle_avoider") + table<PatrolServerParameters>("patrol_server") +
-         table<BehaviorServerParameters>("behavior_server") + table<MapperNodeParameters>("mapper") +
-         table<NavigatorNodeParameters>("navigator") + table<ExplorerNodeParameters>("frontier_explorer") +
-         table<teleop::TeleopParameters>("teleop_gui");
+         robotTable() + frameTable() +
+         table<SimulatorNodeParameters>("simulator", {"world", "x", "y", "yaw", "speed", "seed", "odom_noise"}) +
+         table<arbiter::ArbiterParameters>(
+             "cmd_vel_arbiter", {"sources[i]/name", "sources[i]/topic", "sources[i]/priority", "sources[i]/timeout"}) +
+         table<ObstacleAvoiderNodeParameters>("obstacle_avoider",
+                                              {"stop_distance", "clear_distance", "reverse_speed", "enabled"}) +
+         table<PatrolServerParameters>("patrol_server", {"linear_speed", "turn_speed", "max_side", "max_laps"}) +
+         table<BehaviorServerParameters>("behavior_server", {"max_rotational_vel", "default_linear_vel",
+                                                             "simulate_ahead_time", "footprint/padding"}) +
+         table<MapperNodeParameters>(
+             "mapper", {"map_file", "localize_only", "mapper/trust_odometry", "mapper/map/resolution",
+                        "mapper/insertion/max_clear_range", "mapper/slam/local/tracker/odometry/distance"}) +
+         table<NavigatorNodeParameters>(
+             "navigator", {"clearance/preferred_clearance", "clearance/unknown_is_traversable", "goal_tolerance",
+                           "yaw_tolerance", "use_goal_yaw"}) +
+         table<ExplorerNodeParameters>("frontier_explorer", {"autostart", "goal_timeout", "return_to_start",
+                                                             "frontier/min_frontier_cells", "frontier/min_distance"}) +
+         table<teleop::TeleopParameters>("teleop_gui", {"linear_step", "angular_step", "hold_to_run", "palette"});
 }
 
 TEST(ParameterTables, TheDocumentedOnesAreThoseOfTheStructs) {

@@ -96,7 +96,7 @@ TEST(Refine, LetsThePriorDecideWhatTheScanDoesNotShow) {
   test::Scanner scanner(corridor(), 0.01);
   const scan_matching::SurfaceMap map = mapAlong(scanner, {14.0, 1.3, 0.0}, {0.2, 0.0}, 15);
   const Pose2 truth(15.5, 1.4, 0.1);
-  scan_matching::PoseBelief prior;
+  scan_matching::PoseWithCovariance prior;
   prior.pose = Pose2(truth.x + 0.1, truth.y - 0.05, truth.yaw + 0.02);
   prior.covariance = Eigen::Vector3d(0.01, 0.05, 0.02).array().square().matrix().asDiagonal();
   const scan_matching::Refinement refined =
@@ -138,15 +138,16 @@ TEST(Contradictions, AreFewInANewPlaceAndManyInAnother) {
   // Mapped from the left of the thin wall; the robot then looks around its end, where nothing is known.
   const scan_matching::SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.0}, {0.0, 0.02}, 10);
   const Pose2 at_the_end(3.0, 3.2, 0.0);
-  EXPECT_LT(scan_matching::contradictions(map.likelihood(), look(scanner, at_the_end), at_the_end), 0.1);
+  EXPECT_LT(scan_matching::inconsistentShare(map.likelihood(), look(scanner, at_the_end), at_the_end), 0.1);
   test::Scanner elsewhere(corridor(), 0.01);
-  EXPECT_GT(scan_matching::contradictions(map.likelihood(), look(elsewhere, {15.0, 1.0, 0.0}), {1.2, 1.1, 0.0}), 0.3);
+  EXPECT_GT(scan_matching::inconsistentShare(map.likelihood(), look(elsewhere, {15.0, 1.0, 0.0}), {1.2, 1.1, 0.0}),
+            0.3);
   // A hand before the scanner: the walls behind it are known.
   LaserScan2 hand = scanner.scan(at_the_end, timeFromSeconds(1.0));
   hand.ranges.assign(hand.ranges.size(), 0.2F);
-  EXPECT_GT(
-      scan_matching::contradictions(map.likelihood(), surfaces::thinned(surfaces::readSurface(hand)), {1.2, 1.1, 0.0}),
-      0.7);
+  EXPECT_GT(scan_matching::inconsistentShare(map.likelihood(), surfaces::thinned(surfaces::readSurface(hand)),
+                                             {1.2, 1.1, 0.0}),
+            0.7);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(SurfelMap, MAP_1_SharpensWhatItHasAndAddsNothing) {
   const std::size_t size = map.size();
   surfaces::SurfacePoints points = {{Vec2(1.0, 2.0), Vec2(0.0, 1.0)}};
   for (int k = 0; k < 300; ++k) points.push_back({Vec2(0.01 * k, 1.02), Vec2(0.0, 1.0)});
-  map.sharpen(points, Pose2());
+  map.updateKnown(points, Pose2());
   EXPECT_EQ(map.size(), size);
   EXPECT_NEAR(map.nearest({Vec2(1.5, 1.0), Vec2(0.0, 1.0)})->position().y(), 1.01, 0.001);
   EXPECT_FALSE(map.nearest(points.front()));

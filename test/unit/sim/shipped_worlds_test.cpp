@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "frontier_pilot/sim/reachable_floor.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "sim/reachable_floor.h"
 
 namespace frontier_pilot::sim {
 namespace {

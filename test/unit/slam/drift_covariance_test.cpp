@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/local_drift.h"
+#include "frontier_pilot/slam/drift_covariance.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ slam::Keyframe keyframeAt(const Pose2& T_local_base, surfaces::SurfacePoints poi
 
 /// The standard deviations of the position after a step of 0.2 m with a turn: the least and the greatest.
 Eigen::Vector2d sigmasOf(const surfaces::SurfacePoints& points) {
-  slam::LocalDrift drift((slam::LocalSlamParameters()));
+  slam::DriftCovariance drift((slam::LocalSlamParameters()));
   drift.step(keyframeAt(Pose2(), points), slam::MatchVerdict::kFirst);
   const Eigen::Matrix3d covariance = drift.step(keyframeAt(Pose2(0.2, 0.0, 0.2), points), slam::MatchVerdict::kMatched);
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()))
@@ -50,7 +50,7 @@ Eigen::Vector2d sigmasOf(const surfaces::SurfacePoints& points) {
 
 constexpr double kOdometry = 0.06 * 0.2;  // [m], what odometry may be off by after the step
 
-TEST(LocalDrift, MAP_1_IsOdometrysAlongACorridorWhicheverWayThatRuns) {
+TEST(DriftCovariance, MAP_1_IsOdometrysAlongACorridorWhicheverWayThatRuns) {
   for (int degrees = 0; degrees < 180; degrees += 5) {
     const Eigen::Vector2d sigmas = sigmasOf(corridor(degrees * kPi / 180.0));
     EXPECT_NEAR(sigmas(1), kOdometry, 0.01 * kOdometry) << degrees << " degrees";
@@ -58,10 +58,12 @@ TEST(LocalDrift, MAP_1_IsOdometrysAlongACorridorWhicheverWayThatRuns) {
   }
 }
 
-TEST(LocalDrift, MAP_1_IsNextToNothingWhereWallsAreOnAllSides) { EXPECT_LT(sigmasOf(room())(1), 1e-3 * kOdometry); }
+TEST(DriftCovariance, MAP_1_IsNextToNothingWhereWallsAreOnAllSides) {
+  EXPECT_LT(sigmasOf(room())(1), 1e-3 * kOdometry);
+}
 
-TEST(LocalDrift, MAP_1_IsThatOfARobotPickedUpWhereTheMapIsBegunAnew) {
-  slam::LocalDrift drift((slam::LocalSlamParameters()));
+TEST(DriftCovariance, MAP_1_IsThatOfARobotPickedUpWhereTheMapIsBegunAnew) {
+  slam::DriftCovariance drift((slam::LocalSlamParameters()));
   EXPECT_TRUE(drift.step(keyframeAt(Pose2(), room()), slam::MatchVerdict::kFirst).isZero());
   const Eigen::Matrix3d lost = drift.step(keyframeAt(Pose2(0.2, 0.0, 0.0), room()), slam::MatchVerdict::kLost);
   EXPECT_GT(lost(0, 0), 1.0);

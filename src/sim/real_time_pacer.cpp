@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/pace.h"
+#include "frontier_pilot/sim/real_time_pacer.h"
 
 #include <limits>
 
@@ -9,7 +9,7 @@ constexpr Duration kForgiven = std::chrono::milliseconds(250);  // of real time
 
 }  // namespace
 
-std::int64_t Pace::due(SteadyTime now) {
+std::int64_t RealTimePacer::due(SteadyTime now) {
   if (speed_ <= 0.0) return std::numeric_limits<std::int64_t>::max();
   const double steps_per_second = speed_ / toSeconds(step_);
   if (!resting_) {

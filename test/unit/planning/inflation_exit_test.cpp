@@ -1,4 +1,4 @@
-#include "planning/escape.h"
+#include "planning/inflation_exit.h"
 
 #include <gtest/gtest.h>
 
@@ -30,25 +30,25 @@ const auto kAtAWall = drawWorld(R"(
   ################
 )");
 
-TEST(Escape, FromAPassableCellIsThatCell) {
+TEST(InflationExit, FromAPassableCellIsThatCell) {
   const planning::ClearanceMap map = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 20, 20}, kFree));
   for (const double radius : {0.0, 0.5}) {
-    const std::vector<planning::Escape> escapes = planning::findEscapes(map, {10, 10}, radius);
+    const std::vector<planning::InflationExit> escapes = planning::findInflationExits(map, {10, 10}, radius);
     ASSERT_EQ(escapes.size(), 1U);
     EXPECT_EQ(escapes[0].cells, (std::vector<Cell>{{10, 10}}));
     EXPECT_EQ(escapes[0].cost, 0.0);
   }
 }
 
-TEST(Escape, LeadsFromAWallToTheNearestPassableCellFirst) {
+TEST(InflationExit, LeadsFromAWallToTheNearestPassableCellFirst) {
   const planning::ClearanceMap map = clearanceOf(kAtAWall.map);
   const Cell start = kAtAWall.cell('S');
   ASSERT_FALSE(map.isPassable(start));
-  const std::vector<planning::Escape> escapes = planning::findEscapes(map, start, 0.3);
+  const std::vector<planning::InflationExit> escapes = planning::findInflationExits(map, start, 0.3);
   ASSERT_GT(escapes.size(), 1U);
   EXPECT_EQ(escapes[0].cells.back().x, start.x) << "straight away from the wall";
   double last = 0.0;
-  for (const planning::Escape& escape : escapes) {
+  for (const planning::InflationExit& escape : escapes) {
     EXPECT_GE(escape.cost, last) << "the cheapest first";
     last = escape.cost;
     EXPECT_EQ(escape.cells.front(), start);
@@ -63,16 +63,16 @@ TEST(Escape, LeadsFromAWallToTheNearestPassableCellFirst) {
   }
 }
 
-TEST(Escape, IsNoneWhereNothingPassableIsNearEnough) {
+TEST(InflationExit, IsNoneWhereNothingPassableIsNearEnough) {
   const planning::ClearanceMap map = clearanceOf(kAtAWall.map);
-  EXPECT_TRUE(planning::findEscapes(map, kAtAWall.cell('S'), 0.0).empty());
-  EXPECT_TRUE(planning::findEscapes(map, kAtAWall.cell('S'), 0.05).empty());
+  EXPECT_TRUE(planning::findInflationExits(map, kAtAWall.cell('S'), 0.0).empty());
+  EXPECT_TRUE(planning::findInflationExits(map, kAtAWall.cell('S'), 0.05).empty());
   const planning::ClearanceMap full = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 20, 20}, kOccupied));
-  EXPECT_TRUE(planning::findEscapes(full, {10, 10}, 1.0).empty());
-  EXPECT_TRUE(planning::findEscapes(clearanceOf(drawWorld("#").map), {0, 0}, 1.0).empty());
+  EXPECT_TRUE(planning::findInflationExits(full, {10, 10}, 1.0).empty());
+  EXPECT_TRUE(planning::findInflationExits(clearanceOf(drawWorld("#").map), {0, 0}, 1.0).empty());
 }
 
-TEST(Escape, CrossesNoWallToARoomBeyond) {
+TEST(InflationExit, CrossesNoWallToARoomBeyond) {
   const auto world = drawWorld(R"(
     ....................
     ....................
@@ -87,33 +87,34 @@ TEST(Escape, CrossesNoWallToARoomBeyond) {
     ####################
     ####################
   )");
-  EXPECT_TRUE(planning::findEscapes(clearanceOf(world.map), world.cell('S'), 0.5).empty())
+  EXPECT_TRUE(planning::findInflationExits(clearanceOf(world.map), world.cell('S'), 0.5).empty())
       << "the walls reach farther than what lies under the robot";
 }
 
-TEST(Escape, TakesWhatLiesUnderTheRobotForNoise) {
+TEST(InflationExit, TakesWhatLiesUnderTheRobotForNoise) {
   OccupancyGrid grid(GridGeometry{0.05, Vec2::Zero(), 30, 30}, kFree);
   for (int k = 0; k < 9; ++k) grid[Cell{14 + k % 3, 14 + k / 3}] = kOccupied;
   const planning::ClearanceMap map = clearanceOf(grid);
   ASSERT_TRUE(map.isOccupied({15, 15}));
-  EXPECT_FALSE(planning::findEscapes(map, {15, 15}, 0.5).empty());
+  EXPECT_FALSE(planning::findInflationExits(map, {15, 15}, 0.5).empty());
 }
 
-TEST(Escape, LeadsOutOfTheUnknownAtTheEdgeOfTheMap) {
+TEST(InflationExit, LeadsOutOfTheUnknownAtTheEdgeOfTheMap) {
   const auto world = drawWorld(R"(
     ???.........
     ???.........
     ???.........
     ???.........
   )");
-  const std::vector<planning::Escape> escapes = planning::findEscapes(clearanceOf(world.map), {0, 0}, 0.5);
+  const std::vector<planning::InflationExit> escapes =
+      planning::findInflationExits(clearanceOf(world.map), {0, 0}, 0.5);
   ASSERT_FALSE(escapes.empty());
   EXPECT_EQ(escapes[0].cells.back(), (Cell{3, 0}));
 }
 
-TEST(Escape, GoesBeyondTheFirstPassableCellOnlyWhenAskedTo) {
+TEST(InflationExit, GoesBeyondTheFirstPassableCellOnlyWhenAskedTo) {
   const planning::ClearanceMap map = clearanceOf(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 21, 21}, kFree));
-  const std::vector<planning::Escape> escapes = planning::findEscapes(map, {10, 10}, 0.1, true);
+  const std::vector<planning::InflationExit> escapes = planning::findInflationExits(map, {10, 10}, 0.1, true);
   EXPECT_EQ(escapes.size(), 13U) << "every cell within two of it";
   EXPECT_EQ(escapes[0].cells.size(), 1U) << "the cell itself is the cheapest";
 }

@@ -1,4 +1,4 @@
-#include "ros/behavior_server/behavior_surroundings.h"
+#include "ros/behavior_server/behavior_costmap.h"
 
 #include <utility>
 
@@ -6,18 +6,17 @@
 
 namespace frontier_pilot {
 
-BehaviorSurroundings::BehaviorSurroundings(const behavior::SurroundingsParameters& parameters, const RobotModel& robot,
-                                           BehaviorFrames frames, const TfBridge& tf)
+BehaviorCostmap::BehaviorCostmap(const behavior::CollisionCheckParameters& parameters, const RobotModel& robot,
+                                 BehaviorFrames frames, const TfBridge& tf)
     : surroundings_(parameters, robot), frames_(std::move(frames)), tf_(tf) {
   frames_.base_frame = robot.baseFrameOr(frames_.base_frame);
 }
 
-void BehaviorSurroundings::subscribe(NodeConnections& connections) {
-  connections.subscribeToOne(names::kScan, 1, &BehaviorSurroundings::handleScan, this,
-                             ros::TransportHints().tcpNoDelay());
+void BehaviorCostmap::subscribe(NodeConnections& connections) {
+  connections.subscribeToOne(names::kScan, 1, &BehaviorCostmap::handleScan, this, ros::TransportHints().tcpNoDelay());
 }
 
-void BehaviorSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
+void BehaviorCostmap::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
   // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(frames_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
@@ -26,7 +25,7 @@ void BehaviorSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
   takeIn();
 }
 
-void BehaviorSurroundings::takeIn() {
+void BehaviorCostmap::takeIn() {
   if (!waiting_) return;
   const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->stamp);
   if (!T_odom_base) return;
@@ -34,12 +33,12 @@ void BehaviorSurroundings::takeIn() {
   waiting_.reset();
 }
 
-void BehaviorSurroundings::clear() {
+void BehaviorCostmap::clear() {
   waiting_.reset();
   surroundings_.costmap().clear();
 }
 
-behavior::BehaviorInputs BehaviorSurroundings::inputs(double max_age, Time now) {
+behavior::BehaviorInputs BehaviorCostmap::inputs(double max_age, Time now) {
   takeIn();
   behavior::BehaviorInputs inputs;
   const auto stamp = poseStamp();

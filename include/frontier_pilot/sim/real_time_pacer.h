@@ -8,10 +8,10 @@ namespace frontier_pilot::sim {
 
 /// How many steps a simulation owes real time. What it cannot keep up with is forgiven, so that it never races to
 /// catch up. [SIM-4]
-class Pace {
+class RealTimePacer {
  public:
   /// `speed` is simulated over real time, 0 for as fast as it can. `step` is simulated time.
-  Pace(double speed, Duration step) : speed_(speed), step_(step) {}
+  RealTimePacer(double speed, Duration step) : speed_(speed), step_(step) {}
 
   /// Steps that are due now.
   std::int64_t due(SteadyTime now);

@@ -1,4 +1,4 @@
-#include "frontier_pilot/teleop/journal.h"
+#include "teleop/operator_events.h"
 
 #include <algorithm>
 
@@ -65,7 +65,7 @@ void notePatrol(const OperatorState& before, const OperatorState& now, Lines& li
 
 }  // namespace
 
-std::vector<OperatorLogLine> whatHappened(const OperatorState& before, const OperatorState& now) {
+std::vector<OperatorLogLine> eventsBetween(const OperatorState& before, const OperatorState& now) {
   Lines lines;
   noteStop(before, now, lines);
   noteArbiter(before, now, lines);

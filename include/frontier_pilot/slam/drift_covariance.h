@@ -11,9 +11,9 @@ namespace frontier_pilot::slam {
 /// robot to what is mapped; along a bare corridor there is nothing but odometry. So odometry's error stays where it
 /// knows more than the scan, and goes where it knows less: with S S and I, the covariance of odometry's step and the
 /// information of the surfaces, what stays is S (1 + (S I S)^4)^-2 S.
-class LocalDrift {
+class DriftCovariance {
  public:
-  explicit LocalDrift(const LocalSlamParameters& parameters) : parameters_(parameters) {}
+  explicit DriftCovariance(const LocalSlamParameters& parameters) : parameters_(parameters) {}
 
   /// The covariance of (x, y, yaw) of the step to `keyframe` from the last one, along the local frame's axes.
   Eigen::Matrix3d step(const Keyframe& keyframe, MatchVerdict verdict);

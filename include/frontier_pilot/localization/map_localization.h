@@ -8,10 +8,11 @@
 
 namespace frontier_pilot::localization {
 
-/// Finds the robot in a map that is known already, and either follows it there and leaves the map as it is, or goes on
-/// mapping from there: then the known map is what everything new is drawn upon. Until the robot is found no scan fits.
+/// Localisation in a known map: finds the robot in it, and then either follows it there and leaves the map as it is, or
+/// goes on mapping. When mapping goes on, new scans are matched with each other, and drawn on the known map. Until the
+/// robot is found no scan is used.
 /// [MAP-5]
-class KnownMap final : public slam::PoseCorrection {
+class MapLocalization final : public slam::PoseCorrection {
  public:
   enum class Use {
     kLocalizeOnly,   ///< the map stays as it is
@@ -19,9 +20,10 @@ class KnownMap final : public slam::PoseCorrection {
     kTrustOdometry,  ///< with odometry taken for the truth from where the robot was found
   };
 
-  /// `map` is the known one, and what revisions have for its parameters; `T_map_base` where the robot is about now.
-  KnownMap(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
-           const occupancy::ScanInsertionParameters& insertion, const scan_matching::PoseBelief& T_map_base);
+  /// `map` is the known one; revised maps get its parameters. `T_map_base` is a rough pose of the robot now.
+  MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
+                  const occupancy::ScanInsertionParameters& insertion,
+                  const scan_matching::PoseWithCovariance& T_map_base);
 
   slam::CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
                               const occupancy::OccupancyMap& map) override;

@@ -6,7 +6,7 @@
 namespace frontier_pilot::behavior {
 
 /// What the robot's surroundings are known by, as configured.
-struct SurroundingsParameters {
+struct CollisionCheckParameters {
   FootprintParameters footprint;
   LocalCostmapParameters costmap;
 
@@ -18,9 +18,9 @@ struct SurroundingsParameters {
 };
 
 /// What a behaviour looks ahead in: the footprint on the local costmap, as long as its last scan is fresh.
-class Surroundings {
+class CollisionCheck {
  public:
-  explicit Surroundings(const SurroundingsParameters& parameters = {}, const RobotModel& robot = {})
+  explicit CollisionCheck(const CollisionCheckParameters& parameters = {}, const RobotModel& robot = {})
       : footprint_(robot.exactOutline().padded(parameters.footprint.padding)),
         costmap_(parameters.costmap, footprint_) {}
 

@@ -24,10 +24,10 @@ struct Motion {
 
 /// All that robots of one outline can bump into: walls, obstacles, and each other. To each other, and to each other's
 /// scanners, robots are the disc around their outline, so that two of them agree on whether they touch. [SIM-3]
-class Surroundings {
+class CollisionScene {
  public:
   /// `solid` as from solidCells, `world` the area that most discs lie in.
-  Surroundings(const GridGeometry& world, const Grid<std::uint8_t>& solid, const Outline& outline);
+  CollisionScene(const GridGeometry& world, const Grid<std::uint8_t>& solid, const Outline& outline);
 
   const DiscIndex& discs() const { return discs_; }
   DiscIndex::Id addRobot(const Vec2& centre);

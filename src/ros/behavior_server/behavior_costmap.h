@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "frontier_pilot/behavior/surroundings.h"
+#include "frontier_pilot/behavior/collision_check.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
@@ -26,11 +26,11 @@ struct BehaviorFrames {
 };
 
 /// Keeps a behaviour's surroundings from `scan` and TF, and its inputs.
-class BehaviorSurroundings {
+class BehaviorCostmap {
  public:
   /// Frames as in `frames`, where an empty `base_frame` is the robot's.
-  BehaviorSurroundings(const behavior::SurroundingsParameters& parameters, const RobotModel& robot,
-                       BehaviorFrames frames, const TfBridge& tf);
+  BehaviorCostmap(const behavior::CollisionCheckParameters& parameters, const RobotModel& robot, BehaviorFrames frames,
+                  const TfBridge& tf);
 
   /// Begins to listen.
   void subscribe(NodeConnections& connections);
@@ -49,7 +49,7 @@ class BehaviorSurroundings {
   void handleScan(const sensor_msgs::LaserScan& msg);
   void takeIn();
 
-  behavior::Surroundings surroundings_;
+  behavior::CollisionCheck surroundings_;
   BehaviorFrames frames_;
   const TfBridge& tf_;
   std::optional<LaserScan2> waiting_;  ///< until TF knows where the robot was

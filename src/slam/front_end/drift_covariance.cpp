@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/local_drift.h"
+#include "frontier_pilot/slam/drift_covariance.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -19,7 +19,7 @@ Eigen::Matrix3d unknownShare(const Eigen::Matrix3d& known) {
 
 }  // namespace
 
-Eigen::Matrix3d LocalDrift::step(const Keyframe& keyframe, MatchVerdict verdict) {
+Eigen::Matrix3d DriftCovariance::step(const Keyframe& keyframe, MatchVerdict verdict) {
   const Pose2 motion = last_ ? last_->inverse() * keyframe.T_local_base : Pose2();
   const bool first = !last_;
   last_ = keyframe.T_local_base;
@@ -34,14 +34,14 @@ Eigen::Matrix3d LocalDrift::step(const Keyframe& keyframe, MatchVerdict verdict)
   return alongAxes(open, -keyframe.T_local_base.yaw);
 }
 
-Eigen::Vector3d LocalDrift::odometrySigma(const Pose2& motion) const {
+Eigen::Vector3d DriftCovariance::odometrySigma(const Pose2& motion) const {
   const OdometryTrust& trust = parameters_.tracker.odometry;
   const double driven = motion.position().norm();
   const double position = trust.distance * driven;
   return {position, position, trust.yaw_distance * driven + trust.yaw_turn * std::abs(motion.yaw)};
 }
 
-Eigen::Matrix3d LocalDrift::surfaceInformation(const surfaces::SurfacePoints& points) const {
+Eigen::Matrix3d DriftCovariance::surfaceInformation(const surfaces::SurfacePoints& points) const {
   // As if each point said something of its own: the question is which knows more, not how well it knows. Less than the
   // points know of themselves: the normals of a corridor's walls are off by a little, and must not look like features.
   constexpr double kNoise = 0.02;  // [m]

@@ -7,7 +7,7 @@
 namespace frontier_pilot::planning {
 
 /// A way for a robot that stands too near an obstacle, or where the map says unknown, to a passable cell.
-struct Escape {
+struct InflationExit {
   double cost = 0.0;
   std::vector<Cell> cells;  ///< from the robot's cell to the passable one
 };
@@ -16,6 +16,6 @@ struct Escape {
 /// `radius` [m] away. They shun nearness and never cross an obstacle, except for what lies under the robot itself,
 /// which cannot be there. A passable `from` gives the one way that is itself; with `beyond` ways go on through passable
 /// cells, to every one within the radius: for a robot on an island that noise has cut off.
-std::vector<Escape> findEscapes(const ClearanceMap& map, Cell from, double radius, bool beyond = false);
+std::vector<InflationExit> findInflationExits(const ClearanceMap& map, Cell from, double radius, bool beyond = false);
 
 }  // namespace frontier_pilot::planning

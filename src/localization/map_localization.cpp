@@ -1,4 +1,4 @@
-#include "frontier_pilot/localization/known_map.h"
+#include "frontier_pilot/localization/map_localization.h"
 
 #include <sstream>
 
@@ -13,15 +13,16 @@ std::string bytesOf(occupancy::OccupancyMap& map) {
 
 }  // namespace
 
-KnownMap::KnownMap(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
-                   const occupancy::ScanInsertionParameters& insertion, const scan_matching::PoseBelief& T_map_base)
+MapLocalization::MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
+                                 const occupancy::ScanInsertionParameters& insertion,
+                                 const scan_matching::PoseWithCovariance& T_map_base)
     : use_(use), localizer_(parameters.local, map.grid(), T_map_base) {
   if (use != Use::kGoOnMapping) return;
   slam_ = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
 }
 
-slam::CorrectedScan KnownMap::correct(const LaserScan2& scan, const Pose2& T_odom_base,
-                                      const occupancy::OccupancyMap& map) {
+slam::CorrectedScan MapLocalization::correct(const LaserScan2& scan, const Pose2& T_odom_base,
+                                             const occupancy::OccupancyMap& map) {
   if (!T_map_odom_) {
     const slam::MatchVerdict verdict = localizer_.update(scan, T_odom_base);
     const char* text = localizer_.isLocated() ? toString(verdict) : "looking for the robot in the known map";
@@ -35,13 +36,13 @@ slam::CorrectedScan KnownMap::correct(const LaserScan2& scan, const Pose2& T_odo
   return corrected;
 }
 
-std::vector<slam::KeyframePose> KnownMap::trajectory() const {
+std::vector<slam::KeyframePose> MapLocalization::trajectory() const {
   if (!slam_ || !T_map_odom_) return {};
   std::vector<slam::KeyframePose> trajectory = slam_->trajectory();
   for (slam::KeyframePose& keyframe : trajectory) keyframe.T_odom_base = T_map_odom_->inverse() * keyframe.T_odom_base;
   return trajectory;
 }
 
-void KnownMap::reset() {}
+void MapLocalization::reset() {}
 
 }  // namespace frontier_pilot::localization

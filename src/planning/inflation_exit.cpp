@@ -1,4 +1,4 @@
-#include "planning/escape.h"
+#include "planning/inflation_exit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@ namespace {
 constexpr double kContactWeight = 4.0;
 
 /// Dijkstra's search over a small window around the robot.
-class EscapeSearch {
+class InflationExitSearch {
  public:
-  EscapeSearch(const ClearanceMap& map, Cell from, double radius, bool beyond)
+  InflationExitSearch(const ClearanceMap& map, Cell from, double radius, bool beyond)
       : map_(map),
         beyond_(beyond),
         from_(from),
@@ -25,7 +25,7 @@ class EscapeSearch {
         cost_(from, reach_, std::numeric_limits<double>::infinity()),
         parent_(from, reach_, from) {}
 
-  std::vector<Escape> run() {
+  std::vector<InflationExit> run() {
     push(from_, from_, 0.0);
     while (!queue_.empty()) {
       const auto [cost, y, x] = queue_.top();
@@ -82,13 +82,13 @@ class EscapeSearch {
   grids::CellWindow<double> cost_;
   grids::CellWindow<Cell> parent_;
   std::priority_queue<std::tuple<double, int, int>, std::vector<std::tuple<double, int, int>>, std::greater<>> queue_;
-  std::vector<Escape> escapes_;
+  std::vector<InflationExit> escapes_;
 };
 
 }  // namespace
 
-std::vector<Escape> findEscapes(const ClearanceMap& map, Cell from, double radius, bool beyond) {
-  return EscapeSearch(map, from, radius, beyond).run();
+std::vector<InflationExit> findInflationExits(const ClearanceMap& map, Cell from, double radius, bool beyond) {
+  return InflationExitSearch(map, from, radius, beyond).run();
 }
 
 }  // namespace frontier_pilot::planning

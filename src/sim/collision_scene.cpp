@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/surroundings.h"
+#include "frontier_pilot/sim/collision_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,25 +14,25 @@ constexpr double kExact = 1e-6;      // [m]: how exactly it is known where an ou
 
 }  // namespace
 
-Surroundings::Surroundings(const GridGeometry& world, const Grid<std::uint8_t>& solid, const Outline& outline)
+CollisionScene::CollisionScene(const GridGeometry& world, const Grid<std::uint8_t>& solid, const Outline& outline)
     : outline_(outline),
       touching_(outline.padded(kTouching)),
       walls_(solid, outline.circumscribedRadius()),
       discs_(world) {}
 
-DiscIndex::Id Surroundings::addRobot(const Vec2& centre) {
+DiscIndex::Id CollisionScene::addRobot(const Vec2& centre) {
   const DiscIndex::Id id = addObstacle({centre, outline_.circumscribedRadius()});
   is_robot_[id] = true;
   return id;
 }
 
-DiscIndex::Id Surroundings::addObstacle(const Disc& disc) {
+DiscIndex::Id CollisionScene::addObstacle(const Disc& disc) {
   const DiscIndex::Id id = discs_.add(disc);
   is_robot_.resize(std::max<std::size_t>(is_robot_.size(), id + 1U), false);
   return id;
 }
 
-Obstruction Surroundings::at(const Pose2& pose, std::optional<DiscIndex::Id> own) const {
+Obstruction CollisionScene::at(const Pose2& pose, std::optional<DiscIndex::Id> own) const {
   const PlacedOutline placed(outline_, pose);
   if (walls_.overlaps(placed)) return Obstruction::kWall;
   Obstruction obstruction = Obstruction::kNone;
@@ -43,13 +43,13 @@ Obstruction Surroundings::at(const Pose2& pose, std::optional<DiscIndex::Id> own
   return obstruction;
 }
 
-bool Surroundings::touches(const Pose2& pose, DiscIndex::Id own) const {
+bool CollisionScene::touches(const Pose2& pose, DiscIndex::Id own) const {
   // The mitres of the larger outline reach out twice as far at most.
   if (isSurelyFree(pose.position(), 2.0 * kTouching, own)) return false;
   return overlapsAnything(PlacedOutline(touching_, pose), own);
 }
 
-Motion Surroundings::drive(const Pose2& from, const Twist2& arc, DiscIndex::Id own) const {
+Motion CollisionScene::drive(const Pose2& from, const Twist2& arc, DiscIndex::Id own) const {
   const double share = freeShare(from, arc, own);
   const Pose2 stop = integrate(from, arc, share);
   if (share == 1.0) return {stop, arc};
@@ -62,13 +62,13 @@ Motion Surroundings::drive(const Pose2& from, const Twist2& arc, DiscIndex::Id o
 }
 
 // How far a point of the outline moves at most [m].
-double Surroundings::travel(const Twist2& arc) const {
+double CollisionScene::travel(const Twist2& arc) const {
   const double turning = outline_.isDisc() ? 0.0 : std::abs(arc.angular) * outline_.circumscribedRadius();
   return std::abs(arc.linear) + turning;
 }
 
 // How much of an arc is free, 1 being all of it.
-double Surroundings::freeShare(const Pose2& from, const Twist2& arc, DiscIndex::Id own) const {
+double CollisionScene::freeShare(const Pose2& from, const Twist2& arc, DiscIndex::Id own) const {
   const double way = travel(arc);
   if (way == 0.0 || isSurelyFree(from.position(), std::abs(arc.linear), own)) return 1.0;
   const auto blocked = [&](double share) { return isBlocked(integrate(from, arc, share), own); };
@@ -86,12 +86,12 @@ double Surroundings::freeShare(const Pose2& from, const Twist2& arc, DiscIndex::
   return 1.0;
 }
 
-bool Surroundings::isBlocked(const Pose2& pose, DiscIndex::Id own) const {
+bool CollisionScene::isBlocked(const Pose2& pose, DiscIndex::Id own) const {
   return !isSurelyFree(pose.position(), 0.0, own) && overlapsAnything(PlacedOutline(outline_, pose), own);
 }
 
 // Whether the disc around the outline is free wherever it moves by `reach` at most. Cheap.
-bool Surroundings::isSurelyFree(const Vec2& centre, double reach, DiscIndex::Id own) const {
+bool CollisionScene::isSurelyFree(const Vec2& centre, double reach, DiscIndex::Id own) const {
   if (!walls_.surelyFree(centre, reach)) return false;
   const double radius = outline_.circumscribedRadius() + reach;
   bool free = true;
@@ -101,14 +101,14 @@ bool Surroundings::isSurelyFree(const Vec2& centre, double reach, DiscIndex::Id 
   return free;
 }
 
-bool Surroundings::overlapsAnything(const PlacedOutline& placed, DiscIndex::Id own) const {
+bool CollisionScene::overlapsAnything(const PlacedOutline& placed, DiscIndex::Id own) const {
   bool found = false;
   discs_.visitNear(placed.centre(), placed.radius(),
                    [&](DiscIndex::Id id, const Disc&) { found = found || (id != own && overlaps(placed, id)); });
   return found || walls_.overlaps(placed);
 }
 
-bool Surroundings::overlaps(const PlacedOutline& placed, DiscIndex::Id id) const {
+bool CollisionScene::overlaps(const PlacedOutline& placed, DiscIndex::Id id) const {
   return is_robot_[id] ? placed.overlapsDiscAllAround(discs_[id]) : placed.overlapsDisc(discs_[id]);
 }
 

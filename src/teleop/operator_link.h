@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/teleop/operator_state.h"
+#include "teleop/operator_state.h"
 
 namespace frontier_pilot::teleop {
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/teleop/journal.h"
+#include "teleop/operator_events.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ class Journal : public ::testing::Test {
  protected:
   std::vector<std::string> lines() const {
     std::vector<std::string> texts;
-    for (const teleop::OperatorLogLine& line : teleop::whatHappened(before_, now_)) texts.push_back(line.text);
+    for (const teleop::OperatorLogLine& line : teleop::eventsBetween(before_, now_)) texts.push_back(line.text);
     return texts;
   }
 
@@ -32,7 +32,7 @@ TEST_F(Journal, IsSilentWhileNothingHappens) {
   EXPECT_EQ(lines(), Lines());
   before_ = {};
   EXPECT_EQ(lines(), Lines()) << "what is found at the start is no event";
-  EXPECT_TRUE(teleop::whatHappened({}, {}).empty());
+  EXPECT_TRUE(teleop::eventsBetween({}, {}).empty());
 }
 
 // [GUI-2]

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/teleop/parameters.h"
+#include "teleop/parameters.h"
 
 namespace frontier_pilot::teleop {
 

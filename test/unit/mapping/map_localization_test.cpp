@@ -1,4 +1,4 @@
-#include "frontier_pilot/localization/known_map.h"
+#include "frontier_pilot/localization/map_localization.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ class KnownMapTest : public ::testing::Test {
       }
     }
   }
-  static scan_matching::PoseBelief about(const Pose2& pose) {
+  static scan_matching::PoseWithCovariance about(const Pose2& pose) {
     return {pose, Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()};
   }
   void expectKnown(const mapping::Mapper& mapper, double distance) const {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/pace.h"
+#include "frontier_pilot/sim/real_time_pacer.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ constexpr Duration kStep = std::chrono::milliseconds(10);
 
 SteadyTime at(double seconds) { return timeFromSeconds<SteadyTime>(100.0 + seconds); }
 
-std::int64_t run(Pace& pace, double from, double to) {
+std::int64_t run(RealTimePacer& pace, double from, double to) {
   std::int64_t steps = 0;
   for (double t = from; t < to; t += 0.003) {
     for (std::int64_t due = pace.due(at(t)); due > 0; --due, ++steps) pace.stepped();
@@ -20,23 +20,23 @@ std::int64_t run(Pace& pace, double from, double to) {
 }
 
 // [SIM-4] speed scales time
-TEST(Pace, KeepsSimulatedTimeInProportionToRealTime_SIM_4) {
+TEST(RealTimePacer, KeepsSimulatedTimeInProportionToRealTime_SIM_4) {
   for (double speed : {0.5, 1.0, 4.0, 20.0}) {
-    Pace pace(speed, kStep);
+    RealTimePacer pace(speed, kStep);
     EXPECT_NEAR(static_cast<double>(run(pace, 0.0, 10.0)), 1000.0 * speed, speed + 1.0);
     EXPECT_EQ(pace.timesBehind(), 0);
   }
 }
 
 // [SIM-4] speed 0 runs as fast as it can
-TEST(Pace, NeverEndsWithoutASpeed_SIM_4) {
-  Pace pace(0.0, kStep);
+TEST(RealTimePacer, NeverEndsWithoutASpeed_SIM_4) {
+  RealTimePacer pace(0.0, kStep);
   EXPECT_EQ(pace.due(at(0.0)), std::numeric_limits<std::int64_t>::max());
 }
 
 // [SIM-4] pause holds everything: nothing is made up for afterwards
-TEST(Pace, OwesNothingForARest_SIM_4) {
-  Pace pace(1.0, kStep);
+TEST(RealTimePacer, OwesNothingForARest_SIM_4) {
+  RealTimePacer pace(1.0, kStep);
   run(pace, 0.0, 1.0);
   pace.rest();
   EXPECT_EQ(pace.due(at(500.0)), 0);
@@ -44,8 +44,8 @@ TEST(Pace, OwesNothingForARest_SIM_4) {
   EXPECT_EQ(pace.timesBehind(), 0);
 }
 
-TEST(Pace, ForgivesWhatItCannotKeepUpWith_SIM_4) {
-  Pace pace(1.0, kStep);
+TEST(RealTimePacer, ForgivesWhatItCannotKeepUpWith_SIM_4) {
+  RealTimePacer pace(1.0, kStep);
   EXPECT_EQ(pace.due(at(0.0)), 0);
   EXPECT_EQ(pace.due(at(0.2)), 20);
   EXPECT_EQ(pace.due(at(3.0)), 0);
