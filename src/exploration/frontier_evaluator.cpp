@@ -51,7 +51,7 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   if (differing.empty() && !is_new) return false;
   search_.update(map_.grid(), differing);
   space_.update(map_.grid(), differing);
-  tight_changes_.include(differing);
+  tight_changes_.include(is_new ? map_.geometry().rect() : differing);
   return !differing.empty();
 }
 

@@ -3,7 +3,7 @@
 
 int main(int argc, char** argv) {
   return frontier_pilot::tools::runMapLog({argv + 1, argv + argc},
-                                   [](const std::string& path, const frontier_pilot::tools::BagTopics& topics) {
-                                     return frontier_pilot::readBagLogApart(path, topics);
-                                   });
+                                          [](const std::string& path, const frontier_pilot::tools::BagTopics& topics) {
+                                            return frontier_pilot::readBagLogApart(path, topics);
+                                          });
 }

@@ -124,7 +124,7 @@ ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const Arbite
   return msg;
 }
 
-std::string summaryOf(const ArbiterStatus& status) {
+std::string contentOf(const ArbiterStatus& status) {
   std::string text = status.summary + '\n' + joined(status.problems);
   for (const ArbiterSource& source : status.sources) text += '\n' + source.state_text + joined(source.publishers);
   return text;

@@ -37,7 +37,7 @@ std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapsho
 ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around);
 
 /// What in a status makes it a change: all but ages, rates, counts and velocities.
-std::string summaryOf(const ArbiterStatus& status);
+std::string contentOf(const ArbiterStatus& status);
 
 /// The same at a glance, for /diagnostics.
 void fillDiagnostics(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around,

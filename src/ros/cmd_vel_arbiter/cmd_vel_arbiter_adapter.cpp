@@ -135,9 +135,9 @@ void CmdVelArbiterAdapter::publishStopState() {
 
 void CmdVelArbiterAdapter::publishStatus(bool always) {
   const ArbiterStatus status = toStatusMsg(arbiter_.status(instantNow()), around_);
-  const std::string now = summaryOf(status);
-  const bool changed = now != last_summary_;
-  last_summary_ = now;
+  const std::string now = contentOf(status);
+  const bool changed = now != last_content_;
+  last_content_ = now;
   if (changed || always) status_.publish(status);
   if (changed) diagnostics_.publish();
   if (status.summary != last_summary_) THROTTLED_INFO(status.summary);

@@ -11,6 +11,9 @@ namespace {
 /// For the zero to reach the wire before the answer does. A subscriber that does not read must not hold the stop up.
 constexpr Duration kFlushPatience = std::chrono::milliseconds(50);
 
+/// For a new arbiter's subscriptions to connect, until it hears every source that asks for motion [s].
+constexpr double kConnectTime = 0.5;
+
 template <class Response>
 bool reply(const arbiter::ArbiterAnswer& answer, Response& response) {
   response.success = static_cast<std::uint8_t>(answer.success);
@@ -23,14 +26,25 @@ std::string causeOf(const std::string& service, const std::string& caller) { ret
 }  // namespace
 
 void CmdVelArbiterAdapter::addStopServices() {
-  ros::AdvertiseServiceOptions set;
-  set.initBySpecType<SetBoolCall>(names::kSetEmergencyStop, [this](SetBoolCall& call) { return handleSetStop(call); });
-  set.callback_queue = &calls_;
-  connections_.serve(set);
   ros::AdvertiseServiceOptions trigger;
   trigger.initBySpecType<TriggerCall>(names::kEmergencyStop, [this](TriggerCall& call) { return handleStop(call); });
   trigger.callback_queue = &calls_;
   connections_.serve(trigger);
+  if (!arbiter_.stopped()) return addClearService();
+  // An arbiter that comes up stopped does not know yet which sources ask for motion: nobody can clear the stop before
+  // it has listened for as long as they must have been quiet. [ARB-8]
+  const ros::WallDuration listening(arbiter_.parameters().clear_quiet_time + kConnectTime);
+  clear_service_timer_ = node_.createSteadyTimer(
+      listening,
+      [this](const ros::SteadyTimerEvent&) { connections_.guard().run("a timer", [this] { addClearService(); }); },
+      true);
+}
+
+void CmdVelArbiterAdapter::addClearService() {
+  ros::AdvertiseServiceOptions set;
+  set.initBySpecType<SetBoolCall>(names::kSetEmergencyStop, [this](SetBoolCall& call) { return handleSetStop(call); });
+  set.callback_queue = &calls_;
+  connections_.serve(set);
 }
 
 bool CmdVelArbiterAdapter::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,

@@ -5,6 +5,7 @@
 #include <actionlib_msgs/GoalID.h>
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <ros/node_handle.h>
+#include <ros/this_node.h>
 
 #include <boost/make_shared.hpp>
 #include <functional>
@@ -116,6 +117,20 @@ class ActionClient {
     monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
     manager_.updateStatuses(event.getConstMessage());
     endWithoutResult(*event.getConstMessage());
+    cancelPredecessors(*event.getConstMessage());
+  }
+  /// Cancels goals of a node of this name that are still pursued, other than the last one that this client sent: the
+  /// node that sent them was ended before it could. [FLT-2]
+  void cancelPredecessors(const actionlib_msgs::GoalStatusArray& statuses) {
+    using Status = actionlib_msgs::GoalStatus;
+    const std::string own = ros::this_node::getName() + "-";  // how actionlib begins the ids of a node's goals
+    for (const Status& status : statuses.status_list) {
+      const bool pursued = status.status == Status::PENDING || status.status == Status::ACTIVE;
+      if (!pursued || status.goal_id.id == id_ || status.goal_id.id.rfind(own, 0) != 0) continue;
+      GoalID goal;  // without a stamp, which would cancel every goal that is older
+      goal.id = status.goal_id.id;
+      cancel_.publish(goal);
+    }
   }
   void endWithoutResult(const actionlib_msgs::GoalStatusArray& statuses) {
     if (handle_.isExpired() || handle_.getCommState() != actionlib::CommState::WAITING_FOR_RESULT) return;

@@ -1,7 +1,9 @@
 #include "ros/common/master/namesake.h"
 
+#include <ros/names.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -14,6 +16,17 @@ namespace {
 
 constexpr Duration kLastWords = std::chrono::seconds(2);
 constexpr std::chrono::milliseconds kLook(200);
+
+/// A living node, other than this one, that offers `service`; empty if there is none.
+std::string findOtherProvider(const std::string& service) {
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return {};
+  const std::vector<std::string> nodes = nodesOf(state->providers, service);
+  const auto other = std::find_if(nodes.begin(), nodes.end(), [](const std::string& node) {
+    return node != ros::this_node::getName() && nodeLives(node);
+  });
+  return other == nodes.end() ? std::string() : *other;
+}
 
 }  // namespace
 
@@ -32,6 +45,14 @@ void refuseANamesake() {
   if (waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
   throw std::runtime_error("a node " + self + " runs already, and ROS would end it for this one: end it first " +
                            "(rosnode kill " + self + "), or start this one under another name (__name:=...)");
+}
+
+void refuseASecondProvider(const char* service) {
+  const std::string resolved = ros::names::resolve(service);
+  const std::string other = waitUntilGone([&resolved] { return findOtherProvider(resolved); });
+  if (other.empty()) return;
+  throw std::runtime_error(other + " offers " + resolved + " already: of two such nodes only one could be switched " +
+                           "off. End that one first (rosnode kill " + other + ")");
 }
 
 }  // namespace frontier_pilot

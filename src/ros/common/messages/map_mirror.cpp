@@ -56,13 +56,19 @@ void MapMirror::subscribe(NodeConnections& connections, const std::string& frame
   frame_ = frame;
   map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
       names::kMap, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
-  connections.subscribe(names::kMapUpdates, 100, &MapMirror::handleUpdate, this);
+  connections.subscribeToEvents<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 100, [this](const auto& event) {
+    handleUpdate(*event.getConstMessage(), event.getPublisherName());
+  });
 }
 
 bool MapMirror::rightFrame(const std::string& frame) {
   const bool right = frame_.empty() || frame == frame_;
   if (!right) rejections_.add("in frame '" + frame + "', not '" + frame_ + "'");
   return right;
+}
+
+void MapMirror::refuse(const std::string& publisher) {
+  rejections_.add("from " + publisher + ", while " + publisher_ + " publishes the map");
 }
 
 void MapMirror::startOver() {
@@ -73,6 +79,7 @@ void MapMirror::startOver() {
 
 void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
+  if (!owns(publisher) && map_subscriber_.getNumPublishers() > 1) return refuse(publisher);
   std::string why;
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
@@ -112,8 +119,9 @@ void MapMirror::replace(OccupancyGrid map) {
   map_ = std::move(map);
 }
 
-void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg) {
+void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
+  if (!owns(publisher)) return refuse(publisher);
   std::string why;
   const auto update = toGridUpdate(msg, &why);
   if (!update) return rejections_.add(why);

@@ -45,6 +45,9 @@ class RecentUpdates {
 /// stamp or a later one are applied to it again. Stamps are not compared across a jump of the clock (either topic's
 /// stamps go back) nor between publishers, and a map or an update without a stamp is taken as it comes.
 ///
+/// The first node that sends a map owns it: while it is connected, maps and updates of any other node are refused, and
+/// counted by that node's name. A map and its updates come from one node. [FLT-1]
+///
 /// What is malformed is counted and warned of, and leaves the copy as it was. A smaller map replaces a larger one (a
 /// mapper that started over), which is said in the log.
 class MapMirror {
@@ -54,7 +57,7 @@ class MapMirror {
 
   /// `publisher` is the node that sent it.
   void handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher = {});
-  void handleUpdate(const map_msgs::OccupancyGridUpdate& msg);
+  void handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher = {});
 
   /// Whether somebody publishes the map now.
   bool published() const { return map_subscriber_.getNumPublishers() > 0; }
@@ -69,6 +72,8 @@ class MapMirror {
 
  private:
   bool rightFrame(const std::string& frame);
+  bool owns(const std::string& publisher) const { return publisher_.empty() || publisher == publisher_; }
+  void refuse(const std::string& publisher);
   /// Forgets the stamps: nothing that comes from now on is compared with what came before.
   void startOver();
   void takeWhole(OccupancyGrid map, Time stamp);
@@ -81,7 +86,7 @@ class MapMirror {
   OccupancyGrid map_;
   CellRect changed_;
   Time stamp_{};
-  std::string publisher_;             ///< of the last map
+  std::string publisher_;             ///< the owner of the map
   std::optional<Time> map_stamp_;     ///< of the last map, unless nothing is compared with it
   std::optional<Time> update_stamp_;  ///< of the last update that had one
   RecentUpdates recent_;

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""A second explorer, avoider or publisher of the map beside a running one, and what a node that was killed has left."""
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from frontier_pilot.msg import ExplorerStatus
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import OccupancyGrid
+from std_srvs.srv import SetBool, Trigger
+
+from wire import Node, Record, Source, call, clear, moves, wait_for
+
+SIDE = 20  # of the maps [cells]
+
+STRANGER = """
+import rospy
+from nav_msgs.msg import OccupancyGrid
+rospy.init_node('stranger')
+map = OccupancyGrid()
+map.header.frame_id = 'map'
+map.info.resolution, map.info.width, map.info.height = 0.05, %d, %d
+map.info.origin.orientation.w = 1.0
+map.data = [0] * %d
+topic = rospy.Publisher('map', OccupancyGrid, queue_size=1)
+while topic.get_num_connections() == 0:
+    rospy.rostime.wallsleep(0.01)
+map.header.stamp = rospy.Time.now()
+topic.publish(map)
+rospy.spin()
+""" % (SIDE, SIDE, SIDE * SIDE)
+
+
+def map_with_free_cells(count):
+    message = OccupancyGrid()
+    message.header.frame_id = 'map'
+    message.header.stamp = rospy.Time.now()
+    message.info.resolution, message.info.width, message.info.height = 0.05, SIDE, SIDE
+    message.info.origin.orientation.w = 1.0
+    message.data = [0] * count + [100] * (SIDE * SIDE - count)
+    return message
+
+
+class SecondCopies(unittest.TestCase):
+    def start(self, executable, *arguments):
+        node = Node(executable, *arguments)
+        self.addCleanup(node.end)
+        return node
+
+    # [FLT-2]
+    def test_a_second_explorer_or_avoider_under_another_name_does_not_start(self):
+        for executable, service in [('frontier_explorer', 'set_exploration_enabled'),
+                                    ('obstacle_avoider', 'set_obstacle_avoid_enabled')]:
+            self.start(executable)
+            rospy.wait_for_service(service, 10.0)
+            code, said = self.start(executable, '__name:=another').finish()
+            self.assertEqual(code, 1, said)
+            self.assertIn('offers /%s already' % service, said, '[FLT-2]')
+            self.assertTrue(call(service, SetBool, False).success)
+
+    # [ARB-8] [FLT-2]
+    def test_a_stop_is_not_cleared_by_an_arbiter_that_has_not_heard_yet_who_asks_for_motion(self):
+        out = Record('cmd_vel', Twist)
+        arbiter = self.start('cmd_vel_arbiter')
+        manual = Source('cmd_vel_manual').connect().start(0.05)
+        self.addCleanup(manual.close)
+        call('emergency_stop', Trigger)
+        arbiter.signal(signal.SIGKILL)
+        arbiter.finish()
+        stopped = time.monotonic()
+        self.start('cmd_vel_arbiter')
+        answers = []
+        while time.monotonic() < stopped + 5.0:
+            try:
+                answers.append(rospy.ServiceProxy('set_emergency_stop', SetBool)(False))
+            except rospy.ServiceException:
+                rospy.rostime.wallsleep(0.01)
+        self.assertTrue(answers, 'a clear is answered again')
+        self.assertEqual([answer.message for answer in answers if answer.success], [], '[ARB-8]')
+        self.assertFalse(any(moves(message) for message in out.since(stopped)), '[ARB-8]')
+        manual.stop()
+        self.assertTrue(wait_for(clear), 'once nobody asks for motion any more')
+
+    # [FLT-2] [EXP-8]
+    def test_an_explorer_cancels_the_goal_that_the_one_before_it_has_left(self):
+        cancels = Record('move_base/cancel', GoalID)
+        statuses = rospy.Publisher('move_base/status', GoalStatusArray, queue_size=1)
+        pursued = GoalStatusArray()
+        for name in ['/frontier_explorer-3-12.5', '/somebody-1-12.5']:
+            status = GoalStatus(status=GoalStatus.ACTIVE)
+            status.goal_id.id, status.goal_id.stamp = name, rospy.Time(12.5)
+            pursued.status_list.append(status)
+        self.start('frontier_explorer')
+
+        def canceled():
+            statuses.publish(pursued)
+            return bool(cancels.items)
+        self.assertTrue(wait_for(canceled), '[FLT-2]')
+        self.assertEqual({message.id for _, message in cancels.items}, {'/frontier_explorer-3-12.5'})
+        self.assertTrue(all(message.stamp == rospy.Time() for _, message in cancels.items), 'none that is older')
+
+    # [FLT-1]
+    def test_the_map_of_a_stranger_does_not_replace_that_of_the_mapper(self):
+        status = Record('frontier_explorer/status', ExplorerStatus)
+        topic = rospy.Publisher('map', OccupancyGrid, queue_size=1, latch=True)
+        self.start('frontier_explorer')
+        self.assertTrue(wait_for(lambda: topic.get_num_connections() > 0))
+        topic.publish(map_with_free_cells(100))
+        self.assertTrue(wait_for(lambda: status.last is not None and abs(status.last.explored_area - 0.25) < 1e-6))
+        stranger = subprocess.Popen([sys.executable, '-c', STRANGER])
+        self.addCleanup(stranger.wait)
+        self.addCleanup(stranger.kill)
+        heard = len(status.items)
+        self.assertTrue(wait_for(lambda: len(status.items) >= heard + 5, 15.0))
+        topic.publish(map_with_free_cells(200))
+        self.assertTrue(wait_for(lambda: abs(status.last.explored_area - 0.5) < 1e-6))
+        areas = {round(message.explored_area, 6) for _, message in status.items[heard:]}
+        self.assertEqual(areas, {0.25, 0.5}, '[FLT-1]')
+
+
+if __name__ == '__main__':
+    rospy.init_node('second_copies_test')
+    rostest.rosrun('frontier_pilot', 'second_copies', SecondCopies)
