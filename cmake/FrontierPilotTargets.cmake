@@ -46,7 +46,7 @@ function(frontier_pilot_module name)
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_LIBRARIES})
   target_link_options(${target} PRIVATE -Wl,--no-undefined)
-  set_property(GLOBAL APPEND PROPERTY FRONTIER_PILOT_LIBRARIES ${target})
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")  # wherever they are installed, they find each other
   if(ARG_PROGRAM)
     install(TARGETS ${target} LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
     return()
@@ -56,8 +56,6 @@ function(frontier_pilot_module name)
   target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${FRONTIER_PILOT_INCLUDE_DESTINATION}>)
   target_compile_features(${target} INTERFACE cxx_std_17)
   install(TARGETS ${target} EXPORT frontier_pilotTargets LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/frontier_pilot/${name}
-    DESTINATION ${FRONTIER_PILOT_INCLUDE_DESTINATION}/frontier_pilot)
 endfunction()
 
 # frontier_pilot_add_test(<target>): registers a gtest with ctest and, under catkin, with `catkin_make run_tests`. Each

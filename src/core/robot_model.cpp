@@ -1,9 +1,12 @@
 #include "frontier_pilot/core/robot_model.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace frontier_pilot {
 namespace {
+
+double approach(double target, double from, double step) { return std::clamp(target, from - step, from + step); }
 
 std::vector<Vec2> cornersOf(const std::vector<double>& numbers) {
   std::vector<Vec2> corners;
@@ -12,6 +15,16 @@ std::vector<Vec2> cornersOf(const std::vector<double>& numbers) {
 }
 
 }  // namespace
+
+Twist2 clamp(const Twist2& twist, const RobotLimits& limits) {
+  return {std::clamp(twist.linear, -limits.max_linear, limits.max_linear),
+          std::clamp(twist.angular, -limits.max_angular, limits.max_angular)};
+}
+
+Twist2 limitAcceleration(const Twist2& target, const Twist2& from, const RobotLimits& limits, double seconds) {
+  return {approach(target.linear, from.linear, limits.max_linear_acc * seconds),
+          approach(target.angular, from.angular, limits.max_angular_acc * seconds)};
+}
 
 void ScannerModel::check(Problems& problems) const {
   if (range_min >= range_max) problems.emplace_back("range_min: must be below range_max");
@@ -31,6 +44,8 @@ RobotModel loadRobot(const std::string& path) {
 }
 
 void RobotModel::check(Problems& problems) const {
+  if (odometry != "topic" && odometry != "tf")
+    problems.push_back("odometry: must be topic or tf, not '" + odometry + "'");
   if (outline.empty()) {
     if (disc_radius <= 0.0) problems.emplace_back("outline: must be given where disc_radius is 0");
     return;

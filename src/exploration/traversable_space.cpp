@@ -60,7 +60,7 @@ void TraversableSpace::update(const OccupancyGrid& map, const CellRect& changed)
   linkNeighbours(window.grown(1).intersection(map.geometry().rect()));
 }
 
-/// Writes 0xFF to the cells of `window` that are too near to an occupied one, 0 to the others.
+/// Writes 0xFF to the cells of `window` that are too near to what is kept clear of, 0 to the others.
 void TraversableSpace::markNearObstacles(const OccupancyGrid& map, const CellRect& window) {
   const int margin = static_cast<int>(half_widths_.size());
   const CellRect source = window.grown(margin).intersection(map.geometry().rect());

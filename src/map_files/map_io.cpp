@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/files.h"
+#include "frontier_pilot/map_files/map_image.h"
 #include "map_files/map_yaml.h"
 
 namespace frontier_pilot::map_files {
@@ -20,30 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned char kFreePixel = 254;
-constexpr unsigned char kOccupiedPixel = 0;
-constexpr unsigned char kUnknownPixel = 205;
 constexpr std::size_t kLongestExtension = 5;  // .yaml
 constexpr std::size_t kLongestYaml = 65536;   // [bytes]
 
 MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what) {
   return {status, file + ": " + what};
-}
-
-unsigned char pixelOf(std::int8_t value) {
-  if (isUnknown(value)) return kUnknownPixel;
-  return isOccupied(value) ? kOccupiedPixel : kFreePixel;
-}
-
-std::string pgmOf(const OccupancyGrid& grid) {
-  cv::Mat image(grid.height(), grid.width(), CV_8UC1);
-  for (int y = 0; y < grid.height(); ++y) {
-    // An image's first row is its upper edge.
-    std::transform(grid.row(y), grid.row(y) + grid.width(), image.ptr(grid.height() - 1 - y), pixelOf);
-  }
-  std::vector<unsigned char> bytes;
-  cv::imencode(".pgm", image, bytes);
-  return {bytes.begin(), bytes.end()};
 }
 
 fs::path withoutExtension(const std::string& path) {
@@ -158,6 +140,48 @@ MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, occu
   return {MapIoStatus::kOk, "loaded " + bt_path};
 }
 
+/// How often a cell must be seen as `step` says until it is as sure as it may be, `limit`.
+int timesUntil(float limit, float step) { return static_cast<int>(std::ceil(limit / step)); }
+
+/// Each known cell of `image` as sure as it may be. False when the map would get too large.
+bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
+  const GridGeometry& from = image.geometry();
+  const Vec2 low = from.centre({0, 0});
+  if (!map.reserve(low, from.centre({from.width - 1, from.height - 1}))) return false;
+  const occupancy::LogOddsModel model(map.parameters().model);
+  const int times = std::max(timesUntil(model.max, model.hit), timesUntil(model.min, model.miss));
+  map.beginBatch();
+  for (int i = 0; i < times; ++i) {
+    map.beginScan();
+    for (std::size_t k = 0; k < image.size(); ++k) {
+      const Cell cell = map.geometry().cellAt(from.centre(from.cell(k)));
+      if (frontier_pilot::isOccupied(image[k])) map.hit(cell);
+      if (isFree(image[k])) map.miss(cell);
+    }
+  }
+  map.endBatch();
+  return true;
+}
+
+/// For a map without an octree, as another program has saved it.
+MapIoResult loadPicture(const std::string& yaml_path, occupancy::OccupancyMap& map) {
+  constexpr double kSame = 1e-6;  // of resolutions, which map_server's users write by hand [m]
+  try {
+    const MapImage image = readMapImage(yaml_path);
+    const double resolution = map.parameters().resolution;
+    if (std::abs(image.map.resolution() - resolution) > kSame) {
+      return failure(MapIoStatus::kBroken, yaml_path,
+                     "its resolution is " + std::to_string(image.map.resolution()) + " m, and not the mapper's " +
+                         std::to_string(resolution) + " m");
+    }
+    occupancy::OccupancyMap drawn(map.parameters());
+    if (!draw(image.map, drawn) || !map.exchange(drawn)) return failure(MapIoStatus::kBroken, yaml_path, "too large");
+  } catch (const std::runtime_error& error) {
+    return {MapIoStatus::kBroken, error.what()};
+  }
+  return {MapIoStatus::kOk, "loaded " + yaml_path + ": its picture, for it has no octree"};
+}
+
 }  // namespace
 
 const char* toString(MapIoStatus status) {
@@ -217,8 +241,11 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
   const std::string bt = appended(base, ".bt");
   const FileContent octree = readFile(bt, map.mostBytes());
+  const std::string yaml = appended(base, ".yaml");
+  std::error_code error;
+  if (octree.status == FileContent::Status::kMissing && fs::exists(yaml, error)) return loadPicture(yaml, map);
   if (!octree.ok()) return cannotRead(bt, octree);
-  MapIoResult belongs = compareWithYaml(appended(base, ".yaml"), bt, octree.bytes);
+  MapIoResult belongs = compareWithYaml(yaml, bt, octree.bytes);
   if (!belongs.ok()) return belongs;
   MapIoResult result = loadBytes(bt, octree.bytes, map);
   if (result.ok()) result.text += belongs.text;

@@ -53,7 +53,8 @@ class ReturnReader {
   bool open_ = true;  ///< nothing connects the next return to the last one
 };
 
-/// Sine of the angle by which the surface bends at `i`, on arms of `radius`; zero where it has not two.
+/// Sine of the angle by which the surface bends at `i`, between the lines fitted to the span before it and after it;
+/// zero where one of the two is missing.
 double bendAt(const LineFitter& fitter, const Span& span, std::size_t i, double max_error) {
   const auto before = fitter.arm({span.first, i}, max_error);
   const auto after = fitter.arm({i, span.last}, max_error);

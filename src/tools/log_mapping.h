@@ -20,7 +20,7 @@ struct MappedDrive {
 /// Takes down what a mapper thinks while it is at work.
 class DriveRecorder {
  public:
-  /// To be called for each scan, taken at `T_odom_base`, once the mapper has it and had its second thoughts.
+  /// To be called for each scan, taken at `T_odom_base`, once the mapper has taken it in and revised the past.
   void note(const mapping::Mapper& mapper, Time stamp, const Pose2& T_odom_base);
   /// The drive so far. Not while the mapper's work is out.
   MappedDrive drive(const mapping::Mapper& mapper) const;

@@ -1,3 +1,3 @@
 #include "tools/map_log.h"
 
-int main(int argc, char** argv) { return frontier_pilot::runMapLog({argv + 1, argv + argc}); }
+int main(int argc, char** argv) { return frontier_pilot::tools::runMapLog({argv + 1, argv + argc}); }

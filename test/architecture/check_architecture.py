@@ -15,7 +15,7 @@ from cpp_functions import code_of, functions_of
 MAY_INCLUDE = {
     'core': set(),
     'grids': {'core'},
-    'sim': {'core', 'grids'},
+    'sim': {'core', 'grids', 'map_files'},
     'logs': {'core'},
     'arbiter': {'core'},
     'avoid': {'core'},

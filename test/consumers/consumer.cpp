@@ -77,7 +77,8 @@ bool plansAPath(const fp::sim::World& world) {
   clearance.setMap(world.map, world.map.geometry().rect());
   clearance.refresh();
   const fp::Vec2 goal(5.5, 0.6);
-  const fp::planning::PlanResult result = fp::planning::GlobalPlanner().plan(clearance, {world.start->position(), goal});
+  const fp::planning::PlanResult result =
+      fp::planning::GlobalPlanner().plan(clearance, {world.start->position(), goal});
   return result.found() && result.path.length() >= (goal - world.start->position()).norm();
 }
 

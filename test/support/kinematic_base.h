@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "frontier_pilot/core/motion.h"
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot::test {
 

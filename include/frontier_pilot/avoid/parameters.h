@@ -58,7 +58,7 @@ struct AvoiderParameters {
             "0.25 m for a Burger",
             atLeast(0.0));
     v.fixed({"guard_margin"});
-    v.moved("guard_half_width", "guard_margin (on top of half the robot's width)");
+    v.fixed({"guard_half_width"});
     v.field("reverse_speed", reverse_speed, "m/s", "speed of reversing", positive());
     v.field("reverse_time", reverse_time, "s", "duration of reversing in a cycle", Bounds{0.0, 60.0, false});
     v.field("turn_speed", turn_speed, "rad/s", "rate of turning away", positive());

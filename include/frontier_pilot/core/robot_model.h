@@ -7,9 +7,30 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/robot.h"
 
 namespace frontier_pilot {
+
+/// What a differential drive can do. Defaults: TurtleBot3 Burger (maker's data sheet).
+struct RobotLimits {
+  double max_linear = 0.22;      ///< [m/s], forward and in reverse
+  double max_angular = 2.84;     ///< [rad/s]
+  double max_linear_acc = 2.5;   ///< [m/s^2]
+  double max_angular_acc = 3.2;  ///< [rad/s^2]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("max_linear", max_linear, "m/s", "greatest speed, forward and in reverse", positiveUpTo(20.0));
+    v.field("max_angular", max_angular, "rad/s", "greatest rate of turn", positiveUpTo(50.0));
+    v.field("max_linear_acc", max_linear_acc, "m/s^2", "greatest change of speed", positiveUpTo(1000.0));
+    v.field("max_angular_acc", max_angular_acc, "rad/s^2", "greatest change of the rate of turn", positiveUpTo(1000.0));
+  }
+};
+
+/// `twist` with each axis cut to the limits. Finite in, finite out.
+Twist2 clamp(const Twist2& twist, const RobotLimits& limits);
+
+/// The twist nearest to `target` that can be reached from `from` in `seconds` [s] under the acceleration limits.
+Twist2 limitAcceleration(const Twist2& target, const Twist2& from, const RobotLimits& limits, double seconds);
 
 /// A planar scanner and where it sits. Defaults: beams and mounting of the TurtleBot3 Burger's, range of a better one.
 struct ScannerModel {
@@ -48,13 +69,15 @@ struct RobotModel {
   double disc_radius = 0.105;                                                                  ///< [m]; 0: none
   RobotLimits limits;
   ScannerModel scanner;
-  double watchdog = 0.6;  ///< [s]
+  double watchdog = 0.6;           ///< [s]
+  std::string odometry = "topic";  ///< or "tf": the robot publishes the transform from `odom` alone
   std::string base_frame = "base_footprint";
 
   /// The polygon. Throws std::invalid_argument where `check` finds a problem with it.
   Outline exactOutline() const;
   /// What has to be kept clear while driving: the disc, where the robot is one or nearly so, otherwise the polygon.
   Outline drivenOutline() const { return disc_radius > 0.0 ? Outline::disc(disc_radius) : exactOutline(); }
+  bool hasOdometryTopic() const { return odometry == "topic"; }
   /// The base's frame for a node whose own setting is `own`: that, or the robot's where it is empty.
   const std::string& baseFrameOr(const std::string& own) const { return own.empty() ? base_frame : own; }
 
@@ -70,6 +93,8 @@ struct RobotModel {
     v.group("limits", limits, "what the base can do");
     v.group("scanner", scanner, "the laser scanner");
     v.field("watchdog", watchdog, "s", "a base that has had no command for so long stops", timeSpan());
+    v.field("odometry", odometry, "",
+            "topic: the robot publishes odom; tf: it publishes the transform from odom to base_frame alone");
     v.field("base_frame", base_frame, "", "frame between the wheels, on the floor", FrameName::kGiven);
   }
   void check(Problems& problems) const;

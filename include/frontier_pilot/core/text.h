@@ -22,7 +22,7 @@ Character characterAt(std::string_view text, std::size_t at);
 bool isControl(char32_t code);
 
 /// `text` as logs and diagnostics may have it: control characters and what is not UTF-8 as C++ would write them, such
-/// as \n, \x1b or \u2028, and " ..." for what is beyond `most` bytes. [FLT-1]
+/// as `\n`, `\x1b` or `\u2028`, and " ..." for what is beyond `most` bytes. [FLT-1]
 std::string printable(std::string_view text, std::size_t most);
 
 }  // namespace frontier_pilot

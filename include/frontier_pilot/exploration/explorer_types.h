@@ -12,7 +12,7 @@
 
 namespace frontier_pilot::exploration {
 
-/// The values of these three are those of msg/ExplorerProgress. [EXP-1]
+/// The values of these three are those of msg/ExplorerStatus.msg. [EXP-1]
 enum class ExplorerState : std::uint8_t { kIdle, kSelectGoal, kNavigating, kEvaluate, kDone };
 enum class ExplorerPhase : std::uint8_t { kRich, kCoverage };
 enum class ExplorerReason : std::uint8_t {
@@ -68,7 +68,8 @@ struct ExplorerParameters {
     describeRobot(v, robot);
     v.field("rich_min_density", rich_min_density, "", "information density that phase RICH asks for",
             between(0.0, 1.0));
-    v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled and blacklisted", timeSpan());
+    v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled; a frontier's is blacklisted",
+            timeSpan());
     v.field("max_goal_retries", max_goal_retries, "", "times a failed goal is tried again", atLeast(0));
     v.fixed({"check_period"});
     v.field("decision_period", decision_period, "s", "time between two comparisons of the present goal with the others",

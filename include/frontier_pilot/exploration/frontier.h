@@ -11,7 +11,7 @@ namespace frontier_pilot::exploration {
 /// Why a frontier cannot be chosen now. [EXP-3]
 enum class Rejection {
   kNone,
-  kTooSmall,      ///< fewer cells than min_frontier_cells
+  kTooSmall,      ///< its whole frontier, before it is cut, has fewer cells than min_frontier_cells
   kUnreachable,   ///< no cell in sight of it can be reached
   kTooNear,       ///< travel distance below min_distance, from every cell that sees it
   kCluttered,     ///< obstacle density around every such cell above max_obstacle_density

@@ -18,7 +18,7 @@ enum class KeepClearOf {
 /// centre). Kept up to date by changed blocks.
 class TraversableSpace {
  public:
-  /// `clearance` [m] >= 0, the inscribed radius of the footprint.
+  /// `clearance` [m] >= 0: half the width of the robot's lane, or the radius it needs to turn, with a margin.
   explicit TraversableSpace(double clearance, KeepClearOf obstacles = KeepClearOf::kObstacles)
       : clearance_(clearance), obstacles_(obstacles) {}
 

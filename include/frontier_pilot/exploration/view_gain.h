@@ -24,8 +24,9 @@ struct ViewGain {
   double density = 0.0;  ///< unknown share of all the area in sight, 0 to 1
 };
 
-/// Expected newly seen area from `from` [m]: every beam goes through free cells up to the first occupied one, and
-/// counts the sector of unknown ground it crosses. Each beam owns its sector, so nothing counts twice. [EXP-4]
+/// Expected newly seen area from `from` [m]: every beam goes up to the first occupied cell, the sensor's range, or
+/// `unknown_depth` beyond the first unknown cell, and counts the sector of ground that it crosses from there on. Each
+/// beam owns its sector, so nothing counts twice. [EXP-4]
 ViewGain viewGain(const OccupancyGrid& map, const Vec2& from, const ViewParameters& parameters);
 
 /// The plain definition: the unknown share of the cells within `radius` [m] of `from`; `area` is that of those cells.

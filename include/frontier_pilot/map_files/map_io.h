@@ -43,7 +43,9 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives su
 MapIoResult saveMap(occupancy::OccupancyMap& map, const std::string& path);
 
 /// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. If a YAML is there the two
-/// must belong together; the text says where that is not known. On failure the map stays as it was. [MAP-5]
+/// must belong together; the text says where that is not known. A map without a .bt, such as map_saver writes it, is
+/// read from its YAML and picture: its known cells are then as sure as cells may be, and its resolution must be the
+/// map's. On failure the map stays as it was. [MAP-5]
 MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map);
 
 /// Replaces `map` by a .bt file's content; on failure it stays as it was.

@@ -45,7 +45,7 @@ struct MapperParameters {
   }
 };
 
-/// What second thoughts have come to so far.
+/// What revisions have come to so far.
 struct RevisionReport {
   std::uint64_t closures = 0;    ///< loops closed: `T_map_odom` jumps with these, and with nothing else
   std::uint64_t rendered = 0;    ///< how often the map was rendered again
@@ -56,7 +56,7 @@ struct RevisionReport {
 
 /// Builds the map from scans and the odometry of the moment each was taken at. Whatever is wrong with a scan, what is
 /// already mapped stays. [MAP-4]
-/// Second thoughts about the past take time: whoever owns the mapper does `takeWork` in the background and hands the
+/// Revising the past takes time: whoever owns the mapper does `takeWork` in the background and hands the
 /// result to `revise`, or calls `reviseNow` after each scan.
 class Mapper {
  public:
@@ -73,7 +73,7 @@ class Mapper {
   /// put into a map that was rendered anew. A map that is too large is refused, and then poses stay as well: `health`
   /// says so until one fits. False, and nothing happens, when the mapper was reset since.
   bool revise(slam::MapRevision& revision);
-  /// The work taken last threw: the map stays as it is, and mapping goes on without second thoughts until a reset.
+  /// The work taken last threw: the map stays as it is, and mapping goes on without revisions until a reset.
   /// False, and nothing happens, when the mapper was reset since.
   bool abandonWork();
   /// Does all work there is at once.

@@ -56,7 +56,7 @@ struct RecoveryParams {
 };
 
 /// Only what needs no motion: forgetting the live obstacles. Motions are put together with it by whoever owns both, see
-/// ros/behavior_ladder.h.
+/// system/behavior_ladder.h.
 std::vector<RecoveryRung> clearingLadder();
 
 }  // namespace frontier_pilot::navigation

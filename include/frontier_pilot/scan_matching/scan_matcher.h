@@ -41,9 +41,9 @@ struct Refinement {
 Refinement refine(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& start,
                   const std::optional<PoseWithCovariance>& prior, const RefinementParameters& parameters);
 
-/// Share of the points whose beams from `T_map_base` contradict the map: they pass through a known surface, or end
-/// before one where nothing is known to be. A scan of a new place shares little with the map, and yet contradicts
-/// nothing; one of another place does.
+/// Share of the points whose beams, traced from the base's origin at `T_map_base`, are inconsistent with the map: they
+/// pass through a known surface, or end before one where nothing is known to be. A scan of a new place matches few
+/// known surfaces and yet is consistent with them; a scan of another place is not.
 double inconsistentShare(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
 
 }  // namespace frontier_pilot::scan_matching

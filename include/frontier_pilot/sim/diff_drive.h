@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot::sim {

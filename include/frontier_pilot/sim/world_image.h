@@ -1,23 +1,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
-#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/map_files/map_image.h"
 
 namespace frontier_pilot::sim {
 
 /// The true map of a world, in the world's frame, and where robots start in it if its file says so.
-struct World {
-  OccupancyGrid map;
-  std::optional<Pose2> start;
-};
+using World = map_files::MapImage;
 
-/// Loads a world from a map_server YAML (mode trinary) and the image it names, PGM or PNG. An additional key
-/// `start: [x, y, yaw]` names a default start pose; other unknown keys are ignored, as map_server does. [SIM-1]
-/// Throws std::runtime_error naming the file and everything that is wrong with it; a rotated origin is refused.
+/// Loads a world as map_files::readMapImage does, with "world" before what it throws. [SIM-1]
 World loadWorld(const std::string& yaml_path);
 
 /// Non-zero where a robot and a beam stop: at occupied cells, and at unknown ones unless they are declared free. One

@@ -27,7 +27,7 @@ struct CorrectedScan {
   bool sound = true;      ///< false: that is worth the operator's attention
 };
 
-/// Second thoughts about the past.
+/// A revision of the past.
 struct MapRevision {
   std::uint64_t epoch = 0;       ///< of the mapper that the work was taken from: another map makes it void
   std::uint64_t generation = 0;  ///< of the corrector that the work was taken from: a reset makes it void
@@ -38,18 +38,19 @@ struct MapRevision {
   std::size_t left_out = 0;                    ///< keyframes that `map` lacks, because it would have become too large
 };
 
-/// Work on second thoughts. It shares nothing with its mapper: another thread may run it, once.
+/// The work of revising the past. It shares nothing with its mapper: another thread may run it, once.
 using RevisionWork = std::function<MapRevision()>;
 
 /// The stage between odometry and the map: says where odometry's frame lies in the map when a scan was taken.
-/// Its second thoughts about the past are worked out by whoever calls `takeWork`, in the background or at once.
+/// Revisions of the past are worked out by whoever calls `takeWork`, in the background or at once.
 class PoseCorrection {
  public:
   virtual ~PoseCorrection() = default;
   /// For a scan taken at `T_odom_base`; `map` is what is known so far, without this scan.
   virtual CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
                                 const occupancy::OccupancyMap& map) = 0;
-  /// Work that should be done, if any; none while the last one's result has not been handed to `accept`.
+  /// Work that should be done, if any; none until the last one's result was handed to `accept` or `refuse`, or the work
+  /// abandoned.
   virtual RevisionWork takeWork() { return {}; }
   /// Takes over what the work came to: from now on `correct` says where things are after it. False, and nothing
   /// happens, when it is void.
@@ -57,7 +58,7 @@ class PoseCorrection {
   /// The map that the work came to cannot be taken over: poses stay as they are, and nothing moves before a later
   /// revision brings a map, which then stands for this one too. False, and nothing happens, when the revision is void.
   virtual bool refuse(const MapRevision&) { return false; }
-  /// The work taken last threw, and may have left anything behind: there are no second thoughts until a reset.
+  /// The work taken last threw, and may have left anything behind: nothing is revised until a reset.
   virtual void abandonWork() {}
   /// The keyframes so far, if it keeps any. Not while work is out.
   virtual std::vector<KeyframePose> trajectory() const { return {}; }

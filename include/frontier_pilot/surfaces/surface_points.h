@@ -15,9 +15,9 @@ struct SurfacePoint {
   Vec2 position = Vec2::Zero();  ///< [m]
   Vec2 normal = Vec2::Zero();    ///< unit, out of the matter; zero where the neighbours do not lie on a line
 
-  bool connected = false;  ///< to the point before it: no beam in between saw past
-  double noise = 1e-4;     ///< variance of the position across the surface, by what the scanner is off [m^2]
-  double roughness = 0.0;  ///< and by what the surface there is off from what it is taken for [m^2]
+  bool connected = false;  ///< to the point before it: near enough, and hardly a beam in between without a return
+  double noise = 1e-4;     ///< variance of the position across the surface by the scanner's noise [m^2]
+  double roughness = 0.0;  ///< variance of the surface itself about the line fitted to it [m^2]
 
   double variance() const { return noise + roughness; }
   bool hasNormal() const { return normal.x() != 0.0 || normal.y() != 0.0; }
@@ -29,7 +29,7 @@ struct SurfaceParameters {
   double fit_error = 0.025;      ///< greatest standard deviation of the neighbours from that line [m]
   double range_noise = 0.01;     ///< standard deviation of a range [m]
   double bearing_noise = 0.002;  ///< of a beam's direction [rad]
-  double roughness = 0.003;      ///< of a surface from the line that it is taken for, at least [m]
+  double roughness = 0.003;      ///< least standard deviation of a surface about the line fitted to it [m]
   double thinning = 0.1;         ///< points this near to each other are matched as one [m]
   int max_points = 250;          ///< no more points than this are matched
   double fill_spacing = 0.05;    ///< gaps between beams on one surface are filled this densely [m]

@@ -51,7 +51,8 @@ struct ModuleTimes {
 /// Simulated time only; deterministic for a seed.
 class ClosedLoop {
  public:
-  /// Throws as sim::Simulator does. `wall_clock`, if given, is read to fill `times()`; nothing else depends on it.
+  /// Throws as sim::Simulator and arbiter::Arbiter do. `wall_clock`, if given, is read to fill `times()`; nothing else
+  /// depends on it.
   ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)() = nullptr);
 
   /// One step of the simulator, and what falls due in it.

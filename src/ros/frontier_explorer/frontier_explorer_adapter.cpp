@@ -4,6 +4,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
+#include "ros/common/tf/odometry_source.h"
 #include "ros/common/throttled_log.h"
 #include "ros/frontier_explorer/explorer_markers.h"
 #include "ros/frontier_explorer/explorer_status.h"
@@ -25,7 +26,8 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
-  connections_.subscribeToOne(names::kOdom, 20, &FrontierExplorerAdapter::handleOdometry, this);
+  followOdometry(connections_, tf_, parameters_.explorer.robot, base_frame_, 20,
+                 &FrontierExplorerAdapter::handleOdometry, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);

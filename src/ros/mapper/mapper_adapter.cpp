@@ -6,6 +6,7 @@
 #include "ros/common/clock_monitor.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
+#include "ros/common/tf/odometry_source.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -42,14 +43,14 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
 
 void MapperAdapter::connect() {
   connections_.master().claimTopics({publisher_.topic()});
-  connections_.subscribeToOne(names::kOdom, 100, &MapperAdapter::handleOdometry, this);
+  followOdometry(connections_, tf_, parameters_.mapper.robot, base_frame_, 100, &MapperAdapter::handleOdometry, this);
   connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   connections_.subscribeToOne(names::kScan, 20, &MapperAdapter::handleScan, this);
   connections_.every(ros::Duration(parameters_.update_period), [this] {
     const auto now = connections_.clock().now();
     if (!now) return;
     insertPaired();
-    think();
+    startRevision();
     publisher_.publish(mapper_, *now);
   });
   connections_.every(ros::Duration(parameters_.tf_period), [this] { broadcast(); });
@@ -103,7 +104,7 @@ void MapperAdapter::insertPaired() {
   }
 }
 
-void MapperAdapter::think() {
+void MapperAdapter::startRevision() {
   if (auto done = worker_.take()) takeOver(*done);
   if (const auto failure = worker_.takeFailure(); failure && mapper_.abandonWork()) {
     revision_failure_ = *failure;
@@ -115,16 +116,16 @@ void MapperAdapter::think() {
   // A map that has been replaced takes a while to be freed: the worker does that, too.
   worker_.start([work = std::move(work), old = std::exchange(old_, nullptr)] {
     const SteadyTime start = steadyNow();
-    TimedRevision thoughts{work(), 0.0};
-    thoughts.seconds = toSeconds(steadyNow() - start);
-    return thoughts;
+    TimedRevision done{work(), 0.0};
+    done.seconds = toSeconds(steadyNow() - start);
+    return done;
   });
 }
 
-void MapperAdapter::takeOver(TimedRevision& thoughts) {
-  if (!mapper_.revise(thoughts.revision)) return;
-  revision_seconds_ = thoughts.seconds;
-  const slam::MapRevision& revision = thoughts.revision;
+void MapperAdapter::takeOver(TimedRevision& done) {
+  if (!mapper_.revise(done.revision)) return;
+  revision_seconds_ = done.seconds;
+  const slam::MapRevision& revision = done.revision;
   if (!revision.closures.empty()) {
     THROTTLED_INFO("loop closed: " << revision.closures.size() << " closures, the robot moved by " << std::fixed
                                    << std::setprecision(3) << revision.T_new_old.position().norm() << " m and "
@@ -132,7 +133,7 @@ void MapperAdapter::takeOver(TimedRevision& thoughts) {
                                    << " deg in the map");
     broadcast();
   }
-  if (revision.map) old_ = std::make_shared<slam::MapRevision>(std::move(thoughts.revision));
+  if (revision.map) old_ = std::make_shared<slam::MapRevision>(std::move(done.revision));
 }
 
 void MapperAdapter::note(mapping::ScanVerdict verdict, const std::string& detail) {

@@ -100,8 +100,8 @@ class MapperAdapter {
   std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg);
   void insertPaired();
   /// Hands work to the worker and takes its results over.
-  void think();
-  void takeOver(TimedRevision& thoughts);
+  void startRevision();
+  void takeOver(TimedRevision& done);
   void note(mapping::ScanVerdict verdict, const std::string& detail);
   void broadcast();
   /// The mapper is given odometry without its jumps.
@@ -135,8 +135,8 @@ class MapperAdapter {
   Rejections bad_initial_poses_{"initial pose"};
   std::optional<SteadyTime> odometry_reset_;  ///< when the last one was noticed
   std::optional<SteadyTime> last_inserted_;   ///< when the last scan was found good
-  std::string revision_failure_;              ///< what ended the second thoughts, until a reset
-  double revision_seconds_ = 0.0;             ///< what the last second thoughts took
+  std::string revision_failure_;              ///< what ended the revisions, until a reset
+  double revision_seconds_ = 0.0;             ///< what the last revision took
   std::shared_ptr<slam::MapRevision> old_;    ///< what the last ones replaced
   Worker<TimedRevision> worker_;
   MapSaver saver_;

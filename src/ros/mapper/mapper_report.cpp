@@ -49,7 +49,7 @@ void MapperAdapter::report(Status& status) const {
   reportCorrection(mapper_, status);
   reportOdometry(status);
   reportRevisions(mapper_.revisions(), status);
-  status.addf("last second thoughts took [s]", "%.3f", revision_seconds_);
+  status.addf("last revision took [s]", "%.3f", revision_seconds_);
   const GridGeometry& geometry = mapper_.grid().geometry();
   status.addf("map size [m]", "%.1f x %.1f", geometry.width * geometry.resolution,
               geometry.height * geometry.resolution);

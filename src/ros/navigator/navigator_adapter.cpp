@@ -6,6 +6,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
+#include "ros/common/tf/odometry_source.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -24,7 +25,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   map_.subscribe(connections_, parameters_.map_frame);
   server_.subscribe(connections_);
   connections_.subscribeToOne(names::kScan, 1, &NavigatorAdapter::handleScan, this);
-  connections_.subscribeToOne(names::kOdom, 1, &NavigatorAdapter::handleOdometry, this);
+  followOdometry(connections_, tf_, parameters_.robot, base_frame_, 1, &NavigatorAdapter::handleOdometry, this);
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {

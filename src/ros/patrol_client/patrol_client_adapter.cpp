@@ -40,11 +40,17 @@ std::optional<patrol::PatrolExit> PatrolClientAdapter::update(int interrupts_so_
 
 std::optional<patrol::PatrolExit> PatrolClientAdapter::connect(int interrupts_so_far) {
   if (interrupts_so_far > 0) return patrol::PatrolExit::kInterrupted;
-  if (client_.isServerConnected()) {
+  // A goal's id is made of its time: before the first /clock it would be that of another client's.
+  const bool has_time = rosNow() != Time{};
+  if (client_.isServerConnected() && has_time) {
     send();
     return std::nullopt;
   }
   const Duration waited = steadyNow() - since_;
+  if (!has_time && waited >= 2 * kPatience) {
+    complain("there is no ROS time: nobody publishes /clock");
+    return patrol::PatrolExit::kNoServer;
+  }
   if (waited < (status_.getNumPublishers() > 0 ? 2 * kPatience : kNobodyThere)) return std::nullopt;
   complain(std::string("no patrol server answers on '") + names::kPatrol + "': is patrol_server running?");
   return patrol::PatrolExit::kNoServer;

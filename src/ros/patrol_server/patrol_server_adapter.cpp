@@ -6,6 +6,7 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
+#include "ros/common/tf/odometry_source.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -36,7 +37,8 @@ void PatrolServerAdapter::sayLastWords() {
 
 void PatrolServerAdapter::subscribe() {
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-  connections_.subscribeToOne(names::kOdom, 1, &PatrolServerAdapter::handleOdometry, this, hints);
+  const RobotModel& robot = parameters_.patrol.robot;
+  followOdometry(connections_, tf_, robot, robot.base_frame, 1, &PatrolServerAdapter::handleOdometry, this, hints);
   connections_.subscribe(names::kEmergencyStopState, 1, &PatrolServerAdapter::handleStop, this, hints);
   connections_.subscribe(names::kArbiterStatus, 1, &PatrolServerAdapter::handleArbiter, this, hints);
 }

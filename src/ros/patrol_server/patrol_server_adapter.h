@@ -12,6 +12,7 @@
 #include "ros/common/actions/action_server.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
+#include "ros/common/tf/tf_bridge.h"
 
 namespace frontier_pilot {
 
@@ -58,6 +59,7 @@ class PatrolServerAdapter {
   ros::Publisher cmd_vel_;
   Server server_;
   NodeDiagnostics diagnostics_;
+  TfBridge tf_;
   NodeConnections connections_;
 };
 

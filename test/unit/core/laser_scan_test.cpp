@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot {
 namespace {

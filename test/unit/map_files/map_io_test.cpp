@@ -127,6 +127,38 @@ TEST_F(MapIo, LoadsWhatItSavedByTheSamePath_MAP_5) {
 }
 
 // [MAP-5]
+TEST_F(MapIo, LoadsTheYamlAndPictureOfAMapThatHasNoOctree_MAP_5) {
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  fs::remove(path("floor.bt"));
+  occupancy::OccupancyMap loaded;
+  const map_files::MapIoResult result = map_files::loadMap(path("floor"), loaded);
+  ASSERT_TRUE(result.ok()) << result.text;
+  EXPECT_NE(result.text.find("no octree"), std::string::npos) << result.text;
+  for (std::size_t i = 0; i < map.grid().size(); ++i) {
+    const Vec2 centre = map.geometry().centre(map.geometry().cell(i));
+    const std::int8_t was = map.grid()[i];
+    const std::int8_t is = loaded.grid().get(loaded.geometry().cellAt(centre), kUnknown);
+    ASSERT_EQ(isUnknown(is), isUnknown(was)) << centre.transpose();
+    ASSERT_EQ(isOccupied(is), isOccupied(was)) << centre.transpose();
+  }
+  ASSERT_TRUE(map_files::saveMap(loaded, path("again")).ok()) << "its octree holds the cells as well";
+  EXPECT_TRUE(map_files::loadMap(path("again.bt"), loaded).ok());
+}
+
+// [MAP-5]
+TEST_F(MapIo, KeepsTheMapWhenAPictureCannotBeLoaded_MAP_5) {
+  const auto before = map.grid().cells();
+  write("picture.yaml", "image: none.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  EXPECT_EQ(map_files::loadMap(path("picture"), map).status, map_files::MapIoStatus::kBroken);
+  write("picture.yaml", "image: picture.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n");
+  write("picture.pgm", "P2 2 2 255 0 0 254 254\n");
+  const map_files::MapIoResult coarse = map_files::loadMap(path("picture"), map);
+  EXPECT_EQ(coarse.status, map_files::MapIoStatus::kBroken);
+  EXPECT_NE(coarse.text.find("resolution"), std::string::npos) << coarse.text;
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
+// [MAP-5]
 TEST_F(MapIo, KeepsTheMapWhenAnotherCannotBeLoaded_MAP_5) {
   const auto before = map.grid().cells();
   EXPECT_EQ(map_files::loadMap("", map).status, map_files::MapIoStatus::kBadPath);

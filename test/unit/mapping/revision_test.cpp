@@ -18,7 +18,7 @@ LaserScan2 ringAt(double seconds) {
   return scan;
 }
 
-/// Has second thoughts when it is told to: everything so far lies `T_new_old` from where it was put.
+/// Revises when it is told to: everything so far lies `T_new_old` from where it was put.
 class Thoughtful final : public slam::PoseCorrection {
  public:
   struct Script {

@@ -212,10 +212,10 @@ TEST(MapMirror, AClockThatWentBackShowsInTheUpdatesAsWell) {
 TEST(MapMirror, AnotherPublisherIsNotHeldAgainstTheStampsOfTheFirst) {
   MapMirror mirror;
   mirror.handleMap(messageAt(100.0, kRoom), "/one");
-  mirror.handleUpdate(updateAt(3700.0, 1, 1, kOccupied));  // its clock is an hour ahead
+  mirror.handleUpdate(updateAt(3700.0, 1, 1, kOccupied), "/one");  // its clock is an hour ahead
   mirror.handleMap(messageAt(110.0, kRoom), "/two");
   EXPECT_EQ(mirror.map()[(Cell{1, 1})], kFree);
-  mirror.handleUpdate(updateAt(111.0, 2, 1, kOccupied));
+  mirror.handleUpdate(updateAt(111.0, 2, 1, kOccupied), "/two");
   EXPECT_EQ(mirror.map()[(Cell{2, 1})], kOccupied);
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include "frontier_pilot/core/robot.h"
+#include "frontier_pilot/core/robot_model.h"
 
 namespace frontier_pilot {
 namespace {

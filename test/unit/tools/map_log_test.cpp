@@ -29,9 +29,9 @@ std::string problemOf(const std::vector<std::string>& words) {
 }
 
 TEST(MapLogOptions, AreReadInAnyOrder) {
-  const tools::MapLogOptions options =
-      tools::parseMapLogOptions({"--out=/tmp/x", "--resolution", "0.1", "drive.csv", "--mount", "0.1", "0", "-0.5", "--fov",
-                          "90", "--range", "12", "--relations", "r", "--scan", "/base_scan", "--odom", "wheel_odom"});
+  const tools::MapLogOptions options = tools::parseMapLogOptions(
+      {"--out=/tmp/x", "--resolution", "0.1", "drive.csv", "--mount", "0.1", "0", "-0.5", "--fov", "90", "--range",
+       "12", "--relations", "r", "--scan", "/base_scan", "--odom", "wheel_odom"});
   EXPECT_EQ(options.log, "drive.csv");
   EXPECT_EQ(options.out, "/tmp/x");
   EXPECT_EQ(options.mapper.map.resolution, 0.1);

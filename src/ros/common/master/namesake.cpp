@@ -17,17 +17,6 @@ namespace {
 constexpr Duration kLastWords = std::chrono::seconds(2);
 constexpr std::chrono::milliseconds kLook(200);
 
-/// A living node, other than this one, that offers `service`; empty if there is none.
-std::string findOtherProvider(const std::string& service) {
-  const std::optional<MasterState> state = askMaster();
-  if (!state) return {};
-  const std::vector<std::string> nodes = nodesOf(state->providers, service);
-  const auto other = std::find_if(nodes.begin(), nodes.end(), [](const std::string& node) {
-    return node != ros::this_node::getName() && nodeLives(node);
-  });
-  return other == nodes.end() ? std::string() : *other;
-}
-
 }  // namespace
 
 std::string waitUntilGone(const std::function<std::string()>& find) {
@@ -47,11 +36,21 @@ void refuseANamesake() {
                            "(rosnode kill " + self + "), or start this one under another name (__name:=...)");
 }
 
+std::string findOtherProvider(const char* service) {
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return {};
+  const std::vector<std::string> nodes = nodesOf(state->providers, ros::names::resolve(service));
+  const auto other = std::find_if(nodes.begin(), nodes.end(), [](const std::string& node) {
+    return node != ros::this_node::getName() && nodeLives(node);
+  });
+  return other == nodes.end() ? std::string() : *other;
+}
+
 void refuseASecondProvider(const char* service) {
-  const std::string resolved = ros::names::resolve(service);
-  const std::string other = waitUntilGone([&resolved] { return findOtherProvider(resolved); });
+  const std::string other = waitUntilGone([service] { return findOtherProvider(service); });
   if (other.empty()) return;
-  throw std::runtime_error(other + " offers " + resolved + " already: of two such nodes only one could be switched " +
+  throw std::runtime_error(other + " offers " + ros::names::resolve(service) +
+                           " already: of two such nodes only one could be switched " +
                            "off. End that one first (rosnode kill " + other + ")");
 }
 

@@ -1,0 +1,15 @@
+# The modules as targets for others: find_package(frontier_pilot) gives frontier_pilot::scan_matching and the like.
+if(WITH_ROS)
+  export(EXPORT frontier_pilotTargets NAMESPACE frontier_pilot::
+    FILE ${CATKIN_DEVEL_PREFIX}/share/${PROJECT_NAME}/cmake/frontier_pilotTargets.cmake)
+  set(config_destination ${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
+else()
+  set(config_destination ${CMAKE_INSTALL_LIBDIR}/cmake/frontier_pilot)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/frontier_pilot-extras.cmake.in DESTINATION ${config_destination} RENAME frontier_pilotConfig.cmake)
+endif()
+install(EXPORT frontier_pilotTargets NAMESPACE frontier_pilot:: DESTINATION ${config_destination})
+
+# What catkin installs by itself.
+if(NOT WITH_ROS)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/frontier_pilot DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()

@@ -1,0 +1,193 @@
+#include "frontier_pilot/map_files/map_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/files.h"
+#include "frontier_pilot/core/parameters.h"
+
+namespace frontier_pilot::map_files {
+namespace {
+
+constexpr unsigned char kFreePixel = 254;
+constexpr unsigned char kOccupiedPixel = 0;
+constexpr unsigned char kUnknownPixel = 205;
+constexpr std::streamsize kLongestHeader = 4096;  // of an image [bytes]
+
+// The keys of a map_server file. The defaults of what must be given are invalid on purpose.
+struct MapYaml {
+  std::string image;
+  double resolution = 0.0;
+  std::vector<double> origin;
+  int negate = 0;
+  double occupied_thresh = 0.65;
+  double free_thresh = 0.196;
+  std::string mode = "trinary";
+  std::vector<double> start;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("image", image, "", "the picture, relative to this file");
+    v.field("resolution", resolution, "m", "side of a pixel", between(bounds::kLeastPixelSize, bounds::kMostPixelSize));
+    v.field("origin", origin, "m, m, rad", "pose of the lower left corner",
+            between(-bounds::kMostWorldOrigin, bounds::kMostWorldOrigin));
+    v.field("negate", negate, "", "1: white is occupied", between(0, 1));
+    v.field("occupied_thresh", occupied_thresh, "", "darker than this is occupied", between(0.0, 1.0));
+    v.field("free_thresh", free_thresh, "", "lighter than this is free", between(0.0, 1.0));
+    v.field("mode", mode, "", "how shades become cells");
+    v.field("start", start, "m, m, rad", "where a robot starts by default", anyNumber());
+  }
+
+  void check(Problems& problems) const {
+    if (image.empty()) problems.emplace_back("image: missing");
+    if (!(resolution > 0.0)) problems.emplace_back("resolution: missing or not positive");
+    if (origin.size() != 3) problems.emplace_back("origin: must be [x, y, yaw]");
+    if (origin.size() == 3 && origin[2] != 0.0)
+      problems.emplace_back("origin: a rotated map (yaw not 0) is not supported");
+    if (free_thresh > occupied_thresh) problems.emplace_back("free_thresh: must not be above occupied_thresh");
+    if (mode != "trinary") problems.emplace_back("mode: only trinary is supported, not '" + mode + "'");
+    if (!start.empty() && start.size() != 3) problems.emplace_back("start: must be [x, y, yaw]");
+  }
+};
+
+[[noreturn]] void fail(const std::string& file, const std::string& what) {
+  throw std::runtime_error(file + ": " + what);
+}
+
+// What map_server would read: without the keys it does not know, and with `negate` as the number that it may also be
+// written as.
+ParameterMap knownKeys(ParameterMap map) {
+  ParameterMap known;
+  MapYaml described;
+  detail::Describer describer;
+  described.describe(describer);
+  for (const auto& row : describer.rows) {
+    const auto found = map.find(row.name);
+    if (found != map.end()) known.insert(*found);
+  }
+  if (const auto negate = known.find("negate"); negate != known.end()) {
+    if (const bool* flag = std::get_if<bool>(&negate->second.value)) negate->second.value = std::int64_t{*flag};
+  }
+  return known;
+}
+
+MapYaml readYaml(const std::string& path) {
+  MapYaml file;
+  try {
+    const Problems problems = loadParameters(knownKeys(loadYamlFile(path)), file);
+    std::string text;
+    for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
+    if (!problems.empty()) fail(path, text);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+  return file;
+}
+
+// What an image says of its size before it is decoded; nothing if it is neither PGM nor PNG.
+struct ImageSize {
+  std::uint64_t width = 0;
+  std::uint64_t height = 0;
+};
+
+std::optional<ImageSize> sizeOfPgm(const std::string& bytes) {
+  std::istringstream header(bytes.substr(2, kLongestHeader));
+  std::array<std::uint64_t, 2> sides{};
+  for (std::uint64_t& side : sides) {
+    while ((header >> std::ws).peek() == '#') header.ignore(kLongestHeader, '\n');
+    if (!(header >> side)) return std::nullopt;
+  }
+  return ImageSize{sides[0], sides[1]};
+}
+
+std::optional<ImageSize> sizeOfPng(const std::string& bytes) {
+  const auto number = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  if (bytes.size() < 24 || bytes.compare(12, 4, "IHDR") != 0) return std::nullopt;
+  return ImageSize{number(16), number(20)};
+}
+
+std::optional<ImageSize> sizeOf(const std::string& bytes) {
+  if (bytes.rfind("P2", 0) == 0 || bytes.rfind("P5", 0) == 0) return sizeOfPgm(bytes);
+  return bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0 ? sizeOfPng(bytes) : std::nullopt;
+}
+
+void checkSize(const ImageSize& size, double resolution, const std::string& yaml_path, const std::string& image) {
+  // Each side first, so that the product cannot overflow.
+  const std::uint64_t longest = std::max(size.width, size.height);
+  if (longest > bounds::kMostPixels || size.width * size.height > bounds::kMostPixels)
+    fail(yaml_path, image + " has more than " + std::to_string(bounds::kMostPixels) + " pixels");
+  if (static_cast<double>(longest) * resolution > bounds::kMostWorldSide)
+    fail(yaml_path,
+         image + " is longer than " + std::to_string(static_cast<int>(bounds::kMostWorldSide)) + " m on one side");
+}
+
+cv::Mat readImage(const std::string& yaml_path, const MapYaml& file) {
+  const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / file.image;
+  const std::string name = "its image " + path.string();
+  const FileContent content = readFile(path, bounds::kMostImageBytes);
+  if (content.status == FileContent::Status::kMissing) fail(yaml_path, name + " does not exist");
+  if (!content.ok()) fail(yaml_path, name + " cannot be read: " + content.problem);
+  const std::optional<ImageSize> size = sizeOf(content.bytes);
+  if (!size) fail(yaml_path, name + " cannot be read as PGM or PNG");
+  checkSize(*size, file.resolution, yaml_path, name);
+  cv::Mat image;
+  try {
+    image = cv::imdecode(std::vector<char>(content.bytes.begin(), content.bytes.end()), cv::IMREAD_GRAYSCALE);
+  } catch (const cv::Exception& error) {
+    fail(yaml_path, name + " cannot be read: " + error.what());
+  }
+  if (image.empty()) fail(yaml_path, name + " cannot be read as PGM or PNG");
+  return image;
+}
+
+std::int8_t cellOf(std::uint8_t pixel, const MapYaml& file) {
+  const double shade = (file.negate != 0 ? pixel : 255 - pixel) / 255.0;
+  if (shade > file.occupied_thresh) return kOccupied;
+  return shade < file.free_thresh ? kFree : kUnknown;
+}
+
+unsigned char pixelOf(std::int8_t value) {
+  if (isUnknown(value)) return kUnknownPixel;
+  return isOccupied(value) ? kOccupiedPixel : kFreePixel;
+}
+
+}  // namespace
+
+MapImage readMapImage(const std::string& yaml_path) {
+  const MapYaml file = readYaml(yaml_path);
+  const cv::Mat image = readImage(yaml_path, file);
+  MapImage read;
+  read.map = OccupancyGrid(GridGeometry{file.resolution, {file.origin[0], file.origin[1]}, image.cols, image.rows});
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      read.map[Cell{x, y}] = cellOf(image.at<std::uint8_t>(image.rows - 1 - y, x), file);
+    }
+  }
+  if (!file.start.empty()) read.start = Pose2(file.start[0], file.start[1], file.start[2]);
+  return read;
+}
+
+std::string pgmOf(const OccupancyGrid& grid) {
+  cv::Mat image(grid.height(), grid.width(), CV_8UC1);
+  for (int y = 0; y < grid.height(); ++y) {
+    // An image's first row is its upper edge.
+    std::transform(grid.row(y), grid.row(y) + grid.width(), image.ptr(grid.height() - 1 - y), pixelOf);
+  }
+  std::vector<unsigned char> bytes;
+  cv::imencode(".pgm", image, bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace frontier_pilot::map_files

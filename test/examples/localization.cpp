@@ -1,0 +1,22 @@
+#include "examples.h"
+
+#include <cmath>
+
+#include "frontier_pilot/localization/localizer.h"
+#include "room.h"
+
+namespace fp = frontier_pilot;
+
+bool examples::localization() {
+  //! [example]
+  const fp::Pose2 truth(0.3, -0.2, 0.1);
+  fp::scan_matching::PoseWithCovariance about;  // where the robot is about: within 0.5 m and 0.25 rad of the origin
+  about.covariance.diagonal() << 0.25, 0.25, 0.0625;
+  fp::localization::Localizer localizer({}, roomMap(), about);
+  const fp::Pose2 T_odom_base;
+  const fp::slam::MatchVerdict verdict = localizer.update(scanFrom(truth), T_odom_base);
+  const fp::Pose2 found = localizer.T_map_odom() * T_odom_base;
+  const bool near = (found.position() - truth.position()).norm() < 0.03 && std::abs(found.yaw - truth.yaw) < 0.02;
+  return fp::slam::isMatched(verdict) && localizer.isLocated() && near;
+  //! [example]
+}
