@@ -126,6 +126,16 @@ MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_
                  "is not the one that " + yaml_path + " was written with: length or checksum differ");
 }
 
+/// Whether a YAML is there that knows of no octree. One of ours whose .bt is missing was damaged, or never completed.
+bool isOfAnotherProgram(const std::string& yaml_path) {
+  const FileContent yaml = readFile(yaml_path, kLongestYaml);
+  try {
+    return yaml.ok() && compareOctree(yaml.bytes, {}) == OctreeMatch::kNotMentioned;
+  } catch (const std::invalid_argument&) {
+    return true;  // reading the picture says what is wrong with it
+  }
+}
+
 /// The .bt that a save takes the place of, if that is a map.
 std::optional<std::string> previousOctree(const fs::path& base, std::size_t most_bytes) {
   const std::string bt = appended(base, ".bt");
@@ -146,15 +156,19 @@ int timesUntil(float limit, float step) { return static_cast<int>(std::ceil(limi
 /// Each known cell of `image` as sure as it may be. False when the map would get too large.
 bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   const GridGeometry& from = image.geometry();
-  const Vec2 low = from.centre({0, 0});
-  if (!map.reserve(low, from.centre({from.width - 1, from.height - 1}))) return false;
+  // A cell more on each side, for what rounding may do.
+  if (!map.reserve(from.centre({-1, -1}), from.centre({from.width, from.height}))) return false;
+  // By whole cells, once: centres that lie on the border between two cells would fall now here, now there.
+  const Vec2 shift = (from.origin - map.geometry().origin) / from.resolution;
+  const auto dx = static_cast<int>(std::lround(shift.x()));
+  const auto dy = static_cast<int>(std::lround(shift.y()));
   const occupancy::LogOddsModel model(map.parameters().model);
   const int times = std::max(timesUntil(model.max, model.hit), timesUntil(model.min, model.miss));
   map.beginBatch();
   for (int i = 0; i < times; ++i) {
     map.beginScan();
     for (std::size_t k = 0; k < image.size(); ++k) {
-      const Cell cell = map.geometry().cellAt(from.centre(from.cell(k)));
+      const Cell cell{from.cell(k).x + dx, from.cell(k).y + dy};
       if (frontier_pilot::isOccupied(image[k])) map.hit(cell);
       if (isFree(image[k])) map.miss(cell);
     }
@@ -242,8 +256,7 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   const std::string bt = appended(base, ".bt");
   const FileContent octree = readFile(bt, map.mostBytes());
   const std::string yaml = appended(base, ".yaml");
-  std::error_code error;
-  if (octree.status == FileContent::Status::kMissing && fs::exists(yaml, error)) return loadPicture(yaml, map);
+  if (octree.status == FileContent::Status::kMissing && isOfAnotherProgram(yaml)) return loadPicture(yaml, map);
   if (!octree.ok()) return cannotRead(bt, octree);
   MapIoResult belongs = compareWithYaml(yaml, bt, octree.bytes);
   if (!belongs.ok()) return belongs;

@@ -1,6 +1,10 @@
+#include "ros/common/master/namesake.h"
+#include "ros/common/names.h"
 #include "ros/common/node_main.h"
 #include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::ObstacleAvoiderAdapter>(argc, argv, "obstacle_avoider");
+  return frontier_pilot::runNode<frontier_pilot::ObstacleAvoiderAdapter>(argc, argv, "obstacle_avoider", [] {
+    frontier_pilot::refuseASecondProvider(frontier_pilot::names::kSetObstacleAvoidEnabled);
+  });
 }

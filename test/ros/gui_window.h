@@ -15,13 +15,17 @@ namespace frontier_pilot::test {
 
 /// The whole operator's side, as teleop_gui has it, on a screen that is not there.
 struct Window {
-  Window() : Window(teleop::TeleopParameters{}) {}
-  explicit Window(const teleop::TeleopParameters& parameters)
+  explicit Window(const teleop::TeleopParameters& parameters = defaults())
       : bridge(ros::NodeHandle(), parameters, GuiBridge::Manual::kAlways, [] { return ros::ok(); }),
         widget(parameters),
         controller(widget, bridge, fromSeconds(parameters.liveness_timeout)) {
     widget.resize(1200, 800);
     widget.show();
+  }
+
+  static const teleop::TeleopParameters& defaults() {
+    static const teleop::TeleopParameters parameters;
+    return parameters;
   }
 
   QWidget* find(const char* name) const { return widget.findChild<QWidget*>(name); }

@@ -9,7 +9,7 @@ import unittest
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
-from frontier_pilot.msg import AvoiderStatus, ExplorerStatus
+from frontier_pilot.msg import ExplorerStatus
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import OccupancyGrid
 from std_srvs.srv import SetBool, Trigger
@@ -53,25 +53,15 @@ class SecondCopies(unittest.TestCase):
         return node
 
     # [FLT-2]
-    def test_a_second_explorer_under_another_name_does_not_start(self):
-        self.start('frontier_explorer')
-        rospy.wait_for_service('set_exploration_enabled', 10.0)
-        code, said = self.start('frontier_explorer', '__name:=another').finish()
-        self.assertEqual(code, 1, said)
-        self.assertIn('offers /set_exploration_enabled already', said, '[FLT-2]')
-        self.assertTrue(call('set_exploration_enabled', SetBool, False).success)
-
-    # [AVO-6] [FLT-2]
-    def test_a_second_avoider_starts_switched_off(self):
-        status = Record('obstacle_avoider/status', AvoiderStatus)
-        self.start('obstacle_avoider')
-        self.assertTrue(wait_for(lambda: status.last is not None and status.last.state == AvoiderStatus.WAITING))
-        call('set_obstacle_avoid_enabled', SetBool, False)
-        call('set_obstacle_avoid_enabled', SetBool, True)
-        begun = time.monotonic()
-        self.start('obstacle_avoider', '__name:=another')
-        self.assertTrue(wait_for(lambda: any(message.state == AvoiderStatus.IDLE for message in status.since(begun))),
-                        '[AVO-6]')
+    def test_a_second_explorer_or_avoider_under_another_name_does_not_start(self):
+        for executable, service in [('frontier_explorer', 'set_exploration_enabled'),
+                                    ('obstacle_avoider', 'set_obstacle_avoid_enabled')]:
+            self.start(executable)
+            rospy.wait_for_service(service, 10.0)
+            code, said = self.start(executable, '__name:=another').finish()
+            self.assertEqual(code, 1, said)
+            self.assertIn('offers /%s already' % service, said, '[FLT-2]')
+            self.assertTrue(call(service, SetBool, False).success)
 
     # [ARB-8] [FLT-2]
     def test_a_stop_is_not_cleared_by_an_arbiter_that_has_not_heard_yet_who_asks_for_motion(self):
@@ -88,7 +78,7 @@ class SecondCopies(unittest.TestCase):
         while time.monotonic() < stopped + 5.0:
             try:
                 answers.append(rospy.ServiceProxy('set_emergency_stop', SetBool)(False))
-            except rospy.ServiceException:
+            except rospy.ServiceException:  # until it is registered again
                 rospy.rostime.wallsleep(0.01)
         self.assertTrue(answers, 'a clear is answered again')
         self.assertEqual([answer.message for answer in answers if answer.success], [], '[ARB-8]')

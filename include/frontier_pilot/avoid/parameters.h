@@ -65,7 +65,8 @@ struct AvoiderParameters {
     v.field("turn_time", turn_time, "s", "greatest duration of turning in a cycle", Bounds{0.0, 60.0, true});
     v.field("max_cycles", max_cycles, "", "cycles that did not help before it gives up", atLeast(1.0));
     v.field("max_scan_age", max_scan_age, "s", "an older scan is a fault", Bounds{0.0, 60.0, true});
-    v.fixed({"max_invalid_share"});
+    v.field("max_invalid_share", max_invalid_share, "", "greatest share of invalid beams; a scan with more is a fault",
+            between(0.0, 1.0));
   }
   /// Sectors must be narrower than half a turn, `stop_distance` beyond the robot's front and `clear_distance` beyond
   /// that.

@@ -61,7 +61,9 @@ struct BehaviorParameters {
             "how far ahead, in time, the motion must be free of obstacles", timeSpan());
     v.field("pose_timeout", pose_timeout, "s", "greatest age of the robot's pose", timeSpan());
     v.field("costmap_timeout", costmap_timeout, "s", "greatest age of the last scan in the costmap", timeSpan());
-    v.fixed({"no_progress_timeout", "settle_timeout", "jump_distance", "jump_angle"});
+    v.field("no_progress_timeout", no_progress_timeout, "s", "time without progress after which a motion is given up",
+            timeSpan());
+    v.fixed({"settle_timeout", "jump_distance", "jump_angle"});
     v.moved("rotational_acc_lim", "robot/limits/max_angular_acc");
     v.moved("max_linear_vel", "robot/limits/max_linear");
   }

@@ -72,6 +72,7 @@ struct RobotModel {
   double watchdog = 0.6;           ///< [s]
   std::string odometry = "topic";  ///< or "tf": the robot publishes the transform from `odom` alone
   std::string base_frame = "base_footprint";
+  std::string odom_frame = "odom";
 
   /// The polygon. Throws std::invalid_argument where `check` finds a problem with it.
   Outline exactOutline() const;
@@ -96,6 +97,8 @@ struct RobotModel {
     v.field("odometry", odometry, "",
             "topic: the robot publishes odom; tf: it publishes the transform from odom to base_frame alone");
     v.field("base_frame", base_frame, "", "frame between the wheels, on the floor", FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry, where it is followed by its transform",
+            FrameName::kGiven);
   }
   void check(Problems& problems) const;
 };

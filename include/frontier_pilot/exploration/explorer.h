@@ -6,7 +6,7 @@
 
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier_evaluator.h"
-#include "frontier_pilot/exploration/goal_choice.h"
+#include "frontier_pilot/exploration/goal_score.h"
 
 namespace frontier_pilot::exploration {
 

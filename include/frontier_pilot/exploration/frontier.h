@@ -95,7 +95,8 @@ struct FrontierParameters {
     v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
     v.fixed({"trap_margin", "escape_radius", "goal_search_radius"});
     v.field("min_distance", min_distance, "m", "goals nearer to the robot are not sent", atLeast(0.0));
-    v.fixed({"obstacle_radius_cells"});
+    v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "radius in which the obstacle density is measured",
+            atLeast(1));
     v.field("max_obstacle_density", max_obstacle_density, "",
             "goals with a greater obstacle density around them are not sent", between(0.0, 1.0));
     v.field("min_info_area", min_info_area, "m^2", "goals that are expected to show less unknown area are not sent",

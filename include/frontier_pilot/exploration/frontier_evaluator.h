@@ -9,7 +9,7 @@
 #include "frontier_pilot/exploration/blacklist.h"
 #include "frontier_pilot/exploration/frontier.h"
 #include "frontier_pilot/exploration/frontier_search.h"
-#include "frontier_pilot/exploration/goal_choice.h"
+#include "frontier_pilot/exploration/goal_score.h"
 #include "frontier_pilot/exploration/observed_map.h"
 #include "frontier_pilot/exploration/travel_field.h"
 

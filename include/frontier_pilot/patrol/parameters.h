@@ -44,8 +44,10 @@ struct PatrolParameters {
     v.fixed({"settle_timeout"});
   }
   void check(Problems& problems) const {
-    if (min_linear_speed > linear_speed) problems.push_back("min_linear_speed: must not exceed linear_speed");
-    if (min_turn_speed > turn_speed) problems.push_back("min_turn_speed: must not exceed turn_speed");
+    if (min_linear_speed > linear_speed)
+      problems.push_back("linear_speed: must be at least " + std::to_string(min_linear_speed) + " m/s");
+    if (min_turn_speed > turn_speed)
+      problems.push_back("turn_speed: must be at least " + std::to_string(min_turn_speed) + " rad/s");
   }
 };
 

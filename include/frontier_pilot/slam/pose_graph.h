@@ -15,7 +15,7 @@ struct PoseConstraint {
   std::size_t to = 0;
   Pose2 T_from_to;
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  ///< of x, y [m] and yaw [rad], along the axes of `from`
-  bool weighted_robustly = false;  ///< a robust kernel lowers its weight where the graph disagrees
+  bool robust = false;  ///< a robust kernel lowers its weight where the graph disagrees
 };
 
 /// x, y [m] and yaw [rad] of the constraint's `to`, seen from `from`, less what was measured.

@@ -17,9 +17,7 @@ struct SubmapDrift {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("position", position, "m", "standard deviation of a submap's position, seen from its predecessor",
-            positive());
-    v.field("yaw", yaw, "rad", "standard deviation of a submap's yaw, seen from its predecessor", positive());
+    v.fixed({"position", "yaw"});
   }
 };
 

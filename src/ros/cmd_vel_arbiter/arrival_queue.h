@@ -3,20 +3,50 @@
 #include <ros/callback_queue.h>
 #include <ros/callback_queue_interface.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 #include "ros/common/clock.h"
 
 namespace frontier_pilot {
 
 /// Puts callbacks into the node's own queue and remembers when each of them arrived, so that the one that is being
-/// served can tell what happened while it was waiting.
+/// served can tell what happened while it was waiting. While the queue is held they wait; roscpp adds them from threads
+/// of its own.
 class ArrivalQueue : public ros::CallbackQueueInterface {
  public:
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override {
-    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Stamped>(callback, arrival_), owner);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const ros::CallbackInterfacePtr stamped = boost::make_shared<Stamped>(callback, arrival_);
+    if (held_) {
+      waiting_.emplace_back(stamped, owner);
+    } else {
+      ros::getGlobalCallbackQueue()->addCallback(stamped, owner);
+    }
   }
-  void removeByID(std::uint64_t owner) override { ros::getGlobalCallbackQueue()->removeByID(owner); }
+  void removeByID(std::uint64_t owner) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.erase(
+        std::remove_if(waiting_.begin(), waiting_.end(), [=](const auto& one) { return one.second == owner; }),
+        waiting_.end());
+    ros::getGlobalCallbackQueue()->removeByID(owner);
+  }
+
+  /// From here on callbacks wait.
+  void hold() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    held_ = true;
+  }
+  /// Those that wait are served, and none waits any more.
+  void release() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    held_ = false;
+    for (const auto& [callback, owner] : waiting_) ros::getGlobalCallbackQueue()->addCallback(callback, owner);
+    waiting_.clear();
+  }
 
   /// When the callback that is running now arrived.
   SteadyTime arrival() const { return arrival_; }
@@ -38,7 +68,10 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
     SteadyTime& current_;
   };
 
-  SteadyTime arrival_{};
+  std::mutex mutex_;
+  bool held_ = false;
+  std::vector<std::pair<ros::CallbackInterfacePtr, std::uint64_t>> waiting_;
+  SteadyTime arrival_{};  ///< of the thread that serves the callbacks
 };
 
 }  // namespace frontier_pilot

@@ -99,6 +99,7 @@ void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs
 
 void CmdVelArbiterAdapter::tick() {
   hasJustWoken();
+  endListening();
   publish(arbiter_.tick(instantNow()));
   takeMasterReport();
   publishStatus(false);

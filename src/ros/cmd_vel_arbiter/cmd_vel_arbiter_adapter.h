@@ -53,8 +53,8 @@ class CmdVelArbiterAdapter {
   void addSource(std::size_t source);
   void restoreSwitch(std::size_t source);
   void addStopServices();
-  /// `set_emergency_stop`, which clears as well as stops.
-  void addClearService();
+  /// Serves the calls that have waited for an arbiter that came up stopped to hear its sources.
+  void endListening();
   /// Whether this process was suspended until a moment ago: what arrives now was sent while it was, nobody knows when.
   bool hasJustWoken();
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
@@ -77,7 +77,7 @@ class CmdVelArbiterAdapter {
   SessionMemory memory_;
   ArbiterConnections around_;
   std::vector<Rejections> rejections_;
-  ArrivalQueue calls_;
+  ArrivalQueue calls_, clears_;
   ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: a place, and then what only its holder has
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
@@ -85,7 +85,7 @@ class CmdVelArbiterAdapter {
   SteadyTime last_seen_ = steadyNow(), woken_until_{};
   std::deque<SafeSwitch> switches_;            ///< of the sources, which are safe while they are off
   Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one
-  ros::SteadyTimer clear_service_timer_;
+  std::optional<SteadyTime> listening_until_;  ///< while calls of `set_emergency_stop` wait
   NodeConnections connections_;
 };
 

@@ -11,8 +11,8 @@ namespace {
 /// For the zero to reach the wire before the answer does. A subscriber that does not read must not hold the stop up.
 constexpr Duration kFlushPatience = std::chrono::milliseconds(50);
 
-/// For a new arbiter's subscriptions to connect, until it hears every source that asks for motion [s].
-constexpr double kConnectTime = 0.5;
+/// For a new arbiter's subscriptions to connect, until it hears every source that asks for motion.
+constexpr Duration kConnectTime = std::chrono::milliseconds(500);
 
 template <class Response>
 bool reply(const arbiter::ArbiterAnswer& answer, Response& response) {
@@ -30,21 +30,21 @@ void CmdVelArbiterAdapter::addStopServices() {
   trigger.initBySpecType<TriggerCall>(names::kEmergencyStop, [this](TriggerCall& call) { return handleStop(call); });
   trigger.callback_queue = &calls_;
   connections_.serve(trigger);
-  if (!arbiter_.stopped()) return addClearService();
-  // An arbiter that comes up stopped does not know yet which sources ask for motion: nobody can clear the stop before
-  // it has listened for as long as they must have been quiet. [ARB-8]
-  const ros::WallDuration listening(arbiter_.parameters().clear_quiet_time + kConnectTime);
-  clear_service_timer_ = node_.createSteadyTimer(
-      listening,
-      [this](const ros::SteadyTimerEvent&) { connections_.guard().run("a timer", [this] { addClearService(); }); },
-      true);
-}
-
-void CmdVelArbiterAdapter::addClearService() {
   ros::AdvertiseServiceOptions set;
   set.initBySpecType<SetBoolCall>(names::kSetEmergencyStop, [this](SetBoolCall& call) { return handleSetStop(call); });
-  set.callback_queue = &calls_;
+  set.callback_queue = &clears_;
   connections_.serve(set);
+  if (!arbiter_.stopped()) return;
+  // An arbiter that comes up stopped does not know yet which sources ask for motion: a call that may clear the stop
+  // waits until it has listened for as long as they must have been quiet. [ARB-8]
+  clears_.hold();
+  listening_until_ = steadyNow() + fromSeconds(arbiter_.parameters().clear_quiet_time) + kConnectTime;
+}
+
+void CmdVelArbiterAdapter::endListening() {
+  if (!listening_until_ || steadyNow() < *listening_until_) return;
+  listening_until_.reset();
+  clears_.release();
 }
 
 bool CmdVelArbiterAdapter::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,
@@ -86,7 +86,7 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
 }
 
 arbiter::ArbiterAnswer CmdVelArbiterAdapter::clear(const std::string& caller) {
-  arbiter::ArbiterAnswer answer = arbiter_.clear(calls_.arrival(), instantNow());
+  arbiter::ArbiterAnswer answer = arbiter_.clear(clears_.arrival(), instantNow());
   publish(answer.publish);
   if (!arbiter_.stopped()) around_.memory_problem = memory_.forget();
   THROTTLED_INFO("set_emergency_stop false called by " << caller << ": " << answer.message);

@@ -2,7 +2,6 @@
 
 #include <geometry_msgs/Twist.h>
 
-#include "ros/common/master/namesake.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
@@ -35,7 +34,7 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
       diagnostics_(node, private_node),
       connections_(node) {
   switched_on_.emplace(kSafeState, names::kSetObstacleAvoidEnabled, connections_);
-  if (!isToStartSwitchedOn()) avoider_.setEnabled(false, rosNow());
+  if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderAdapter::handleEnable, this);
   connections_.subscribeToOne(names::kScan, 1, &ObstacleAvoiderAdapter::handleScan, this,
                               ros::TransportHints().tcpNoDelay());
@@ -51,13 +50,6 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
   connections_.every(ros::Duration(kUpdate), [this] { publish(avoider_.update(rosNow())); });
   connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });
   publishStatus(true);
-}
-
-bool ObstacleAvoiderAdapter::isToStartSwitchedOn() const {
-  if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) return false;
-  const std::string other = findOtherProvider(names::kSetObstacleAvoidEnabled);
-  if (!other.empty()) ROS_WARN_STREAM(other << " is an avoider of this robot already: this one starts switched off");
-  return other.empty();
 }
 
 void ObstacleAvoiderAdapter::sayLastWords() { publish(avoider_.setEnabled(false, rosNow())); }

@@ -40,8 +40,6 @@ class ObstacleAvoiderAdapter {
   void sayLastWords();
 
  private:
-  /// As it was left, or as configured, but never beside another avoider: nobody could tell which of them is switched.
-  bool isToStartSwitchedOn() const;
   void handleScan(const sensor_msgs::LaserScan& msg);
   std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg, std::string* why) const;
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);

@@ -43,7 +43,7 @@ std::vector<Pose2> sampledPoses(const SubmapGraph& graph) {
 bool isSound(const SubmapGraph& graph) {
   const PoseGraph& poses = graph.graph();
   return std::all_of(poses.constraints().begin(), poses.constraints().end(), [&](const PoseConstraint& constraint) {
-    return !constraint.weighted_robustly || poses.chi2(constraint) < poses.parameters().outlier_chi2;
+    return !constraint.robust || poses.chi2(constraint) < poses.parameters().outlier_chi2;
   });
 }
 
@@ -105,7 +105,7 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(const SubmapGraph& gra
 bool LoopCloser::isSaturated(const SubmapGraph& graph, std::size_t submap, std::size_t of) const {
   const auto& constraints = graph.graph().constraints();
   return std::count_if(constraints.begin(), constraints.end(), [&](const PoseConstraint& constraint) {
-           return constraint.weighted_robustly && constraint.from == submap && constraint.to == of;
+           return constraint.robust && constraint.from == submap && constraint.to == of;
          }) >= parameters_.max_per_pair;
 }
 

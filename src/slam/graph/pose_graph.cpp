@@ -78,7 +78,7 @@ class PoseGraph::Problem {
   double convexScale() const {
     double largest = 0.0;
     for (const PoseConstraint& constraint : graph_.constraints_) {
-      if (constraint.weighted_robustly) largest = std::max(largest, chi2Of(constraint, graph_.poses_));
+      if (constraint.robust) largest = std::max(largest, chi2Of(constraint, graph_.poses_));
     }
     return std::max(1.0, 3.0 * largest / graph_.parameters_.outlier_chi2);
   }
@@ -89,7 +89,7 @@ class PoseGraph::Problem {
     double sum = 0.0;
     for (const PoseConstraint& constraint : graph_.constraints_) {
       const double chi2 = chi2Of(constraint, poses);
-      sum += constraint.weighted_robustly ? threshold() * chi2 / (threshold() + chi2) : chi2;
+      sum += constraint.robust ? threshold() * chi2 / (threshold() + chi2) : chi2;
     }
     return 0.5 * sum;
   }
@@ -108,7 +108,7 @@ class PoseGraph::Problem {
 
   /// The derivative of the loss by the squared error.
   double weight(const PoseConstraint& constraint, const Eigen::Vector3d& error) const {
-    if (!constraint.weighted_robustly) return 1.0;
+    if (!constraint.robust) return 1.0;
     const double share = threshold() / (threshold() + error.dot(constraint.information * error));
     return share * share;
   }

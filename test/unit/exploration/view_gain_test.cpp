@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/exploration/goal_choice.h"
+#include "frontier_pilot/exploration/goal_score.h"
 #include "support/ascii_world.h"
 
 namespace frontier_pilot {

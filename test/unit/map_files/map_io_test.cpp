@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "frontier_pilot/sim/world_image.h"
 #include "support/temporary_folder.h"
@@ -129,17 +131,28 @@ TEST_F(MapIo, LoadsWhatItSavedByTheSamePath_MAP_5) {
 // [MAP-5]
 TEST_F(MapIo, LoadsTheYamlAndPictureOfAMapThatHasNoOctree_MAP_5) {
   ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
-  fs::remove(path("floor.bt"));
   occupancy::OccupancyMap loaded;
+  fs::remove(path("floor.bt"));
+  EXPECT_EQ(map_files::loadMap(path("floor"), loaded).status, map_files::MapIoStatus::kMissing)
+      << "a map of our own whose octree is gone is not whole";
+  // Half a cell beside our own raster.
+  const Vec2 shift(0.025, -0.025);
+  const Vec2 origin = map.geometry().origin + shift;
+  std::ostringstream yaml;
+  yaml << "image: floor.pgm\nresolution: 0.05\norigin: [" << origin.x() << ", " << origin.y() << ", 0.0]\n";
+  write("floor.yaml", yaml.str());
   const map_files::MapIoResult result = map_files::loadMap(path("floor"), loaded);
   ASSERT_TRUE(result.ok()) << result.text;
   EXPECT_NE(result.text.find("no octree"), std::string::npos) << result.text;
+  const Vec2 offset = (origin - loaded.geometry().origin) / 0.05;
   for (std::size_t i = 0; i < map.grid().size(); ++i) {
-    const Vec2 centre = map.geometry().centre(map.geometry().cell(i));
+    const Cell cell = map.geometry().cell(i);
+    const Cell there{cell.x + static_cast<int>(std::lround(offset.x())),
+                     cell.y + static_cast<int>(std::lround(offset.y()))};
     const std::int8_t was = map.grid()[i];
-    const std::int8_t is = loaded.grid().get(loaded.geometry().cellAt(centre), kUnknown);
-    ASSERT_EQ(isUnknown(is), isUnknown(was)) << centre.transpose();
-    ASSERT_EQ(isOccupied(is), isOccupied(was)) << centre.transpose();
+    const std::int8_t is = loaded.grid().get(there, kUnknown);
+    ASSERT_EQ(isUnknown(is), isUnknown(was)) << cell.x << ", " << cell.y;
+    ASSERT_EQ(isOccupied(is), isOccupied(was)) << cell.x << ", " << cell.y;
   }
   ASSERT_TRUE(map_files::saveMap(loaded, path("again")).ok()) << "its octree holds the cells as well";
   EXPECT_TRUE(map_files::loadMap(path("again.bt"), loaded).ok());

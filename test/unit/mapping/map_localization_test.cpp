@@ -27,9 +27,9 @@ constexpr const char* kRooms = R"(
 )";
 
 /// The rooms, a scanner in them, and a mapper that is not told more than a robot knows.
-class KnownMapTest : public ::testing::Test {
+class MapLocalizationTest : public ::testing::Test {
  protected:
-  KnownMapTest() : world(drawWorld(kRooms, 0.2)), scanner(world.solid(), 0.01) {}
+  MapLocalizationTest() : world(drawWorld(kRooms, 0.2)), scanner(world.solid(), 0.01) {}
 
   /// The robot goes from one pose to the other, in steps of 5 cm; odometry begins at zero at the start.
   void drive(mapping::Mapper& mapper, const Pose2& from, const Pose2& to) {
@@ -83,7 +83,7 @@ class KnownMapTest : public ::testing::Test {
 };
 
 // [MAP-5]
-TEST_F(KnownMapTest, FindsTheRobotNearWhereItIsSaidToBeAndLeavesTheMapAsItIs_MAP_5) {
+TEST_F(MapLocalizationTest, FindsTheRobotNearWhereItIsSaidToBeAndLeavesTheMapAsItIs_MAP_5) {
   mapping::Mapper mapper = knowing(true);
   const auto before = mapper.grid().cells();
   mapper.locate(about({4.3, 1.0, -0.3}));
@@ -95,7 +95,7 @@ TEST_F(KnownMapTest, FindsTheRobotNearWhereItIsSaidToBeAndLeavesTheMapAsItIs_MAP
 }
 
 // [MAP-5]
-TEST_F(KnownMapTest, DoesNotFindItWhereItIsNot_MAP_5) {
+TEST_F(MapLocalizationTest, DoesNotFindItWhereItIsNot_MAP_5) {
   mapping::Mapper mapper = knowing(true);
   mapper.locate({{1.0, 2.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4});
   drive(mapper, {6.0, 0.8, 1.0}, {6.4, 0.8, 1.0});
@@ -103,7 +103,7 @@ TEST_F(KnownMapTest, DoesNotFindItWhereItIsNot_MAP_5) {
 }
 
 // [MAP-5]
-TEST_F(KnownMapTest, WithoutAMapThereIsNothingToLocaliseOn_MAP_5) {
+TEST_F(MapLocalizationTest, WithoutAMapThereIsNothingToLocaliseOn_MAP_5) {
   mapping::MapperParameters parameters;
   parameters.localize_only = true;
   mapping::Mapper mapper(parameters);
@@ -113,7 +113,7 @@ TEST_F(KnownMapTest, WithoutAMapThereIsNothingToLocaliseOn_MAP_5) {
 }
 
 // [MAP-5]
-TEST_F(KnownMapTest, GoesOnMappingUponALoadedMapAndLosesNothing_MAP_5) {
+TEST_F(MapLocalizationTest, GoesOnMappingUponALoadedMapAndLosesNothing_MAP_5) {
   mapping::Mapper mapper = knowing(false);
   mapper.locate(about({4.3, 1.0, -0.2}));
   world.map[Cell{30, 4}] = kOccupied;  // something new
@@ -129,7 +129,7 @@ TEST_F(KnownMapTest, GoesOnMappingUponALoadedMapAndLosesNothing_MAP_5) {
 }
 
 // [MAP-5]
-TEST_F(KnownMapTest, APoseThatIsSaidToBeCertainIsLookedForAllTheSame_MAP_5) {
+TEST_F(MapLocalizationTest, APoseThatIsSaidToBeCertainIsLookedForAllTheSame_MAP_5) {
   mapping::Mapper mapper = knowing(true);
   mapper.locate({{4.05, 1.17, 0.02}, Eigen::Matrix3d::Zero()});
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
@@ -138,7 +138,7 @@ TEST_F(KnownMapTest, APoseThatIsSaidToBeCertainIsLookedForAllTheSame_MAP_5) {
 }
 
 // [MAP-5]
-TEST_F(KnownMapTest, OdometryThatIsTrustedIsTrustedFromWhereTheRobotWasFound_MAP_5) {
+TEST_F(MapLocalizationTest, OdometryThatIsTrustedIsTrustedFromWhereTheRobotWasFound_MAP_5) {
   mapping::Mapper mapper = knowing(false, true);
   mapper.locate(about({4.3, 1.0, -0.2}));
   drive(mapper, {4.0, 1.2, 0.0}, {4.2, 1.2, 0.0});
@@ -151,7 +151,7 @@ TEST_F(KnownMapTest, OdometryThatIsTrustedIsTrustedFromWhereTheRobotWasFound_MAP
 }
 
 // [MAP-5]
-TEST_F(KnownMapTest, WithoutAnythingInTheMapThereIsNoPlaceToLookForTheRobotIn_MAP_5) {
+TEST_F(MapLocalizationTest, WithoutAnythingInTheMapThereIsNoPlaceToLookForTheRobotIn_MAP_5) {
   mapping::Mapper mapper;
   EXPECT_FALSE(mapper.locate(about({4.0, 1.2, 0.0})));
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
@@ -159,7 +159,7 @@ TEST_F(KnownMapTest, WithoutAnythingInTheMapThereIsNoPlaceToLookForTheRobotIn_MA
   EXPECT_TRUE(mapper.locate(about({0.5, 0.0, 0.0})));
 }
 
-TEST_F(KnownMapTest, AResetForgetsAlsoWhatWasLoaded) {
+TEST_F(MapLocalizationTest, AResetForgetsAlsoWhatWasLoaded) {
   mapping::Mapper mapper = knowing(false);
   mapper.reset();
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
@@ -168,7 +168,7 @@ TEST_F(KnownMapTest, AResetForgetsAlsoWhatWasLoaded) {
 }
 
 // [MAP-5]
-TEST_F(KnownMapTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
+TEST_F(MapLocalizationTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
   mapping::Mapper mapper;
   drive(mapper, {4.0, 1.2, 0.0}, {4.2, 1.2, 0.0});
   seconds += 0.6;
@@ -183,7 +183,7 @@ TEST_F(KnownMapTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
 }
 
 // [FLT-2]
-TEST_F(KnownMapTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseThatItHad_FLT_2) {
+TEST_F(MapLocalizationTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseThatItHad_FLT_2) {
   mapping::Mapper first;
   drive(first, {1.0, 1.0, 0.0}, {2.0, 1.0, 0.0});
   occupancy::OccupancyMap kept(first.map().parameters());

@@ -90,8 +90,7 @@ TEST(LoopCloser, PutsTheGraphBackWhenItContradictsTheClosures_MAP_1) {
   EXPECT_TRUE(lap.closures.empty());
   EXPECT_GT(lap.closer.counts()[slam::ClosureVerdict::kDisagrees], 0U);
   EXPECT_FALSE(lap.moved_without_closure);
-  for (const slam::PoseConstraint& constraint : lap.graph.graph().constraints())
-    EXPECT_FALSE(constraint.weighted_robustly);
+  for (const slam::PoseConstraint& constraint : lap.graph.graph().constraints()) EXPECT_FALSE(constraint.robust);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ Eigen::Matrix3d informationOf(double sigma, double sigma_yaw) {
 }
 
 slam::PoseConstraint between(const std::vector<Pose2>& truth, std::size_t from, std::size_t to, const Pose2& noise = {},
-                             bool weighted_robustly = false) {
-  return {from, to, truth[from].inverse() * truth[to] * noise, informationOf(0.02, 0.01), weighted_robustly};
+                             bool robust = false) {
+  return {from, to, truth[from].inverse() * truth[to] * noise, informationOf(0.02, 0.01), robust};
 }
 
 /// A drive around a square block of `side` steps of 1 m, ending where it began.

@@ -7,7 +7,9 @@
 #include <ros/node_handle.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -55,6 +57,8 @@ class ActionClient {
         cancel_(offer<GoalID>(name + "/cancel", &Monitor::cancelConnectCallback, &Monitor::cancelDisconnectCallback)) {
     manager_.registerSendGoalFunc([this](const ActionGoalConstPtr& goal) {
       id_ = goal->goal_id.id;
+      sent_.push_back(id_);
+      if (sent_.size() > kRemembered) sent_.pop_front();
       goal_.publish(goal);
     });
     manager_.registerCancelFunc([this](const GoalID& id) { cancel_.publish(id); });
@@ -95,6 +99,7 @@ class ActionClient {
   using Connection = ros::SingleSubscriberPublisher;
 
   static constexpr std::uint32_t kQueue = 50;
+  static constexpr std::size_t kRemembered = 100;                       ///< more than a server's status goes on naming
   static constexpr Duration kResultPatience = std::chrono::seconds(1);  ///< of the steady clock
 
   template <class Msg>
@@ -119,14 +124,15 @@ class ActionClient {
     endWithoutResult(*event.getConstMessage());
     cancelPredecessors(*event.getConstMessage());
   }
-  /// Cancels goals of a node of this name that are still pursued, other than the last one that this client sent: the
-  /// node that sent them was ended before it could. [FLT-2]
+  /// Cancels goals of a node of this name that are still pursued and that this client has not sent: the node that sent
+  /// them was ended before it could. [FLT-2]
   void cancelPredecessors(const actionlib_msgs::GoalStatusArray& statuses) {
     using Status = actionlib_msgs::GoalStatus;
     const std::string own = ros::this_node::getName() + "-";  // how actionlib begins the ids of a node's goals
     for (const Status& status : statuses.status_list) {
       const bool pursued = status.status == Status::PENDING || status.status == Status::ACTIVE;
-      if (!pursued || status.goal_id.id == id_ || status.goal_id.id.rfind(own, 0) != 0) continue;
+      const bool sent = std::find(sent_.begin(), sent_.end(), status.goal_id.id) != sent_.end();
+      if (!pursued || sent || status.goal_id.id.rfind(own, 0) != 0) continue;
       GoalID goal;  // without a stamp, which would cancel every goal that is older
       goal.id = status.goal_id.id;
       cancel_.publish(goal);
@@ -154,6 +160,7 @@ class ActionClient {
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::string id_;                      ///< of the goal that was sent last
+  std::deque<std::string> sent_;        ///< the ids of the last goals
   Done done_;                           ///< its end is told here where its result was lost
   std::optional<SteadyTime> ended_at_;  ///< since when its status shows the end while its result is missing
   // Callbacks run on the node's own thread: none comes before the last of these is there.

@@ -17,6 +17,17 @@ namespace {
 constexpr Duration kLastWords = std::chrono::seconds(2);
 constexpr std::chrono::milliseconds kLook(200);
 
+/// A living node, other than this one, that offers `service`; empty if there is none.
+std::string findOtherProvider(const char* service) {
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return {};
+  const std::vector<std::string> nodes = nodesOf(state->providers, ros::names::resolve(service));
+  const auto other = std::find_if(nodes.begin(), nodes.end(), [](const std::string& node) {
+    return node != ros::this_node::getName() && nodeLives(node);
+  });
+  return other == nodes.end() ? std::string() : *other;
+}
+
 }  // namespace
 
 std::string waitUntilGone(const std::function<std::string()>& find) {
@@ -34,16 +45,6 @@ void refuseANamesake() {
   if (waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
   throw std::runtime_error("a node " + self + " runs already, and ROS would end it for this one: end it first " +
                            "(rosnode kill " + self + "), or start this one under another name (__name:=...)");
-}
-
-std::string findOtherProvider(const char* service) {
-  const std::optional<MasterState> state = askMaster();
-  if (!state) return {};
-  const std::vector<std::string> nodes = nodesOf(state->providers, ros::names::resolve(service));
-  const auto other = std::find_if(nodes.begin(), nodes.end(), [](const std::string& node) {
-    return node != ros::this_node::getName() && nodeLives(node);
-  });
-  return other == nodes.end() ? std::string() : *other;
 }
 
 void refuseASecondProvider(const char* service) {

@@ -13,12 +13,9 @@ std::string waitUntilGone(const std::function<std::string()>& find);
 /// ends the older of two nodes of one name, and a mapper that is ended takes its map with it. [FLT-2]
 void refuseANamesake();
 
-/// A living node, other than this one, that offers `service`; empty if there is none. Asks the master.
-std::string findOtherProvider(const char* service);
-
 /// Throws std::runtime_error if another living node, whatever its name, offers `service` already: two nodes that drive
 /// the same robot on their own could not be told apart by who switches one of them off. To be called before the node is
-/// started. [FLT-2]
+/// started: of two that are started at the same moment neither finds the other. [FLT-2]
 void refuseASecondProvider(const char* service);
 
 }  // namespace frontier_pilot

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
+#include "ros/common/clock.h"
+#include "ros/common/master/master_state.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
 
@@ -71,6 +73,14 @@ void MapMirror::refuse(const std::string& publisher) {
   rejections_.add("from " + publisher + ", while " + publisher_ + " publishes the map");
 }
 
+bool MapMirror::ownerLives() {
+  constexpr Duration kSilence = std::chrono::seconds(5);
+  if (steadyNow() - owner_heard_ < kSilence) return true;
+  if (!nodeLives(publisher_)) return false;
+  owner_heard_ = steadyNow();
+  return true;
+}
+
 void MapMirror::startOver() {
   map_stamp_.reset();
   update_stamp_.reset();
@@ -79,15 +89,18 @@ void MapMirror::startOver() {
 
 void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
-  if (!owns(publisher) && map_subscriber_.getNumPublishers() > 1) return refuse(publisher);
+  if (!owns(publisher) && map_subscriber_.getNumPublishers() > 1 && ownerLives()) return refuse(publisher);
   std::string why;
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
   const Time stamp = toTime(msg.header.stamp);
   // One connection keeps the order: stamps that go back are those of a clock that was set back.
   const bool went_back = map_stamp_ && stamp < *map_stamp_;
-  if (stamp == Time{} || went_back || (ready() && publisher != publisher_)) startOver();
+  const bool other_updates = !early_publisher_.empty() && early_publisher_ != publisher;
+  if (stamp == Time{} || went_back || other_updates || (ready() && publisher != publisher_)) startOver();
+  early_publisher_.clear();
   publisher_ = publisher;
+  owner_heard_ = steadyNow();
   takeWhole(std::move(*map), stamp);
 }
 
@@ -122,6 +135,11 @@ void MapMirror::replace(OccupancyGrid map) {
 void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
   if (!owns(publisher)) return refuse(publisher);
+  if (publisher_.empty()) {
+    if (publisher != early_publisher_) startOver();
+    early_publisher_ = publisher;
+  }
+  owner_heard_ = steadyNow();
   std::string why;
   const auto update = toGridUpdate(msg, &why);
   if (!update) return rejections_.add(why);

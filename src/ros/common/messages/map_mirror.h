@@ -45,8 +45,8 @@ class RecentUpdates {
 /// stamp or a later one are applied to it again. Stamps are not compared across a jump of the clock (either topic's
 /// stamps go back) nor between publishers, and a map or an update without a stamp is taken as it comes.
 ///
-/// The first node that sends a map owns it: while it is connected, maps and updates of any other node are refused, and
-/// counted by that node's name. A map and its updates come from one node. [FLT-1]
+/// The first node that sends a map owns it: while it lives, maps and updates of any other node are refused, and counted
+/// by that node's name. A map and its updates come from one node. [FLT-1]
 ///
 /// What is malformed is counted and warned of, and leaves the copy as it was. A smaller map replaces a larger one (a
 /// mapper that started over), which is said in the log.
@@ -74,6 +74,8 @@ class MapMirror {
   bool rightFrame(const std::string& frame);
   bool owns(const std::string& publisher) const { return publisher_.empty() || publisher == publisher_; }
   void refuse(const std::string& publisher);
+  /// Whether the owner is there still, although another node publishes: asked of it where it was silent for long.
+  bool ownerLives();
   /// Forgets the stamps: nothing that comes from now on is compared with what came before.
   void startOver();
   void takeWhole(OccupancyGrid map, Time stamp);
@@ -87,6 +89,8 @@ class MapMirror {
   CellRect changed_;
   Time stamp_{};
   std::string publisher_;             ///< the owner of the map
+  std::string early_publisher_;       ///< of the updates that came before any map
+  SteadyTime owner_heard_{};          ///< when it last sent something, or was seen to live
   std::optional<Time> map_stamp_;     ///< of the last map, unless nothing is compared with it
   std::optional<Time> update_stamp_;  ///< of the last update that had one
   RecentUpdates recent_;

@@ -2,9 +2,11 @@
 
 #include <nav_msgs/Odometry.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "frontier_pilot/core/robot_model.h"
 #include "ros/common/messages/conversions.h"
@@ -19,14 +21,15 @@ namespace frontier_pilot {
 class TransformOdometry {
  public:
   /// `tf` must outlive it.
-  TransformOdometry(const TfBridge& tf, std::string base_frame) : tf_(tf), base_frame_(std::move(base_frame)) {}
+  TransformOdometry(const TfBridge& tf, std::string odom_frame, std::string base_frame)
+      : tf_(tf), odom_frame_(std::move(odom_frame)), base_frame_(std::move(base_frame)) {}
 
-  /// None while there is no new transform.
+  /// None while there is no new transform, which is at least 10 ms after the last one: the velocity is a quotient.
   std::optional<nav_msgs::Odometry> next();
 
  private:
   const TfBridge& tf_;
-  std::string base_frame_;
+  std::string odom_frame_, base_frame_;
   std::optional<Odometry2> last_;
 };
 
@@ -41,7 +44,7 @@ void followOdometry(NodeConnections& connections, const TfBridge& tf, const Robo
     connections.subscribeToOne(names::kOdom, queue_size, handle, node, hints);
     return;
   }
-  const auto source = std::make_shared<TransformOdometry>(tf, base_frame);
+  const auto source = std::make_shared<TransformOdometry>(tf, robot.odom_frame, base_frame);
   connections.every(ros::Duration(kPeriod), [source, handle, node] {
     if (const auto msg = source->next()) (node->*handle)(*msg);
   });

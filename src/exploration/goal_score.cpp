@@ -1,4 +1,4 @@
-#include "frontier_pilot/exploration/goal_choice.h"
+#include "frontier_pilot/exploration/goal_score.h"
 
 namespace frontier_pilot::exploration {
 
