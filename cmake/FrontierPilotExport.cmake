@@ -5,11 +5,8 @@ if(WITH_ROS)
   set(config_destination ${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
 else()
   set(config_destination ${CMAKE_INSTALL_LIBDIR}/cmake/frontier_pilot)
-  install(FILES ${PROJECT_SOURCE_DIR}/cmake/frontier_pilot-extras.cmake.in DESTINATION ${config_destination} RENAME frontier_pilotConfig.cmake)
-endif()
-install(EXPORT frontier_pilotTargets NAMESPACE frontier_pilot:: DESTINATION ${config_destination})
-
-# What catkin installs by itself.
-if(NOT WITH_ROS)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/frontier_pilot-extras.cmake.in DESTINATION ${config_destination}
+    RENAME frontier_pilotConfig.cmake)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/frontier_pilot DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()
+install(EXPORT frontier_pilotTargets NAMESPACE frontier_pilot:: DESTINATION ${config_destination})

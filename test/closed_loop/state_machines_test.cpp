@@ -25,12 +25,16 @@ namespace {
 using States = std::set<std::string>;
 using Transition = std::pair<std::string, std::string>;
 
-/// The drawing that holds `state`, up to the end of its block.
-std::string drawingOf(const std::string& state) {
+std::string architecturePage() {
   std::ifstream file(ARCHITECTURE_PAGE);
   std::stringstream page;
   page << file.rdbuf();
-  const std::string text = page.str();
+  return page.str();
+}
+
+/// The drawing that holds `state`, up to the end of its block.
+std::string drawingOf(const std::string& state) {
+  const std::string text = architecturePage();
   const std::size_t found = text.find("[*] --> " + state);
   if (found == std::string::npos) return {};
   return text.substr(found, text.find("```", found) - found);
@@ -185,11 +189,9 @@ TEST(StateMachines, TheDrawingOfTheAvoiderIsThatOfTheCode) {
 }
 
 TEST(StateMachines, TheDrawingOfTheArbiterNamesItsStates) {
-  std::ifstream file(ARCHITECTURE_PAGE);
-  std::stringstream page;
-  page << file.rdbuf();
+  const std::string page = architecturePage();
   for (const std::string& state : namesUpTo(arbiter::ArbiterState::kContested)) {
-    EXPECT_NE(page.str().find("| " + state + "\n"), std::string::npos) << state;
+    EXPECT_NE(page.find("| " + state + "\n"), std::string::npos) << state;
   }
 }
 

@@ -25,8 +25,7 @@ std::string findArbiter() {
     const std::vector<std::string> providers = nodesOf(state->providers, ros::names::resolve(service));
     found.insert(found.end(), providers.begin(), providers.end());
   }
-  const auto living = std::find_if(found.begin(), found.end(), nodeLives);
-  return living == found.end() ? std::string() : *living;
+  return firstLiving(found);
 }
 
 /// A living node that the master has known as an arbiter of this namespace for longer than this one.
@@ -36,9 +35,7 @@ std::string findElder() {
   const std::vector<std::string> nodes = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
   // The master has them in the order in which it registered them.
   const auto self = std::find(nodes.begin(), nodes.end(), ros::this_node::getName());
-  if (self == nodes.end()) return {};
-  const auto elder = std::find_if(nodes.begin(), self, nodeLives);
-  return elder == self ? std::string() : *elder;
+  return self == nodes.end() ? std::string() : firstLiving({nodes.begin(), self});
 }
 
 void endBeside(const std::string& other) {

@@ -56,8 +56,7 @@ class ActionClient {
         goal_(offer<ActionGoal>(name + "/goal", &Monitor::goalConnectCallback, &Monitor::goalDisconnectCallback)),
         cancel_(offer<GoalID>(name + "/cancel", &Monitor::cancelConnectCallback, &Monitor::cancelDisconnectCallback)) {
     manager_.registerSendGoalFunc([this](const ActionGoalConstPtr& goal) {
-      id_ = goal->goal_id.id;
-      sent_.push_back(id_);
+      sent_.push_back(goal->goal_id.id);
       if (sent_.size() > kRemembered) sent_.pop_front();
       goal_.publish(goal);
     });
@@ -143,7 +142,7 @@ class ActionClient {
     const SteadyTime now = steadyNow();
     if (!ended_at_) ended_at_ = now;
     if (now - *ended_at_ < kResultPatience) return;
-    const actionlib::TerminalState end = endOf(id_, statuses);
+    const actionlib::TerminalState end = endOf(sent_.back(), statuses);
     forget();
     if (const Done done = std::exchange(done_, {})) done(end, nullptr);
   }
@@ -159,8 +158,7 @@ class ActionClient {
   UnreadableMessages unreadable_;
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
-  std::string id_;                      ///< of the goal that was sent last
-  std::deque<std::string> sent_;        ///< the ids of the last goals
+  std::deque<std::string> sent_;        ///< the ids of the last goals, the newest last
   Done done_;                           ///< its end is told here where its result was lost
   std::optional<SteadyTime> ended_at_;  ///< since when its status shows the end while its result is missing
   // Callbacks run on the node's own thread: none comes before the last of these is there.

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <memory>
 
@@ -96,6 +97,11 @@ bool nodeLives(const std::string& node) {
   if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return false;
   if (!ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return false;
   return takesConnections(host, port);
+}
+
+std::string firstLiving(const std::vector<std::string>& nodes) {
+  const auto living = std::find_if(nodes.begin(), nodes.end(), nodeLives);
+  return living == nodes.end() ? std::string() : *living;
 }
 
 }  // namespace frontier_pilot

@@ -27,4 +27,7 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
 /// registered, and its port refuses them.
 bool nodeLives(const std::string& node);
 
+/// The first of these nodes that lives; empty if none does.
+std::string firstLiving(const std::vector<std::string>& nodes);
+
 }  // namespace frontier_pilot

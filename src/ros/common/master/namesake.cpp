@@ -21,11 +21,9 @@ constexpr std::chrono::milliseconds kLook(200);
 std::string findOtherProvider(const char* service) {
   const std::optional<MasterState> state = askMaster();
   if (!state) return {};
-  const std::vector<std::string> nodes = nodesOf(state->providers, ros::names::resolve(service));
-  const auto other = std::find_if(nodes.begin(), nodes.end(), [](const std::string& node) {
-    return node != ros::this_node::getName() && nodeLives(node);
-  });
-  return other == nodes.end() ? std::string() : *other;
+  std::vector<std::string> nodes = nodesOf(state->providers, ros::names::resolve(service));
+  nodes.erase(std::remove(nodes.begin(), nodes.end(), ros::this_node::getName()), nodes.end());
+  return firstLiving(nodes);
 }
 
 }  // namespace

@@ -89,16 +89,14 @@ void MapMirror::startOver() {
 
 void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
-  if (!owns(publisher) && map_subscriber_.getNumPublishers() > 1 && ownerLives()) return refuse(publisher);
+  if (!mayBelongTo(publisher) && map_subscriber_.getNumPublishers() > 1 && ownerLives()) return refuse(publisher);
   std::string why;
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
   const Time stamp = toTime(msg.header.stamp);
   // One connection keeps the order: stamps that go back are those of a clock that was set back.
   const bool went_back = map_stamp_ && stamp < *map_stamp_;
-  const bool other_updates = !early_publisher_.empty() && early_publisher_ != publisher;
-  if (stamp == Time{} || went_back || other_updates || (ready() && publisher != publisher_)) startOver();
-  early_publisher_.clear();
+  if (stamp == Time{} || went_back || publisher != publisher_) startOver();
   publisher_ = publisher;
   owner_heard_ = steadyNow();
   takeWhole(std::move(*map), stamp);
@@ -134,11 +132,9 @@ void MapMirror::replace(OccupancyGrid map) {
 
 void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
-  if (!owns(publisher)) return refuse(publisher);
-  if (publisher_.empty()) {
-    if (publisher != early_publisher_) startOver();
-    early_publisher_ = publisher;
-  }
+  if (!mayBelongTo(publisher)) return refuse(publisher);
+  if (publisher != publisher_) startOver();
+  publisher_ = publisher;
   owner_heard_ = steadyNow();
   std::string why;
   const auto update = toGridUpdate(msg, &why);

@@ -72,7 +72,8 @@ class MapMirror {
 
  private:
   bool rightFrame(const std::string& frame);
-  bool owns(const std::string& publisher) const { return publisher_.empty() || publisher == publisher_; }
+  /// Before the first map nobody owns it.
+  bool mayBelongTo(const std::string& publisher) const { return !ready() || publisher == publisher_; }
   void refuse(const std::string& publisher);
   /// Whether the owner is there still, although another node publishes: asked of it where it was silent for long.
   bool ownerLives();
@@ -88,8 +89,7 @@ class MapMirror {
   OccupancyGrid map_;
   CellRect changed_;
   Time stamp_{};
-  std::string publisher_;             ///< the owner of the map
-  std::string early_publisher_;       ///< of the updates that came before any map
+  std::string publisher_;             ///< the owner of the map; before the first one, of the updates so far
   SteadyTime owner_heard_{};          ///< when it last sent something, or was seen to live
   std::optional<Time> map_stamp_;     ///< of the last map, unless nothing is compared with it
   std::optional<Time> update_stamp_;  ///< of the last update that had one

@@ -6,8 +6,8 @@ std::optional<nav_msgs::Odometry> TransformOdometry::next() {
   constexpr Duration kLeast = std::chrono::milliseconds(10);
   const auto stamp = tf_.latestStamp(odom_frame_, base_frame_);
   if (!stamp) return std::nullopt;
-  const bool went_back =
-      last_ && *stamp < last_->stamp;  // a clock that was set back: the next one has a velocity again
+  // Where the clock was set back there is nothing to compare with; the next transform has a velocity again.
+  const bool went_back = last_ && *stamp < last_->stamp;
   if (last_ && !went_back && *stamp - last_->stamp < kLeast) return std::nullopt;
   const auto T_odom_base = tf_.lookup(odom_frame_, base_frame_, *stamp);
   if (!T_odom_base) return std::nullopt;
