@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "frontier_pilot/grids/ray_casting.h"
-#include "frontier_pilot/sim/collision_map.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "sim/collision_map.h"
 #include "support/buildings.h"
 
 namespace frontier_pilot::sim {

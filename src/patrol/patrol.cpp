@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "patrol/step_driver.h"
+
 namespace frontier_pilot::patrol {
 namespace {
 
@@ -29,6 +31,10 @@ const char* toString(PatrolOutcome outcome) {
                                     "blocked",      "emergency stop", "the clock jumped"};
   return kNames[static_cast<int>(outcome)];
 }
+
+Patrol::Patrol(const PatrolParameters& parameters)
+    : parameters_(parameters), driver_(std::make_unique<StepDriver>(withinLimits(parameters))) {}
+Patrol::~Patrol() = default;
 
 PatrolOutput Patrol::start(const PatrolOrder& goal, Time now) {
   if (const auto problem = problemOf(goal, parameters_)) return end(PatrolOutcome::kInvalidGoal, *problem);
@@ -60,7 +66,7 @@ PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) {
   if (const auto broken = fault(inputs, now)) return end(broken->outcome, broken->text);
   PatrolOutput output = running({});
   if (inputs.odometry) {
-    if (phase_ == Phase::kMoving) driver_.observe(*inputs.odometry);
+    if (phase_ == Phase::kMoving) driver_->observe(*inputs.odometry);
     if (const auto stuck = blocked(inputs, now)) return end(stuck->outcome, stuck->text);
     output = advance(*inputs.odometry, inputs.wheels_held_by.has_value(), now);
     last_sample_ = inputs.odometry;
@@ -89,8 +95,8 @@ std::optional<Patrol::Fault> Patrol::fault(const PatrolInputs& inputs, Time now)
 std::optional<Patrol::Fault> Patrol::blocked(const PatrolInputs& inputs, Time now) {
   if (!inputs.wheels_held_by) held_since_.reset();
   if (inputs.wheels_held_by && !held_since_) held_since_ = now;
-  if (phase_ == Phase::kMoving && driver_.progress() >= best_progress_ + kProgress) {
-    best_progress_ = driver_.progress();
+  if (phase_ == Phase::kMoving && driver_->progress() >= best_progress_ + kProgress) {
+    best_progress_ = driver_->progress();
     progressed_ = now;
   }
   const Duration limit = fromSeconds(parameters_.blocked_timeout);
@@ -125,26 +131,26 @@ PatrolOutput Patrol::settle(const MotionSample& sample, Time now) {
 }
 
 PatrolOutput Patrol::beginStep(const MotionSample& sample, Time now) {
-  driver_.begin(steps_[step_], T_odom_plan_, sample);
+  driver_->begin(steps_[step_], T_odom_plan_, sample);
   phase_ = Phase::kMoving;
-  best_progress_ = driver_.progress();
+  best_progress_ = driver_->progress();
   progressed_ = now;
   return drive(sample, false, now);
 }
 
 PatrolOutput Patrol::drive(const MotionSample& sample, bool held, Time now) {
-  if (driver_.reached()) {
+  if (driver_->reached()) {
     phase_ = Phase::kSettling;
     settling_since_ = now;
     ++step_;
     return running({});
   }
-  if (held) driver_.rest();
-  PatrolOutput output = running(driver_.command(toSeconds(now - last_update_), toSeconds(now - sample.stamp)));
-  const bool arc = driver_.step().kind == PatrolStep::Kind::kArc;
-  const int lap = arc ? static_cast<int>(std::max(0.0, driver_.progress()) / (2.0 * kPi)) : 0;
-  const int leg = driver_.step().leg + lap;
-  if (driver_.step().leg > 0 && leg > leg_) {
+  if (held) driver_->rest();
+  PatrolOutput output = running(driver_->command(toSeconds(now - last_update_), toSeconds(now - sample.stamp)));
+  const bool arc = driver_->step().kind == PatrolStep::Kind::kArc;
+  const int lap = arc ? static_cast<int>(std::max(0.0, driver_->progress()) / (2.0 * kPi)) : 0;
+  const int leg = driver_->step().leg + lap;
+  if (driver_->step().leg > 0 && leg > leg_) {
     leg_ = leg;
     output.started_leg = leg;
   }

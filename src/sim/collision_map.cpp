@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/collision_map.h"
+#include "sim/collision_map.h"
 
 #include <cmath>
 #include <limits>

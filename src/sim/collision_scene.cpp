@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/collision_scene.h"
+#include "sim/collision_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/diff_drive.h"
+#include "sim/diff_drive.h"
 
 namespace frontier_pilot::sim {
 

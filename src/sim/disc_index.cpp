@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/disc_index.h"
+#include "sim/disc_index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/lidar.h"
+#include "sim/lidar.h"
 
 #include <algorithm>
 #include <cmath>

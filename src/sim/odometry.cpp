@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/odometry.h"
+#include "sim/odometry.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/outline_collision.h"
+#include "sim/outline_collision.h"
 
 #include <algorithm>
 #include <cmath>

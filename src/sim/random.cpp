@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/random.h"
+#include "sim/random.h"
 
 #include <cmath>
 

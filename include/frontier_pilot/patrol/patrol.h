@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,9 +9,10 @@
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/patrol/parameters.h"
 #include "frontier_pilot/patrol/plan.h"
-#include "frontier_pilot/patrol/step_driver.h"
 
 namespace frontier_pilot::patrol {
+
+class StepDriver;
 
 /// How a patrol stands, or how it ended.
 enum class PatrolOutcome {
@@ -48,7 +50,10 @@ struct PatrolOutput {
 /// Requirements: docs/requirements.md, PAT-1 to PAT-6.
 class Patrol {
  public:
-  explicit Patrol(const PatrolParameters& parameters) : parameters_(parameters), driver_(withinLimits(parameters)) {}
+  explicit Patrol(const PatrolParameters& parameters);
+  ~Patrol();
+  Patrol(const Patrol&) = delete;
+  Patrol& operator=(const Patrol&) = delete;
 
   /// A new goal; one that is running must have been cancelled. The first command comes with the next `update`.
   PatrolOutput start(const PatrolOrder& goal, Time now);
@@ -78,7 +83,7 @@ class Patrol {
   std::string completeText() const;
 
   PatrolParameters parameters_;
-  StepDriver driver_;
+  std::unique_ptr<StepDriver> driver_;
   bool active_ = false;
   PatrolOrder goal_;
   std::vector<PatrolStep> steps_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,12 +8,6 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/grids/ray_casting.h"
-#include "frontier_pilot/sim/collision_scene.h"
-#include "frontier_pilot/sim/diff_drive.h"
-#include "frontier_pilot/sim/disc_index.h"
-#include "frontier_pilot/sim/lidar.h"
-#include "frontier_pilot/sim/odometry.h"
 #include "frontier_pilot/sim/parameters.h"
 #include "frontier_pilot/sim/world_image.h"
 
@@ -48,32 +41,37 @@ class Simulator {
   /// Throws std::runtime_error where a robot starts outside of the world, in a wall or on another robot; the text says
   /// where, and where the nearest free place is. [SIM-1]
   Simulator(World world, const SimulatorParameters& parameters);
+  ~Simulator();
+  Simulator(Simulator&&) noexcept;
+  Simulator& operator=(Simulator&&) noexcept;
+  Simulator(const Simulator&) = delete;
+  Simulator& operator=(const Simulator&) = delete;
 
   /// One step of 10 ms for everything.
   void step();
   /// Time since the start, beginning at zero.
-  Time now() const { return now_; }
+  Time now() const;
 
-  const OccupancyGrid& map() const { return world_.map; }
-  std::size_t robotCount() const { return robots_.size(); }
-  const std::string& name(std::size_t robot) const { return robots_[robot].name; }
+  const OccupancyGrid& map() const;
+  std::size_t robotCount() const;
+  const std::string& name(std::size_t robot) const;
   std::optional<std::size_t> find(const std::string& name) const;
 
   /// `twist` must be finite. It holds for the `watchdog` of the robot at most.
-  void setCommand(std::size_t robot, const Twist2& twist) { robots_[robot].drive.command(twist, now_); }
+  void setCommand(std::size_t robot, const Twist2& twist);
 
-  const Pose2& startPose(std::size_t robot) const { return robots_[robot].start; }
+  const Pose2& startPose(std::size_t robot) const;
   /// The truth, T_world_base, and the velocity really driven in the last step.
-  const Pose2& pose(std::size_t robot) const { return robots_[robot].pose; }
-  const Twist2& velocity(std::size_t robot) const { return robots_[robot].odometry.twist(); }
+  const Pose2& pose(std::size_t robot) const;
+  const Twist2& velocity(std::size_t robot) const;
   /// T_odom_base by the wheels: zero at the start.
-  const Pose2& odometry(std::size_t robot) const { return robots_[robot].odometry.pose(); }
+  const Pose2& odometry(std::size_t robot) const;
   /// The scan measured at the end of the last step; nullptr if none was due.
-  const LaserScan2* newScan(std::size_t robot) const { return scanned_ ? &robots_[robot].scan : nullptr; }
+  const LaserScan2* newScan(std::size_t robot) const;
   /// Whether the outline touches what it drove or turned into. [SIM-3]
-  bool stalled(std::size_t robot) const { return robots_[robot].stalled; }
+  bool stalled(std::size_t robot) const;
   /// How often it came into contact.
-  int contactCount(std::size_t robot) const { return robots_[robot].contacts; }
+  int contactCount(std::size_t robot) const;
 
   /// Carries a robot somewhere else; its odometry does not notice.
   Placement setPose(const std::string& robot, const Pose2& pose);
@@ -85,37 +83,8 @@ class Simulator {
   std::vector<std::string> resetPositions();
 
  private:
-  struct Robot {
-    std::string name;
-    Pose2 start;
-    Pose2 pose;
-    DiffDrive drive;
-    Odometry odometry;
-    Random lidar_noise;
-    DiscIndex::Id disc;
-    LaserScan2 scan;
-    bool stalled = false;
-    int contacts = 0;
-  };
-
-  void addRobot(const RobotSpec& spec, const SimulatorParameters& parameters);
-  Placement placeable(const Pose2& pose, std::optional<DiscIndex::Id> own) const;
-  void drive(Robot& robot);
-  void put(Robot& robot, const Pose2& pose);
-  void scanAll();
-  std::vector<bool> whoMustStay() const;
-  bool startIsTaken(const Robot& robot, const std::vector<bool>& stays) const;
-
-  World world_;
-  CollisionScene surroundings_;
-  grids::RayCaster rays_;
-  Lidar lidar_;
-  Duration scan_period_;
-  Time now_;
-  Time next_scan_;
-  bool scanned_ = false;
-  std::vector<Robot> robots_;
-  std::map<std::string, DiscIndex::Id> obstacles_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// The robots that `parameters` ask for: the list, or the one at x, y, yaw, or where the world says.

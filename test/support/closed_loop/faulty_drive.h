@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "sim/lidar.h"
+#include "sim/random.h"
 #include "support/closed_loop/guided_drive.h"
 
 namespace frontier_pilot::test {

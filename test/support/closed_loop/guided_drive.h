@@ -7,6 +7,7 @@
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/global_planner.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "sim/random.h"
 
 namespace frontier_pilot::test {
 

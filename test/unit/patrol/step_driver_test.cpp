@@ -1,4 +1,4 @@
-#include "frontier_pilot/patrol/step_driver.h"
+#include "patrol/step_driver.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Outlines against squares and discs, exactly.
 
-#include "frontier_pilot/sim/outline_collision.h"
+#include "sim/outline_collision.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/outline.h"
-#include "frontier_pilot/sim/disc_index.h"
+#include "sim/disc_index.h"
 
 namespace frontier_pilot::sim {
 

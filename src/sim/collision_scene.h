@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "frontier_pilot/core/outline.h"
-#include "frontier_pilot/sim/collision_map.h"
-#include "frontier_pilot/sim/disc_index.h"
-#include "frontier_pilot/sim/outline_collision.h"
+#include "sim/collision_map.h"
+#include "sim/disc_index.h"
+#include "sim/outline_collision.h"
 
 namespace frontier_pilot::sim {
 

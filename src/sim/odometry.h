@@ -2,7 +2,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/sim/parameters.h"
-#include "frontier_pilot/sim/random.h"
+#include "sim/random.h"
 
 namespace frontier_pilot::sim {
 

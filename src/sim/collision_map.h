@@ -6,7 +6,7 @@
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/grids/distance_field.h"
-#include "frontier_pilot/sim/outline_collision.h"
+#include "sim/outline_collision.h"
 
 namespace frontier_pilot::sim {
 

@@ -7,9 +7,9 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/grids/ray_casting.h"
-#include "frontier_pilot/sim/disc_index.h"
 #include "frontier_pilot/sim/parameters.h"
-#include "frontier_pilot/sim/random.h"
+#include "sim/disc_index.h"
+#include "sim/random.h"
 
 namespace frontier_pilot::sim {
 
