@@ -53,7 +53,7 @@ FOREIGN = (
     ('OctoMap', re.compile(r'^octomap/'), {'occupancy'}),
     ('Qt', re.compile(r'^Q[A-Z]|^Qt\w+/'), {'gui', 'rviz', 'nodes', 'ros'}),
 )
-IMPURE = re.compile(r'::now\(|\bsleep_(for|until)\(|\bu?sleep\(|\bnanosleep\(|\bgettimeofday\(|\bclock_gettime\(|'
+IMPURE = re.compile(r'::now\((?!\) const)|\bsleep_(for|until)\(|\bu?sleep\(|\bnanosleep\(|\bgettimeofday\(|\bclock_gettime\(|'
                     r'\brandom_device\b|\bstd::(cout|cerr|clog)\b|\bf?printf\(')
 LITERAL_NAME = re.compile(r'\b(advertise|advertiseService|subscribe|serviceClient|call|waitForService|SimpleActionServer|'
                           r'SimpleActionClient)\s*(<[^;{}]*?>)?\s*\w*\s*[({][^;"]*?"[^"]*"')
