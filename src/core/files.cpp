@@ -48,7 +48,7 @@ FileContent cannotOpen() {
 FileContent readOpen(int file, std::size_t most_bytes) {
   struct stat info {};
   if (fstat(file, &info) != 0) return refused(errorText());
-  if (!S_ISREG(info.st_mode)) return refused("is no file");
+  if (!S_ISREG(info.st_mode)) return refused("is not a regular file");
   if (static_cast<std::uint64_t>(info.st_size) > most_bytes)
     return refused("is larger than " + std::to_string(most_bytes) + " bytes");
   FileContent content;
@@ -83,7 +83,7 @@ FileContent readFile(const std::filesystem::path& path, std::size_t most_bytes) 
   // after this check, O_NONBLOCK keeps `open` from waiting for it.
   struct stat info {};
   if (stat(path.c_str(), &info) != 0) return cannotOpen();
-  if (!S_ISREG(info.st_mode)) return refused("is no file");
+  if (!S_ISREG(info.st_mode)) return refused("is not a regular file");
   const OpenFile file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   return file.isOpen() ? readOpen(file.get(), most_bytes) : cannotOpen();
 }

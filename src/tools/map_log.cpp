@@ -32,7 +32,7 @@ double cpuSeconds() {
 std::ifstream openFile(const std::string& path) {
   std::error_code error;
   const bool odd = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
-  if (odd) throw logs::LogError(path + ": is no file");
+  if (odd) throw logs::LogError(path + ": is not a regular file");
   std::ifstream file(path, std::ios::binary);
   if (!file || file.peek() == std::ifstream::traits_type::eof())
     throw logs::LogError(path + ": cannot be read, or is empty");
