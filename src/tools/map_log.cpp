@@ -66,7 +66,7 @@ void printLog(const logs::ScanLog& log, const MappedDrive& drive) {
               log.records.front().scan.ranges.size(), seconds, lengthOf(drive.odometry));
 }
 
-/// Where the closures are, corrected: from the place that was recognised to where that happened.
+/// The closures as lines between corrected positions: from the recognised place to where it was recognised.
 std::vector<std::pair<Vec2, Vec2>> closuresOf(const MappedDrive& drive) {
   const auto at = [&](Time stamp) {
     const auto later =
@@ -91,7 +91,7 @@ void printCounts(const mapping::Mapper& mapper, double cpu) {
   for (const auto& [text, count] : mapper.correctionCounts()) {
     std::printf(" %s %llu", text.c_str(), static_cast<unsigned long long>(count));
   }
-  std::printf("\nclosures: %llu, map rendered anew %llu times\n",
+  std::printf("\nclosures: %llu, map rendered again %llu times\n",
               static_cast<unsigned long long>(mapper.revisions().closures),
               static_cast<unsigned long long>(mapper.revisions().rendered));
   std::printf("cpu: %.2f s\n", cpu);

@@ -44,7 +44,7 @@ TEST(MapLogOptions, AreReadInAnyOrder) {
 }
 
 TEST(MapLogOptions, SayWhatIsWrong) {
-  EXPECT_EQ(problemOf({}), "which log?");
+  EXPECT_EQ(problemOf({}), "no log given");
   EXPECT_EQ(problemOf({"a"}), "--out is missing: where should the map go?");
   EXPECT_EQ(problemOf({"a", "b", "--out", "x"}), "more than one log: a and b");
   EXPECT_EQ(problemOf({"a", "--fast"}), "unknown option --fast");
