@@ -26,7 +26,7 @@ constexpr int kMaxLeap = 254;
 constexpr int kFraction = 40;
 constexpr double kOne = static_cast<double>(std::int64_t{1} << kFraction);
 
-// So many rays take turns for their first so many leaps: while one is processed, the memory of the others is fetched.
+// So many rays take turns in their first kTurns leaps: while one is processed, the memory of the others is fetched.
 constexpr std::size_t kAtOnce = 32;
 constexpr int kTurns = 5;
 
@@ -36,9 +36,8 @@ int planeIndex(bool steep, bool mirror_x, bool mirror_y, int slope_class) {
   return ((steep * 2 + mirror_x) * 2 + mirror_y) * kSlopes + slope_class;
 }
 
-// The canonical cells of an octant: first the lengths of their free runs, then from those the leaps of each class of
-// slopes. The cells of a column are adjacent in memory: rays from one place leap to the same column, hence to the same
-// cache line.
+// The canonical cells of an octant: the lengths of their free runs, and from those the leaps of each class of slopes. A
+// column is contiguous in memory: rays from one place leap to the same column, and so to the same cache line.
 class LeapBuilder {
  public:
   LeapBuilder(const Grid<std::uint8_t>& solid, bool steep, bool mirror_x, bool mirror_y)
@@ -236,8 +235,7 @@ RayCaster::Ray RayCaster::rayAlong(const Origin& origin, const Vec2& unit, doubl
   ray.stride = ray.rows + 2;
   const double slope = ray.unit_y / ray.unit_x;
   ray.slope = static_cast<std::int64_t>(slope * kOne);
-  // `height` is extrapolated to where the line enters the start's column. That point may lie behind the start and in a
-  // lower row, so `row` is taken from the start itself.
+  // `height` is extrapolated back to where the line enters the start's column; `row` is that of the start itself.
   ray.height =
       static_cast<std::int64_t>((ray.start_y - slope * (ray.start_x - static_cast<double>(ray.column))) * kOne);
   const double end = std::min(ray.start_x + max_cells * ray.unit_x, static_cast<double>(ray.columns + 1));

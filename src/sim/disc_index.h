@@ -13,8 +13,7 @@ struct Disc {
   double radius = 0.0;         ///< [m]
 };
 
-/// Discs in square bins, so that the cost of finding those near a point depends on what lies there, not on their
-/// number.
+/// Discs in square bins: the cost of finding those near a point depends on what lies there, not on their total number.
 class DiscIndex {
  public:
   using Id = std::uint32_t;

@@ -20,8 +20,7 @@ void Odometry::move(double length, double turn, double seconds) {
   if (noisy_) {
     const double driven = std::abs(length);
     const double turned = std::abs(turn);
-    // Variances that are proportional to the motion, not to its square, add up to the same however finely a path is
-    // cut.
+    // Variances proportional to the motion, not to its square, add up to the same however finely a path is divided.
     measured.linear += std::sqrt(parameters_.alpha3 * driven + parameters_.alpha4 * turned) * random_.gaussian();
     measured.angular += std::sqrt(parameters_.alpha1 * turned + parameters_.alpha2 * driven) * random_.gaussian();
   }

@@ -8,9 +8,8 @@ namespace frontier_pilot {
 
 enum class TrustChange { kNone, kLost, kRegained };
 
-/// Whether ROS time can be relied on: not after a jump, until it has run without another one for a settling time
-/// (steady time). Discard stamped data at both changes: what arrives in between may be stamped before or after the
-/// jump.
+/// Whether ROS time can be relied on: not after a jump, until it has run without another one for `settling_time` of
+/// steady time. Discard stamped data at both changes: data that arrives in between may have stamps of either time.
 class ClockTrust {
  public:
   explicit ClockTrust(const ClockPace& pace = kSimulatedPace, Duration settling_time = std::chrono::milliseconds(500))
