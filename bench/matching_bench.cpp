@@ -46,7 +46,7 @@ class Drift {
     truth_.push_back(truth);
     estimate_.push_back(estimate);
   }
-  /// Reports the mean error of the motion over `scans` scans; `name` is the distance in which that results.
+  /// Reports the mean error of the motion over `scans` scans; `name` is the distance that these cover.
   void report(benchmark::State& state, const std::string& name, std::size_t scans) const {
     double length = 0.0;
     double off = 0.0;

@@ -11,7 +11,7 @@ namespace frontier_pilot::bench {
 
 constexpr double kRange = 8.0;  ///< of the scanner [m]
 
-/// A floor, and a tour through it: one pose every 5 cm, coming within 2 m of every reachable place along each axis.
+/// A floor, and a tour through it with one pose every 5 cm. No reachable place is more than 2 m away from it in x or y.
 class Tour {
  public:
   Tour(const OccupancyGrid& map, const Vec2& start);

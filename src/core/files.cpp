@@ -97,7 +97,7 @@ AtomicFile::~AtomicFile() {
 
 std::string AtomicFile::write(std::string_view content) {
   std::filesystem::path name = temporaryName(target_);
-  if (name.empty()) return "no random name: " + errorText();
+  if (name.empty()) return "no random name available: " + errorText();
   OpenFile file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (!file.isOpen()) return errorText();
   if (!temporary_.empty()) unlink(temporary_.c_str());

@@ -51,8 +51,7 @@ Character characterAt(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
   const std::size_t length = lengthFrom(byte(at));
   if (length == 0 || length > text.size() - at) return {};
-  // The first of several bytes has as many leading ones as there are bytes, then a zero, then the first bits of the
-  // code.
+  // The first of several bytes: as many ones as there are bytes, then a zero, then the first bits of the code.
   char32_t code = length == 1 ? byte(at) : byte(at) & (0x7FU >> length);
   for (std::size_t i = at + 1; i < at + length; ++i) {
     if ((byte(i) & 0xC0U) != 0x80U) return {};

@@ -190,7 +190,8 @@ MapIoResult loadPicture(const std::string& yaml_path, occupancy::OccupancyMap& m
                          std::to_string(resolution) + " m");
     }
     occupancy::OccupancyMap drawn(map.parameters());
-    if (!draw(image.map, drawn) || !map.exchange(drawn)) return failure(MapIoStatus::kBroken, yaml_path, "too large");
+    if (!draw(image.map, drawn) || !map.exchange(drawn))
+      return failure(MapIoStatus::kBroken, yaml_path, "is too large");
   } catch (const std::runtime_error& error) {
     return {MapIoStatus::kBroken, error.what()};
   }

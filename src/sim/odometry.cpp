@@ -6,7 +6,7 @@ namespace frontier_pilot::sim {
 
 Odometry::Odometry(const OdometryParameters& parameters, bool noisy, const Random& random)
     : parameters_(parameters), noisy_(noisy), random_(random) {
-  // A number is drawn only for an error that is enabled, so that a new kind of error changes no existing simulation.
+  // A random number is drawn only for an error that is enabled: one that is disabled must not change the other noise.
   const auto drawn = [&](double deviation) { return noisy && deviation > 0.0 ? deviation * random_.gaussian() : 0.0; };
   distance_factor_ += drawn(parameters.distance_scale);
   turn_factor_ += drawn(parameters.turn_scale);

@@ -27,7 +27,7 @@ struct LaserScan2 {
 #pragma GCC diagnostic ignored "-Wshadow"
 /// What a raw range means.
 enum class RangeKind {
-  kInvalid,  ///< NaN, 0 or a negative number: no information
+  kInvalid,  ///< NaN, 0, or negative and finite: no information
   kHit,      ///< a surface at `distance`
   kTooNear,  ///< -inf or below `range_min`: an obstacle, taken to be at `range_min`
   kFree,     ///< +inf or beyond `range_max`: nothing up to `range_max`

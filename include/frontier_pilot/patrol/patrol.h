@@ -23,7 +23,7 @@ enum class PatrolOutcome {
   kInvalidGoal,
   kNoOdometry,    ///< none, or too old
   kBadOdometry,   ///< the last message was malformed
-  kOdometryJump,  ///< odometry jumped by more than the robot can drive
+  kOdometryJump,  ///< odometry jumped by more than the robot can drive in a cycle
   kBlocked,       ///< another source held the wheels, or there was no progress, for too long
   kEmergencyStop,
   kClockJump,

@@ -57,7 +57,7 @@ class ClosedLoop {
 
   /// One step of the simulator, and everything that is due then.
   void step();
-  /// Switches the navigator's source of the arbiter on or off. While it is off the robot is commanded to stand still.
+  /// Enables or disables the arbiter's source `nav`. While it is disabled the robot is commanded to stand still.
   void setNavEnabled(bool on);
 
   Time now() const { return simulator_.now(); }
