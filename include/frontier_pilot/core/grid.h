@@ -52,8 +52,8 @@ struct GridGeometry {
   std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   CellRect rect() const { return {0, 0, width, height}; }
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
-  /// The cell that `point` [m] lies in; it may be outside of the grid. `point` must be finite and at most 10^9 cells
-  /// from the origin.
+  /// The cell that `point` [m] lies in, even outside of the grid. `point` must be finite and within 10^9 cells of the
+  /// origin.
   Cell cellAt(const Vec2& point) const {
     return {static_cast<int>(std::floor((point.x() - origin.x()) / resolution)),
             static_cast<int>(std::floor((point.y() - origin.y()) / resolution))};

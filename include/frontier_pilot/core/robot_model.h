@@ -32,8 +32,8 @@ Twist2 clamp(const Twist2& twist, const RobotLimits& limits);
 /// The twist nearest to `target` that can be reached from `from` in `seconds` [s] under the acceleration limits.
 Twist2 limitAcceleration(const Twist2& target, const Twist2& from, const RobotLimits& limits, double seconds);
 
-/// A planar scanner and where it is mounted. Defaults: beams and mount of the TurtleBot3 Burger's scanner, but a range
-/// of 8 m, which that one does not have.
+/// A planar scanner and where it is mounted. Defaults: beams and mount of the TurtleBot3 Burger's scanner, but with a
+/// range of 8 m instead of 3.5 m.
 struct ScannerModel {
   double x = -0.032;                 ///< [m], in the base frame
   double y = 0.0;                    ///< [m]

@@ -33,7 +33,7 @@ struct LidarNoise {
 
 /// Odometry noise by the odometry motion model of Thrun, Burgard & Fox, "Probabilistic Robotics", 5.4, with AMCL's
 /// names. There the variance of one update is alpha times the square of its motion, so that the total over a path
-/// depends on the update rate. Here it is alpha times the motion itself, which is the same for one metre or radian.
+/// depends on the update rate. Here it is alpha times the motion itself: the same for a motion of one metre or radian.
 struct OdometryParameters {
   double alpha1 = 0.0005;  ///< [rad^2/rad]
   double alpha2 = 0.0002;  ///< [rad^2/m]
