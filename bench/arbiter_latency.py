@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How long a velocity command takes through the arbiter, beside a bare topic_tools/relay in the same run.
+"""How long a velocity command takes through the arbiter, compared to a bare topic_tools/relay in the same run.
 
     bench/arbiter_latency.py build/bin/arbiter_latency_probe
 
-with a roscore of its own running; it starts the nodes that it measures.
+It needs a roscore that nothing else uses, and starts the nodes that it measures.
 
 The probe (arbiter_latency_probe) is C++, with TCP_NODELAY on both sides; it sends a command and stamps its return.
 """

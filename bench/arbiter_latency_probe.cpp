@@ -1,5 +1,5 @@
-// Latency on the wire: publish -> arbiter or relay -> back, and emergency_stop -> last non-zero message. See
-// arbiter_latency.py, which starts what is measured.
+// Latencies over ROS: from publishing through the arbiter or a relay and back, and from emergency_stop to the last
+// non-zero message. Started by arbiter_latency.py together with the nodes that are measured.
 #include <geometry_msgs/Twist.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -32,7 +32,7 @@ double percentile(std::vector<double>& sorted, double share) {
   return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
 }
 
-/// Sends on one topic, listens on another, and knows a message again by its turn rate.
+/// Sends on one topic, listens on another, and recognises a message by its rate of turn.
 class Path {
  public:
   Path(ros::NodeHandle& node, const std::string& in, const std::string& out) : name_(out) {
@@ -104,7 +104,7 @@ void measure(Path& relay, Path& arbiter, double rate, double seconds) {
   arbiter.report(rate);
 }
 
-/// Steady full-rate senders on threads of their own.
+/// Publishes on several topics at a constant rate, each on a thread of its own.
 class Load {
  public:
   Load(ros::NodeHandle& node, const std::vector<std::string>& topics, double rate) {
@@ -140,7 +140,7 @@ long residentKilobytes(const std::string& node) {
   return -1;
 }
 
-/// From the call of emergency_stop to the arrival of the last message that was not zero.
+/// Measures the time from the call of emergency_stop to the arrival of the last message that is not zero.
 void measureStops(ros::NodeHandle& node, int count) {
   std::atomic<Duration::rep> last_motion{0};
   ros::CallbackQueue queue;
@@ -165,7 +165,7 @@ void measureStops(ros::NodeHandle& node, int count) {
       std_srvs::Trigger trigger;
       const SteadyTime called = steadyNow();
       stop.call(trigger);
-      ros::WallDuration(0.03).sleep();  // what is still to come comes now
+      ros::WallDuration(0.03).sleep();  // for messages that are still on the way
       latencies.push_back(std::max(0.0, 1e3 * toSeconds(Duration(last_motion) - called.time_since_epoch())));
     }
     std_srvs::SetBool clear;
@@ -189,14 +189,14 @@ int main(int argc, char** argv) {
   const int stops = argc > 2 ? std::atoi(argv[2]) : 1000;
   Path relay(node, "relay_in", "relay_out");
   Path arbiter(node, "cmd_vel_behavior", "cmd_vel");
-  // A relay advertises its output only when it has heard its first message.
+  // A relay advertises its output only after it has received its first message.
   while (ros::ok() && !(relay.connected() && arbiter.connected())) {
     relay.send();
     spinUntil(steadyNow() + std::chrono::milliseconds(50));
   }
   relay.forget();
   for (const double rate : {10.0, 50.0, 200.0, 1000.0}) measure(relay, arbiter, rate, seconds);
-  std::vector<ros::Publisher> connected;  // so that a load does not begin with making connections
+  std::vector<ros::Publisher> connected;  // keeps the connections of the load open, so that it starts at full rate
   for (const std::string& topic : kLoad) connected.push_back(node.advertise<geometry_msgs::Twist>(topic, 1));
   spinUntil(steadyNow() + std::chrono::seconds(1));
   std::printf("with three more sources at 1 kHz each:\n");

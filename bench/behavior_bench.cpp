@@ -1,4 +1,4 @@
-// How exactly patrols close and turns end, in the simulator and in lockstep: a table for the notes.
+// How exactly patrols return to their start and spins reach their angle, in lockstep with the simulator; as a table.
 // Usage: behavior_bench [seeds of the noisy runs]
 #include <algorithm>
 #include <chrono>
@@ -29,7 +29,7 @@ sim::Simulator emptyWorld(bool noise, int seed) {
   return {world, parameters};
 }
 
-/// Mean and worst of what was seen.
+/// Mean and maximum of absolute values.
 struct Figures {
   double sum = 0.0, worst = 0.0;
   int count = 0;
@@ -47,7 +47,7 @@ void run(sim::Simulator& simulator, const Twist2& command, double seconds) {
   for (int i = 0; i < static_cast<int>(std::lround(seconds * 100.0)); ++i) simulator.step();
 }
 
-/// Patrols once; false if it did not complete.
+/// Drives one patrol; false if it was not completed.
 bool patrolOnce(sim::Simulator& simulator, const patrol::PatrolOrder& order, double frequency) {
   patrol::PatrolParameters parameters;
   parameters.frequency = frequency;
@@ -84,7 +84,7 @@ void tabulatePatrols(bool noise, int seeds) {
   }
 }
 
-/// One cycle's view of the world for a behaviour.
+/// The costmap that a behaviour looks ahead in, and the time that inserting scans into it takes.
 struct Eyes {
   behavior::CollisionCheck around{behavior::CollisionCheckParameters()};
   std::chrono::duration<double> spent{};

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""From the cancel of a patrol or a spin to the first zero of its source and of cmd_vel, beside the way of a message to a
-bare topic_tools/relay and back in the same runs: what is not in the relay's figures is ours. Needs simulator, arbiter and
-both servers. Usage: cancel_latency.py [runs]"""
+"""The time from the cancel of a patrol or a spin to the first zero of its source and of cmd_vel. For comparison, the
+round trip of a message through a bare topic_tools/relay is measured in the same runs: what exceeds it is caused by this
+package. Needs the simulator, the arbiter and both action servers. Usage: cancel_latency.py [runs]"""
 import statistics
 import subprocess
 import sys
@@ -36,18 +36,18 @@ def until(condition):
 
 
 class Relay:
-    """A node that does nothing but hand a message on."""
+    """A node that does nothing but forward messages."""
 
     def __init__(self):
         program = roslib.packages.find_node('topic_tools', 'relay')[0]
         self.process = subprocess.Popen([program, 'relay_in', 'relay_out'])
         self.back = Watch('relay_out')
         self.publisher = rospy.Publisher('relay_in', Twist, queue_size=1, tcp_nodelay=True)
-        # It speaks on its topic only once it has heard something.
+        # A relay advertises its output only after it has received its first message.
         until(lambda: self.publisher.publish(Twist()) or self.back.heard)
 
     def send(self, speed):
-        """[ms] there and back."""
+        """Sends a speed and returns the time until it comes back [ms]."""
         msg = Twist()
         msg.linear.x = speed
         asked = time.monotonic()

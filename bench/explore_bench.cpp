@@ -1,4 +1,5 @@
-// The closed loop in one process: how long, how far and at what cost each world is explored.
+// The closed loop in one process: how long it takes to explore each world, how far the robot drives, and what CPU time
+// that costs.
 
 #include <sys/resource.h>
 
@@ -45,7 +46,7 @@ struct Options {
   std::vector<std::string> worlds;
   std::vector<int> seeds = {1, 2, 3, 4, 5};
   std::string robot = "burger";
-  std::string limits;  ///< empty: the robot's
+  std::string limits;  ///< empty: the robot's own
   std::optional<Pose2> start;
   double until = 2.0;
   double limit = 7200.0;
@@ -110,7 +111,7 @@ RobotModel robotOf(const Options& options) {
   return robot;
 }
 
-/// The room beside a robot that floor has to leave to count as one that it can reach [m].
+/// The clearance on either side of the robot with which floor still counts as reachable [m].
 constexpr double kRoomBeside = 0.045;
 
 system::ClosedLoopParameters parametersFor(const Options& options, const std::string& world, int seed) {
@@ -120,7 +121,7 @@ system::ClosedLoopParameters parametersFor(const Options& options, const std::st
   parameters.simulator.seed = seed;
   parameters.simulator.odom_noise = options.odom_noise;
   parameters.mapper.trust_odometry = !options.odom_noise;
-  // The map is laid down by what is seen from the start: the mapper has a look before the robot leaves.
+  // What is seen from the start anchors the map: the mapper observes it for a while before the robot leaves.
   constexpr double kLook = 2.0;  // [s]
   if (options.odom_noise) parameters.head_start = kLook;
   parameters.latency = options.latency;
@@ -132,7 +133,7 @@ system::ClosedLoopParameters parametersFor(const Options& options, const std::st
   return parameters;
 }
 
-/// One exploration from the start to its end.
+/// One exploration from start to end.
 class Run {
  public:
   Run(const Options& options, const std::string& world, int seed)
@@ -199,7 +200,7 @@ class Run {
     metering_ += threadSeconds() - begin;
   }
 
-  /// What the mapper thinks of its scans, each time it thinks something else, and how far it is off.
+  /// Prints the mapper's remark about its scans whenever it changes, with the error of its pose.
   void logMapper() {
     const mapping::Mapper& mapper = loop_.mapper();
     const auto remark = mapper.health().worst(loop_.now());
@@ -212,7 +213,7 @@ class Run {
                 error.position().norm(), error.yaw * 180.0 / kPi);
   }
 
-  /// Where the mapper has the robot, seen from where it is.
+  /// The robot's pose as the mapper estimates it, in the frame of its true pose.
   Pose2 mapperError() {
     const sim::Simulator& simulator = loop_.simulator();
     const Pose2 T_map_base = simulator.startPose(0).inverse() * simulator.pose(0);

@@ -1,8 +1,9 @@
 // Frontier search and the reachability wavefront on whole maps, from scratch, as for a map that has just arrived.
 //
-// The maps are the Willow Garage floor ($FRONTIER_PILOT_WORLDS or ../shared/worlds; else our own office), tiled to
-// size and seen in part, by scans from random places; and noise, where every hundredth cell is unknown. `floor_MB` is
-// what has to be read and written at least once: the map, and for the wavefront the distances and the neighbour masks.
+// The maps are the Willow Garage floor ($FRONTIER_PILOT_WORLDS or ../shared/worlds; if absent, the office floor of
+// config/worlds), repeated to fill the size and seen in part by scans from random places; and noise, where about every
+// hundredth cell is unknown. `floor_MB` is the memory that must be read or written at least once: the map, and for the
+// wavefront the distances and the neighbour masks.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -28,10 +29,10 @@ const OccupancyGrid& building() {
   return loaded;
 }
 
-/// Crossing corridors join the repetitions of the building, so that the wavefront reaches all over the map.
+/// Crossing corridors connect the repetitions of the building, so that the wavefront reaches the whole map.
 bool isCorridor(int x, int y) { return x % building().width() < 12 || y % building().height() < 12; }
 
-/// The building, repeated, as it is known in the middle of an exploration.
+/// The repeated building, as far as it might be known in the middle of an exploration.
 OccupancyGrid seenInPart(int size) {
   const OccupancyGrid& world = building();
   GridGeometry geometry;
@@ -112,7 +113,7 @@ void search(benchmark::State& state) {
 
 void searchAndWavefront(benchmark::State& state) {
   const OccupancyGrid& map = mapOf(state);
-  // The buffers live as long as the explorer does; what is in them is worked out anew.
+  // The buffers are kept, as they are in the explorer; their content is computed again each time.
   exploration::TraversableSpace space(kClearance);
   space.update(map, map.geometry().rect());
   const Cell start = someFreeCell(space);

@@ -4,9 +4,10 @@
 //   Exploring   the first tour through an empty map: 0.5 m/s at 10 Hz
 //   Mapped      the same tour once more, through a map that is complete
 //   Fresh       single scans, each into an empty map: the worst case
-//   Publishing  what is sent of the map on both tours, and what it takes to copy that
+//   Publishing  how much of the map is sent on two tours, and what copying it costs
+//   Save        writing the map's files
 //
-// `cells` is the mean number of cells that the beams of a scan pass through, and so the floor: one load for each.
+// `cells` is the mean number of cells that the beams of a scan pass through: each must be read at least once.
 
 #include <benchmark/benchmark.h>
 
@@ -42,7 +43,7 @@ double cellsPassed(const LaserScan2& scan, const Pose2& pose, const GridGeometry
   return cells;
 }
 
-/// One tour; the scans' times go into `watch`. Gives the mean number of cells that a scan passes.
+/// Drives one tour; `watch` takes the time of each scan. Returns the mean number of cells that a scan passes through.
 double driveTour(mapping::Mapper& mapper, Scanner& scanner, Stopwatch& watch) {
   double cells = 0.0;
   for (const Pose2& pose : tour()->poses()) {
@@ -53,7 +54,7 @@ double driveTour(mapping::Mapper& mapper, Scanner& scanner, Stopwatch& watch) {
   return cells / static_cast<double>(tour()->poses().size());
 }
 
-/// What is measured here is how scans go in, not where they belong.
+/// Measures only the insertion of scans, not the matching that finds their poses.
 mapping::MapperParameters insertionOnly() {
   mapping::MapperParameters parameters;
   parameters.trust_odometry = true;
@@ -109,8 +110,8 @@ void fresh(benchmark::State& state) {
 }
 BENCHMARK(fresh)->Name("Fresh")->Iterations(1)->Unit(benchmark::kMillisecond);
 
-/// What a publisher does: each change is copied into the message of the whole map and into its own; now and then the
-/// whole is sent.
+/// The work of the map's publisher: each change is copied into the message of the whole map and into an update message;
+/// now and then the whole map is sent.
 class Publishing {
  public:
   void publish(mapping::Mapper& mapper, Time now) {

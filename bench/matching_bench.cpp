@@ -1,12 +1,13 @@
-// What following the robot costs, and how far it drifts without closing loops, on the Willow Garage floor: 360 beams,
-// 8 m, 1 cm noise, a scan every 5 cm of a tour of all places, and odometry with 5 % noise of distance and rotation,
-// that drifts by 2 % of the distance and 0.01 rad/m. Set FRONTIER_PILOT_WORLDS to the folder of willow_garage.yaml.
+// What tracking the robot's pose costs, and how far the estimate drifts without loop closures, on the Willow Garage
+// floor: 360 beams, 8 m, 1 cm noise, a scan every 5 cm of a tour of all places, and odometry with 5 % noise of distance
+// and rotation that drifts by 2 % of the distance and 0.01 rad/m. Set FRONTIER_PILOT_WORLDS to the folder of
+// willow_garage.yaml.
 //
 //   Follow   LocalSlam::update, scan by scan
 //   Search   the correlative search alone, in windows of growing half width [cm]
 //
-// The floor of a search is to score one pose: a load for each of its `points`. Branch and bound scores some hundred
-// times as many nodes, where all `poses` of the window would be thousands to millions.
+// The least that a search can cost is to score one pose: one load for each of its `points`. Branch and bound scores
+// some hundred nodes; scoring all `poses` of the window would mean thousands to millions.
 
 #include <benchmark/benchmark.h>
 
@@ -22,7 +23,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// What wheels make of a drive.
+/// Simulated odometry of a drive.
 class Wheels {
  public:
   const Pose2& move(const Pose2& step) {
@@ -38,14 +39,14 @@ class Wheels {
   std::normal_distribution<double> noise_{0.0, 1.0};
 };
 
-/// How far estimates move away from the truth.
+/// How far estimates drift from the truth.
 class Drift {
  public:
   void add(const Pose2& truth, const Pose2& estimate) {
     truth_.push_back(truth);
     estimate_.push_back(estimate);
   }
-  /// Mean error of the motion over so many scans, some `name` metres.
+  /// Reports the mean error of the motion over `scans` scans; `name` is the distance that these cover.
   void report(benchmark::State& state, const std::string& name, std::size_t scans) const {
     double length = 0.0;
     double off = 0.0;

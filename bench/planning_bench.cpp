@@ -1,6 +1,6 @@
-// Planning on the Willow Garage floor between 200 random reachable pairs: time, length against the shortest any-angle
-// path of the same clearance, and what a search must at least touch. Set FRONTIER_PILOT_WORLDS to
-// the folder of willow_garage.yaml if that is not ../shared/worlds; the reference takes minutes and is made only with
+// Planning on the Willow Garage floor between 200 random pairs of reachable cells: the time, the number of expanded
+// cells, and the length compared to the shortest any-angle path of the same clearance. Set FRONTIER_PILOT_WORLDS to the
+// folder of willow_garage.yaml if that is not ../shared/worlds. The reference takes minutes and is only computed with
 // FRONTIER_PILOT_REFERENCE=1.
 
 #include <benchmark/benchmark.h>
@@ -24,7 +24,8 @@ namespace {
 
 constexpr int kPairs = 200;
 
-/// Pairs and reference are of the clearance that rules a touch out; the planner may do as it likes.
+/// For choosing the pairs and for the reference: only ways with the full clearance, in which nothing can be touched.
+/// The planner itself may also use tighter ones.
 planning::ClearanceParams withoutTightPlaces() {
   planning::ClearanceParams params;
   params.tight_weight = 0.0;
@@ -102,7 +103,7 @@ void planWillow(benchmark::State& state) {
     solved = 0;
     expanded = 0.0;
     for (std::size_t i = 0; i < kPairs; ++i) {
-      const std::clock_t before = std::clock();  // processor time: others may be using the machine
+      const std::clock_t before = std::clock();  // processor time, because other programs may be running
       const planning::PlanResult result = planner.plan(map, willow().requests[i]);
       const double took = 1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
       best[i] = std::min(best[i], took);
@@ -122,7 +123,7 @@ void planWillow(benchmark::State& state) {
 }
 BENCHMARK(planWillow)->Unit(benchmark::kMillisecond)->Iterations(3);
 
-/// The map's part of every update: a scan's worth of changed cells.
+/// Updating the clearance map after a scan: a small change in a window of the scanner's range.
 void updateMap(benchmark::State& state) {
   OccupancyGrid grid = willow().map;
   planning::ClearanceMap map;

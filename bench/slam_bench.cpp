@@ -1,5 +1,5 @@
-// Long simulated drives with bad odometry: how far the mapper is from the truth, what it costs, what closures it finds.
-// The drive is led by the truth and the same for every seed; the seed is that of scanner and odometry.
+// Long simulated drives with bad odometry: how far the mapper is from the truth, what it costs, and which loop closures
+// it finds. The drive follows the true pose and is the same for every seed; the seed is that of scanner and odometry.
 
 #include <malloc.h>
 
@@ -76,7 +76,7 @@ double threadSeconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// What is allocated by now [MB].
+/// The memory that is currently allocated [MB].
 double heapInUse() {
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd) * 1e-6;
@@ -101,7 +101,7 @@ constexpr double kFalseAngle = 3.0 / kDegrees;  // [rad]
 constexpr double kWantedPosition = 0.10;        // [m]
 constexpr double kWantedYaw = 1.0 / kDegrees;   // [rad]
 
-/// Costs of many calls [s].
+/// CPU times of many calls [s].
 class Costs {
  public:
   template <class Call>
@@ -121,7 +121,7 @@ class Costs {
   std::vector<double> costs_;
 };
 
-/// One drive from the start to its end.
+/// One drive from start to end.
 class Run {
  public:
   Run(const Options& options, int seed)
@@ -130,7 +130,7 @@ class Run {
         drive_(slamWorld(options.world), simulatorFor(options, seed), options.distance, options.fault),
         heap_before_(heapInUse()) {}
 
-  /// Whether the drive met its mark.
+  /// Whether the drive met the targets for position, yaw and false closures.
   bool toTheEnd() {
     while (const LaserScan2* scan = drive_.nextScan()) take(*scan);
     const double heap = heapInUse() - heap_before_;

@@ -25,7 +25,7 @@ std::vector<Cell> directions() {
   return all;
 }
 
-/// The cells of a shortest path of 32 directions; empty if there is none.
+/// The centres of the cells of a shortest path along 32 directions; empty if there is none.
 std::vector<Vec2> search(const planning::ClearanceMap& map, Cell start, Cell goal) {
   const GridGeometry& grid = map.geometry();
   const std::vector<Cell> steps = directions();

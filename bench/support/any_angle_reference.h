@@ -5,11 +5,11 @@
 
 namespace frontier_pilot::bench {
 
-/// What the planner's paths are measured against: a very nearly shortest any-angle path of the same clearance, at any
-/// cost. A* over 32 directions with exact lines of sight, then string pulling over all points until nothing is gained.
-/// `map` should have a wall weight of 0. The shortest path of 32 directions is at most 1.014 times the any-angle one in
-/// the open (the worst angle between neighbouring directions is half of 18.4 degrees), so length / 1.014 of the search
-/// bounds the true optimum from below, up to the cells' raster.
+/// The reference for the planner's paths: a very nearly shortest any-angle path of the same clearance, computed without
+/// regard to time. A* over 32 directions with exact lines of sight, then string pulling over all points until nothing
+/// is gained. `map` should have a wall weight of 0. In the open, the shortest path of 32 directions is at most 1.014
+/// times as long as the any-angle one (no direction is more than half of 18.4 degrees from one of them), so the length
+/// found by A* over 1.014 is a lower bound of the optimum, up to the resolution of the cells.
 struct AnyAngleReference {
   planning::Path path;       ///< empty if there is none
   double lower_bound = 0.0;  ///< [m]

@@ -4,10 +4,10 @@
 
 namespace frontier_pilot::bench {
 
-/// The YAML of the Willow Garage floor: in $FRONTIER_PILOT_WORLDS, or in ../shared/worlds beside the repository.
+/// The path of the Willow Garage floor's YAML: in $FRONTIER_PILOT_WORLDS, or in ../shared/worlds beside the repository.
 std::string willowGarage();
 
-/// That one, or where it is absent the office of config/worlds.
+/// That path, or if the file is absent that of the office in config/worlds.
 std::string willowGarageOrOffice();
 
 }  // namespace frontier_pilot::bench

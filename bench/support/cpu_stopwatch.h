@@ -8,14 +8,14 @@
 
 namespace frontier_pilot::bench {
 
-/// The CPU time of this thread [us]: what else the machine does is none of our business.
+/// The CPU time of this thread [us], which other load of the machine does not affect directly.
 inline double cpuMicros() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
 }
 
-/// Times things one by one.
+/// Measures the CPU time of calls, one by one.
 class Stopwatch {
  public:
   template <class Work>

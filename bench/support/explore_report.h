@@ -8,13 +8,13 @@
 
 namespace frontier_pilot::bench {
 
-/// What one exploration came to.
+/// The result of one exploration.
 struct ExploreReport {
   std::string world;
   int seed = 0;
   double area = 0.0;       ///< reachable floor [m^2]
   double explored = 0.0;   ///< share of it that the map shows as free
-  double wrong = 0.0;      ///< share of the map's walls that are none
+  double wrong = 0.0;      ///< share of the map's occupied cells that are not near a true wall
   double simulated = 0.0;  ///< [s]
   double distance = 0.0;   ///< by the ground truth [m]
   int contacts = 0;
@@ -33,7 +33,7 @@ struct ExploreReport {
 
  private:
   static const std::vector<double>& levels();
-  std::vector<double> reached_;  ///< when each level was [s]
+  std::vector<double> reached_;  ///< when each level was reached [s]
 };
 
 }  // namespace frontier_pilot::bench

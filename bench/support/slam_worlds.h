@@ -6,7 +6,7 @@
 
 namespace frontier_pilot::bench {
 
-/// A world to map: `willow`, `corridor` (two rooms and 33 m without a feature between them), or a map_server YAML.
+/// A world to map: `willow`, `corridor` (two rooms joined by 33 m without any feature), or a map_server YAML.
 /// Throws std::runtime_error as sim::loadWorld does.
 sim::World slamWorld(const std::string& name);
 

@@ -12,7 +12,7 @@ struct SvgTrack {
   std::vector<Vec2> points;
 };
 
-/// A drawing of `map` with the tracks on top of it, a metre being 10 user units. Unknown is grey, floor white.
+/// An SVG drawing of `map` with the tracks on top of it, 10 user units per metre. Unknown is grey, floor white.
 std::string drawSvg(const OccupancyGrid& map, const std::vector<SvgTrack>& tracks, const std::string& caption);
 
 }  // namespace frontier_pilot::bench

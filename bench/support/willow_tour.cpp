@@ -44,7 +44,7 @@ Tour::Tour(const OccupancyGrid& map, const Vec2& start) : solid_(map.geometry())
   drive(map.geometry().cellAt(start));
 }
 
-/// From the start always to the nearest lattice point not visited yet, until none can be reached.
+/// Drives to the nearest cell that has not been visited, again and again, until none is reachable.
 void Tour::drive(Cell at) {
   Grid<std::uint8_t> visited(solid_.geometry(), 0);
   while (true) {

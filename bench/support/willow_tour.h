@@ -11,7 +11,7 @@ namespace frontier_pilot::bench {
 
 constexpr double kRange = 8.0;  ///< of the scanner [m]
 
-/// A floor, and a tour through it with a pose every 5 cm, that comes within 2 m of every reachable place.
+/// A floor, and a tour through it with one pose every 5 cm. No reachable place is more than 2 m away from it in x or y.
 class Tour {
  public:
   Tour(const OccupancyGrid& map, const Vec2& start);
@@ -31,13 +31,13 @@ class Tour {
   std::vector<Pose2> poses_;
 };
 
-/// The tour of the Willow Garage floor, see buildings.h; nullptr if it is not there.
+/// The tour of the Willow Garage floor, see buildings.h; nullptr if its file is absent.
 const Tour* tour();
 
-/// A drive along a tour as a robot would do it: corners are rounded, and the robot turns before it drives.
+/// The tour as a robot would drive it: corners are rounded, and the robot turns before it drives on.
 std::vector<Pose2> smoothed(const std::vector<Pose2>& poses);
 
-/// 360 beams at 10 Hz, with 1 cm noise.
+/// A simulated scanner with 360 beams at 10 Hz and 1 cm noise.
 class Scanner {
  public:
   explicit Scanner(const grids::RayCaster& caster);

@@ -90,7 +90,7 @@ void Arbiter::store(Source& source, const Twist2& command, bool hold, const Inst
     return;
   }
   if (!command.isZero()) source.last_motion = now.steady;
-  // While ROS time stands still the age of a message cannot be told, so it must not count when time goes on.
+  // While ROS time stands still the age of a command is unknown: it must not be used once time goes on.
   if (!source.enabled || clock_.stopped()) return;
   source.command = clamp(command, parameters_.robot.limits);
   source.command_time = now.ros;
@@ -164,7 +164,7 @@ ArbiterAnswer Arbiter::clear(SteadyTime requested, const Instant& now) {
   latched_ = false;
   stop_cause_.clear();
   forgetAll();
-  return {true, "cleared: the robot stays until a new command arrives", update(now)};
+  return {true, "cleared: the robot stands still until a new command arrives", update(now)};
 }
 
 std::optional<Twist2> Arbiter::contest(const std::string& rival, const Instant& now) {

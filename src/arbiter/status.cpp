@@ -20,7 +20,7 @@ std::string whoDrives(const ArbiterSnapshot& status) {
     case ArbiterState::kClockStopped:
       return "ROS time stands still: stopped";
     case ArbiterState::kContested:
-      return status.rival + " could answer an emergency stop in this arbiter's place: stopped";
+      return status.rival + " could receive an emergency stop in this arbiter's place: stopped";
     case ArbiterState::kDriving:
       return status.active_source + " drives";
     case ArbiterState::kIdle:

@@ -5,7 +5,7 @@
 namespace frontier_pilot::avoid {
 namespace {
 
-/// Ticks come a little early or late; without the slack an early one would prolong a phase by a whole tick.
+/// Ticks may come slightly early or late; without this slack an early one would prolong a phase by a whole tick.
 constexpr Duration kTickSlack = std::chrono::milliseconds(10);
 
 const AvoiderParameters& checked(const AvoiderParameters& parameters) {
@@ -105,7 +105,7 @@ void Avoider::decide(Time now) {
 }
 
 void Avoider::startEpisode(Time now) {
-  // Something in the lane but beside the sectors decides alone: the sectors are blind to it.
+  // If only the lane outside of the sectors is blocked, its two sides decide: the sectors do not contain that obstacle.
   const bool by_lane = around_.obstacleDistance() >= distances_.stop;
   const bool left = by_lane ? around_.lane_left > around_.lane_right : around_.front_left > around_.front_right;
   turn_ = left ? 1 : -1;

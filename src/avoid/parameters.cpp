@@ -4,7 +4,7 @@ namespace frontier_pilot::avoid {
 namespace {
 
 constexpr double kStopMargin = 0.395;      // [m], ahead of the front
-constexpr double kClearMargin = 0.545;     // [m], the same
+constexpr double kClearMargin = 0.545;     // [m], ahead of the front
 constexpr double kRearStopMargin = 0.145;  // [m], behind the rear
 
 double orElse(double configured, double needed) { return configured > 0.0 ? configured : needed; }
@@ -19,7 +19,7 @@ double Sector::width() const {
 void AvoiderParameters::check(Problems& problems) const {
   const auto checkSector = [&](const char* name, const Sector& sector) {
     if (sector.width() <= 0.0 || sector.width() >= kPi) {
-      problems.push_back(std::string(name) + ": must be wider than nothing and narrower than half a turn");
+      problems.push_back(std::string(name) + ": must be wider than 0 and narrower than half a turn");
     }
   };
   checkSector("front_left", front_left);
@@ -27,7 +27,7 @@ void AvoiderParameters::check(Problems& problems) const {
   checkSector("rear", rear);
   Problems of_the_robot;
   robot.check(of_the_robot);
-  if (!of_the_robot.empty()) return;  // they have been told, and such a robot has no front
+  if (!of_the_robot.empty()) return;  // reported elsewhere, and such a robot has no valid outline
   const AvoiderDistances distances(*this);
   if (distances.stop <= robot.drivenOutline().front()) {
     problems.emplace_back("stop_distance: must be beyond the robot's front");

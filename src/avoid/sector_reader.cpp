@@ -6,7 +6,7 @@
 namespace frontier_pilot::avoid {
 namespace {
 
-/// A beam on the border of two sectors belongs to both, also after rounding to single precision.
+/// A beam on the border of two sectors belongs to both, even after rounding to single precision.
 constexpr double kBorderTolerance = 1e-4;  // [rad]
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }

@@ -24,7 +24,7 @@ void LocalCostmap::insert(const LaserScan2& scan, const Pose2& T_odom_base) {
   roll(T_odom_base.position());
   const Pose2 T_odom_sensor = T_odom_base * scan.T_base_sensor;
   clearBeams(scan, T_odom_sensor);
-  // The hits come last: a beam that grazes the cell of another one's hit does not erase it.
+  // Hits are entered last, so that a beam that grazes the cell of another beam's hit does not clear it.
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
     if (!isHit(reading.kind)) continue;
@@ -41,7 +41,7 @@ void LocalCostmap::roll(const Vec2& robot) {
   GridGeometry geometry;
   geometry.resolution = resolution;
   geometry.width = geometry.height = cells;
-  // Whole cells only, so that what is kept stays where it was.
+  // The window moves by whole cells, so that the cells that are kept stay where they are in the odometry frame.
   const int half = cells / 2;
   geometry.origin = {resolution * (std::floor(robot.x() / resolution) - half),
                      resolution * (std::floor(robot.y() / resolution) - half)};
@@ -60,7 +60,7 @@ void LocalCostmap::roll(const Vec2& robot) {
 }
 
 void LocalCostmap::clearBeams(const LaserScan2& scan, const Pose2& T_odom_sensor) {
-  // No beam needs to be followed farther than from one corner of the window to the other.
+  // No beam needs to be followed farther than the window's diagonal.
   const double longest = 1.5 * parameters_.side;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);

@@ -7,7 +7,7 @@
 namespace frontier_pilot::behavior {
 namespace {
 
-/// Looks at the footprint pose by pose.
+/// Checks the cells under the footprint, pose by pose.
 class Sweeper {
  public:
   Sweeper(const OccupancyGrid& grid, const Outline& footprint, const Pose2& start, const AxisMotion& motion)

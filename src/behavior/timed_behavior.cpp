@@ -7,7 +7,7 @@
 namespace frontier_pilot::behavior {
 namespace {
 
-/// By so much [rad] or [m] a motion must come on to count as progress.
+/// A motion must advance by this much to count as progress: [rad] or [m].
 constexpr double kTurnProgress = 0.01;
 constexpr double kLineProgress = 0.004;
 
@@ -89,7 +89,7 @@ BehaviorOutput TimedBehavior::wait() {
 
 BehaviorOutput TimedBehavior::move(const BehaviorInputs& inputs, Time now) {
   if (const auto problem = poseProblem(inputs, now)) {
-    // Where it is now no longer matters once the target is reached.
+    // Once the target is reached, the pose no longer matters.
     if (settling_since_) return end(BehaviorOutcome::kSucceeded, "done");
     return end(BehaviorOutcome::kPoseLost, *problem);
   }
@@ -109,7 +109,7 @@ BehaviorOutput TimedBehavior::move(const BehaviorInputs& inputs, Time now) {
 
 std::optional<std::string> TimedBehavior::poseProblem(const BehaviorInputs& inputs, Time now) const {
   if (!inputs.pose) return "no pose";
-  // One from the future is as useless: the clock has jumped.
+  // A pose from the future is useless as well: the clock has jumped.
   const double age = std::abs(toSeconds(now - inputs.pose->stamp));
   if (age > parameters_.pose_timeout) return "the pose is older than " + seconds(parameters_.pose_timeout);
   if (!inputs.pose->T_odom_base.isFinite()) return "the pose is not finite";

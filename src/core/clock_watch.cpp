@@ -20,7 +20,7 @@ ClockEvent ClockWatch::observe(const Instant& now) {
 }
 
 bool ClockWatch::jumps(const Instant& now) {
-  // Before the first /clock ROS time is zero: that it then begins somewhere is no jump.
+  // ROS time is zero before the first /clock message: the step from there to its first value is not a jump.
   if (!started_ || last_moved_.ros == Time{}) return false;
   const double advance = toSeconds(now.ros - last_moved_.ros);
   const double allowed = credit_ + pace_.fastest * toSeconds(now.steady - last_look_);

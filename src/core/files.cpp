@@ -16,12 +16,12 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr std::size_t kLongestName = 255;  // of Linux' file systems [bytes]
-constexpr std::size_t kSuffix = 12;        // of a temporary name [bytes]
+constexpr std::size_t kLongestName = 255;  // of a file on Linux file systems [bytes]
+constexpr std::size_t kSuffix = 12;        // of a temporary file's name [bytes]
 
 std::string errorText() { return std::strerror(errno); }
 
-/// Closes its file at the latest when it goes away.
+/// A file descriptor that is closed on destruction, if not before.
 class OpenFile {
  public:
   explicit OpenFile(int file) : file_(file) {}
@@ -48,7 +48,7 @@ FileContent cannotOpen() {
 FileContent readOpen(int file, std::size_t most_bytes) {
   struct stat info {};
   if (fstat(file, &info) != 0) return refused(errorText());
-  if (!S_ISREG(info.st_mode)) return refused("is no file");
+  if (!S_ISREG(info.st_mode)) return refused("is not a regular file");
   if (static_cast<std::uint64_t>(info.st_size) > most_bytes)
     return refused("is larger than " + std::to_string(most_bytes) + " bytes");
   FileContent content;
@@ -58,14 +58,15 @@ FileContent readOpen(int file, std::size_t most_bytes) {
     const ssize_t count = ::read(file, &content.bytes[done], content.bytes.size() - done);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return refused(errorText());
-    if (count == 0) break;  // it has become shorter meanwhile
+    if (count == 0) break;  // the file has been truncated since its size was read
     done += static_cast<std::size_t>(count);
   }
   content.bytes.resize(done);
   return content;
 }
 
-/// A name beside `target` that nobody can guess, and that fits into a folder's entry whatever the target's length.
+/// A random name beside `target`, not longer than a file name may be, however long the target's is. Empty if there is
+/// no randomness.
 std::filesystem::path temporaryName(const std::filesystem::path& target) {
   std::array<unsigned char, kSuffix - 1> random{};
   if (getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size())) return {};
@@ -78,10 +79,11 @@ std::filesystem::path temporaryName(const std::filesystem::path& target) {
 }  // namespace
 
 FileContent readFile(const std::filesystem::path& path, std::size_t most_bytes) {
-  // Not even opened: to open a device may do something. What takes its place after that does not block either.
+  // Other files are not even opened: opening a device can have side effects. Should one take the place of the file
+  // after this check, O_NONBLOCK keeps `open` from waiting for it.
   struct stat info {};
   if (stat(path.c_str(), &info) != 0) return cannotOpen();
-  if (!S_ISREG(info.st_mode)) return refused("is no file");
+  if (!S_ISREG(info.st_mode)) return refused("is not a regular file");
   const OpenFile file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   return file.isOpen() ? readOpen(file.get(), most_bytes) : cannotOpen();
 }
@@ -95,7 +97,7 @@ AtomicFile::~AtomicFile() {
 
 std::string AtomicFile::write(std::string_view content) {
   std::filesystem::path name = temporaryName(target_);
-  if (name.empty()) return "no random name: " + errorText();
+  if (name.empty()) return "no random name available: " + errorText();
   OpenFile file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (!file.isOpen()) return errorText();
   if (!temporary_.empty()) unlink(temporary_.c_str());
@@ -121,7 +123,7 @@ std::string AtomicFile::commit() {
   if (survives_ != Survives::kPowerLoss) return {};
   const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
   const OpenFile directory(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Not every file system can do that, and the file is in its place whatever comes of it.
+  // Not every file system can sync a directory, and the file is in place whether this succeeds or not.
   if (directory.isOpen()) static_cast<void>(fsync(directory.get()));
   return {};
 }

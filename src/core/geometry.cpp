@@ -33,8 +33,8 @@ bool operator==(const Twist2& a, const Twist2& b) { return a.linear == b.linear 
 Pose2 integrate(const Pose2& pose, const Twist2& twist, double seconds) {
   const double turn = twist.angular * seconds;
   const double length = twist.linear * seconds;
-  // The chord of the arc: sin(h)/h of its length, h half the turn, seen at half the turn. The series is exact to
-  // rounding where the quotient is not.
+  // The chord of an arc is sin(h)/h times its length, and points half-way between the first and the last heading, h
+  // being half the turn. For a small h the series is exact to rounding, and the quotient is not.
   const double half = 0.5 * turn;
   const double chord = std::abs(half) < 1e-4 ? length * (1.0 - half * half / 6.0) : length * std::sin(half) / half;
   return {pose.position() + chord * direction(pose.yaw + half), normalizeAngle(pose.yaw + turn)};

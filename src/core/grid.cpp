@@ -7,7 +7,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// Successive cells along one axis, [low, high), wider than an int so that nothing overflows.
+/// Consecutive cells along one axis, [low, high), as 64-bit integers so that nothing overflows.
 struct Extent {
   std::int64_t low, high;
   int first() const { return cut(low); }

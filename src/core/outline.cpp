@@ -49,7 +49,7 @@ double distanceToSides(const std::vector<Vec2>& corners, const Vec2& point) {
   return least;
 }
 
-/// The corners of a counter-clockwise polygon, moved along their mitres.
+/// The corners of a counter-clockwise polygon whose sides are moved outward by `margin`, joined by mitres.
 std::vector<Vec2> mitred(const std::vector<Vec2>& corners, double margin) {
   std::vector<Vec2> out;
   const std::size_t n = corners.size();
@@ -57,7 +57,7 @@ std::vector<Vec2> mitred(const std::vector<Vec2>& corners, double margin) {
     const Vec2 before = (corners[i] - corners[(i + n - 1) % n]).normalized();
     const Vec2 after = (next(corners, i) - corners[i]).normalized();
     const Vec2 normals(before.y() + after.y(), -before.x() - after.x());
-    // Sharp corners would reach out far: the mitre is cut at twice the margin.
+    // The mitre of a sharp corner would reach far out: it is limited to twice the margin.
     const double scale = margin / std::max(0.5, 0.5 * normals.squaredNorm());
     out.emplace_back(corners[i] + scale * normals);
   }
@@ -142,7 +142,7 @@ void Outline::cellsAt(const Pose2& T_grid_base, const GridGeometry& geometry, st
     placed.push_back(T_grid_base * corner);
     box.include(geometry.cellAt(placed.back()));
   }
-  // A cell that no side passes through lies inside or outside as a whole: its centre tells which.
+  // A cell that no side passes through lies entirely inside or entirely outside: its centre decides.
   for (std::size_t i = 0; i < placed.size(); ++i) {
     visitCells(geometry, placed[i], next(placed, i), [&cells](Cell c) {
       cells.push_back(c);

@@ -13,7 +13,7 @@ std::string text(double value) {
   return out.str();
 }
 
-/// The number in `value`, an integer being as good as a real.
+/// The number in `value`, an integer or a real; nullptr if it is something else. `storage` holds a converted integer.
 const double* number(const ParameterValue& value, double& storage) {
   if (const auto* integer = std::get_if<std::int64_t>(&value.value)) {
     storage = static_cast<double>(*integer);
@@ -80,7 +80,7 @@ void Loader::moved(const char* name, const char* now) {
 
 void Loader::fixed(std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    if (find(name) != nullptr) problem(name, "is a constant of the program now, and no parameter any more");
+    if (find(name) != nullptr) problem(name, "is now a constant of the program and no longer a parameter");
   }
 }
 
@@ -133,7 +133,7 @@ void Loader::field(const char* name, std::string& field, const char*, const char
   if (const auto* read = std::get_if<std::string>(&value->value)) {
     field = *read;
   } else {
-    problem(name, "must be a text");
+    problem(name, "must be a string");
   }
 }
 
@@ -141,7 +141,7 @@ void Loader::field(const char* name, std::string& field, const char* unit, const
   std::string read = field;
   this->field(name, read, unit, doc);
   if (read.empty() && rule == FrameName::kGiven) return problem(name, "must name a frame");
-  if (read.rfind('/', 0) == 0) return problem(name, "must not begin with '/', is " + read + ": tf2 has no such frames");
+  if (read.rfind('/', 0) == 0) return problem(name, "must not begin with '/', is " + read + ": tf2 refuses such names");
   field = read;
 }
 

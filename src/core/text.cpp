@@ -13,10 +13,10 @@ struct Range {
   bool holds(char32_t code) const { return code >= first && code <= last; }
 };
 
-constexpr Range kSurrogates{0xD800, 0xDFFF};  // halves of pairs of UTF-16
+constexpr Range kSurrogates{0xD800, 0xDFFF};  // used by UTF-16 only
 constexpr std::array kControls{Range{0x00, 0x1F}, Range{0x7F, 0x9F}, Range{0x2028, 0x202E}, Range{0x2066, 0x2069}};
 
-/// How many bytes a character takes that begins with this one; 0 if none does.
+/// How many bytes a character that begins with this byte has; 0 if no character does.
 std::size_t lengthFrom(unsigned first) {
   if (first < 0x80) return 1;
   if (first < 0xC0 || first > 0xF4) return 0;
@@ -51,13 +51,13 @@ Character characterAt(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
   const std::size_t length = lengthFrom(byte(at));
   if (length == 0 || length > text.size() - at) return {};
-  // The first byte has the bits behind as many ones as there are bytes, and a zero.
+  // The first of several bytes: as many ones as there are bytes, then a zero, then the first bits of the code.
   char32_t code = length == 1 ? byte(at) : byte(at) & (0x7FU >> length);
   for (std::size_t i = at + 1; i < at + length; ++i) {
     if ((byte(i) & 0xC0U) != 0x80U) return {};
     code = code << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // what fewer bytes hold is written so
+  constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // by bytes: longer encodings are invalid
   if (code < kLeast[length] || code > kLastCharacter || kSurrogates.holds(code)) return {};
   return {code, length};
 }

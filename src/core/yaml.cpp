@@ -10,7 +10,7 @@ namespace frontier_pilot {
 namespace {
 
 ParameterValue scalar(const YAML::Node& node) {
-  // A quoted scalar carries the tag "!": it is a text, whatever it looks like.
+  // A quoted scalar carries the tag "!": it is a string, whatever it looks like.
   if (node.Tag() == "!") return {node.Scalar()};
   bool flag = false;
   std::int64_t integer = 0;
@@ -21,8 +21,8 @@ ParameterValue scalar(const YAML::Node& node) {
   return {node.Scalar()};
 }
 
-/// Copies what the parser gives. Aliases make a graph of it, of which a few lines can be a cycle or have more values
-/// than memory holds: what is copied is bounded in depth and number. [FLT-1]
+/// Copies the parser's tree, with a limit on its depth and on its number of values. Aliases make a graph of it: a few
+/// lines can form a cycle or expand to more values than fit into memory. [FLT-1]
 class Copy {
  public:
   ParameterMap map(const YAML::Node& node) {

@@ -9,13 +9,13 @@
 namespace frontier_pilot::grids {
 namespace {
 
-/// Rows to the nearest obstacle in the same column, at most `cut`, for each cell of a window.
+/// For each cell of a window, the number of rows to the nearest obstacle in the same column, at most `cut`.
 Grid<std::int32_t> columnDistances(const Grid<std::uint8_t>& obstacle, const CellRect& window, int cut) {
   GridGeometry geometry;
   geometry.width = window.width;
   geometry.height = window.height;
   Grid<std::int32_t> rows(geometry, cut);
-  // Row by row, so that the memory is walked in its order: first the obstacles below, then those above.
+  // Row by row, in the order of memory: first upward for the obstacles below, then downward for those above.
   for (int y = 0; y < window.height; ++y) {
     const std::uint8_t* solid = obstacle.row(window.y + y) + window.x;
     std::int32_t* now = rows.row(y);
@@ -32,7 +32,7 @@ Grid<std::int32_t> columnDistances(const Grid<std::uint8_t>& obstacle, const Cel
   return rows;
 }
 
-/// The lower envelope of the parabolas f(q) + (x - q)^2: where each of them is the lowest.
+/// The lower envelope of the parabolas f(q) + (x - q)^2: the intervals in which each of them is the lowest.
 class LowerEnvelope {
  public:
   explicit LowerEnvelope(int size) : apex_(static_cast<std::size_t>(size)), from_(static_cast<std::size_t>(size) + 1) {}
@@ -82,7 +82,7 @@ class LowerEnvelope {
   std::size_t count_ = 0;
 };
 
-/// Metres of a squared distance in cells. Most distances are short, and for those a table beats the square root.
+/// Converts a squared distance [cells^2] to [m], by a table for short distances, which is faster than a square root.
 class SquaredCellsToMetres {
  public:
   SquaredCellsToMetres(int cut, double resolution, double max_distance) : resolution_(resolution), max_(max_distance) {
@@ -123,7 +123,7 @@ void DistanceField::update(const Grid<std::uint8_t>& obstacle, const CellRect& c
 void DistanceField::compute(const Grid<std::uint8_t>& obstacle, const CellRect& window) {
   if (window.empty()) return;
   const int reach = static_cast<int>(std::ceil(max_distance_ / geometry().resolution));
-  // The obstacles that can matter for the window lie at most `reach` outside of it.
+  // Only obstacles within `reach` of the window can affect it.
   const CellRect source = window.grown(reach).intersection(geometry().rect());
   const int cut = std::min(reach, source.width + source.height) + 1;
   const Grid<std::int32_t> rows = columnDistances(obstacle, source, cut);

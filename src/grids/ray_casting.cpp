@@ -8,25 +8,25 @@
 namespace frontier_pilot::grids {
 namespace {
 
-// A "canonical" frame has the ray's longer axis as x and both components of its direction positive; eight of them, by
-// which axis is the longer one and which are mirrored, cover the circle. Canonical grids have a ring of solid cells
-// around them, so that a walk needs no check of the grid's border, and cell (0, 0) of the grid becomes (1, 1).
+// In a "canonical" frame the ray's longer axis is x, and both components of its direction are positive. Eight such
+// frames cover the circle: either axis may be the longer one, and each axis may be mirrored. Canonical grids have a
+// ring of solid cells around them, so that a walk needs no border check; cell (0, 0) of the grid becomes (1, 1).
 constexpr int kOctants = 8;
 
-// Slopes (short axis over long axis) are sorted into [0, 1/8), [1/8, 1/4), [1/4, 1/2) and [1/2, 1]. Within one of them
-// the greatest slope is at most twice the smallest (but for the first), so that each leap towards a wall beside the ray
-// at least halves the distance to it.
+// Slopes (short axis over long axis) are divided into the classes [0, 1/8), [1/8, 1/4), [1/4, 1/2) and [1/2, 1]. Except
+// in the first, the greatest slope of a class is at most twice its smallest, so that each leap towards a wall beside
+// the ray at least halves the distance to it.
 constexpr int kSlopes = 4;
 constexpr int kFlattest = 1 << (kSlopes - 1);
 
 constexpr int kMaxLeap = 254;
 
-// Rows are followed in fixed point: adding up slopes is then exact, and whole cells are a shift away. 40 bits make the
-// error of a slope 10^-12, far below what a range of a few thousand cells can show.
+// Row coordinates are fixed-point numbers: adding slopes is then exact, and a shift gives the cell. With 40 fractional
+// bits the error of a slope is 10^-12, which no range of a few thousand cells can reveal.
 constexpr int kFraction = 40;
 constexpr double kOne = static_cast<double>(std::int64_t{1} << kFraction);
 
-// Rays that take turns for their first leaps, so that one is worked on while others wait for memory.
+// So many rays take turns in their first kTurns leaps: while one is processed, the memory of the others is fetched.
 constexpr std::size_t kAtOnce = 32;
 constexpr int kTurns = 5;
 
@@ -36,8 +36,8 @@ int planeIndex(bool steep, bool mirror_x, bool mirror_y, int slope_class) {
   return ((steep * 2 + mirror_x) * 2 + mirror_y) * kSlopes + slope_class;
 }
 
-// The canonical cells of an octant: their free run lengths, and then the leaps of each class of slopes. Cells of one
-// column lie side by side: rays that start in one place leap to the same column, and so to the same line of cache.
+// The canonical cells of an octant: the lengths of their free runs, and from those the leaps of each class of slopes. A
+// column is contiguous in memory: rays from one place leap to the same column, and so to the same cache line.
 class LeapBuilder {
  public:
   LeapBuilder(const Grid<std::uint8_t>& solid, bool steep, bool mirror_x, bool mirror_y)
@@ -54,7 +54,7 @@ class LeapBuilder {
     countRuns();
   }
 
-  // Fills a plane; `leaps` must be readable for a tail of columns beyond it (what stands there does not matter).
+  // Fills a plane. kTailColumns columns beyond its end must be readable; their content does not matter.
   void fill(int slope_class, std::uint8_t* leaps) const {
     for (std::ptrdiff_t column = columns_ - 2; column > 0; --column) {
       if (slope_class == 0) {
@@ -101,8 +101,8 @@ class LeapBuilder {
     }
   }
 
-  // Slopes in [1/2m, 1/m]: in the first m columns as above, in the next m in one row more, and a ray enters column 2m
-  // one or two rows up.
+  // Slopes in [1/2m, 1/m]: in the first m columns as above; in the next m columns a ray may also reach the row above
+  // those two; it enters column 2m one or two rows up.
   void fillSlopedColumn(std::ptrdiff_t column, int m, std::uint8_t* leaps) const {
     const std::uint8_t* run = runs_.data() + at(column, 0);
     const std::uint8_t* run_later = runs_.data() + at(column + m, 0);
@@ -149,7 +149,7 @@ struct RayCaster::Ray {
     height += by * slope;
     row = height >> kFraction;
   }
-  // Goes on to where nothing more can be leapt over: at a solid cell, right below one, or out of range.
+  // Advances until it is in a solid cell, enters the solid cell above it within this column, or is out of range.
   void run() {
     while (column < end) {
       const std::uint8_t stored = leap();
@@ -162,7 +162,7 @@ struct RayCaster::Ray {
       }
     }
   }
-  // One leap, or none if `run` would go no further; without a branch, so that several rays can take turns.
+  // One leap, or none where `run` would stop. Free of branches, so that the processor can overlap several rays.
   void leapOnce() {
     const std::uint8_t stored = leap();
     const bool creeps = (stored == 1) & !crosses();
@@ -172,7 +172,7 @@ struct RayCaster::Ray {
     row = by > 0 ? row : row_before;
     __builtin_prefetch(here());
   }
-  // How far it came until `run` stopped it [cells]; `none` if that was the range or the border of the grid.
+  // The length from the start to where `run` stopped [cells]; `none` if it stopped at the range or the grid's border.
   double length(double none) const {
     if (column >= end) return none;
     if (leap() > 0) return row >= rows ? none : (static_cast<double>(row + 1) - start_y) / unit_y;
@@ -235,7 +235,7 @@ RayCaster::Ray RayCaster::rayAlong(const Origin& origin, const Vec2& unit, doubl
   ray.stride = ray.rows + 2;
   const double slope = ray.unit_y / ray.unit_x;
   ray.slope = static_cast<std::int64_t>(slope * kOne);
-  // The first column is entered, on paper, behind the start; only the row of the start itself is taken from it.
+  // `height` is extrapolated back to where the line enters the start's column; `row` is that of the start itself.
   ray.height =
       static_cast<std::int64_t>((ray.start_y - slope * (ray.start_x - static_cast<double>(ray.column))) * kOne);
   const double end = std::min(ray.start_x + max_cells * ray.unit_x, static_cast<double>(ray.columns + 1));

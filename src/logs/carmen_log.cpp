@@ -13,10 +13,10 @@ namespace {
 constexpr const char* kFrontLaser = "FLASER";
 constexpr const char* kRobotLaser = "ROBOTLASER1";
 constexpr double kDegree = kPi / 180.0;
-constexpr double kRangeMax = 80.0;        // [m]: scanners of that time report a little more for no return
+constexpr double kRangeMax = 80.0;        // [m]: scanners of that time report slightly more when nothing returns
 constexpr double kMountTolerance = 0.02;  // [m] and [rad]: poses in a log are rounded
 
-/// A record, and where the log has the scanner in odometry's frame.
+/// A record, and the scanner's pose in the odometry frame as the log has it.
 struct CarmenRecord {
   LogRecord record;
   Pose2 T_odom_sensor;
@@ -38,7 +38,7 @@ void readRanges(TextReader& reader, LaserScan2& scan) {
   for (std::size_t i = 0; i < count; ++i) scan.ranges.push_back(static_cast<float>(reader.number("a range")));
 }
 
-/// The angles that CARMEN takes for a number of ranges: a scanner of SICK's, of a full, half or quarter degree.
+/// Sets the angles that CARMEN assumes for a number of ranges: a SICK scanner with steps of 1, 0.5 or 0.25 degrees.
 void guessAngles(LaserScan2& scan, std::optional<double> field_of_view) {
   const std::size_t beams = scan.ranges.size();
   const auto spread = [&](double angle) {
@@ -92,7 +92,7 @@ CarmenRecord readRobotLaser(TextReader& reader, const LogScanner& scanner) {
   return read;
 }
 
-/// Where the scanner sits, if it always sits there.
+/// The scanner's pose on the base, if it is the same in all records.
 std::optional<Pose2> commonMount(const std::vector<CarmenRecord>& read) {
   const auto mountOf = [](const CarmenRecord& r) { return r.record.T_odom_base.inverse() * r.T_odom_sensor; };
   const Pose2 first = mountOf(read.front());
@@ -104,7 +104,7 @@ std::optional<Pose2> commonMount(const std::vector<CarmenRecord>& read) {
 
 void mountScanner(std::vector<CarmenRecord>& read, const LogScanner& scanner, std::vector<std::string>& notes) {
   const std::optional<Pose2> mount = scanner.T_base_sensor ? scanner.T_base_sensor : commonMount(read);
-  if (!mount) notes.emplace_back("laser and robot move apart: the laser is taken to sit at the robot's centre");
+  if (!mount) notes.emplace_back("the laser's pose on the robot varies: the laser is assumed at the robot's centre");
   for (CarmenRecord& r : read) r.record.scan.T_base_sensor = mount.value_or(Pose2());
 }
 
@@ -127,7 +127,7 @@ ScanLog readCarmenLog(std::istream& file, const std::string& name, const LogScan
   }
   if (read.empty()) throw LogError(name + ": holds no FLASER and no ROBOTLASER1 line");
   ScanLog log;
-  if (others > 0) log.notes.push_back(std::to_string(others) + " scans of another kind than " + kind + " passed over");
+  if (others > 0) log.notes.push_back(std::to_string(others) + " scans of another kind than " + kind + " skipped");
   mountScanner(read, scanner, log.notes);
   for (CarmenRecord& r : read) log.records.push_back(std::move(r.record));
   return log;

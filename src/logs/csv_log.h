@@ -8,8 +8,8 @@
 namespace frontier_pilot::logs {
 
 /// Reads lines `stamp [s], odom x [m], odom y [m], odom yaw [rad], range [m], range, ...`. The ranges run from right to
-/// left over the field of view, its ends included; 0 is no return, which says nothing. Empty lines and those that begin
-/// with # are passed over. Defaults: 180 degrees, 80 m, the scanner 0.78 m ahead of the base.
+/// left over the field of view, its ends included; 0 is an invalid reading. Empty lines and lines that begin with # are
+/// skipped. Defaults: a field of view of 180 degrees, ranges up to 80 m, the scanner 0.78 m ahead of the base.
 /// Throws a LogError naming `name` and the line.
 ScanLog readCsvLog(std::istream& file, const std::string& name, const LogScanner& scanner = {});
 

@@ -29,7 +29,7 @@ ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanne
     case LogFormat::kRosbag:
       break;
   }
-  throw LogError(name + ": is a rosbag, which this program was built without ROS to read");
+  throw LogError(name + ": is a rosbag, which this program cannot read: it was built without ROS");
 }
 
 }  // namespace frontier_pilot::logs

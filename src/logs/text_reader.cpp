@@ -9,12 +9,12 @@
 namespace frontier_pilot::logs {
 namespace {
 
-// ROS' last second since the epoch; nothing else in a log comes near it, and what is beyond cannot be a time.
+// The largest number of seconds since the epoch that ros::Time can hold. No other number in a log comes near it.
 constexpr double kLargest = 4294967295.0;
-/// Of a line: a scan's ranges, their remissions, and what else there is.
+/// Words in a line: enough for a scan's ranges, their remissions, and the other fields.
 constexpr std::size_t kMostWords = 3 * bounds::kMostRanges;
 
-/// The whole word as a number, whatever the locale.
+/// Parses the whole word as a number, regardless of the locale.
 template <class T>
 bool parse(std::string_view word, T& value) {
   const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -54,7 +54,7 @@ double TextReader::number(const char* what) {
   const std::string_view text = word(what);
   double value = 0.0;
   if (!parse(text, value) || !std::isfinite(value))
-    fail(std::string(what) + " is no number: '" + std::string(text) + "'");
+    fail(std::string(what) + " is not a number: '" + std::string(text) + "'");
   if (std::abs(value) > kLargest) fail(std::string(what) + " is too large: '" + std::string(text) + "'");
   return value;
 }
@@ -62,7 +62,7 @@ double TextReader::number(const char* what) {
 std::size_t TextReader::count(const char* what) {
   const std::string_view text = word(what);
   std::size_t value = 0;
-  if (!parse(text, value)) fail(std::string(what) + " is no count: '" + std::string(text) + "'");
+  if (!parse(text, value)) fail(std::string(what) + " is not a whole number: '" + std::string(text) + "'");
   return value;
 }
 

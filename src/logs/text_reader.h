@@ -7,18 +7,18 @@
 
 namespace frontier_pilot::logs {
 
-/// Goes through a text file line by line and word by word, and knows where it is when something is wrong.
+/// Reads a text file line by line and word by word, and reports errors with the file and the line.
 class TextReader {
  public:
-  /// Words are separated by `separators`, several of which count as one. `name` is what the file is called.
+  /// Words are separated by any of `separators`, several of which in a row count as one. `name` is the file's name.
   TextReader(std::istream& file, std::string name, const char* separators)
       : file_(file), name_(std::move(name)), separators_(separators) {}
 
-  /// Goes to the next line that has a word and does not begin with '#'. False at the end of the file.
+  /// Advances to the next line that is not empty and does not begin with '#'. False at the end of the file.
   bool nextLine();
   bool atEnd() const { return next_ == words_.size(); }
   std::size_t wordsLeft() const { return words_.size() - next_; }
-  /// The next word of the line. `what` says what it should be.
+  /// The next word of the line. `what` names the expected value in an error message.
   std::string_view word(const char* what);
   double number(const char* what);
   std::size_t count(const char* what);

@@ -22,7 +22,7 @@ constexpr unsigned char kOccupiedPixel = 0;
 constexpr unsigned char kUnknownPixel = 205;
 constexpr std::streamsize kLongestHeader = 4096;  // of an image [bytes]
 
-// The keys of a map_server file. The defaults of what must be given are invalid on purpose.
+// The keys of a map_server YAML. Required keys have invalid defaults, so that their absence is noticed.
 struct MapYaml {
   std::string image;
   double resolution = 0.0;
@@ -35,14 +35,14 @@ struct MapYaml {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("image", image, "", "the picture, relative to this file");
+    v.field("image", image, "", "the image's file name, relative to this file");
     v.field("resolution", resolution, "m", "side of a pixel", between(bounds::kLeastPixelSize, bounds::kMostPixelSize));
     v.field("origin", origin, "m, m, rad", "pose of the lower left corner",
             between(-bounds::kMostWorldOrigin, bounds::kMostWorldOrigin));
     v.field("negate", negate, "", "1: white is occupied", between(0, 1));
     v.field("occupied_thresh", occupied_thresh, "", "darker than this is occupied", between(0.0, 1.0));
     v.field("free_thresh", free_thresh, "", "lighter than this is free", between(0.0, 1.0));
-    v.field("mode", mode, "", "how shades become cells");
+    v.field("mode", mode, "", "how grey values become cells");
     v.field("start", start, "m, m, rad", "where a robot starts by default", anyNumber());
   }
 
@@ -62,8 +62,8 @@ struct MapYaml {
   throw std::runtime_error(file + ": " + what);
 }
 
-// What map_server would read: without the keys it does not know, and with `negate` as the number that it may also be
-// written as.
+// The keys that this reader knows; the others are ignored, as by map_server. A `negate` written as true or false
+// becomes a number.
 ParameterMap knownKeys(ParameterMap map) {
   ParameterMap known;
   MapYaml described;
@@ -92,7 +92,7 @@ MapYaml readYaml(const std::string& path) {
   return file;
 }
 
-// What an image says of its size before it is decoded; nothing if it is neither PGM nor PNG.
+// The size in an image's header, read before the image is decoded; nothing if it is neither PGM nor PNG.
 struct ImageSize {
   std::uint64_t width = 0;
   std::uint64_t height = 0;
@@ -124,7 +124,7 @@ std::optional<ImageSize> sizeOf(const std::string& bytes) {
 }
 
 void checkSize(const ImageSize& size, double resolution, const std::string& yaml_path, const std::string& image) {
-  // Each side first, so that the product cannot overflow.
+  // Each side is checked first, so that the product cannot overflow.
   const std::uint64_t longest = std::max(size.width, size.height);
   if (longest > bounds::kMostPixels || size.width * size.height > bounds::kMostPixels)
     fail(yaml_path, image + " has more than " + std::to_string(bounds::kMostPixels) + " pixels");

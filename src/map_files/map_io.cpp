@@ -37,9 +37,9 @@ fs::path withoutExtension(const std::string& path) {
 
 MapIoResult checkTarget(const fs::path& base) {
   const std::string problem = fileNameProblem(base.filename().string(), kLongestExtension);
-  // The name is not repeated: what is wrong with it would do harm in a log as well.
+  // The message does not quote the name: what makes it unacceptable (control characters) would also harm a log.
   if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
-  if (base.string().find('\0') != std::string::npos) return {MapIoStatus::kBadPath, "the folder's name ends early"};
+  if (base.string().find('\0') != std::string::npos) return {MapIoStatus::kBadPath, "the path holds a NUL character"};
   const fs::path directory = base.has_parent_path() ? base.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(directory, error))
@@ -47,7 +47,7 @@ MapIoResult checkTarget(const fs::path& base) {
   return {};
 }
 
-/// A file that is to be written, and what it is to hold.
+/// A file to be written, and its content.
 struct MapFile {
   MapFile(fs::path path, std::string bytes, Survives survives)
       : file(std::move(path), survives), content(std::move(bytes)) {}
@@ -61,7 +61,7 @@ struct MapFile {
   std::string content;
 };
 
-/// Nothing takes its place before all that can be foreseen is known to be well.
+/// Writes all files under temporary names. Fails before anything is replaced if one of them cannot be written.
 MapIoResult prepare(std::array<MapFile, 3>& files) {
   for (MapFile& file : files) {
     std::error_code error;
@@ -78,20 +78,20 @@ MapIoResult putInPlace(std::array<MapFile, 3>& files) {
   for (MapFile& file : files) {
     std::string problem = file.file.commit();
     if (!problem.empty()) {
-      problem.append(done.empty() ? "; nothing was replaced" : "; replaced were only").append(done);
-      return file.cannot("cannot be put in its place", problem);
+      problem.append(done.empty() ? "; nothing was replaced" : "; only these were replaced:").append(done);
+      return file.cannot("cannot be put in place", problem);
     }
     done.append(done.empty() ? " " : ", ").append(file.name());
   }
   return {};
 }
 
-/// Whether what is on the disk now is what was written.
+/// Checks that the files contain what was written.
 MapIoResult readBack(const std::array<MapFile, 3>& files) {
   for (const MapFile& file : files) {
     const FileContent content = readFile(file.name(), file.content.size());
     if (!content.ok()) return file.cannot("cannot be read back", content.problem);
-    if (content.bytes != file.content) return file.cannot("cannot be read back", "it holds something else");
+    if (content.bytes != file.content) return file.cannot("cannot be read back", "its content is not what was written");
   }
   return {};
 }
@@ -103,7 +103,7 @@ MapIoResult cannotRead(const std::string& path, const FileContent& content) {
   return failure(missing ? MapIoStatus::kMissing : MapIoStatus::kBroken, path, content.problem);
 }
 
-/// Whether the YAML beside a .bt, if there is one, was written with it; the text then says if that is not known.
+/// Whether the YAML beside a .bt, if there is one, was written with it. If that is not certain, the text says so.
 MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_path, const std::string& octree) {
   const FileContent yaml = readFile(yaml_path, kLongestYaml);
   if (yaml.status == FileContent::Status::kMissing) return {MapIoStatus::kOk, ", not verified: it has no YAML"};
@@ -115,7 +115,7 @@ MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_
       case OctreeMatch::kNotMentioned:
         return {MapIoStatus::kOk, ", not verified: its YAML holds no checksum"};
       case OctreeMatch::kPrevious:
-        return {MapIoStatus::kOk, ", as it was before it was saved the last time: that did not come to its end"};
+        return {MapIoStatus::kOk, ", as it was before the last save, which was not completed"};
       case OctreeMatch::kAnother:
         break;
     }
@@ -123,20 +123,21 @@ MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_
     return failure(MapIoStatus::kBroken, yaml_path, error.what());
   }
   return failure(MapIoStatus::kBroken, bt_path,
-                 "is not the one that " + yaml_path + " was written with: length or checksum differ");
+                 "is not the one that " + yaml_path + " was written with: length or checksum differs");
 }
 
-/// Whether a YAML is there that knows of no octree. One of ours whose .bt is missing was damaged, or never completed.
+/// Whether there is a YAML that mentions no octree, as other programs write it. A YAML that `saveMap` wrote and whose
+/// .bt is missing belongs to a damaged map.
 bool isOfAnotherProgram(const std::string& yaml_path) {
   const FileContent yaml = readFile(yaml_path, kLongestYaml);
   try {
     return yaml.ok() && compareOctree(yaml.bytes, {}) == OctreeMatch::kNotMentioned;
   } catch (const std::invalid_argument&) {
-    return true;  // reading the picture says what is wrong with it
+    return true;  // reading it as a map image reports what is wrong with it
   }
 }
 
-/// The .bt that a save takes the place of, if that is a map.
+/// The content of the .bt that a save is about to replace, if it is a map that can be loaded.
 std::optional<std::string> previousOctree(const fs::path& base, std::size_t most_bytes) {
   const std::string bt = appended(base, ".bt");
   FileContent octree = readFile(bt, most_bytes);
@@ -150,15 +151,15 @@ MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, occu
   return {MapIoStatus::kOk, "loaded " + bt_path};
 }
 
-/// How often a cell must be seen as `step` says until it is as sure as it may be, `limit`.
+/// How many updates by `step` take a cell's log-odds from 0 to `limit`.
 int timesUntil(float limit, float step) { return static_cast<int>(std::ceil(limit / step)); }
 
-/// Each known cell of `image` as sure as it may be. False when the map would get too large.
+/// Enters each known cell of `image` into `map` until its log-odds are clamped. False when the map would get too large.
 bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   const GridGeometry& from = image.geometry();
-  // A cell more on each side, for what rounding may do.
+  // One cell more on each side, because of rounding.
   if (!map.reserve(from.centre({-1, -1}), from.centre({from.width, from.height}))) return false;
-  // By whole cells, once: centres that lie on the border between two cells would fall now here, now there.
+  // One shift in whole cells for all: converting each centre would round those near a border between cells either way.
   const Vec2 shift = (from.origin - map.geometry().origin) / from.resolution;
   const auto dx = static_cast<int>(std::lround(shift.x()));
   const auto dy = static_cast<int>(std::lround(shift.y()));
@@ -177,9 +178,9 @@ bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   return true;
 }
 
-/// For a map without an octree, as another program has saved it.
+/// Loads a map without an octree, as another program has saved it.
 MapIoResult loadPicture(const std::string& yaml_path, occupancy::OccupancyMap& map) {
-  constexpr double kSame = 1e-6;  // of resolutions, which map_server's users write by hand [m]
+  constexpr double kSame = 1e-6;  // [m]: tolerance for resolutions that were typed by hand
   try {
     const MapImage image = readMapImage(yaml_path);
     const double resolution = map.parameters().resolution;
@@ -189,11 +190,12 @@ MapIoResult loadPicture(const std::string& yaml_path, occupancy::OccupancyMap& m
                          std::to_string(resolution) + " m");
     }
     occupancy::OccupancyMap drawn(map.parameters());
-    if (!draw(image.map, drawn) || !map.exchange(drawn)) return failure(MapIoStatus::kBroken, yaml_path, "too large");
+    if (!draw(image.map, drawn) || !map.exchange(drawn))
+      return failure(MapIoStatus::kBroken, yaml_path, "is too large");
   } catch (const std::runtime_error& error) {
     return {MapIoStatus::kBroken, error.what()};
   }
-  return {MapIoStatus::kOk, "loaded " + yaml_path + ": its picture, for it has no octree"};
+  return {MapIoStatus::kOk, "loaded " + yaml_path + " from its image: it has no octree"};
 }
 
 }  // namespace
@@ -229,17 +231,18 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives su
   const fs::path base = withoutExtension(path);
   MapIoResult result = checkTarget(base);
   if (!result.ok()) return result;
-  // A file without any cell could not be loaded, and may take the place of one that can.
+  // A map without any known cell could not be loaded again, and might replace one that can.
   const auto& cells = map.grid.cells();
   if (std::all_of(cells.begin(), cells.end(), isUnknown)) return {MapIoStatus::kEmptyMap, "the map is empty"};
   if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
   const std::string name = base.filename().string();
   const std::string yaml = mapYaml(map.grid.geometry(), name, map.octree, previousOctree(base, map.most_bytes));
-  // The YAML comes first: it vouches for the .bt that is there and for the one that takes its place.
+  // The YAML is replaced first: it has the checksums of the .bt that exists and of the one that will replace it.
   std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml, survives),
                                   MapFile(appended(base, ".bt"), map.octree, survives),
                                   MapFile(appended(base, ".pgm"), pgmOf(map.grid), survives)};
-  if (!readsAs(yaml, name, map.octree)) return files.front().cannot("cannot be written", "it could not be read again");
+  if (!readsAs(yaml, name, map.octree))
+    return files.front().cannot("cannot be written", "it could not be parsed again");
   for (const auto step : {prepare, putInPlace}) {
     result = step(files);
     if (!result.ok()) return result;

@@ -12,7 +12,7 @@
 namespace frontier_pilot::map_files {
 namespace {
 
-// map_server's trinary format: how dark a pixel is says how occupied it is.
+// map_server's trinary format: the darker a pixel, the more likely it is occupied.
 constexpr double kOccupiedThreshold = 0.65;
 constexpr double kFreeThreshold = 0.196;
 
@@ -28,7 +28,7 @@ const T* find(const ParameterMap& map, const char* key) {
   return entry == map.end() ? nullptr : std::get_if<T>(&entry->second.value);
 }
 
-/// Whether length and checksum beside these keys are those of `octree`.
+/// Whether length and checksum under these keys are those of `octree`.
 bool names(const ParameterMap& entry, const char* bytes_key, const char* crc_key, const std::string& octree) {
   const auto* bytes = find<std::int64_t>(entry, bytes_key);
   const auto* crc = find<std::string>(entry, crc_key);

@@ -5,7 +5,7 @@
 namespace frontier_pilot::patrol {
 namespace {
 
-/// The mode of a shape's name; 0 if there is none.
+/// The mode of the shape with this name; 0 if there is none.
 double modeOf(const std::string& word) {
   for (const PatrolShape shape : {PatrolShape::kSquare, PatrolShape::kTriangle, PatrolShape::kCircle}) {
     if (word == toString(shape)) return static_cast<double>(shape);
@@ -33,7 +33,7 @@ std::vector<std::string> split(const std::vector<std::string>& words) {
   return out;
 }
 
-/// Where an option's value goes; nothing if there is no such option.
+/// The field that an option sets; nullptr if there is no such option.
 double* targetOf(const std::string& option, PatrolOrder& goal) {
   if (option == "--side" || option == "--radius") return &goal.size;
   return option == "--laps" ? &goal.laps : nullptr;
@@ -58,7 +58,7 @@ PatrolCommandLine parsePatrolCommandLine(const std::vector<std::string>& words) 
     if (!value) return wrong(parts[i - 1] + " needs a number, not " + parts[i]);
     *target = *value;
   }
-  if (goal.mode == 0.0) return wrong("which shape? square, triangle or circle");
+  if (goal.mode == 0.0) return wrong("no shape given: square, triangle or circle");
   return {goal, false, ""};
 }
 

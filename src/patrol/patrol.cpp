@@ -8,9 +8,9 @@
 namespace frontier_pilot::patrol {
 namespace {
 
-/// By so much [m] or [rad] a step must come on to count as progress.
+/// A step must advance by this much to count as progress: [m] or [rad].
 constexpr double kProgress = 0.01;
-/// A robot slower than this stands: [m/s], [rad/s].
+/// A robot slower than this counts as standing: [m/s], [rad/s].
 constexpr Twist2 kStandstill{0.004, 0.01};
 
 bool stands(const Twist2& twist) {
@@ -123,7 +123,7 @@ PatrolOutput Patrol::advance(const MotionSample& sample, bool held, Time now) {
 
 PatrolOutput Patrol::settle(const MotionSample& sample, Time now) {
   const double waited = toSeconds(now - settling_since_);
-  // What was measured before the zero took effect says nothing of whether the robot stands.
+  // Odometry from before the zero command does not tell whether the robot has stopped.
   const bool rests = sample.stamp > settling_since_ && stands(sample.twist);
   if (!rests && waited < parameters_.settle_timeout) return running({});
   if (step_ == steps_.size()) return end(PatrolOutcome::kCompleted, completeText());

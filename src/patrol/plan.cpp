@@ -29,7 +29,7 @@ std::vector<PatrolStep> polygon(int corners, double side, int laps) {
   std::vector<PatrolStep> steps;
   Pose2 pose;
   for (int leg = 0; leg < corners * laps; ++leg) {
-    // From each lap's own start, so that rounding does not add up over the laps.
+    // Every lap starts from the same pose, so that rounding errors do not accumulate over the laps.
     if (leg % corners == 0) pose = Pose2();
     steps.push_back({PatrolStep::Kind::kLine, pose, side, 0.0, leg + 1});
     pose = pose * Pose2(side, 0.0, 0.0);

@@ -6,9 +6,9 @@
 namespace frontier_pilot::patrol {
 namespace {
 
-/// Off the leg's direction by more than this [rad], the robot turns before it drives on.
+/// If its heading is off by more than this [rad], the robot turns before it drives on.
 constexpr double kTurnFirst = 0.6;
-/// The steepest way back to the leg [rad].
+/// The greatest angle to the leg at which the robot returns to it [rad].
 constexpr double kMaxApproach = 0.5;
 
 }  // namespace
@@ -46,7 +46,7 @@ double StepDriver::measuredSpeed() const {
 }
 
 bool StepDriver::reached() const {
-  // The next look is a whole cycle away: stopping here is nearer to the target than stopping there.
+  // Within half a cycle's travel of the target, stopping now ends nearer to it than stopping one cycle later.
   return remaining() <= 0.5 * measuredSpeed() / parameters_.frequency;
 }
 
@@ -54,7 +54,7 @@ StepDriver::Profile StepDriver::profile() const {
   const PatrolParameters& p = parameters_;
   if (step_.kind == PatrolStep::Kind::kTurn) return {p.turn_speed, p.turn_acc, p.min_turn_speed};
   if (step_.kind == PatrolStep::Kind::kLine) return {p.linear_speed, p.linear_acc, p.min_linear_speed};
-  // An arc is measured by its angle; neither the wheels' speed nor the turn may be too fast.
+  // Progress on an arc is an angle; both the linear speed and the rate of turn have to stay within their limits.
   return {std::min(p.linear_speed / step_.radius, p.turn_speed), std::min(p.linear_acc / step_.radius, p.turn_acc),
           std::min(p.min_linear_speed / step_.radius, p.min_turn_speed)};
 }

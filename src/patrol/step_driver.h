@@ -5,24 +5,24 @@
 
 namespace frontier_pilot::patrol {
 
-/// Drives one step of a patrol with a trapezoid profile. Progress comes from odometry alone, so that whatever moves the
-/// robot meanwhile is counted. [PAT-2] [PAT-5]
+/// Drives one step of a patrol with a trapezoidal speed profile. Progress is measured by odometry alone, so that
+/// motions commanded by other sources count as well. [PAT-2] [PAT-5]
 class StepDriver {
  public:
   explicit StepDriver(const PatrolParameters& parameters) : parameters_(parameters) {}
 
-  /// `T_odom_plan` is where the patrol began. An error left over from the step before is made good in this one.
+  /// `T_odom_plan` is where the patrol began. An error that the previous step left is corrected in this one.
   void begin(const PatrolStep& step, const Pose2& T_odom_plan, const MotionSample& sample);
-  /// Takes in where the robot is.
+  /// Updates the robot's pose and velocity. To be called with every sample.
   void observe(const MotionSample& sample);
   const PatrolStep& step() const { return step_; }
-  /// [m] along a line, [rad] round a corner or an arc.
+  /// [m] along a line, [rad] in a turn or on an arc.
   double progress() const { return progress_; }
-  /// Whether the target is crossed, or nearer than the next cycle's half.
+  /// Whether the target is passed, or nearer than half of what the robot drives in a cycle.
   bool reached() const;
-  /// What to drive for the next cycle, `elapsed` [s] after the last one; `age` [s] of the last sample.
+  /// The command for the next cycle, `elapsed` [s] after the last one; `age` [s] is that of the last sample.
   Twist2 command(double elapsed, double age);
-  /// Begins the profile anew, from standing: the wheels were not ours, or are to rest.
+  /// Restarts the speed profile from standstill, because another source holds the wheels.
   void rest() { speed_ = 0.0; }
 
  private:

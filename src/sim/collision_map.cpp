@@ -6,7 +6,8 @@
 namespace frontier_pilot::sim {
 namespace {
 
-// Far enough beyond the radius that a robot in the open is cleared by one look-up even at a few metres per second.
+// How far beyond the radius distances are known: enough that for a robot in the open, even at a few metres per second,
+// one look-up shows that a step is free.
 constexpr double kLookAhead = 0.3;  // [m]
 
 }  // namespace

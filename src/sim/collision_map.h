@@ -10,22 +10,22 @@
 
 namespace frontier_pilot::sim {
 
-/// Where a robot fits between the solid cells of a world. What lies outside of the grid is solid. [SIM-3]
+/// Where a robot fits between the solid cells of a world. Everything outside of the grid is solid. [SIM-3]
 class CollisionMap {
  public:
-  /// `radius` [m]: of a disc around the robot's base that holds its outline.
+  /// `radius` [m]: of a disc around the robot's base that contains its outline.
   CollisionMap(const Grid<std::uint8_t>& solid, double radius);
 
   /// Whether an outline overlaps a solid cell, exactly; touching is not overlapping.
   bool overlaps(const PlacedOutline& placed) const;
-  /// Whether that disc at `centre` and anywhere within `reach` [m] of it surely overlaps nothing. One look-up.
+  /// True only if the disc overlaps nothing at `centre` and anywhere within `reach` [m] of it. One look-up.
   bool surelyFree(const Vec2& centre, double reach) const { return clearance_.at(centre) > needed_ + reach; }
-  /// The centre of the cell nearest to `pose` where an outline of that yaw fits, if there is any.
+  /// The centre of the cell nearest to `pose` at which the outline fits with the yaw of `pose`, if there is any.
   std::optional<Vec2> nearestFree(const Outline& outline, const Pose2& pose) const;
 
  private:
-  Grid<std::uint8_t> solid_;        ///< with a solid ring around it
-  double needed_;                   ///< clearance of a cell's centre that is enough for any point in the cell [m]
+  Grid<std::uint8_t> solid_;  ///< with a solid ring around it
+  double needed_;             ///< clearance at a cell's centre that suffices for the disc anywhere in the cell [m]
   grids::DistanceField clearance_;  ///< between centres of cells [m]
 };
 

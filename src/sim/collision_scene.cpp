@@ -6,11 +6,11 @@
 namespace frontier_pilot::sim {
 namespace {
 
-// No point of an outline moves farther in one bite, so that what it could pass by within one is far thinner than a
-// cell.
+// No point of an outline moves farther between two collision checks, so that it cannot pass through anything but what
+// is far thinner than a cell.
 constexpr double kBite = 0.005;      // [m]
-constexpr double kTouching = 0.001;  // [m]: still in contact
-constexpr double kExact = 1e-6;      // [m]: how exactly it is known where an outline was stopped
+constexpr double kTouching = 0.001;  // [m]: nearer than this is contact
+constexpr double kExact = 1e-6;      // [m]: how exactly the place of a collision is determined
 
 }  // namespace
 
@@ -44,7 +44,7 @@ Obstruction CollisionScene::at(const Pose2& pose, std::optional<DiscIndex::Id> o
 }
 
 bool CollisionScene::touches(const Pose2& pose, DiscIndex::Id own) const {
-  // The mitres of the larger outline reach out twice as far at most.
+  // The corners of the padded outline lie at most twice the margin farther out.
   if (isSurelyFree(pose.position(), 2.0 * kTouching, own)) return false;
   return overlapsAnything(PlacedOutline(touching_, pose), own);
 }
@@ -67,7 +67,7 @@ double CollisionScene::travel(const Twist2& arc) const {
   return std::abs(arc.linear) + turning;
 }
 
-// How much of an arc is free, 1 being all of it.
+// The share of an arc, from 0 to 1, that is free.
 double CollisionScene::freeShare(const Pose2& from, const Twist2& arc, DiscIndex::Id own) const {
   const double way = travel(arc);
   if (way == 0.0 || isSurelyFree(from.position(), std::abs(arc.linear), own)) return 1.0;
@@ -90,7 +90,7 @@ bool CollisionScene::isBlocked(const Pose2& pose, DiscIndex::Id own) const {
   return !isSurelyFree(pose.position(), 0.0, own) && overlapsAnything(PlacedOutline(outline_, pose), own);
 }
 
-// Whether the disc around the outline is free wherever it moves by `reach` at most. Cheap.
+// True only if the disc around the outline overlaps nothing, even when it moves by up to `reach`. Cheap.
 bool CollisionScene::isSurelyFree(const Vec2& centre, double reach, DiscIndex::Id own) const {
   if (!walls_.surelyFree(centre, reach)) return false;
   const double radius = outline_.circumscribedRadius() + reach;

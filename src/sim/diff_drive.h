@@ -8,19 +8,19 @@
 
 namespace frontier_pilot::sim {
 
-/// The wheels of a differential drive: follows commands within its limits, and stops when they cease. [SIM-1]
+/// A differential drive: follows commands within its limits, and stops when they cease. [SIM-1]
 class DiffDrive {
  public:
   DiffDrive(const RobotLimits& limits, Duration watchdog) : limits_(limits), watchdog_(watchdog) {}
 
   /// `twist` must be finite; it holds until the next one, at most for `watchdog`.
   void command(const Twist2& twist, Time now);
-  /// The velocity to hold for the next `seconds` [s] from `now` on.
+  /// The velocity for the next `seconds` [s] from `now` on.
   const Twist2& update(Time now, double seconds);
   const Twist2& velocity() const { return velocity_; }
-  /// Contact took the way: the wheels stand, and have to accelerate anew.
+  /// A contact stopped the linear motion, which has to accelerate from zero again.
   void block() { velocity_.linear = 0.0; }
-  /// And contact took the turn.
+  /// A contact stopped the turn.
   void blockTurn() { velocity_.angular = 0.0; }
   /// Stands still and waits for a new command.
   void stop();

@@ -6,7 +6,7 @@
 namespace frontier_pilot::sim {
 namespace {
 
-constexpr double kBinSize = 2.0;  // [m]: a robot is in one or two, a scan of 8 m asks about 80
+constexpr double kBinSize = 2.0;  // [m]: most robots lie in one or two bins; a scan with a range of 8 m visits about 80
 
 int bin(double metres, int count) {
   return static_cast<int>(std::clamp(std::floor(metres / kBinSize), 0.0, count - 1.0));

@@ -7,19 +7,19 @@
 
 namespace frontier_pilot::sim {
 
-/// A round thing that can be seen and bumped into.
+/// A round thing that scanners see and robots collide with.
 struct Disc {
   Vec2 centre = Vec2::Zero();  ///< [m], in the world's frame
   double radius = 0.0;         ///< [m]
 };
 
-/// Discs in square bins, so that asking for those near a point costs what lies there, not how many there are.
+/// Discs in square bins: the cost of finding those near a point depends on what lies there, not on their total number.
 class DiscIndex {
  public:
   using Id = std::uint32_t;
 
   DiscIndex() = default;
-  /// Covers the area of `geometry`; discs outside of it are filed at its border.
+  /// Covers the area of `geometry`; discs outside of it are put into the bins at its border.
   explicit DiscIndex(const GridGeometry& geometry);
 
   Id add(const Disc& disc);
@@ -27,8 +27,8 @@ class DiscIndex {
   void remove(Id id);
   const Disc& operator[](Id id) const { return discs_[id]; }
 
-  /// Calls `visit(Id, const Disc&)` for every disc that may reach within `radius` [m] of `point`, and some beyond;
-  /// a disc that lies in several bins may be given several times.
+  /// Calls `visit(Id, const Disc&)` for every disc that reaches within `radius` [m] of `point`, and for some others; a
+  /// disc that lies in several bins may be visited several times.
   template <class Visit>
   void visitNear(const Vec2& point, double radius, Visit&& visit) const {
     const CellRect bins = binsAround(point, radius);

@@ -10,8 +10,8 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kFullTurn = 2.0 * kPi - 1e-6;
 
-// Which of the sectors a direction lies in, counter-clockwise from -y. They are equal parts of the diamond
-// |x| + |y| = 1, which costs no arc tangent.
+// The sector that a direction lies in, counter-clockwise from -y. The sectors are equal parts of the diamond
+// |x| + |y| = 1, so that no arc tangent is needed.
 std::size_t sectorOf(const Vec2& v, std::size_t sectors) {
   const double along_y = v.y() / (std::abs(v.x()) + std::abs(v.y()));
   const double quadrants = v.x() >= 0.0 ? 1.0 + along_y : 3.0 - along_y;  // [0, 4]
@@ -67,7 +67,7 @@ void Lidar::turnBeams(double yaw) {
   }
 }
 
-// How far the walls let it see in each sector and the two beside it.
+// The farthest distance to a wall in each sector and the two next to it.
 void Lidar::measureSight() {
   std::array<double, kSectors> reach{};
   for (const Run& run : runs_) {
@@ -81,15 +81,16 @@ void Lidar::measureSight() {
 void Lidar::meetDisc(const Vec2& centre, double radius) {
   const double square = centre.squaredNorm();
   if (square <= radius * radius) return std::fill(ranges_.begin(), ranges_.end(), 0.0);
-  // A sector is at least 4 / kSectors wide [rad]: a disc so far away reaches no farther than into the sectors beside
-  // its centre's, and it is not seen if the walls end before it there.
+  // A sector is at least 4 / kSectors [rad] wide: a disc more than kFarRadii radii away extends no farther than into
+  // the sectors next to its centre's, and is invisible if all walls in these are nearer than the disc.
   constexpr double kFarRadii = kSectors / 4.0 + 1.0;
   const double sight = sight_[sectorOf(centre, kSectors)] + radius;
   if (square > kFarRadii * kFarRadii * radius * radius && square > sight * sight) return;
-  // The tangent of half the angle it is seen under: a little more than that angle, and cheaper.
+  // The tangent of half the angle that the disc subtends: slightly larger than that angle, and cheaper to compute.
   const double half = radius / std::sqrt(square - radius * radius);
   const double middle = normalizeAngle(bearing(centre) - scanner_.angle_min);
-  // Beams lie in [0, field of view] from the first one, which may reach once around.
+  // Counted from the first beam, beams lie in [0, field of view], up to a full turn: try the disc's angle in [-pi, pi)
+  // and a turn on.
   meetDisc(centre, radius, middle - half, middle + half);
   meetDisc(centre, radius, middle - half + 2.0 * kPi, middle + half + 2.0 * kPi);
 }

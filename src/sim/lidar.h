@@ -13,15 +13,15 @@
 
 namespace frontier_pilot::sim {
 
-/// A scanner's optics: exact ranges to the walls and to the discs around. [SIM-2]
-/// Walls cost the same however many discs there are; a disc costs the beams that point at it, and next to nothing
-/// behind a wall.
+/// A simulated scanner: exact ranges to walls and discs, to which noise and drop-outs are added. [SIM-2]
+/// The cost of the walls does not depend on the number of discs; a disc costs only the beams that point at it, and
+/// hardly anything if it is behind a wall.
 class Lidar {
  public:
   Lidar(const ScannerModel& scanner, const LidarNoise& noise);
 
-  /// Fills `scan` as seen from a base at `T_world_base`, `own` being the base itself. As REP 117 wants it: +inf is no
-  /// return, -inf nearer than `range_min`, NaN a drop-out.
+  /// Fills `scan` as seen from a base at `T_world_base`, whose own disc `own` is not seen. By REP 117, +inf is no
+  /// return and -inf is nearer than `range_min`; NaN is a drop-out.
   void scan(const Pose2& T_world_base, const grids::RayCaster& walls, const DiscIndex& discs,
             std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan);
 
@@ -45,7 +45,7 @@ class Lidar {
   std::vector<Vec2> turned_;  ///< in the world's frame
   std::vector<double> ranges_;
   std::vector<Run> runs_;
-  std::array<double, kSectors> sight_{};  ///< [m]
+  std::array<double, kSectors> sight_{};  ///< see `measureSight` [m]
 };
 
 }  // namespace frontier_pilot::sim

@@ -6,7 +6,7 @@ namespace frontier_pilot::sim {
 
 Odometry::Odometry(const OdometryParameters& parameters, bool noisy, const Random& random)
     : parameters_(parameters), noisy_(noisy), random_(random) {
-  // Numbers are drawn only for errors that are wanted, so that those of a seed without them stay what they are.
+  // A random number is drawn only for an error that is enabled: one that is disabled must not change the other noise.
   const auto drawn = [&](double deviation) { return noisy && deviation > 0.0 ? deviation * random_.gaussian() : 0.0; };
   distance_factor_ += drawn(parameters.distance_scale);
   turn_factor_ += drawn(parameters.turn_scale);
@@ -20,7 +20,7 @@ void Odometry::move(double length, double turn, double seconds) {
   if (noisy_) {
     const double driven = std::abs(length);
     const double turned = std::abs(turn);
-    // Variances in the motion, not in its square, add up to the same however finely a path is cut.
+    // Variances proportional to the motion, not to its square, add up to the same however finely a path is divided.
     measured.linear += std::sqrt(parameters_.alpha3 * driven + parameters_.alpha4 * turned) * random_.gaussian();
     measured.angular += std::sqrt(parameters_.alpha1 * turned + parameters_.alpha2 * driven) * random_.gaussian();
   }

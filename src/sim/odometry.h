@@ -6,19 +6,19 @@
 
 namespace frontier_pilot::sim {
 
-/// What the wheel encoders make of a motion: dead reckoning from zero at the start, with drift if wanted.
+/// Simulated wheel odometry: dead reckoning from zero at the start, with drift if wanted.
 class Odometry {
  public:
   Odometry(const OdometryParameters& parameters, bool noisy, const Random& random);
 
   /// The base drove an arc of `length` [m] (negative in reverse), turning by `turn` [rad], within `seconds` [s].
   void move(double length, double turn, double seconds);
-  /// Zero again; the noise goes on.
+  /// Resets the pose to zero; the sequence of noise continues.
   void reset();
 
   /// T_odom_base.
   const Pose2& pose() const { return pose_; }
-  /// As driven, without noise.
+  /// The velocity as driven, without noise.
   const Twist2& twist() const { return twist_; }
 
  private:

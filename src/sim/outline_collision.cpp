@@ -7,7 +7,7 @@
 namespace frontier_pilot::sim {
 namespace {
 
-/// Whether the segment from `a` to `b` passes through the inside of the square of `half` [m] around the origin.
+/// Whether the segment from `a` to `b` passes through the interior of the square [-half, half]^2 [m].
 /// Liang & Barsky, "A New Concept and Method for Line Clipping", ACM Transactions on Graphics 3, 1984.
 bool passesThroughSquare(const Vec2& a, const Vec2& b, double half) {
   double enters = 0.0;
@@ -55,7 +55,7 @@ bool PlacedOutline::overlapsSquare(const Vec2& middle, double half) const {
     const Vec2& next = corners_[(i + 1) % corners_.size()];
     if (passesThroughSquare(corners_[i] - middle, next - middle, half)) return true;
   }
-  // No side passes through it: it lies inside or outside as a whole.
+  // No side passes through the square: it lies entirely inside or entirely outside of the outline.
   return overlapsDisc({middle, 0.0});
 }
 

@@ -13,29 +13,29 @@ inline bool overlap(const Vec2& a, double radius_a, const Disc& b) {
   return (a - b.centre).squaredNorm() < reach * reach;
 }
 
-/// The outline of a robot at a pose, held exactly against what it can bump into; touching is not overlapping. Lengths
-/// in [m], in the world's frame. [SIM-3]
+/// The outline of a robot at a pose, with exact tests for overlap; touching is not overlapping. Lengths in [m], in the
+/// world's frame. [SIM-3]
 class PlacedOutline {
  public:
   /// `outline` must outlive it.
   PlacedOutline(const Outline& outline, const Pose2& T_world_base);
 
-  /// Of the disc around it, about the robot's base.
+  /// Centre and radius of the disc around the outline; the centre is the robot's base.
   Vec2 centre() const { return T_world_base_.position(); }
   double radius() const { return outline_.circumscribedRadius(); }
-  /// The corners of the box around it.
+  /// The lower left and the upper right corner of the axis-aligned box around it.
   const Vec2& low() const { return low_; }
   const Vec2& high() const { return high_; }
-  /// Whether it overlaps the square whose sides lie along the axes, `half` from its `middle`.
+  /// Whether it overlaps the axis-aligned square around `middle` with sides of 2 * `half`.
   bool overlapsSquare(const Vec2& middle, double half) const;
   bool overlapsDisc(const Disc& disc) const;
-  /// Whether the disc around it does.
+  /// Whether the disc around the outline overlaps `disc`.
   bool overlapsDiscAllAround(const Disc& disc) const { return overlap(centre(), radius(), disc); }
 
  private:
   const Outline& outline_;
   Pose2 T_world_base_;
-  std::vector<Vec2> corners_;  ///< none of a disc
+  std::vector<Vec2> corners_;  ///< empty for a disc
   Vec2 low_;
   Vec2 high_;
 };

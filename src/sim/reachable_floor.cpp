@@ -7,8 +7,8 @@
 namespace frontier_pilot::sim {
 namespace {
 
-// 1 within `radius` cells of a cell where `mask` is not 0. Each column's distance to its nearest set cell first, then
-// the rows over it: a cell d columns away counts when the rest of the radius, looked up per d, covers it.
+// 1 within `radius` cells of a cell where `mask` is not 0. First each cell's distance to the nearest set cell in its
+// column is found; then a cell is set if, d columns away, that distance is at most the disc's half height at d.
 Grid<std::uint8_t> dilate(const Grid<std::uint8_t>& mask, int radius) {
   const int width = mask.width();
   const int height = mask.height();

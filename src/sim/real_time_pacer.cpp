@@ -5,7 +5,7 @@
 namespace frontier_pilot::sim {
 namespace {
 
-constexpr Duration kForgiven = std::chrono::milliseconds(250);  // of real time
+constexpr Duration kForgiven = std::chrono::milliseconds(250);  // the largest backlog that is caught up, in real time
 
 }  // namespace
 

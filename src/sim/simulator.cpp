@@ -142,7 +142,7 @@ Placement Simulator::Impl::placeable(const Pose2& pose, std::optional<DiscIndex:
   return Placement::kDone;
 }
 
-// The starts themselves do not overlap; but whoever has to stay may stand on the start of another one.
+// The start poses do not overlap, but a robot that has to stay may stand on the start of another one.
 std::vector<bool> Simulator::Impl::whoMustStay() const {
   std::vector<bool> stays(robots.size(), false);
   for (bool changed = true; changed;) {

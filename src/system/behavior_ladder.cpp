@@ -8,12 +8,12 @@ namespace frontier_pilot::system {
 behavior::LookAhead lookAtScan(const navigation::ScanPoints& scan, const Outline& outline) {
   return [&scan, outline](const Pose2& T_map_base, const behavior::AxisMotion& motion) {
     if (motion.axis == behavior::AxisMotion::Axis::kTurn && outline.isDisc()) return behavior::SweepResult::kClear;
-    constexpr double kStep = 0.03;  // that the farthest point of the outline moves at most between two poses [m]
+    constexpr double kStep = 0.03;  // [m]: how far a point of the outline may move between two poses
     const bool turns = motion.axis == behavior::AxisMotion::Axis::kTurn;
     const double travel = std::abs(motion.amount) * (turns ? outline.circumscribedRadius() : 1.0);
     const int poses = std::max(10, static_cast<int>(std::ceil(travel / kStep)));
     const double at_start = scan.distance(outline, T_map_base);
-    // Along a wall other points of it, noisy as well, come up beside a straight outline.
+    // An outline with straight sides that moves along a wall meets other points of the wall, with other noise.
     constexpr double kNoise = 0.005;  // [m]
     const double least = outline.isDisc() || at_start < -kNoise ? at_start : at_start - kNoise;
     for (int i = 1; i <= poses; ++i) {

@@ -10,7 +10,7 @@ namespace frontier_pilot::system {
 namespace {
 
 constexpr std::uint64_t kStepsPerControl = 10;
-constexpr double kControlFrequency = 10.0;  // [Hz], the same
+constexpr double kControlFrequency = 10.0;  // [Hz]: once in kStepsPerControl steps of 10 ms
 constexpr std::uint64_t kStepsPerTick = 5;  // the arbiter's 20 Hz
 
 exploration::GoalEvent::Kind eventKind(navigation::NavResult result) {

@@ -6,7 +6,7 @@
 namespace frontier_pilot::teleop {
 namespace {
 
-/// `count` moved by `change`, but not beyond the first step that reaches `limit`.
+/// `count` + `change`, clamped to the number of steps that just reaches `limit`.
 int moved(int count, int change, double step, double limit) {
   // The margin keeps 0.2 / 0.05 from needing a fifth step.
   const int most = static_cast<int>(std::ceil(limit / step - 1e-9));
@@ -108,7 +108,7 @@ void DriveModel::setLock(DriveLock lock) {
 }
 
 bool DriveModel::setDriver(const std::string& source) {
-  // The avoider holds the wheels for a moment in anybody's name: it tells nothing of who goes on afterwards.
+  // The avoider interrupts any source for a moment: it does not tell who drives afterwards.
   if (source == "avoid") return false;
   const bool machine = isMachine(source);
   if (machine == machine_drives_) return false;

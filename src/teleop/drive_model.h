@@ -9,44 +9,44 @@
 
 namespace frontier_pilot::teleop {
 
-/// What a button or a key asks for.
+/// The motion that a button or a key asks for.
 enum class Motion { kGo, kBack, kLeft, kRight, kStop };
 const char* toString(Motion motion);
 
-/// The keys that drive, whatever the window system calls them.
+/// The keys that drive, independent of the window system.
 enum class DriveKey { kUp, kDown, kLeft, kRight, kW, kA, kS, kD, kSpace };
 Motion motionOf(DriveKey key);
 
-/// Why no motion is accepted; `kNone` is the only one that lets it pass.
+/// Why no motion is accepted; `kNone`: it is accepted.
 enum class DriveLock { kNone, kManualOff, kEmergencyStop };
 const char* toString(DriveLock lock);
 
-/// Turns presses and releases into the manual set-point, in the base frame [m/s], [rad/s]. [GUI-1] [GUI-4]
+/// Converts presses and releases into the manual set-point, in the base frame [m/s], [rad/s]. [GUI-1] [GUI-4]
 ///
 /// Without hold-to-run a press adds one step, and the set-point stays until it is changed; it is counted in whole
-/// steps, so that as many presses back end at zero exactly. With hold-to-run the robot moves only while something is
-/// held.
+/// steps, so that as many presses back return it to exactly zero. With hold-to-run the robot moves only while a key or
+/// button is held.
 class DriveModel {
  public:
   explicit DriveModel(const TeleopParameters& parameters);
 
   void press(Motion motion);
   void release(Motion motion);
-  /// Nothing is held any more: the window lost the focus or the pointer. Ends the motion of hold-to-run only.
+  /// Releases everything: the window lost the focus or the pointer. Stops the robot in hold-to-run mode only.
   void releaseAll();
-  /// Zero at once, in both ways of driving; what is still held counts again only after a new press.
+  /// Sets the set-point to zero, in both modes; a key that is still held counts again only after a new press.
   void stop();
 
-  /// Changing the way of driving stops.
+  /// Changing the mode stops the robot.
   void setHoldToRun(bool hold);
   bool holdToRun() const { return hold_; }
   /// While locked the set-point is zero and presses are ignored.
   void setLock(DriveLock lock);
   DriveLock lock() const { return lock_; }
 
-  /// Tells who holds the wheels (a source of the arbiter, empty: nobody). When a machine takes or gives back the wheels
-  /// the set-point is dropped, so that the robot does not run off by itself; the avoider only interrupts.
-  /// True if that dropped a set-point that was not zero.
+  /// Tells which source of the arbiter holds the wheels (empty: none). When an autonomous source takes them or gives
+  /// them back the set-point is reset to zero, so that the robot does not drive off by an old one; the avoider does not
+  /// count as such a source. True if a set-point that was not zero was reset.
   bool setDriver(const std::string& source);
   bool machineDrives() const { return machine_drives_; }
 

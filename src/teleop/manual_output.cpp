@@ -7,7 +7,7 @@ void ManualOutput::beat(const Twist2& set_point, SteadyTime now) {
   const bool gap = last_beat_ && now - *last_beat_ > timeout_;
   last_beat_ = now;
   set_point_ = set_point.isFinite() ? set_point : Twist2{};
-  // A gap that nobody saw, because this process itself stood still, counts as well.
+  // A gap between heartbeats counts even if `update` missed it because the whole process was suspended.
   if (gap && state_ == State::kLive) state_ = State::kRearm;
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 using Lines = std::vector<OperatorLogLine>;
 
-/// A status too old to say anything is none.
+/// The view, or nullptr if there is none or its status is too old to count.
 template <class View>
 const View* heard(const std::optional<View>& view) {
   return view && view->status_age <= kStatusLifetime ? &*view : nullptr;
@@ -31,7 +31,7 @@ void noteArbiter(const OperatorState& before, const OperatorState& now, Lines& l
   }
   for (const std::string& problem : is->problems) {
     const bool known = was != nullptr && std::count(was->problems.begin(), was->problems.end(), problem) > 0;
-    // A stop is told with its cause already.
+    // A stop has already been reported with its cause.
     const bool stop = !is->stop_cause.empty() && problem.find(is->stop_cause) != std::string::npos;
     if (!known && !stop) lines.push_back({Severity::kWarning, problem});
   }
@@ -52,7 +52,7 @@ void noteExplorer(const OperatorState& before, const OperatorState& now, Lines& 
   if (was != nullptr && is == nullptr) lines.push_back({Severity::kError, "the explorer fell silent"});
   if (is == nullptr) return;
   const bool same = was != nullptr && was->state_text == is->state_text && was->reason_text == is->reason_text;
-  // Grey is a pause, which it usually starts with.
+  // The explorer usually starts paused (kIdle), which is not worth a line.
   if (same || (was == nullptr && is->severity == Severity::kIdle)) return;
   const Severity severity = is->severity == Severity::kActive ? Severity::kIdle : is->severity;
   lines.push_back({severity, "explorer: " + is->state_text + ", " + is->reason_text});

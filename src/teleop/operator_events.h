@@ -6,8 +6,8 @@
 
 namespace frontier_pilot::teleop {
 
-/// What an operator wants to read of having happened between two states: stops, changes of hands, the explorer's steps,
-/// a patrol's legs, and what went wrong. What is asked for and how that was answered is in the log anyway.
+/// What happened between two states, for the operator's log: emergency stops, changes of the active source, the
+/// explorer's transitions, a patrol's legs, and problems. Requests and their answers are logged elsewhere.
 std::vector<OperatorLogLine> eventsBetween(const OperatorState& before, const OperatorState& now);
 
 }  // namespace frontier_pilot::teleop

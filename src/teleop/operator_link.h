@@ -8,14 +8,14 @@
 
 namespace frontier_pilot::teleop {
 
-/// Something that the operator wants of the system.
+/// A request of the operator.
 struct OperatorRequest {
   enum class Kind {
     kEmergencyStop,
     kClearEmergencyStop,
     kEnableSource,   ///< `name`, `on`
     kEnableAvoider,  ///< `on`
-    kExplore,        ///< `on`: go on or pause
+    kExplore,        ///< `on`: explore, or pause
     kResetExplorer,
     kPatrol,  ///< `shape`, `side` [m], `laps`
     kStopPatrol,
@@ -37,21 +37,21 @@ struct OperatorLogLine {
   std::string text;
 };
 
-/// The robot as the window sees it. No call of it ever blocks: requests are carried out elsewhere, and what became of
-/// them is in the log and in the next state. [GUI-3]
+/// The operator's window's access to the robot. No call ever blocks: requests are carried out asynchronously, and their
+/// results appear in the log and in the next state. [GUI-3]
 class OperatorLink {
  public:
   virtual ~OperatorLink() = default;
 
   virtual OperatorState state() = 0;
-  /// The window lives, and this is its set-point. Expected every 50 ms.
+  /// The window's heartbeat, with its set-point. Expected every 50 ms.
   virtual void beat(const Twist2& set_point) = 0;
   virtual void request(const OperatorRequest& request) = 0;
   /// The lines since the last call.
   virtual std::vector<OperatorLogLine> takeLog() = 0;
   /// False when the system wants the window to close.
   virtual bool running() const = 0;
-  /// The window closes: sends zero and cancels what it has started. Nothing moves by it afterwards.
+  /// To be called when the window closes: sends zero and cancels what it has started. It commands no motion afterwards.
   virtual void close() = 0;
 };
 

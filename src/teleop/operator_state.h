@@ -8,8 +8,8 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
 
-/// What an operator is shown, as plain data: neither ROS nor Qt. A part that never was heard of is empty, and what was
-/// carries its age [s] of steady time; there are no stand-ins.
+/// What an operator is shown, as plain data without ROS or Qt. A part of which nothing was received is empty; the
+/// others carry their age [s], by steady time. No value is a placeholder.
 namespace frontier_pilot::teleop {
 
 /// How much attention something deserves.
@@ -48,11 +48,11 @@ struct AvoiderView {
   std::optional<double> front_left, front_right, rear;  ///< nearest obstacle [m]; infinite: nothing in range
 };
 
-/// The directions from `from` counter-clockwise to `to` [rad], in the base frame, and what was nearest there.
+/// A sector of the avoider, from `from` counter-clockwise to `to` [rad] in the base frame, and its distances.
 struct SectorView {
   double from = 0.0, to = 0.0;
-  double stop = 0.0;   ///< an obstacle that is nearer is too near [m]
-  double clear = 0.0;  ///< nothing nearer: all is well [m]
+  double stop = 0.0;   ///< an obstacle nearer than this is too near [m]
+  double clear = 0.0;  ///< the sector is clear if nothing is nearer than this [m]
 };
 
 /// Where the avoider looks; empty until its configuration is known.
@@ -87,7 +87,7 @@ struct ScanView {
 /// Everything at one moment.
 struct OperatorState {
   bool connected = false;              ///< the ROS master answers
-  std::optional<bool> emergency_stop;  ///< as the latched topic says it; nothing: not heard of
+  std::optional<bool> emergency_stop;  ///< from the latched topic; nothing: not received yet
   bool stop_service_up = false, clear_service_up = false;
   std::optional<ArbiterView> arbiter;
   bool avoider_service_up = false;
@@ -102,7 +102,7 @@ struct OperatorState {
   const SourceView* source(const std::string& name) const;
 };
 
-/// A status older than this [s] says nothing: its sender has died. Every sender repeats itself once a second.
+/// A status older than this [s] does not count: its sender, which should repeat it once a second, has died.
 constexpr double kStatusLifetime = 3.0;
 
 }  // namespace frontier_pilot::teleop

@@ -24,12 +24,13 @@ struct TeleopParameters {
     describeRobot(v, robot);
     v.field("linear_step", linear_step, "m/s", "what one press of Go or Back adds", positive());
     v.field("angular_step", angular_step, "rad/s", "what one press of Left or Right adds", positive());
-    v.field("hold_to_run", hold_to_run, "", "start with the option that the robot moves only while a key is pressed");
+    v.field("hold_to_run", hold_to_run, "", "start in the mode in which the robot moves only while a key is pressed");
     v.field("hold_linear", hold_linear, "m/s", "speed while Go or Back is held", positive());
     v.field("hold_angular", hold_angular, "rad/s", "rate of turn while Left or Right is held", positive());
     v.field("publish_rate", publish_rate, "Hz", "messages on cmd_vel_manual per second", Bounds{1.0, 100.0, false});
     v.field("liveness_timeout", liveness_timeout, "s",
-            "a window that gives no sign of life for so long is frozen: the robot is stopped", Bounds{0.1, 0.8, false});
+            "a window without a sign of life for this long counts as frozen: the robot is stopped",
+            Bounds{0.1, 0.8, false});
     v.field("patrol_side", patrol_side, "m", "side or radius that the patrol card starts with",
             Bounds{0.0, 100.0, true});
     v.field("patrol_laps", patrol_laps, "", "laps that the patrol card starts with", between(1, 1000));

@@ -6,18 +6,18 @@
 
 namespace frontier_pilot::tools {
 
-/// The words of a command line, one after the other; `--option=value` is two words. What is missing or no number throws
-/// std::invalid_argument with a text that names the option.
+/// The words of a command line, one after the other; `--option=value` is split into two words. A value that is missing
+/// or not a number throws std::invalid_argument with a text that names the option.
 class Arguments {
  public:
   explicit Arguments(const std::vector<std::string>& words);
 
   bool atEnd() const { return next_ == words_.size(); }
-  /// The next word, to be found out whether it is an option.
+  /// The next word, which may be an option.
   const std::string& next();
   static bool isOption(const std::string& word) { return word.rfind("--", 0) == 0; }
 
-  /// The values of the word that `next` gave.
+  /// The next value of the option that `next` returned last, as text, number, integer or range.
   const std::string& text();
   double number();
   int integer();

@@ -8,7 +8,7 @@
 namespace frontier_pilot::tools {
 namespace {
 
-/// An anchor, and what it makes of the trajectory around it.
+/// An anchor, and the correction that it requires of the trajectory at its stamp.
 struct Anchor {
   Time stamp;
   Pose2 T_new_old;
@@ -66,7 +66,8 @@ logs::Trajectory bend(const logs::Trajectory& trajectory, const logs::Trajectory
     const Anchor& after = fixed[std::min(next, fixed.size() - 1)];
     const double gap = toSeconds(after.stamp - before.stamp);
     const double share = gap > 0.0 ? toSeconds(entry.stamp - before.stamp) / gap : 0.0;
-    // What is interpolated are poses near to each other: the origin may lie far off.
+    // Interpolates between two corrected poses, which are close together, not between the corrections themselves: these
+    // turn about the origin, which may be far away.
     out.push_back(
         {entry.stamp, mapping::interpolate(before.T_new_old * entry.pose, after.T_new_old * entry.pose, share)});
   }

@@ -9,34 +9,35 @@
 
 namespace frontier_pilot::tools {
 
-/// What a mapper made of a drive: the pose of each scan, and the loops that it closed.
+/// The result of mapping a drive: the pose of each scan, and the loops that were closed.
 struct MappedDrive {
   logs::Trajectory odometry;
-  logs::Trajectory online;     ///< as it was thought to be at the time
-  logs::Trajectory corrected;  ///< with all that is known at the end
+  logs::Trajectory online;     ///< as estimated at the time of each scan
+  logs::Trajectory corrected;  ///< as estimated at the end of the drive
   std::vector<slam::LoopClosure> closures;
 };
 
-/// Takes down what a mapper thinks while it is at work.
+/// Records a mapper's estimates while it works.
 class DriveRecorder {
  public:
-  /// To be called for each scan, taken at `T_odom_base`, once the mapper has taken it in and revised the past.
+  /// To be called for each scan, taken at `T_odom_base`, after the mapper has inserted it and done its revisions.
   void note(const mapping::Mapper& mapper, Time stamp, const Pose2& T_odom_base);
-  /// The drive so far. Not while the mapper's work is out.
+  /// The drive so far. Not to be called between Mapper::takeWork and Mapper::revise.
   MappedDrive drive(const mapping::Mapper& mapper) const;
 
  private:
   MappedDrive drive_;
 };
 
-/// Puts a log through a mapper, as if its scans came in now.
+/// Feeds a log to a mapper, as if its scans arrived live.
 MappedDrive mapLog(const logs::ScanLog& log, mapping::Mapper& mapper);
 
-/// `trajectory` bent so that it goes through `anchors`, whose stamps are ascending and are stamps of it. Before the
-/// first and after the last anchor it hangs on that one. Without anchors it stays what it is.
+/// `trajectory` corrected so that it passes through `anchors`, whose stamps must be ascending and occur in it. Between
+/// two anchors their corrections are interpolated; before the first and after the last the correction of that one
+/// applies. Without anchors the trajectory is unchanged.
 logs::Trajectory bend(const logs::Trajectory& trajectory, const logs::Trajectory& anchors);
 
-/// The poses alone.
+/// The poses of a trajectory, without their stamps.
 std::vector<Pose2> posesOf(const logs::Trajectory& trajectory);
 
 }  // namespace frontier_pilot::tools

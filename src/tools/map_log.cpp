@@ -32,7 +32,7 @@ double cpuSeconds() {
 std::ifstream openFile(const std::string& path) {
   std::error_code error;
   const bool odd = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
-  if (odd) throw logs::LogError(path + ": is no file");
+  if (odd) throw logs::LogError(path + ": is not a regular file");
   std::ifstream file(path, std::ios::binary);
   if (!file || file.peek() == std::ifstream::traits_type::eof())
     throw logs::LogError(path + ": cannot be read, or is empty");
@@ -66,7 +66,7 @@ void printLog(const logs::ScanLog& log, const MappedDrive& drive) {
               log.records.front().scan.ranges.size(), seconds, lengthOf(drive.odometry));
 }
 
-/// Where the closures are, corrected: from the place that was recognised to where that happened.
+/// The closures as lines between corrected positions: from the recognised place to where it was recognised.
 std::vector<std::pair<Vec2, Vec2>> closuresOf(const MappedDrive& drive) {
   const auto at = [&](Time stamp) {
     const auto later =
@@ -91,7 +91,7 @@ void printCounts(const mapping::Mapper& mapper, double cpu) {
   for (const auto& [text, count] : mapper.correctionCounts()) {
     std::printf(" %s %llu", text.c_str(), static_cast<unsigned long long>(count));
   }
-  std::printf("\nclosures: %llu, map rendered anew %llu times\n",
+  std::printf("\nclosures: %llu, map rendered again %llu times\n",
               static_cast<unsigned long long>(mapper.revisions().closures),
               static_cast<unsigned long long>(mapper.revisions().rendered));
   std::printf("cpu: %.2f s\n", cpu);

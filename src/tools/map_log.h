@@ -12,8 +12,8 @@ namespace frontier_pilot::tools {
 /// Reads the rosbag at `path`. Throws a LogError.
 using BagReader = std::function<logs::ScanLog(const std::string& path, const BagTopics& topics)>;
 
-/// The program `map_log`: `words` are those after its name. Without `read_bag` a rosbag is refused. Gives the exit
-/// code.
+/// The program `map_log`: `words` are the arguments after its name. Without `read_bag` rosbags are refused. Returns the
+/// exit code.
 int runMapLog(const std::vector<std::string>& words, const BagReader& read_bag = {});
 
 }  // namespace frontier_pilot::tools

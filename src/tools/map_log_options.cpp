@@ -20,7 +20,7 @@ Pose2 poseOf(Arguments& arguments) {
   return {x, y, normalizeAngle(arguments.number())};
 }
 
-/// A name as ROS has them for topics and frames: letters, digits and underscores, with slashes between.
+/// A ROS name of a topic or frame: letters, digits and underscores, with slashes between them.
 std::string rosName(Arguments& arguments, const std::string& option, const std::string& what) {
   static const std::regex pattern("/?[A-Za-z][A-Za-z0-9_]*(/[A-Za-z0-9_]+)*");
   std::string name = arguments.text();
@@ -54,7 +54,7 @@ MapLogOptions parseMapLogOptions(const std::vector<std::string>& words) {
     takeOption(word, arguments, options);
   }
   if (options.help) return options;
-  if (options.log.empty()) throw std::invalid_argument("which log?");
+  if (options.log.empty()) throw std::invalid_argument("no log given");
   if (options.out.empty()) throw std::invalid_argument("--out is missing: where should the map go?");
   return options;
 }

@@ -8,25 +8,25 @@
 
 namespace frontier_pilot::tools {
 
-/// Where a rosbag has its scans and its odometry. A leading slash does not matter.
+/// The topics of a rosbag's scans and odometry, and its base frame. A leading slash does not matter.
 struct BagTopics {
   std::string scan = "scan";
   std::string odom = "odom";
   std::string base_frame = "base_footprint";
 };
 
-/// What `map_log` was asked for.
+/// The parsed command line of `map_log`.
 struct MapLogOptions {
   bool help = false;
   std::string log;
-  std::string out;        ///< what the written files' names begin with
+  std::string out;        ///< prefix of the paths of all files that are written
   std::string relations;  ///< empty: none
   logs::LogScanner scanner;
   BagTopics topics;
   mapping::MapperParameters mapper;
 };
 
-/// Reads the words after the program's name. Throws std::invalid_argument with what is wrong.
+/// Parses the words after the program's name. Throws std::invalid_argument with what is wrong.
 MapLogOptions parseMapLogOptions(const std::vector<std::string>& words);
 
 /// The text of --help.

@@ -20,7 +20,7 @@ const cv::Scalar kRed(80, 80, 240);
 const cv::Scalar kBlue(220, 80, 0);
 const cv::Scalar kGreen(0, 160, 0);
 
-/// Where things of the map's frame are in the picture, whose y axis points down.
+/// The picture, and the conversion of points in the map's frame to its pixels; its y axis points down.
 class Canvas {
  public:
   Canvas(const OccupancyGrid& map, const MapPicture& picture) {
@@ -43,11 +43,11 @@ class Canvas {
     return {(point.x() - low_.x()) / pixel_ + kMargin, (high_.y() - point.y()) / pixel_ + kMargin};
   }
   cv::Point cellOf(const Vec2& point) const {
-    // Half a pixel on: the centres of the map's cells must not lie on the border between two pixels.
+    // Shifted by half a pixel: the centres of the map's cells must not lie on the border between two pixels.
     const Vec2 pixel = pixelOf(point) + Vec2::Constant(0.5);
     return {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())};
   }
-  /// As OpenCV draws lines with fractions of pixels.
+  /// In the fixed-point coordinates with which OpenCV draws lines at fractions of pixels.
   cv::Point fineOf(const Vec2& point) const {
     const Vec2 pixel = pixelOf(point) * static_cast<double>(1 << kFractionBits);
     return {static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))};

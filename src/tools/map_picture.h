@@ -8,7 +8,7 @@
 
 namespace frontier_pilot::tools {
 
-/// A way through a map, in its frame [m].
+/// A line through a map, in the map's frame [m].
 using Polyline = std::vector<Vec2>;
 
 /// What is drawn over a map.
@@ -18,8 +18,8 @@ struct MapPicture {
   std::vector<std::pair<Vec2, Vec2>> closures;  ///< green
 };
 
-/// Writes `map` as a PNG: walls black, floor white, unknown grey, a pixel a cell, or fewer where the map is very large;
-/// tracks that leave the map make the picture larger. False when it cannot be written.
+/// Writes `map` as a PNG: walls black, floor white, unknown grey. One pixel per cell, or fewer if the map is very
+/// large; tracks that leave the map enlarge the picture. False when it cannot be written.
 bool writePicture(const OccupancyGrid& map, const MapPicture& picture, const std::string& path);
 
 }  // namespace frontier_pilot::tools

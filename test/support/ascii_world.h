@@ -14,11 +14,11 @@ struct AsciiWorld {
   OccupancyGrid map;
   std::map<char, std::vector<Cell>> marks;
 
-  /// The only cell marked `mark`. Throws std::out_of_range if there is none.
+  /// The first cell marked `mark`. Throws std::out_of_range if there is none.
   Cell cell(char mark) const { return marks.at(mark).front(); }
-  /// The centre of it [m].
+  /// The centre of that cell [m].
   Vec2 point(char mark) const { return map.geometry().centre(cell(mark)); }
-  /// Non-zero where the drawing is occupied, or unknown as well.
+  /// Non-zero where the drawing is occupied, and with `unknown_is_solid` where it is unknown.
   Grid<std::uint8_t> solid(bool unknown_is_solid = false) const;
 };
 
@@ -26,7 +26,7 @@ struct AsciiWorld {
 /// end in unknown cells. Throws std::invalid_argument on an empty drawing.
 AsciiWorld drawWorld(const std::string& drawing, double resolution = 0.05, const Vec2& origin = Vec2::Zero());
 
-/// The drawing of a map, with `marks` on top of it: for failure messages.
+/// The drawing of a map, with `marks` on top of it, for failure messages.
 std::string toAscii(const OccupancyGrid& map, const std::map<char, std::vector<Cell>>& marks = {});
 
 }  // namespace frontier_pilot::test

@@ -7,13 +7,13 @@
 
 namespace frontier_pilot::test {
 
-/// A differential drive without noise, stepped at 100 Hz, that obeys the acceleration limits: enough of a robot to
-/// close a control loop around.
+/// A differential drive without noise, stepped at 100 Hz, that obeys the speed and acceleration limits: enough of a
+/// robot to close a control loop around.
 class KinematicBase {
  public:
   explicit KinematicBase(const Pose2& pose = {}, const RobotLimits& limits = {}) : limits_(limits), pose_(pose) {}
 
-  /// Lets `seconds` pass while `command` is held.
+  /// Drives for `seconds` [s] with a constant `command`.
   void run(const Twist2& command, double seconds) {
     const int steps = static_cast<int>(std::lround(seconds * 100.0));
     for (int i = 0; i < steps; ++i) {

@@ -6,8 +6,8 @@
 
 namespace frontier_pilot::test {
 
-/// A robot as config/robots/ describes it: burger, waffle, turtlebot2 or fast. Throws std::invalid_argument with what
-/// is wrong with its file.
+/// A robot from config/robots/: burger, waffle, turtlebot2 or fast. Throws std::invalid_argument with what is wrong
+/// with its file.
 RobotModel shippedRobot(const std::string& name);
 
 }  // namespace frontier_pilot::test

@@ -10,8 +10,8 @@
 
 namespace frontier_pilot::test {
 
-/// A folder of its own for a test that writes files, which goes with it. Throws std::runtime_error if there can be
-/// none.
+/// A temporary folder for a test that writes files, removed on destruction. Throws std::runtime_error if it cannot be
+/// created.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

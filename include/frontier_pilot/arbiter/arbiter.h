@@ -13,45 +13,46 @@
 
 namespace frontier_pilot::arbiter {
 
-/// What a service is answered, and what has to leave on `cmd_vel` before that.
+/// The response to a service call, and what must be published on `cmd_vel` before it is sent.
 struct ArbiterAnswer {
   bool success = true;
   std::string message;
   std::optional<Twist2> publish;
 };
 
-/// Decides whose velocity command reaches the base. Commands are in the base frame [m/s], [rad/s].
+/// Decides whose velocity command reaches the base. Commands are in the base frame [m/s], [rad/s]. A source "claims the
+/// wheels" while it has a fresh command that is not an idle zero; the one of highest priority then "holds the wheels".
 ///
-/// Every method is one input at one moment, in the order of steady time; the twist that it gives, if any, is to be
-/// published at once. What leaves is always the command of the highest valid source, or zero: never stale, never
-/// beyond the limits, never non-finite. Requirements: docs/requirements.md, ARB-1 to ARB-9, ARB-12.
+/// Each method takes one input at one moment, with steady time that never decreases. The twist that it returns, if any,
+/// must be published at once: the command of the highest valid source, or zero; never stale, never beyond the limits,
+/// never non-finite. Requirements: docs/requirements.md, ARB-1 to ARB-9, ARB-12.
 class Arbiter {
  public:
   /// Throws std::invalid_argument when the parameters do not pass their own check.
   explicit Arbiter(const ArbiterParameters& parameters);
 
-  /// A message of source `source` (an index into the parameters' list). Not finite = rejected. [ARB-2] [ARB-5]
-  /// `hold` is a zero on purpose: it claims the wheels even for a source whose zeros mean that it is idle.
+  /// A message from source `source` (an index into the parameters' list). It is rejected if not finite. [ARB-2] [ARB-5]
+  /// With `hold` the command claims the wheels even if it is zero and the source's zeros mean that it is idle.
   std::optional<Twist2> onCommand(std::size_t source, const Twist2& command, const Instant& now, bool hold = false);
-  /// Lets time pass: puts out what expiry or the clock has changed, and nothing else.
+  /// Lets time pass: returns a twist only if expiry or the clock has changed what is to be published.
   std::optional<Twist2> update(const Instant& now);
-  /// The same, and the zero that leaves at every tick while nobody drives. To be called at 20 Hz of steady time.
+  /// The same, and a zero at every tick while no source holds the wheels. To be called at 20 Hz of steady time.
   /// [ARB-2]
   std::optional<Twist2> tick(const Instant& now);
 
-  /// Switches a source. Idempotent. [ARB-6]
+  /// Enables or disables a source. Idempotent. [ARB-6]
   ArbiterAnswer setEnabled(std::size_t source, bool enabled, const Instant& now);
-  /// Latches the emergency stop; always puts out a zero. Idempotent: the first cause stays. [ARB-7]
+  /// Latches the emergency stop; always returns a zero to publish. Idempotent: the first cause is kept. [ARB-7]
   ArbiterAnswer stop(const std::string& cause, const Instant& now);
-  /// The answer to a stop leaves now. Whoever asked for a clear before that could not know of the stop. [ARB-8]
+  /// To be called when the response to a stop is sent. A clear requested before that cannot know of the stop. [ARB-8]
   void answerStop(SteadyTime now) { last_stop_ = now; }
   /// Clears the emergency stop, or says why not. `requested` is when the call arrived: a stop that was answered after
-  /// that wins, whoever is served first. [ARB-8]
+  /// that takes precedence, whichever call is handled first. [ARB-8]
   ArbiterAnswer clear(SteadyTime requested, const Instant& now);
 
-  /// `rival` is another node that could answer an emergency stop in this one's place; empty: there is none. While there
-  /// is one only zeros leave, unless the parameters say otherwise, and what was commanded meanwhile is forgotten.
-  /// [ARB-12]
+  /// `rival` is another node that could receive an emergency stop in this one's place; empty: there is none. While
+  /// there is one only zeros are published, unless the parameters say otherwise, and commands received meanwhile are
+  /// dropped. [ARB-12]
   std::optional<Twist2> contest(const std::string& rival, const Instant& now);
 
   bool stopped() const { return latched_; }
@@ -66,7 +67,7 @@ class Arbiter {
     Duration timeout{};
     bool enabled = true;
     bool rejected_last = false;
-    bool forgotten = true;  ///< nothing was received since the stored command was dropped on purpose
+    bool forgotten = true;  ///< no command was stored since the start, or since the last one was dropped on purpose
     std::optional<Twist2> command;
     bool hold = false;  ///< `command` claims the wheels even if it is zero
     Time command_time;

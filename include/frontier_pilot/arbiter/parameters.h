@@ -9,8 +9,8 @@
 
 namespace frontier_pilot::arbiter {
 
-/// One source of velocity commands. An entry of a configuration that bears a built-in name starts from the built-in
-/// source, so that `{name: avoid, required: true}` changes one thing.
+/// One source of velocity commands. A configuration entry with the name of a built-in source starts with that source's
+/// values, so that `{name: avoid, required: true}` changes a single one.
 struct SourceParameters {
   std::string name;
   std::string topic;
@@ -25,7 +25,7 @@ struct SourceParameters {
     v.field("name", name, "", "name of the source, as in the service set_<name>_enabled");
     startFromBuiltIn();
     v.field("topic", topic, "", "topic of its commands (geometry_msgs/Twist)");
-    v.field("priority", priority, "", "the source with the highest priority drives; each has its own", anyNumber());
+    v.field("priority", priority, "", "the source with the highest priority drives; must be unique", anyNumber());
     v.field("timeout", timeout, "s", "greatest age of its last message, after which it is stale",
             Bounds{0.0, 3600.0, true});
     v.field("enabled", enabled, "", "whether the source is enabled at the start");
@@ -35,14 +35,14 @@ struct SourceParameters {
   }
 
  private:
-  /// Does nothing to a source that has a topic already.
+  /// Does nothing to a source that already has a topic.
   void startFromBuiltIn();
 };
 
-/// avoid > behavior > patrol > nav > manual. [ARB-1]
+/// By descending priority: avoid, behavior, patrol, nav, manual. [ARB-1]
 std::vector<SourceParameters> builtInSources();
 
-/// What the arbiter is configured with.
+/// The parameters of the arbiter.
 struct ArbiterParameters {
   std::vector<SourceParameters> sources = builtInSources();
   RobotModel robot;  ///< commands are clamped to its limits
@@ -52,14 +52,15 @@ struct ArbiterParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.list("sources", sources, "who may ask for the wheels; a list given here replaces the built-in one");
+    v.list("sources", sources, "the sources of commands; a list given here replaces the built-in one");
     describeRobot(v, robot);
     v.field("clear_quiet_time", clear_quiet_time, "s",
             "an emergency stop is not cleared while a non-zero command is younger than this", between(0.0, 60.0));
     v.field("clock_stall_time", clock_stall_time, "s",
-            "ROS time that stands still for so long of steady time makes every source stale", Bounds{0.0, 60.0, true});
+            "ROS time that stands still for this long, by steady time, makes every source stale",
+            Bounds{0.0, 60.0, true});
     v.field("stand_when_contested", stand_when_contested, "",
-            "send zeros while another node offers one of the arbiter's services, and could answer an emergency stop");
+            "send zeros while another node offers one of the arbiter's services and could receive an emergency stop");
   }
   /// Names, topics and priorities must be unique, and no source may read `cmd_vel` itself.
   void check(Problems& problems) const;

@@ -15,18 +15,18 @@ enum class ArbiterState : std::uint8_t {
   kDriving = 1,
   kEmergencyStop = 2,
   kClockStopped = 3,
-  kContested = 4,  ///< another node could answer an emergency stop in this one's place
+  kContested = 4,  ///< another node could receive an emergency stop in this one's place
 };
 const char* toString(ArbiterState state);
 
-/// What a source is to the arbiter.
+/// The state of a source.
 enum class SourceState : std::uint8_t {
   kDisabled = 0,
   kNeverHeard = 1,  ///< no message since the start, or since the last clear, enable or clock jump
   kStale = 2,
   kRejected = 3,  ///< its last message was not finite
-  kIdle = 4,      ///< alive, asks for nothing
-  kReady = 5,     ///< has a fresh command, somebody else holds the wheels
+  kIdle = 4,      ///< alive, but does not claim the wheels
+  kReady = 5,     ///< has a fresh command, but another source holds the wheels
   kActive = 6,
 };
 const char* toString(SourceState state);
@@ -43,18 +43,18 @@ struct SourceStatus {
   std::uint64_t rejected = 0;  ///< messages refused so far
 };
 
-/// Everything an operator may ask.
+/// The arbiter's state, for operators.
 struct ArbiterSnapshot {
   ArbiterState state = ArbiterState::kIdle;
-  std::string active_source;                 ///< empty: nobody
+  std::string active_source;                 ///< the one that holds the wheels; empty: none
   std::string stop_cause;                    ///< empty: not stopped
-  std::string rival;                         ///< who could answer a stop in this arbiter's place; empty: nobody
-  Twist2 command;                            ///< what was last put out
+  std::string rival;                         ///< who could receive a stop in this arbiter's place; empty: nobody
+  Twist2 command;                            ///< what was last published
   std::vector<std::string> missing_sources;  ///< required, enabled and silent
   std::vector<SourceStatus> sources;         ///< highest priority first
 };
 
-/// One sentence: who drives, and if nobody does, why.
+/// One sentence: which source drives, or why none does.
 std::string summarize(const ArbiterSnapshot& status);
 
 }  // namespace frontier_pilot::arbiter

@@ -12,19 +12,19 @@ namespace frontier_pilot::avoid {
 
 enum class AvoiderState : std::uint8_t {
   kIdle = 0,     ///< switched off: publishes nothing
-  kWaiting = 1,  ///< no scan since it was switched on, or since the clock jumped back: holds
-  kClear = 2,    ///< nothing near: a heartbeat of zeros that leaves the wheels to the others
+  kWaiting = 1,  ///< no scan since it was switched on, or since the clock jumped back: holds the robot at zero
+  kClear = 2,    ///< nothing near: a heartbeat of zeros that leaves the wheels to other sources
   kReverse = 3,
   kRotate = 4,
-  kFault = 5,  ///< the scan cannot be trusted: holds
-  kStuck = 6,  ///< `max_cycles` did not help: holds
+  kFault = 5,  ///< the scan cannot be trusted: holds the robot at zero
+  kStuck = 6,  ///< `max_cycles` did not help, or no room to turn or back up: holds the robot at zero
 };
 const char* toString(AvoiderState state);
 
-/// What the avoider asks of the arbiter.
+/// What the avoider sends to the arbiter.
 struct AvoiderCommand {
   Twist2 twist;
-  bool hold = false;  ///< zero on purpose: it claims the wheels although it is zero
+  bool hold = false;  ///< the command claims the wheels although it is zero
 };
 inline bool operator==(const AvoiderCommand& a, const AvoiderCommand& b) {
   return a.twist == b.twist && a.hold == b.hold;
@@ -41,25 +41,25 @@ struct AvoiderSnapshot {
   std::optional<double> scan_age;  ///< [s], ROS time
 };
 
-/// Last-resort avoidance by the laser scan: backs up and turns away from what is near ahead.
-/// A robot whose corners would hit something in a turn backs up further, or holds where it cannot.
+/// Last-resort obstacle avoidance by the laser scan: backs up and turns away from an obstacle near ahead.
+/// A robot whose corners would hit something in a turn backs up further, or stands still if it cannot.
 ///
-/// The direction of a turn is chosen once for an episode, that is until `clear_distance` is free again. Every method is
-/// one input at one moment of ROS time and gives what has to be published at once, if anything has. A backward jump of
-/// the clock makes it wait for a new scan. Requirements: docs/requirements.md, AVO-1 to AVO-6.
+/// The direction of a turn is chosen once per episode, which lasts until `clear_distance` is free again. Each method
+/// takes one input at one moment of ROS time and returns what must be published at once, if anything. After a backward
+/// jump of the clock it waits for a new scan. Requirements: docs/requirements.md, AVO-1 to AVO-6.
 class Avoider {
  public:
   /// Throws std::invalid_argument when the parameters do not pass their own check.
   explicit Avoider(const AvoiderParameters& parameters);
 
   std::optional<AvoiderCommand> onScan(const LaserScan2& scan, Time now);
-  /// A scan came that could not be read at all.
+  /// A scan arrived that could not be read at all.
   std::optional<AvoiderCommand> onBadScan(const std::string& why, Time now);
-  /// Lets time pass: gives what that has changed.
+  /// Lets time pass: returns a command only if that has changed it.
   std::optional<AvoiderCommand> update(Time now);
-  /// The same, and the heartbeat. To be called at 10 Hz.
+  /// The same, but always returns the current command, as a heartbeat. To be called at 10 Hz.
   std::optional<AvoiderCommand> tick(Time now);
-  /// Switching off gives one zero, and then nothing any more; switching on waits for a new scan. [AVO-6]
+  /// Switching off returns one zero, and nothing from then on; switching on waits for a new scan. [AVO-6]
   std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
 
   bool enabled() const { return state_ != AvoiderState::kIdle; }

@@ -17,11 +17,11 @@ struct Sector {
     v.field("to", to, "rad", "last direction of the sector, counter-clockwise of the first",
             between(-2.0 * kPi, 2.0 * kPi));
   }
-  /// How wide it is [rad], in [0, 2 pi).
+  /// Its angular width [rad], in [0, 2 pi).
   double width() const;
 };
 
-/// What the avoider is configured with. A distance of 0 is the one that its robot needs, see `AvoiderDistances`.
+/// The parameters of the avoider. A distance of 0 means the default for its robot, see `AvoiderDistances`.
 struct AvoiderParameters {
   RobotModel robot;
   Sector front_left{0.0, kPi / 3.0};
@@ -46,11 +46,11 @@ struct AvoiderParameters {
     v.group("front_right", front_right, "the sector ahead on the right");
     v.group("rear", rear, "the sector behind");
     v.field("stop_distance", stop_distance, "m",
-            "an obstacle ahead that is nearer to the base's centre starts a recovery; 0: 0.395 m before the robot's "
-            "front, which is 0.5 m for a Burger",
+            "an obstacle ahead that is nearer to the base's centre starts a recovery; 0: 0.395 m ahead of the robot's "
+            "front, 0.5 m for a Burger",
             atLeast(0.0));
     v.field("clear_distance", clear_distance, "m",
-            "a recovery ends when nothing ahead is nearer to the base's centre; 0: 0.545 m before the robot's front, "
+            "a recovery ends when nothing ahead is nearer to the base's centre; 0: 0.545 m ahead of the robot's front, "
             "0.65 m for a Burger",
             atLeast(0.0));
     v.field("rear_stop_distance", rear_stop_distance, "m",
@@ -73,16 +73,17 @@ struct AvoiderParameters {
   void check(Problems& problems) const;
 };
 
-/// What has to be free around the base's centre [m]: what is configured, or what the robot needs. The room ahead is for
-/// a base of 0.65 m/s that slows down with 1 m/s^2, by a scan of 5.5 Hz; that behind is for the avoider's own 0.08 m/s.
+/// Distances from the base's centre that have to be free [m]: as configured, or by default from the robot's outline.
+/// The default ahead suffices for a base at 0.65 m/s that brakes with 1 m/s^2 and a scanner at 5.5 Hz; that behind
+/// suffices for the avoider's own speed of 0.08 m/s.
 struct AvoiderDistances {
   explicit AvoiderDistances(const AvoiderParameters& parameters);
 
   double stop;
   double clear;
   double rear_stop;
-  double half_lane;  ///< half the width of the lane that the body sweeps
-  double turn;       ///< what its corners sweep in a turn; 0: it is a disc, which sweeps nothing
+  double half_lane;  ///< half the width of the lane that the body sweeps driving straight, with a margin
+  double turn;  ///< the radius that its corners sweep in a turn, with a margin; 0 for a disc, which may always turn
 };
 
 }  // namespace frontier_pilot::avoid

@@ -11,24 +11,24 @@
 
 namespace frontier_pilot::avoid {
 
-/// What one scan says around the base: distances from the base's centre [m]; infinite where nothing is in range.
+/// The nearest obstacles around the base in one scan: distances from the base's centre [m]; infinite if none in range.
 struct SectorDistances {
   static constexpr double kNothing = std::numeric_limits<double>::infinity();
 
   double front_left = kNothing;
   double front_right = kNothing;
   double rear = kNothing;        ///< in the rear sector, or in the lane behind the body
-  double lane_left = kNothing;   ///< in the lane ahead of the body but beside the sectors, on the left
+  double lane_left = kNothing;   ///< in the lane ahead of the body but outside of the front sectors, on the left
   double lane_right = kNothing;  ///< the same on the right
   double nearest = kNothing;     ///< in any direction
-  std::string fault;             ///< why the scan cannot be trusted; empty: it can
+  std::string fault;             ///< why the scan cannot be trusted; empty if it can
 
   /// The smaller of the two sector minima. [AVO-1]
   double obstacleDistance() const { return std::min(front_left, front_right); }
   double lane() const { return std::min(lane_left, lane_right); }
 };
 
-/// Reads scans by sectors of the base frame, wherever and however the scanner is mounted. [AVO-1] [AVO-2] [AVO-5]
+/// Evaluates scans by sectors of the base frame, for any mount of the scanner. [AVO-1] [AVO-2] [AVO-5]
 class SectorReader {
  public:
   explicit SectorReader(const AvoiderParameters& parameters);
@@ -49,7 +49,7 @@ class SectorReader {
   double half_lane_;
   double max_invalid_share_;
   Borders front_left_, front_right_, rear_;
-  LaserScan2 layout_;             ///< of the scan that `directions_` belong to, without ranges
+  LaserScan2 layout_;             ///< angles and mount that `directions_` were computed for, without ranges
   std::vector<Vec2> directions_;  ///< of the beams, in the base frame
 };
 

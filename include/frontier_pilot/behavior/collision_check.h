@@ -5,7 +5,7 @@
 
 namespace frontier_pilot::behavior {
 
-/// What the robot's surroundings are known by, as configured.
+/// The parameters of a CollisionCheck.
 struct CollisionCheckParameters {
   FootprintParameters footprint;
   LocalCostmapParameters costmap;
@@ -17,7 +17,7 @@ struct CollisionCheckParameters {
   }
 };
 
-/// What a behaviour looks ahead in: the footprint on the local costmap, as long as its last scan is fresh.
+/// Checks a behaviour's motion ahead: the footprint on the local costmap, as long as the last scan is recent.
 class CollisionCheck {
  public:
   explicit CollisionCheck(const CollisionCheckParameters& parameters = {}, const RobotModel& robot = {})
@@ -28,8 +28,8 @@ class CollisionCheck {
   const LocalCostmap& costmap() const { return costmap_; }
   /// The robot's outline with the padding around it.
   const Outline& footprint() const { return footprint_; }
-  /// For `BehaviorInputs` at `now`: everything is blocked when the last scan is older than `max_age` [s]. [SPN-3]
-  /// It refers to this object.
+  /// The look-ahead for `BehaviorInputs` at `now`. It is empty, so that every motion is blocked, when the last scan is
+  /// older than `max_age` [s]. [SPN-3] It refers to this object.
   LookAhead lookAhead(double max_age, Time now) const {
     const auto stamp = costmap_.stamp();
     if (!stamp || std::abs(toSeconds(now - *stamp)) > max_age) return {};

@@ -11,14 +11,14 @@
 
 namespace frontier_pilot::behavior {
 
-/// What the scans say of the surroundings: a square window of the odometry frame that rolls along with the robot, each
-/// cell unknown, free or occupied. What was seen stays until it is seen otherwise or leaves the window.
+/// A rolling costmap: a square window of the odometry frame that moves with the robot, each cell unknown, free or
+/// occupied by the scans. A cell keeps its value until a scan changes it or it leaves the window.
 class LocalCostmap {
  public:
   LocalCostmap(const LocalCostmapParameters& parameters, const Outline& footprint);
 
-  /// Takes in a scan from `T_odom_base`, the pose at its stamp. Beams clear the cells that they cross, hits occupy
-  /// theirs, invalid beams say nothing; what is unknown under the robot becomes free, since it stands there.
+  /// Inserts a scan; `T_odom_base` is the pose at its stamp. Beams clear the cells that they cross, hits occupy theirs,
+  /// invalid beams change nothing. Unknown cells under the robot become free, since it stands there.
   void insert(const LaserScan2& scan, const Pose2& T_odom_base);
   /// Forgets everything.
   void clear();

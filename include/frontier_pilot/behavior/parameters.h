@@ -18,7 +18,7 @@ struct FootprintParameters {
   }
 };
 
-/// The costmap that rolls along with the robot.
+/// The rolling costmap around the robot.
 struct LocalCostmapParameters {
   double side = 3.0;
   double resolution = 0.025;
@@ -30,7 +30,7 @@ struct LocalCostmapParameters {
   }
 };
 
-/// How the timed behaviours move; never faster than the robot can.
+/// How the timed behaviours move; the robot's limits apply as well.
 struct BehaviorParameters {
   RobotModel robot;
   double frequency = 10.0;

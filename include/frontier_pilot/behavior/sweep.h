@@ -11,13 +11,13 @@ struct AxisMotion {
   Axis axis = Axis::kTurn;
   double amount = 0.0;  ///< [rad] counter-clockwise, or [m] forward
 
-  /// Where a base at the origin is when `share` (0...1) of the motion is done.
+  /// The pose of a base that started at the origin when `share` (0...1) of the motion is done.
   Pose2 at(double share) const {
     return axis == Axis::kTurn ? Pose2(0.0, 0.0, share * amount) : Pose2(share * amount, 0.0, 0.0);
   }
 };
 
-/// What a look along a motion found first.
+/// The first thing that a look along a motion has met.
 enum class SweepResult {
   kClear,
   kObstacle,
@@ -27,10 +27,9 @@ enum class SweepResult {
 };
 const char* toString(SweepResult result);
 
-/// Whether the footprint can do all of `motion` from `pose` over free cells of `grid`, both ends included; poses lie at
-/// most half a cell apart at the farthest corner. On a line, an obstacle under the trailing half of the footprint at
-/// the start is left behind rather than run into and does not count: a robot that touches something may back away from
-/// it. [SPN-2] [SPN-3]
+/// Whether the footprint stays on free cells of `grid` during all of `motion` from `pose`, both ends included; between
+/// checked poses its farthest corner moves by at most half a cell. On a line, an obstacle that lies under the trailing
+/// half of the footprint at the start does not count, because the robot moves away from it. [SPN-2] [SPN-3]
 SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, const AxisMotion& motion);
 
 }  // namespace frontier_pilot::behavior

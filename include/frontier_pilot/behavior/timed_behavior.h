@@ -23,7 +23,7 @@ struct BehaviorGoal {
   bool check_collisions = true;
 };
 
-/// How a behaviour stands, or how it ended.
+/// The state of a behaviour, or how it ended.
 enum class BehaviorOutcome {
   kIdle,
   kRunning,
@@ -40,7 +40,7 @@ const char* toString(BehaviorOutcome outcome);
 /// Looks along a motion from a pose in the odometry frame.
 using LookAhead = std::function<SweepResult(const Pose2& T_odom_base, const AxisMotion& motion)>;
 
-/// What a behaviour knows of the world in a cycle.
+/// The inputs of one control cycle.
 struct BehaviorInputs {
   struct Pose {
     Time stamp;
@@ -51,28 +51,28 @@ struct BehaviorInputs {
   bool emergency_stop = false;
 };
 
-/// What comes of a cycle.
+/// The result of one control cycle.
 struct BehaviorOutput {
   BehaviorOutcome outcome = BehaviorOutcome::kIdle;
-  std::optional<Twist2> command;  ///< to be published at once; nothing is while no behaviour is active
+  std::optional<Twist2> command;  ///< to be published at once; none while no behaviour is active
   double progress = 0.0;          ///< so far: [rad] counter-clockwise, [m] towards the target or [s]
   double elapsed = 0.0;           ///< since the start [s], ROS time
-  std::string message;            ///< once it has ended: why
+  std::string message;            ///< why it has ended, once it has
 };
 
-/// Turns, drives straight or waits, looking ahead in every cycle, the first one included. One behaviour at a time;
-/// every end gives a zero command with it. Requirements: docs/requirements.md, SPN-1 to SPN-5.
+/// Turns, drives straight or waits, and checks the motion ahead in every cycle, the first one included. One behaviour
+/// at a time; whatever ends it, its last output has a zero command. Requirements: docs/requirements.md, SPN-1 to SPN-5.
 class TimedBehavior {
  public:
   explicit TimedBehavior(const BehaviorParameters& parameters) : parameters_(parameters) {}
 
-  /// A new goal; one that is running must have been cancelled. The first command comes with the next `update`.
+  /// Starts a new goal; a running one must have been cancelled. The first motion comes with the next `update`.
   BehaviorOutput start(const BehaviorGoal& goal, Time now);
   /// To be called at `frequency`.
   BehaviorOutput update(const BehaviorInputs& inputs, Time now);
   /// Ends it at once. `why` goes into the message.
   BehaviorOutput cancel(const std::string& why, Time now);
-  /// The same after the clock has jumped, whenever the behaviour began: what time has passed is not known.
+  /// Ends it because the clock has jumped, so that the time that has passed is not known.
   BehaviorOutput abortByClockJump();
 
   bool active() const { return active_; }
@@ -105,7 +105,7 @@ class TimedBehavior {
   std::optional<Time> settling_since_;
 };
 
-/// What is wrong with a goal; nothing if it can be done. [SPN-4]
+/// Why a goal is refused; nothing if it is valid. [SPN-4]
 std::optional<std::string> problemOf(const BehaviorGoal& goal);
 
 }  // namespace frontier_pilot::behavior

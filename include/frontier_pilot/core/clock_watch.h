@@ -10,34 +10,34 @@ struct Instant {
   SteadyTime steady;
 };
 
-/// How far ROS time may come on while the steady clock does.
+/// How far ROS time may advance, compared to steady time, without counting as a jump.
 struct ClockPace {
-  double fastest;  ///< seconds of ROS time in one of steady time
-  double slack;    ///< [s] beyond that: what a process that hung has to catch up with
+  double fastest;  ///< greatest ratio of ROS time to steady time
+  double slack;    ///< [s] of ROS time beyond that, for a process that hung and then catches up with the clock at once
 };
 /// A simulation may run a thousand times as fast as the steady clock.
 constexpr ClockPace kSimulatedPace{1000.0, 10000.0};
-/// Without a simulation ROS time is the system's, which is slewed a little, or set.
+/// Without a simulation ROS time is the system time, which may be slewed a little, or set.
 constexpr ClockPace kRealPace{1.1, 5.0};
 
-/// What the ROS clock did since the last look.
+/// What ROS time did since the last observation.
 enum class ClockEvent {
-  kRunning,        ///< it moved on, or rests for less than the stall time
-  kStopped,        ///< it has stood still for the stall time: what it says of ages is worthless
+  kRunning,        ///< it advanced, or has stood still for less than the stall time
+  kStopped,        ///< it has stood still for the stall time: ages cannot be computed from it
   kJumpedBack,     ///< it went backward
-  kJumpedForward,  ///< it went further than its pace explains
+  kJumpedForward,  ///< it advanced farther than its ClockPace allows
 };
 
-/// Watches ROS time by the steady clock. [ARB-9]
+/// Checks ROS time against the steady clock. [ARB-9]
 class ClockWatch {
  public:
   explicit ClockWatch(Duration stall_time, const ClockPace& pace = kSimulatedPace)
       : stall_time_(stall_time), pace_(pace), credit_(pace.slack) {}
 
-  /// To be called with every input, in the order of steady time.
+  /// To be called with every input, with steady time that never decreases.
   ClockEvent observe(const Instant& now);
   bool stopped() const { return stopped_; }
-  /// By how much the last jump led astray [s].
+  /// The change of ROS time in the last jump [s]; negative: backward.
   double lastJump() const { return last_jump_; }
 
  private:
@@ -45,7 +45,7 @@ class ClockWatch {
 
   Duration stall_time_;
   ClockPace pace_;
-  double credit_;  ///< by how much ROS time may come on, besides its pace [s]
+  double credit_;  ///< how much ROS time may still advance beyond its pace [s]
   double last_jump_ = 0.0;
   bool started_ = false;
   bool stopped_ = false;

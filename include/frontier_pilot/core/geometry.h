@@ -12,7 +12,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 inline double square(double x) { return x * x; }
 
-/// The same angle in [-pi, pi) [rad]. Not finite in, not finite out.
+/// The same angle in [-pi, pi) [rad]. An angle that is not finite gives one that is not finite.
 double normalizeAngle(double angle);
 
 /// The signed smallest rotation that turns `from` into `to` [rad], in [-pi, pi).
@@ -59,7 +59,7 @@ struct Twist2 {
 bool operator==(const Twist2& a, const Twist2& b);
 inline bool operator!=(const Twist2& a, const Twist2& b) { return !(a == b); }
 
-/// Where a base that starts at `pose` is after holding `twist` for `seconds` [s]: the exact arc.
+/// Where a base that starts at `pose` is after it has driven with `twist` for `seconds` [s], along the exact arc.
 Pose2 integrate(const Pose2& pose, const Twist2& twist, double seconds);
 
 }  // namespace frontier_pilot

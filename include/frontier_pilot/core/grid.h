@@ -18,9 +18,9 @@ struct Cell {
 inline bool operator==(Cell a, Cell b) { return a.x == b.x && a.y == b.y; }
 inline bool operator!=(Cell a, Cell b) { return !(a == b); }
 
-/// A block of cells [x, x + width) x [y, y + height). Empty where a side is not positive. All of its arithmetic holds
-/// for any int, since it judges what comes from outside: a block that would reach farther ends where the ints do.
-/// [FLT-1]
+/// A block of cells [x, x + width) x [y, y + height). Empty if a side is not positive. Its members never overflow,
+/// whatever the values, because they also check input from outside: a block that would extend beyond the range of int
+/// is clipped to it. [FLT-1]
 struct CellRect {
   int x = 0;
   int y = 0;
@@ -52,7 +52,8 @@ struct GridGeometry {
   std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   CellRect rect() const { return {0, 0, width, height}; }
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
-  /// The cell that `point` [m] lies in; it may be outside of the grid. `point` must be finite and within 10^9 cells.
+  /// The cell that `point` [m] lies in, even outside of the grid. `point` must be finite and within 10^9 cells of the
+  /// origin.
   Cell cellAt(const Vec2& point) const {
     return {static_cast<int>(std::floor((point.x() - origin.x()) / resolution)),
             static_cast<int>(std::floor((point.y() - origin.y()) / resolution))};
@@ -70,13 +71,13 @@ struct GridGeometry {
 bool operator==(const GridGeometry& a, const GridGeometry& b);
 inline bool operator!=(const GridGeometry& a, const GridGeometry& b) { return !(a == b); }
 
-/// A dense raster over a GridGeometry. Indexing is unchecked; `get` gives a default outside.
+/// A dense raster over a GridGeometry. Indexing is unchecked; `get` returns a default outside of the grid.
 template <class T>
 class Grid {
  public:
   Grid() = default;
   explicit Grid(const GridGeometry& geometry, T fill = T{}) : geometry_(geometry), cells_(geometry.size(), fill) {}
-  /// Takes over `cells`, row by row. Throws std::invalid_argument when their number does not match the geometry.
+  /// Takes `cells`, stored row by row. Throws std::invalid_argument when their number does not match the geometry.
   Grid(const GridGeometry& geometry, std::vector<T> cells) : geometry_(geometry), cells_(std::move(cells)) {
     if (cells_.size() != geometry_.size()) throw std::invalid_argument("grid: number of cells and geometry differ");
   }
@@ -108,7 +109,7 @@ class Grid {
 /// Occupancy as in nav_msgs/OccupancyGrid: -1 unknown, 0 (free) ... 100 (occupied).
 using OccupancyGrid = Grid<std::int8_t>;
 
-/// The smallest block that holds every difference between two grids of one geometry.
+/// The smallest block that contains every cell in which two grids of the same geometry differ.
 CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b);
 
 constexpr std::int8_t kUnknown = -1;

@@ -9,7 +9,7 @@
 namespace frontier_pilot {
 
 /// Visits, in order, every cell that the segment `from`-`to` [m] passes through, both ends' cells included, inside the
-/// grid or not. `visit(Cell) -> bool`: false stops. Gives whether the end was reached.
+/// grid or not. `visit(Cell) -> bool`: false stops. Returns whether the end was reached.
 /// Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", Eurographics 1987. Ends must be finite.
 template <class Visit>
 bool visitCells(const GridGeometry& geometry, const Vec2& from, const Vec2& to, Visit&& visit) {
@@ -26,7 +26,7 @@ bool visitCells(const GridGeometry& geometry, const Vec2& from, const Vec2& to, 
   const double in_y = (from.y() - geometry.origin.y()) / geometry.resolution - cell.y;
   double next_x = dx > 0.0 ? delta_x * (step_x > 0 ? 1.0 - in_x : in_x) : inf;
   double next_y = dy > 0.0 ? delta_y * (step_y > 0 ? 1.0 - in_y : in_y) : inf;
-  // Counting the border crossings, not comparing parameters, makes sure that the walk ends in the last cell.
+  // Counting border crossings instead of comparing ray parameters guarantees that the walk ends in the last cell.
   int left_x = std::abs(last.x - cell.x);
   int left_y = std::abs(last.y - cell.y);
   while (visit(cell)) {

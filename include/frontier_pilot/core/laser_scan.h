@@ -7,8 +7,9 @@
 
 namespace frontier_pilot {
 
-/// A planar scan. Beam i points at `angle_min + i * angle_increment` in the base frame's sense of rotation, seen from
-/// the sensor at `T_base_sensor`; a scanner mounted upside down has had both angles negated by the conversion.
+/// A planar scan. Beam i points at `angle_min + i * angle_increment` in the sensor's frame, whose pose is
+/// `T_base_sensor`. Angles are counter-clockwise as in the base frame: for a scanner mounted upside down the conversion
+/// has negated `angle_min` and `angle_increment`.
 struct LaserScan2 {
   Time stamp;                    ///< when the beams were measured (all at once)
   double angle_min = 0.0;        ///< [rad], in the sensor's frame
@@ -21,28 +22,30 @@ struct LaserScan2 {
   double angle(std::size_t beam) const { return angle_min + static_cast<double>(beam) * angle_increment; }
 };
 
-// A scoped enumerator shadows nothing, but GCC 12 warns of `kFree`, which grid.h has too.
+// A scoped enumerator shadows nothing, but GCC 12 warns about `kFree`, which grid.h also declares.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
-/// What a raw range says.
+/// What a raw range means.
 enum class RangeKind {
-  kInvalid,  ///< NaN, 0 or negative: the beam says nothing
+  kInvalid,  ///< NaN, 0, or negative and finite: no information
   kHit,      ///< a surface at `distance`
   kTooNear,  ///< -inf or below `range_min`: an obstacle, taken to be at `range_min`
   kFree,     ///< +inf or beyond `range_max`: nothing up to `range_max`
 };
 #pragma GCC diagnostic pop
 
-/// A range, read: `distance` [m] is where the surface is (kHit, kTooNear) or how far it is free (kFree), 0 if invalid.
+/// An interpreted range: `distance` [m] is where the surface is (kHit, kTooNear) or how far the beam is free (kFree); 0
+/// if invalid.
 struct RangeReading {
   RangeKind kind = RangeKind::kInvalid;
   double distance = 0.0;
 };
 
-/// Reads a raw range by the conventions of sensor_msgs/LaserScan and REP 117. [AVO-2]
+/// Interprets a raw range by the conventions of sensor_msgs/LaserScan and REP 117. [AVO-2]
 RangeReading readRange(float range, double range_min, double range_max);
 
-/// `scan` with every n-th beam, evenly, so that at most `most` > 0 are left: itself if it has no more.
+/// `scan` with only every n-th beam, n being the smallest number that leaves at most `most` > 0 of them; unchanged if
+/// it has no more than that.
 LaserScan2 withAtMost(std::size_t most, LaserScan2 scan);
 
 /// The reading of beam `beam`.

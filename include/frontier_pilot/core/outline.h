@@ -7,39 +7,39 @@
 
 namespace frontier_pilot {
 
-/// The outline of a robot in its base frame, whose origin lies between the wheels, about which it turns: a disc around
-/// that origin, or a simple polygon that holds it. Lengths in [m].
+/// The outline (footprint) of a robot in its base frame: a disc around the frame's origin, or a simple polygon that
+/// contains it. The origin lies between the wheels; the robot turns in place about it. Lengths in [m].
 class Outline {
  public:
   /// A disc around the base's origin; `radius` > 0.
   static Outline disc(double radius);
-  /// A polygon, in either sense of rotation: at least three corners, an area, and the base's origin inside. Throws
-  /// std::invalid_argument with what is wrong.
+  /// A polygon, its corners in either sense of rotation: at least three of them, with an area, and with the base's
+  /// origin inside. Throws std::invalid_argument otherwise.
   static Outline polygon(std::vector<Vec2> corners);
-  /// What is wrong with such a polygon; empty: nothing.
+  /// Why these corners are refused by `polygon`; empty if they are not.
   static const char* problem(const std::vector<Vec2>& corners);
 
   bool isDisc() const { return is_disc_; }
-  /// Of the polygon, counter-clockwise; of a polygon around the disc, hardly larger than it.
+  /// The polygon's corners, counter-clockwise; for a disc, those of a 32-sided polygon around it.
   const std::vector<Vec2>& corners() const { return corners_; }
-  /// The largest disc around the base's origin that lies inside.
+  /// Radius of the largest disc around the base's origin that fits inside.
   double inscribedRadius() const { return inscribed_; }
-  /// The smallest disc around the base's origin that holds it: what a robot needs that turns right round.
+  /// Radius of the smallest disc around the base's origin that contains the outline: what a full turn in place sweeps.
   double circumscribedRadius() const { return circumscribed_; }
-  /// How far it reaches to the side: half the width of the lane of a robot that drives straight on.
+  /// How far it reaches to the side, left or right: half the width of the lane that the robot sweeps driving straight.
   double halfWidth() const { return half_width_; }
   /// How far it reaches ahead of the base's origin, and behind it.
   double front() const { return front_; }
   double rear() const { return rear_; }
 
-  /// The same outline with every side moved outward by `margin`. Mitred corners are cut at twice the margin.
+  /// The same outline with every side moved outward by `margin`. No corner moves farther than twice the margin.
   Outline padded(double margin) const;
-  /// From the outline to `point`, both in the base frame; negative inside.
+  /// Distance from the outline to `point`, in the base frame; negative inside.
   double distance(const Vec2& point) const;
-  /// Where the ray from `from`, a point inside, in the direction `unit` leaves it; 0 if `from` lies outside.
+  /// Distance from `from` along the unit vector `unit` to where the ray leaves the outline; 0 if `from` is outside.
   double distanceToEdge(const Vec2& from, const Vec2& unit) const;
-  /// Every cell of `geometry`'s raster that the outline of a robot at `T_grid_base` touches or holds, inside the grid
-  /// or not, in no order; a cell may come twice. `cells` is overwritten, so that a caller can keep its memory.
+  /// Every cell of `geometry` that the outline of a robot at `T_grid_base` touches or contains, even outside of the
+  /// grid. In no particular order, and some cells repeat. Overwrites `cells`, so that the caller can reuse its memory.
   void cellsAt(const Pose2& T_grid_base, const GridGeometry& geometry, std::vector<Cell>& cells) const;
 
  private:

@@ -20,7 +20,7 @@ struct ParameterValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, ParameterList, ParameterMap> value;
 };
 
-/// What is wrong with a configuration, one line each, every line naming its key.
+/// What is wrong with a configuration: one line per problem, each naming its key.
 using Problems = std::vector<std::string>;
 
 /// The numbers a field may hold. NaN and infinities are never allowed.
@@ -37,15 +37,15 @@ inline Bounds positive() { return {0.0, std::numeric_limits<double>::infinity(),
 inline Bounds atLeast(double min) { return {min, std::numeric_limits<double>::infinity(), false}; }
 inline Bounds between(double min, double max) { return {min, max, false}; }
 inline Bounds positiveUpTo(double max) { return {0.0, max, true}; }
-/// Rates [Hz] and periods [s] of what is done again and again. They size timers: a rate beyond any clock has the node
-/// do nothing else, and a period beyond ROS' own durations cannot be counted. [FLT-1]
+/// Rates [Hz] and periods [s] of repeated work. Timers run at them: at a rate that is too high a node would do nothing
+/// else, and a period that is too long does not fit into ros::Duration. [FLT-1]
 inline Bounds tickRate() { return between(0.1, 1000.0); }
 inline Bounds tickPeriod() { return between(0.001, 3600.0); }
-/// How long something may last [s]: eleven days, so that sums of several are times that ROS has.
+/// How long something may last [s]: up to eleven days, so that sums of several such times still fit into ros::Time.
 inline Bounds timeSpan() { return positiveUpTo(1e6); }
 inline Bounds timeSpanOrNone() { return between(0.0, 1e6); }
 
-/// Whether the name of a TF frame has to be given. With a leading '/' tf2 takes none. [FLT-1]
+/// Whether the name of a TF frame may be empty. A leading '/' is always refused, as by tf2. [FLT-1]
 enum class FrameName { kGiven, kMayBeEmpty };
 
 namespace detail {
@@ -56,7 +56,7 @@ template <class P>
 struct HasCheck<P, std::void_t<decltype(std::declval<const P&>().check(std::declval<Problems&>()))>> : std::true_type {
 };
 
-/// Reads the described fields from a map; what was not read at the end is an unknown key.
+/// Reads the described fields from a map; keys that no field has read at the end are reported as unknown.
 class Loader {
  public:
   Loader(const ParameterMap& map, std::string prefix, Problems& problems)
@@ -73,12 +73,12 @@ class Loader {
   template <class P>
   void list(const char* name, std::vector<P>& list, const char* doc);
 
-  /// A second name for a group: what it holds is read last.
+  /// A second name for a group: values under it override those under the first name, which `describe` must name before.
   template <class P>
   void alias(const char* name, P& group);
-  /// A parameter that had this name in the last release, and what it is called now.
+  /// A parameter that had this name in the last release, and what it is called now. Setting `name` is a problem.
   void moved(const char* name, const char* now);
-  /// Parameters of the last release that are constants now: whoever sets one of them is told so.
+  /// Parameters of the last release that are constants now. Setting one of them is a problem.
   void fixed(std::initializer_list<const char*> names);
 
   template <class P>
@@ -128,9 +128,9 @@ class Describer {
 
 }  // namespace detail
 
-/// Overwrites in `parameters` what `map` holds. `P::describe(visitor)` names the fields once, for loading, validation,
-/// printing and documentation alike; an optional `P::check(Problems&) const` adds what no single field can say.
-/// Gives every problem there is: unknown keys, wrong types, values that are not finite or out of range. Empty = good.
+/// Overwrites the fields of `parameters` that `map` contains. `P::describe(visitor)` lists the fields once, for
+/// loading, validation, printing and documentation; an optional `P::check(Problems&) const` adds conditions between
+/// fields. Returns all problems, or an empty list: unknown keys, wrong types, values not finite or out of range.
 template <class P>
 Problems loadParameters(const ParameterMap& map, P& parameters, const std::string& prefix = {}) {
   Problems problems;
@@ -138,7 +138,7 @@ Problems loadParameters(const ParameterMap& map, P& parameters, const std::strin
   return problems;
 }
 
-/// One row per field: its name, type, unit, present value, bounds and meaning.
+/// One row per field: its name, type, unit, current value, bounds and meaning.
 template <class P>
 std::vector<detail::Describer::Row> describeParameters(P parameters) {
   detail::Describer describer;
@@ -146,7 +146,7 @@ std::vector<detail::Describer::Row> describeParameters(P parameters) {
   return describer.rows;
 }
 
-/// `name: value` lines, as a log of the effective configuration.
+/// `name: value unit` lines, for logging the effective configuration.
 std::string printRows(const std::vector<detail::Describer::Row>& rows);
 
 /// A Markdown table, for the documentation.
@@ -155,10 +155,10 @@ std::string tabulateRows(const std::vector<detail::Describer::Row>& rows);
 /// Reads a YAML text into a map. Throws std::invalid_argument with the parser's message and position.
 ParameterMap parseYaml(const std::string& text);
 
-/// Reads a YAML file. Throws std::invalid_argument when it is missing, no file, larger than 1 MB or broken.
+/// Reads a YAML file. Throws std::invalid_argument when it is missing, no regular file, larger than 1 MB or malformed.
 ParameterMap loadYamlFile(const std::string& path);
 
-/// `text` as a value in YAML: in quotes where it would be read as something else without them.
+/// `text` as a YAML scalar: quoted where it would be parsed as something else without quotes.
 std::string yamlText(const std::string& text);
 
 namespace detail {

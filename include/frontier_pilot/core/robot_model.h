@@ -26,13 +26,14 @@ struct RobotLimits {
   }
 };
 
-/// `twist` with each axis cut to the limits. Finite in, finite out.
+/// `twist` with its linear and its angular part clamped to the speed limits, independently of each other.
 Twist2 clamp(const Twist2& twist, const RobotLimits& limits);
 
 /// The twist nearest to `target` that can be reached from `from` in `seconds` [s] under the acceleration limits.
 Twist2 limitAcceleration(const Twist2& target, const Twist2& from, const RobotLimits& limits, double seconds);
 
-/// A planar scanner and where it sits. Defaults: beams and mounting of the TurtleBot3 Burger's, range of a better one.
+/// A planar scanner and where it is mounted. Defaults: beams and mount of the TurtleBot3 Burger's scanner, but with a
+/// range of 8 m instead of 3.5 m.
 struct ScannerModel {
   double x = -0.032;                 ///< [m], in the base frame
   double y = 0.0;                    ///< [m]
@@ -40,7 +41,7 @@ struct ScannerModel {
   double rate = 10.0;                ///< [Hz]
   int beams = 360;                   ///< spread evenly over the field of view
   double angle_min = 0.0;            ///< [rad], of the first beam, in the scanner's frame
-  double field_of_view = 2.0 * kPi;  ///< [rad]; a full turn has no beam twice
+  double field_of_view = 2.0 * kPi;  ///< [rad]; on a full turn the last beam is one step short of the first
   double range_min = 0.12;           ///< [m]
   double range_max = 8.0;            ///< [m]
 
@@ -62,24 +63,24 @@ struct ScannerModel {
   void check(Problems& problems) const;
 };
 
-/// One description of a robot, which every node reads: its outline, limits, scanner, watchdog and base frame. The files
-/// in config/robots/ are such descriptions. Defaults: TurtleBot3 Burger, by its data sheet. [ROB-1]
+/// The description of a robot that every node reads: its outline, limits, scanner, watchdog and frames. The files in
+/// config/robots/ are such descriptions. Defaults: TurtleBot3 Burger, by its data sheet. [ROB-1]
 struct RobotModel {
   std::vector<double> outline = {0.037, 0.089, -0.101, 0.089, -0.101, -0.089, 0.037, -0.089};  ///< x1, y1, ... [m]
-  double disc_radius = 0.105;                                                                  ///< [m]; 0: none
+  double disc_radius = 0.105;                                                                  ///< [m]; 0: no disc
   RobotLimits limits;
   ScannerModel scanner;
   double watchdog = 0.6;           ///< [s]
-  std::string odometry = "topic";  ///< or "tf": the robot publishes the transform from `odom` alone
+  std::string odometry = "topic";  ///< or "tf": the robot publishes only the transform from odom to base
   std::string base_frame = "base_footprint";
   std::string odom_frame = "odom";
 
-  /// The polygon. Throws std::invalid_argument where `check` finds a problem with it.
+  /// The polygon, or the disc if there is none. Throws std::invalid_argument where `check` finds a problem with it.
   Outline exactOutline() const;
-  /// What has to be kept clear while driving: the disc, where the robot is one or nearly so, otherwise the polygon.
+  /// What has to be kept clear while driving: the disc if there is one (`disc_radius` > 0), otherwise the polygon.
   Outline drivenOutline() const { return disc_radius > 0.0 ? Outline::disc(disc_radius) : exactOutline(); }
   bool hasOdometryTopic() const { return odometry == "topic"; }
-  /// The base's frame for a node whose own setting is `own`: that, or the robot's where it is empty.
+  /// The base frame of a node whose own parameter is `own`: that, or the robot's if it is empty.
   const std::string& baseFrameOr(const std::string& own) const { return own.empty() ? base_frame : own; }
 
   template <class Visitor>
@@ -88,25 +89,25 @@ struct RobotModel {
             between(-5.0, 5.0));
     v.field(
         "disc_radius", disc_radius, "m",
-        "of a disc about the base's origin that stands for a round robot while it drives; 0: the outline is checked "
-        "all along the way",
+        "radius of a disc about the base's origin that replaces the outline of a round robot while it drives; 0: the "
+        "outline itself is checked along the path",
         between(0.0, 5.0));
     v.group("limits", limits, "what the base can do");
     v.group("scanner", scanner, "the laser scanner");
-    v.field("watchdog", watchdog, "s", "a base that has had no command for so long stops", timeSpan());
+    v.field("watchdog", watchdog, "s", "a base that has received no command for this long stops", timeSpan());
     v.field("odometry", odometry, "",
-            "topic: the robot publishes odom; tf: it publishes the transform from odom to base_frame alone");
+            "topic: the robot publishes odom; tf: it publishes only the transform from odom_frame to base_frame");
     v.field("base_frame", base_frame, "", "frame between the wheels, on the floor", FrameName::kGiven);
-    v.field("odom_frame", odom_frame, "", "frame of odometry, where it is followed by its transform",
-            FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry, used when odometry is tf", FrameName::kGiven);
   }
   void check(Problems& problems) const;
 };
 
-/// The robot that a file like those in config/robots/ describes. Throws std::invalid_argument with all that is wrong.
+/// Loads the description of a robot, a file like those in config/robots/. Throws std::invalid_argument listing every
+/// problem with it.
 RobotModel loadRobot(const std::string& path);
 
-/// Describes the robot of a node as its parameter group `robot`, and `limits` beside it, which overrides the robot's.
+/// Describes the robot as the parameter group `robot` of a node, and as a group `limits` that overrides robot/limits.
 template <class Visitor>
 void describeRobot(Visitor& v, RobotModel& robot) {
   v.group("robot", robot, "the robot, see config/robots/");

@@ -4,25 +4,25 @@
 #include <string>
 #include <string_view>
 
-/// Texts from outside, character by character.
+/// Text from outside (messages, files), decoded character by character.
 namespace frontier_pilot {
 
-/// A character of UTF-8: its number in Unicode, and the bytes it takes. None where it takes 0 bytes.
+/// A decoded UTF-8 character: its Unicode code point, and the number of bytes that encode it. 0 bytes: not a character.
 struct Character {
   char32_t code = 0;
   std::size_t bytes = 0;
 };
 
-/// What begins at `at`, which must lie inside of `text`; none if that is not UTF-8.
+/// The character that begins at `at`, which must lie inside of `text`; one of 0 bytes if that is not valid UTF-8.
 Character characterAt(std::string_view text, std::size_t at);
 
-/// Whether a character acts on what shows it, or splits lines, where others are shown: the control characters of ASCII
-/// and of Latin 1, the separators of lines and paragraphs, and what turns the direction of writing round. What Unicode
-/// says is no character counts as well.
+/// Whether a character controls a terminal or the layout of text instead of being shown: the control characters of
+/// ASCII and Latin-1, line and paragraph separators, and the marks that change the direction of writing. The
+/// noncharacters U+xxFFFE and U+xxFFFF count as well.
 bool isControl(char32_t code);
 
-/// `text` as logs and diagnostics may have it: control characters and what is not UTF-8 as C++ would write them, such
-/// as `\n`, `\x1b` or `\u2028`, and " ..." for what is beyond `most` bytes. [FLT-1]
+/// `text` made safe for logs and diagnostics: control characters and bytes that are not UTF-8 are escaped as in C++,
+/// for example `\n`, `\x1b` or `\u2028`, and what exceeds `most` bytes is replaced by " ...". [FLT-1]
 std::string printable(std::string_view text, std::size_t most);
 
 }  // namespace frontier_pilot

@@ -11,8 +11,8 @@ class TickSchedule {
  public:
   explicit TickSchedule(Duration period) : period_(period) {}
 
-  /// Whether a tick is due at `now`, once for each. Ticks that were missed by more than a period are left out. A clock
-  /// that was set back begins a new period.
+  /// Whether a tick is due at `now`; true once for each tick. Ticks that were missed by more than a period are skipped.
+  /// A clock that jumps back starts a new period.
   bool isDue(Time now);
 
  private:

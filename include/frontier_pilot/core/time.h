@@ -9,7 +9,7 @@ namespace frontier_pilot {
 /// A length of time [ns].
 using Duration = std::chrono::nanoseconds;
 
-/// ROS time as the algorithms see it: always an argument. The clock has no `now()` on purpose.
+/// ROS time as the algorithms see it: always passed as an argument. The clock has no `now()` on purpose.
 struct RobotClock {
   using rep = Duration::rep;
   using period = Duration::period;
@@ -19,7 +19,7 @@ struct RobotClock {
 };
 using Time = RobotClock::time_point;
 
-/// Time that never stands still nor jumps, for liveness. A type of its own, so that the two cannot be mixed up.
+/// Time that neither stops nor jumps, for liveness checks. A type of its own: it cannot be confused with ROS time.
 struct SteadyClock {
   using rep = Duration::rep;
   using period = Duration::period;
@@ -29,7 +29,7 @@ struct SteadyClock {
 };
 using SteadyTime = SteadyClock::time_point;
 
-/// `seconds` [s], rounded to the nearest nanosecond; 146 years at most, and zero for what is not a number.
+/// `seconds` [s], rounded to the nearest nanosecond and clamped to 146 years either way; zero for NaN.
 inline Duration fromSeconds(double seconds) {
   constexpr double kMost = 4.6e9;  // so that sums of two still fit
   if (std::isnan(seconds)) return Duration::zero();

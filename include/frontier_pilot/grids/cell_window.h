@@ -4,8 +4,8 @@
 
 namespace frontier_pilot::grids {
 
-/// One value per cell of the square that reaches `reach` cells to every side of `centre`: what a search needs that
-/// stays near a cell. Cells are named as on the grid that it lies on; one outside of the square must not be asked for.
+/// One value per cell of the square that extends `reach` cells to every side of `centre`: storage for a search that
+/// stays near a cell. Cells have their indices on the underlying grid. Access outside of the square is undefined.
 template <class T>
 class CellWindow {
  public:

@@ -6,8 +6,9 @@
 
 namespace frontier_pilot::grids {
 
-/// Exact Euclidean distance [m] from each cell's centre to the nearest obstacle cell's centre, cut at a maximum.
-/// With the cut a change reaches only `max_distance` far, so an update costs the changed block, not the map.
+/// Exact Euclidean distance [m] from each cell's centre to the nearest obstacle cell's centre, cut off at a maximum.
+/// Therefore a change affects only cells within `max_distance`, and the cost of an update depends on the changed block,
+/// not on the map.
 /// Felzenszwalb & Huttenlocher, "Distance Transforms of Sampled Functions", Theory of Computing 8, 2012.
 class DistanceField {
  public:
@@ -15,7 +16,7 @@ class DistanceField {
   /// `obstacle`: non-zero where one is. `max_distance` [m] > 0 is what cells farther from every obstacle get.
   DistanceField(const Grid<std::uint8_t>& obstacle, double max_distance);
 
-  /// Recomputes what a change of `obstacle` within `changed` can reach. The geometry must be the one of construction.
+  /// Recomputes the cells that a change of `obstacle` within `changed` can affect. The geometry must not have changed.
   void update(const Grid<std::uint8_t>& obstacle, const CellRect& changed);
 
   const GridGeometry& geometry() const { return distance_.geometry(); }

@@ -6,7 +6,7 @@
 
 namespace frontier_pilot::grids {
 
-/// `cells`, grown to multiples of `step`.
+/// The smallest block that contains `cells` and whose borders are multiples of `step`.
 inline CellRect snap(const CellRect& cells, int step) {
   const auto floor_to = [step](int value) { return (value / step - (value % step < 0 ? 1 : 0)) * step; };
   const int x = floor_to(cells.x);
@@ -14,7 +14,7 @@ inline CellRect snap(const CellRect& cells, int step) {
   return {x, y, floor_to(cells.x + cells.width + step - 1) - x, floor_to(cells.y + cells.height + step - 1) - y};
 }
 
-/// A grid of `geometry` with `old` in it, its first cell at `offset`, and `fill` around.
+/// A grid of `geometry` that contains `old`, whose cell (0, 0) comes to `offset`; all other cells are `fill`.
 template <class T>
 Grid<T> resized(const Grid<T>& old, const GridGeometry& geometry, Cell offset, T fill) {
   Grid<T> grid(geometry, fill);
@@ -24,8 +24,8 @@ Grid<T> resized(const Grid<T>& old, const GridGeometry& geometry, Cell offset, T
   return grid;
 }
 
-/// A grid that grows where it is needed. Cells are counted from the frame's origin: cell (0, 0) has its lower left
-/// corner at (0, 0) [m], and keeps its place when the grid grows.
+/// A grid that grows as needed. Cells are counted from the frame's origin: cell (0, 0) has its lower left corner at
+/// (0, 0) [m], and the indices of cells do not change when the grid grows.
 template <class T>
 class GrowingGrid {
  public:
@@ -41,11 +41,11 @@ class GrowingGrid {
     resize(snap(needed, kStep));
   }
   bool contains(Cell cell) const { return extent_.contains(cell); }
-  /// A cell that is inside.
+  /// `cell` must be inside.
   T& operator[](Cell cell) { return grid_[Cell{cell.x - extent_.x, cell.y - extent_.y}]; }
   const T& operator[](Cell cell) const { return grid_[Cell{cell.x - extent_.x, cell.y - extent_.y}]; }
   T get(Cell cell) const { return contains(cell) ? (*this)[cell] : fill_; }
-  /// What has been reserved so far; cell (0, 0) of it is the lower left one.
+  /// All cells reserved so far, as an ordinary grid: its cell (0, 0) is the lower left one of them.
   const Grid<T>& grid() const { return grid_; }
 
  private:
@@ -62,7 +62,7 @@ class GrowingGrid {
 
   T fill_;
   GridGeometry frame_;
-  CellRect extent_;  ///< the grid's place, in cells from the frame's origin
+  CellRect extent_;  ///< where `grid_` lies, in cells from the frame's origin
   Grid<T> grid_;
 };
 

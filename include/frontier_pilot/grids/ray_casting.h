@@ -10,10 +10,10 @@ namespace frontier_pilot::grids {
 /// Exact ranges to the solid cells of a fixed grid. A ray stops where it enters a solid cell (the surface), not at the
 /// cell's centre; outside of the grid there is nothing to hit. Casting is thread-safe.
 ///
-/// Directions fall into 32 sectors: 8 octants of 4 slopes each. For each sector and cell a byte says over how many
-/// columns (cells along the ray's longer axis) no ray of the sector that is anywhere in the cell can meet anything. A
-/// ray leaps that far at once, so walls beside it and behind it cost nothing. That takes 32 bytes a cell; a ray touches
-/// the bytes of its own sector only.
+/// Directions are divided into 32 sectors: 8 octants with 4 classes of slopes each. For each sector and cell one byte
+/// stores over how many columns (cells along the ray's longer axis) no ray of that sector, wherever it is in the cell,
+/// can meet anything. A ray leaps that far at once, so walls beside it and behind it cost nothing. The index takes 32
+/// bytes per cell; a ray reads only the bytes of its own sector.
 class RayCaster {
  public:
   RayCaster() = default;
@@ -45,7 +45,7 @@ class RayCaster {
 
   GridGeometry geometry_;
   double cells_per_metre_ = 0.0;
-  std::vector<std::uint8_t> leaps_;  ///< one plane after the other: 0 solid or outside, else 1 + columns surely free
+  std::vector<std::uint8_t> leaps_;  ///< one plane per sector: 0 is solid or outside, else 1 + columns surely free
 };
 
 }  // namespace frontier_pilot::grids

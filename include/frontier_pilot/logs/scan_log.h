@@ -10,7 +10,7 @@
 
 namespace frontier_pilot::logs {
 
-/// A scan of a recorded drive, and what odometry said when it was taken (at `scan.stamp`).
+/// A scan of a recorded drive, and the odometry pose at its stamp.
 struct LogRecord {
   Pose2 T_odom_base;
   LaserScan2 scan;
@@ -19,7 +19,7 @@ struct LogRecord {
 /// A recorded drive, in the order of the file.
 struct ScanLog {
   std::vector<LogRecord> records;
-  std::vector<std::string> notes;  ///< for people: what was passed over or had to be guessed
+  std::vector<std::string> notes;  ///< in words: what was skipped or had to be assumed
 };
 
 /// A log that cannot be read. `what()` names the file, the line and what is wrong with it.
@@ -29,18 +29,18 @@ class LogError : public std::runtime_error {
 };
 
 enum class LogFormat {
-  kCsv,     ///< our own, see `readCsvLog`
+  kCsv,     ///< the format of this project, see `readCsvLog`
   kCarmen,  ///< see `readCarmenLog`
   kRosbag,  ///< needs ROS
 };
 
-/// What the file's first line looks like. Puts the stream back to where it was.
+/// The format, judged by the first line that is neither empty nor a comment. Restores the position in the stream.
 LogFormat formatOf(std::istream& file);
 
-/// How a scanner sits on a robot, where a log does not say.
+/// Properties of the scanner, for logs that do not record them.
 struct LogScanner {
   std::optional<Pose2> T_base_sensor;   ///< the format's own default if not given
-  std::optional<double> range_max;      ///< a longer range is no return [m]; the format's own default if not given
+  std::optional<double> range_max;      ///< longer ranges mean no return [m]; the format's own default if not given
   std::optional<double> field_of_view;  ///< [rad]; the format's own default if not given
 };
 

@@ -8,15 +8,15 @@
 
 namespace frontier_pilot::logs {
 
-/// Where something was at a time.
+/// A pose and the time at which it was taken.
 struct TrajectoryPose {
   Time stamp;
   Pose2 pose;
 };
 using Trajectory = std::vector<TrajectoryPose>;
 
-/// Writes lines `stamp x y z qx qy qz qw` [s, m], as the tools around the TUM RGB-D benchmark read them. Whether it
-/// could is left in the stream.
+/// Writes lines `stamp x y z qx qy qz qw` [s, m], the format of the TUM RGB-D benchmark and its tools. Check the stream
+/// for errors afterwards.
 void writeTum(std::ostream& out, const Trajectory& trajectory);
 
 }  // namespace frontier_pilot::logs

@@ -9,15 +9,15 @@
 
 namespace frontier_pilot::logs {
 
-/// A reference measurement: where the base was at record `to`, seen from where it was at record `from`.
+/// A reference measurement: the pose of the base at record `to` in the frame of the base at record `from`.
 struct PoseRelation {
   std::size_t from = 0;
   std::size_t to = 0;
   Pose2 T_from_to;
 };
 
-/// Reads lines `i j dx [m] dy [m] dyaw [rad]`. Empty lines and those that begin with # are passed over. Throws a
-/// LogError naming `name` and the line where it is broken or names a record that a log of `records` does not have.
+/// Reads lines `i j dx [m] dy [m] dyaw [rad]`. Empty lines and lines that begin with # are skipped. Throws a LogError
+/// that names the file (`name`) and the line if it is malformed or refers to a record beyond the log's `records`.
 std::vector<PoseRelation> readRelations(std::istream& file, const std::string& name, std::size_t records);
 
 /// Mean and standard deviation.
@@ -26,7 +26,7 @@ struct Spread {
   double stddev = 0.0;
 };
 
-/// How far a trajectory is from relations: of the lengths [m] and the angles [rad] of the differences.
+/// How far a trajectory deviates from relations: statistics of the lengths [m] and angles [rad] of the differences.
 struct RelationError {
   Spread translation;
   Spread rotation;
@@ -36,7 +36,7 @@ struct RelationError {
 /// values. All zero without relations.
 RelationError relationError(const std::vector<Pose2>& trajectory, const std::vector<PoseRelation>& relations);
 
-/// The root of the mean square of position [m] and yaw [rad] errors, and the largest of each.
+/// Root mean square and maximum of the position errors [m] and of the yaw errors [rad].
 struct AbsoluteError {
   double position_rmse = 0.0;
   double yaw_rmse = 0.0;
@@ -45,7 +45,7 @@ struct AbsoluteError {
 };
 
 /// The absolute trajectory error (Sturm et al., "A Benchmark for the Evaluation of RGB-D SLAM Systems", IROS 2012),
-/// but with the trajectories laid upon each other at their first pose. Both must be as long; all zero when empty.
+/// but with the trajectories aligned at their first poses. Both must have the same length; all zero when empty.
 AbsoluteError absoluteError(const std::vector<Pose2>& estimate, const std::vector<Pose2>& truth);
 
 }  // namespace frontier_pilot::logs

@@ -8,18 +8,18 @@
 
 namespace frontier_pilot::map_files {
 
-/// What a map_server YAML and its picture hold: a map, and where robots start in it if the file says so.
+/// The content of a map_server YAML and its image: a map, and the robots' default start pose if the YAML has one.
 struct MapImage {
   OccupancyGrid map;
   std::optional<Pose2> start;
 };
 
-/// Reads a map_server YAML (mode trinary) and the picture it names, PGM or PNG. An additional key `start: [x, y, yaw]`
-/// names a default start pose; other unknown keys are ignored, as map_server does. [SIM-1] [MAP-5]
+/// Reads a map_server YAML (mode trinary) and the image it names, PGM or PNG. An additional key `start: [x, y, yaw]`
+/// [m, m, rad] sets a default start pose; other unknown keys are ignored, as by map_server. [SIM-1] [MAP-5]
 /// Throws std::runtime_error naming the file and everything that is wrong with it; a rotated origin is refused.
 MapImage readMapImage(const std::string& yaml_path);
 
-/// The bytes of a PGM in map_server's shades for free, occupied and unknown.
+/// The bytes of a PGM image with map_server's grey values for free, occupied and unknown cells.
 std::string pgmOf(const OccupancyGrid& grid);
 
 }  // namespace frontier_pilot::map_files

@@ -10,45 +10,46 @@ namespace frontier_pilot::map_files {
 
 enum class MapIoStatus {
   kOk,
-  kBadPath,      ///< the path names no file, or one that cannot be read again, or its directory does not exist
-  kEmptyMap,     ///< there is nothing to save: no cell is known
-  kCannotWrite,  ///< the disk is full, or writing is not allowed
+  kBadPath,      ///< the name is not acceptable as a file name, or the directory does not exist
+  kEmptyMap,     ///< nothing to save: no cell is known
+  kCannotWrite,  ///< a file could not be written, for example because the disk is full
   kMissing,      ///< a file to load does not exist
-  kBroken,       ///< a file to load is not what it should be
+  kBroken,       ///< a file to load is malformed or does not fit the map
 };
 
 const char* toString(MapIoStatus status);
 
 struct MapIoResult {
   MapIoStatus status = MapIoStatus::kOk;
-  std::string text;  ///< for people: what was done, or what is wrong with which file
+  std::string text;  ///< in words: what was done, or what is wrong with which file
 
   bool ok() const { return status == MapIoStatus::kOk; }
 };
 
-/// What of a map goes into its files, as it was at one moment: it shares nothing with the map, so that another thread
-/// may write it.
+/// A copy of everything of a map that goes into its files. It shares nothing with the map, so that another thread may
+/// write the files.
 struct MapSnapshot {
   OccupancyGrid grid;
-  std::string octree;          ///< the bytes of the .bt file; none when the octree cannot be written
-  std::size_t most_bytes = 0;  ///< that such a file may have
+  std::string octree;          ///< the bytes of the .bt file; empty when the octree could not be serialised
+  std::size_t most_bytes = 0;  ///< the largest size that a .bt file of such a map may have
 };
 MapSnapshot takeSnapshot(occupancy::OccupancyMap& map);
 
-/// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary one); an extension
-/// of these three is ignored. Each file appears whole or not at all; they are read back before success is told. The
-/// YAML comes first, with length and checksum of the .bt and of the one before it, so that at any moment one of the two
-/// maps can be loaded. Where only some files could be put in place the text names them. [FLT-1]
+/// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary format); if `path`
+/// ends in one of these extensions it is ignored. Each file appears complete or not at all, and all are read back
+/// before success is reported. The YAML is replaced first and holds length and checksum of both the new and the
+/// previous .bt, so that at any moment one of the two maps can be loaded. If only some files could be replaced, the
+/// text names them. [FLT-1]
 MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives = Survives::kPowerLoss);
 MapIoResult saveMap(occupancy::OccupancyMap& map, const std::string& path);
 
-/// Replaces `map` by what `saveMap` wrote to `path`: its .bt file, whatever the extension. If a YAML is there the two
-/// must belong together; the text says where that is not known. A map without a .bt, such as map_saver writes it, is
-/// read from its YAML and picture: its known cells are then as sure as cells may be, and its resolution must be the
-/// map's. On failure the map stays as it was. [MAP-5]
+/// Replaces `map` by what `saveMap` wrote to `path`, that is its .bt file, whichever extension `path` has. If a YAML
+/// exists, the .bt must match its checksum; the text says so if that could not be verified. A map without a .bt, as
+/// map_saver writes it, is read from its YAML and image: its known cells get the greatest certainty that the occupancy
+/// model allows, and its resolution must equal the map's. On failure `map` is unchanged. [MAP-5]
 MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map);
 
-/// Replaces `map` by a .bt file's content; on failure it stays as it was.
+/// Replaces `map` by the content of a .bt file; on failure it is unchanged.
 MapIoResult loadOctree(const std::string& bt_path, occupancy::OccupancyMap& map);
 
 }  // namespace frontier_pilot::map_files

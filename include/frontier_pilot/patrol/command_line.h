@@ -8,17 +8,17 @@
 
 namespace frontier_pilot::patrol {
 
-/// What `patrol_client` was asked for.
+/// The parsed command line of `patrol_client`.
 struct PatrolCommandLine {
-  std::optional<PatrolOrder> goal;  ///< what to patrol; nothing if help was asked for or something was wrong
+  std::optional<PatrolOrder> goal;  ///< what to patrol; empty if help was asked for or an argument was wrong
   bool help = false;
-  std::string problem;  ///< what was wrong; empty: nothing
+  std::string problem;  ///< what was wrong; empty if nothing was
 };
 
-/// How patrol_client ends, as its exit code.
+/// The exit codes of `patrol_client`.
 enum class PatrolExit { kCompleted = 0, kAborted = 1, kUsage = 2, kNoServer = 3, kInterrupted = 130 };
 
-/// Reads the words after the program's name.
+/// Parses the words after the program's name.
 PatrolCommandLine parsePatrolCommandLine(const std::vector<std::string>& words);
 
 /// The text of --help.

@@ -5,8 +5,8 @@
 
 namespace frontier_pilot::patrol {
 
-/// How a patrol is driven. The speeds stay below what a Burger can do, so that its wheels follow the profile; a robot
-/// that can do less is driven by its limits.
+/// How a patrol is driven. The default speeds are below a Burger's limits, so that its wheels can follow the profile; a
+/// slower robot is driven within its own limits.
 struct PatrolParameters {
   RobotModel robot;
   double frequency = 20.0;
@@ -40,7 +40,8 @@ struct PatrolParameters {
     v.field("max_laps", max_laps, "", "greatest number of laps that is accepted", between(1, 10000));
     v.field("odometry_timeout", odometry_timeout, "s", "greatest age of odometry", timeSpan());
     v.fixed({"jump_distance", "jump_angle"});
-    v.field("blocked_timeout", blocked_timeout, "s", "without the wheels or without progress: give up", timeSpan());
+    v.field("blocked_timeout", blocked_timeout, "s",
+            "time without the wheels or without progress after which a patrol is given up", timeSpan());
     v.fixed({"settle_timeout"});
   }
   void check(Problems& problems) const {
@@ -51,7 +52,7 @@ struct PatrolParameters {
   }
 };
 
-/// The same with speeds and accelerations that are within the robot's limits.
+/// `parameters` with speeds and accelerations reduced to the robot's limits.
 PatrolParameters withinLimits(PatrolParameters parameters);
 
 }  // namespace frontier_pilot::patrol

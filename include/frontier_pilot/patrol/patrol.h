@@ -14,39 +14,39 @@ namespace frontier_pilot::patrol {
 
 class StepDriver;
 
-/// How a patrol stands, or how it ended.
+/// The state of a patrol, or how it ended.
 enum class PatrolOutcome {
-  kIdle,  ///< there was none yet
+  kIdle,  ///< no patrol yet
   kRunning,
   kCompleted,
   kCanceled,
   kInvalidGoal,
   kNoOdometry,    ///< none, or too old
   kBadOdometry,   ///< the last message was malformed
-  kOdometryJump,  ///< the robot was put somewhere else
-  kBlocked,       ///< no wheels or no progress for too long
+  kOdometryJump,  ///< odometry jumped by more than the robot can drive in a cycle
+  kBlocked,       ///< another source held the wheels, or there was no progress, for too long
   kEmergencyStop,
   kClockJump,
 };
 const char* toString(PatrolOutcome outcome);
 
-/// What a patrol knows of the world in a cycle.
+/// The inputs of one control cycle.
 struct PatrolInputs {
   std::optional<MotionSample> odometry;         ///< the latest one, however old
-  std::optional<std::string> odometry_problem;  ///< why the last message was refused; nothing if it was good
-  std::optional<std::string> wheels_held_by;    ///< another source than the patrol, with its name
+  std::optional<std::string> odometry_problem;  ///< why the last message was refused; empty if it was not
+  std::optional<std::string> wheels_held_by;    ///< the arbiter's source that holds the wheels instead of the patrol
   bool emergency_stop = false;
 };
 
-/// What comes of a cycle.
+/// The result of one control cycle.
 struct PatrolOutput {
   PatrolOutcome outcome = PatrolOutcome::kIdle;
-  std::optional<Twist2> command;   ///< to be published at once; nothing is while no patrol is active [PAT-6]
-  std::optional<int> started_leg;  ///< the leg that begins now, from 1 [PAT-3]
-  std::string text;                ///< once it has ended: the result [PAT-3]
+  std::optional<Twist2> command;   ///< to be published at once; none while no patrol is active [PAT-6]
+  std::optional<int> started_leg;  ///< the leg that begins now, counted from 1 [PAT-3]
+  std::string text;                ///< the result, once the patrol has ended [PAT-3]
 };
 
-/// Patrols a square, a triangle or a circle by odometry. Everything that ends a patrol gives a zero command with it.
+/// Patrols a square, a triangle or a circle by odometry. Whatever ends a patrol, its last output has a zero command.
 /// Requirements: docs/requirements.md, PAT-1 to PAT-6.
 class Patrol {
  public:
@@ -55,13 +55,13 @@ class Patrol {
   Patrol(const Patrol&) = delete;
   Patrol& operator=(const Patrol&) = delete;
 
-  /// A new goal; one that is running must have been cancelled. The first command comes with the next `update`.
+  /// Starts a new goal; a running one must have been cancelled. The first motion comes with the next `update`.
   PatrolOutput start(const PatrolOrder& goal, Time now);
   /// To be called at `frequency`.
   PatrolOutput update(const PatrolInputs& inputs, Time now);
   /// Ends the patrol at once. [PAT-4]
   PatrolOutput cancel();
-  /// The same after the clock has jumped, whenever the patrol began.
+  /// Ends the patrol because the clock has jumped.
   PatrolOutput abortByClockJump();
   bool active() const { return active_; }
 
@@ -87,14 +87,14 @@ class Patrol {
   bool active_ = false;
   PatrolOrder goal_;
   std::vector<PatrolStep> steps_;
-  std::size_t step_ = 0;  ///< index of the next one while waiting or settling, else of the present one
+  std::size_t step_ = 0;  ///< index of the current step; of the next one while waiting or settling
   Phase phase_ = Phase::kWaiting;
   int leg_ = 0;
   Pose2 T_odom_plan_;
   std::optional<MotionSample> last_sample_;
   Time started_, last_update_, settling_since_;
   std::optional<Time> held_since_;
-  Time progressed_;  ///< when the step came on for the last time
+  Time progressed_;  ///< when the step last made progress
   double best_progress_ = 0.0;
 };
 

@@ -10,10 +10,10 @@
 
 namespace frontier_pilot::sim {
 
-/// What keeps a scanner from the truth. What it is and where it sits stands in the description of the robot.
+/// The errors of a simulated scanner. Its beams, range and mount are part of the robot's description.
 struct LidarNoise {
   double noise_stddev = 0.01;  ///< [m]
-  double dropout = 0.0;        ///< share of the beams that say nothing
+  double dropout = 0.0;        ///< share of the beams that give no reading
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -32,14 +32,14 @@ struct LidarNoise {
 };
 
 /// Odometry noise by the odometry motion model of Thrun, Burgard & Fox, "Probabilistic Robotics", 5.4, with AMCL's
-/// names. There the variance of one update is alpha times the square of its motion, so that the sum over a path
-/// depends on how often one updates. Here it grows with the motion itself and equals theirs for one metre or radian.
+/// names. There the variance of one update is alpha times the square of its motion, so that the total over a path
+/// depends on the update rate. Here it is alpha times the motion itself: the same for a motion of one metre or radian.
 struct OdometryParameters {
   double alpha1 = 0.0005;  ///< [rad^2/rad]
   double alpha2 = 0.0002;  ///< [rad^2/m]
   double alpha3 = 0.0005;  ///< [m^2/m]
   double alpha4 = 0.0001;  ///< [m^2/rad]
-  // What a badly calibrated base adds, drawn once for a robot: standard deviations.
+  // Standard deviations of the systematic errors of a badly calibrated base, which are drawn once for each robot.
   double distance_scale = 0.0;  ///< [m/m]
   double turn_scale = 0.0;      ///< [rad/rad]
   double drift = 0.0;           ///< [rad/m]
@@ -74,7 +74,8 @@ struct RobotSpec {
   }
 };
 
-/// Everything about a simulation. x, y and yaw are NaN unless given: the world's own start pose then holds.
+/// The parameters of a simulation. x, y and yaw are NaN if not given. If neither x nor y is given, the robot starts at
+/// the world's own start pose; otherwise what is not given is 0.
 struct SimulatorParameters {
   std::string world;
   double x = std::numeric_limits<double>::quiet_NaN();    ///< [m]
@@ -84,7 +85,7 @@ struct SimulatorParameters {
   int seed = 1;
   bool odom_noise = false;
   bool unknown_is_free = false;
-  RobotModel robot;  ///< of all of them
+  RobotModel robot;  ///< the model of all robots
   LidarNoise lidar;
   OdometryParameters odometry;
   std::vector<RobotSpec> robots;
@@ -92,10 +93,10 @@ struct SimulatorParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("world", world, "", "map_server YAML of the world; required");
-    v.field("x", x, "m", "start in the world's frame; not given: where the world file says", anyNumber());
-    v.field("y", y, "m", "start in the world's frame; not given: where the world file says", anyNumber());
-    v.field("yaw", yaw, "rad", "start in the world's frame; not given: where the world file says", anyNumber());
-    v.field("speed", speed, "", "simulated over real time; 0: as fast as it can", between(0.0, 1e4));
+    v.field("x", x, "m", "start in the world's frame; without x and y: where the world file says", anyNumber());
+    v.field("y", y, "m", "start in the world's frame; without x and y: where the world file says", anyNumber());
+    v.field("yaw", yaw, "rad", "start in the world's frame; without x, y and yaw: as the world file says", anyNumber());
+    v.field("speed", speed, "", "simulated time over real time; 0: as fast as possible", between(0.0, 1e4));
     v.field("seed", seed, "", "seed of all noise; the same seed and commands give the same output, byte by byte",
             atLeast(0));
     v.field("odom_noise", odom_noise, "", "whether the odometry drifts");

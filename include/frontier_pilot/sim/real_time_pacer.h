@@ -6,20 +6,20 @@
 
 namespace frontier_pilot::sim {
 
-/// How many steps a simulation owes real time. What it cannot keep up with is forgiven, so that it never races to
-/// catch up. [SIM-4]
+/// Paces a simulation by real time: tells how many steps are due. A backlog of more than 250 ms is dropped, so that the
+/// simulation never races to catch up. [SIM-4]
 class RealTimePacer {
  public:
-  /// `speed` is simulated over real time, 0 for as fast as it can. `step` is simulated time.
+  /// `speed` is simulated time over real time, 0 for as fast as possible. `step` is simulated time.
   RealTimePacer(double speed, Duration step) : speed_(speed), step_(step) {}
 
   /// Steps that are due now.
   std::int64_t due(SteadyTime now);
-  /// One of them was made.
+  /// To be called after each step of the simulation.
   void stepped() { ++made_; }
-  /// Nothing is owed for the time until the next call of `due`.
+  /// The time until the next call of `due` does not count.
   void rest() { resting_ = true; }
-  /// How often backlog was forgiven.
+  /// How often a backlog was dropped.
   std::int64_t timesBehind() const { return times_behind_; }
 
  private:
@@ -27,7 +27,7 @@ class RealTimePacer {
   Duration step_;
   bool resting_ = true;
   SteadyTime since_;
-  std::int64_t made_ = 0;  ///< since `since_`
+  std::int64_t made_ = 0;  ///< steps since `since_`
   std::int64_t times_behind_ = 0;
 };
 

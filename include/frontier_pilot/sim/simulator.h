@@ -13,7 +13,7 @@
 
 namespace frontier_pilot::sim {
 
-/// What became of a request to put something somewhere.
+/// The result of a request to place or remove a robot or an obstacle.
 enum class Placement {
   kDone,
   kUnknownRobot,
@@ -32,8 +32,8 @@ enum class Placement {
 };
 const char* toString(Placement placement);
 
-/// A kinematic world of robots of one outline with scanners, in fixed steps of simulated time. Poses are in the world's
-/// frame. The same world, parameters and sequence of calls give the same bytes. [SIM-2]
+/// A kinematic simulation of robots of the same model with scanners, in fixed steps of simulated time. Poses are in the
+/// world's frame. The same world, parameters and sequence of calls give the same output, bit by bit. [SIM-2]
 class Simulator {
  public:
   static constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -47,7 +47,7 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  /// One step of 10 ms for everything.
+  /// Advances everything by one step of 10 ms.
   void step();
   /// Time since the start, beginning at zero.
   Time now() const;
@@ -57,29 +57,29 @@ class Simulator {
   const std::string& name(std::size_t robot) const;
   std::optional<std::size_t> find(const std::string& name) const;
 
-  /// `twist` must be finite. It holds for the `watchdog` of the robot at most.
+  /// `twist` must be finite. It holds until the next command, but no longer than the robot's `watchdog` time.
   void setCommand(std::size_t robot, const Twist2& twist);
 
   const Pose2& startPose(std::size_t robot) const;
-  /// The truth, T_world_base, and the velocity really driven in the last step.
+  /// The true pose T_world_base, and the velocity that was actually driven in the last step.
   const Pose2& pose(std::size_t robot) const;
   const Twist2& velocity(std::size_t robot) const;
-  /// T_odom_base by the wheels: zero at the start.
+  /// T_odom_base by wheel odometry: zero at the start.
   const Pose2& odometry(std::size_t robot) const;
   /// The scan measured at the end of the last step; nullptr if none was due.
   const LaserScan2* newScan(std::size_t robot) const;
-  /// Whether the outline touches what it drove or turned into. [SIM-3]
+  /// Whether the robot is in contact with something that it drove or turned into. [SIM-3]
   bool stalled(std::size_t robot) const;
-  /// How often it came into contact.
+  /// How often it came into contact with something.
   int contactCount(std::size_t robot) const;
 
-  /// Carries a robot somewhere else; its odometry does not notice.
+  /// Puts a robot somewhere else; its odometry does not change.
   Placement setPose(const std::string& robot, const Pose2& pose);
   /// A round obstacle; it may reach into walls but not onto a robot.
   Placement spawnObstacle(const std::string& name, const Pose2& pose, double radius);
   Placement removeObstacle(const std::string& name);
-  /// Everyone back to the start, standing, odometry zero. Who finds that place taken by an obstacle stays where it is;
-  /// the names of those are returned.
+  /// Puts all robots back to their starts, at rest and with zero odometry. A robot whose start is taken by an obstacle,
+  /// or by a robot that stays, stays where it is; the names of those are returned.
   std::vector<std::string> resetPositions();
 
  private:
@@ -87,7 +87,7 @@ class Simulator {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The robots that `parameters` ask for: the list, or the one at x, y, yaw, or where the world says.
+/// The robots that `parameters` ask for: those of the list, or one at x, y, yaw or at the world's start pose.
 std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const World& world);
 
 }  // namespace frontier_pilot::sim

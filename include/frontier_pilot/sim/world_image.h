@@ -8,14 +8,14 @@
 
 namespace frontier_pilot::sim {
 
-/// The true map of a world, in the world's frame, and where robots start in it if its file says so.
+/// The true map of a world, in the world's frame, and the default start pose if its file has one.
 using World = map_files::MapImage;
 
-/// Loads a world as map_files::readMapImage does, with "world" before what it throws. [SIM-1]
+/// Loads a world with map_files::readMapImage, and puts "world" before the text of what that throws. [SIM-1]
 World loadWorld(const std::string& yaml_path);
 
-/// Non-zero where a robot and a beam stop: at occupied cells, and at unknown ones unless they are declared free. One
-/// cell wider than `map` on each side: the world has an end, for robots and beams alike.
+/// Non-zero where robots and beams are stopped: in occupied cells, in unknown ones unless `unknown_is_free`, and in a
+/// ring of one cell around `map`, where the world ends.
 Grid<std::uint8_t> solidCells(const OccupancyGrid& map, bool unknown_is_free);
 
 }  // namespace frontier_pilot::sim

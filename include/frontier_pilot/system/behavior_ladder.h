@@ -6,20 +6,21 @@
 #include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/navigation/recovery.h"
 
-/// The navigator's recoveries out of the timed behaviours: what drives the actions back_up and spin drives these too.
-/// The modules do not know each other, so they are put together here.
+/// The navigator's recoveries, built from the timed behaviours that also carry out the actions back_up and spin. The
+/// modules navigation and behavior do not depend on each other, so they are combined here.
 namespace frontier_pilot::system {
 
-/// Looks ahead by the navigator's live scan: a motion is free unless it brings something into `outline`, the robot's
-/// with its margin, or nearer to its middle than it is. A disc may always turn. `scan` must outlive it.
+/// Looks ahead in the navigator's live scan: a motion is free unless it brings a scan point into `outline`, which is
+/// the robot's with a margin, or deeper into it than one is at the start. A disc may always turn. `scan` must outlive
+/// the returned function.
 behavior::LookAhead lookAtScan(const navigation::ScanPoints& scan, const Outline& outline);
 
-/// The goal as far as it is free: a robot that is no disc may have room for a part of it only, and that may be enough
-/// to turn. Of a disc's goals nothing is left out.
+/// The goal, shortened in eighths until it is free, but not below a quarter: a robot that is not a disc may have room
+/// for a part of the motion only, and that may be enough. A disc's goal is unchanged.
 behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
                                   const Outline& outline);
 
-/// A recovery that does `goal` and is done when that ends, however it ends.
+/// A recovery that carries out `goal`, and is done when the behaviour ends, whatever its outcome.
 navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavior::BehaviorParameters& behavior,
                                 const Outline& outline);
 
@@ -27,7 +28,7 @@ navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavi
 behavior::BehaviorParameters recoveryBehavior(const navigation::RecoveryParams& params, const RobotLimits& limits,
                                               double rate);
 
-/// Clear the local costmap, back up, spin; after the last rung there is only giving up. [NAV-3]
+/// Clear the local costmap, back up, spin; when none of them helps the navigator gives up. [NAV-3]
 std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::RecoveryParams& params, const RobotModel& robot,
                                                      double rate);
 

@@ -15,28 +15,28 @@
 
 namespace frontier_pilot::system {
 
-/// The parameters of every part, as the nodes have them.
+/// The parameters of every part, the same as those of the nodes.
 struct ClosedLoopParameters {
   sim::SimulatorParameters simulator;
-  mapping::MapperParameters mapper = trustingOdometry();  ///< as system.launch has it without noise
+  mapping::MapperParameters mapper = trustingOdometry();  ///< as system.launch sets it without odometry noise
   navigation::NavigatorParams navigator;
   exploration::ExplorerParameters explorer;
   arbiter::ArbiterParameters arbiter;
-  double latency = 0.0;     ///< from a measurement to those who use it [s]
-  double head_start = 0.0;  ///< of all others before the explorer [s]
+  double latency = 0.0;     ///< from a measurement to its use [s]
+  double head_start = 0.0;  ///< how much later than everything else the explorer starts [s]
 
   static mapping::MapperParameters trustingOdometry() {
     mapping::MapperParameters parameters;
     parameters.trust_odometry = true;
     return parameters;
   }
-  /// One robot for everybody who needs to know it.
+  /// Sets the robot of every part.
   void setRobot(const RobotModel& robot);
-  /// The same robot with other limits.
+  /// Sets the limits of the robot of every part.
   void setLimits(const RobotLimits& limits);
 };
 
-/// Where the processor time went [s].
+/// How long each part was at work [s], by the `wall_clock` of the ClosedLoop.
 struct ModuleTimes {
   double simulator = 0.0;
   double mapper = 0.0;
@@ -47,17 +47,17 @@ struct ModuleTimes {
   double sum() const { return simulator + mapper + navigator + explorer + arbiter; }
 };
 
-/// Simulator, mapper, navigator, explorer and arbiter in lockstep in one process: what system.launch does over topics.
-/// Simulated time only; deterministic for a seed.
+/// Simulator, mapper, navigator, explorer and arbiter in lockstep in one process; system.launch connects the same parts
+/// by topics. Simulated time only; deterministic for a seed.
 class ClosedLoop {
  public:
-  /// Throws as sim::Simulator and arbiter::Arbiter do. `wall_clock`, if given, is read to fill `times()`; nothing else
-  /// depends on it.
+  /// Throws what the constructors of sim::Simulator and arbiter::Arbiter throw. `wall_clock` [s], if given, only serves
+  /// to fill `times()`.
   ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)() = nullptr);
 
-  /// One step of the simulator, and what falls due in it.
+  /// One step of the simulator, and everything that is due then.
   void step();
-  /// Switches the navigator's source at the arbiter off and on: while it is off the robot is told to stand.
+  /// Enables or disables the arbiter's source `nav`. While it is disabled the robot is commanded to stand still.
   void setNavEnabled(bool on);
 
   Time now() const { return simulator_.now(); }
@@ -67,14 +67,14 @@ class ClosedLoop {
   const exploration::Explorer& explorer() const { return explorer_; }
   const exploration::ExplorerProgress& status() const { return status_; }
   bool done() const { return status_.state == exploration::ExplorerState::kDone; }
-  /// Every transition and remark of the explorer and every end of a goal since the last call, one line each.
+  /// Every transition and note of the explorer and every result of a goal since the last call, one line each.
   std::vector<std::string> takeLog();
   const ModuleTimes& times() const { return times_; }
   /// FNV-1a over the robot's poses, commands and decisions so far: equal runs have equal hashes.
   std::uint64_t hash() const { return hash_; }
 
  private:
-  /// What the robot's sensors said at one moment.
+  /// The readings of the robot's sensors at one moment.
   struct Sensed {
     Time stamp;
     Pose2 T_odom_base;
@@ -106,7 +106,7 @@ class ClosedLoop {
   Duration head_start_;
   Duration latency_;
   std::deque<Sensed> on_the_way_;
-  Sensed sensed_;  ///< the newest that has arrived
+  Sensed sensed_;  ///< the latest that has arrived
   LaserScan2 scan_;
   exploration::GoalCommand pending_;
   std::uint32_t goal_id_ = 0;

@@ -4,8 +4,8 @@
 
 namespace frontier_pilot::test {
 
-/// Two rooms and a corridor of 33 m without a feature between them: over the middle 17 m a scanner of 8 m sees neither
-/// end.
+/// Two rooms joined by a corridor of 33 m without any feature: on its middle 17 m a scanner with a range of 8 m sees
+/// neither end.
 sim::World corridorWorld();
 
 }  // namespace frontier_pilot::test

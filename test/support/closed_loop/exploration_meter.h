@@ -7,12 +7,13 @@
 
 namespace frontier_pilot::test {
 
-/// How much of the true world a map shows: the share of the reachable floor that is known free, and the share of the
-/// occupied cells that have no wall near. Reachable floor: the free cells that a disc covers, moving from the start.
+/// How well a map shows the true world: the share of the reachable floor that it shows as free, and the share of its
+/// occupied cells that are not near a true wall. Reachable floor: the free cells that a disc covers, moving from the
+/// start.
 class ExplorationMeter {
  public:
-  /// `truth` in the frame `world`; `T_world_map`: where the map's frame lies in it. Throws std::invalid_argument where
-  /// the disc of `radius` [m] does not fit at the start.
+  /// `truth` is in the world's frame, and `T_world_map` is the pose of the map's frame in it, which is the start.
+  /// Throws std::invalid_argument when the disc of `radius` [m] does not fit there.
   ExplorationMeter(const OccupancyGrid& truth, const Pose2& T_world_map, double radius);
 
   /// Share in [0, 1] of the reachable floor that `map` shows as free.
@@ -20,9 +21,9 @@ class ExplorationMeter {
   /// Share in [0, 1] of the occupied cells of `map` that lie more than 0.25 m from everything that is not free in
   /// truth.
   double wrong(const OccupancyGrid& map) const;
-  /// The reachable floor [m^2].
+  /// The area of the reachable floor [m^2].
   double area() const;
-  /// Non-zero where the reachable floor is, on the truth's grid.
+  /// Non-zero on the reachable floor, on the truth's grid.
   const Grid<std::uint8_t>& floor() const { return floor_; }
 
  private:
@@ -32,7 +33,7 @@ class ExplorationMeter {
   Grid<std::uint8_t> near_wall_;
   Pose2 T_world_map_;
   std::vector<Vec2> targets_;              ///< centres of the floor's cells, in the map's frame
-  GridGeometry located_;                   ///< the geometry that the indices below are for
+  GridGeometry located_;                   ///< the geometry for which the indices below hold
   std::vector<std::int64_t> target_cell_;  ///< index of the map's cell that holds each target, -1 outside
 };
 

@@ -9,26 +9,26 @@
 
 namespace frontier_pilot::test {
 
-/// What can go wrong with a robot's sensors.
+/// A fault of a robot's sensors.
 enum class SensorFault {
   kNone,
   kKidnap,       ///< the scanner sees another place for 3 s
-  kDropout,      ///< 30 % of the beams say nothing, always
-  kPerson,       ///< somebody crosses the view at 1 m/s
-  kOdomFrozen,   ///< odometry stands still for 1 s, and what was driven is lost
+  kDropout,      ///< 30 % of the beams give no reading, always
+  kPerson,       ///< a person crosses the view at 1 m/s
+  kOdomFrozen,   ///< odometry stands still for 1 s, and the motion meanwhile is lost
   kOdomMissing,  ///< there is no odometry for 1 s
 };
 /// Throws std::invalid_argument when there is no such fault.
 SensorFault sensorFaultNamed(const std::string& name);
 
-/// What reaches the mapper of a drive that has a fault for a while in every half minute.
+/// The scans and the odometry of a drive on which a sensor fault recurs every 30 s.
 class FaultyDrive {
  public:
   FaultyDrive(sim::World world, sim::SimulatorParameters parameters, double distance, SensorFault fault);
 
   /// Drives on until there is a new scan; nullptr at the end.
   const LaserScan2* nextScan();
-  /// Odometry as it is reported, if it is.
+  /// Odometry as it is reported; nothing while it is missing.
   std::optional<Pose2> T_odom_base() const;
   Pose2 T_map_base() const { return drive_.T_map_base(); }
   const GuidedDrive& drive() const { return drive_; }
@@ -48,7 +48,7 @@ class FaultyDrive {
   sim::DiscIndex nobody_;
   LaserScan2 elsewhere_;
   Pose2 last_odometry_;
-  Pose2 T_reported_odom_;  ///< what odometry lost
+  Pose2 T_reported_odom_;  ///< pose of the odometry frame in the reported one: the motion that was lost
 };
 
 }  // namespace frontier_pilot::test

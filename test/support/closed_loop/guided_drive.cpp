@@ -7,13 +7,13 @@ namespace frontier_pilot::test {
 namespace {
 
 constexpr int kStepsPerControl = 10;
-constexpr double kRoom = 0.3;     // [m], of a place to the walls
+constexpr double kRoom = 0.3;     // [m], from a place to the nearest wall
 constexpr double kArrived = 0.3;  // [m]
-constexpr int kPatience = 20;     // controls, on a way that cannot be followed
+constexpr int kPatience = 20;     // control cycles on a path that is blocked
 constexpr int kTries = 1000;
-constexpr int kStuck = 20000;  // steps without a move
+constexpr int kStuck = 20000;  // steps without any motion
 
-/// The way must be one that nobody would call narrow: the follower sees no walls but the map's.
+/// Plans only through places with full clearance, because the follower gets no scan that would show it the walls.
 planning::ClearanceParams roomy(const sim::SimulatorParameters& parameters) {
   planning::ClearanceParams params;
   params.inscribed_radius = parameters.robot.drivenOutline().circumscribedRadius();
@@ -29,7 +29,7 @@ GuidedDrive::GuidedDrive(sim::World world, const sim::SimulatorParameters& param
       follower_({}, parameters.robot),
       wanted_distance_(distance),
       last_(simulator_.pose(0).position()) {
-  // What nobody has seen is as solid as a wall here.
+  // Unknown cells count as walls here.
   OccupancyGrid truth = simulator_.map();
   std::replace_if(truth.cells().begin(), truth.cells().end(), isUnknown, kOccupied);
   clearance_.setMap(truth, truth.geometry().rect());

@@ -11,19 +11,19 @@
 
 namespace frontier_pilot::test {
 
-/// A simulated robot that somebody who knows the truth leads from place to place over the reachable floor: the same
-/// drive for every seed, whatever its scanner and its odometry say. The places are drawn, the ways between them planned
-/// on the true map.
+/// A simulated robot that is driven by its true pose from place to place over the reachable floor: the same drive for
+/// every seed, whatever its scanner and odometry report. The places are random, the paths between them are planned on
+/// the true map.
 class GuidedDrive {
  public:
-  /// Throws as sim::Simulator does. Ends when the robot has driven `distance` [m].
+  /// Throws what sim::Simulator throws. The drive ends when the robot has driven `distance` [m].
   GuidedDrive(sim::World world, const sim::SimulatorParameters& parameters, double distance);
 
   /// Drives on until there is a new scan; nullptr at the end of the drive. Throws std::runtime_error when stuck.
   const LaserScan2* nextScan();
 
   sim::Simulator& simulator() { return simulator_; }
-  /// The truth, in the frame of the start pose, where odometry and map begin.
+  /// The true pose in the frame of the start pose, where odometry and the map begin.
   Pose2 T_map_base() const { return simulator_.startPose(0).inverse() * simulator_.pose(0); }
   const Pose2& T_odom_base() const { return simulator_.odometry(0); }
   Time now() const { return simulator_.now(); }
@@ -37,14 +37,14 @@ class GuidedDrive {
   planning::ClearanceMap clearance_;
   planning::GlobalPlanner planner_;
   navigation::PathFollower follower_;
-  std::vector<Cell> places_;  ///< where the robot can stand well
+  std::vector<Cell> places_;  ///< possible destinations, away from walls
   sim::Random random_{1};
   double wanted_distance_;
   double distance_ = 0.0;
   Vec2 last_;
   int steps_ = 0;
   int moved_ = 0;    ///< the last step that moved the robot
-  int blocked_ = 0;  ///< for so many controls
+  int blocked_ = 0;  ///< number of control cycles in a row in which the path was blocked
 };
 
 }  // namespace frontier_pilot::test

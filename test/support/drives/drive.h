@@ -15,19 +15,19 @@ inline void fill(Grid<std::uint8_t>& solid, const CellRect& cells, std::uint8_t 
   }
 }
 
-/// Makes noisy scans of a drawn world; the same seed, the same scans.
+/// Makes noisy scans of a world; the same seed gives the same scans.
 class Scanner {
  public:
   Scanner(const Grid<std::uint8_t>& solid, double noise, unsigned seed = 1)
       : caster_(solid), noise_(0.0, noise > 0.0 ? noise : 1.0), noisy_(noise > 0.0), random_(seed) {}
 
   double range_max = 8.0;   ///< [m]
-  double lost_share = 0.0;  ///< of the beams that come back as if they had met nothing
+  double lost_share = 0.0;  ///< share of the beams that report that they met nothing
   std::size_t beams = 360;
-  double field_of_view = 2.0 * kPi;  ///< [rad], ahead
+  double field_of_view = 2.0 * kPi;  ///< [rad], symmetric to straight ahead
   Pose2 T_base_sensor{};
 
-  /// What the scanner sees from `T_world_base`.
+  /// The scan of a robot at `T_world_base`.
   LaserScan2 scan(const Pose2& T_world_base, Time stamp) {
     LaserScan2 scan;
     scan.stamp = stamp;

@@ -11,8 +11,8 @@
 
 namespace frontier_pilot::test {
 
-/// A corridor of 3 m around a square block, in a square of `side` [m]; with `cluttered` boxes of all sizes stand along
-/// the walls, else every side of it looks the same.
+/// A corridor of 3 m around a square block, in a square of `side` [m]. With `cluttered`, boxes of various sizes stand
+/// along the walls; otherwise all four sides look the same.
 inline Grid<std::uint8_t> ringWorld(double side, bool cluttered) {
   GridGeometry geometry;
   geometry.width = geometry.height = static_cast<int>(side / geometry.resolution);
@@ -57,10 +57,10 @@ inline std::vector<Pose2> ringPoses(double side, double step, double laps) {
   return poses;
 }
 
-/// What LocalSlam would make of a drive: keyframes in submaps that overlap by half, in a frame that drifts.
+/// The output of a LocalSlam on a drive: keyframes in submaps that overlap by half, in a frame that drifts.
 class DriftingDrive {
  public:
-  /// Each step is seen with `error` on top.
+  /// `error` is added to the estimate of each step.
   DriftingDrive(std::vector<Pose2> truth, const Grid<std::uint8_t>& world, const Pose2& error)
       : truth_(std::move(truth)), scanner_(world, 0.01), error_(error) {
     T_local_base_ = {Pose2()};
@@ -70,7 +70,7 @@ class DriftingDrive {
   }
 
   std::size_t size() const { return truth_.size(); }
-  /// Where keyframe `i` truly is, in the frame of the first one.
+  /// The true pose of keyframe `i`, in the frame of the first one.
   Pose2 truth(std::size_t i) const { return truth_.front().inverse() * truth_[i]; }
   const Pose2& local(std::size_t i) const { return T_local_base_[i]; }
 

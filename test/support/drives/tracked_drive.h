@@ -42,7 +42,7 @@ inline Grid<std::uint8_t> longCorridor() {
   return solid;
 }
 
-/// Poses of a robot that drives from point to point at a speed [m/s], turning on the spot, at a rate [Hz].
+/// Poses, at a rate [Hz], of a robot that drives from point to point at a speed [m/s] and turns in place.
 inline std::vector<Pose2> driveAlong(const std::vector<Vec2>& points, double speed = 0.3, double rate = 10.0) {
   const double turn = 0.8 / rate;
   std::vector<Pose2> poses = {Pose2(points[0], bearing(points[1] - points[0]))};
@@ -66,12 +66,12 @@ inline std::vector<Pose2> aroundTheRooms(double speed = 0.5, double rate = 10.0)
   return driveAlong({{2.0, 2.0}, {3.0, 2.5}, {8.5, 2.5}, {8.5, 6.5}, {3.0, 6.5}, {3.0, 2.5}, {6.0, 2.5}}, speed, rate);
 }
 
-/// Wheels with 5 % noise in distance and rotation, that also drift.
+/// Odometry with 5 % noise in distance and rotation, and drift.
 class Wheels {
  public:
   explicit Wheels(unsigned seed = 1) : random_(seed) {}
 
-  bool frozen = false;  ///< the encoders say nothing
+  bool frozen = false;  ///< the encoders report no motion
 
   const Pose2& move(const Pose2& from, const Pose2& to) {
     const Pose2 step = from.inverse() * to;
@@ -88,19 +88,19 @@ class Wheels {
   Pose2 pose_;
 };
 
-/// Follows a drive, and remembers how well.
+/// Runs LocalSlam on a drive, and records how well it tracks the robot.
 struct TrackedDrive {
   double rate = 10.0;  ///< [Hz]
   slam::LocalSlam slam;
   Wheels wheels;
   std::map<slam::MatchVerdict, int> verdicts;
-  Pose2 error;             ///< the truth's motion to the estimated one, at the end
+  Pose2 error;             ///< the last estimated pose in the frame of the true one
   double worst = 0.0;      ///< greatest distance from the truth [m]
   double worst_yaw = 0.0;  ///< [rad]
   std::vector<slam::Keyframe> keyframes;
   std::vector<std::shared_ptr<const slam::Submap>> submaps;
 
-  /// What happens to the scan or the wheels at a time [s]. False: there is no scan.
+  /// Changes the scan or the wheels at a time [s]. False: there is no scan.
   using Fault = std::function<bool(double, LaserScan2&, Wheels&)>;
 
   void run(const std::vector<Pose2>& poses, Scanner& scanner, const Fault& fault = nullptr) {

@@ -11,7 +11,7 @@
 
 namespace frontier_pilot::test {
 
-/// The navigator in the simulator, in lockstep at 20 Hz, on a map it knows.
+/// The navigator in lockstep with the simulator, at 20 Hz, on a known map.
 class DrivenRobot {
  public:
   DrivenRobot(const AsciiWorld& world, const Pose2& start, const navigation::NavigatorParams& params = {})
@@ -22,7 +22,7 @@ class DrivenRobot {
     navigator_.setMap(map, map.geometry().rect());
   }
 
-  /// Burger, or the fast set of limits.
+  /// The parameters of a robot with the fast set of limits.
   static navigation::NavigatorParams fast() {
     navigation::NavigatorParams params;
     params.robot.limits.max_linear = 0.5;
@@ -52,7 +52,7 @@ class DrivenRobot {
     return output_;
   }
 
-  /// Until a goal ends or time is over.
+  /// Ticks until a goal ends, which is returned, or until `seconds` have passed.
   std::optional<navigation::NavFinished> runUntilFinished(double seconds) {
     finished_.reset();
     const Time end = simulator_.now() + fromSeconds(seconds);
@@ -75,7 +75,7 @@ class DrivenRobot {
   bool has_pose = true;
   bool has_scan = true;
   bool has_map = true;
-  std::set<std::string> recoveries;  ///< all that were shown
+  std::set<std::string> recoveries;  ///< all that the navigator has reported
 
  private:
   static sim::SimulatorParameters simulation(const Pose2& start, const RobotModel& robot) {

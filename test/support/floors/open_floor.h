@@ -4,7 +4,7 @@
 
 namespace frontier_pilot::test {
 
-/// For a robot so small that it may stand on every free cell, and with no price for being near a wall.
+/// Parameters for a robot so small that it may stand on every free cell, with no cost for being near a wall.
 inline planning::ClearanceParams pointRobot() {
   planning::ClearanceParams params;
   params.inscribed_radius = 0.004;

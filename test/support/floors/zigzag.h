@@ -4,7 +4,7 @@
 
 namespace frontier_pilot::test {
 
-/// Solid, but for corridors of `width` cells of 5 cm: three metres along x, then two and a half along y, then along x
+/// A solid map with corridors of `width` cells of 5 cm: three metres along x, then two and a half along y, then along x
 /// again, with a corner to the left and one to the right.
 inline OccupancyGrid zigzag(int width) {
   OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 120, 90}, kOccupied);

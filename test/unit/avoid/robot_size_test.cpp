@@ -57,7 +57,7 @@ TEST(AvoiderDistances, AreTakenAsTheyAreWhereTheyAreGiven_ROB_1) {
 TEST(AvoiderParameters, AreRefusedWhereTheyLieInsideTheRobotOrHaveAnOldName_ROB_1) {
   avoid::AvoiderParameters parameters;
   EXPECT_EQ(loadParameters(parseYaml("{stop_distance: 0.1, guard_half_width: 0.13}"), parameters),
-            (Problems{"guard_half_width: is a constant of the program now, and no parameter any more",
+            (Problems{"guard_half_width: is now a constant of the program and no longer a parameter",
                       "stop_distance: must be beyond the robot's front"}));
   EXPECT_EQ(loadParameters(parseYaml("robot: {outline: [], disc_radius: 0.0}"), parameters),
             (Problems{"robot/outline: must be given where disc_radius is 0"}))

@@ -90,7 +90,7 @@ TEST_F(Files, SayWhyTheyCannotBeWrittenAndLeaveNothingBehind_FLT_1) {
 TEST_F(Files, AreFilesAndNothingElse_FLT_1) {
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
   for (const fs::path& odd : {folder / "pipe", folder, fs::path("/dev/zero")}) {
-    EXPECT_EQ(readFile(odd, 10).problem, "is no file") << odd;
+    EXPECT_EQ(readFile(odd, 10).problem, "is not a regular file") << odd;
   }
   EXPECT_EQ(readFile(folder / "none", 10).status, Status::kMissing);
   EXPECT_EQ(readFile(folder / std::string(300, 'x'), 10).status, Status::kRefused);

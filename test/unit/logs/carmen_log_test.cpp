@@ -103,13 +103,13 @@ TEST(CarmenLog, ReadsTheKindOfScanThatComesFirst) {
       readCarmen(frontLaser(181, "0 0 0 0 0 0", 1) + kRobotLaser + frontLaser(181, "1 0 0 1 0 0", 2));
   EXPECT_EQ(log.records.size(), 2U);
   ASSERT_EQ(log.notes.size(), 1U);
-  EXPECT_EQ(log.notes[0], "1 scans of another kind than FLASER passed over");
+  EXPECT_EQ(log.notes[0], "1 scans of another kind than FLASER skipped");
 }
 
 TEST(CarmenLog, SaysInWhichLineWhatIsBroken) {
   EXPECT_EQ(problemOfCarmen("\nFLASER 3 1 2\n"), "drive.log:2: has fewer ranges than it says");
-  EXPECT_EQ(problemOfCarmen("FLASER 3 1 2 x 0 0 0 0 0 0 1 host 1\n"), "drive.log:1: a range is no number: 'x'");
-  EXPECT_EQ(problemOfCarmen("FLASER three\n"), "drive.log:1: the number of ranges is no count: 'three'");
+  EXPECT_EQ(problemOfCarmen("FLASER 3 1 2 x 0 0 0 0 0 0 1 host 1\n"), "drive.log:1: a range is not a number: 'x'");
+  EXPECT_EQ(problemOfCarmen("FLASER three\n"), "drive.log:1: the number of ranges is not a whole number: 'three'");
   EXPECT_EQ(problemOfCarmen("FLASER 2 1 2 0 0 0 0 0\n"), "drive.log:1: ends where the robot's pose should be");
   EXPECT_EQ(problemOfCarmen("FLASER 2 1 2 0 0 0 0 0 0\n"), "drive.log:1: ends where the stamp should be");
   EXPECT_EQ(problemOfCarmen("ROBOTLASER1 0 -1.5 3 0 80 0 0 2 1 1\n"), "drive.log:1: the angular resolution is zero");

@@ -53,8 +53,8 @@ TEST(CsvLog, TakesAnotherScannerWhenTold) {
 
 TEST(CsvLog, SaysInWhichLineWhatIsBroken) {
   EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n2,0,0\n"), "drive.csv:2: ends where odometry's yaw should be");
-  EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n\n2,0,O,0,5,9\n"), "drive.csv:3: odometry's y is no number: 'O'");
-  EXPECT_EQ(problemOfCsv("1,0,0,0,5,nan\n"), "drive.csv:1: a range is no number: 'nan'");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n\n2,0,O,0,5,9\n"), "drive.csv:3: odometry's y is not a number: 'O'");
+  EXPECT_EQ(problemOfCsv("1,0,0,0,5,nan\n"), "drive.csv:1: a range is not a number: 'nan'");
   EXPECT_EQ(problemOfCsv("1,0,0,0,5\n"), "drive.csv:1: a scan has at least two ranges");
   EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n2,0,0,0,5\n"), "drive.csv:2: a scan has at least two ranges");
   EXPECT_EQ(problemOfCsv("1,0,0,0,5,9\n2,0,0,0,5,9,8\n"), "drive.csv:2: has 3 ranges, the first scan has 2");

@@ -43,7 +43,8 @@ TEST(Relations, AreReadAsPosesBetweenRecords) {
 TEST(Relations, SayInWhichLineWhatIsBroken) {
   EXPECT_EQ(problemOfRelations("0 1 2 3\n"), "drive.relations:1: ends where dyaw should be");
   EXPECT_EQ(problemOfRelations("0 1 2 3 4 5\n"), "drive.relations:1: has more than five values");
-  EXPECT_EQ(problemOfRelations("0 1 2 3 4\n-1 1 2 3 4\n"), "drive.relations:2: the first record is no count: '-1'");
+  EXPECT_EQ(problemOfRelations("0 1 2 3 4\n-1 1 2 3 4\n"),
+            "drive.relations:2: the first record is not a whole number: '-1'");
   EXPECT_EQ(problemOfRelations("0 10 2 3 4\n"), "drive.relations:1: record 10 is beyond the log's end");
   EXPECT_EQ(problemOfRelations(""), "drive.relations: holds no relation");
 }

@@ -29,7 +29,7 @@ TEST(PatrolCommandLine, DefaultsAreOneMetreAndOneLap) {
 
 TEST(PatrolCommandLine, WhatIsWrongIsNamed) {
   const auto problem = [](const Words& words) { return patrol::parsePatrolCommandLine(words).problem; };
-  EXPECT_EQ(problem({}), "which shape? square, triangle or circle");
+  EXPECT_EQ(problem({}), "no shape given: square, triangle or circle");
   EXPECT_EQ(problem({"pentagon"}), "unknown argument: pentagon");
   EXPECT_EQ(problem({"square", "circle"}), "more than one shape: circle");
   EXPECT_EQ(problem({"square", "--side"}), "--side needs a number");

@@ -84,8 +84,9 @@ TEST_F(WorldFiles, AreFilesAndNothingElse_FLT_1_SIM_1) {
   const std::string pipe = (folder_ / "pipe").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string& odd : {pipe, folder_.string(), std::string("/dev/zero")}) {
-    EXPECT_NE(refusal(odd).find("is no file"), std::string::npos) << odd << ": " << refusal(odd);
-    EXPECT_NE(refusal(writeYaml("image: " + odd + "\n" + rest_)).find("is no file"), std::string::npos) << odd;
+    EXPECT_NE(refusal(odd).find("is not a regular file"), std::string::npos) << odd << ": " << refusal(odd);
+    EXPECT_NE(refusal(writeYaml("image: " + odd + "\n" + rest_)).find("is not a regular file"), std::string::npos)
+        << odd;
   }
 }
 

@@ -44,7 +44,7 @@ TEST(MapLogOptions, AreReadInAnyOrder) {
 }
 
 TEST(MapLogOptions, SayWhatIsWrong) {
-  EXPECT_EQ(problemOf({}), "which log?");
+  EXPECT_EQ(problemOf({}), "no log given");
   EXPECT_EQ(problemOf({"a"}), "--out is missing: where should the map go?");
   EXPECT_EQ(problemOf({"a", "b", "--out", "x"}), "more than one log: a and b");
   EXPECT_EQ(problemOf({"a", "--fast"}), "unknown option --fast");
@@ -142,7 +142,7 @@ TEST_F(MapLog, SaysWhatItCannotReadOrWrite) {
   EXPECT_NE(errors_.find("none.csv: cannot be read"), std::string::npos) << errors_;
   std::ofstream(path("broken.csv")) << "1,0,0,0,5,9\n2,0,0,zero\n";
   EXPECT_EQ(run({path("broken.csv"), "--out", path("map")}), 1);
-  EXPECT_NE(errors_.find("broken.csv:2: odometry's yaw is no number: 'zero'"), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find("broken.csv:2: odometry's yaw is not a number: 'zero'"), std::string::npos) << errors_;
   EXPECT_EQ(run({path("drive.csv"), "--out", path("no/such/map")}), 1);
   EXPECT_NE(errors_.find("no such directory"), std::string::npos) << errors_;
   EXPECT_EQ(run({path("drive.csv")}), 2);
@@ -160,7 +160,7 @@ TEST_F(MapLog, ReplacesLinksAndReadsFilesOnly_FLT_1) {
   EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path("map.tum"))));
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   EXPECT_EQ(run({path("pipe"), "--out", path("map")}), 1);
-  EXPECT_NE(errors_.find("pipe: is no file"), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find("pipe: is not a regular file"), std::string::npos) << errors_;
   EXPECT_EQ(run({folder_.string(), "--out", path("map")}), 1);
 }
 
