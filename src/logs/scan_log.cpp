@@ -1,5 +1,8 @@
 #include "frontier_pilot/logs/scan_log.h"
 
+#include <algorithm>
+
+#include "frontier_pilot/core/bounds.h"
 #include "logs/carmen_log.h"
 #include "logs/csv_log.h"
 
@@ -20,12 +23,28 @@ LogFormat formatOf(std::istream& file) {
   return starts_with_number && line.find(',') != std::string::npos ? LogFormat::kCsv : LogFormat::kCarmen;
 }
 
+namespace {
+
+/// What sizes the map that is made of a log has the bounds that it has in messages.
+ScanLog bounded(ScanLog log, const std::string& name) {
+  for (const LogRecord& record : log.records) {
+    const Pose2& base = record.T_odom_base;
+    if (!bounds::isWithin(base.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate))
+      throw LogError(name + ": odometry is farther than 1000 km from the origin");
+    if (!bounds::isWithin(record.scan.T_base_sensor.position().norm(), bounds::kMostMount))
+      throw LogError(name + ": the laser is farther than 10 m from the robot");
+  }
+  return log;
+}
+
+}  // namespace
+
 ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanner& scanner) {
   switch (formatOf(file)) {
     case LogFormat::kCsv:
-      return readCsvLog(file, name, scanner);
+      return bounded(readCsvLog(file, name, scanner), name);
     case LogFormat::kCarmen:
-      return readCarmenLog(file, name, scanner);
+      return bounded(readCarmenLog(file, name, scanner), name);
     case LogFormat::kRosbag:
       break;
   }

@@ -1,8 +1,10 @@
 #include "tools/map_log_options.h"
 
+#include <cmath>
 #include <regex>
 #include <stdexcept>
 
+#include "frontier_pilot/core/bounds.h"
 #include "tools/arguments.h"
 
 namespace frontier_pilot::tools {
@@ -14,9 +16,17 @@ double positiveNumber(Arguments& arguments, const std::string& option) {
   return value;
 }
 
-Pose2 poseOf(Arguments& arguments) {
+double resolutionOf(Arguments& arguments, const std::string& option) {
+  const double value = arguments.number();
+  if (value >= bounds::kLeastResolution && value <= bounds::kMostResolution) return value;
+  throw std::invalid_argument(option + " must be between 0.01 and 10 m");
+}
+
+Pose2 mountOf(Arguments& arguments, const std::string& option) {
   const double x = arguments.number();
   const double y = arguments.number();
+  if (!bounds::isWithin(std::hypot(x, y), bounds::kMostMount))
+    throw std::invalid_argument(option + " must be within 10 m of the base");
   return {x, y, normalizeAngle(arguments.number())};
 }
 
@@ -32,10 +42,10 @@ void takeOption(const std::string& word, Arguments& arguments, MapLogOptions& o)
   if (word == "--help" || word == "-h") return void(o.help = true);
   if (word == "--out") return void(o.out = arguments.text());
   if (word == "--relations") return void(o.relations = arguments.text());
-  if (word == "--resolution") return void(o.mapper.map.resolution = positiveNumber(arguments, word));
+  if (word == "--resolution") return void(o.mapper.map.resolution = resolutionOf(arguments, word));
   if (word == "--range") return void(o.scanner.range_max = positiveNumber(arguments, word));
   if (word == "--fov") return void(o.scanner.field_of_view = positiveNumber(arguments, word) * kPi / 180.0);
-  if (word == "--mount") return void(o.scanner.T_base_sensor = poseOf(arguments));
+  if (word == "--mount") return void(o.scanner.T_base_sensor = mountOf(arguments, word));
   if (word == "--scan") return void(o.topics.scan = rosName(arguments, word, "topic"));
   if (word == "--odom") return void(o.topics.odom = rosName(arguments, word, "topic"));
   if (word == "--base") return void(o.topics.base_frame = rosName(arguments, word, "frame"));
@@ -74,7 +84,7 @@ ranges from right to left), a CARMEN log (FLASER or ROBOTLASER1) or a rosbag.
                                             trajectory (blue), closures (green)
   --relations FILE     lines "i j dx dy dyaw": prints how far odometry and the
                        corrected trajectory are from them
-  --resolution METRES  side of the map's cells (0.05)
+  --resolution METRES  side of the map's cells, 0.01 to 10 (0.05)
   --range METRES       longer ranges are no returns (as the log says; CSV, FLASER: 80)
   --fov DEGREES        field of view, where the log does not say (180)
   --mount X Y YAW      where the scanner sits on the base [m m rad] (as the log

@@ -30,6 +30,15 @@ TEST(ScanLog, ReadsWhatItKnows) {
   EXPECT_EQ(recordsOf("FLASER 2 1 2 0 0 0 0 0 0 5 host 1\n"), 1U);
 }
 
+// [FLT-1] The distance from base to scanner sizes the mapper's grids, whether a message or a log says it.
+TEST(ScanLog, RefusesALaserOrAPoseThatIsTooFarAway_FLT_1) {
+  EXPECT_EQ(recordsOf("FLASER 2 1 2 9 0 0 0 0 0 5 host 1\n"), 1U);
+  EXPECT_THROW(recordsOf("FLASER 2 1 2 1e9 1e9 0 0 0 0 5 host 1\n"), logs::LogError);
+  EXPECT_THROW(recordsOf("FLASER 2 1 2 50000 0 0 0 0 0 5 host 1\n"), logs::LogError);
+  EXPECT_THROW(recordsOf("FLASER 2 1 2 1e8 0 0 1e8 0 0 5 host 1\n"), logs::LogError);
+  EXPECT_THROW(recordsOf("1,0,-2e6,0,1.6,1.7\n"), logs::LogError);
+}
+
 TEST(ScanLog, SaysThatItCannotReadARosbag) { EXPECT_THROW(recordsOf("#ROSBAG V2.0\n"), logs::LogError); }
 
 }  // namespace

@@ -168,6 +168,12 @@ TEST_F(MapIo, KeepsTheMapWhenAPictureCannotBeLoaded_MAP_5) {
   const map_files::MapIoResult coarse = map_files::loadMap(path("picture"), map);
   EXPECT_EQ(coarse.status, map_files::MapIoStatus::kBroken);
   EXPECT_NE(coarse.text.find("resolution"), std::string::npos) << coarse.text;
+  for (const char* mode : {"raw", "scale", "abc", "[1, 2]"}) {
+    write("picture.yaml", std::string("image: picture.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nmode: ") + mode + "\n");
+    const map_files::MapIoResult other = map_files::loadMap(path("picture"), map);
+    EXPECT_EQ(other.status, map_files::MapIoStatus::kBroken) << other.text;
+    EXPECT_NE(other.text.find("mode"), std::string::npos) << other.text;
+  }
   EXPECT_TRUE(map.grid().cells() == before);
 }
 

@@ -34,6 +34,18 @@ TEST_F(StampOrders, RefuseWhatIsOlderThanTheBufferKeeps) {
   EXPECT_EQ(judge(50.0, 100.0, "other"), Verdict::kKeep) << "each frame has a time of its own";
 }
 
+// [FLT-1] A second broadcaster, or a relay of /tf, repeats each stamp; tf2 would write two lines for every one of them.
+TEST_F(StampOrders, NoticeAStampThatIsRepeated) {
+  EXPECT_EQ(judge(100.0, 100.0), Verdict::kKeep);
+  EXPECT_EQ(judge(100.1, 100.1), Verdict::kKeep);
+  EXPECT_EQ(judge(100.0, 100.1), Verdict::kRepeated) << "a relay may be late";
+  EXPECT_EQ(judge(100.1, 100.1), Verdict::kRepeated);
+  EXPECT_EQ(judge(100.1, 100.1, "other"), Verdict::kKeep) << "each frame has stamps of its own";
+  EXPECT_EQ(judge(9100.0, 100.1), Verdict::kKeep);
+  EXPECT_EQ(judge(100.2, 100.2), Verdict::kForgetAndKeep);
+  EXPECT_EQ(judge(100.1, 100.2), Verdict::kKeep) << "the buffer has been emptied";
+}
+
 // A simulation may be far ahead of a node that hung: what it then hears in order is all of the future.
 TEST_F(StampOrders, KeepAFutureThatComesInOrder) {
   for (double stamp = 200.0; stamp < 260.0; stamp += 1.0) EXPECT_EQ(judge(stamp, 100.0), Verdict::kKeep);

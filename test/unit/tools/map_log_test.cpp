@@ -52,6 +52,16 @@ TEST(MapLogOptions, SayWhatIsWrong) {
   EXPECT_TRUE(tools::parseMapLogOptions({"--help"}).help);
 }
 
+// [FLT-1] What sizes memory has the bounds that it has in messages and parameters.
+TEST(MapLogOptions, AreBoundedWhereTheySizeMemory_FLT_1) {
+  for (const char* resolution : {"0.001", "0.0099", "10.1", "1e-10", "-1"}) {
+    EXPECT_EQ(problemOf({"a", "--out", "x", "--resolution", resolution}), "--resolution must be between 0.01 and 10 m");
+  }
+  EXPECT_EQ(problemOf({"a", "--out", "x", "--mount", "-1e9", "1e9", "1"}), "--mount must be within 10 m of the base");
+  EXPECT_EQ(problemOf({"a", "--out", "x", "--mount", "8", "8", "0"}), "--mount must be within 10 m of the base");
+  EXPECT_EQ(problemOf({"a", "--out", "x", "--mount", "9", "0", "0", "--resolution", "0.01"}), "none");
+}
+
 // [FLT-1]
 TEST(MapLogOptions, WantNamesOfTopicsThatThereCanBe_FLT_1) {
   for (const char* name : {"/", "", "//scan", "scan/", "a b", "1scan", "/scan//b", "sc\nan", "~scan", "-"}) {

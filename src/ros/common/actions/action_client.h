@@ -13,11 +13,13 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "ros/common/callback_guard.h"
 #include "ros/common/clock.h"
+#include "ros/common/diagnostics.h"
 #include "ros/common/messages/checked_subscription.h"
 
 namespace frontier_pilot {
@@ -53,8 +55,8 @@ class ActionClient {
         feedback_(listen<ActionFeedback>(name + "/feedback", &ActionClient::takeFeedback)),
         result_(listen<ActionResult>(name + "/result", &ActionClient::takeResult)),
         monitor_(feedback_, result_),
-        goal_(offer<ActionGoal>(name + "/goal", &Monitor::goalConnectCallback, &Monitor::goalDisconnectCallback)),
-        cancel_(offer<GoalID>(name + "/cancel", &Monitor::cancelConnectCallback, &Monitor::cancelDisconnectCallback)) {
+        goal_(offer<ActionGoal>(name + "/goal", &ActionClient::goalTakerCame, &ActionClient::goalTakerWent)),
+        cancel_(offer<GoalID>(name + "/cancel", &ActionClient::cancelTakerCame, &ActionClient::cancelTakerWent)) {
     manager_.registerSendGoalFunc([this](const ActionGoalConstPtr& goal) {
       sent_.push_back(goal->goal_id.id);
       if (sent_.size() > kRemembered) sent_.pop_front();
@@ -88,6 +90,7 @@ class ActionClient {
   void forget() { handle_.reset(); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     if (callbacks_.total() > 0) callbacks_.report(status);
+    if (strangers_.total() > 0) strangers_.report(status);
     unreadable_.report(status);
   }
 
@@ -100,6 +103,8 @@ class ActionClient {
   static constexpr std::uint32_t kQueue = 50;
   static constexpr std::size_t kRemembered = 100;                       ///< more than a server's status goes on naming
   static constexpr Duration kResultPatience = std::chrono::seconds(1);  ///< of the steady clock
+  static constexpr Duration kServerPatience =
+      std::chrono::seconds(2);  ///< the same; a status comes five times a second
 
   template <class Msg>
   ros::Subscriber listen(const std::string& topic, void (ActionClient::*take)(const ros::MessageEvent<const Msg>&)) {
@@ -110,18 +115,40 @@ class ActionClient {
     return node_.subscribe(options);
   }
   template <class Msg>
-  ros::Publisher offer(const std::string& topic, void (Monitor::*come)(const Connection&),
-                       void (Monitor::*gone)(const Connection&)) {
+  ros::Publisher offer(const std::string& topic, void (ActionClient::*come)(const Connection&),
+                       void (ActionClient::*gone)(const Connection&)) {
     return node_.advertise<Msg>(
-        topic, kQueue, [this, come](const Connection& connection) { (monitor_.*come)(connection); },
-        [this, gone](const Connection& connection) { (monitor_.*gone)(connection); });
+        topic, kQueue, [this, come](const Connection& connection) { (this->*come)(connection); },
+        [this, gone](const Connection& connection) { (this->*gone)(connection); });
   }
+  void goalTakerCame(const Connection& connection) {
+    takers_.insert(connection.getSubscriberName());
+    monitor_.goalConnectCallback(connection);
+  }
+  void goalTakerWent(const Connection& connection) {
+    takers_.erase(connection.getSubscriberName());
+    monitor_.goalDisconnectCallback(connection);
+  }
+  void cancelTakerCame(const Connection& connection) { monitor_.cancelConnectCallback(connection); }
+  void cancelTakerWent(const Connection& connection) { monitor_.cancelDisconnectCallback(connection); }
 
   void takeStatus(const ros::MessageEvent<const actionlib_msgs::GoalStatusArray>& event) {
+    if (!isFromServer(event.getPublisherName())) return strangers_.add("not from the server");
     monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
     manager_.updateStatuses(event.getConstMessage());
     endWithoutResult(*event.getConstMessage());
     cancelPredecessors(*event.getConstMessage());
+  }
+  /// Whether a status comes from the server: a node that takes this client's goals, and of several the one that was
+  /// heard first, until it has been silent for a while. A status of another node would end goals that are still
+  /// pursued, and actionlib would log each change of the sender.
+  bool isFromServer(const std::string& publisher) {
+    if (takers_.count(publisher) == 0) return false;
+    const SteadyTime now = steadyNow();
+    if (publisher != server_ && server_heard_ && now - *server_heard_ < kServerPatience) return false;
+    server_ = publisher;
+    server_heard_ = now;
+    return true;
   }
   /// Cancels goals of a node of this name that are still pursued and that this client has not sent: the node that sent
   /// them was ended before it could. [FLT-2]
@@ -156,6 +183,10 @@ class ActionClient {
   ros::NodeHandle node_;
   CallbackGuard callbacks_;
   UnreadableMessages unreadable_;
+  Rejections strangers_{"action status"};
+  std::set<std::string> takers_;  ///< the nodes that subscribe to the goals
+  std::string server_;            ///< the node whose statuses are believed
+  std::optional<SteadyTime> server_heard_;
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::deque<std::string> sent_;        ///< the ids of the last goals, the newest last

@@ -10,16 +10,17 @@ Duration apart(Time a, Time b) { return a > b ? a - b : b - a; }
 }  // namespace
 
 StampOrder::Verdict StampOrder::judge(const std::string& child, Time stamp, Time now) {
-  const auto known = newest_.emplace(child, stamp).first;
-  Time& newest = known->second;
+  std::set<Time>& stamps = stamps_[child];
+  const Time newest = stamps.empty() ? stamp : *stamps.rbegin();
   if (newest - stamp <= kept_) {
-    newest = std::max(newest, stamp);
+    if (!stamps.insert(stamp).second) return Verdict::kRepeated;
+    stamps.erase(stamps.begin(), stamps.lower_bound(std::max(newest, stamp) - kept_));
     return Verdict::kKeep;
   }
   // Of two stamps so far apart the one that is nearer to the clock is the true one.
   if (newest <= now || apart(stamp, now) >= apart(newest, now)) return Verdict::kTooOld;
   clear();
-  newest_.emplace(child, stamp);
+  stamps_[child] = {stamp};
   return Verdict::kForgetAndKeep;
 }
 

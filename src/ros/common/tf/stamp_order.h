@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 
 #include "frontier_pilot/core/time.h"
@@ -14,6 +15,7 @@ class StampOrder {
  public:
   enum class Verdict {
     kKeep,
+    kRepeated,       ///< there is a transform of this frame and stamp already, and tf2 would log that there is
     kTooOld,         ///< older than the buffer keeps, beside the newest of this frame
     kForgetAndKeep,  ///< the newest of this frame is of the future: the buffer has to be emptied first
   };
@@ -21,13 +23,13 @@ class StampOrder {
   /// `kept`: how long the buffer keeps a transform.
   explicit StampOrder(Duration kept) : kept_(kept) {}
 
-  /// Judges a transform of the frame `child` and remembers it unless it is too old.
+  /// Judges a transform of the frame `child`, and remembers its stamp if it is kept.
   Verdict judge(const std::string& child, Time stamp, Time now);
-  void clear() { newest_.clear(); }
+  void clear() { stamps_.clear(); }
 
  private:
   Duration kept_;
-  std::map<std::string, Time> newest_;  ///< by frame
+  std::map<std::string, std::set<Time>> stamps_;  ///< of what the buffer keeps, by frame
 };
 
 }  // namespace frontier_pilot

@@ -101,6 +101,9 @@ bool TfListener::isOfItsTime(const geometry_msgs::TransformStamped& transform, b
   switch (order_.judge(child, toTime(transform.header.stamp), now)) {
     case StampOrder::Verdict::kKeep:
       return true;
+    case StampOrder::Verdict::kRepeated:
+      refuse("'" + child + "' has this stamp already: is it published twice?");
+      return false;
     case StampOrder::Verdict::kTooOld:
       refuse("older than the buffer keeps");
       return false;
