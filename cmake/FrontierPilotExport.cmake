@@ -1,4 +1,4 @@
-# The modules as targets for others: find_package(frontier_pilot) gives frontier_pilot::scan_matching and the like.
+# Exports the modules as targets for other packages: find_package(frontier_pilot) gives frontier_pilot::scan_matching etc.
 if(WITH_ROS)
   export(EXPORT frontier_pilotTargets NAMESPACE frontier_pilot::
     FILE ${CATKIN_DEVEL_PREFIX}/share/${PROJECT_NAME}/cmake/frontier_pilotTargets.cmake)

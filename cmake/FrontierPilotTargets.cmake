@@ -1,4 +1,4 @@
-# How every library, test and benchmark of the project is built: one place for flags, links and install rules.
+# Functions that define the libraries, tests and benchmarks of the project, with their flags, links and install rules.
 
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -25,7 +25,7 @@ else()
   set(FRONTIER_PILOT_LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR})
   set(FRONTIER_PILOT_INCLUDE_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()
-# Tests and benchmarks stay out of the folder that rosrun looks in.
+# Tests and benchmarks are not put into the folder that rosrun searches.
 set(FRONTIER_PILOT_TEST_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 function(frontier_pilot_target_options target)
@@ -36,8 +36,9 @@ function(frontier_pilot_target_options target)
 endfunction()
 
 # frontier_pilot_module(<name> SOURCES <files> [DEPENDS <modules>] [LIBRARIES <others, linked privately>] [PROGRAM]):
-# the library frontier_pilot_<name>; an undefined symbol in it fails the build, so a missing arrow is found at once.
-# Other packages link it as frontier_pilot::<name>, unless it is a PROGRAM's, which has no public headers.
+# the library frontier_pilot_<name>; an undefined symbol in it fails the build, so a missing dependency is found at
+# once. Other packages link it as frontier_pilot::<name>, unless it is the library of a PROGRAM, which has no public
+# headers.
 function(frontier_pilot_module name)
   cmake_parse_arguments(ARG "PROGRAM" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
   set(target frontier_pilot_${name})
@@ -46,7 +47,7 @@ function(frontier_pilot_module name)
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_LIBRARIES})
   target_link_options(${target} PRIVATE -Wl,--no-undefined)
-  set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")  # wherever they are installed, they find each other
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")  # installed libraries find each other in any folder
   if(ARG_PROGRAM)
     install(TARGETS ${target} LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
     return()
@@ -58,8 +59,8 @@ function(frontier_pilot_module name)
   install(TARGETS ${target} EXPORT frontier_pilotTargets LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
 endfunction()
 
-# frontier_pilot_add_test(<target>): registers a gtest with ctest and, under catkin, with `catkin_make run_tests`. Each
-# leaves its results as JUnit XML in test_results/.
+# frontier_pilot_add_test(<target>): registers a gtest with ctest and, under catkin, with `catkin_make run_tests`. The
+# results are written as JUnit XML to test_results/.
 function(frontier_pilot_add_test target)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${FRONTIER_PILOT_TEST_DIRECTORY})
   if(WITH_ROS AND COMMAND catkin_run_tests_target AND (CATKIN_ENABLE_TESTING OR NOT DEFINED CATKIN_ENABLE_TESTING))
@@ -75,7 +76,8 @@ function(frontier_pilot_add_test target)
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS unit)
 endfunction()
 
-# frontier_pilot_unit_test(<module> [DEPENDS <modules>] [LIBRARIES <others>]): test/unit/<module>/*_test.cpp as one gtest.
+# frontier_pilot_unit_test(<module> [DEPENDS <modules>] [LIBRARIES <others>]): test/unit/<module>/*_test.cpp as one
+# gtest.
 function(frontier_pilot_unit_test module)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
   if(NOT WITH_TESTS)
@@ -85,7 +87,8 @@ function(frontier_pilot_unit_test module)
   set(target ${module}_unit_tests)
   add_executable(${target} ${sources})
   frontier_pilot_target_options(${target})
-  # Most of the time goes into the headers. The files of a module's tests are in one anonymous namespace.
+  # A unity build, because compiling the headers takes most of the time. The test files of a module therefore share one
+  # anonymous namespace.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PRIVATE frontier_pilot_${module} ${ARG_DEPENDS} frontier_pilot_test_support
@@ -111,9 +114,9 @@ function(frontier_pilot_benchmark name)
   target_link_libraries(${name} PRIVATE benchmark::benchmark_main)
 endfunction()
 
-# frontier_pilot_ros_target(<target>): flags and includes of what may see ROS. ROS' own headers are system ones: their
-# warnings are not ours. Its files are compiled (and checked by clang-tidy) as one, because most of that time goes into
-# these headers.
+# frontier_pilot_ros_target(<target>): flags and includes of a target that uses ROS. ROS' headers are system headers, so
+# that their warnings are not reported. Its files are compiled (and checked by clang-tidy) as one, because most of the
+# time goes into these headers.
 function(frontier_pilot_ros_target target)
   frontier_pilot_target_options(${target})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes what comes in to FILE, which never takes more than SIZE bytes on the disk: when the first half is full it moves
-to FILE.1, in the place of what was there, and a new half begins. The oldest lines are lost, the latest are kept.
+"""Writes its standard input to FILE and keeps no more than the last SIZE bytes on the disk: when FILE has half of that,
+it is renamed to FILE.1, which replaces an older FILE.1, and a new FILE is begun.
 
 Usage: bounded_log.py FILE [SIZE]    SIZE: 20000000 if not given
 
-It ends with its input, and not by Ctrl-C: those who write to it have last words.
+It ends when its input ends, and ignores SIGINT and SIGTERM, so that the last output of the writing processes is kept.
 """
 import os
 import signal
@@ -12,7 +12,7 @@ import sys
 
 
 def open_new(path):
-    """A file of this name that was not there before; nobody's link is followed."""
+    """Creates a new file of this name; an existing file is removed, and a symbolic link is not followed."""
     try:
         os.unlink(path)
     except FileNotFoundError:
@@ -45,7 +45,7 @@ def main():
         copy(sys.stdin.fileno(), sys.argv[1], int(sys.argv[2]) if len(sys.argv) == 3 else 20000000)
     except OSError as error:
         print('bounded_log.py: %s' % error, file=sys.stderr)
-        while os.read(sys.stdin.fileno(), 65536):  # those who write must not be held up by a full disk
+        while os.read(sys.stdin.fileno(), 65536):  # a full disk must not block the writing processes
             pass
         sys.exit(1)
 

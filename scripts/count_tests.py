@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Counts the test cases in a folder of JUnit XML files.
 
-Prints "PASSED FAILED" and then the name of each failed one. A file that cannot be read counts as a failure: its test
-died before it could write. A test on the wire leaves two files: rosunit-*.xml with its cases, and rostest-*.xml with one
+Prints "PASSED FAILED" and then the name of each failed case. A file that cannot be read counts as a failure, because
+its test died while writing it. A ROS test leaves two files: rosunit-*.xml with its cases, and rostest-*.xml with one
 case for the whole, which fails if the test died and passes even if cases failed.
 """
 import pathlib

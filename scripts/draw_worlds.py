@@ -2,7 +2,7 @@
 """Draws the project's own worlds into config/worlds: a PGM and a map_server YAML each.
 
 Deterministic: running it again changes nothing. The YAML's extra key `start: [x, y, yaw]` (m, m, rad; frame of the map)
-is where a robot starts when it is not told otherwise; map_server ignores it.
+is where a robot starts unless another pose is given; map_server ignores it.
 
 Usage: draw_worlds.py [DIRECTORY]
 """
@@ -13,7 +13,7 @@ import sys
 import numpy as np
 
 RESOLUTION = 0.05  # [m] side of a cell
-WALL = 0.15        # [m] thickness of a house's wall
+WALL = 0.15        # [m] thickness of a wall between rooms
 
 
 class Plan:
@@ -162,7 +162,7 @@ def maze(rows=13, cols=16, seed=4):
 
 
 def blurred(field, radius):
-    """Mean over a square window, the border repeated."""
+    """Mean over a square window of `radius` cells on each side; the border cells are repeated outside."""
     for axis in (0, 1):
         pad = [(radius, radius) if a == axis else (0, 0) for a in (0, 1)]
         total = np.cumsum(np.pad(field, pad, mode='edge'), axis=axis)
@@ -199,7 +199,7 @@ def cave(seed=11):
         noise = blurred(noise, 9)
     rows, cols = np.indices(noise.shape)
     inset = np.minimum(np.minimum(rows, rows[::-1]), np.minimum(cols, cols[:, ::-1])) * RESOLUTION
-    noise -= 0.03 * np.clip(1.5 - inset, 0.0, None) ** 2            # closes before the edge, following the noise
+    noise -= 0.03 * np.clip(1.5 - inset, 0.0, None) ** 2            # closes the cave before the edge, along the noise
     rank = np.argsort(np.argsort(noise, axis=None)).reshape(noise.shape) / noise.size
     p.solid = rank < 0.52
     for k in range(220):                                            # a winding passage from end to end

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Watches an exploration, prints a line of progress now and then, and saves the map when it is done.
+"""Watches an exploration, prints its progress periodically, and saves the map when it is done.
 
 Exit code: 0 when everything within reach was explored and the map was saved, 1 otherwise.
 """
@@ -15,7 +15,7 @@ from frontier_pilot.srv import SaveMap
 
 
 class Watcher:
-    """Keeps the explorer's latest status and says what is new in it."""
+    """Keeps the explorer's latest status and prints it as progress lines."""
 
     def __init__(self, period):
         self.period = period  # of the progress lines, in seconds of wall time
@@ -54,7 +54,7 @@ def default_prefix():
 
 
 def save_map(prefix):
-    """Gives whether the mapper wrote the map, and says where or why not."""
+    """Returns whether the mapper has written the map, and prints where, or why not."""
     path = os.path.abspath(prefix or default_prefix())
     os.makedirs(os.path.dirname(path), exist_ok=True)
     try:
@@ -85,7 +85,7 @@ def main():
     arguments = parser.parse_args(rospy.myargv()[1:])
     while not master_is_up():
         time.sleep(0.2)
-    # The steady clock paces this program: simulated time may stand still or run at any speed.
+    # Periods are on the steady clock, because simulated time may stand still or run at any speed.
     rospy.init_node('watch_exploration', anonymous=True)
     began = time.monotonic()
     watcher = Watcher(arguments.period)

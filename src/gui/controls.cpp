@@ -128,7 +128,7 @@ void Dot::paintEvent(QPaintEvent*) {
 }
 
 QString twoDecimals(double value) {
-  // Adding zero makes a positive zero of a negative one.
+  // Adding 0.0 turns -0.0 into 0.0.
   return QString::number(std::round(value * 100.0) / 100.0 + 0.0, 'f', 2);
 }
 

@@ -13,7 +13,7 @@ class QVBoxLayout;
 
 namespace frontier_pilot::gui {
 
-/// A framed group with a title. What belongs into it goes into `content()`.
+/// A framed group with a title. Its widgets go into `content()`.
 class Card : public QFrame {
   Q_OBJECT
 
@@ -28,10 +28,10 @@ class Card : public QFrame {
   QLabel* remark_;
 };
 
-/// A label with a role of the style sheet; `wrap` lets it break lines.
+/// A label with a role of the style sheet; `wrap` allows line breaks.
 QLabel* makeLabel(const QString& text, const char* role = "", bool wrap = false);
 
-/// One line of text that gives way: what does not fit is cut and shown as the tool tip.
+/// A single line of text that can shrink: text that does not fit is elided, and the tool tip shows all of it.
 class ElidedLabel : public QLabel {
   Q_OBJECT
 
@@ -50,13 +50,14 @@ class ElidedLabel : public QLabel {
   QString full_;
 };
 
-/// A sliding switch. It shows what it was told, and a click only asks: see `asked`.
+/// A sliding switch. It shows the state set by setShown; a click does not change it but emits `asked`.
 class Switch : public QAbstractButton {
   Q_OBJECT
 
  public:
   explicit Switch(const QString& name, QWidget* parent = nullptr);
-  /// What the system says; nothing: it says nothing, and the switch is grey.
+  /// `on` is the state that the system reports; nothing if it is unknown, which is drawn in grey. If the switch is not
+  /// `available`, it is disabled, with `why_not` as its tool tip.
   void setShown(std::optional<bool> on, bool available, const QString& why_not);
   QSize sizeHint() const override;
 
@@ -88,13 +89,13 @@ class Dot : public QWidget {
   teleop::Severity severity_ = teleop::Severity::kIdle;
 };
 
-/// A bar from minus to plus `limit` around a zero in the middle: the set-point as the filled part, what really goes to
-/// the base as a mark.
+/// A bar from -`limit` to +`limit` with zero in the middle: the filled part is the set-point, the mark is the command
+/// that is sent to the base.
 class BarGauge : public QWidget {
   Q_OBJECT
 
  public:
-  /// `mirrored`: positive grows to the left, as a turn to the left does.
+  /// `mirrored`: positive values are drawn to the left, as for a turn to the left.
   BarGauge(const QString& name, const QString& unit, double limit, bool mirrored, QWidget* parent = nullptr);
   void setSetPoint(double value);
   void setActual(std::optional<double> value);
@@ -122,7 +123,7 @@ class PadButton : public QPushButton {
   QSize sizeHint() const override;
 
  signals:
-  /// The pointer has left it while it was pressed.
+  /// The pointer has left the button while it was pressed.
   void leftWhilePressed();
 
  protected:
@@ -136,7 +137,7 @@ class PadButton : public QPushButton {
 /// With two decimals, and never `-0.00`.
 QString twoDecimals(double value);
 
-/// An age as people say it: `now`, `3.2 s`, `4 min`.
+/// An age in a readable unit: `0.12 s`, `3.2 s`, `4 min`, `2 h`.
 QString ageText(double seconds);
 
 }  // namespace frontier_pilot::gui

@@ -65,7 +65,7 @@ void BarGauge::paintEvent(QPaintEvent*) {
 
 namespace {
 
-/// The arrow of `motion`, pointing up for Go, within the unit square around the origin.
+/// The arrow of `motion` (up for Go), or the square of Stop, within the unit square around the origin.
 QPainterPath glyph(teleop::Motion motion) {
   QPainterPath path;
   if (motion == teleop::Motion::kStop) {

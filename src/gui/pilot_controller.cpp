@@ -34,7 +34,7 @@ void PilotController::beat() {
   if (closed_) return;
   const bool froze = since_beat_.isValid() && since_beat_.nsecsElapsed() > liveness_timeout_.count();
   since_beat_.start();
-  // Stopping changes the set-point, which comes back here, and then without a gap.
+  // Stopping changes the set-point, which calls this function again, but then without a gap between the beats.
   if (froze) widget_.stopBecause("the window was frozen");
   link_.beat(widget_.setPoint());
 }

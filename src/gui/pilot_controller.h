@@ -9,8 +9,9 @@
 
 namespace frontier_pilot::gui {
 
-/// Joins a PilotWidget to a link: beats with the set-point every 50 ms, shows the state ten times a second, and hands
-/// wishes on. It runs in the GUI thread, so that its beat is the window's sign of life. [GUI-3]
+/// Connects a PilotWidget to a link: passes on the set-point every 50 ms, shows the state ten times a second, and
+/// passes on the operator's requests. It runs in the GUI thread, so that its beat shows that the window responds.
+/// [GUI-3]
 class PilotController : public QObject {
   Q_OBJECT
 
@@ -20,11 +21,11 @@ class PilotController : public QObject {
   /// Closes the link.
   ~PilotController() override;
 
-  /// Zero goes out and what was started is cancelled. Nothing is sent after it. Idempotent.
+  /// Sends a zero and cancels the actions that were started here. Nothing is sent after that. Idempotent.
   void close();
 
  signals:
-  /// The system wants the window to close.
+  /// ROS is shutting down, so the window has to close.
   void closeAsked();
 
  private:

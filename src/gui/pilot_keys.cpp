@@ -49,10 +49,10 @@ bool PilotWidget::eventFilter(QObject* watched, QEvent* event) {
   return handleKey(*widget, static_cast<QKeyEvent&>(*event));
 }
 
-/// True if the key was meant for driving, and nobody else is to see it.
+/// Returns true if the key was meant for this widget, and must not be passed on.
 bool PilotWidget::handleKey(QWidget& focus, QKeyEvent& event) {
   if (hasCommandModifier(event)) return false;
-  // Space stops wherever the focus is, so Enter is what presses a button.
+  // Space stops the robot wherever the focus is, so Enter presses the button that has the focus.
   const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
   if (auto* button = qobject_cast<QAbstractButton*>(&focus); button != nullptr && enter) {
     if (event.type() == QEvent::KeyPress && !event.isAutoRepeat()) button->click();
@@ -61,7 +61,7 @@ bool PilotWidget::handleKey(QWidget& focus, QKeyEvent& event) {
   const auto key = driveKeyOf(event.key());
   const bool editing = qobject_cast<QAbstractSpinBox*>(&focus) != nullptr;
   if (!key || (editing && *key != teleop::DriveKey::kSpace)) return false;
-  // So that no shortcut of the application around, such as rviz' tools, takes it.
+  // So that the key does not trigger a shortcut of the host application, such as a tool of rviz.
   if (event.type() == QEvent::ShortcutOverride) event.accept();
   if (event.type() == QEvent::ShortcutOverride || event.isAutoRepeat()) return true;
   if (event.type() == QEvent::KeyPress) {

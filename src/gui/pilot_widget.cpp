@@ -15,7 +15,7 @@ namespace frontier_pilot::gui {
 namespace {
 
 constexpr int kMostColumns = 3;
-// The least width of two and of three columns, in heights of a line.
+// The least width for two and for three columns, in line heights.
 constexpr int kTwoColumns = 38, kThreeColumns = 54;
 
 }  // namespace
@@ -31,7 +31,7 @@ PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* pa
   setState({});
   layOut(1);
   applyTheme();
-  // Keys drive wherever in the widget the focus is, so they are caught before the child that has it.
+  // Keys drive wherever in the widget the focus is, so they are filtered before the child with the focus gets them.
   qApp->installEventFilter(this);
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     if (now == nullptr || (now != this && !isAncestorOf(now))) letGo();
@@ -138,7 +138,7 @@ void PilotWidget::layOut(int columns) {
 
 void PilotWidget::applyTheme() {
   if (applying_theme_) return;
-  applying_theme_ = true;  // setting the sheet is itself a change of style
+  applying_theme_ = true;  // setting the style sheet causes another change event
   setStyleSheet(Theme::current().styleSheet(emOf(*this)));
   applying_theme_ = false;
 }
@@ -152,7 +152,8 @@ void PilotWidget::setState(const teleop::OperatorState& state) {
   if (state.emergency_stop.value_or(false)) lock = teleop::DriveLock::kEmergencyStop;
   drive_.setLock(lock);
   if (dropped || before != drive_.setPoint()) {
-    const std::string why = lock == teleop::DriveLock::kNone ? "the wheels changed hands" : toString(lock);
+    const std::string why =
+        lock == teleop::DriveLock::kNone ? "another source took or released the wheels" : toString(lock);
     appendLog({teleop::Severity::kWarning, "set-point dropped: " + why});
   }
   for (const teleop::OperatorLogLine& line : teleop::eventsBetween(last_state_, state)) appendLog(line);

@@ -21,10 +21,10 @@ class ScanCard;
 class SourcesCard;
 class SpinCard;
 
-/// The operator's side: everything that is seen and can be asked for, in the desktop window and in rviz alike.
+/// The content of the operator's window, on the desktop and in rviz alike.
 ///
-/// State comes in as plain data, wishes go out as signals; nothing here knows ROS, waits or blocks. What a control
-/// shows is always what the system last said of itself, never the click. The cards flow into one to three columns.
+/// State comes in as plain data, requests go out as signals; nothing here uses ROS, waits or blocks. A control always
+/// shows the state that the system last reported, never the click. The cards are laid out in one to three columns.
 class PilotWidget : public QWidget {
   Q_OBJECT
 
@@ -36,13 +36,13 @@ class PilotWidget : public QWidget {
   void appendLog(const teleop::OperatorLogLine& line);
   /// The manual set-point, in the base frame.
   Twist2 setPoint() const { return drive_.setPoint(); }
-  /// Zeroes the set-point and says why.
+  /// Zeroes the set-point and logs the reason.
   void stopBecause(const std::string& reason);
 
  signals:
-  /// The operator wants something of the system.
+  /// The operator has requested something of the system.
   void requested(const frontier_pilot::teleop::OperatorRequest& request);
-  /// The set-point is another one, to be sent without waiting for the next beat.
+  /// The set-point has changed and has to be sent without waiting for the next beat.
   void setPointChanged(const frontier_pilot::Twist2& set_point);
 
  protected:

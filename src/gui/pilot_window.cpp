@@ -10,7 +10,7 @@
 namespace frontier_pilot::gui {
 namespace {
 
-/// Wide enough for three columns, if the screen is.
+/// Wide enough for three columns, if the screen is wide enough.
 QSize windowSize(const QWidget& widget) {
   const int em = emOf(widget);
   const QSize wanted(em * 66, em * 42);
@@ -32,7 +32,7 @@ int runPilotWindow(int argc, char** argv, teleop::OperatorLink& link, const tele
   PilotWidget widget(parameters);
   PilotController controller(widget, link, fromSeconds(parameters.liveness_timeout));
   QObject::connect(&controller, &PilotController::closeAsked, &application, &QApplication::quit);
-  // The zero goes out when the window closes, not when the process has taken itself apart.
+  // The zero is sent when the window closes, before destructors run.
   QObject::connect(&application, &QApplication::aboutToQuit, &controller, &PilotController::close);
   widget.resize(windowSize(widget));
   widget.show();

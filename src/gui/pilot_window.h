@@ -5,11 +5,11 @@
 #include "teleop/operator_link.h"
 #include "teleop/parameters.h"
 
-/// The desktop window, for a main() that knows nothing of Qt.
+/// The desktop window, for a main() that does not use Qt.
 namespace frontier_pilot::gui {
 
-/// Opens the window on `link` and runs it until it is closed or the link wants to end. Gives the exit code. To be
-/// called in the main thread, once in a process.
+/// Opens the window on `link` and runs it until it is closed or the link is no longer running. Returns the exit code.
+/// To be called in the main thread, once in a process.
 int runPilotWindow(int argc, char** argv, teleop::OperatorLink& link, const teleop::TeleopParameters& parameters);
 
 }  // namespace frontier_pilot::gui

@@ -14,7 +14,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// Those of teleop_gui, or the defaults if there is something wrong with them: rviz has to come up all the same.
+/// The parameters of teleop_gui, or the defaults if those are invalid: rviz has to start in any case.
 teleop::TeleopParameters panelParameters(const ros::NodeHandle& node) {
   try {
     teleop::TeleopParameters parameters;
@@ -32,7 +32,7 @@ teleop::TeleopParameters panelParameters(const ros::NodeHandle& node) {
 PilotPanel::PilotPanel(QWidget* parent) : rviz::Panel(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  // rviz does not expect a panel to throw.
+  // rviz does not catch exceptions of a panel.
   try {
     fill(*layout);
   } catch (const std::exception& error) {

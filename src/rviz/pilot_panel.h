@@ -10,8 +10,8 @@
 
 namespace frontier_pilot {
 
-/// The operator's window as a dock of rviz. Its parameters are those of `teleop_gui`, so that the two agree; it speaks
-/// on `cmd_vel_manual` only while somebody drives with it.
+/// The operator's window as a panel of rviz. It uses the parameters of `teleop_gui`, so that the two agree, and
+/// publishes `cmd_vel_manual` only while the operator drives with it.
 class PilotPanel : public rviz::Panel {
   Q_OBJECT
 

@@ -95,7 +95,7 @@ class ArbiterLife(unittest.TestCase):
                 if node.has_ended():
                     code, why = node.finish()
                     self.assertEqual(code, 1, why)
-                    self.assertIn('is an arbiter of this namespace already', why)
+                    self.assertIn('is already the arbiter of this namespace', why)
             status.items.clear()
             self.assertTrue(wait_for(lambda: status.last is not None))
             self.assertTrue(status.last.emergency_stop, said + ' [ARB-12]')

@@ -148,7 +148,8 @@ TEST_F(GuiOnTheWire, SourcesThatNoServiceCanBeNamedAfterAreShownAndDoNotEndTheWi
   EXPECT_TRUE(waitFor([&] { return stranger.speaks() && window.find("enable_a b") != nullptr; }));
   window.bridge.request({teleop::OperatorRequest::Kind::kEnableSource, true, "a b"});
   QTest::qWait(2500);  // the services are looked for once a second
-  EXPECT_TRUE(window.log().contains("'a b' has no switch") && window.log().contains("'set_a b_enabled' is no name"));
+  EXPECT_TRUE(window.log().contains("'a b' has no switch") &&
+              window.log().contains("'set_a b_enabled' is not a valid service name"));
 }
 
 // [GUI-3]

@@ -87,14 +87,14 @@ class Respawn(unittest.TestCase):
         for on in [True, False]:
             self.switch('set_exploration_enabled', on)
             self.started_again('frontier_explorer')
-            self.assertIn('as it was', call('set_exploration_enabled', SetBool, on).message, '[FLT-2]')
+            self.assertIn('already: nothing changed', call('set_exploration_enabled', SetBool, on).message, '[FLT-2]')
 
     # [EXP-8] [FLT-2]
     def test_an_exploration_of_a_launch_that_is_over_is_not_taken_up(self):
         self.node = self.start('frontier_explorer')
         self.switch('set_exploration_enabled', True)
         self.started_again('frontier_explorer', signal.SIGINT)
-        self.assertIn('as it was', call('set_exploration_enabled', SetBool, False).message, '[FLT-2]')
+        self.assertIn('already: nothing changed', call('set_exploration_enabled', SetBool, False).message, '[FLT-2]')
 
     # [FLT-2]
     def test_an_avoider_that_was_switched_on_stays_on(self):
@@ -117,7 +117,7 @@ class Respawn(unittest.TestCase):
             self.assertTrue(wait_for(lambda: '/' + executable in str(master.getSystemState()[0]), 15.0))
             code, said = self.start(executable).finish(20.0)
             self.assertEqual(code, 1, said)
-            self.assertIn('/%s runs already' % executable, said)
+            self.assertIn('/%s is already running' % executable, said)
             self.assertFalse(first.has_ended(), '[FLT-2]')
             first.end()
 

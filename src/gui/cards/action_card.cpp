@@ -29,9 +29,9 @@ void ActionCard::showAction(const teleop::ActionView& action, bool emergency_sto
             action.server_up ? teleop::Severity::kIdle : teleop::Severity::kWarning);
   const QString feedback = QString::fromStdString(action.feedback);
   const QString result = QString::fromStdString(action.result);
-  // One line, always: a card that grew would move the buttons under it away from the pointer.
+  // Always one line: a card that grew would move the buttons below it away from the pointer.
   progress_->setFullText(action.active ? (feedback.isEmpty() ? "started" : feedback)
-                                       : (result.isEmpty() ? "not asked for yet" : result));
+                                       : (result.isEmpty() ? "not started yet" : result));
 }
 
 }  // namespace frontier_pilot::gui

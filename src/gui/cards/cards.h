@@ -13,7 +13,7 @@
 
 namespace frontier_pilot::gui {
 
-/// Manual driving: the pad, the set-point and what of it reaches the base. [GUI-1] [GUI-4]
+/// Manual driving: the pad, the set-point, and the command that the arbiter sends to the base. [GUI-1] [GUI-4]
 class DriveCard : public Card {
   Q_OBJECT
 
@@ -37,10 +37,10 @@ class DriveCard : public Card {
   BarGauge* angular_;
   QCheckBox* hold_;
   ElidedLabel* hint_;
-  QString driver_;  ///< who holds the wheels instead
+  QString driver_;  ///< the source that drives; empty: nobody, or not known
 };
 
-/// Every source of velocity commands: its switch, what it does, how old its last message is. [GUI-2]
+/// All sources of velocity commands, each with its switch, its state and the age of its last message. [GUI-2]
 class SourcesCard : public Card {
   Q_OBJECT
 
@@ -67,7 +67,7 @@ class SourcesCard : public Card {
   QLabel* empty_;
 };
 
-/// What the card of an action has: buttons that start it, one that stops it, and how far it is.
+/// The common part of the cards of actions: buttons that start the action, one that stops it, and its progress.
 class ActionCard : public Card {
   Q_OBJECT
 
@@ -75,7 +75,7 @@ class ActionCard : public Card {
   void stopAsked();
 
  protected:
-  /// `name` is that of the stop button, `server` the node that may be down.
+  /// `name` is the action's name on the stop button, `server` the node that serves it.
   ActionCard(const QString& title, const QString& name, const QString& server, QWidget* parent);
   QPushButton* makeStart(const QString& text);
   QPushButton* stopButton() { return stop_; }
@@ -89,7 +89,7 @@ class ActionCard : public Card {
   ElidedLabel* progress_;
 };
 
-/// Patrols: what, how large, how often.
+/// Patrols: shape, side or radius, and laps.
 class PatrolCard : public ActionCard {
   Q_OBJECT
 
@@ -123,7 +123,7 @@ class SpinCard : public ActionCard {
   QSpinBox* angle_;
 };
 
-/// The explorer: what it does and why, and what came of it.
+/// The explorer: its state with the reason, and the figures of the exploration.
 class ExplorerCard : public Card {
   Q_OBJECT
 
@@ -150,7 +150,7 @@ class ExplorerCard : public Card {
   QPushButton* reset_;
 };
 
-/// The last lines of what happened, no more than a few hundred.
+/// The operator's log: the last few hundred lines.
 class LogCard : public Card {
   Q_OBJECT
 

@@ -20,7 +20,7 @@ DriveCard::DriveCard(const teleop::TeleopParameters& parameters, QWidget* parent
   hold_->setObjectName("hold_to_run");
   hold_->setChecked(parameters.hold_to_run);
   hold_->setToolTip("The robot moves only while a button or key is pressed");
-  const QString marks = "Filled: what you ask for. Dark mark: what the arbiter sends to the wheels.";
+  const QString marks = "Filled: your set-point. Dark mark: what the arbiter sends to the wheels.";
   linear_->setToolTip(marks);
   angular_->setToolTip(marks);
   connect(hold_, &QCheckBox::toggled, this, &DriveCard::holdToRunChanged);

@@ -8,7 +8,8 @@ namespace frontier_pilot::gui {
 
 namespace {
 
-/// The focus of a button that goes grey would wander to the next one, and Enter would press that: it goes to the other.
+/// Enables and disables two buttons. If the one with the focus is disabled, the focus goes to the other one: Qt would
+/// move it to the next widget, which Enter would then press.
 void enableInTurn(QPushButton& first, bool first_on, QPushButton& second, bool second_on) {
   if (first_on) first.setEnabled(true);
   if (second_on) second.setEnabled(true);
@@ -39,7 +40,7 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   area_->setObjectName("explored_area");
   state_->setObjectName("explorer_state");
   reason_->setTextFormat(Qt::PlainText);
-  // Room for the longest that it says, so that the buttons under it keep their place.
+  // Room for the longest reason, so that the buttons below keep their place.
   reason_->setMinimumHeight(emOf(*this) * 13 / 4);
   reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* line = new QHBoxLayout;

@@ -8,7 +8,7 @@
 namespace frontier_pilot::gui {
 namespace {
 
-/// After so many refreshes (about 2 s) an unanswered click is shown as such no longer.
+/// The number of refreshes (about 2 s) for which a click is shown as not yet confirmed.
 constexpr int kAskedRefreshes = 20;
 
 QPolygonF octagon(const QPointF& center, double radius) {
@@ -26,7 +26,7 @@ struct Headline {
   teleop::Severity severity = teleop::Severity::kIdle;
 };
 
-/// The arbiter's sentence without what the title says already; what goes to the wheels, if that was all it said.
+/// The arbiter's summary without what the title already says; if nothing remains, the command sent to the wheels.
 QString detailOf(const teleop::ArbiterView& arbiter, const QString& title) {
   QString detail = QString::fromStdString(arbiter.summary);
   if (detail.startsWith(title, Qt::CaseInsensitive)) detail.remove(0, title.size());
@@ -78,7 +78,7 @@ QSize StopButton::sizeHint() const {
 }
 
 QString StopButton::caption() const {
-  if (asked_ && !latched_.value_or(false)) return "asked, not yet confirmed";
+  if (asked_ && !latched_.value_or(false)) return "requested, not yet confirmed";
   if (!latched_) return "state unknown: no arbiter";
   return *latched_ ? "latched" : "not latched";
 }
@@ -142,7 +142,7 @@ HeaderCard::HeaderCard(QWidget* parent)
   line_->addLayout(text, 1);
   line_->addLayout(buttons);
   content()->addLayout(line_);
-  // Gives way to any width, and stacks its parts when there is little: see resizeEvent.
+  // Adapts to any width, and stacks its parts when it is narrow: see resizeEvent.
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
   setMinimumWidth(emOf(*this) * 15);
   connect(stop_, &QPushButton::pressed, this, [this] {
@@ -162,7 +162,7 @@ void HeaderCard::setState(const teleop::OperatorState& state) {
                                           : "The arbiter's stop service is down: this only zeroes the set-point");
   clear_->setEnabled(latched && state.clear_service_up);
   clear_->setToolTip(!latched ? "Nothing to clear"
-                              : (state.clear_service_up ? "Clears the stop; the robot does not move by it"
+                              : (state.clear_service_up ? "Clears the stop; this does not move the robot"
                                                         : "set_emergency_stop is down"));
 }
 
@@ -174,7 +174,7 @@ void HeaderCard::showDriver(const teleop::OperatorState& state) {
   QStringList lines;
   if (state.arbiter) {
     for (const std::string& problem : state.arbiter->problems) {
-      // Some are the summary itself.
+      // Some problems are part of the summary already.
       if (state.arbiter->summary.find(problem) == std::string::npos) lines << QString::fromStdString(problem);
     }
   }

@@ -6,13 +6,13 @@ class QBoxLayout;
 
 namespace frontier_pilot::gui {
 
-/// The emergency stop. It always accepts a click, and what it shows is the latched topic alone. [GUI-2]
+/// The emergency stop. It always accepts a click, and it shows only the state of the latched topic. [GUI-2]
 class StopButton : public QPushButton {
   Q_OBJECT
 
  public:
   explicit StopButton(QWidget* parent = nullptr);
-  /// `latched`: as the topic says, nothing if it says nothing; `asked`: a click has not been answered yet.
+  /// `latched`: the state on the topic, nothing while it is not known; `asked`: a click has not been confirmed yet.
   void setShown(std::optional<bool> latched, bool asked);
   QSize sizeHint() const override;
 
@@ -26,7 +26,7 @@ class StopButton : public QPushButton {
   bool asked_ = false;
 };
 
-/// Who drives and why, and the emergency stop: always in sight.
+/// Which source drives and why, and the emergency stop; always visible.
 class HeaderCard : public Card {
   Q_OBJECT
 
@@ -51,7 +51,7 @@ class HeaderCard : public Card {
   QLabel* problems_;
   StopButton* stop_;
   QPushButton* clear_;
-  int asked_refreshes_ = 0;  ///< how long a click still counts as unanswered
+  int asked_refreshes_ = 0;  ///< for how many more refreshes a click is shown as not yet confirmed
 };
 
 }  // namespace frontier_pilot::gui

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastRadius = 1.0, kGreatestRadius = 12.0;  // [m]
 constexpr double kScanLifetime = 1.0;                         // [s]
 
-/// How wide a sector is [rad], in [0, 2 pi).
+/// The width of a sector [rad], in [0, 2 pi).
 double widthOf(const teleop::SectorView& sector) {
   const double width = std::fmod(sector.to - sector.from, 2.0 * kPi);
   return width < 0.0 ? width + 2.0 * kPi : width;
@@ -54,7 +54,7 @@ void ScanPicture::wheelEvent(QWheelEvent* event) {
   update();
 }
 
-/// The pixel of what is `range` [m] away at `angle` [rad] of the base frame.
+/// The position in pixels of the point at `range` [m] and `angle` [rad] in the base frame.
 QPointF ScanPicture::at(double range, double angle) const {
   const double scale = std::min(width(), height()) * 0.5 / view_radius_;
   return {width() * 0.5 - std::sin(angle) * range * scale, height() * 0.5 - std::cos(angle) * range * scale};
@@ -154,7 +154,7 @@ void ScanPicture::drawRobot(QPainter& painter, const Theme& theme) const {
   const QPointF origin = at(0.0, 0.0);
   const double middle = 0.5 * (robot_.front() - robot_.rear());
   const double half = 0.5 * std::min(robot_.front() + robot_.rear(), 2.0 * robot_.halfWidth());
-  // Seen from so far that it would be a dot, it is drawn larger.
+  // Drawn larger when the view is so wide that the robot would be a dot.
   const double scale = std::max(origin.y() - at(1.0, 0.0).y(), emOf(*this) * 0.35 / half);
   const auto place = [&](double x, double y) { return origin - QPointF(y, x) * scale; };
   QPolygonF body;

@@ -5,8 +5,8 @@
 
 namespace frontier_pilot::gui {
 
-/// A drawing of the scan around the robot, ahead is up, with the avoider's sectors coloured by what is in them.
-/// The wheel zooms.
+/// A drawing of the scan around the robot, with ahead pointing up, and the avoider's sectors coloured by the nearest
+/// obstacle in them. The mouse wheel zooms.
 class ScanPicture : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class ScanPicture : public QWidget {
   teleop::AvoiderSectors sectors_;
 };
 
-/// The surroundings, and the avoider with its switch.
+/// The scan around the robot, and the obstacle avoider's state and switch.
 class ScanCard : public Card {
   Q_OBJECT
 

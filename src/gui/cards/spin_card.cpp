@@ -11,7 +11,7 @@ SpinCard::SpinCard(QWidget* parent)
   angle_->setRange(-720, 720);
   angle_->setSingleStep(15);
   angle_->setSuffix("°");
-  angle_->setToolTip("By how much to turn; positive is to the left");
+  angle_->setToolTip("Angle to turn by; positive is to the left");
   angle_->setValue(90);
   QPushButton* start = makeStart("spin");
   auto* line = new QHBoxLayout;

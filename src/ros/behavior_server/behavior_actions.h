@@ -20,7 +20,8 @@ behavior::BehaviorGoal toBehaviorGoal(const BackUpGoal& goal);
 behavior::BehaviorGoal toBehaviorGoal(const DriveOnHeadingGoal& goal);
 behavior::BehaviorGoal toBehaviorGoal(const WaitGoal& goal);
 
-/// The action's error code: 0, or its hundreds (spin 700, back_up 800, drive_on_heading 900, wait 1000) and the reason.
+/// The action's error code: 0 for success, otherwise its base (spin 700, back_up 800, drive_on_heading 900, wait 1000)
+/// plus the number of the reason, from 1 on.
 std::uint16_t errorCode(behavior::BehaviorKind kind, behavior::BehaviorOutcome outcome);
 
 void fillResult(const behavior::BehaviorOutput& output, SpinResult& result);
@@ -33,26 +34,26 @@ void fillFeedback(const behavior::BehaviorOutput& output, const behavior::Behavi
                   DriveOnHeadingFeedback& feedback);
 void fillFeedback(const behavior::BehaviorOutput& output, const behavior::BehaviorGoal& goal, WaitFeedback& feedback);
 
-/// One of the behaviour server's actions, whatever its messages are.
+/// One of the behaviour server's actions, independent of its message types.
 class BehaviorPort {
  public:
-  /// `why` a behaviour is ended from outside.
   using Start = std::function<void(BehaviorPort&, const behavior::BehaviorGoal&)>;
+  /// `why` says why the behaviour is ended from outside.
   using Cancel = std::function<void(const std::string& why)>;
 
   virtual ~BehaviorPort() = default;
   virtual void publishFeedback(const behavior::BehaviorOutput& output, const behavior::BehaviorGoal& goal) = 0;
-  /// Tells the result; the velocity must be zero already.
+  /// Sends the result; a zero velocity must have been published before.
   virtual void finish(const behavior::BehaviorOutput& output, const behavior::BehaviorGoal& goal) = 0;
-  /// For /diagnostics: what was refused.
+  /// For /diagnostics: which requests were refused.
   virtual void report(diagnostic_updater::DiagnosticStatusWrapper& status) const = 0;
 };
 
-/// A port for one type of action. It ticks with its node: there is no execute loop.
+/// A port for one type of action. It is driven by the node's ticks and has no execute loop.
 template <class Action, class Result, class Feedback>
 class BehaviorActionPort : public BehaviorPort {
  public:
-  /// `cancel` is called when the goal under way is cancelled or replaced, before `start`.
+  /// `cancel` is called when the active goal is cancelled or replaced; in the latter case before `start`.
   BehaviorActionPort(ros::NodeHandle& node, const char* name, const Start& start, const Cancel& cancel)
       : server_(
             node, name,

@@ -18,7 +18,7 @@ void BehaviorCostmap::subscribe(NodeConnections& connections) {
 
 void BehaviorCostmap::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
-  // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
+  // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(frames_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
   waiting_ = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
   if (!waiting_) return rejections_.add(why);

@@ -13,7 +13,7 @@
 
 namespace frontier_pilot {
 
-/// The frames that behaviours are driven in.
+/// The frames that the behaviours use.
 struct BehaviorFrames {
   std::string odom_frame = names::kOdomFrame;
   std::string base_frame;  ///< empty: the robot's
@@ -25,23 +25,23 @@ struct BehaviorFrames {
   }
 };
 
-/// Keeps a behaviour's surroundings from `scan` and TF, and its inputs.
+/// Keeps the costmap around the robot up to date from `scan` and TF, and provides the inputs of a behaviour.
 class BehaviorCostmap {
  public:
-  /// Frames as in `frames`, where an empty `base_frame` is the robot's.
+  /// An empty `base_frame` in `frames` stands for the robot's.
   BehaviorCostmap(const behavior::CollisionCheckParameters& parameters, const RobotModel& robot, BehaviorFrames frames,
                   const TfBridge& tf);
 
-  /// Begins to listen.
+  /// Subscribes to `scan`.
   void subscribe(NodeConnections& connections);
 
-  /// With the robot's own frame where none was given.
+  /// The frames, with the robot's base frame where none was given.
   const BehaviorFrames& frames() const { return frames_; }
-  /// When TF last knew where the robot is in `odom_frame`; nothing where it does not.
+  /// The stamp of the latest transform from `odom_frame` to the base; nothing if there is none.
   std::optional<Time> poseStamp() const { return tf_.latestStamp(frames_.odom_frame, frames_.base_frame); }
   /// Pose and look-ahead at `now`, with a costmap at most `max_age` [s] old.
   behavior::BehaviorInputs inputs(double max_age, Time now);
-  /// Forgets what was seen, after the clock has jumped back.
+  /// Clears the costmap, after a jump of the clock.
   void clear();
   const Rejections& rejections() const { return rejections_; }
 
@@ -52,7 +52,7 @@ class BehaviorCostmap {
   behavior::CollisionCheck surroundings_;
   BehaviorFrames frames_;
   const TfBridge& tf_;
-  std::optional<LaserScan2> waiting_;  ///< until TF knows where the robot was
+  std::optional<LaserScan2> waiting_;  ///< until TF has the robot's pose at its stamp
   Rejections rejections_{"scan"};
 };
 

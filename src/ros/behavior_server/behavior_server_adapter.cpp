@@ -33,7 +33,7 @@ BehaviorServerAdapter::BehaviorServerAdapter(ros::NodeHandle& node, ros::NodeHan
   addPort<DriveOnHeadingAction, DriveOnHeadingResult, DriveOnHeadingFeedback>(names::kDriveOnHeading);
   addPort<WaitAction, WaitResult, WaitFeedback>(names::kWait);
   connections_.every(ros::Duration(1.0 / parameters_.behavior.frequency), [this] { tick(); });
-  // Again and again, although it is latched: rviz draws it where the robot was at its stamp.
+  // Published repeatedly although it is latched, because rviz draws it where the robot was at its stamp.
   connections_.every(ros::Duration(kFootprintPeriod), [this] {
     if (footprint_.getNumSubscribers() > 0) publishFootprint();
   });
@@ -58,7 +58,7 @@ void BehaviorServerAdapter::addPort(const char* name) {
 void BehaviorServerAdapter::start(BehaviorPort& port, const behavior::BehaviorGoal& goal) {
   cancel("replaced by a newer goal");
   port_ = &port;
-  THROTTLED_INFO(toString(goal.kind) << " asked for: " << goal.target);
+  THROTTLED_INFO(toString(goal.kind) << " requested: " << goal.target);
   put(behavior_.start(goal, rosNow()));
 }
 

@@ -16,7 +16,7 @@
 
 namespace frontier_pilot {
 
-/// What the node is configured with.
+/// The parameters of the node.
 struct BehaviorServerParameters {
   behavior::BehaviorParameters behavior;
   behavior::CollisionCheckParameters surroundings;
@@ -31,12 +31,13 @@ struct BehaviorServerParameters {
   void check(Problems& problems) const { behavior.check(problems); }
 };
 
-/// The node `behavior_server`: the actions spin, back_up, drive_on_heading and wait around one TimedBehavior. A newer
-/// goal on any of them replaces the one under way; cancels and an emergency stop act in their own callbacks. [SPN-5]
+/// The node `behavior_server`: the actions spin, back_up, drive_on_heading and wait, which share one TimedBehavior. A
+/// newer goal on any of them replaces the active one; a cancel or an emergency stop acts at once, in its callback.
+/// [SPN-5]
 class BehaviorServerAdapter {
  public:
   BehaviorServerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// Ends a behaviour that is going on, with a zero.
+  /// Ends an active behaviour, with a zero.
   void sayLastWords();
 
  private:
@@ -59,7 +60,7 @@ class BehaviorServerAdapter {
   bool emergency_stop_ = false;
   std::string last_result_ = "none yet";
   ros::Publisher cmd_vel_, footprint_;
-  BehaviorPort* port_ = nullptr;  ///< whose goal is under way
+  BehaviorPort* port_ = nullptr;  ///< the port of the latest goal
   std::vector<std::unique_ptr<BehaviorPort>> ports_;
   NodeDiagnostics diagnostics_;
   NodeConnections connections_;

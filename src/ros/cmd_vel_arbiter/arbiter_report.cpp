@@ -26,18 +26,18 @@ std::string stateInWords(const arbiter::SourceStatus& source, const arbiter::Arb
   std::string state = toString(source.state);
   switch (source.state) {
     case arbiter::SourceState::kNeverHeard:
-      // It was heard, but before it was switched on or a stop was cleared.
-      if (source.age) return "forgotten: waits for a new message";
-      return state + (has_publisher ? ": nothing that counts yet" : ": nobody publishes");
+      // It was heard, but before it was enabled, a stop was cleared or the clock jumped.
+      if (source.age) return "last command dropped: waiting for a new message";
+      return state + (has_publisher ? ": no message yet" : ": no publisher");
     case arbiter::SourceState::kStale:
-      return state + ": silent past its timeout";
+      return state + ": no message within its timeout";
     case arbiter::SourceState::kRejected:
       return state + ": its last message was not finite";
     case arbiter::SourceState::kIdle:
       return state + ": alive, asks for nothing";
     case arbiter::SourceState::kReady:
       return state + ": " + (snapshot.active_source.empty() ? toString(snapshot.state) : snapshot.active_source) +
-             " comes first";
+             " has priority";
     case arbiter::SourceState::kActive:
       return state + ": holds the wheels";
     case arbiter::SourceState::kDisabled:
@@ -90,7 +90,7 @@ std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapsho
   std::vector<ArbiterProblem> problems;
   for (const std::string& text : around.registration_problems) problems.push_back({Level::ERROR, text});
   findForeignPublishers(around.cmd_vel, Level::ERROR, around, problems);
-  // Whoever tells of a stop there stops this arbiter too, and others read it as this one's state.
+  // A stop that another node publishes there stops this arbiter, too, and other nodes take it for this one's state.
   findForeignPublishers(around.emergency_stop_state, Level::WARN, around, problems);
   for (const std::string& name : snapshot.missing_sources) {
     problems.push_back({Level::ERROR, name + " is required but silent: no forward motion below it"});

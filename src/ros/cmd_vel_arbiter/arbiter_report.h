@@ -12,34 +12,34 @@
 
 namespace frontier_pilot {
 
-/// What the arbiter's node knows beyond the arbiter itself.
+/// What the node knows about topics, services and the master, in addition to the arbiter's own state.
 struct ArbiterConnections {
   std::string own_name;
   std::string cmd_vel, status, emergency_stop_state;  ///< resolved topics
   std::map<std::string, std::string> source_topics;   ///< resolved, by source
   NodesByName publishers;                             ///< by topic
-  std::map<std::string, std::string> rivals;          ///< by service or topic of the arbiter alone: who has it too
+  std::map<std::string, std::string> rivals;          ///< by service or topic of the arbiter: another node that has it
   std::vector<std::string> registration_problems;     ///< one sentence each
   bool master_answers = true;
-  std::string memory_problem;  ///< why a stop would not survive the node; empty: it would
+  std::string memory_problem;  ///< why a stop would not survive the node; empty if it would
 };
 
-/// Something wrong, and how much: a level of diagnostic_msgs/DiagnosticStatus.
+/// A problem with its severity, a level of diagnostic_msgs/DiagnosticStatus.
 struct ArbiterProblem {
   unsigned char level = 0;
   std::string text;
 };
 
-/// Everything that is wrong, errors before warnings.
+/// Everything that is wrong, in no particular order of severity.
 std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around);
 
-/// The status for the wire, in words.
+/// The status message.
 ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around);
 
-/// What in a status makes it a change: all but ages, rates, counts and velocities.
+/// The part of a status whose change is worth a message of its own: everything but ages, rates, counts and velocities.
 std::string contentOf(const ArbiterStatus& status);
 
-/// The same at a glance, for /diagnostics.
+/// The most important of it, for /diagnostics.
 void fillDiagnostics(const arbiter::ArbiterSnapshot& snapshot, const ArbiterConnections& around,
                      diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 

@@ -13,9 +13,9 @@
 
 namespace frontier_pilot {
 
-/// Puts callbacks into the node's own queue and remembers when each of them arrived, so that the one that is being
-/// served can tell what happened while it was waiting. While the queue is held they wait; roscpp adds them from threads
-/// of its own.
+/// Passes callbacks on to the node's own queue and records when each of them arrived, so that the handler of a call
+/// knows whether something happened while the call was waiting. While this queue is held, callbacks wait in it. roscpp
+/// adds them from threads of its own.
 class ArrivalQueue : public ros::CallbackQueueInterface {
  public:
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override {
@@ -35,12 +35,12 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
     ros::getGlobalCallbackQueue()->removeByID(owner);
   }
 
-  /// From here on callbacks wait.
+  /// From now on callbacks wait.
   void hold() {
     const std::lock_guard<std::mutex> lock(mutex_);
     held_ = true;
   }
-  /// Those that wait are served, and none waits any more.
+  /// Passes the waiting callbacks on, and later ones at once.
   void release() {
     const std::lock_guard<std::mutex> lock(mutex_);
     held_ = false;
@@ -48,7 +48,7 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
     waiting_.clear();
   }
 
-  /// When the callback that is running now arrived.
+  /// When the callback that is running now had arrived.
   SteadyTime arrival() const { return arrival_; }
 
  private:
@@ -71,7 +71,7 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
   std::mutex mutex_;
   bool held_ = false;
   std::vector<std::pair<ros::CallbackInterfacePtr, std::uint64_t>> waiting_;
-  SteadyTime arrival_{};  ///< of the thread that serves the callbacks
+  SteadyTime arrival_{};  ///< used only by the thread that runs the callbacks
 };
 
 }  // namespace frontier_pilot

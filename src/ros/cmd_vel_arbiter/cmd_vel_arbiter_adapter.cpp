@@ -12,10 +12,10 @@ namespace frontier_pilot {
 namespace {
 
 constexpr double kTick = 0.05;                                      // [s]
-constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop is offered again within 2 s [ARB-12]
+constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop service is back within 2 s [ARB-12]
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
 
-/// A zero on purpose says so on an axis that the base does not have: the message is not all zero.
+/// Whether the message is a deliberate zero: one with a non-zero value on an axis that the base does not have.
 bool isHold(const geometry_msgs::Twist& msg) {
   return msg.linear.y != 0.0 || msg.linear.z != 0.0 || msg.angular.x != 0.0 || msg.angular.y != 0.0;
 }
@@ -42,8 +42,8 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
   connections_.subscribeToEvents<std_msgs::Bool>(
       names::kEmergencyStopState, 10, [this](const auto& event) { handleStopState(event); },
       ros::TransportHints().tcpNoDelay());
-  connections_.master().claimTopics({around_.status, around_.cmd_vel});  // who publishes both is an arbiter too
-  // A new master means a new session, in which the arbiter has to find its stop again.
+  connections_.master().claimTopics({around_.status, around_.cmd_vel});  // a node that publishes both is an arbiter
+  // A new master means a new session, in which a restarted arbiter has to find the stop again.
   connections_.master().onRenewal([this] { session_.put(rosSessions()); });
   diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
@@ -56,7 +56,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
     takeOverStop();
     publishStatus(true);
   });
-  // In ROS time as well, so that a fast simulation sees expiry in time.
+  // In ROS time as well, so that commands also expire on time in a fast simulation.
   connections_.every(ros::Duration(kTick), [this] { publish(arbiter_.update(instantNow())); });
   tick();
 }
@@ -109,7 +109,7 @@ void CmdVelArbiterAdapter::takeMasterReport() {
   if (auto report = connections_.master().take()) {
     around_.publishers = std::move(report->publishers);
     around_.rivals = std::move(report->rivals);
-    takeOverStop();  // before a rival that has ended sets the wheels free
+    takeOverStop();  // before driving is allowed again because a rival has ended
     publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
   }
   around_.registration_problems = connections_.master().problems();
@@ -121,7 +121,7 @@ void CmdVelArbiterAdapter::takeMasterReport() {
 void CmdVelArbiterAdapter::handleStopState(const ros::MessageEvent<const std_msgs::Bool>& event) {
   const std::string& node = event.getPublisherName();
   if (node == around_.own_name || event.getConstMessage()->data == 0) return;
-  if (!arbiter_.stopped()) stop("told by " + node + " on " + around_.emergency_stop_state);
+  if (!arbiter_.stopped()) stop("reported by " + node + " on " + around_.emergency_stop_state);
 }
 
 void CmdVelArbiterAdapter::publish(const std::optional<Twist2>& twist) {

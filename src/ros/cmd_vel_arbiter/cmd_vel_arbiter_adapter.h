@@ -22,40 +22,41 @@
 
 namespace frontier_pilot {
 
-/// Now, on both clocks.
+/// The present on both clocks, ROS time and steady time.
 inline Instant instantNow() { return {rosNow(), steadyNow()}; }
 
-/// Throws std::runtime_error, naming it, if an arbiter of this namespace lives already, whatever its name. To be called
-/// before the node is started: a node that starts under the name of another ends that one. [ARB-12]
+/// Throws std::runtime_error with its name if an arbiter of this namespace is already running, whatever its name. To be
+/// called before the node is started, because a node that starts under the name of another one ends that one. [ARB-12]
 void refuseASecondArbiter();
 
-/// The node `cmd_vel_arbiter`: the only publisher of `cmd_vel`. A source's callback is convert, decide, publish; all
-/// that is not needed to move the wheels happens at the tick.
+/// The node `cmd_vel_arbiter`: the only publisher of `cmd_vel`. The callback of a source converts the message, decides
+/// and publishes; everything else happens at the tick.
 class CmdVelArbiterAdapter {
  public:
   CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// Zero. [ARB-11]
+  /// Publishes a zero. [ARB-11]
   void sayLastWords();
 
  private:
   using SetBoolCall = ros::ServiceEvent<std_srvs::SetBool::Request, std_srvs::SetBool::Response>;
   using TriggerCall = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
 
-  /// Gives the status, which makes a node an arbiter. Arbiters that start at the same moment find nobody when they look
-  /// for one; the master registers them one after the other, and so all agree which of them was the first. Any other
-  /// throws std::runtime_error here, before it offers a service or could be taken for a rival. [ARB-12]
+  /// Advertises the status, by which other nodes recognise an arbiter. Arbiters that start at the same moment do not
+  /// find each other in refuseASecondArbiter(); but the master registers their status one after the other, so that all
+  /// of them agree which was first. All others throw std::runtime_error here, before they offer a service or could be
+  /// taken for a rival. [ARB-12]
   static ros::Publisher takeItsPlace(ros::NodeHandle& node);
   void restoreStop();
-  /// Sees to it that the next arbiter of this namespace finds a stop, or none.
+  /// Stores a latched stop for the next arbiter of this namespace, or removes the stored one once it is cleared.
   void keepStop();
-  /// A stop that another arbiter of the namespace has answered is a stop of this one, also after that one's end.
+  /// Latches a stop that another arbiter of this namespace has stored, even if that arbiter has ended.
   void takeOverStop();
   void addSource(std::size_t source);
   void restoreSwitch(std::size_t source);
   void addStopServices();
-  /// Serves the calls that have waited for an arbiter that came up stopped to hear its sources.
+  /// Ends the listening phase of an arbiter that started stopped, and serves the calls that have waited for it.
   void endListening();
-  /// Whether this process was suspended until a moment ago: what arrives now was sent while it was, nobody knows when.
+  /// Whether this process was suspended until a moment ago: messages that arrive now may have been sent long before.
   bool hasJustWoken();
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
@@ -66,7 +67,7 @@ class CmdVelArbiterAdapter {
   void tick();
   void takeMasterReport();
   void handleStopState(const ros::MessageEvent<const std_msgs::Bool>& event);
-  /// Who answered, for people who cannot tell otherwise.
+  /// Adds the name of this node to the answer, so that the caller knows which node has answered.
   arbiter::ArbiterAnswer signedBy(arbiter::ArbiterAnswer answer) const;
   void publish(const std::optional<Twist2>& twist);
   void publishStopState();
@@ -78,14 +79,14 @@ class CmdVelArbiterAdapter {
   ArbiterConnections around_;
   std::vector<Rejections> rejections_;
   ArrivalQueue calls_, clears_;
-  ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: a place, and then what only its holder has
+  ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: see takeItsPlace()
   PublishFlush flush_;
   NodeDiagnostics diagnostics_;
   std::string last_summary_, last_content_;
   SteadyTime last_seen_ = steadyNow(), woken_until_{};
-  std::deque<SafeSwitch> switches_;            ///< of the sources, which are safe while they are off
-  Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one
-  std::optional<SteadyTime> listening_until_;  ///< while calls of `set_emergency_stop` wait
+  std::deque<SafeSwitch> switches_;            ///< of the sources; the safe side is disabled
+  Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
+  std::optional<SteadyTime> listening_until_;  ///< until then calls of `set_emergency_stop` wait
   NodeConnections connections_;
 };
 

@@ -1,4 +1,4 @@
-// The arbiter's services: what has to leave on cmd_vel leaves before the answer.
+// The arbiter's services. A command that a call causes on cmd_vel is published before the call is answered.
 #include <ros/console.h>
 
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
@@ -8,10 +8,11 @@
 namespace frontier_pilot {
 namespace {
 
-/// For the zero to reach the wire before the answer does. A subscriber that does not read must not hold the stop up.
+/// How long an answer waits for the zero to be written to the sockets. A subscriber that does not read must not delay
+/// the stop.
 constexpr Duration kFlushPatience = std::chrono::milliseconds(50);
 
-/// For a new arbiter's subscriptions to connect, until it hears every source that asks for motion.
+/// How long the subscriptions of a new arbiter take to connect; after that it hears every source that commands motion.
 constexpr Duration kConnectTime = std::chrono::milliseconds(500);
 
 template <class Response>
@@ -35,8 +36,8 @@ void CmdVelArbiterAdapter::addStopServices() {
   set.callback_queue = &clears_;
   connections_.serve(set);
   if (!arbiter_.stopped()) return;
-  // An arbiter that comes up stopped does not know yet which sources ask for motion: a call that may clear the stop
-  // waits until it has listened for as long as they must have been quiet. [ARB-8]
+  // An arbiter that starts stopped does not know yet which sources command motion. A call that may clear the stop waits
+  // until the arbiter has listened to the sources for as long as they have to be quiet before a clear. [ARB-8]
   clears_.hold();
   listening_until_ = steadyNow() + fromSeconds(arbiter_.parameters().clear_quiet_time) + kConnectTime;
 }
@@ -76,7 +77,7 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::signedBy(arbiter::ArbiterAnswer ans
 arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
   arbiter::ArbiterAnswer answer = arbiter_.stop(cause, instantNow());
   publish(answer.publish);
-  if (!flush_.wait(kFlushPatience)) answer.message += "; its zero may still be under way";
+  if (!flush_.wait(kFlushPatience)) answer.message += "; the zero velocity may not have been sent yet";
   around_.memory_problem = memory_.remember(arbiter_.stopCause());
   if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
   publishStopState();

@@ -1,4 +1,4 @@
-// Whether an arbiter may start at all, and what it finds of the one before it.
+// The start of an arbiter: whether it may start at all, and the stop and the switches that the one before it has left.
 #include <ros/console.h>
 #include <ros/names.h>
 #include <ros/this_node.h>
@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kRestarted = "from before a restart: ";
 
-/// A living node that offers what only the arbiter of this namespace offers; empty if there is none.
+/// A living node that publishes the status or offers a stop service of this namespace's arbiter; empty if there is
+/// none.
 std::string findArbiter() {
   const std::optional<MasterState> state = askMaster();
   if (!state) return {};
@@ -28,20 +29,20 @@ std::string findArbiter() {
   return firstLiving(found);
 }
 
-/// A living node that the master has known as an arbiter of this namespace for longer than this one.
+/// A living arbiter of this namespace that registered at the master before this one; empty if there is none.
 std::string findElder() {
   const std::optional<MasterState> state = askMaster();
   if (!state) return {};
   const std::vector<std::string> nodes = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
-  // The master has them in the order in which it registered them.
+  // The master lists publishers in the order in which they registered.
   const auto self = std::find(nodes.begin(), nodes.end(), ros::this_node::getName());
   return self == nodes.end() ? std::string() : firstLiving({nodes.begin(), self});
 }
 
 void endBeside(const std::string& other) {
   if (other.empty()) return;
-  throw std::runtime_error(other + " is an arbiter of this namespace already: two of them would take turns at the " +
-                           "wheels, and only one could be stopped. End that one first");
+  throw std::runtime_error(other + " is already the arbiter of this namespace: two arbiters would both command the " +
+                           "base, and an emergency stop would reach only one of them. End that one first");
 }
 
 }  // namespace
@@ -56,16 +57,16 @@ ros::Publisher CmdVelArbiterAdapter::takeItsPlace(ros::NodeHandle& node) {
 
 void CmdVelArbiterAdapter::restoreStop() {
   if (const auto cause = memory_.recall()) {
-    const bool said = cause->rfind(kRestarted, 0) == 0;  // in a restart before this one
+    const bool said = cause->rfind(kRestarted, 0) == 0;  // after more than one restart
     arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
-    ROS_WARN_STREAM("comes up stopped, as the arbiter before it was: " << *cause);
+    ROS_WARN_STREAM("starts stopped, like the arbiter before it: " << *cause);
   }
   keepStop();
   publishStopState();
 }
 
 void CmdVelArbiterAdapter::keepStop() {
-  // Again and again: a disk may be full for a while, and files may be deleted, or not.
+  // Called repeatedly, because a disk may be full for a while, and files may be deleted or may not be removable.
   if (arbiter_.stopped()) around_.memory_problem = memory_.remember(arbiter_.stopCause());
   if (!arbiter_.stopped() && !around_.memory_problem.empty()) around_.memory_problem = memory_.forget();
   connections_.memory().setProblem("an emergency stop",
@@ -73,9 +74,9 @@ void CmdVelArbiterAdapter::keepStop() {
 }
 
 void CmdVelArbiterAdapter::takeOverStop() {
-  // Files that could not be removed when the stop was cleared say nothing.
+  // Files that could not be removed when the stop was cleared must be ignored.
   if (arbiter_.stopped() || !around_.memory_problem.empty()) return;
-  if (const auto cause = memory_.recallOthers()) stop("of another arbiter of this namespace: " + *cause);
+  if (const auto cause = memory_.recallOthers()) stop("taken over from another arbiter of this namespace: " + *cause);
 }
 
 void CmdVelArbiterAdapter::restoreSwitch(std::size_t source) {

@@ -25,7 +25,7 @@ void CallbackGuard::add(const std::string& what, const std::string& error) noexc
   if (caught.logged && latest_ - *caught.logged < kLogPeriod) return;
   caught.logged = latest_;
   ROS_ERROR_STREAM("exception in " << what << ": " << caught.latest << " (" << caught.count << " so far)");
-} catch (...) {  // NOLINT(bugprone-empty-catch): no memory or no log is left to say anything with
+} catch (...) {  // NOLINT(bugprone-empty-catch): without memory or a log nothing can be reported
 }
 
 std::uint64_t CallbackGuard::total() const {

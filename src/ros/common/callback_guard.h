@@ -14,12 +14,12 @@
 
 namespace frontier_pilot {
 
-/// Keeps what a callback throws from ending the node, or the thread that called it: it is counted, said on the log at
-/// most every five seconds of steady time for each `what`, and shown in the diagnostics. Safe to use from several
-/// threads. [FLT-1]
+/// Catches what a callback throws, so that it ends neither the node nor the thread that called it: exceptions are
+/// counted, logged at most every five seconds of steady time for each `what`, and shown in the diagnostics. Safe to use
+/// from several threads. [FLT-1]
 class CallbackGuard {
  public:
-  /// Calls `f`; `what` is what came in, such as the topic. Gives whether `f` came to its end.
+  /// Calls `f`; `what` names the input, such as the topic. Returns whether `f` returned without an exception.
   template <class F>
   bool run(const std::string& what, F&& f) {
     try {
@@ -51,7 +51,7 @@ class CallbackGuard {
   mutable std::mutex mutex_;
   std::uint64_t total_ = 0;
   SteadyTime latest_{};
-  std::map<std::string, Caught> caught_;  ///< by what came in
+  std::map<std::string, Caught> caught_;  ///< by input (`what`)
 };
 
 }  // namespace frontier_pilot

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kMonitorPeriod = 0.02;  // [s]
 constexpr Duration kRecentJump = std::chrono::seconds(10);
-constexpr Duration kStandstill = std::chrono::seconds(2);   // a slow simulation takes a while for each step
-constexpr Duration kLeastAhead = std::chrono::seconds(10);  // clocks of two machines may differ
+constexpr Duration kStandstill = std::chrono::seconds(2);   // long enough for one step of a slow simulation
+constexpr Duration kLeastAhead = std::chrono::seconds(10);  // the clocks of two machines may differ
 
 }  // namespace
 
@@ -46,9 +46,9 @@ Time ClockMonitor::look() {
   if (change == TrustChange::kNone) return now.ros;
   for (const auto& forget : forget_) guard_.run("a jump of the clock", forget);
   if (change == TrustChange::kLost) {
-    THROTTLED_WARN("the clock jumped by " << trust_.jump() << " s: waiting until it runs on");
+    THROTTLED_WARN("the clock jumped by " << trust_.jump() << " s: waiting until it runs steadily");
   } else {
-    THROTTLED_WARN("the clock runs on, after " << trust_.jumps() << " jumps so far");
+    THROTTLED_WARN("the clock runs steadily again (jumps so far: " << trust_.jumps() << ")");
   }
   return now.ros;
 }

@@ -14,15 +14,15 @@
 
 namespace frontier_pilot {
 
-/// Keeps jumps of ROS time from a node: it gets no time until the clock can be trusted again, forgets then what is
-/// stamped. Says so on the log and in the diagnostics. For the node's own thread. [FLT-1]
+/// Shields a node from jumps of ROS time: after a jump the node gets no time until the clock can be trusted again, and
+/// discards its stamped data. Jumps are logged and shown in the diagnostics. For the node's own thread. [FLT-1]
 class ClockMonitor {
  public:
   explicit ClockMonitor(const ros::NodeHandle& node);
 
-  /// ROS time, unless it has just jumped: then the node should do nothing.
+  /// ROS time; nothing while the clock cannot be trusted after a jump: the node should then do nothing.
   std::optional<Time> now();
-  /// `forget` is called when the clock has jumped, and again when it can be trusted.
+  /// `forget` is called when the clock has jumped, and once more when it can be trusted again.
   void onJump(std::function<void()> forget) { forget_.push_back(std::move(forget)); }
   /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one, or while the clock
   /// stands still.
@@ -38,17 +38,18 @@ class ClockMonitor {
   ros::SteadyTimer poll_;
 };
 
-/// What is to be said of a clock that was last seen to change at `moved`; empty while it runs.
+/// The warning for a ROS clock that was last seen to change at `moved`; empty while it runs.
 std::string standstill(const Instant& moved, const Instant& now);
 
 /// How fast the ROS clock of this process may run.
 ClockPace clockPace();
 
-/// How far a message may be dated ahead: ten seconds, and in a simulation as far as a process that hung has to catch up
-/// with, since it may run hundreds of times as fast as the steady clock.
+/// How far a stamp may lie in the future: ten seconds; in a simulation more, because it may run hundreds of times
+/// faster than the steady clock, and a process that hung for a while sees messages far ahead of the last /clock it has
+/// read.
 Duration mostAhead(const ClockPace& pace);
-/// Whether `stamp` lies farther ahead of `now` than that on the ROS clock of this process. Before the first /clock
-/// there is no telling: false.
+/// Whether `stamp` lies farther ahead of `now`, on the ROS clock of this process, than mostAhead allows. False before
+/// the first /clock, when it cannot be judged.
 bool isAhead(Time stamp, Time now);
 
 }  // namespace frontier_pilot

@@ -27,7 +27,7 @@ void Rejections::add(const std::string& reason) {
   ROS_WARN_STREAM(what_ << " refused: " << why << " (" << count << " so far)");
 }
 
-/// So that the newest reason always has its name.
+/// Merges the rarest reason into "other reasons", so that the newest one can always be listed by name.
 void Rejections::forgetRarest() {
   const auto rarest = std::min_element(by_reason_.begin(), by_reason_.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -15,8 +15,8 @@
 
 namespace frontier_pilot {
 
-/// What a node had to refuse: counted by reason, with a warning of it at most every five seconds of steady time. A
-/// reason may quote what came in: long ones are cut, and of too many the rarest count together. [FLT-1]
+/// Inputs that a node has refused: counted by reason, with a warning at most every five seconds of steady time. A
+/// reason may quote the input: long ones are cut, and when there are too many the rarest are counted together. [FLT-1]
 class Rejections {
  public:
   /// `what` is the input, for the log: "scan".
@@ -24,7 +24,7 @@ class Rejections {
 
   void add(const std::string& reason);
   std::uint64_t total() const { return total_; }
-  /// Adds one `what: why` line with its count for each reason.
+  /// Adds the total, and a line `what refused: reason` with its count for each reason.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
@@ -44,10 +44,10 @@ class NodeDiagnostics {
 
   NodeDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// `fill` says how it stands: `status.summary(level, text)` and `status.add(key, value)`. Whatever its texts quote,
-  /// they are published `printable`. [FLT-1]
+  /// `fill` fills in a status: `status.summary(level, text)` and `status.add(key, value)`. Its texts may quote input:
+  /// control characters are escaped before they are published (`printable`). [FLT-1]
   void add(const std::string& name, Fill fill);
-  /// Publishes now, for a change that should not wait.
+  /// Publishes at once, for a change that should not wait for the next second.
   void publish();
 
  private:

@@ -29,7 +29,7 @@ void MemoryReport::set(Reasons& reasons, const std::string& what, const std::str
 void MemoryReport::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   const std::lock_guard<std::mutex> lock(mutex_);
-  status.summary(DiagnosticStatus::OK, "what is to survive this node is kept");
+  status.summary(DiagnosticStatus::OK, "everything that has to survive a restart is stored");
   mergeReasons(losses_, DiagnosticStatus::ERROR, "was lost", status);
   mergeReasons(problems_, DiagnosticStatus::WARN, "would not survive this node", status);
 }

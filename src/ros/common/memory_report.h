@@ -8,15 +8,15 @@
 
 namespace frontier_pilot {
 
-/// What would not survive this node, and what of the node before it was lost, for /diagnostics: one place for all that
-/// a node keeps. May be used on any thread. [FLT-1] [FLT-2]
+/// For /diagnostics: which data would not survive the death of this node, and which data of the process before it was
+/// lost. Safe to use from several threads. [FLT-1] [FLT-2]
 class MemoryReport {
  public:
-  /// Why `what` would not survive this node; empty: it would.
+  /// Why `what` would not survive this node; empty if it would.
   void setProblem(const std::string& what, const std::string& problem) { set(problems_, what, problem); }
-  /// Why `what` was lost with the node before this one; empty: it was not, or matters no more.
+  /// Why `what` was lost with the process before this one; empty if it was not, or if it does not matter any more.
   void setLoss(const std::string& what, const std::string& why) { set(losses_, what, why); }
-  /// WARN where something would be lost, ERROR where something was.
+  /// WARN if something would be lost, ERROR if something was lost.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:

@@ -4,7 +4,8 @@
 
 #include <string>
 
-/// Every topic, service, action and frame name, once. All are relative: a namespace makes a second robot.
+/// The names of all topics, services, actions and frames. They are relative, so that a second robot needs only a
+/// namespace; /clock and TF are shared.
 namespace frontier_pilot::names {
 
 // Velocities (geometry_msgs/Twist)
@@ -15,7 +16,7 @@ constexpr const char* kCmdVelPatrol = "cmd_vel_patrol";
 constexpr const char* kCmdVelNav = "cmd_vel_nav";
 constexpr const char* kCmdVelManual = "cmd_vel_manual";
 
-// Nodes whose parameters another node looks at
+// Nodes whose parameters are read by another node
 constexpr const char* kObstacleAvoiderNode = "obstacle_avoider";
 constexpr const char* kTeleopGuiNode = "teleop_gui";
 
@@ -25,7 +26,7 @@ constexpr const char* kOdom = "odom";
 constexpr const char* kGroundTruth = "base_pose_ground_truth";
 constexpr const char* kStalled = "simulator/stalled";
 constexpr const char* kWorld = "simulator/world";
-constexpr const char* kClock = "/clock";  // ROS' own, one for all robots
+constexpr const char* kClock = "/clock";  // ROS' own, shared by all robots
 constexpr const char* kTf = "/tf";
 constexpr const char* kTfStatic = "/tf_static";
 
@@ -41,7 +42,7 @@ constexpr const char* kArbiterStatus = "cmd_vel_arbiter/status";
 constexpr const char* kEmergencyStopState = "emergency_stop_state";
 constexpr const char* kEmergencyStop = "emergency_stop";
 constexpr const char* kSetEmergencyStop = "set_emergency_stop";
-/// What switches a source of the arbiter's.
+/// The service that enables or disables a source of the arbiter.
 inline std::string setEnabled(const std::string& source) { return "set_" + source + "_enabled"; }
 
 // Obstacle avoider
@@ -83,7 +84,7 @@ constexpr const char* kSpin = "spin";
 constexpr const char* kBackUp = "back_up";
 constexpr const char* kDriveOnHeading = "drive_on_heading";
 constexpr const char* kWait = "wait";
-constexpr const char* kFootprint = "footprint";  // of the robot, as the behaviours keep it clear
+constexpr const char* kFootprint = "footprint";  // topic: the robot's outline in its base frame
 
 // Frames (REP 103, REP 105); `world` is the simulator's
 constexpr const char* kWorldFrame = "world";

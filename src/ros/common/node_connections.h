@@ -20,9 +20,10 @@
 
 namespace frontier_pilot {
 
-/// A node's subscriptions, services and timers, for as long as this object lives. Every callback is guarded: what it
-/// throws is counted and said, and the node goes on (roscpp itself would end the node, or never call that timer again).
-/// What the master has forgotten is registered again. To be a node's last member: its callbacks use the others. [FLT-1]
+/// A node's subscriptions, services and timers, for as long as this object lives. Every callback is guarded: exceptions
+/// are counted and logged, and the node goes on (with roscpp alone the node would end, or that timer would never be
+/// called again). Registrations that the master has lost are renewed. This must be the last member of a node, because
+/// its callbacks use the others. [FLT-1]
 class NodeConnections {
  public:
   /// `master_period` is the time between two looks at what the master knows of this node.
@@ -43,7 +44,7 @@ class NodeConnections {
     return subscribe<Msg>(
         topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
   }
-  /// The same with the message's event, which knows the node that published it.
+  /// The same with the message's event, which names the node that published it.
   template <class Msg, class F>
   ros::Subscriber subscribeToEvents(const std::string& topic, std::uint32_t queue_size, F handle,
                                     const ros::TransportHints& hints = {}) {
@@ -56,8 +57,8 @@ class NodeConnections {
     return subscribers_.back();
   }
 
-  /// The same as `subscribe`, for a topic that one node alone should publish: report() names those that do when they
-  /// are several. Whatever a second one says of walls or wheels is believed as much as the first.
+  /// The same as `subscribe`, for a topic that only one node should publish, such as `scan` or `odom`: report() names
+  /// the publishers when there are several. Messages of all of them are used.
   template <class Msg, class F>
   ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, F handle,
                                  const ros::TransportHints& hints = {}) {
@@ -78,7 +79,7 @@ class NodeConnections {
         topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
   }
 
-  /// `handle(request, response)` answers calls of `service`; the call fails where it gives false or throws.
+  /// `handle(request, response)` answers calls of `service`; the call fails if it returns false or throws.
   template <class Node, class Request, class Response>
   void serve(const std::string& service, bool (Node::*handle)(Request&, Response&), Node* node) {
     serve<Request, Response>(
@@ -96,7 +97,7 @@ class NodeConnections {
     options.init(service, guarded);
     serve(options);
   }
-  /// For a service with options of its own; roscpp guards these calls itself.
+  /// For a service with options of its own; roscpp itself catches what its callback throws.
   void serve(ros::AdvertiseServiceOptions& options) {
     services_.push_back(node_.advertiseService(options));
     master_.claimService(services_.back().getService());
@@ -120,9 +121,9 @@ class NodeConnections {
   MasterWatch& master() { return master_; }
   const MasterWatch& master() const { return master_; }
   MemoryReport& memory() { return memory_; }
-  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, what callbacks
-  /// threw, which messages could not be read, and who speaks where one alone should. For the thread that the callbacks
-  /// run on.
+  /// For /diagnostics: whether this node is registered at the master, whether its clock jumped, exceptions of
+  /// callbacks, messages that could not be read, and topics with several publishers that should have one. For the
+  /// thread that runs the callbacks.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     using diagnostic_msgs::DiagnosticStatus;
     master_.diagnose(status);
@@ -150,7 +151,7 @@ class NodeConnections {
   std::vector<ros::ServiceServer> services_;
   std::vector<std::unique_ptr<RosTimer>> timers_;
   std::vector<ros::SteadyTimer> steady_timers_;
-  MasterWatch master_;  ///< the last member: it ends before anything is taken back
+  MasterWatch master_;  ///< the last member: it ends before topics and services are unregistered
 };
 
 }  // namespace frontier_pilot

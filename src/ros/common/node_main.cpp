@@ -23,8 +23,9 @@ volatile std::sig_atomic_t g_building = 1;
 constexpr unsigned kBuildPatience = 1;  // [s]
 
 void onSignal(int signal) {
-  // A constructor may wait for something that never comes, or read a large world for long. A shutdown of ROS ends such
-  // a wait, and takes back at the master what is there by then; what lasts all the same has no last words yet.
+  // A constructor may wait for something that never comes, or take long to read a large world. A shutdown of ROS ends
+  // such a wait and unregisters what is registered so far. If the constructor goes on all the same, the alarm or the
+  // next signal ends the process at once: a node under construction has not commanded anything yet.
   if (g_building != 0 && g_stop != 0) _exit(128 + signal);
   g_stop = 1;
   if (g_building == 0) return;
@@ -32,20 +33,20 @@ void onSignal(int signal) {
   ros::requestShutdown();
 }
 
-/// ROS' own handler closes the publishers before the node can say its last words.
+/// Replaces ROS' own handler, which closes the publishers before the node can publish its last messages.
 void catchSignals() {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   std::signal(SIGALRM, onSignal);
 }
 
-/// To be asked once the node is built, again and again.
+/// Whether the node is to go on. To be called repeatedly, and only once the node is built.
 bool isRunning() {
   g_building = 0;
   return ros::ok() && g_stop == 0;
 }
 
-/// Callbacks guard themselves; what is left comes from libraries.
+/// The node's own callbacks are guarded already; this guard is for those of libraries.
 void spinUntilStopped() {
   CallbackGuard guard;
   while (isRunning()) {
@@ -53,9 +54,9 @@ void spinUntilStopped() {
   }
 }
 
-/// Waits until what was published is written to the sockets; after a shutdown of ROS there are none.
+/// Waits until the published messages are written to the sockets; after a shutdown of ROS there are no sockets.
 void flush() {
-  constexpr Duration kLastWordsPatience = std::chrono::milliseconds(500);  // for a machine that is busy
+  constexpr Duration kLastWordsPatience = std::chrono::milliseconds(500);  // enough for a busy machine
   if (ros::ok()) PublishFlush().wait(kLastWordsPatience);
 }
 
@@ -68,7 +69,7 @@ void end(const RunningNode& running) {
 
 int fail(const std::string& name, const std::exception& error, int exit_code) {
   ROS_FATAL_STREAM(name << ": " << error.what());
-  // The console may be configured to hide or buffer it.
+  // Also on stderr, because the console may be configured to hide or buffer it.
   std::cerr << name << ": " << error.what() << std::endl;
   return exit_code;
 }
@@ -99,10 +100,10 @@ int runNodeWithLoop(int& argc, char** argv, const std::string& name,
     refuseANamesake();
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
-    // It crashes when it is asked a second time, inside of the log library. [FLT-1]
+    // roscpp's `get_loggers` crashes inside of the log library when it is called a second time. [FLT-1]
     ros::ServiceManager::instance()->unadvertiseService(private_node.resolveName("get_loggers"));
     const int exit_code = body(node, private_node, isRunning);
-    flush();  // the log's last lines
+    flush();  // for the last lines on /rosout
     return exit_code;
   } catch (const ConfigurationError& error) {
     return fail(name, error, 2);

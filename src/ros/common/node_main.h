@@ -10,18 +10,18 @@
 
 namespace frontier_pilot {
 
-/// A node and what it does before it ends, such as a zero or a cancel; may be empty.
+/// A node, and a function that publishes its last messages before it ends, such as a zero or a cancel; may be empty.
 struct RunningNode {
   std::shared_ptr<void> node;
   std::function<void()> say_last_words;
 };
 
-/// A node's life: `make(node, private_node)` builds it, then callbacks run on this one thread until SIGINT, SIGTERM or
-/// a ROS shutdown. After a signal the node says its last words, which are on their way before it is destroyed: a
-/// publisher that is destroyed drops what it has not sent yet. What a callback throws is said on the log, and the node
-/// goes on. What `make` throws is said on the log and on stderr, and ends the node. Gives the exit code: 0, or 1 after
-/// an exception, or 2 for a ConfigurationError. Before the node is known to the master a living node of the same name
-/// is such an exception, and what `check` throws.
+/// Runs a node: `make(node, private_node)` builds it, then callbacks run on this one thread until SIGINT, SIGTERM or a
+/// ROS shutdown. After a signal `say_last_words` is called, and its messages are sent before the node is destroyed,
+/// because a publisher that is destroyed drops what it has not sent yet. An exception of a callback is logged, and the
+/// node goes on. An exception of `make` is logged, also on stderr, and ends the node; so do, before the node registers
+/// at the master, an exception of `check` and a living node of the same name. Returns the exit code: 0, or 1 after an
+/// exception, or 2 after a ConfigurationError.
 int runNode(int argc, char** argv, const std::string& name,
             const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check = {});
@@ -31,8 +31,8 @@ struct HasLastWords : std::false_type {};
 template <class Node>
 struct HasLastWords<Node, std::void_t<decltype(std::declval<Node&>().sayLastWords())>> : std::true_type {};
 
-/// The same for a class with a constructor `Node(ros::NodeHandle& node, ros::NodeHandle& private_node)`, and with a
-/// function `sayLastWords()` if it has any to say.
+/// The same for a class with a constructor `Node(ros::NodeHandle& node, ros::NodeHandle& private_node)` and,
+/// optionally, a function `sayLastWords()`.
 template <class Node>
 int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& check = {}) {
   return runNode(
@@ -46,8 +46,8 @@ int runNode(int argc, char** argv, const std::string& name, const std::function<
       check);
 }
 
-/// The same for a node with a main loop of its own, such as a window's: `body(node, private_node, running)` is the
-/// whole of it, has to end soon after `running()` has become false, and gives the exit code.
+/// The same for a node with a main loop of its own, such as a window: `body(node, private_node, running)` runs the
+/// node, has to return soon after `running()` has become false, and returns the exit code.
 using RunningFn = std::function<bool()>;
 int runNodeWithLoop(int& argc, char** argv, const std::string& name,
                     const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,

@@ -12,7 +12,7 @@ class XmlRpcValue;
 
 namespace frontier_pilot {
 
-/// A configuration that no node can work with; `what()` has one line for each problem.
+/// An invalid configuration; `what()` has one line for each problem.
 class ConfigurationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -20,14 +20,14 @@ class ConfigurationError : public std::runtime_error {
   ConfigurationError(const std::string& where, const Problems& problems);
 };
 
-/// A value as the core knows it. What has no counterpart (dates, binary data) becomes the empty alternative, which no
-/// field accepts.
+/// Converts a parameter to the core's type. Types without a counterpart (dates, binary data) become the empty
+/// alternative, which no field accepts.
 ParameterValue toParameterValue(XmlRpc::XmlRpcValue& value);
 
-/// All parameters in the namespace of `node` ("~" in general); empty where there is none.
+/// All parameters in the namespace of `node`, which is usually the private one; empty if there are none.
 ParameterMap readParameters(const ros::NodeHandle& node);
 
-/// Puts the effective configuration into the log, at DEBUG.
+/// Logs the effective configuration at DEBUG.
 void logParameters(const std::string& where, const std::vector<detail::Describer::Row>& rows);
 
 /// The parameters of a node: `P`'s defaults, overwritten by its private namespace. To be called before anything is

@@ -7,9 +7,10 @@
 namespace frontier_pilot {
 namespace {
 
-/// Each round of the poll thread calls its listeners (roscpp's own, which distributes what was published, before this
-/// one) and then writes to the sockets. The first round that is counted may have begun before the message was
-/// published, the second distributes it for certain, and when the third is counted it has been written.
+/// Each round of the poll thread calls its listeners (roscpp's own first, which hands published messages to the
+/// connections, then this one) and then writes to the sockets. The first round counted may have begun before the
+/// message was published. The second certainly hands it to the connections, and when the third is counted it has been
+/// written.
 constexpr std::uint64_t kRounds = 3;
 
 }  // namespace

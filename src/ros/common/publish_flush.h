@@ -9,7 +9,7 @@
 
 namespace frontier_pilot {
 
-/// Waits until what was published has been handed to the operating system.
+/// Waits until published messages have been handed to the operating system.
 ///
 /// `ros::Publisher::publish` only puts a message into a queue that roscpp's poll thread writes to the sockets, while
 /// the answer to a service call is written at once by the thread that serves it. Under load the answer overtakes the
@@ -21,8 +21,8 @@ class PublishFlush {
   PublishFlush(const PublishFlush&) = delete;
   PublishFlush& operator=(const PublishFlush&) = delete;
 
-  /// True once every message that this thread has published so far is written to the sockets of all subscribers that
-  /// take it; false if that has not happened after `patience`. Must not be called from the poll thread.
+  /// Returns true once every message that this thread has published so far is written to the sockets of all subscribers
+  /// that read; false if that has not happened within `patience`. Must not be called from the poll thread.
   bool wait(Duration patience);
 
  private:

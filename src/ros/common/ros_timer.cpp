@@ -9,11 +9,11 @@ namespace frontier_pilot {
 
 namespace {
 
-constexpr double kSimulatedPoll = 0.005;  ///< a simulated clock may run much faster than the real one [s]
+constexpr double kSimulatedPoll = 0.005;  ///< because a simulated clock may run much faster than a real one [s]
 constexpr double kFastestPoll = 0.002;    ///< [s]
 constexpr double kSlowestPoll = 0.01;     ///< [s]
 
-/// How often the clock is looked at: a real one ten times in a period.
+/// The period at which the ROS clock is polled: a tenth of the timer's period if the clock is a real one.
 ros::WallDuration pollPeriod(Duration period) {
   if (ros::Time::isSimTime()) return ros::WallDuration(kSimulatedPoll);
   return ros::WallDuration(std::clamp(0.1 * toSeconds(period), kFastestPoll, kSlowestPoll));
@@ -27,8 +27,8 @@ RosTimer::RosTimer(const ros::NodeHandle& node, Duration period, std::function<v
 }
 
 void RosTimer::poll() {
-  // The time of this look alone: a tick that takes longer than its period must not be followed by the next one before
-  // the node has taken in its messages.
+  // The clock is read only once: if a tick takes longer than its period, the node has to process its messages before
+  // the next tick.
   const Time now = rosNow();
   while (schedule_.isDue(now)) tick_();
 }

@@ -9,10 +9,10 @@
 
 namespace frontier_pilot {
 
-/// Ticks once per period of ROS time, as ros::Timer does, on the node's own queue. Unlike that one it polls the clock
-/// from a steady timer: no jump of the clock silences it, and no time, be it the last that ROS has, ends the process in
-/// the arithmetic of roscpp's timer thread. Where a simulation is so fast that several ticks fall between two looks,
-/// there are two. [FLT-1]
+/// Ticks once per period of ROS time, as ros::Timer does, on the node's own queue. Unlike ros::Timer it polls the clock
+/// from a steady timer: it goes on after any jump of the clock, and a time near the end of ROS time causes no
+/// exception, as it would in the arithmetic of roscpp's timer thread. If several ticks fall between two polls of a fast
+/// simulation, there are two. [FLT-1]
 class RosTimer {
  public:
   RosTimer(const ros::NodeHandle& node, Duration period, std::function<void()> tick);

@@ -20,7 +20,7 @@ SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnec
     : state_(std::move(state)),
       report_(connections.memory()),
       memory_(rosHome(), rosSessions(), state_, ros::names::resolve(service), SessionMemory::Owner::kService) {
-  // A file that cannot be read counts for the safe side, and of two that differ the safe one does.
+  // A file that cannot be read counts as safe, and if two files differ the safe side wins.
   const std::vector<std::string> left = memory_.recallAll();
   const auto isSafe = [this](const std::string& text) { return text != kNot + state_; };
   if (!left.empty()) safe_ = std::any_of(left.begin(), left.end(), isSafe);
@@ -30,8 +30,8 @@ SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnec
     const std::lock_guard<std::mutex> lock(mutex_);
     if (memory_.enter(sessions)) write();
   });
-  // Again and again: a disk may be full for a while, and files may be deleted. What was never switched is tried out, so
-  // that an operator learns of it before he relies on it.
+  // Repeatedly, because a disk may be full for a while, and files may be deleted. For a switch that was never used it
+  // is only checked whether it could be stored, so that the operator learns of a problem before relying on it.
   connections.everySteady(ros::WallDuration(1.0), [this] {
     const std::lock_guard<std::mutex> lock(mutex_);
     write();
@@ -45,7 +45,7 @@ SafeSwitch::~SafeSwitch() {
 
 std::optional<bool> SafeSwitch::wasLeftSafe() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (safe_) ROS_WARN_STREAM("comes up " << (*safe_ ? "" : kNot) << state_ << ", as it was left");
+  if (safe_) ROS_WARN_STREAM("starts " << (*safe_ ? "" : kNot) << state_ << ", as the operator left it");
   return safe_;
 }
 

@@ -9,27 +9,28 @@
 
 namespace frontier_pilot {
 
-/// One of a node's switches with a safe side, on which the robot does less by itself: a source of velocities that is
-/// disabled, an exploration that is paused, an avoider that is at work. Whichever node offers its service next in the
-/// same ROS session, after one that died, finds it as the operator has left it. Of a node that ended in order only the
-/// safe side is remembered: no robot drives off because of what was said in a launch that is over. [FLT-2]
+/// A switch of a node that has a safe side, on which the robot does less on its own: a disabled source of velocities, a
+/// paused exploration, an enabled avoider. After a node has died, the next node in the same ROS session that offers the
+/// switch's service finds it as the operator left it. After a regular shutdown only the safe side is remembered: no
+/// robot drives off because of a switch that was set during an earlier launch. [FLT-2]
 class SafeSwitch {
  public:
-  /// `state` names the safe side in characters of a file name ("nav_disabled"), `service` is what switches it. Keeps up
-  /// with a master that is replaced; `connections` is to end before this object.
+  /// `state` names the safe side and has to be usable in a file name ("nav_disabled"); `service` is the name of the
+  /// switch's service. A restart of the master is followed. `connections` must be destroyed before this object.
   SafeSwitch(std::string state, const std::string& service, NodeConnections& connections);
   ~SafeSwitch();
   SafeSwitch(const SafeSwitch&) = delete;
   SafeSwitch& operator=(const SafeSwitch&) = delete;
 
-  /// Whether an earlier process was left on the safe side, which is said on the log; nothing if the
-  /// operator never used the switch.
+  /// Whether an earlier process was left on the safe side, which is logged; nothing if the operator never used the
+  /// switch.
   std::optional<bool> wasLeftSafe() const;
-  /// The operator has switched it. Gives what to add to the answer: why that would not survive a restart, or nothing.
+  /// To be called when the operator has switched it. Returns the text to append to the answer: why the setting would
+  /// not survive a restart; empty if it would.
   std::string set(bool safe);
 
  private:
-  /// Gives what went wrong, which is said on the log as well, or an empty text.
+  /// Returns what went wrong, which is also logged; empty if nothing did.
   std::string write() const;
 
   std::string state_;

@@ -31,32 +31,32 @@ std::string asFileName(std::string name) {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds kRestart(10);  // for a node that is started again
+constexpr std::chrono::seconds kRestart(10);  // within which roslaunch restarts a node that has died
 const fs::file_time_type g_process_began = fs::file_time_type::clock::now();
 
 constexpr const char* kNoSession = "the ROS session has no name";
-constexpr const char* kOfProcess = "~";  // in no name of ROS
+constexpr const char* kOfProcess = "~";  // separates the process id; cannot occur within a ROS name
 constexpr const char* kDigits = "0123456789";
 
-/// A process that writes such files, and the one that started it: a roslaunch starts what has died again.
+/// The process that wrote a file, and its parent: a node that roslaunch restarts has the same parent as before.
 struct Writer {
   int process = 0;
   int parent = 0;
-  std::uint64_t began = 0;  ///< numbers of processes are given again
+  std::uint64_t began = 0;  ///< start time of the process, because process ids are reused
 };
 
-/// When `process` began, in ticks since the machine did; 0 if it is gone.
+/// When `process` was started, in clock ticks since boot; 0 if it no longer exists.
 std::uint64_t beginOf(int process) {
   std::string stat;
   std::getline(std::ifstream("/proc/" + std::to_string(process) + "/stat"), stat);
-  // Its third field is the state, its 22nd what is asked for; the second may hold anything, and ends with the last ')'.
+  // Field 3 is the state and field 22 the start time; field 2 may contain any character and ends with the last ')'.
   std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
   std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
   if (words.size() < 20 || words.front() == "Z" || words.front() == "X") return 0;
   return std::strtoull(words[19].c_str(), nullptr, 10);
 }
 
-/// Who wrote `file`, as its second line says; zeros if that cannot be read.
+/// The process that wrote `file`, from the second line of the file; zeros if that cannot be read.
 Writer writerOf(const fs::path& file) {
   std::istringstream content(readFile(file, kLongestText).bytes);
   std::string text;
@@ -67,7 +67,7 @@ Writer writerOf(const fs::path& file) {
 
 bool lives(const Writer& writer) { return writer.began != 0 && beginOf(writer.process) == writer.began; }
 
-/// Whether this process was started in the place of `writer`, which is gone.
+/// Whether `writer` no longer exists and this process was started in its place.
 bool replaces(const Writer& writer) { return writer.process > 0 && writer.parent == getppid() && !lives(writer); }
 
 bool isThere(const fs::path& file) {
@@ -76,7 +76,7 @@ bool isThere(const fs::path& file) {
 }
 
 std::string textIn(const fs::path& file) {
-  // Whatever is there was put there by a stop, even if it cannot be read.
+  // An unreadable file gives an empty text, but it still counts as remembered.
   const std::string text = readFile(file, kLongestText).bytes;
   return printable(text.substr(0, text.find('\n')), kLongestText);
 }
@@ -90,7 +90,7 @@ bool isSessionOf(const fs::path& folder, const std::vector<fs::path>& files) {
   return std::any_of(files.begin(), files.end(), [&](const fs::path& file) { return file.parent_path() == folder; });
 }
 
-/// Makes `folder`. Gives what would keep a file from being written there, or an empty text.
+/// Creates `folder`. Returns why a file could not be written there; empty if it could.
 std::string whyNotWritable(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -99,7 +99,7 @@ std::string whyNotWritable(const fs::path& folder) {
   return error ? error.message() : std::string();
 }
 
-/// Gives what went wrong, or an empty text.
+/// Returns what went wrong; empty if nothing did.
 std::string removeAll(const std::vector<fs::path>& files) {
   std::string problem;
   for (const fs::path& file : files) {
@@ -117,14 +117,14 @@ std::vector<fs::path> ofProcesses(const fs::path& folder, const std::string& nam
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string file = entry->path().filename().string();
-    // What lies there under a longer name is being written.
+    // A longer name is that of a temporary file, which is being written.
     const bool named = file.rfind(beginning, 0) == 0 && file.find_first_not_of(kDigits, beginning.size()) == file.npos;
     if (named) found.push_back(entry->path());
   }
   return found;
 }
 
-/// Those of `files` whose writers died just before this process was started in their place.
+/// Those of `files` whose writers died shortly before this process was started in their place.
 std::vector<fs::path> leftBehind(std::vector<fs::path> files) {
   const auto isOld = [](const fs::path& file) {
     std::error_code missing;
@@ -210,8 +210,8 @@ std::string SessionMemory::remember(const std::string& text) const {
   for (const fs::path& file : files_) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
-    // It has to survive this process and not the machine: a new master starts free, and the zeros must not wait for a
-    // disk.
+    // It has to survive the process but not a power failure: after that a new master starts without a stop. And the
+    // zeros must not be delayed by waiting for the disk.
     const std::string why = error ? error.message() : writeFile(file, content, Survives::kProcessDeath);
     if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
   }
@@ -260,7 +260,7 @@ std::vector<std::string> rosSessions() {
   XmlRpc::XmlRpcValue request, response, pid;
   request[0] = ros::this_node::getName();
   if (!ros::master::execute("getPid", request, response, pid, true)) return sessions;
-  // The numbers of processes begin anew when a machine does.
+  // Process ids start again after a reboot, so the boot id is part of the name.
   std::string boot;
   std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
   sessions.push_back("master-" + std::to_string(static_cast<int>(pid)) + "-" + boot);

@@ -7,68 +7,69 @@
 
 namespace frontier_pilot {
 
-/// Keeps what an operator said over the death of the node that it was said to, such as an emergency stop: a file in
-/// ROS_HOME that bears the name of its owner and the id of the ROS session, so that a new session starts afresh. What
-/// was written in another session less than ten seconds before this process began counts as well, if its writer died
-/// and this process was started in its place, by the same roslaunch: master and node died together, and what drives the
-/// robot may have outlived both.
+/// Keeps an operator's request, such as an emergency stop, beyond the death of the node that received it: in a file
+/// under ROS_HOME whose path contains the owner's name and the id of the ROS session, so that a new session starts
+/// afresh. A file of another session also counts if it was written less than ten seconds before this process began, and
+/// its writer died and this process was started in its place by the same roslaunch: then the master and the node died
+/// together, and the nodes that drive the robot may have outlived both.
 ///
-/// A file and not a parameter: writing it takes microseconds and needs nobody, while a write to the parameter server
-/// waits for ever when the master is gone, and with it the zeros would stop. [ARB-7]
+/// It is a file and not a parameter because writing it takes microseconds and depends on no other process. A write to
+/// the parameter server would wait forever while the master is gone, and meanwhile the arbiter would send no zeros.
+/// [ARB-7]
 class SessionMemory {
  public:
-  /// Who the owner in a file's name is.
+  /// What kind of name the owner has, which is part of the file's name.
   enum class Owner {
     kNode,     ///< a resolved node name: each process overwrites the file of the one before it
-    kService,  ///< a resolved service name, which nodes of any name may offer one after the other, or even at once:
-               ///< each process writes a file of its own, and none removes what a living one has written [ARB-12]
+    kService,  ///< a resolved service name, which several nodes may offer one after the other, or even at once: each
+               ///< process writes a file of its own, and none removes the file of a living process [ARB-12]
   };
 
-  /// `sessions` are the names of the ROS session, of which any may change alone; `what` names the thing that is
-  /// remembered, in characters of a file name.
+  /// `sessions` are the names of the ROS session, see rosSessions(), of which one may change without the other. `what`
+  /// names what is remembered and has to be usable in a file name.
   SessionMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions, std::string what,
                 std::string owner, Owner kind);
 
-  /// From now on in another session of ROS; gives whether it is another one.
+  /// Changes to the ROS session with these names; returns whether it is another one than before.
   bool enter(const std::vector<std::string>& sessions);
-  /// The text that was remembered, if one was: the cause of a stop. Of several the first.
+  /// The remembered text, such as the cause of a stop; the first one if there are several. Nothing if there is none.
   std::optional<std::string> recall() const;
-  /// What this process and those before it and beside it have remembered.
+  /// The texts remembered by this process, by earlier ones and by those that run at the same time.
   std::vector<std::string> recallAll() const;
-  /// What others have remembered in this session, after this process has said something itself.
+  /// The first text that another process, living or dead, has remembered in this session; nothing if there is none.
   std::optional<std::string> recallOthers() const;
-  /// The file that holds it.
+  /// The file with the text that recall() returns.
   std::optional<std::filesystem::path> find() const;
-  /// Once this has returned an empty text `text` survives the process; otherwise it gives why it does not. It takes the
-  /// place of what the dead have remembered.
+  /// Stores `text`, in place of what dead processes have remembered. Returns an empty text if it will survive this
+  /// process, otherwise why it will not.
   std::string remember(const std::string& text) const;
-  /// Why nothing could be remembered now; empty: nothing is in the way. Makes the folder.
+  /// Why nothing could be stored now; empty if it could. Creates the folder.
   std::string problem() const;
-  /// Once this has returned an empty text a new process finds nothing but what living ones remember; otherwise it gives
-  /// why it does.
+  /// Removes what this process and dead ones have remembered; files of other living processes stay. Returns an empty
+  /// text, or why some could not be removed.
   std::string forget() const;
-  /// The node ends in order: another session shall not find what it kept.
+  /// To be called at a regular shutdown: a process of another session will then ignore what this one has stored.
   void endInOrder() const;
-  /// Where the text is kept, once for each name of the session.
+  /// The files of this process, one for each name of the session.
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
   std::vector<std::filesystem::path> others() const;
   std::vector<std::filesystem::path> all() const;
-  /// Gives what went wrong, or an empty text.
+  /// Returns what went wrong; empty if nothing did.
   std::string removeThoseOfTheDead() const;
 
   std::filesystem::path ros_home_;
-  std::string name_;                              ///< of the files, or how their names begin
-  Owner kind_;                                    ///< of whom that name tells
-  std::vector<std::filesystem::path> files_;      ///< the same for each name of the session
-  std::vector<std::filesystem::path> elsewhere_;  ///< of another session, until this node has said something itself
+  std::string name_;                              ///< of the files; with kService the process id follows it
+  Owner kind_;                                    ///< what kind of name the owner has
+  std::vector<std::filesystem::path> files_;      ///< of this process, one for each name of the session
+  std::vector<std::filesystem::path> elsewhere_;  ///< of other sessions, removed once this process stores or forgets
 };
 
-/// ROS_HOME, or what ROS takes in its place.
+/// ROS_HOME, or ROS' default, ~/.ros.
 std::filesystem::path rosHome();
-/// What tells this ROS session from any other: the run id that roslaunch gives its master, which is a parameter and can
-/// be deleted, and the master's process.
+/// The names that identify this ROS session: the run id that roslaunch sets, a parameter that can be deleted, and the
+/// process id of the master with the machine's boot id.
 std::vector<std::string> rosSessions();
 
 }  // namespace frontier_pilot

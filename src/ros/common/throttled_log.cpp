@@ -14,7 +14,7 @@ std::optional<std::uint64_t> LogThrottle::admit(SteadyTime now) {
   const SteadyTime filled = filled_.value_or(now);
   const auto periods = static_cast<std::uint64_t>(std::max<Duration::rep>(0, (now - filled) / kPeriod));
   tokens_ = std::min(kBurst, tokens_ + std::min(kBurst, periods));
-  // What is left of a period counts for the next line.
+  // The rest of a period that has begun counts towards the next token.
   filled_ = tokens_ == kBurst ? now : filled + kPeriod * static_cast<Duration::rep>(periods);
   if (tokens_ == 0) {
     ++left_out_;
@@ -28,7 +28,7 @@ std::optional<std::uint64_t> admitNow(LogThrottle& throttle) { return throttle.a
 
 std::string throttledLine(const std::string& text, std::uint64_t left_out) {
   std::string line = printable(text, bounds::kMostLine);
-  if (left_out > 0) line += " (" + std::to_string(left_out) + " lines like this one left out before it)";
+  if (left_out > 0) line += " (" + std::to_string(left_out) + " similar lines suppressed before it)";
   return line;
 }
 

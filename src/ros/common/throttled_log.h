@@ -10,23 +10,23 @@
 
 #include "frontier_pilot/core/time.h"
 
-/// Log lines that anybody on the network can bring about as often as they like: a service that is called in a loop, a
-/// goal that is sent again and again. Each line of the source code may speak `LogThrottle::kBurst` times in a row and
-/// then once a second, so that ordinary work is logged as it always was and a flood cannot fill the disk.
+/// For log lines that anybody on the network can cause as often as they like, by calling a service in a loop or sending
+/// a goal again and again. Each log statement may print `LogThrottle::kBurst` lines in a row and then one a second, so
+/// that ordinary operation is logged in full and a flood cannot fill the disk.
 ///
 ///     THROTTLED_INFO("saved " << path);
 ///
-/// A line's budget is its own: "stopped" and "cleared" in two lines of code do not take each other's place.
+/// Each statement has a budget of its own: a flood of "stopped" does not suppress "cleared".
 namespace frontier_pilot {
 
-/// The budget of one log line: a bucket of tokens, filled on steady time.
+/// The budget of one log statement: a token bucket, refilled on steady time.
 class LogThrottle {
  public:
   static constexpr std::uint64_t kBurst = 20;                   ///< lines at once
   static constexpr Duration kPeriod = std::chrono::seconds(1);  ///< in which one more is allowed
 
-  /// How many lines were left out since the last one that was admitted; nothing if this one is left out as well. May
-  /// be called from any thread.
+  /// How many lines were suppressed since the last one that was admitted; nothing if this one is suppressed as well.
+  /// May be called from any thread.
   std::optional<std::uint64_t> admit(SteadyTime now);
 
  private:
@@ -36,8 +36,8 @@ class LogThrottle {
   std::uint64_t left_out_ = 0;
 };
 
-/// The line as it is logged: cut to a length that what came in with a request cannot exceed, on one line, with the
-/// number of those that were left out before it.
+/// The line as it is logged: escaped onto one line and cut to a maximum length, however long the input it quotes, with
+/// the number of lines that were suppressed before it.
 std::string throttledLine(const std::string& text, std::uint64_t left_out);
 
 /// `admit` at the present steady time.
@@ -45,8 +45,8 @@ std::optional<std::uint64_t> admitNow(LogThrottle& throttle);
 
 }  // namespace frontier_pilot
 
-// Macros, because a log line says where in the source code it stands, and its budget belongs to that place. In
-// parentheses `stream` would be an expression of its own, without the stream that it is written to.
+// Macros, because a log line contains its place in the source code, and the budget belongs to that place. `stream`
+// cannot be parenthesised: it continues the expression that starts with the output stream.
 #define FRONTIER_PILOT_THROTTLED(level, stream)                                         \
   do {                                                                                  \
     static ::frontier_pilot::LogThrottle line_throttle;                                 \

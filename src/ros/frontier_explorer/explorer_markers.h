@@ -11,10 +11,10 @@
 
 namespace frontier_pilot {
 
-/// What rviz shows of an exploration, each kind in a namespace of its own: the `cells` and `centroids` of selectable
-/// frontiers (a sphere as large as the information is), their `scores`, blacklisted places in red, and the rejected
-/// frontiers in grey, by reason (`rejected: too near`), each with its reason as text. The too small and the left
-/// out ones, of which there can be thousands, carry it in the namespace alone.
+/// The markers of an exploration for rviz, each kind in a namespace of its own: the `cells` and `centroids` of
+/// selectable frontiers (spheres that grow with the expected information), their `scores`, blacklisted places in red,
+/// and the rejected frontiers in grey, with the reason in the namespace (`rejected: too near`) and as text. Frontiers
+/// that are too small or left out, of which there can be thousands, have no text.
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
                                                     const std::vector<exploration::Blacklist::Entry>& blacklist,
                                                     const GridGeometry& geometry, const std::string& frame, Time stamp);

@@ -4,7 +4,7 @@
 
 namespace frontier_pilot {
 
-// The enumerations of the core and the constants of the message are one list.
+// The enumerations of the module have the same values as the constants of the message.
 static_assert(static_cast<int>(exploration::ExplorerState::kDone) == ExplorerStatus::DONE);
 static_assert(static_cast<int>(exploration::ExplorerPhase::kCoverage) == ExplorerStatus::COVERAGE);
 static_assert(static_cast<int>(exploration::ExplorerReason::kPaused) == ExplorerStatus::PAUSED);

@@ -49,10 +49,10 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   const bool before = enabled_;
   enabled_ = request.data != 0;
   const std::string problem = paused_->set(!enabled_);
-  tick();  // a pause has cancelled the goal before the caller hears of it
+  tick();  // so that a pause cancels the goal before the call is answered
   response.success = 1U;
   response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
-                     (before == enabled_ ? " (as it was)" : "") + problem;
+                     (before == enabled_ ? " already: nothing changed" : "") + problem;
   return true;
 }
 
@@ -85,7 +85,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   inputs.odometry_stamp = odometry_stamp_;
   inputs.goal_events = navigation_.takeEvents();
   if (const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_)) {
-    // A transform that is only static has no stamp of its own: it holds now.
+    // A chain of static transforms alone has no stamp: it holds now.
     const Time when = *stamp == Time{} ? now : *stamp;
     const auto pose = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
     if (pose) inputs.T_map_base = exploration::StampedPose2{*pose, when};
@@ -128,7 +128,7 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
                                                  explorer_.map().geometry(), parameters_.map_frame, now));
 }
 
-/// Ticks are on ROS time: without a clock nothing else would ever say so.
+/// Warns while ROS time stands still: ticks are on ROS time, so no tick could report it.
 void FrontierExplorerAdapter::watchClock() {
   const Time now = rosNow();
   if (now == watched_clock_) THROTTLED_WARN("exploration waits for: /clock (ROS time stands still)");

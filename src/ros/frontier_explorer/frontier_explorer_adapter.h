@@ -29,7 +29,7 @@ struct ExplorerNodeParameters {
   template <class V>
   void describe(V& v) {
     v.field("autostart", autostart, "",
-            "explore as soon as all inputs are there; false: when set_exploration_enabled says so");
+            "explore as soon as all inputs are available; false: wait for set_exploration_enabled");
     v.field("rate", rate, "Hz", "ticks of the explorer", tickRate());
     v.field("map_frame", map_frame, "", "frame of the map and of the goals", FrameName::kGiven);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
@@ -37,11 +37,11 @@ struct ExplorerNodeParameters {
   }
 };
 
-/// The explorer as a node: map, odometry and TF in, goals to any `move_base` out.
+/// The node `frontier_explorer`: takes map, odometry and TF, and sends goals to any `move_base`.
 class FrontierExplorerAdapter {
  public:
   FrontierExplorerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// A goal left behind would be driven to with nobody watching.
+  /// Cancels the goal: otherwise the robot would go on driving to it without an explorer.
   void sayLastWords() { navigation_.cancel(); }
 
  private:

@@ -11,19 +11,19 @@
 
 namespace frontier_pilot {
 
-/// The explorer's side of the `move_base` action, whoever serves it. Nothing here waits: what happens to a goal is
-/// collected as events.
+/// The explorer's client of the `move_base` action, whichever node serves it. Nothing here blocks: what happens to a
+/// goal is collected as events.
 class MoveBaseClient {
  public:
   explicit MoveBaseClient(ros::NodeHandle& node);
 
   /// Whether a server is connected now.
   bool available() { return client_.isServerConnected(); }
-  /// Sends a goal, in place of the present one if there is one; the old one's end is not reported.
+  /// Sends a goal, which replaces the present one if there is one; the end of the old one is not reported.
   void send(std::uint32_t goal_id, const Pose2& goal, const std::string& frame, Time now);
-  /// Cancels the goal that was sent last, and no goal of anybody else.
+  /// Cancels the goal that was sent last; goals of other clients are not affected.
   void cancel();
-  /// What has happened since the last call.
+  /// The events since the last call.
   std::vector<exploration::GoalEvent> takeEvents();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { client_.report(status); }
 

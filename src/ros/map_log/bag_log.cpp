@@ -18,7 +18,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// Whether two names are the same topic: bags hold them with or without the leading slash.
+/// Whether two names are the same topic: bags contain them with or without the leading slash.
 bool isTopic(const std::string& name, const std::string& wanted) {
   const auto bare = [](const std::string& text) {
     return text.substr(std::min(text.find_first_not_of('/'), text.size()));
@@ -31,7 +31,7 @@ class BagReading {
  public:
   explicit BagReading(const tools::BagTopics& topics) : topics_(topics) {}
 
-  /// TF first: a scan must not wait for what the bag tells later.
+  /// To be called before takeMessages, so that the scanner's mount is known for the first scan already.
   void takeTransforms(rosbag::View& view) {
     for (const rosbag::MessageInstance& message : view) {
       const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
@@ -55,7 +55,8 @@ class BagReading {
 
  private:
   void takeTransform(const geometry_msgs::TransformStamped& transform, bool is_static) {
-    // The scanner's mount does not move, even if it is repeated on /tf; what moves is not asked for.
+    // Only the mount of the scanner is needed. It is fixed, even if it is repeated on /tf; transforms of base_footprint
+    // itself are not needed.
     const bool is_mount = is_static || transform.child_frame_id.find(names::kBaseFootprintFrame) == std::string::npos;
     if (is_mount) tf_.setTransform(transform, "bag", is_static);
   }
@@ -96,7 +97,7 @@ class BagReading {
   tools::BagTopics topics_;
   tf2::BufferCore tf_;
   mapping::ScanPairing pairing_;
-  Time latest_{};  ///< of the odometry so far
+  Time latest_{};  ///< stamp of the latest odometry so far
   logs::ScanLog log_;
   std::map<std::string, std::size_t> problems_;
 };

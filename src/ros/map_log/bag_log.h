@@ -9,19 +9,19 @@
 
 namespace frontier_pilot {
 
-/// Reads the scans of a rosbag, each with the odometry of its stamp, as the mapper would: what it would drop is left
-/// out and counted in the notes. Where the scanner sits comes from the bag's TF. No master is needed. Throws a LogError
-/// when the bag cannot be read or holds no usable scan.
+/// Reads the scans of a rosbag, each with the odometry at its stamp, as the mapper does: messages that the mapper would
+/// drop are left out and counted in the notes. The scanner's mount comes from the bag's TF. No master is needed. Throws
+/// a LogError if the bag cannot be read or contains no usable scan.
 logs::ScanLog readBagLog(const std::string& path, const tools::BagTopics& topics);
 
-/// What reading a bag may take.
+/// Limits of the process that reads a bag.
 struct BagReadLimits {
-  std::uint64_t memory = std::uint64_t{4} << 30U;          ///< on top of what the program has anyway [bytes]
-  std::chrono::seconds time = std::chrono::seconds(1800);  ///< by the clock on the wall
+  std::uint64_t memory = std::uint64_t{4} << 30U;          ///< in addition to what the program uses already [bytes]
+  std::chrono::seconds time = std::chrono::seconds(1800);  ///< steady time
 };
 
-/// `readBagLog` in a process of its own, because rosbag's code does not survive every broken file: where it crashes,
-/// aborts, or takes more than `limits` allow, that becomes a LogError too. [FLT-1]
+/// `readBagLog` in a process of its own, because rosbag's code may crash on a broken file: a crash, an abort or a use
+/// of more than `limits` allow becomes a LogError, too. [FLT-1]
 logs::ScanLog readBagLogApart(const std::string& path, const tools::BagTopics& topics,
                               const BagReadLimits& limits = {});
 

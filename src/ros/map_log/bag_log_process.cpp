@@ -21,12 +21,12 @@
 namespace frontier_pilot {
 namespace {
 
-// The first byte of what the child says; without one of them it did not get to the end.
+// The first byte of what the child sends. If nothing was sent, the child did not finish.
 constexpr char kRead = 'R';
 constexpr char kRefused = 'E';
 constexpr char kNoMemory = 'M';
 
-/// A log as bytes, from one process to its own child: no other program ever reads them.
+/// Writes a log as bytes, from a child process to its parent; no other program ever reads them.
 class Packer {
  public:
   explicit Packer(std::string& bytes) : bytes_(bytes) {}
@@ -56,7 +56,7 @@ class Packer {
   std::string& bytes_;
 };
 
-/// Reads what a Packer wrote; throws std::exception where there is less of it.
+/// Reads what a Packer has written; throws std::length_error if bytes are missing.
 class Unpacker {
  public:
   explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
@@ -120,7 +120,7 @@ logs::ScanLog unpack(const std::string& bytes) {
   return log;
 }
 
-/// What this process has reserved by now [bytes].
+/// The present size of this process's address space [bytes].
 std::uint64_t addressSpace() {
   std::uint64_t pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "re")) {
@@ -134,7 +134,7 @@ std::uint64_t addressSpace() {
 void restrict(const BagReadLimits& limits) {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
-#if !defined(__SANITIZE_ADDRESS__)  // which reserves more than any limit allows
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reserves more address space than any limit allows
   const rlim_t memory = addressSpace() + limits.memory;
   const rlimit memory_limit{memory, memory};
   setrlimit(RLIMIT_AS, &memory_limit);
@@ -150,7 +150,8 @@ void send(int pipe, const std::string& bytes) {
   }
 }
 
-/// All that the child does. What it prints while it dies is of no use to anybody.
+/// Runs in the child: reads the bag and sends the result. Its output is discarded, because messages of a crash help
+/// nobody.
 [[noreturn]] void readInChild(int pipe, const std::string& path, const tools::BagTopics& topics,
                               const BagReadLimits& limits) {
   for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT}) std::signal(signal, SIG_DFL);
@@ -168,10 +169,10 @@ void send(int pipe, const std::string& bytes) {
   } catch (const std::exception& error) {
     send(pipe, kRefused + path + ": " + error.what());
   }
-  _exit(0);  // without the parent's destructors
+  _exit(0);  // without running destructors and handlers that belong to the parent
 }
 
-/// The child's end of a pipe; ends the child when it goes away.
+/// The child process with the pipe that it sends to. The destructor kills it if it still runs.
 class Child {
  public:
   Child(const std::string& path, const tools::BagTopics& topics, const BagReadLimits& limits) {
@@ -192,7 +193,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// All that the child says. False if it is not done by `deadline`, or says more than `most` bytes.
+  /// Receives all that the child sends. False if it is not done by `deadline`, or sends more than `most` bytes.
   bool listen(SteadyTime deadline, std::uint64_t most, std::string& said) const {
     std::array<char, 65536> buffer{};
     while (said.size() <= most) {
@@ -208,7 +209,7 @@ class Child {
     }
     return false;
   }
-  /// How it ended, once it has nothing more to say.
+  /// Waits until the child has ended and returns its status, as waitpid gives it.
   int end() {
     int status = 0;
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
@@ -222,7 +223,7 @@ class Child {
 };
 
 std::string causeOf(int status) {
-  if (!WIFSIGNALED(status)) return "without a word";
+  if (!WIFSIGNALED(status)) return "without a result";
   return std::string("with signal ") + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
 }
 
@@ -238,14 +239,14 @@ logs::ScanLog readBagLogApart(const std::string& path, const tools::BagTopics& t
   }
   const int status = child.end();
   if (said.empty() || status != 0)
-    throw logs::LogError(path + ": is broken: what reads it ended " + causeOf(status) +
-                         ", on a broken record or for memory");
+    throw logs::LogError(path + ": is broken: the process that reads it ended " + causeOf(status) +
+                         ", because of a broken record or for lack of memory");
   if (said[0] == kNoMemory) throw logs::LogError(path + ": takes more memory than " + megabytes);
   if (said[0] != kRead) throw logs::LogError(said.substr(1));
   try {
     return unpack(said);
   } catch (const std::length_error&) {
-    throw logs::LogError(path + ": what reads it did not get to the end");
+    throw logs::LogError(path + ": the process that reads it did not finish");
   }
 }
 

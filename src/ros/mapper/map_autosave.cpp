@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOlder = 3;
 constexpr Duration kMadeAnew = std::chrono::minutes(1);
-constexpr int kRest = 20;  // times as long as the map took to be saved
+constexpr int kRest = 20;  // pause after saving, in multiples of the time that saving took
 constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
 
-/// All digits, so that the pose is the same when it is read.
+/// With all digits, so that exactly the same pose is read back.
 std::string toText(const Pose2& pose) {
   std::ostringstream text;
   text << std::setprecision(std::numeric_limits<double>::max_digits10) << pose.x << ' ' << pose.y << ' ' << pose.yaw;
@@ -41,7 +41,7 @@ void removeMap(const fs::path& base) {
   for (const char* ending : kEndings) fs::remove(base.string() + ending, ignored);
 }
 
-/// Maps of the same node that were left in other sessions, the newest first.
+/// Maps that the same node has left in other sessions, the newest first.
 std::vector<fs::path> olderMaps(const fs::path& own) {
   std::vector<std::pair<fs::file_time_type, fs::path>> found;
   std::error_code ignored;
@@ -61,7 +61,7 @@ void removeOldest(const fs::path& own) {
   for (std::size_t i = kMostOlder; i < maps.size(); ++i) removeMap(maps[i]);
 }
 
-/// Gives why it could not be saved, or an empty text.
+/// Returns why it could not be saved; empty if it was.
 std::string save(const map_files::MapSnapshot& map, const Pose2& T_map_odom, const SessionMemory& memory) {
   if (memory.files().empty()) return "the ROS session has no name";
   const fs::path base = memory.files().front();
@@ -85,7 +85,7 @@ std::optional<Pose2> MapAutosave::restore(occupancy::OccupancyMap& map) const {
   if (!text) return std::nullopt;
   const std::optional<Pose2> T_map_odom = toPose(*text);
   if (!T_map_odom) throw std::runtime_error("the pose that was saved with it cannot be read");
-  // The map lies beside the first of the names that the session had.
+  // The map lies beside the pose's file, or beside that for the first name of the session.
   map_files::MapIoResult result = map_files::loadMap(memory_.find()->string(), map);
   if (!result.ok() && !memory_.files().empty()) result = map_files::loadMap(memory_.files().front().string(), map);
   if (!result.ok()) throw std::runtime_error(result.text);
@@ -102,7 +102,7 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, st
   }
   noteMapping(content, now);
   if (saving_) return;
-  if (content == saved_content_) {  // says that it is alive, for a mapper that finds it in another session
+  if (content == saved_content_) {  // renews the time stamp, by which a mapper in another session recognises it
     problem_ = memory_.remember(toText(T_map_odom));
     return;
   }

@@ -17,31 +17,32 @@
 
 namespace frontier_pilot {
 
-/// The map as it was when the mapper died, for the mapper that is started again in the same ROS session: saved again
-/// and again under ROS_HOME, with the transform from odometry, until the mapper ends in order. At most three maps of
-/// earlier sessions are kept. [FLT-2]
+/// Keeps a copy of the map for a mapper that is restarted in the same ROS session after it died: the map is saved
+/// periodically under ROS_HOME, with the transform `map -> odom`, and removed when the mapper is shut down regularly.
+/// At most three maps of earlier sessions are kept. [FLT-2]
 class MapAutosave {
  public:
   MapAutosave();
 
-  /// Reads the map of a mapper that died and gives its T_map_odom; nothing if there is none. Throws std::runtime_error,
-  /// saying why, if there is one that cannot be read.
+  /// Reads the map of a mapper that died and returns its T_map_odom; nothing if there is none. Throws
+  /// std::runtime_error with the reason if there is one that cannot be read.
   std::optional<Pose2> restore(occupancy::OccupancyMap& map) const;
-  /// Saves `map` on the thread of `saver`. Nothing happens for a map that nothing was added to (`content` counts what
-  /// was), while an earlier one is still being saved, and so that saving takes a twentieth of the time at most.
+  /// Saves `map` on the thread of `saver`. A map is not saved if it has not changed (`content` counts its changes),
+  /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
+  /// the time.
   void save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver);
-  /// The map is another one, whatever its `content`.
+  /// To be called when another map was loaded: the next one is saved whatever its `content`.
   void replace();
-  /// There is nothing to restore any more: the map was reset, or its mapper ends in order.
+  /// Removes the copy, because the map was reset or the mapper is shut down regularly.
   void forget();
-  /// The map that a mapper had when it died is lost. To be said until the map is reset or loaded, or has been made anew
-  /// for a minute: an error that nothing mends would soon not be read any more.
+  /// Records that the map of the mapper that died is lost. It is reported until the map is reset or loaded, or for a
+  /// minute after the first scan of the new map: an error that never goes away would soon be ignored.
   void lose(const std::string& why);
-  /// What would be lost with this node, and what was with the one before it.
+  /// Reports what would be lost with this node, and what was lost with the one before it.
   void tell(MemoryReport& report) const;
-  /// What kept the last one from being saved; empty if nothing did.
+  /// Why the last map could not be saved; empty if it was.
   const std::string& problem() const { return problem_; }
-  /// From now on in another session of ROS, if this is one.
+  /// Changes to the ROS session with these names.
   void enter(const std::vector<std::string>& sessions);
 
  private:
@@ -53,15 +54,15 @@ class MapAutosave {
 
   void noteMapping(std::uint64_t content, SteadyTime now);
 
-  SessionMemory memory_;                       ///< holds T_map_odom; the map lies beside it
-  std::shared_ptr<std::atomic<bool>> wanted_;  ///< whether what is being saved still is
+  SessionMemory memory_;                       ///< holds T_map_odom; the map's files lie beside it
+  std::shared_ptr<std::atomic<bool>> wanted_;  ///< false once the copy being saved is obsolete
   std::shared_ptr<Mailbox<Saved>> done_;
   bool saving_ = false;
   SteadyTime next_{};
   std::optional<std::uint64_t> saved_content_;
   std::string problem_;
-  std::string loss_;                         ///< why the map before this one is lost
-  std::optional<SteadyTime> mapping_since_;  ///< after that
+  std::string loss_;                         ///< why the map of the mapper that died is lost
+  std::optional<SteadyTime> mapping_since_;  ///< when the first scan came into the new map
 };
 
 }  // namespace frontier_pilot

@@ -10,7 +10,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr const char* kSaving = "a map that is saved";
+constexpr const char* kSaving = "saving a map";
 
 class Job : public ros::CallbackInterface {
  public:
@@ -45,7 +45,7 @@ void MapSaver::run(std::function<void()> job) { queue_.addCallback(boost::make_s
 
 void MapSaver::close() {
   closed_ = true;
-  wanted_.take();  // a promise that is destroyed wakes who waits for it
+  wanted_.take();  // destroying the promise wakes the thread that waits for it
 }
 
 bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
@@ -61,7 +61,7 @@ bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
 }
 
 map_files::MapIoResult MapSaver::save(const std::string& path) {
-  constexpr auto kSnapshotPatience = std::chrono::seconds(10);  // for a mapper that is busy
+  constexpr auto kSnapshotPatience = std::chrono::seconds(10);  // enough for a busy mapper
   std::promise<map_files::MapSnapshot> promise;
   std::future<map_files::MapSnapshot> snapshot = promise.get_future();
   wanted_.put(std::move(promise));

@@ -14,18 +14,18 @@
 
 namespace frontier_pilot {
 
-/// Serves `mapper/save_map` on a thread of its own: a large map takes longer to be encoded, written and read back than
-/// `map -> odom` may be late. The node's thread only copies the map.
+/// Serves `mapper/save_map` on a thread of its own, because encoding, writing and reading back a large map takes longer
+/// than `map -> odom` may be late. The node's thread only copies the map.
 class MapSaver {
  public:
-  /// From here on it is served.
+  /// Advertises the service and starts the thread.
   void serve(NodeConnections& connections);
-  /// Hands the map over if a call waits for it. For the node's thread, again and again.
+  /// Hands a copy of the map over if a call waits for it. To be called periodically on the node's thread.
   void provide(occupancy::OccupancyMap& map);
-  /// Runs `job` on this thread, after what it does now; one that throws ends here.
+  /// Queues `job` for this object's thread; an exception that it throws is caught and logged.
   void run(std::function<void()> job);
-  /// Lets calls that wait for the map fail, and all later ones. To be called before the connections are closed, which
-  /// waits for a call that is served.
+  /// Makes calls that wait for the map fail, and all later ones. To be called before the connections are destroyed,
+  /// which waits for the call that is being served.
   void close();
 
  private:
@@ -35,7 +35,7 @@ class MapSaver {
   std::atomic<bool> closed_{false};
   Mailbox<std::promise<map_files::MapSnapshot>> wanted_;
   ros::CallbackQueue queue_;
-  ros::AsyncSpinner spinner_{1, &queue_};  ///< the last member: everything else is there while it runs
+  ros::AsyncSpinner spinner_{1, &queue_};  ///< the last member: all others exist while it runs
 };
 
 }  // namespace frontier_pilot

@@ -86,7 +86,7 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
     return std::nullopt;
   };
   why = "frame '" + frame + "'";
-  // A scanner that is fixed to the world instead of the robot would be found in TF all the same.
+  // TF would also give a pose for a scan in the map or odom frame, but a scanner has to be fixed to the robot.
   if (frame.empty() || frame == parameters_.map_frame || frame == parameters_.odom_frame) {
     return reject(mapping::ScanVerdict::kWrongFrame);
   }
@@ -98,7 +98,8 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
 }
 
 void MapperAdapter::insertPaired() {
-  // The time is asked for again each time: scans that grow stale while others are worked on are dropped, not caught up.
+  // The clock is read for each scan: scans that become stale while others are processed are dropped, not caught up
+  // with.
   while (const auto paired = pairing_.next(rosNow())) {
     note(mapper_.insert(paired->scan, paired->T_odom_base, rosNow()), {});
   }
@@ -108,12 +109,12 @@ void MapperAdapter::startRevision() {
   if (auto done = worker_.take()) takeOver(*done);
   if (const auto failure = worker_.takeFailure(); failure && mapper_.abandonWork()) {
     revision_failure_ = *failure;
-    ROS_ERROR_STREAM("no loop is closed any more until a reset, the map is kept: " << *failure);
+    ROS_ERROR_STREAM("loop closing is off until a reset, the map is kept: " << *failure);
   }
   if (!worker_.idle()) return;
   slam::RevisionWork work = mapper_.takeWork();
   if (!work) return;
-  // A map that has been replaced takes a while to be freed: the worker does that, too.
+  // Freeing a replaced map takes a while, so the worker does that, too.
   worker_.start([work = std::move(work), old = std::exchange(old_, nullptr)] {
     const SteadyTime start = steadyNow();
     TimedRevision done{work(), 0.0};

@@ -33,11 +33,11 @@ struct MapperNodeParameters {
   std::string odom_frame = names::kOdomFrame;
   std::string base_frame;        ///< empty: the robot's
   std::string map_file;          ///< loaded at the start; empty: none
-  double autosave_period = 2.0;  ///< between two copies of the map for after a crash [s]; 0: none is kept
+  double autosave_period = 2.0;  ///< between two copies of the map for a restart after a crash [s]; 0: none is kept
   double update_period = 0.2;    ///< between two `map_updates` [s]
   double tf_period = 0.05;       ///< between two `map -> odom` [s]
-  double tf_lead = 0.1;          ///< `map -> odom` is dated this much ahead, so that it holds until the next one [s]
-  double silence = 2.0;          ///< without a scan in the map for so long something is wrong [s]
+  double tf_lead = 0.1;          ///< how far `map -> odom` is stamped ahead, so that it holds until the next one [s]
+  double silence = 2.0;          ///< time without a scan put into the map after which the diagnostics warn [s]
   mapping::MapperParameters mapper;
   mapping::OdometryAnchorParameters odometry;
   mapping::ScanPairingParameters pairing;
@@ -52,30 +52,30 @@ struct MapperNodeParameters {
     v.field("map_file", map_file, "", "saved map to begin with; empty: begin with an empty map");
     v.field(
         "autosave_period", autosave_period, "s",
-        "least time between two copies of the map for a mapper that is started again after it died; 0: none is kept",
+        "least time between two copies of the map, which a mapper restores when it is restarted after a crash; 0: none",
         between(0.0, 3600.0));
     v.field("localize_only", mapper.localize_only, "",
             "leave the loaded map as it is, and only localise the robot in it");
     v.field("update_period", update_period, "s", "time between two map updates", tickPeriod());
     v.fixed({"tf_period"});
     v.field("tf_lead", tf_lead, "s", "time by which the stamp of map -> odom is ahead of the clock", timeSpanOrNone());
-    v.field("silence", silence, "s", "without a scan in the map for so long something is wrong", timeSpan());
+    v.field("silence", silence, "s", "time without a scan added to the map before the diagnostics warn", timeSpan());
     v.group("mapper", mapper, "the mapper");
-    v.group("odometry", odometry, "what odometry is believed");
-    v.group("pairing", pairing, "how scans find their odometry");
-    v.group("publishing", publishing, "when the whole map goes out");
+    v.group("odometry", odometry, "which odometry is credible");
+    v.group("pairing", pairing, "how scans are paired with odometry");
+    v.group("publishing", publishing, "when the whole map is published");
   }
   void check(Problems& problems) const {
     if (autosave_period > 0.0 && autosave_period < 0.1) problems.push_back("autosave_period: must be 0 or >= 0.1");
   }
 };
 
-/// The mapper as a node: scans and odometry in, map and `map -> odom` out.
+/// The node `mapper`: takes scans and odometry, and publishes the map and `map -> odom`.
 class MapperAdapter {
  public:
   MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   ~MapperAdapter() { saver_.close(); }
-  /// There is nothing to go on with after an end in order.
+  /// Removes the copy of the map: a mapper started after a regular shutdown begins with a new map.
   void sayLastWords() { autosave_.forget(); }
   MapperAdapter(const MapperAdapter&) = delete;
   MapperAdapter& operator=(const MapperAdapter&) = delete;
@@ -84,7 +84,7 @@ class MapperAdapter {
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
   struct TimedRevision {
     slam::MapRevision revision;
-    double seconds;  ///< that they took
+    double seconds;  ///< that computing it took [s]
   };
   struct Restored {
     occupancy::OccupancyMap map;
@@ -96,22 +96,22 @@ class MapperAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   void noteOdometryReset();
   void handleScan(const sensor_msgs::LaserScan& msg);
-  /// The scan, or what is wrong with it.
+  /// Converts the scan; nothing if it is unusable, which is counted.
   std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg);
   void insertPaired();
-  /// Hands work to the worker and takes its results over.
+  /// Takes over the worker's result, and gives it new work if it is idle.
   void startRevision();
   void takeOver(TimedRevision& done);
   void note(mapping::ScanVerdict verdict, const std::string& detail);
   void broadcast();
-  /// The mapper is given odometry without its jumps.
+  /// With respect to the odometry as published: the mapper's own `odom` is odometry without its jumps.
   Pose2 T_map_odom() const { return mapper_.T_map_odom() * anchor_.T_smooth_odom(); }
-  /// Throws a ConfigurationError when the map to begin with cannot be loaded.
+  /// Loads `map_file`, if given; throws a ConfigurationError if it cannot be loaded.
   void loadFirstMap(const ros::NodeHandle& private_node);
   map_files::MapIoResult load(const std::string& path);
   /// Reads the map of a mapper that died in this session, if there is one.
   void restore();
-  /// Goes on with it, as soon as it is known where odometry has the robot.
+  /// Continues with that map, once the first odometry message has come.
   void resume(const Pose2& T_odom_base);
   void autosave();
   void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);
@@ -133,16 +133,16 @@ class MapperAdapter {
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
   Rejections bad_initial_poses_{"initial pose"};
-  std::optional<SteadyTime> odometry_reset_;  ///< when the last one was noticed
-  std::optional<SteadyTime> last_inserted_;   ///< when the last scan was found good
-  std::string revision_failure_;              ///< what ended the revisions, until a reset
-  double revision_seconds_ = 0.0;             ///< what the last revision took
-  std::shared_ptr<slam::MapRevision> old_;    ///< what the last ones replaced
+  std::optional<SteadyTime> odometry_reset_;  ///< when the last reset of odometry was noticed
+  std::optional<SteadyTime> last_inserted_;   ///< when the last scan was accepted
+  std::string revision_failure_;              ///< the exception that ended loop closing, until a reset
+  double revision_seconds_ = 0.0;             ///< how long the last revision took [s]
+  std::shared_ptr<slam::MapRevision> old_;    ///< the map that the last revision replaced, to be freed by the worker
   Worker<TimedRevision> worker_;
   MapSaver saver_;
   MapAutosave autosave_;
-  std::optional<Restored> restored_;           ///< until it is gone on with
-  Mailbox<std::vector<std::string>> session_;  ///< a new one of ROS, if the master is a new one
+  std::optional<Restored> restored_;           ///< until resume() has taken it over
+  Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
   NodeConnections connections_;
 };
 

@@ -11,7 +11,8 @@
 namespace frontier_pilot {
 namespace {
 
-/// x, y and yaw in the 6 x 6 covariance of a geometry_msgs/PoseWithCovariance; none where it is not one.
+/// The covariance of x, y and yaw from the 6 x 6 matrix of a geometry_msgs/PoseWithCovariance [m^2, m rad, rad^2];
+/// nothing if it is not finite or a variance is negative.
 std::optional<Eigen::Matrix3d> covarianceOf(const geometry_msgs::PoseWithCovariance& msg) {
   using Covariance6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
   const std::array<int, 3> axes = {0, 1, 5};
@@ -54,10 +55,10 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
   const bool in_map = msg.header.frame_id == parameters_.map_frame;
   const auto pose = in_map ? toPose(msg.pose.pose, &why) : std::nullopt;
   const auto covariance = covarianceOf(msg.pose);
-  if (pose && !covariance) why = "its covariance is none";
+  if (pose && !covariance) why = "invalid covariance";
   if (!pose || !covariance) return bad_initial_poses_.add(why);
   if (!mapper_.locate({*pose, *covariance})) {
-    return bad_initial_poses_.add("there is nothing in the map yet that could be recognised");
+    return bad_initial_poses_.add("the map has no occupied cell yet, so the robot cannot be found in it");
   }
   THROTTLED_INFO("looking for the robot around " << std::fixed << std::setprecision(2) << pose->x << ", " << pose->y);
 }

@@ -20,7 +20,7 @@ void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   resume(odometry->T_odom_base);
   const std::uint64_t resets = anchor_.resets();
   const auto T_smooth_base = anchor_.follow(odometry->stamp, odometry->T_odom_base);
-  if (!T_smooth_base) return bad_odometry_.add("farther from the last one than any robot drives in that time");
+  if (!T_smooth_base) return bad_odometry_.add("farther from the last message than a robot can drive in that time");
   if (anchor_.resets() != resets) noteOdometryReset();
   pairing_.addOdometry(odometry->stamp, *T_smooth_base);
   insertPaired();
@@ -32,14 +32,14 @@ void MapperAdapter::noteOdometryReset() {
   THROTTLED_WARN("odometry jumped by " << std::fixed << std::setprecision(2) << jump.distance << " m and "
                                        << jump.turn * 180.0 / kPi << " deg within " << jump.seconds
                                        << (parameters_.mapper.trust_odometry
-                                               ? " s: trusted, the robot is there now in the map"
+                                               ? " s: odometry is trusted, so the robot jumps in the map as well"
                                                : " s: taken for a reset, the robot stays where it is in the map"));
   broadcast();
 }
 
 void MapperAdapter::broadcast() {
   const auto now = connections_.clock().now();
-  if (!now) return;  // others would believe a future that never was
+  if (!now) return;  // after a jump of the clock the stamp might lie far in the future
   const Time stamp = *now + fromSeconds(parameters_.tf_lead);
   tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, T_map_odom(), stamp);
 }

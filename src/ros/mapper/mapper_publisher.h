@@ -11,9 +11,9 @@
 
 namespace frontier_pilot {
 
-/// Publishes the map: what changed at once, the whole of it seldom, and nothing while another node owns the topic.
-/// [MAP-2] [MAP-3]
-/// The whole map is kept as a message and patched.
+/// Publishes the map: changes at once on `map_updates`, the whole map less often, and nothing while another node
+/// publishes `map`. [MAP-2] [MAP-3]
+/// The whole map is kept as a message, in which changed cells are replaced.
 class MapperPublisher {
  public:
   /// Nothing is advertised yet.
@@ -21,8 +21,8 @@ class MapperPublisher {
 
   /// The topic, resolved.
   std::string topic() const { return node_.resolveName(topic_); }
-  /// Another node that publishes the topic; empty if there is none. Advertises in the latter case, and withdraws in the
-  /// former.
+  /// `node` is another node that publishes the map, or empty if there is none: then this one advertises its topics,
+  /// otherwise it withdraws them.
   void setOther(const std::string& node);
   const std::string& other() const { return other_; }
 
@@ -43,7 +43,7 @@ class MapperPublisher {
   ros::Publisher map_;
   ros::Publisher updates_;
   ros::Publisher metadata_;
-  nav_msgs::OccupancyGrid whole_;  ///< the map as it is
+  nav_msgs::OccupancyGrid whole_;  ///< the present map
 };
 
 }  // namespace frontier_pilot

@@ -18,7 +18,7 @@ void reportScans(const mapping::Mapper& mapper, Status& status) {
     status.add(std::string("scans, ") + toString(verdict), mapper.counts()[verdict]);
   }
   status.add("scans dropped", mapper.counts().dropped());
-  status.addf("beams of the last scan that say nothing [%]", "%.0f", 100.0 * (1.0 - mapper.usableShare()));
+  status.addf("unusable beams of the last scan [%]", "%.0f", 100.0 * (1.0 - mapper.usableShare()));
 }
 
 void reportCorrection(const mapping::Mapper& mapper, Status& status) {
@@ -67,7 +67,7 @@ void MapperAdapter::summarize(Status& status) const {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
   }
   if (!revision_failure_.empty()) {
-    status.mergeSummary(DiagnosticStatus::WARN, "no loop is closed any more until a reset: " + revision_failure_);
+    status.mergeSummary(DiagnosticStatus::WARN, "loop closing is off until a reset: " + revision_failure_);
   }
   if (!publisher_.other().empty()) {
     status.summary(DiagnosticStatus::ERROR, publisher_.other() + " publishes " + publisher_.topic() + " as well");

@@ -1,4 +1,4 @@
-// A mapper that is started again after it died goes on with the map that it had. [FLT-2]
+// A mapper that is restarted after it died continues with the map that it had. [FLT-2]
 #include <ros/console.h>
 
 #include "ros/common/throttled_log.h"
@@ -23,10 +23,10 @@ void MapperAdapter::restore() {
 void MapperAdapter::resume(const Pose2& T_odom_base) {
   if (!restored_) return;
   if (mapper_.resume(restored_->map, restored_->T_map_odom, T_odom_base)) {
-    ROS_WARN("goes on with the map that the mapper had when it died");
+    ROS_WARN("continuing with the map that the mapper had when it died");
   } else {
-    autosave_.lose("it is larger than a map may be");
-    ROS_ERROR("the map that the mapper had when it died is larger than a map may be");
+    autosave_.lose("it is too large");
+    ROS_ERROR("the map that the mapper had when it died is lost: it is too large");
   }
   restored_.reset();
 }

@@ -12,7 +12,7 @@ void MapperAdapter::advertiseServices() {
 }
 
 bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
-  // The response has no field to say so: without a map the call fails.
+  // The response has no field for an error, so the call fails while there is no map.
   if (mapper_.grid().empty()) return false;
   response.map = toOccupancyGridMsg(mapper_.grid(), parameters_.map_frame, rosNow());
   return true;
@@ -21,7 +21,7 @@ bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Resp
 bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   if (parameters_.mapper.localize_only) {
     response.success = 0U;
-    response.message = "localising only: the map stays";
+    response.message = "refused: localize_only keeps the map as it is";
     return true;
   }
   mapper_.reset();
@@ -30,7 +30,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   pairing_.clear();
   revision_failure_.clear();
   response.success = 1U;
-  response.message = "the map is forgotten; its size stays";
+  response.message = "the map is cleared; its size stays";
   return true;
 }
 

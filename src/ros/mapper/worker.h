@@ -13,9 +13,9 @@
 
 namespace frontier_pilot {
 
-/// Does one long job at a time on a thread of its own; the result is fetched like any other input. What a job holds is
-/// destroyed on that thread too. A job that throws gives no result; what it threw is fetched instead. The destructor
-/// waits for the job that is running.
+/// Runs one long job at a time on a thread of its own; the owner polls for the result. The job's captured data is
+/// destroyed on that thread, too. If a job throws, there is a failure instead of a result. The destructor waits for the
+/// job that is running.
 template <class Result>
 class Worker {
  public:
@@ -33,9 +33,9 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Whether there is no job whose result or failure was not taken yet.
+  /// Whether no job is running and the result or failure of the last one has been taken.
   bool idle() const { return idle_; }
-  /// Only when it is idle.
+  /// Starts a job; only to be called when idle() is true.
   void start(Job job) {
     idle_ = false;
     {
@@ -50,7 +50,7 @@ class Worker {
     idle_ = idle_ || result;
     return result;
   }
-  /// The text of what the job threw, once.
+  /// The text of the exception that the job threw, once.
   std::optional<std::string> takeFailure() {
     std::optional<std::string> failure = failure_.take();
     idle_ = idle_ || failure;
@@ -70,7 +70,7 @@ class Worker {
     }
   }
 
-  /// Takes `job` by value: it is destroyed here.
+  /// Takes `job` by value, so that it is destroyed on this thread.
   void perform(Job job) {
     try {
       result_.put(job());
@@ -85,10 +85,10 @@ class Worker {
   std::condition_variable wake_;
   Job job_;
   bool ending_ = false;
-  bool idle_ = true;  ///< the owner's
+  bool idle_ = true;  ///< used by the owner's thread alone
   Mailbox<Result> result_;
   Mailbox<std::string> failure_;
-  std::thread thread_;  ///< the last member: everything else is there before it starts
+  std::thread thread_;  ///< the last member: it starts when all others are constructed
 };
 
 }  // namespace frontier_pilot

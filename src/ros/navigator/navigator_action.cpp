@@ -23,14 +23,14 @@ void MoveBaseServer::subscribe(NodeConnections& connections) {
 std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg, std::string& why) const {
   const auto pose = toPose(msg.pose, &why);
   if (!pose || msg.header.frame_id == map_frame_) return pose;
-  // The latest transform: the goal's stamp is when it was clicked, not when it is to be.
+  // The latest transform, because the goal's stamp is only the time when it was sent.
   const auto T_map_frame = tf_.lookup(map_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
   if (!T_map_frame) return std::nullopt;
   return *T_map_frame * *pose;
 }
 
 std::uint64_t MoveBaseServer::submit(const Pose2& T_map_goal) {
-  // One that was not even begun is overtaken by the newer one.
+  // A goal that the navigator has not begun yet is preempted by the newer one.
   if (pending_) settle({pending_->id, navigation::NavResult::kPreempted, navigation::NavReason::kPreempted});
   pending_ = navigation::NavGoal{++last_id_, T_map_goal, use_yaw_};
   return last_id_;
@@ -71,7 +71,7 @@ void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
 }
 
 void MoveBaseServer::cancelWhatWasReplaced() {
-  // The goal that is driven to was over before the one that has just been canceled.
+  // The active goal had been replaced by the one that is canceled now, so both end.
   if (pending_) settle({pending_->id, navigation::NavResult::kCanceled, navigation::NavReason::kCanceled});
   pending_.reset();
   cancel_ = active_id_ != 0;

@@ -17,20 +17,20 @@
 
 namespace frontier_pilot {
 
-/// The `move_base` action and `move_base_simple/goal`, turned into the navigator's events. One goal is pursued at a
-/// time, a newer one preempts it; there is no execute loop. Goals are brought into the map's frame on arrival.
+/// Turns the `move_base` action and `move_base_simple/goal` into inputs of the navigator. One goal is pursued at a
+/// time, and a newer one preempts it; there is no execute loop. Goals are transformed into the map's frame on arrival.
 class MoveBaseServer {
  public:
   MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw);
 
-  /// Begins to listen to rviz' goals.
+  /// Subscribes to `move_base_simple/goal`, which rviz publishes.
   void subscribe(NodeConnections& connections);
-  /// Moves the events since the last call into `inputs`.
+  /// Moves a new goal and a cancel since the last call into `inputs`.
   void fill(navigation::NavigatorInputs& inputs);
-  /// Tells the clients what became of their goals.
+  /// Sends the result of a goal to its client.
   void settle(const navigation::NavFinished& finished);
   void feedback(const Pose2& T_map_base, Time stamp);
-  /// For /diagnostics: what was refused, also of goals that came without a client who could be told.
+  /// For /diagnostics: which goals were refused, those of `move_base_simple/goal` included, which get no answer.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     server_.report(status);
     bad_simple_goals_.report(status);
@@ -41,10 +41,10 @@ class MoveBaseServer {
 
   void handleGoal(const Server::GoalHandle& offered);
   void handleCancel(const Server::GoalHandle& handle);
-  /// A goal was canceled before the navigator began with it: the one that it replaced ends as well.
+  /// To be called when a goal was canceled before the navigator began with it: the one that it replaced ends as well.
   void cancelWhatWasReplaced();
   void handleSimple(const geometry_msgs::PoseStamped& msg);
-  /// The goal in the map's frame, or why not.
+  /// The goal in the map's frame; nothing if it is malformed or its frame is not in TF, with the reason in `why`.
   std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;
   std::uint64_t submit(const Pose2& T_map_goal);
 
@@ -52,11 +52,11 @@ class MoveBaseServer {
   std::string map_frame_;
   bool use_yaw_;
   std::uint64_t last_id_ = 0;
-  std::uint64_t active_id_ = 0;  ///< 0 is none
+  std::uint64_t active_id_ = 0;  ///< 0: none
   std::optional<navigation::NavGoal> pending_;
   bool cancel_ = false;
   Rejections bad_simple_goals_{"goal of move_base_simple"};
-  std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< goals from rviz have none
+  std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< by id; goals of move_base_simple have none
   Server server_;
 };
 

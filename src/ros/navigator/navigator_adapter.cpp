@@ -94,7 +94,7 @@ void NavigatorAdapter::tick(Time now) {
   const navigation::NavigatorInputs inputs = gather();
   const navigation::NavigatorOutput output = navigator_.update(inputs, now);
   state_ = output.state;
-  // Zero goes out before the client hears of the end. [NAV-1]
+  // The zero is published before the result is sent to the client. [NAV-1]
   if (output.command) command_.publish(toTwistMsg(*output.command));
   for (const navigation::NavFinished& finished : output.finished) {
     failure_ = finished.result == navigation::NavResult::kAborted ? toString(finished.reason) : "";
@@ -113,12 +113,12 @@ bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs:
     if (!T_map_frame || !given) return std::nullopt;
     return *T_map_frame * given->position();
   };
-  // As move_base does: without a frame the start is where the robot is.
+  // As in move_base: without a frame, the start is the robot's position.
   const auto start = request.start.header.frame_id.empty() ? positionNow() : in_map(request.start);
   const auto goal = in_map(request.goal);
   response.plan.header.frame_id = parameters_.map_frame;
   if (!start || !goal) {
-    THROTTLED_WARN("make_plan: start or goal is malformed or in a frame that is not known");
+    THROTTLED_WARN("make_plan: start or goal is malformed or in an unknown frame");
     return false;
   }
   const double tolerance = request.tolerance > 0.0F ? static_cast<double>(request.tolerance) : -1.0;

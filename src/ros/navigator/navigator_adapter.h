@@ -26,7 +26,7 @@ struct NavigatorNodeParameters : navigation::NavigatorParams {
   std::string base_frame;     ///< empty: the robot's
   double rate = 20.0;         ///< of the control loop [Hz]
   bool use_goal_yaw = true;   ///< whether a goal's direction matters
-  bool map_must_live = true;  ///< stand still when nobody publishes the map any more
+  bool map_must_live = true;  ///< stand still while the map has no publisher
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -35,18 +35,18 @@ struct NavigatorNodeParameters : navigation::NavigatorParams {
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
     v.field("rate", rate, "Hz", "control cycles per second", between(1.0, 100.0));
     v.field("use_goal_yaw", use_goal_yaw, "", "whether a goal's direction matters");
-    v.field("map_must_live", map_must_live, "", "stand still when nobody publishes the map any more");
+    v.field("map_must_live", map_must_live, "", "stand still while the map has no publisher");
   }
 };
 
-/// The navigator as a node: move_base's interface on one side, map, scan, odometry and TF on the other. [NAV-1]
+/// The node `navigator`, with the interface of move_base; it takes map, scan, odometry and TF. [NAV-1]
 class NavigatorAdapter {
  public:
   NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
   NavigatorAdapter(const NavigatorAdapter&) = delete;
   NavigatorAdapter& operator=(const NavigatorAdapter&) = delete;
 
-  /// Zero, if it was driving to a goal. [NAV-1]
+  /// Publishes a zero if there is an active goal. [NAV-1]
   void sayLastWords();
 
  private:
@@ -74,7 +74,7 @@ class NavigatorAdapter {
   std::optional<LaserScan2> scan_;
   Latest<Twist2> twist_;
   navigation::NavState state_ = navigation::NavState::kIdle;
-  std::string failure_;  ///< why the last goal was aborted, until one is not
+  std::string failure_;  ///< why the last goal that ended was aborted; empty if it was not
   ros::Publisher command_;
   NodeConnections connections_;
 };

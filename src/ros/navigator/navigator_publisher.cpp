@@ -18,7 +18,7 @@ constexpr double kGlobalPeriod = 2.0;  // [s]
 constexpr double kLocalReach = 3.0;    // [m]
 constexpr double kPlanSpacing = 0.1;   // [m]
 
-/// Whether it is time to publish again; a clock that went back does not silence us.
+/// Whether it is time to publish again; also true after the clock has gone back.
 bool due(std::optional<Time>& last, Time now, double period) {
   if (last && now >= *last && toSeconds(now - *last) < period) return false;
   last = now;
@@ -84,7 +84,7 @@ void NavigatorPublisher::publishStatus(const navigation::NavigatorOutput& output
   std::string text = toString(output.state);
   if (!output.recovery.empty()) text += " (" + output.recovery + ")";
   text += std::string(": ") + toString(output.reason);
-  // The reason of an end stays until there is something new to say.
+  // In IDLE the reason for which the last goal ended stays until the next change.
   if (text == status_ || (output.state == navigation::NavState::kIdle && output.finished.empty() && !status_.empty()))
     return;
   status_ = text;

@@ -14,7 +14,7 @@
 
 namespace frontier_pilot {
 
-/// What the navigator shows: plans, costmaps (only while somebody looks, and not often) and its status.
+/// Publishes the navigator's plans, its costmaps (only while subscribed to, and at a low rate) and its status.
 class NavigatorPublisher {
  public:
   NavigatorPublisher(ros::NodeHandle& node, std::string map_frame);
@@ -38,11 +38,11 @@ class NavigatorPublisher {
   ros::Publisher status_publisher_;
 };
 
-/// The points with the direction to the next one as yaw; the last one keeps its predecessor's.
+/// The points as poses, with the direction to the next point as yaw; the last one has the yaw of its predecessor.
 std::vector<Pose2> withYaw(const std::vector<Vec2>& points);
 
-/// Costs in rviz's costmap scale for the cells of `rect`: -1 unknown, 0 free, ... 98, 99 too near for the robot's
-/// centre, 100 obstacle.
+/// The costs of the cells of `rect` in the scale of rviz' costmap colours: -1 unknown, 0 to 98 free with rising cost,
+/// 99 too near to an obstacle for the robot's centre, 100 obstacle.
 OccupancyGrid costmap(const planning::ClearanceMap& map, const CellRect& rect);
 
 }  // namespace frontier_pilot

@@ -9,13 +9,13 @@
 
 namespace frontier_pilot {
 
-/// State and reason.
+/// State and reason in one line.
 std::string summarize(const avoid::AvoiderSnapshot& snapshot);
 
-/// The status for the wire, in words; distances are NaN while they are not known.
+/// The status message; distances are NaN while they are not known.
 AvoiderStatus toStatusMsg(const avoid::AvoiderSnapshot& snapshot);
 
-/// The same at a glance, for /diagnostics.
+/// The most important of it, for /diagnostics.
 void fillDiagnostics(const avoid::AvoiderSnapshot& snapshot, diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
 }  // namespace frontier_pilot

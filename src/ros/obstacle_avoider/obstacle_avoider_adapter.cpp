@@ -13,9 +13,9 @@ namespace {
 
 constexpr const char* kSafeState = "avoider_enabled";
 constexpr double kTick = 0.1;     // [s], the heartbeat
-constexpr double kUpdate = 0.02;  // [s], so that a phase ends in time between two ticks
+constexpr double kUpdate = 0.02;  // [s], so that reversing and turning end on time between two heartbeats
 
-/// A hold is zero for the wheels and not all zero for the arbiter: no wheeled base moves along its z axis.
+/// A hold is zero for a wheeled base, which ignores the z axis, but not an all-zero message to the arbiter.
 geometry_msgs::Twist toCommandMsg(const avoid::AvoiderCommand& command) {
   geometry_msgs::Twist msg = toTwistMsg(command.twist);
   if (command.hold) msg.linear.z = 1e-9;
@@ -45,7 +45,7 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
-  // Both in ROS time: the heartbeat must keep up with the arbiter's timeout at any speed of a simulation.
+  // Both in ROS time, so that the heartbeat stays within the arbiter's timeout at any speed of a simulation.
   connections_.every(ros::Duration(kTick), [this] { tick(); });
   connections_.every(ros::Duration(kUpdate), [this] { publish(avoider_.update(rosNow())); });
   connections_.everySteady(ros::WallDuration(1.0), [this] { publishStatus(true); });
@@ -63,7 +63,7 @@ void ObstacleAvoiderAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
 }
 
 std::optional<LaserScan2> ObstacleAvoiderAdapter::read(const sensor_msgs::LaserScan& msg, std::string* why) const {
-  // The latest transform, not the one at the stamp: a mount does not move, but its publisher may be late.
+  // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), why);
   return T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
 }

@@ -16,7 +16,7 @@
 
 namespace frontier_pilot {
 
-/// What the node is configured with beyond the avoider itself.
+/// The parameters of the node: those of the avoider, and the node's own.
 struct ObstacleAvoiderNodeParameters {
   avoid::AvoiderParameters avoider;
   std::string base_frame;  ///< empty: the robot's
@@ -25,18 +25,18 @@ struct ObstacleAvoiderNodeParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     avoider.describe(v);
-    v.field("base_frame", base_frame, "", "the frame that the sectors are seen from; empty: robot/base_frame",
+    v.field("base_frame", base_frame, "", "frame that the sectors refer to; empty: robot/base_frame",
             FrameName::kMayBeEmpty);
     v.field("enabled", enabled, "", "whether it is enabled at the start");
   }
   void check(Problems& problems) const { avoider.check(problems); }
 };
 
-/// The node `obstacle_avoider`: hands each scan with its mount to the avoider and publishes what that asks for.
+/// The node `obstacle_avoider`: hands each scan, with the scanner's mount, to the avoider and publishes its commands.
 class ObstacleAvoiderAdapter {
  public:
   ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// Lets go of the wheels.
+  /// Publishes one all-zero command, with which the avoider gives up the wheels.
   void sayLastWords();
 
  private:

@@ -14,7 +14,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kPatience = std::chrono::milliseconds(1700);
-constexpr Duration kNobodyThere = std::chrono::milliseconds(1000);  // a master answers in a fraction of it
+constexpr Duration kNobodyThere = std::chrono::milliseconds(1000);  // the master takes a fraction of it to connect us
 constexpr Duration kCancelPatience = std::chrono::seconds(5);
 constexpr double kLook = 0.05;  // [s] between two looks
 
@@ -40,7 +40,7 @@ std::optional<patrol::PatrolExit> PatrolClientAdapter::update(int interrupts_so_
 
 std::optional<patrol::PatrolExit> PatrolClientAdapter::connect(int interrupts_so_far) {
   if (interrupts_so_far > 0) return patrol::PatrolExit::kInterrupted;
-  // A goal's id is made of its time: before the first /clock it would be that of another client's.
+  // A goal's id contains its time; before the first /clock it could equal the id of another goal.
   const bool has_time = rosNow() != Time{};
   if (client_.isServerConnected() && has_time) {
     send();
@@ -48,7 +48,7 @@ std::optional<patrol::PatrolExit> PatrolClientAdapter::connect(int interrupts_so
   }
   const Duration waited = steadyNow() - since_;
   if (!has_time && waited >= 2 * kPatience) {
-    complain("there is no ROS time: nobody publishes /clock");
+    complain("there is no ROS time: /clock is not published");
     return patrol::PatrolExit::kNoServer;
   }
   if (waited < (status_.getNumPublishers() > 0 ? 2 * kPatience : kNobodyThere)) return std::nullopt;
@@ -82,13 +82,14 @@ std::optional<patrol::PatrolExit> PatrolClientAdapter::watch(int interrupts_so_f
   }
   if (phase_ != Phase::kCanceling) return std::nullopt;
   if (interrupts_so_far < 2 && steadyNow() - since_ < kCancelPatience) return std::nullopt;
-  complain("the server has not said that it stopped");
+  complain("the server has not confirmed that it stopped");
   return patrol::PatrolExit::kInterrupted;
 }
 
 bool PatrolClientAdapter::serverLost() {
   if (!client_.isServerConnected()) return true;
-  // A server that hangs keeps its connections. Its heart beats in ROS time, which may stand still.
+  // A server that hangs keeps its connections, but its status stops. The check in ROS time spares one that is silent
+  // because the ROS clock stands still.
   return steadyNow() - heard_ > kPatience && rosNow() - heard_ros_ > std::chrono::seconds(1);
 }
 

@@ -13,13 +13,13 @@
 
 namespace frontier_pilot {
 
-/// `patrol_client` on the command line: one goal from sending to its result, with the server watched all the while.
+/// The command-line program `patrol_client`: sends one goal and waits for its result, watching the server meanwhile.
 class PatrolClientAdapter {
  public:
   PatrolClientAdapter(ros::NodeHandle& node, const patrol::PatrolOrder& order);
 
-  /// One look: sends the goal once the server is there, cancels it once `interrupts` is above 0. Gives how it ended, as
-  /// soon as it has. To be called often, between callbacks.
+  /// One step: sends the goal once the server is connected, and cancels it once `interrupts` is above 0. Returns the
+  /// outcome as soon as there is one. To be called often, between callbacks.
   std::optional<patrol::PatrolExit> update(int interrupts);
 
  private:
@@ -39,12 +39,12 @@ class PatrolClientAdapter {
   ros::Subscriber status_;
   Phase phase_ = Phase::kConnecting;
   SteadyTime since_;  ///< when the phase began
-  SteadyTime heard_;  ///< when the server last said something
-  Time heard_ros_;    ///< the same in ROS time, which a server's heart beats in
+  SteadyTime heard_;  ///< when the last status of the server arrived
+  Time heard_ros_;    ///< the same in ROS time
   std::optional<patrol::PatrolExit> outcome_;
 };
 
-/// The whole program.
+/// Runs the program and returns its exit code.
 int runPatrolClient(int argc, char** argv);
 
 }  // namespace frontier_pilot

@@ -44,9 +44,9 @@ void PatrolServerAdapter::subscribe() {
 }
 
 void PatrolServerAdapter::handleGoal(const PatrolGoal& msg) {
-  // A patrol that was going on has been ended before.
+  // The action server has already ended a patrol that was active.
   const patrol::PatrolOrder order{msg.goal.x, msg.goal.y, msg.goal.z};
-  THROTTLED_INFO("patrol asked for: mode " << order.mode << ", size " << order.size << " m, " << order.laps << " laps");
+  THROTTLED_INFO("patrol requested: mode " << order.mode << ", size " << order.size << " m, " << order.laps << " laps");
   put(patrol_.start(order, rosNow()));
 }
 
@@ -59,7 +59,7 @@ void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
     return tick();
   }
   inputs_.odometry_problem.reset();
-  // Dated when it came: a base whose clock is a little off is no reason to stop.
+  // Stamped with the time of arrival, so that a small offset of the base's clock does not stop the patrol.
   inputs_.odometry = MotionSample{rosNow(), odometry->T_odom_base, odometry->twist};
 }
 

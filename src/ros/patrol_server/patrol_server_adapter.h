@@ -16,7 +16,7 @@
 
 namespace frontier_pilot {
 
-/// What the node is configured with beyond the patrol itself.
+/// The parameters of the node: those of the patrol, and the node's own.
 struct PatrolServerParameters {
   patrol::PatrolParameters patrol;
   std::string source = "patrol";
@@ -29,12 +29,12 @@ struct PatrolServerParameters {
   void check(Problems& problems) const { patrol.check(problems); }
 };
 
-/// The node `patrol_server`: the action `turtlebot3` around a Patrol. Goals, cancels and an emergency stop act in their
-/// own callbacks, not at the next tick; zero velocity leaves before any result. [PAT-4]
+/// The node `patrol_server`: a Patrol as the action `turtlebot3`. Goals, cancels and an emergency stop act at once, in
+/// their callbacks, not at the next tick; a zero velocity is published before any result. [PAT-4]
 class PatrolServerAdapter {
  public:
   PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  /// Ends a patrol that is going on, with a zero.
+  /// Ends an active patrol, with a zero.
   void sayLastWords();
 
  private:

@@ -12,7 +12,8 @@
 namespace frontier_pilot {
 namespace {
 
-// Callbacks are served in between; a simulation that takes all it can get still hears its commands and services.
+// Longest run of simulation steps between callbacks, so that a simulation at full speed still receives commands and
+// service calls.
 constexpr Duration kSlice = std::chrono::milliseconds(10);
 
 ros::WallDuration tickPeriod(double speed) {
@@ -37,7 +38,7 @@ SimulatorAdapter::SimulatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       state_period_(fromSeconds(1.0 / parameters_.state_rate)),
       diagnostics_(node, private_node),
       connections_(node) {
-  // As stage_ros does: whoever starts from here on follows /clock. A launch file has said so before.
+  // As in stage_ros: nodes that start later use /clock. A launch file sets it before the first node starts.
   ros::param::set("/use_sim_time", true);
   advertise(node);
   publishWorld();
@@ -89,7 +90,8 @@ void SimulatorAdapter::publishClock() {
 
 bool SimulatorAdapter::resetPositions(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
   for (const std::string& name : simulator_.resetPositions()) {
-    THROTTLED_WARN("reset_positions: robot '" << name << "' stays, an obstacle or robot stands on its start");
+    THROTTLED_WARN("reset_positions: robot '" << name
+                                              << "' stays where it is: an obstacle or another robot is at its start");
   }
   return true;
 }
@@ -123,7 +125,7 @@ void SimulatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& statu
                  paused_ ? "paused" : "running");
   status.addf("simulated time", "%.2f s", toSeconds(simulator_.now()));
   status.addf("simulated over real time", "%.2f", toSeconds(simulator_.now() - reported_sim_) / real);
-  status.add("times behind the wanted speed", pace_.timesBehind());
+  status.add("times behind the requested speed", pace_.timesBehind());
   for (const SimulatorRobot& robot : robots_) robot.report(status);
   reported_sim_ = simulator_.now();
   reported_real_ = now;

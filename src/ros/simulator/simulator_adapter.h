@@ -20,7 +20,7 @@
 namespace frontier_pilot {
 
 struct SimulatorNodeParameters : sim::SimulatorParameters {
-  double state_rate = 50.0;  ///< of odometry, truth and transform [Hz]
+  double state_rate = 50.0;  ///< of odometry, ground truth and the transform of odometry [Hz]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -34,11 +34,11 @@ struct SimulatorNodeParameters : sim::SimulatorParameters {
   }
 };
 
-/// The simulator on the wire: steps it at the wanted speed, publishes /clock and everything else, serves its services.
-/// [SIM-4]
+/// The node `simulator`: steps the simulator at the requested speed, publishes /clock and the robots' topics, and
+/// serves its services. [SIM-4]
 class SimulatorAdapter {
  public:
-  /// Throws ConfigurationError, or std::runtime_error for a world that cannot be loaded or started in.
+  /// Throws a ConfigurationError, or std::runtime_error if the world cannot be loaded or a robot cannot start in it.
   SimulatorAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
 
  private:

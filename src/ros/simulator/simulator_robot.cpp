@@ -8,7 +8,7 @@
 namespace frontier_pilot {
 namespace {
 
-// TurtleBot3 Burger's, by its description [m].
+// From the URDF of the TurtleBot3 Burger [m].
 constexpr double kBaseLinkHeight = 0.010;
 constexpr double kScannerHeight = 0.172;
 
@@ -37,7 +37,7 @@ std::string SimulatorRobot::frame(const std::string& name) const {
   return robot.empty() ? name : robot + "/" + name;
 }
 
-// A robot whose base frame is `base_link` itself has no other one on the floor.
+// If the robot's base frame is `base_link` itself, there is no separate frame on the floor.
 void SimulatorRobot::publishStaticFrames(const RobotModel& model) {
   tf_.broadcastStatic(names::kWorldFrame, frame(names::kMapFrame), simulator_.startPose(index_));
   const std::string base_link = frame(names::kBaseLinkFrame);

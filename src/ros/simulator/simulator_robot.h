@@ -13,15 +13,15 @@
 
 namespace frontier_pilot {
 
-/// One simulated robot on the wire: its topics in its namespace, its frames behind its name.
+/// The topics and frames of one simulated robot: topics in the namespace of its name, frames prefixed by it.
 class SimulatorRobot {
  public:
   SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf, sim::Simulator& simulator,
                  std::size_t index, const RobotModel& model);
 
-  /// Odometry, truth, contact and the transform of it.
+  /// Publishes odometry with its transform, the ground truth, and whether the robot is in contact.
   void publishState();
-  /// What the last step brought: a scan if there is one, and contact as soon as it changes.
+  /// Publishes the results of the last step: a new scan, and a change of contact.
   void publishNews();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
@@ -37,7 +37,7 @@ class SimulatorRobot {
   std::string base_frame_;
   double scan_time_;  ///< [s]
   bool stalled_ = false;
-  std::string command_topic_;  ///< relative
+  std::string command_topic_;  ///< relative to the node's namespace
   Rejections rejections_;
   ros::Publisher odometry_;
   ros::Publisher truth_;

@@ -52,13 +52,13 @@ void ActionLink<Action>::start(const Goal& goal) {
     view_.feedback.clear();
   }
   goal_publisher_.publish(msg);
-  log_(teleop::Severity::kIdle, name_ + " asked for");
+  log_(teleop::Severity::kIdle, name_ + " requested");
 }
 
 template <class Action>
 void ActionLink<Action>::cancelAll() {
-  cancel_publisher_.publish(actionlib_msgs::GoalID());  // empty: all of them
-  log_(teleop::Severity::kIdle, name_ + " stop asked for");
+  cancel_publisher_.publish(actionlib_msgs::GoalID());  // an empty id cancels all goals
+  log_(teleop::Severity::kIdle, name_ + " stop requested");
 }
 
 template <class Action>
@@ -75,7 +75,8 @@ template <class Action>
 teleop::ActionView ActionLink<Action>::view() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   teleop::ActionView view = view_;
-  // A listener that is no server has no status to tell; a server that died is off the goal topic at once.
+  // A server subscribes to goals and publishes status: another subscriber to the goals has no status, and a server that
+  // died is disconnected from the goal topic at once.
   view.server_up = goal_publisher_.getNumSubscribers() > 0 && status_subscriber_.getNumPublishers() > 0;
   view.active = view.active && view.server_up;
   return view;

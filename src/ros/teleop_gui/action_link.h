@@ -15,21 +15,21 @@
 
 namespace frontier_pilot {
 
-/// An action as an operator has it: it shows and stops everybody's goals, not only those started here, which a
-/// SimpleActionClient cannot. May be used from any thread. For PatrolAction and SpinAction.
+/// The operator's access to an action. Unlike a SimpleActionClient it shows and cancels the goals of all clients, not
+/// only its own. May be used from any thread. For PatrolAction and SpinAction.
 template <class Action>
 class ActionLink {
  public:
   ACTION_DEFINITION(Action)
 
-  /// `name` is what the log calls it.
+  /// `name` is the action's name in the log.
   ActionLink(ros::NodeHandle& node, NodeConnections& connections, const std::string& action, std::string name,
              OperatorLog log);
 
   void start(const Goal& goal);
-  /// Every goal, whoever started it.
+  /// Cancels all goals, whichever client sent them.
   void cancelAll();
-  /// The one that was started here, if it may still be going on.
+  /// Cancels the goal that was sent here, if it may still be active.
   void cancelOwn();
   teleop::ActionView view() const;
 
@@ -42,7 +42,7 @@ class ActionLink {
   OperatorLog log_;
   actionlib::GoalIDGenerator ids_;
   mutable std::mutex mutex_;  ///< guards the two that follow
-  std::string own_id_;        ///< empty: none, or it has ended
+  std::string own_id_;        ///< of the goal sent here; empty if there is none or it has ended
   teleop::ActionView view_;
   ros::Publisher goal_publisher_, cancel_publisher_;
   ros::Subscriber status_subscriber_;

@@ -10,7 +10,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr std::size_t kMostLogLines = 200;  // of a window that does not take them
+constexpr std::size_t kMostLogLines = 200;  // kept for a window that does not fetch them
 constexpr Duration kMotionLinger = std::chrono::seconds(1);
 
 ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
@@ -76,7 +76,7 @@ bool GuiBridge::manualWanted(SteadyTime now) {
   return manual_ == Manual::kAlways || (last_motion_ != SteadyTime{} && now - last_motion_ < kMotionLinger);
 }
 
-/// Published under the lock, so that nothing can leave after the zero of close().
+/// Publishes while holding the lock, so that nothing can be published after the zero of close().
 void GuiBridge::publishManual() {
   const SteadyTime now = steadyNow();
   caller_.reportSlow(now);
@@ -87,7 +87,7 @@ void GuiBridge::publishManual() {
   const std::optional<Twist2> command = manual_output_.update(manualOn(now), now);
   if (manual_output_.state() == teleop::ManualOutput::State::kFrozen &&
       before != teleop::ManualOutput::State::kFrozen) {
-    THROTTLED_WARN("the window gives no sign of life: zero sent, manual is silent");
+    THROTTLED_WARN("the window does not respond: zero sent, manual is silent");
   }
   if (!command) return;
   if (!manual_publisher_) manual_publisher_ = node_.advertise<geometry_msgs::Twist>(names::kCmdVelManual, 1);

@@ -27,13 +27,13 @@
 
 namespace frontier_pilot {
 
-/// An operator's window on ROS: one thread for the topics and `cmd_vel_manual`, one for the service calls, one for the
-/// emergency stop alone, which never waits behind another call, and one that watches which services are up. The
-/// window's thread only copies. [GUI-3]
+/// Connects the operator's window to ROS. It has one thread for the topics and `cmd_vel_manual`, one for service calls,
+/// one for the emergency stop alone, so that a stop never waits behind another call, and one that watches which
+/// services are available. The window's thread only copies data. [GUI-3]
 class GuiBridge : public teleop::OperatorLink {
  public:
-  /// How `cmd_vel_manual` is used: always at the rate, or only from a first motion until a second after the last, so
-  /// that a panel that nobody drives with does not speak against the window that somebody does.
+  /// When `cmd_vel_manual` is published: always at the rate, or only from the first motion until a second after the
+  /// last, so that an unused panel does not interfere with a window that is used for driving.
   enum class Manual { kAlways, kOnDemand };
 
   /// `running` says whether the window may stay open.
@@ -62,9 +62,9 @@ class GuiBridge : public teleop::OperatorLink {
   OperatorLog logger();
   void log(teleop::Severity severity, const std::string& text);
 
-  std::mutex log_mutex_;  ///< guards the log alone: lines come from under other locks
+  std::mutex log_mutex_;  ///< guards only the log, because lines are added while other locks are held
   std::vector<teleop::OperatorLogLine> log_;
-  mutable std::mutex mutex_;  ///< guards what follows, up to the parameters
+  mutable std::mutex mutex_;  ///< guards the members that follow, up to sectors_
   teleop::ManualOutput manual_output_;
   SteadyTime last_motion_{};
   Latest<ArbiterStatus> arbiter_;
@@ -75,7 +75,7 @@ class GuiBridge : public teleop::OperatorLink {
   Latest<LaserScan2> scan_;
   teleop::AvoiderSectors sectors_;
 
-  Rejections nameless_{"switch of a source"};  ///< these two are of the topics' thread
+  Rejections nameless_{"switch of a source"};  ///< this and the next are used by the topics' thread alone
   std::set<std::string> said_nameless_;
   const teleop::TeleopParameters parameters_;
   const Manual manual_;

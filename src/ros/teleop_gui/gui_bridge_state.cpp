@@ -13,7 +13,7 @@
 #include "ros/teleop_gui/gui_bridge.h"
 #include "ros/teleop_gui/operator_views.h"
 
-/// What the bridge hears, and what of it the window is shown.
+/// The bridge's subscriptions, and the state that it hands to the window.
 namespace frontier_pilot {
 namespace {
 
@@ -21,7 +21,7 @@ const Duration kFresh = fromSeconds(teleop::kStatusLifetime);
 
 constexpr const char* kManualSource = "manual";
 
-/// Whether a message is no larger than what the window can show. [FLT-1]
+/// Whether a message is small enough to be shown in the window. [FLT-1]
 template <class Msg>
 bool isShown(const Msg& msg) {
   const bool shown = ros::serialization::serializationLength(msg) <= bounds::kMostStatus;
@@ -29,7 +29,7 @@ bool isShown(const Msg& msg) {
   return shown;
 }
 
-/// The message as the view of it, if there is one.
+/// Fills `view` from the latest message, if there is one.
 template <class View, class Msg>
 void show(const Latest<Msg>& latest, SteadyTime now, std::optional<View>& view) {
   if (latest.has()) view = toView(*latest.get(), toSeconds(*latest.age(now)));
@@ -64,7 +64,7 @@ void GuiBridge::onArbiter(const ArbiterStatus& msg) {
   arbiter_.put(msg, steadyNow());
 }
 
-/// The sources are shown whatever their names are; only a name that ROS takes has a switch. [FLT-1]
+/// Watches the switch of a source. A source whose name cannot be part of a service name is shown without one. [FLT-1]
 void GuiBridge::watchSwitchOf(const std::string& source) {
   const std::string service = names::setEnabled(source);
   if (isServiceName(service)) return watch_.watch(service);
@@ -76,20 +76,20 @@ void GuiBridge::watchSwitchOf(const std::string& source) {
 
 void GuiBridge::onScan(const sensor_msgs::LaserScan& msg) {
   const auto T_base_sensor = tf_.lookup3d(parameters_.robot.base_frame, msg.header.frame_id, Time{});
-  if (!T_base_sensor) return;  // shown as a scan that grows old
+  if (!T_base_sensor) return;  // the window then shows the growing age of the last scan
   auto scan = toLaserScan(msg, *T_base_sensor);
   if (!scan) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   scan_.put(std::move(*scan), steadyNow());
 }
 
-/// The avoider's sectors are its configuration, to be had when it is there.
+/// Reads the avoider's sectors from its parameters, which exist once it is running.
 void GuiBridge::onServiceUp(const std::string& service) {
   if (service != names::kSetObstacleAvoidEnabled) return;
   connections_.guard().run("the avoider's parameters", [this] {
     avoid::AvoiderParameters parameters;
     const ParameterMap map = readParameters(ros::NodeHandle(node_, names::kObstacleAvoiderNode));
-    loadParameters(map, parameters);  // the avoider itself complains of what is wrong with them
+    loadParameters(map, parameters);  // the avoider itself reports errors in them
     const std::lock_guard<std::mutex> lock(mutex_);
     sectors_ = toSectors(parameters);
   });
@@ -102,7 +102,7 @@ bool GuiBridge::manualOn(SteadyTime now) const {
                       [](const ArbiterSource& source) { return source.name == kManualSource && source.enabled == 0; });
 }
 
-/// The latched topic, as long as whoever says it lives.
+/// The latched topic, as long as the arbiter that publishes it lives.
 std::optional<bool> GuiBridge::stopState(SteadyTime now) const {
   const bool dead = arbiter_.has() && !arbiter_.fresh(now, kFresh);
   return dead || stop_subscriber_.getNumPublishers() == 0 ? std::nullopt : stop_.get();
@@ -127,7 +127,7 @@ teleop::OperatorState GuiBridge::state() {
   show(explorer_, now, state.explorer);
   if (scan_.has()) state.scan = teleop::ScanView{toSeconds(*scan_.age(now)), *scan_.get()};
   if (state.arbiter) {
-    // The status comes once a second: too seldom for a needle.
+    // The status comes only once a second, too slowly for the gauges.
     state.arbiter->command = command_.fresh(now, kFresh).value_or(state.arbiter->command);
     for (teleop::SourceView& source : state.arbiter->sources)
       source.service_up = watch_.up(names::setEnabled(source.name));

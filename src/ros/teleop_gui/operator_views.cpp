@@ -17,7 +17,7 @@ teleop::Severity severityOf(const ArbiterSource& source) {
     case ArbiterSource::DISABLED:
       return teleop::Severity::kIdle;
     default:
-      // To be silent is wrong only for a source that has to be there.
+      // Silence is an error only for a required source.
       return source.required ? teleop::Severity::kError : teleop::Severity::kIdle;
   }
 }
@@ -65,7 +65,7 @@ teleop::Severity severityOf(const AvoiderStatus& msg) {
   }
 }
 
-/// Nothing for what the avoider does not know.
+/// Nothing for a distance that the avoider does not know (NaN).
 std::optional<double> known(double distance) {
   return std::isnan(distance) ? std::nullopt : std::optional<double>(distance);
 }

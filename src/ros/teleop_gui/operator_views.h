@@ -9,10 +9,10 @@
 #include "frontier_pilot/avoid/parameters.h"
 #include "teleop/operator_state.h"
 
-/// From the status messages to what an operator is shown.
+/// Converts status messages to what the operator is shown.
 namespace frontier_pilot {
 
-/// `status_age` [s] is how long ago it came: the ages of silent sources have grown by it.
+/// `status_age` [s] is how long ago the status arrived; it is added to the ages of silent sources.
 teleop::ArbiterView toView(const ArbiterStatus& msg, double status_age);
 teleop::AvoiderView toView(const AvoiderStatus& msg, double status_age);
 teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age);

@@ -78,7 +78,7 @@ bool ServiceCaller::begin(const ros::ServiceClient& client) {
 
 void ServiceCaller::tryPerform(const Call& call) {
   if (!isServiceName(call.service))
-    return log_(teleop::Severity::kError, "'" + call.service + "' is no name of a service");
+    return log_(teleop::Severity::kError, "'" + call.service + "' is not a valid service name");
   const bool came_to_its_end = guard_.run("a call of " + call.service, [&] { perform(call); });
   if (!came_to_its_end) log_(teleop::Severity::kError, call.service + " failed");
 }
@@ -107,7 +107,7 @@ void ServiceCaller::reportSlow(SteadyTime now) {
     if (!since_ || now - *since_ < kSlow || current_.empty()) return;
     slow.swap(current_);
   }
-  log_(teleop::Severity::kWarning, slow + " gives no answer");
+  log_(teleop::Severity::kWarning, slow + " does not answer");
 }
 
 ServiceWatch::ServiceWatch(const ros::NodeHandle& node, std::function<void(const std::string&)> appeared)
@@ -143,7 +143,7 @@ void ServiceWatch::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
     lock.unlock();
-    guard_.run("the look for services", [this] { lookOnce(); });
+    guard_.run("the watch on the services", [this] { lookOnce(); });
     lock.lock();
     if (!stopping_) wake_.wait_for(lock, kWatchPeriod);
   }
@@ -157,7 +157,7 @@ void ServiceWatch::lookOnce() {
   }
   const bool master = ros::master::check();
   for (const auto& [service, was_up] : before) {
-    // Asks the server itself too, so that one that died without a word is noticed.
+    // This contacts the server itself, too, so that the death of a server that is still registered is noticed.
     const bool is_up = master && ros::service::exists(node_.resolveName(service), false);
     {
       const std::lock_guard<std::mutex> lock(mutex_);

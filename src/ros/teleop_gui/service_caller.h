@@ -18,14 +18,14 @@
 
 namespace frontier_pilot {
 
-/// Where lines for the operator go; may be called from any thread.
+/// Adds a line to the operator's log; may be called from any thread.
 using OperatorLog = std::function<void(teleop::Severity, const std::string&)>;
 
-/// Whether ROS takes `service` for a name. What it does not take it throws at, also from threads where nothing catches.
+/// Whether `service` is a valid ROS name. For an invalid one roscpp throws, also in threads where nothing catches it.
 bool isServiceName(const std::string& service);
 
-/// Calls services on a thread of its own, one after the other, and says in the log what they answered. A caller that
-/// goes away ends the call it is in, also when the server never answers.
+/// Calls services on a thread of its own, one after the other, and logs their answers. The destructor ends a call that
+/// is waiting, even if the server never answers.
 class ServiceCaller {
  public:
   ServiceCaller(const ros::NodeHandle& node, OperatorLog log);
@@ -33,11 +33,11 @@ class ServiceCaller {
   ServiceCaller(const ServiceCaller&) = delete;
   ServiceCaller& operator=(const ServiceCaller&) = delete;
 
-  /// std_srvs/SetBool. A call of the same service that still waits in line is replaced.
+  /// Calls a std_srvs/SetBool. A call of the same service that is still queued is replaced.
   void set(const std::string& service, bool value);
-  /// std_srvs/Trigger
+  /// Calls a std_srvs/Trigger.
   void trigger(const std::string& service);
-  /// Says once of each call that has been without an answer for too long. To be called now and then.
+  /// Logs, once for each call, that it has been without an answer for too long. To be called periodically.
   void reportSlow(SteadyTime now);
 
  private:
@@ -50,7 +50,7 @@ class ServiceCaller {
   void run();
   void tryPerform(const Call& call);
   void perform(const Call& call);
-  /// False if the caller is going away.
+  /// False if this object is being destroyed.
   bool begin(const ros::ServiceClient& client);
 
   ros::NodeHandle node_;
@@ -59,23 +59,23 @@ class ServiceCaller {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::deque<Call> calls_;
-  ros::ServiceClient client_;  ///< of the call that is under way
+  ros::ServiceClient client_;  ///< of the call in progress
   std::string current_;
   std::optional<SteadyTime> since_;
   bool stopping_ = false;
   std::thread thread_;
 };
 
-/// Knows which services are up, by asking on a thread of its own once a second.
+/// Knows which services are available, by checking them once a second on a thread of its own.
 class ServiceWatch {
  public:
-  /// `appeared` is called on that thread when a service has come up.
+  /// `appeared` is called on that thread when a service has become available.
   ServiceWatch(const ros::NodeHandle& node, std::function<void(const std::string&)> appeared);
   ~ServiceWatch();
   ServiceWatch(const ServiceWatch&) = delete;
   ServiceWatch& operator=(const ServiceWatch&) = delete;
 
-  /// What is no name of a service is never up.
+  /// An invalid name is ignored, and its service is never up.
   void watch(const std::string& service);
   bool up(const std::string& service) const;
   bool masterUp() const;

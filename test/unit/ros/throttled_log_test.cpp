@@ -42,7 +42,7 @@ TEST(LogThrottle, ForgetsNoPartOfAPeriod) {
 // [FLT-1] what came in with a request can neither fill the log nor forge its lines
 TEST(LogThrottle, KeepsALineALine_FLT_1) {
   EXPECT_EQ(throttledLine("saved floor", 0), "saved floor");
-  EXPECT_EQ(throttledLine("saved floor", 7), "saved floor (7 lines like this one left out before it)");
+  EXPECT_EQ(throttledLine("saved floor", 7), "saved floor (7 similar lines suppressed before it)");
   EXPECT_EQ(throttledLine("a\n[ERROR] b\x1b[2J", 0), R"(a\n[ERROR] b\x1b[2J)");
   EXPECT_LT(throttledLine(std::string(1000000, 'x'), 0).size(), 600U);
   const std::string wide = throttledLine("x" + std::string(999, '\xc3') + std::string(1, '\xa9'), 0);

@@ -24,7 +24,7 @@
 
 namespace frontier_pilot {
 
-/// How the goal of this id ended, by what the server says of it; LOST where it does not say that it ended.
+/// How the goal with this id ended according to the server's status; LOST if the status does not show an end.
 inline actionlib::TerminalState endOf(const std::string& id, const actionlib_msgs::GoalStatusArray& statuses) {
   using Status = actionlib_msgs::GoalStatus;
   using State = actionlib::TerminalState;
@@ -36,11 +36,11 @@ inline actionlib::TerminalState endOf(const std::string& id, const actionlib_msg
     const auto end = ends.find(status.status);
     if (status.goal_id.id == id && end != ends.end()) return State(end->second, status.text);
   }
-  return State(State::LOST, "its end was not told");
+  return State(State::LOST, "the server did not report how the goal ended");
 }
 
-/// An action as somebody has it who pursues one goal at a time, with actionlib's bookkeeping behind subscriptions that
-/// check what they read. Nothing here blocks, not even for the first /clock. For the node's own thread. [FLT-1]
+/// A client of an action that pursues one goal at a time. actionlib keeps track of the goal; the subscriptions check
+/// every message before it is read. Nothing here blocks, not even for the first /clock. For the node's thread. [FLT-1]
 template <class Action>
 class ActionClient {
  public:
@@ -65,12 +65,12 @@ class ActionClient {
     manager_.registerCancelFunc([this](const GoalID& id) { cancel_.publish(id); });
   }
 
-  /// Whether a server is there now that takes goals and cancels, and has said so.
+  /// Whether a server is connected now: it subscribes to goals and cancels, and has published its status.
   bool isServerConnected() { return monitor_.isServerConnected(); }
 
-  /// Sends a goal; the end of the one before is not told. `done` is called once, when it has ended, and `heard` with
-  /// each feedback. A result is lost where the server published it before it had accepted this client's connection:
-  /// `done` is then called with an empty result, once the status has shown the end for a second.
+  /// Sends a goal; the end of the previous one is not reported any more. `done` is called once, when the goal has
+  /// ended, and `heard` with each feedback. A result that the server published before this client was connected is
+  /// lost: `done` is then called with a null result, once the status has shown the end for a second.
   void send(const Goal& goal, Done done, Heard heard = {}) {
     done_ = done;
     ended_at_.reset();
@@ -86,7 +86,7 @@ class ActionClient {
   void cancel() {
     if (!handle_.isExpired()) handle_.cancel();
   }
-  /// What becomes of that goal is not told any more.
+  /// From now on nothing is reported about that goal.
   void forget() { handle_.reset(); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     if (callbacks_.total() > 0) callbacks_.report(status);
@@ -101,10 +101,9 @@ class ActionClient {
   using Connection = ros::SingleSubscriberPublisher;
 
   static constexpr std::uint32_t kQueue = 50;
-  static constexpr std::size_t kRemembered = 100;                       ///< more than a server's status goes on naming
+  static constexpr std::size_t kRemembered = 100;                       ///< more than a server's status lists
   static constexpr Duration kResultPatience = std::chrono::seconds(1);  ///< of the steady clock
-  static constexpr Duration kServerPatience =
-      std::chrono::seconds(2);  ///< the same; a status comes five times a second
+  static constexpr Duration kServerPatience = std::chrono::seconds(2);  ///< the same; a status comes at 5 Hz
 
   template <class Msg>
   ros::Subscriber listen(const std::string& topic, void (ActionClient::*take)(const ros::MessageEvent<const Msg>&)) {
@@ -150,8 +149,8 @@ class ActionClient {
     server_heard_ = now;
     return true;
   }
-  /// Cancels goals of a node of this name that are still pursued and that this client has not sent: the node that sent
-  /// them was ended before it could. [FLT-2]
+  /// Cancels goals that are still active and were sent by an earlier process of the same name, which was killed before
+  /// it could cancel them itself. [FLT-2]
   void cancelPredecessors(const actionlib_msgs::GoalStatusArray& statuses) {
     using Status = actionlib_msgs::GoalStatus;
     const std::string own = ros::this_node::getName() + "-";  // how actionlib begins the ids of a node's goals
@@ -190,11 +189,11 @@ class ActionClient {
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::deque<std::string> sent_;        ///< the ids of the last goals, the newest last
-  Done done_;                           ///< its end is told here where its result was lost
-  std::optional<SteadyTime> ended_at_;  ///< since when its status shows the end while its result is missing
-  // Callbacks run on the node's own thread: none comes before the last of these is there.
+  Done done_;                           ///< called when a goal has ended but its result was lost
+  std::optional<SteadyTime> ended_at_;  ///< since when the status has shown the end while the result is missing
+  // Callbacks run on the node's own thread, so none can arrive before all of these members are constructed.
   ros::Subscriber status_, feedback_, result_;
-  Monitor monitor_;  ///< knows servers by their subscriptions, too
+  Monitor monitor_;  ///< recognises a server by its publishers and its subscriptions
   ros::Publisher goal_, cancel_;
 };
 

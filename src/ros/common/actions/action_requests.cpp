@@ -14,7 +14,7 @@ bool hasCome(const ros::Time& stamp, Time now) { return stamp.nsec < 1'000'000'0
 }  // namespace
 
 const char* problemOf(const actionlib_msgs::GoalID& id) {
-  return id.id.size() > bounds::kMostGoalId ? "a goal's name is longer than 1024 characters" : nullptr;
+  return id.id.size() > bounds::kMostGoalId ? "goal id longer than 1024 characters" : nullptr;
 }
 
 ros::Time stampOrNow(const ros::Time& stamp, Time now) { return hasCome(stamp, now) ? stamp : toRosTime(now); }

@@ -23,9 +23,9 @@
 
 namespace frontier_pilot {
 
-/// An action on the wire, with actionlib's bookkeeping of goals behind a gate: no stamp, name or number of goals and
-/// cancels ends the node, outranks what comes later, or is kept for ever. The owner answers goal handles as it would
-/// those of actionlib::ActionServer. [FLT-1]
+/// An action server. Goals and cancels are checked before actionlib's bookkeeping sees them: no stamp, id or number of
+/// them can end the node, take precedence over later requests, or use memory without bound. The owner answers goal
+/// handles as it would those of actionlib::ActionServer. [FLT-1]
 template <class Action>
 class ActionServer : public actionlib::ActionServerBase<Action> {
  public:
@@ -36,8 +36,8 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   using typename Base::Result;
   using Handle = std::function<void(GoalHandle)>;
 
-  /// `recalled()` is called for a goal whose cancel came before it. The client had a newer goal than the one under way
-  /// and wants neither.
+  /// `recalled()` is called for a goal whose cancel arrived before the goal itself. The goal would have replaced the
+  /// active one, so the client wants neither of them.
   ActionServer(const ros::NodeHandle& node, const std::string& name, Handle goal, Handle cancel,
                std::function<void()> recalled)
       : Base(std::move(goal), std::move(cancel), false),
@@ -76,7 +76,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     status_ = node_.advertise<actionlib_msgs::GoalStatusArray>(status_topic, kQueue, true);
     goals_ = listen<ActionGoal>(goal_topic, [this](const ActionGoalConstPtr& msg) { takeGoal(msg); });
     cancels_ = listen<GoalID>(cancel_topic, [this](const GoalID::ConstPtr& msg) { takeCancel(*msg); });
-    // On steady time: clients judge the server by it, also while the clock stands still.
+    // On steady time: clients take the status for a sign of life, also while the ROS clock stands still.
     timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
       callbacks_.run(name_ + "/status", [&] {
         const Lock lock(this->lock_);
@@ -128,9 +128,9 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     Base::cancelCallback(cancel);
   }
 
-  /// Forgets what the clock has not come to yet, because it was set back, and then the goals that have ended: those
-  /// that did so long ago, and the oldest of them where there are more than `most`. Never while actionlib is at work:
-  /// it looks at a goal again after it has published how that ended.
+  /// Moves stamps that lie in the future, because the clock was set back, to the present. Then drops goals that have
+  /// ended: those that ended long ago, and the oldest where more than `most` goals are tracked. Not to be called from
+  /// within actionlib's own methods, which use a goal again after they have published its end.
   void tidy(std::size_t most) {
     const Time now = rosNow();
     this->last_cancel_ = stampOrNow(this->last_cancel_, now);
@@ -193,7 +193,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   ros::SteadyTimer timer_;
 };
 
-/// An action of which one goal at a time is pursued: the newest to arrive wins.
+/// An action server that pursues one goal at a time: a newer goal replaces the active one.
 template <class Action>
 class SingleGoalServer {
  public:
@@ -202,7 +202,7 @@ class SingleGoalServer {
   using Result = typename Server::Result;
   using Feedback = typename Server::Feedback;
   using Start = std::function<void(const Goal&)>;
-  /// The goal under way is to be ended, because a newer one has come or because it was cancelled.
+  /// Called when the active goal has to end, because a newer one has replaced it or because it was cancelled.
   using Cancel = std::function<void(bool replaced)>;
 
   SingleGoalServer(const ros::NodeHandle& node, const std::string& name, Start start, Cancel cancel)
@@ -244,20 +244,20 @@ class SingleGoalServer {
       start_(*handle.getGoal());
     } catch (...) {
       setAborted({}, "could not be started");
-      cancel_(false);  // what had begun all the same
+      cancel_(false);  // in case the behaviour had begun before the exception
       throw;
     }
   }
 
   void end(bool replaced, const char* why) {
     cancel_(replaced);
-    setPreempted({}, why);  // where the owner had nothing under way
+    setPreempted({}, why);  // unless the owner has done so in its callback
   }
 
   Start start_;
   Cancel cancel_;
   std::optional<GoalHandle> current_;
-  Server server_;  ///< the last member: its callbacks use the others
+  Server server_;  ///< the last member, because its callbacks use the others
 };
 
 }  // namespace frontier_pilot

@@ -28,7 +28,7 @@ NodesByName toNodes(XmlRpc::XmlRpcValue& list) {
   return nodes;
 }
 
-/// A TCP socket that is closed when it goes.
+/// A TCP socket, closed by the destructor.
 class Socket {
  public:
   explicit Socket(const addrinfo& address)
@@ -39,7 +39,7 @@ class Socket {
   Socket(const Socket&) = delete;
   Socket& operator=(const Socket&) = delete;
 
-  /// False only if the other side says no: one that says nothing may hang, and come back.
+  /// False only if the connection is refused: a process that does not respond may merely hang, and recover.
   bool mayConnect(const addrinfo& address) const {
     if (descriptor_ < 0) return true;
     if (connect(descriptor_, address.ai_addr, address.ai_addrlen) == 0) return true;
@@ -56,11 +56,12 @@ class Socket {
   int descriptor_;
 };
 
+/// True also where the host's address cannot be resolved.
 bool takesConnections(const std::string& host, std::uint32_t port) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  if (getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) return true;  // cannot be told
+  if (getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) return true;
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, freeaddrinfo);
   for (const addrinfo* address = found; address != nullptr; address = address->ai_next) {
     if (Socket(*address).mayConnect(*address)) return true;
@@ -78,7 +79,7 @@ std::optional<MasterState> askMaster() {
     if (!state) return std::nullopt;
     return MasterState{toNodes((*state)[0]), toNodes((*state)[1]), toNodes((*state)[2])};
   } catch (const XmlRpc::XmlRpcException&) {
-    return std::nullopt;  // whatever listens there is no master
+    return std::nullopt;  // the process at that address is not a ROS master
   }
 }
 

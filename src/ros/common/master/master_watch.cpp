@@ -12,9 +12,9 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr Duration kRemembered = std::chrono::seconds(10);  // so that an operator sees what has been mended
+constexpr Duration kRemembered = std::chrono::seconds(10);  // how long a repaired registration stays in the diagnostics
 constexpr std::size_t kOften =
-    5;  // looks without a service, in that time: a master that is replaced makes two or three
+    5;  // looks within kRemembered in which a service is missing; a restart of the master causes two or three
 
 /// Whether a node lives, asked once in a look.
 using LivingNodes = std::map<std::string, bool>;
@@ -86,7 +86,7 @@ void MasterWatch::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
     lock.unlock();
-    guard_.run("what the master says", [this] { look(); });
+    guard_.run("the watch on the master", [this] { look(); });
     lock.lock();
     wake_.wait_for(lock, period_, [this] { return ending_; });
   }

@@ -22,20 +22,20 @@
 
 namespace frontier_pilot {
 
-/// What the master says of this node and of those around it.
+/// What a look at the master has found out about other nodes.
 struct MasterReport {
   NodesByName publishers;  ///< by topic, of all topics
   std::map<std::string, std::string>
-      rivals;  ///< by what belongs to this node alone, services and topics: another living node
+      rivals;  ///< by service or topic that belongs to this node alone: another living node that has it as well
 };
 
-/// Asks the master again and again, on a thread of its own (the master may be slow to answer, or gone), whether it
-/// still has this node registered for its topics and services, and registers again what is missing: a new master knows
-/// nobody, and a node that takes a service from this one and ends leaves no provider behind. A service that is held by
-/// a node that no longer lives is taken back; one that a living node holds is an error that names it. [ARB-12] [FLT-1]
+/// Asks the master periodically, on a thread of its own (the master may be slow to answer, or gone), whether this node
+/// is still registered for its topics and services, and registers again what is missing: a restarted master knows no
+/// node, and a node that takes over a service and then ends leaves it without a provider. A service that is registered
+/// for a node that no longer lives is taken back; if that node lives, it is reported as an error. [ARB-12] [FLT-1]
 class MasterWatch {
  public:
-  /// `period` is the time between two looks. A registration that is missing in two of them is made again.
+  /// `period` is the time between two looks. A registration that is missing in two successive looks is made again.
   explicit MasterWatch(Duration period);
   ~MasterWatch();
   MasterWatch(const MasterWatch&) = delete;
@@ -43,19 +43,19 @@ class MasterWatch {
 
   /// `service`, a resolved name, belongs to this node alone from now on.
   void claimService(const std::string& service);
-  /// The same for topics: another node that publishes all of them takes this one for gone.
+  /// The same for topics: another living node that publishes all of them is a rival.
   void claimTopics(const std::vector<std::string>& topics);
-  /// `f` is called, on the watch's thread, after something was registered again: the master may be another one. What
-  /// was given before is called as well.
+  /// `f` is called, on the watch's thread, after something was registered again: the master may have been restarted.
+  /// Functions that were given earlier are still called.
   void onRenewal(std::function<void()> f);
   /// When the master answered last; the start of the watch if it never did.
   SteadyTime lastAnswer() const { return last_answer_; }
-  /// What the master said since the last call, if it said anything.
+  /// The latest report, once; nothing if there was no new one since the last call.
   std::optional<MasterReport> take() { return report_.take(); }
-  /// ERROR while another node has what belongs to this one alone, or for some seconds after something was registered
-  /// again.
+  /// ERROR while another node has a service or topic that belongs to this one alone, and for ten seconds after
+  /// something was registered again.
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
-  /// What `diagnose` calls an error now, one sentence each.
+  /// The errors that `diagnose` reports now, one sentence each.
   std::vector<std::string> problems() const;
 
  private:
@@ -70,11 +70,13 @@ class MasterWatch {
   std::map<std::string, std::string> findRivals(const MasterState& state) const;
   void lookAtTopics(const MasterState& state);
   void lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals);
-  /// The master may have this node's name and another's address: one service in each look, as each costs a call.
+  /// Checks the address that the master has for one service: it may list this node's name with the address of another
+  /// process. One service in each look, because each check costs a call.
   void lookAtAnAddress(const MasterState& state);
-  /// What was lost again and again in the last seconds belongs to somebody who comes and goes.
+  /// Adds the services whose registration was lost repeatedly in the last ten seconds: a node that registers and ends
+  /// again and again takes them.
   void findTakers(std::map<std::string, std::string>& rivals);
-  /// True if `what` was missing the last time too: a registration that is under way is not a lost one.
+  /// True if `what` was missing in the last look, too: a registration that is still in progress is not lost.
   bool missingTwice(const std::string& what);
   void sayWhatWasRenewed();
   void setRivals(const std::map<std::string, std::string>& rivals);
@@ -89,14 +91,14 @@ class MasterWatch {
   Claims claims_;
   std::vector<std::string> problems_;
   std::vector<std::function<void()>> renewals_;
-  std::set<std::string> missing_, missing_before_;  ///< the thread's own, as those that follow
+  std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow
   std::map<std::string, std::string> rivals_;
-  std::vector<std::string> renewed_;                      ///< in this look
-  std::size_t next_service_ = 0;                          ///< whose address is looked at next
-  std::map<std::string, std::deque<SteadyTime>> losses_;  ///< of services, in the last seconds
+  std::vector<std::string> renewed_;                      ///< registered again in this look
+  std::size_t next_service_ = 0;                          ///< index of the service whose address is checked next
+  std::map<std::string, std::deque<SteadyTime>> losses_;  ///< by service: when it was missing in the last ten seconds
   OwnParameters parameters_;
   std::map<std::string, SteadyTime> remembered_;
-  std::thread thread_;  ///< the last member: everything else is there before it starts
+  std::thread thread_;  ///< the last member: it starts when all others are constructed
 };
 
 }  // namespace frontier_pilot

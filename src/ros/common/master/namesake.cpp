@@ -41,16 +41,16 @@ std::string waitUntilGone(const std::function<std::string()>& find) {
 void refuseANamesake() {
   const std::string& self = ros::this_node::getName();
   if (waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
-  throw std::runtime_error("a node " + self + " runs already, and ROS would end it for this one: end it first " +
-                           "(rosnode kill " + self + "), or start this one under another name (__name:=...)");
+  throw std::runtime_error("a node " + self + " is already running, and ROS would shut it down for this one: end it " +
+                           "first (rosnode kill " + self + "), or give this one another name (__name:=...)");
 }
 
 void refuseASecondProvider(const char* service) {
   const std::string other = waitUntilGone([service] { return findOtherProvider(service); });
   if (other.empty()) return;
   throw std::runtime_error(other + " offers " + ros::names::resolve(service) +
-                           " already: of two such nodes only one could be switched " +
-                           "off. End that one first (rosnode kill " + other + ")");
+                           " already: the service would switch only one of " +
+                           "the two nodes. End that one first (rosnode kill " + other + ")");
 }
 
 }  // namespace frontier_pilot

@@ -5,17 +5,18 @@
 
 namespace frontier_pilot {
 
-/// Waits two seconds for `find()` to find no node any more: one that is being started again may still be saying its
-/// last words. Gives the name of the one that is still there; empty if there is none.
+/// Waits up to two seconds until `find()` finds no node any more: the previous process of a node that is being
+/// restarted may still be shutting down. Returns the name of the node that is still there; empty if there is none.
 std::string waitUntilGone(const std::function<std::string()>& find);
 
-/// Throws std::runtime_error if a node of this one's name lives already. To be called before the node is started: ROS
-/// ends the older of two nodes of one name, and a mapper that is ended takes its map with it. [FLT-2]
+/// Throws std::runtime_error if a node with this one's name is already running. To be called before the node is
+/// started: of two nodes with the same name ROS shuts down the older one, and with a mapper its map would be lost.
+/// [FLT-2]
 void refuseANamesake();
 
-/// Throws std::runtime_error if another living node, whatever its name, offers `service` already: two nodes that drive
-/// the same robot on their own could not be told apart by who switches one of them off. To be called before the node is
-/// started: of two that are started at the same moment neither finds the other. [FLT-2]
+/// Throws std::runtime_error if another living node, whatever its name, already offers `service`: two nodes would drive
+/// the same robot, and a call of the service would switch off only one of them. To be called before the node is
+/// started. Two nodes that are started at the same moment do not find each other. [FLT-2]
 void refuseASecondProvider(const char* service);
 
 }  // namespace frontier_pilot

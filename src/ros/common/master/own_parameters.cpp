@@ -23,7 +23,7 @@ std::optional<XmlRpcValue> ask(const char* method, const std::string& name) {
 
 XmlRpcValue read(const std::string& name) { return ask("getParam", name).value_or(XmlRpcValue()); }
 
-/// True if `value` is known, the master says that it has no parameter `name`, and takes it.
+/// Sets `name` to `value` if `value` is known and the master has no such parameter. Returns whether it was set.
 bool restoreOne(const std::string& name, const XmlRpcValue& value) {
   if (!value.valid()) return false;
   std::optional<XmlRpcValue> known = ask("hasParam", name);

@@ -4,17 +4,17 @@
 
 namespace frontier_pilot {
 
-/// The parameters that this node was started with, for a master that comes back empty: a node that is started again
-/// there would otherwise come up with defaults, such as another robot's limits.
+/// The parameters that this node was started with, for a master that was restarted and has lost them: a node that is
+/// started again there would otherwise use its defaults, for example the limits of another robot.
 class OwnParameters {
  public:
   /// Reads the node's private namespace, and `/use_sim_time`.
   OwnParameters();
-  /// Sets again what the master no longer has; gives whether there was anything to set.
+  /// Sets what the master no longer has; returns whether there was anything to set.
   bool restore();
 
  private:
-  XmlRpc::XmlRpcValue private_, use_sim_time_;  ///< invalid: there was none
+  XmlRpc::XmlRpcValue private_, use_sim_time_;  ///< invalid where there was no such parameter
 };
 
 }  // namespace frontier_pilot

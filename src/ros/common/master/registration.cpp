@@ -34,7 +34,7 @@ std::optional<Value> askMasterApi(const char* method, const std::string& name, c
   return requestFromMaster(method, request);
 }
 
-/// Calls a method of this node's own slave API, which roscpp offers to the master and not to its own process.
+/// Calls a method of this node's own slave API over XML-RPC: roscpp has no function for it within the process.
 std::optional<Value> askSlaveApi(const char* method, const Value& arguments) {
   std::string host;
   std::uint32_t port = 0;
@@ -59,7 +59,7 @@ std::set<std::string> connectedPublishers(const std::string& topic) {
   return uris;
 }
 
-/// What the master would tell this node: who publishes on `topic` now.
+/// Tells this node which nodes publish `topic` now, as the master does by `publisherUpdate`.
 bool updatePublishers(const std::string& topic, const std::set<std::string>& uris) {
   Value arguments;
   arguments[0] = ros::this_node::getName();

@@ -10,7 +10,7 @@ using XmlRpc::XmlRpcValue;
 
 constexpr double kAnswerPatience = 2000.0;  // [ms]
 
-/// An answer is [code, text, value], and 1 is the code of success.
+/// An answer is [code, text, value]; the code 1 means success.
 std::optional<XmlRpcValue> valueOf(XmlRpcValue& answer) {
   const bool complete = answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3;
   if (!complete || answer[0].getType() != XmlRpcValue::TypeInt || static_cast<int>(answer[0]) != 1) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<XmlRpcValue> requestFrom(const std::string& host, std::uint32_t po
                                        const XmlRpcValue& arguments) {
   XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
   if (!client.executeNonBlock(method, arguments)) return std::nullopt;
-  client._disp.work(kAnswerPatience);  // until the answer is there, or for so long
+  client._disp.work(kAnswerPatience);  // until the answer has arrived, or the time is over
   XmlRpcValue answer;
   if (!client.executeCheckDone(answer) || client.isFault()) return std::nullopt;
   return valueOf(answer);

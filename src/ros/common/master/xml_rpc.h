@@ -9,7 +9,8 @@
 
 namespace frontier_pilot {
 
-/// The elements of an array. (XmlRpcValue's own iterators are for structs.) Throws XmlRpcException when it is none.
+/// The elements of an array. (XmlRpcValue's own iterators are for structs.) Throws XmlRpcException if it is not an
+/// array.
 inline std::vector<XmlRpc::XmlRpcValue> elements(XmlRpc::XmlRpcValue& array) {
   std::vector<XmlRpc::XmlRpcValue> all(static_cast<std::size_t>(array.size()));
   int i = 0;
@@ -17,11 +18,11 @@ inline std::vector<XmlRpc::XmlRpcValue> elements(XmlRpc::XmlRpcValue& array) {
   return all;
 }
 
-/// Calls a method of ROS' XML-RPC API and gives the value that the answer carries; nothing if there is none within two
-/// seconds, or if it is an error. ros::master::execute waits for ever for a master that hangs.
+/// Calls a method of ROS' XML-RPC API and returns the value of the answer; nothing if there is no answer within two
+/// seconds, or if it is an error. ros::master::execute would wait forever for a master that hangs.
 std::optional<XmlRpc::XmlRpcValue> requestFrom(const std::string& host, std::uint32_t port, const char* method,
                                                const XmlRpc::XmlRpcValue& arguments);
-/// The same at the master.
+/// The same, at the master.
 std::optional<XmlRpc::XmlRpcValue> requestFromMaster(const char* method, const XmlRpc::XmlRpcValue& arguments);
 
 }  // namespace frontier_pilot

@@ -5,7 +5,7 @@ namespace frontier_pilot {
 void UnreadableMessages::add(const std::string& topic, const std::string& why) noexcept try {
   const std::lock_guard<std::mutex> lock(mutex_);
   by_topic_.try_emplace(topic, "message of " + topic).first->second.add(why);
-} catch (...) {  // NOLINT(bugprone-empty-catch): no memory is left to count with
+} catch (...) {  // NOLINT(bugprone-empty-catch): without memory nothing can be counted
 }
 
 std::uint64_t UnreadableMessages::total() const {

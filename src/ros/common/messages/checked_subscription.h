@@ -18,9 +18,9 @@
 
 namespace frontier_pilot {
 
-/// The bytes of a message, read with the checks that roscpp leaves out: roscpp makes room for as many elements as an
-/// array says that it has before it looks whether the message is long enough for them. Throws
-/// ros::serialization::StreamOverrunException where it is not. [FLT-1]
+/// A stream that deserializes a message with a check that roscpp lacks: roscpp allocates as many elements as an array
+/// claims to have before it checks whether the message is long enough for them. Throws
+/// ros::serialization::StreamOverrunException if the message is too short. [FLT-1]
 class CheckedStream {
  public:
   CheckedStream(std::uint8_t* data, std::uint32_t size) : data_(data), end_(data + size) {}
@@ -39,7 +39,7 @@ class CheckedStream {
     data_ = array;
     ros::serialization::deserialize(*this, values);
   }
-  /// Where the next `size` bytes begin.
+  /// Skips `size` bytes and returns where they begin.
   std::uint8_t* advance(std::uint32_t size) {
     if (size > left()) ros::serialization::throwStreamOverrun();
     std::uint8_t* const here = data_;
@@ -54,13 +54,13 @@ class CheckedStream {
   std::uint8_t* end_;
 };
 
-/// The messages that could not be read: for each topic counted by reason, with a warning at most every five seconds.
+/// Messages that could not be deserialized: counted by topic and reason, with a warning at most every five seconds.
 /// Safe to use from several threads. [FLT-1]
 class UnreadableMessages {
  public:
   void add(const std::string& topic, const std::string& why) noexcept;
   std::uint64_t total() const;
-  /// For /diagnostics; nothing where every message could be read.
+  /// For /diagnostics; adds nothing if every message could be read.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
@@ -68,8 +68,8 @@ class UnreadableMessages {
   std::map<std::string, Rejections> by_topic_;
 };
 
-/// Hands messages to a callback after a CheckedStream has read them. What cannot be read is dropped and counted in
-/// `unreadable`, which has to outlive the subscription; roscpp would say so in a line for each message. [FLT-1]
+/// Deserializes messages with a CheckedStream and hands them to a callback. A message that cannot be read is dropped
+/// and counted in `unreadable`, which has to outlive the subscription; roscpp would log a line for each. [FLT-1]
 template <class Msg>
 class CheckedSubscription : public ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Msg>&> {
  public:
@@ -78,7 +78,7 @@ class CheckedSubscription : public ros::SubscriptionCallbackHelperT<const ros::M
   CheckedSubscription(std::string topic, UnreadableMessages& unreadable, const typename Base::Callback& handle)
       : Base(handle), topic_(std::move(topic)), unreadable_(unreadable) {}
 
-  /// Null for what cannot be read: roscpp then calls nobody.
+  /// Null if the message cannot be read: roscpp then does not call the callback.
   ros::VoidConstPtr deserialize(const ros::SubscriptionCallbackHelperDeserializeParams& bytes) override {
     try {
       const auto msg = boost::make_shared<Msg>();
@@ -97,7 +97,7 @@ class CheckedSubscription : public ros::SubscriptionCallbackHelperT<const ros::M
   UnreadableMessages& unreadable_;
 };
 
-/// What subscribes `handle(const ros::MessageEvent<const Msg>&)` to `topic` by a CheckedSubscription.
+/// The options that subscribe `handle(const ros::MessageEvent<const Msg>&)` to `topic` with a CheckedSubscription.
 template <class Msg>
 ros::SubscribeOptions checkedSubscription(const std::string& topic, std::uint32_t queue_size,
                                           UnreadableMessages& unreadable,

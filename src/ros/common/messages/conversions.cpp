@@ -10,13 +10,13 @@ namespace frontier_pilot {
 
 namespace {
 
-/// Says `what`, if anyone asked, and is the nothing to return.
+/// Stores `what` in `why` unless that is null, and returns std::nullopt for the caller to return.
 std::nullopt_t malformed(std::string* why, const std::string& what) {
   if (why != nullptr) *why = what;
   return std::nullopt;
 }
 
-/// Null unless of unit length within 1 %, which covers single precision; a quaternion nobody filled in is all zero.
+/// Nothing unless the norm is 1 within 1 %, which allows for single precision; a quaternion that was never set is zero.
 std::optional<Eigen::Quaterniond> toQuaternion(const geometry_msgs::Quaternion& msg) {
   const Eigen::Quaterniond q(msg.w, msg.x, msg.y, msg.z);
   const double norm = q.norm();

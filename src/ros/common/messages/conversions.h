@@ -21,12 +21,13 @@
 #include "frontier_pilot/core/laser_scan.h"
 #include "ros/common/clock.h"
 
-/// Between messages and core types, in one place. Malformed input becomes std::nullopt, and `why`, if given, says what
-/// was wrong with it: a default value never stands in for missing data. What would size too much is malformed, too: the
-/// bounds are those of core/bounds.h. [FLT-1]
+/// Conversions between messages and core types. Malformed input becomes std::nullopt, and `why`, if given, says what is
+/// wrong with it: missing data is never replaced by a default value. Numbers beyond the bounds of core/bounds.h, which
+/// would cause too much memory or work, count as malformed. [FLT-1]
 namespace frontier_pilot {
 
-/// Unless a coordinate is not finite or the quaternion is not of unit length. Height, roll and pitch are dropped.
+/// Nothing if a coordinate is not finite or out of bounds, or the quaternion is not of unit length. Height, roll and
+/// pitch are dropped.
 std::optional<Pose2> toPose(const geometry_msgs::Pose& msg, std::string* why = nullptr);
 std::optional<Pose2> toPose(const geometry_msgs::Transform& msg, std::string* why = nullptr);
 /// The same in three dimensions.
@@ -37,31 +38,31 @@ geometry_msgs::PoseStamped toPoseStampedMsg(const Pose2& pose, const std::string
 geometry_msgs::PolygonStamped toPolygonStampedMsg(const std::vector<Vec2>& corners, const std::string& frame,
                                                   Time stamp);
 
-/// Unless any of the six fields is not finite; the axes that a differential drive lacks are dropped. [ARB-5]
+/// Nothing if any of the six fields is not finite. The axes that a differential drive lacks are dropped. [ARB-5]
 std::optional<Twist2> toTwist(const geometry_msgs::Twist& msg, std::string* why = nullptr);
 geometry_msgs::Twist toTwistMsg(const Twist2& twist);
 
-/// An odometry message, read.
+/// The contents of an odometry message; `twist` is in the base frame [m/s], [rad/s].
 struct Odometry2 {
   Time stamp;
   Pose2 T_odom_base;
   Twist2 twist;
 };
 
-/// Unless its pose or its twist is malformed.
+/// Nothing if its pose or its twist is malformed.
 std::optional<Odometry2> toOdometry(const nav_msgs::Odometry& msg, std::string* why = nullptr);
 nav_msgs::Odometry toOdometryMsg(const Odometry2& odometry, const std::string& frame, const std::string& child_frame);
 
-/// Unless it is empty, an angle or limit is not finite, the increment is zero, the number of ranges does not match the
-/// angles, or the scanner is tilted (its axis more than 10 degrees off the base's). `T_base_sensor` is where it sits,
-/// in three dimensions: one that is mounted upside down gets its angles negated.
+/// Nothing if it is empty, an angle or range limit is not finite or out of bounds, the increment is zero, the number of
+/// ranges does not match the angles, or the scanner is tilted (its z axis more than 10 degrees off the base's).
+/// `T_base_sensor` is the scanner's mount in three dimensions: if it is upside down, the angles are negated.
 std::optional<LaserScan2> toLaserScan(const sensor_msgs::LaserScan& msg, const Eigen::Isometry3d& T_base_sensor,
                                       std::string* why = nullptr);
 /// `scan_time` [s] is the time between two scans.
 sensor_msgs::LaserScan toLaserScanMsg(const LaserScan2& scan, const std::string& frame, double scan_time);
 
-/// Unless the number of cells does not match the size, the resolution is not positive, the origin is not finite or is
-/// rotated, or a value lies outside of -1...100.
+/// Nothing if the number of cells does not match the size, the size or the resolution is out of bounds, the origin is
+/// not finite or is rotated, or a value lies outside of -1...100.
 std::optional<OccupancyGrid> toOccupancyGrid(const nav_msgs::OccupancyGrid& msg, std::string* why = nullptr);
 nav_msgs::OccupancyGrid toOccupancyGridMsg(const OccupancyGrid& grid, const std::string& frame, Time stamp);
 
@@ -71,14 +72,14 @@ struct GridUpdate {
   std::vector<std::int8_t> cells;  ///< row by row
 };
 
-/// Unless it is empty, begins at a negative cell, the number of cells does not match the size, or a value lies outside
-/// of -1...100. Whether it lies inside of a map is for the caller to see.
+/// Nothing if it is empty, begins at a negative cell, the number of cells does not match the size, or a value lies
+/// outside of -1...100. The caller has to check whether it lies inside of the map.
 std::optional<GridUpdate> toGridUpdate(const map_msgs::OccupancyGridUpdate& msg, std::string* why = nullptr);
 /// The cells of `grid` in `rect`, which must lie inside.
 map_msgs::OccupancyGridUpdate toGridUpdateMsg(const OccupancyGrid& grid, const CellRect& rect, const std::string& frame,
                                               Time stamp);
 
-/// Unless any pose is malformed. An empty path is a path.
+/// Nothing if any pose is malformed. An empty path is valid.
 std::optional<std::vector<Pose2>> toPath(const nav_msgs::Path& msg, std::string* why = nullptr);
 nav_msgs::Path toPathMsg(const std::vector<Pose2>& path, const std::string& frame, Time stamp);
 

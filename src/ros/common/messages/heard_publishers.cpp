@@ -4,7 +4,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kOfLate = std::chrono::seconds(3);
-constexpr std::size_t kMostNames = 8;  ///< nobody needs to know more
+constexpr std::size_t kMostNames = 8;  ///< enough for the operator
 
 bool isOld(SteadyTime then, SteadyTime now) { return now - then > kOfLate; }
 

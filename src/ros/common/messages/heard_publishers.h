@@ -7,12 +7,12 @@
 
 namespace frontier_pilot {
 
-/// Who has published a topic of late, for topics that one node alone should publish. [FLT-1]
+/// The nodes that have recently published a topic which only one node should publish. [FLT-1]
 class HeardPublishers {
  public:
   /// `node` sent a message.
   void add(const std::string& node, SteadyTime now);
-  /// The names of those that were heard within the last seconds, if they are several; otherwise empty.
+  /// The names of the nodes heard within the last three seconds, if there are several; otherwise empty.
   std::string severalNames(SteadyTime now) const;
 
  private:

@@ -8,11 +8,11 @@
 
 namespace frontier_pilot {
 
-/// The latest message of an input and when it came, for a node's own thread.
+/// The latest message of an input and when it arrived, for a node's own thread.
 template <class T>
 class Latest {
  public:
-  /// `received` is on steady time, so that the age grows also while a simulated clock stands still.
+  /// `received` is steady time, so that the age grows also while a simulated clock stands still.
   void put(T value, SteadyTime received) {
     value_ = std::move(value);
     received_ = received;
@@ -21,7 +21,7 @@ class Latest {
 
   bool has() const { return value_.has_value(); }
   const std::optional<T>& get() const { return value_; }
-  /// How long ago it came; nothing if none ever did.
+  /// How long ago the message arrived; nothing if there is none.
   std::optional<Duration> age(SteadyTime now) const {
     return value_ ? std::optional<Duration>(now - received_) : std::nullopt;
   }

@@ -94,7 +94,7 @@ void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string&
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
   const Time stamp = toTime(msg.header.stamp);
-  // One connection keeps the order: stamps that go back are those of a clock that was set back.
+  // Messages of one connection arrive in order, so a stamp that goes back means that the clock was set back.
   const bool went_back = map_stamp_ && stamp < *map_stamp_;
   if (stamp == Time{} || went_back || publisher != publisher_) startOver();
   publisher_ = publisher;
@@ -108,7 +108,7 @@ void MapMirror::takeWhole(OccupancyGrid map, Time stamp) {
   map_stamp_ = stamp;
   // An update with the stamp of a map of another geometry belongs to the map before it.
   recent_.dropBefore(same_geometry ? stamp : stamp + Duration(1));
-  // With updates missing in between, the copy, which has had them all, is newer than what could be made of this map.
+  // Updates newer than this map are no longer kept: the copy contains them, this map with the kept ones would not.
   if (comparable && same_geometry && !recent_.completeFrom(stamp)) return;
   const std::optional<Time> last = recent_.applyTo(map);
   replace(std::move(map));
@@ -123,7 +123,7 @@ void MapMirror::replace(OccupancyGrid map) {
   } else {
     if (ready() && (is.width < was.width || is.height < was.height)) {
       THROTTLED_WARN("map shrank from " << was.width << " x " << was.height << " to " << is.width << " x " << is.height
-                                        << " cells: the smaller one counts");
+                                        << " cells: the smaller one replaces it");
     }
     changed_ = is.rect();
   }

@@ -16,16 +16,16 @@
 
 namespace frontier_pilot {
 
-/// The updates of a map that came last, as many as are bounded by their number and their cells. Their stamps ascend.
+/// The most recent updates of a map, limited in number and in total cells, in the order of their stamps.
 class RecentUpdates {
  public:
   void add(Time stamp, GridUpdate update);
   void clear() { *this = {}; }
-  /// Forgets what is older than `stamp`.
+  /// Drops updates older than `stamp`.
   void dropBefore(Time stamp);
-  /// Whether none with this stamp or a later one has been forgotten for want of room.
+  /// Whether no update with this stamp or a later one was dropped because of the limits.
   bool completeFrom(Time stamp) const { return !lost_ || *lost_ < stamp; }
-  /// Copies those that lie inside of `map` into it, and gives the stamp of the last one.
+  /// Applies those that lie inside of `map` to it, and returns the stamp of the last one applied.
   std::optional<Time> applyTo(OccupancyGrid& map) const;
 
  private:
@@ -34,53 +34,53 @@ class RecentUpdates {
     GridUpdate update;
   };
   std::deque<Stamped> updates_;
-  std::size_t cells_ = 0;     ///< of all of them
-  std::optional<Time> lost_;  ///< stamp of the last one that was forgotten for want of room
+  std::size_t cells_ = 0;     ///< of all kept updates together
+  std::optional<Time> lost_;  ///< stamp of the last update that was dropped because of the limits
 };
 
 /// A copy of `map`, kept up to date by `map_updates`, that knows which cells changed since they were last taken.
 ///
-/// The two topics come over a connection each, so that a large map may arrive after updates that are newer than it.
-/// They are ordered by their stamps: a map holds every update that is older than itself, and recent updates with its
-/// stamp or a later one are applied to it again. Stamps are not compared across a jump of the clock (either topic's
-/// stamps go back) nor between publishers, and a map or an update without a stamp is taken as it comes.
+/// The two topics have a connection each, so a large map may arrive after updates that are newer than it. Maps and
+/// updates are ordered by their stamps: a map contains every update older than itself, and recent updates with its
+/// stamp or a later one are applied to it again. Stamps are not compared across a jump of the clock (recognised when
+/// the stamps of either topic go back) nor between publishers. A map or update without a stamp is applied as it comes.
 ///
-/// The first node that sends a map owns it: while it lives, maps and updates of any other node are refused, and counted
-/// by that node's name. A map and its updates come from one node. [FLT-1]
+/// The first node that sends a map owns it: while that node lives, maps and updates of any other node are refused, and
+/// counted by that node's name. A map and its updates come from one node. [FLT-1]
 ///
-/// What is malformed is counted and warned of, and leaves the copy as it was. A smaller map replaces a larger one (a
-/// mapper that started over), which is said in the log.
+/// Malformed messages are counted with a warning and leave the copy as it was. A smaller map (of a mapper that started
+/// over) replaces a larger one, with a warning in the log.
 class MapMirror {
  public:
   /// Begins to listen. Maps in another frame than `frame` are refused.
   void subscribe(NodeConnections& connections, const std::string& frame);
 
-  /// `publisher` is the node that sent it.
+  /// `publisher` is the name of the node that sent the message.
   void handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher = {});
   void handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher = {});
 
-  /// Whether somebody publishes the map now.
+  /// Whether the topic has a publisher now.
   bool published() const { return map_subscriber_.getNumPublishers() > 0; }
-  /// Whether a map has come yet.
+  /// Whether a map has been received.
   bool ready() const { return !map_.empty(); }
   const OccupancyGrid& map() const { return map_; }
-  /// The stamp of the last map or update that is in the copy.
+  /// The stamp of the last map or update in the copy.
   Time stamp() const { return stamp_; }
-  /// The cells that may differ from what was there at the last call; all of them when the geometry is another one.
+  /// The cells that may have changed since the last call; all cells if the geometry has changed.
   CellRect takeChanged();
   const Rejections& rejections() const { return rejections_; }
 
  private:
   bool rightFrame(const std::string& frame);
-  /// Before the first map nobody owns it.
+  /// Before the first map there is no owner.
   bool mayBelongTo(const std::string& publisher) const { return !ready() || publisher == publisher_; }
   void refuse(const std::string& publisher);
-  /// Whether the owner is there still, although another node publishes: asked of it where it was silent for long.
+  /// Whether the owner still lives. If it has been silent for five seconds, its XML-RPC port is tried.
   bool ownerLives();
-  /// Forgets the stamps: nothing that comes from now on is compared with what came before.
+  /// Forgets the stamps: later messages are not compared with earlier ones.
   void startOver();
   void takeWhole(OccupancyGrid map, Time stamp);
-  /// Whether the copy is newer than the update already.
+  /// Whether the update is older than the last map.
   bool isOld(Time stamp) const { return map_stamp_ && stamp != Time{} && stamp < *map_stamp_; }
   void remember(Time stamp, const GridUpdate& update);
   void replace(OccupancyGrid map);
@@ -90,8 +90,8 @@ class MapMirror {
   CellRect changed_;
   Time stamp_{};
   std::string publisher_;             ///< the owner of the map; before the first one, of the updates so far
-  SteadyTime owner_heard_{};          ///< when it last sent something, or was seen to live
-  std::optional<Time> map_stamp_;     ///< of the last map, unless nothing is compared with it
+  SteadyTime owner_heard_{};          ///< when the owner last sent a message, or was found alive
+  std::optional<Time> map_stamp_;     ///< of the last map; none after `startOver`
   std::optional<Time> update_stamp_;  ///< of the last update that had one
   RecentUpdates recent_;
   Rejections rejections_{"map message"};

@@ -9,7 +9,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// A text with the bounds in it that it speaks of.
+/// The parts joined to one text.
 template <class... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream out;
@@ -26,7 +26,7 @@ std::string problemOfAngles(const sensor_msgs::LaserScan& msg) {
     if (!bounds::isWithin(static_cast<double>(angle), bounds::kMostAngle)) return "angles beyond two turns";
   }
   const double steps = (static_cast<double>(msg.angle_max) - msg.angle_min) / msg.angle_increment;
-  // Drivers disagree on whether angle_max is the last beam or one past it, and single precision adds up over the beams.
+  // Drivers disagree on whether angle_max is the last beam or one past it, and errors of single precision accumulate.
   const double expected = static_cast<double>(msg.ranges.size()) - 1.0;
   if (steps < expected - 1.5 || steps > expected + 1.5) return "number of ranges does not match the angles";
   return {};
@@ -77,7 +77,7 @@ std::string problemOf(const nav_msgs::MapMetaData& info) {
     return text("map of more than ", bounds::kMostMapCells,
                 " cells: make its cells larger, or leave out what nobody drives in");
   }
-  // In single precision, which the least one is not exact in.
+  // Compared in single precision, in which the lower bound cannot be represented exactly.
   const bool usable = info.resolution >= static_cast<float>(bounds::kLeastResolution) &&
                       info.resolution <= static_cast<float>(bounds::kMostResolution);
   if (usable) return {};

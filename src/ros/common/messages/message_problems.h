@@ -9,18 +9,17 @@
 
 #include "frontier_pilot/core/geometry.h"
 
-/// What is wrong with the numbers of a message, each judged by itself and by the bounds of core/bounds.h; empty if
-/// nothing is. [FLT-1]
+/// What is wrong with the numbers of a message, by the bounds of core/bounds.h; empty if nothing is wrong. [FLT-1]
 namespace frontier_pilot {
 
 bool isFinite(const geometry_msgs::Vector3& v);
 std::string problemOfPlace(double x, double y, double z);
-/// Of a velocity that the robot reports, not of one that is asked for.
+/// For a velocity that the robot reports, not for a commanded one.
 std::string problemOf(const Twist2& measured);
-/// All but whether the ranges themselves are usable.
+/// Checks everything but the values of the ranges.
 std::string problemOf(const sensor_msgs::LaserScan& msg);
 std::string problemOfMount(const Eigen::Isometry3d& T_base_sensor);
-/// Of a map's size and its cells'.
+/// For the size of a map and its resolution.
 std::string problemOf(const nav_msgs::MapMetaData& info);
 
 }  // namespace frontier_pilot

@@ -6,7 +6,7 @@ std::optional<nav_msgs::Odometry> TransformOdometry::next() {
   constexpr Duration kLeast = std::chrono::milliseconds(10);
   const auto stamp = tf_.latestStamp(odom_frame_, base_frame_);
   if (!stamp) return std::nullopt;
-  // Where the clock was set back there is nothing to compare with; the next transform has a velocity again.
+  // After the clock was set back the previous pose cannot be used; the next transform has a velocity again.
   const bool went_back = last_ && *stamp < last_->stamp;
   if (last_ && !went_back && *stamp - last_->stamp < kLeast) return std::nullopt;
   const auto T_odom_base = tf_.lookup(odom_frame_, base_frame_, *stamp);

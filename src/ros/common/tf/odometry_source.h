@@ -16,15 +16,16 @@
 
 namespace frontier_pilot {
 
-/// Odometry of a robot that publishes it as a transform alone: a message for each new transform from `odom` to the
-/// base, with the twist that lies between the last two. [ROB-1]
+/// Odometry of a robot that publishes only the transform from `odom` to the base: one message for each new transform,
+/// with the twist computed from the difference of the last two. [ROB-1]
 class TransformOdometry {
  public:
   /// `tf` must outlive it.
   TransformOdometry(const TfBridge& tf, std::string odom_frame, std::string base_frame)
       : tf_(tf), odom_frame_(std::move(odom_frame)), base_frame_(std::move(base_frame)) {}
 
-  /// None while there is no new transform, which is at least 10 ms after the last one: the velocity is a quotient.
+  /// The next message; nothing while there is no new transform. Transforms less than 10 ms after the last one are
+  /// skipped, because dividing by a short time amplifies the noise of the velocity.
   std::optional<nav_msgs::Odometry> next();
 
  private:
@@ -33,7 +34,7 @@ class TransformOdometry {
   std::optional<Odometry2> last_;
 };
 
-/// Calls `handle` with each message of odometry, whether `robot` publishes it as a topic or as a transform alone.
+/// Calls `handle` with each odometry message, whether `robot` publishes odometry as a topic or only as a transform.
 template <class Node>
 void followOdometry(NodeConnections& connections, const TfBridge& tf, const RobotModel& robot,
                     const std::string& base_frame, std::uint32_t queue_size,

@@ -17,7 +17,7 @@ StampOrder::Verdict StampOrder::judge(const std::string& child, Time stamp, Time
     stamps.erase(stamps.begin(), stamps.lower_bound(std::max(newest, stamp) - kept_));
     return Verdict::kKeep;
   }
-  // Of two stamps so far apart the one that is nearer to the clock is the true one.
+  // If two stamps are that far apart, the one nearer to the clock is taken for the right one.
   if (newest <= now || apart(stamp, now) >= apart(newest, now)) return Verdict::kTooOld;
   clear();
   stamps_[child] = {stamp};

@@ -9,15 +9,16 @@
 
 namespace frontier_pilot {
 
-/// Tells transforms that are too old for a TF buffer from those that only look old beside a single one of the future,
-/// which would otherwise hide every true transform until its time has come. [FLT-1]
+/// Tells transforms that are too old for a TF buffer from those that only look old because a single transform of their
+/// frame had a stamp in the future. That one would otherwise make the buffer reject all correct transforms until its
+/// time has come. [FLT-1]
 class StampOrder {
  public:
   enum class Verdict {
     kKeep,
-    kRepeated,       ///< there is a transform of this frame and stamp already, and tf2 would log that there is
-    kTooOld,         ///< older than the buffer keeps, beside the newest of this frame
-    kForgetAndKeep,  ///< the newest of this frame is of the future: the buffer has to be emptied first
+    kRepeated,       ///< a transform of this frame has this stamp already: tf2 would log a warning for each one
+    kTooOld,         ///< compared with the newest of this frame, older than the buffer keeps
+    kForgetAndKeep,  ///< the newest of this frame lies in the future: clear the buffer, then keep this one
   };
 
   /// `kept`: how long the buffer keeps a transform.

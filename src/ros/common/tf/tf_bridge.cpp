@@ -11,7 +11,7 @@ namespace frontier_pilot {
 
 namespace {
 
-/// TF's own wait runs on ROS time and would hang on a clock that stands still.
+/// Waits on steady time: TF's own wait runs on ROS time and would hang while the clock stands still.
 std::optional<geometry_msgs::TransformStamped> wait(const tf2_ros::Buffer& buffer, const std::string& target,
                                                     const std::string& source, Time stamp, Duration timeout,
                                                     std::string* why) {
@@ -19,7 +19,7 @@ std::optional<geometry_msgs::TransformStamped> wait(const tf2_ros::Buffer& buffe
   while (true) {
     try {
       return buffer.lookupTransform(target, source, toRosTime(stamp));
-    } catch (const std::exception& error) {  // not only TF's own: the arithmetic of ROS time throws, too
+    } catch (const std::exception& error) {  // not only TF's exceptions: the arithmetic of ROS time throws, too
       if (steadyNow() >= deadline) {
         if (why != nullptr) *why = error.what();
         return std::nullopt;

@@ -15,25 +15,26 @@
 
 namespace frontier_pilot {
 
-/// TF, in one place. A lookup that fails gives std::nullopt, never the identity.
+/// The nodes' access to TF. A lookup that fails gives std::nullopt, never the identity.
 class TfBridge {
  public:
   TfBridge();
 
-  /// `T_target_source` at `stamp`; Time{} is the latest there is. Waits for it at most `timeout` of steady time, so
-  /// that a simulated clock that stands still cannot hold the node. `why`, if given, gets TF's own words.
+  /// `T_target_source` at `stamp`; Time{} means the latest available. Waits for it at most `timeout` of steady time, so
+  /// that a simulated clock that stands still cannot block the node. `why`, if given, receives TF's error message.
   std::optional<Pose2> lookup(const std::string& target, const std::string& source, Time stamp,
                               Duration timeout = Duration::zero(), std::string* why = nullptr) const;
   /// The same in three dimensions, for a sensor's mount.
   std::optional<Eigen::Isometry3d> lookup3d(const std::string& target, const std::string& source, Time stamp,
                                             Duration timeout = Duration::zero(), std::string* why = nullptr) const;
-  /// When the latest `T_target_source` is from: the lookup that an age is judged by.
+  /// The stamp of the latest `T_target_source`, for judging its age.
   std::optional<Time> latestStamp(const std::string& target, const std::string& source) const;
 
-  /// Publishes `T_target_source`: `target` becomes the parent of `source`. Once a stamp: TF keeps the first and warns
-  /// of others, and a timer that catches up with a simulated clock ticks several times at one time.
+  /// Publishes `T_target_source`: `target` becomes the parent of `source`. Only once for each stamp, because TF keeps
+  /// the first and warns of others, and a timer that catches up with a simulated clock may tick several times at one
+  /// stamp.
   void broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source, Time stamp);
-  /// The same for ever (latched).
+  /// Publishes a static transform (latched); `height` is the z coordinate of `source` in `target` [m].
   void broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,
                        double height = 0.0);
 
@@ -45,7 +46,7 @@ class TfBridge {
   TfListener listener_;
   tf2_ros::TransformBroadcaster broadcaster_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
-  std::map<std::string, Time> sent_;  ///< the stamp sent last, by source
+  std::map<std::string, Time> sent_;  ///< the last stamp sent, by `source` frame
 };
 
 }  // namespace frontier_pilot

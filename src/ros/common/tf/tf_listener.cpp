@@ -12,10 +12,10 @@ namespace frontier_pilot {
 namespace {
 
 constexpr double kListenPeriod = 0.01;                   // [s]
-constexpr std::uint32_t kTfQueue = 100;                  // as TransformListener has
-constexpr Duration kMargin = std::chrono::seconds(600);  // from the end of ROS time, for what tf2 adds to a stamp
+constexpr std::uint32_t kTfQueue = 100;                  // as in tf2_ros::TransformListener
+constexpr Duration kMargin = std::chrono::seconds(600);  // before the end of ROS time, for what tf2 adds to a stamp
 
-/// As tf2 does: "/base" and "base" are the same frame.
+/// The frame without a leading slash: to tf2 "/base" and "base" are the same frame.
 std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
 
 bool isPrintable(const std::string& frame) { return printable(frame, bounds::kMostName) == frame; }
@@ -72,7 +72,7 @@ void TfListener::run() {
 }
 
 void TfListener::watchClock() {
-  // Static transforms stay: they are of no time.
+  // Static transforms stay in the buffer: they hold at any time.
   if (trust_.observe({rosNow(), steadyNow()}) == TrustChange::kNone) return;
   buffer_.clear();
   order_.clear();
@@ -86,9 +86,9 @@ void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
       refuse(why);
     } else if (contradictsAFixedOne(transform, is_static)) {
       refuse("'" + plain(transform.child_frame_id) +
-             "' is fixed elsewhere already: start the nodes anew if it has moved");
+             "' already has another static transform: restart the nodes if it has been moved");
     } else if (!mayKeep(transform)) {
-      refuse("there are 1000 frames already");
+      refuse("more than 1000 frames");
     } else if (isOfItsTime(transform, is_static, now)) {
       buffer_.setTransform(transform, "", is_static);
     }
@@ -105,10 +105,10 @@ bool TfListener::isOfItsTime(const geometry_msgs::TransformStamped& transform, b
       refuse("'" + child + "' has this stamp already: is it published twice?");
       return false;
     case StampOrder::Verdict::kTooOld:
-      refuse("older than the buffer keeps");
+      refuse("older than the TF buffer keeps");
       return false;
     case StampOrder::Verdict::kForgetAndKeep:
-      refuse("'" + child + "' had a stamp of the future: all transforms before are forgotten");
+      refuse("'" + child + "' had a stamp in the future: all earlier transforms are dropped");
       buffer_.clear();
       return true;
   }
@@ -138,7 +138,7 @@ bool TfListener::contradictsAFixedOne(const geometry_msgs::TransformStamped& tra
   }
   if (plain(known->second.header.frame_id) != plain(transform.header.frame_id)) return true;
   if (!is_static) return false;
-  constexpr double kSame = 1e-3;  // of each entry of the matrices: [m] and about [rad]
+  constexpr double kSame = 1e-3;  // greatest difference of an entry of the matrices: [m], and about [rad]
   const auto before = toIsometry(known->second.transform), now = toIsometry(transform.transform);
   return !before || !now || (before->matrix() - now->matrix()).cwiseAbs().maxCoeff() > kSame;
 }

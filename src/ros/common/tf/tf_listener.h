@@ -22,13 +22,13 @@
 
 namespace frontier_pilot {
 
-/// What is wrong with a transform; null if nothing is. A static one holds at any time.
+/// What is wrong with a transform; null if nothing is. The stamp of a static one may lie in the future.
 const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now, bool is_static);
 
 /// Fills a TF buffer from /tf and /tf_static on a thread of its own, as tf2_ros::TransformListener does. Unlike that
-/// one it refuses and counts what cannot be, keeps a bounded number of frames, forgets what the clock's jumps have
-/// brought, and never throws. What is fixed stays: of two static transforms of one frame that differ the first holds,
-/// for a scanner that is turned by a stranger's message would have the robot drive into walls. [FLT-1]
+/// one it refuses and counts invalid transforms, keeps a bounded number of frames, clears the buffer when the clock
+/// jumps, and never throws. If two static transforms of one frame differ, the first one holds: a message of another
+/// node that turned the scanner would make the robot drive into walls. [FLT-1]
 class TfListener {
  public:
   explicit TfListener(tf2_ros::Buffer& buffer);
@@ -45,9 +45,9 @@ class TfListener {
   void take(const tf2_msgs::TFMessage& msg, bool is_static);
   void refuse(const std::string& why);
   bool mayKeep(const geometry_msgs::TransformStamped& transform);
-  /// Whether the child's frame is fixed to another place already.
+  /// Whether the child frame already has a static transform that differs from this one.
   bool contradictsAFixedOne(const geometry_msgs::TransformStamped& transform, bool is_static);
-  /// Whether its stamp is to be believed; empties the buffer where that of the one before was not.
+  /// Whether its stamp is plausible. If an earlier stamp turns out to have been in the future, the buffer is cleared.
   bool isOfItsTime(const geometry_msgs::TransformStamped& transform, bool is_static, Time now);
 
   tf2_ros::Buffer& buffer_;
@@ -55,15 +55,15 @@ class TfListener {
   StampOrder order_;
   CallbackGuard guard_;
   UnreadableMessages unreadable_;
-  mutable std::mutex mutex_;  ///< of what is refused
+  mutable std::mutex mutex_;  ///< guards the rejections
   Rejections rejections_{"transform"};
-  std::set<std::string> frames_;                                  ///< that the buffer knows
+  std::set<std::string> frames_;                                  ///< known to the buffer
   std::map<std::string, geometry_msgs::TransformStamped> fixed_;  ///< the static ones, by child
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::Subscriber transforms_, static_transforms_;
   std::atomic<bool> ending_{false};
-  std::thread thread_;  ///< the last member: everything else is there before it starts
+  std::thread thread_;  ///< the last member: it starts when all others are constructed
 };
 
 }  // namespace frontier_pilot
