@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "frontier_pilot/exploration/explorer.h"
+#include "exploration/explorer_impl.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -18,7 +18,7 @@ std::string describeGoal(const char* what, const Frontier& frontier) {
 }  // namespace
 
 /// One step, and as many more as the new states want at the same instant.
-void Explorer::step(Time now) {
+void Explorer::Impl::step(Time now) {
   constexpr int kMaxSteps = 6;
   for (int i = 0; i < kMaxSteps; ++i) {
     const std::size_t transitions = out_.transitions.size();
@@ -42,7 +42,7 @@ void Explorer::step(Time now) {
   }
 }
 
-void Explorer::selectGoal(Time now) {
+void Explorer::Impl::selectGoal(Time now) {
   // While it only waits for what the map may yet show, a map that has not changed need not be judged again.
   const bool waiting = nothing_left_since_ || status_.reason == ExplorerReason::kRobotOffKnownGround;
   const bool news = judged_changes_ != evaluator_.map().changes();
@@ -65,7 +65,7 @@ void Explorer::selectGoal(Time now) {
 }
 
 /// What is still worth a try when no frontier can be selected as things are. Gives whether something was done.
-bool Explorer::retryOtherwise(Time now) {
+bool Explorer::Impl::retryOtherwise(Time now) {
   if (status_.phase == ExplorerPhase::kRich) {
     status_.phase = ExplorerPhase::kCoverage;
     enter(ExplorerState::kSelectGoal, ExplorerReason::kRichFrontiersExhausted, "", now);
@@ -82,7 +82,7 @@ bool Explorer::retryOtherwise(Time now) {
 }
 
 /// Drives a little away, so that what is left close by is far enough to be a goal.
-bool Explorer::stepBack(Time now) {
+bool Explorer::Impl::stepBack(Time now) {
   constexpr int kMaxStepBacks = 3;  // in a row: what three approaches do not show stays unseen
   const std::optional<Vec2> place = evaluator_.placeToStepBackTo(T_map_base_->position());
   if (!place || step_backs_ >= kMaxStepBacks) return false;
@@ -94,7 +94,7 @@ bool Explorer::stepBack(Time now) {
   return true;
 }
 
-void Explorer::finish(Time now) {
+void Explorer::Impl::finish(Time now) {
   nothing_left_since_.reset();
   done_reason_ = whyNothingIsLeft();
   if (done_reason_ == ExplorerReason::kTooManyFrontiers) note(true, toString(*done_reason_));
@@ -102,19 +102,19 @@ void Explorer::finish(Time now) {
   enter(ExplorerState::kDone, *done_reason_, "", now);
 }
 
-ExplorerReason Explorer::whyNothingIsLeft() const {
+ExplorerReason Explorer::Impl::whyNothingIsLeft() const {
   if (evaluator_.tooMany() || evaluator_.leftOut() > 0) return ExplorerReason::kTooManyFrontiers;
   return evaluator_.anyBlacklistedInTheOpen() ? ExplorerReason::kAllBlacklisted : ExplorerReason::kNoReachableFrontier;
 }
 
-void Explorer::returnToStart(Time now) {
+void Explorer::Impl::returnToStart(Time now) {
   Goal goal;
   goal.position = start_->position();
   goal.returning = true;
   send(goal, start_->yaw, ExplorerReason::kReturningToStart, "", now);
 }
 
-void Explorer::navigate(Time now) {
+void Explorer::Impl::navigate(Time now) {
   if (!goal_) return;
   if (passed(goal_->sent, parameters_.goal_timeout, now)) {
     const Goal goal = *goal_;
@@ -134,14 +134,14 @@ void Explorer::navigate(Time now) {
 }
 
 /// Whether the goal has been seen from afar on the way. [EXP-6]
-bool Explorer::informationGone() {
+bool Explorer::Impl::informationGone() {
   const double left = evaluator_.infoAt(goal_->position).area;
   return left < evaluator_.leastInfo() || left < parameters_.vanished_share * goal_->info_area;
 }
 
 /// Where thin things flicker between free and occupied, what lies behind them comes into sight and goes again with
 /// every scan. A place whose information has come and gone several times is not worth another way.
-void Explorer::noteVanished() {
+void Explorer::Impl::noteVanished() {
   constexpr double kSamePlace = 0.5;  // [m]
   constexpr int kMaxTimes = 2;
   const auto times = std::count_if(vanished_.begin(), vanished_.end(),
@@ -151,7 +151,7 @@ void Explorer::noteVanished() {
 }
 
 /// A goal that still promises what it promised before it was reached will never show it.
-void Explorer::evaluateArrival(Time now) {
+void Explorer::Impl::evaluateArrival(Time now) {
   if (done_reason_) {
     enter(ExplorerState::kDone, *done_reason_, "", now);
     done_reason_.reset();
@@ -170,7 +170,7 @@ void Explorer::evaluateArrival(Time now) {
   enter(ExplorerState::kSelectGoal, status_.reason, status_.reason_text, now);
 }
 
-void Explorer::stayDone(Time now) {
+void Explorer::Impl::stayDone(Time now) {
   if (judged_changes_ == evaluator_.map().changes() || !passed(last_decision_, parameters_.decision_period, now))
     return;
   if (!judgeAndChoose(false, now)) return;
@@ -181,7 +181,7 @@ void Explorer::stayDone(Time now) {
 }
 
 /// Chooses a goal and sends it, unless it is the present one. Gives whether there is a goal now.
-bool Explorer::decide(ExplorerReason reason, Time now) {
+bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   constexpr double kSameGoal = 0.3;  // [m]
   if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
   const std::optional<GoalCandidate> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
@@ -198,7 +198,7 @@ bool Explorer::decide(ExplorerReason reason, Time now) {
 
 /// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has
 /// come too near to its goal to be sent there is not to turn away from it.
-std::optional<GoalCandidate> Explorer::judgeAndChoose(bool keep_present, Time now) {
+std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
   blacklist_.expire(evaluator_.map());
   fruitless_.expire(evaluator_.map());
   const bool rich = status_.phase == ExplorerPhase::kRich;

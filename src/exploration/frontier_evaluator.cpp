@@ -1,8 +1,9 @@
-#include "frontier_pilot/exploration/frontier_evaluator.h"
+#include "exploration/frontier_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "exploration/view_gain.h"
 #include "frontier_pilot/core/bounds.h"
 
 namespace frontier_pilot::exploration {

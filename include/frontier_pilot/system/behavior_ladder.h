@@ -4,6 +4,7 @@
 
 #include "frontier_pilot/behavior/timed_behavior.h"
 #include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/navigation/parameters.h"
 #include "frontier_pilot/navigation/recovery.h"
 
 /// The navigator's recoveries out of the timed behaviours: what drives the actions back_up and spin drives these too.
@@ -11,8 +12,9 @@
 namespace frontier_pilot::system {
 
 /// Looks ahead by the navigator's live scan: a motion is free unless it brings something into `outline`, the robot's
-/// with its margin, or nearer to its middle than it is. A disc may always turn. `scan` must outlive it.
-behavior::LookAhead lookAtScan(const navigation::ScanPoints& scan, const Outline& outline);
+/// with its margin, or nearer to its middle than it is. A disc may always turn. What
+/// `scan_distance` refers to must outlive it.
+behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, const Outline& outline);
 
 /// The goal as far as it is free: a robot that is no disc may have room for a part of it only, and that may be enough
 /// to turn. Of a disc's goals nothing is left out.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/exploration/blacklist.h"
+#include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
 
 namespace frontier_pilot {
@@ -16,7 +16,7 @@ namespace frontier_pilot {
 /// frontiers in grey, by reason (`rejected: too near`), each with its reason as text. The too small and the left
 /// out ones, of which there can be thousands, carry it in the namespace alone.
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
-                                                    const std::vector<exploration::Blacklist::Entry>& blacklist,
+                                                    const std::vector<exploration::BlacklistedPlace>& blacklist,
                                                     const GridGeometry& geometry, const std::string& frame, Time stamp);
 
 }  // namespace frontier_pilot

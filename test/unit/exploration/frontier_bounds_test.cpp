@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exploration/frontier_evaluator.h"
+#include "exploration/frontier_search.h"
 #include "explorer_fixture.h"
 #include "frontier_pilot/core/bounds.h"
 

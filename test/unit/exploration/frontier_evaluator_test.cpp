@@ -1,9 +1,10 @@
-#include "frontier_pilot/exploration/frontier_evaluator.h"
+#include "exploration/frontier_evaluator.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "exploration/view_gain.h"
 #include "frontier_pilot/core/robot_model.h"
 #include "support/ascii_world.h"
 #include "support/shipped_robot.h"

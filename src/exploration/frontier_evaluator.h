@@ -1,23 +1,20 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "exploration/blacklist.h"
+#include "exploration/frontier_search.h"
+#include "exploration/goal_score.h"
+#include "exploration/observed_map.h"
+#include "exploration/travel_field.h"
 #include "frontier_pilot/core/outline.h"
-#include "frontier_pilot/exploration/blacklist.h"
+#include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
-#include "frontier_pilot/exploration/frontier_search.h"
-#include "frontier_pilot/exploration/goal_score.h"
-#include "frontier_pilot/exploration/observed_map.h"
-#include "frontier_pilot/exploration/travel_field.h"
+#include "frontier_pilot/exploration/parameters.h"
 
 namespace frontier_pilot::exploration {
-
-/// Length [m] of the way between two points, or nothing where there is none. A caller with a better planner may hand it
-/// to the explorer; without one the explorer's own wavefront answers.
-using PlanFn = std::function<std::optional<double>(const Vec2& from, const Vec2& to)>;
 
 /// From the map to judged frontiers: search, goals, filters, information. Holds what is worth keeping between
 /// decisions, so that one costs the changed block, one wavefront, and views near the change.
