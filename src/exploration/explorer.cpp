@@ -47,22 +47,18 @@ const std::vector<Frontier>& Explorer::frontiersWithCells() {
   return frontiers();
 }
 const GridGeometry& Explorer::geometry() const { return impl_->evaluator().map().geometry(); }
-const std::vector<BlacklistedPlace>& Explorer::blacklist() const { return impl_->blacklist().entries(); }
+const std::vector<BlacklistedPlace>& Explorer::blacklist() const { return impl_->history().blacklist(); }
 const std::optional<Pose2>& Explorer::goal() const { return impl_->goal(); }
 
 Explorer::Impl::Impl(const ExplorerParameters& parameters)
     : parameters_(parameters),
       evaluator_(parameters.frontier, parameters.robot.drivenOutline()),
-      blacklist_(parameters.blacklist),
-      fruitless_(
-          {parameters.blacklist.radius / 2, parameters.blacklist.change_radius, parameters.blacklist.change_cells}) {}
+      history_(parameters.blacklist, parameters.max_goal_retries) {}
 
 void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
   const bool new_geometry = map.geometry() != evaluator_.map().geometry();
   evaluator_.setMap(map, changed);
-  if (!new_geometry) return;
-  blacklist_.rebase(evaluator_.map());
-  fruitless_.rebase(evaluator_.map());
+  if (new_geometry) history_.rebase(evaluator_.map());
 }
 
 ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
@@ -105,12 +101,7 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
 }
 
 void Explorer::Impl::reset(Time now) {
-  blacklist_.reset();
-  fruitless_.reset();
-  visited_.clear();
-  failures_.clear();
-  vanished_.clear();
-  blacklist_retried_ = false;
+  history_.reset();
   step_backs_ = 0;
   nothing_left_since_.reset();
   done_reason_.reset();
@@ -175,29 +166,29 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
     case GoalEvent::Kind::kReached:
       ++status_.goals_reached;
       arrived_ = goal;
-      visited_.push_back(goal.position);
+      history_.reached(goal.position);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalReached, "", now);
     case GoalEvent::Kind::kPreempted:
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalPreempted, event.text, now);
     case GoalEvent::Kind::kAborted:
     case GoalEvent::Kind::kRejected:
-      goalFailed(goal, event.text, now);
+      goalFailed(goal, event.text);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, event.text, now);
   }
 }
 
-/// Blacklists a goal that has failed once more often than it may be tried again. [EXP-5]
-void Explorer::Impl::goalFailed(const Goal& goal, const std::string& what, Time now) {
+/// What a goal failed for that steps back or returns says nothing of a frontier.
+void Explorer::Impl::goalFailed(const Goal& goal, const std::string& what) {
   ++status_.goals_failed;
   if (goal.returning || goal.stepping_back) return;
-  failures_.push_back(goal.position);
-  const auto times = std::count_if(failures_.begin(), failures_.end(), [&](const Vec2& failed) {
-    return (failed - goal.position).norm() <= parameters_.blacklist.radius;
-  });
-  const bool timed_out = now - goal.sent >= fromSeconds(parameters_.goal_timeout);
-  if (times <= parameters_.max_goal_retries && !timed_out) return;
-  blacklist_.add(goal.position, what, evaluator_.map());
-  note(true, "goal blacklisted: " + what);
+  if (history_.failed(goal.position, what, evaluator_.map())) note(true, "goal blacklisted: " + what);
+}
+
+void Explorer::Impl::goalTimedOut(const Goal& goal) {
+  ++status_.goals_failed;
+  if (goal.returning || goal.stepping_back) return;
+  history_.timedOut(goal.position, evaluator_.map());
+  note(true, "goal blacklisted: timed out");
 }
 
 void Explorer::Impl::cancelGoal() {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "exploration/blacklist.h"
 #include "exploration/frontier_evaluator.h"
+#include "exploration/goal_history.h"
 #include "exploration/goal_score.h"
 #include "frontier_pilot/exploration/explorer.h"
 
@@ -25,7 +25,7 @@ class Explorer::Impl {
 
   FrontierEvaluator& evaluator() { return evaluator_; }
   const FrontierEvaluator& evaluator() const { return evaluator_; }
-  const Blacklist& blacklist() const { return blacklist_; }
+  const GoalHistory& history() const { return history_; }
   const std::optional<Pose2>& goal() const { return goal_pose_; }
 
  private:
@@ -48,7 +48,8 @@ class Explorer::Impl {
   void stopFor(const std::vector<ExplorerReason>& missing, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
   void handleEvent(const GoalEvent& event, Time now);
-  void goalFailed(const Goal& goal, const std::string& what, Time now);
+  void goalFailed(const Goal& goal, const std::string& what);
+  void goalTimedOut(const Goal& goal);
 
   void step(Time now);
   void selectGoal(Time now);
@@ -60,7 +61,6 @@ class Explorer::Impl {
   std::optional<GoalCandidate> judgeAndChoose(bool keep_present, Time now);
   std::size_t countRejected(Rejection rejection) const;
   bool informationGone();
-  void noteVanished();
   bool retryOtherwise(Time now);
   bool stepBack(Time now);
   void finish(Time now);
@@ -75,8 +75,7 @@ class Explorer::Impl {
 
   ExplorerParameters parameters_;
   FrontierEvaluator evaluator_;
-  Blacklist blacklist_;
-  Blacklist fruitless_;
+  GoalHistory history_;
 
   ExplorerOutput out_;
   ExplorerProgress status_;
@@ -91,13 +90,9 @@ class Explorer::Impl {
   Time state_since_;
   Time last_check_;
   Time last_decision_;
-  std::vector<Vec2> visited_;   ///< goals reached [m]
-  std::vector<Vec2> failures_;  ///< goals failed [m]
-  std::vector<Vec2> vanished_;  ///< goals dropped because nothing was left to see there [m]
   std::uint32_t next_goal_id_ = 1;
   std::uint64_t judged_changes_ = 0;  ///< of the map, at the last decision
   bool was_running_ = false;
-  bool blacklist_retried_ = false;
   int step_backs_ = 0;
   std::optional<ExplorerReason> done_reason_;  ///< on the way back to the start
 };

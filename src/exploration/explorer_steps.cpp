@@ -72,10 +72,7 @@ bool Explorer::Impl::retryOtherwise(Time now) {
     return true;
   }
   if (countRejected(Rejection::kTooNear) > 0 && stepBack(now)) return true;
-  if (countRejected(Rejection::kBlacklisted) == 0 || blacklist_retried_) return false;
-  blacklist_retried_ = true;
-  blacklist_.clear();
-  failures_.clear();
+  if (countRejected(Rejection::kBlacklisted) == 0 || !history_.retryBlacklisted()) return false;
   note(true, toString(ExplorerReason::kBlacklistSaturated));
   enter(ExplorerState::kSelectGoal, ExplorerReason::kBlacklistSaturated, "", now);
   return true;
@@ -119,13 +116,13 @@ void Explorer::Impl::navigate(Time now) {
   if (passed(goal_->sent, parameters_.goal_timeout, now)) {
     const Goal goal = *goal_;
     cancelGoal();
-    goalFailed(goal, "timed out", now);
+    goalTimedOut(goal);
     return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalTimedOut, "", now);
   }
   if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
   last_check_ = now;
   if (informationGone()) {
-    noteVanished();
+    history_.vanished(goal_->position, evaluator_.map());
     if (decide(ExplorerReason::kInformationGone, now)) return;
     cancelGoal();
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
@@ -137,17 +134,6 @@ void Explorer::Impl::navigate(Time now) {
 bool Explorer::Impl::informationGone() {
   const double left = evaluator_.infoAt(goal_->position).area;
   return left < evaluator_.leastInfo() || left < parameters_.vanished_share * goal_->info_area;
-}
-
-/// Where thin things flicker between free and occupied, what lies behind them comes into sight and goes again with
-/// every scan. A place whose information has come and gone several times is not worth another way.
-void Explorer::Impl::noteVanished() {
-  constexpr double kSamePlace = 0.5;  // [m]
-  constexpr int kMaxTimes = 2;
-  const auto times = std::count_if(vanished_.begin(), vanished_.end(),
-                                   [&](const Vec2& place) { return (place - goal_->position).norm() < kSamePlace; });
-  vanished_.push_back(goal_->position);
-  if (times >= kMaxTimes) fruitless_.add(goal_->position, "what it was to show came and went", evaluator_.map());
 }
 
 /// A goal that still promises what it promised before it was reached will never show it.
@@ -162,8 +148,7 @@ void Explorer::Impl::evaluateArrival(Time now) {
     const double left = evaluator_.infoAt(arrived_->position).area;
     const bool promising = left >= evaluator_.leastInfo() && left > arrived_->info_area / 2;
     if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
-    if (promising)
-      fruitless_.add(arrived_->position, "reached, and what it was to show stayed unknown", evaluator_.map());
+    if (promising) history_.stayedUnknown(arrived_->position, evaluator_.map());
   }
   arrived_.reset();
   goal_pose_.reset();
@@ -175,7 +160,7 @@ void Explorer::Impl::stayDone(Time now) {
     return;
   if (!judgeAndChoose(false, now)) return;
   status_.phase = ExplorerPhase::kRich;
-  blacklist_retried_ = false;
+  history_.allowRetry();
   step_backs_ = 0;
   enter(ExplorerState::kSelectGoal, ExplorerReason::kMapChanged, "", now);
 }
@@ -199,11 +184,10 @@ bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
 /// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has
 /// come too near to its goal to be sent there is not to turn away from it.
 std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
-  blacklist_.expire(evaluator_.map());
-  fruitless_.expire(evaluator_.map());
+  history_.expire(evaluator_.map());
   const bool rich = status_.phase == ExplorerPhase::kRich;
-  evaluator_.evaluate({T_map_base_->position(), start_->position(), &blacklist_, &fruitless_, &visited_,
-                       rich ? parameters_.rich_min_density : 0.0});
+  evaluator_.evaluate(
+      {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0});
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;

@@ -22,11 +22,6 @@ std::vector<Cell> discOffsets(int radius) {
   return offsets;
 }
 
-int countNear(const std::vector<Vec2>& points, const Vec2& centre, double radius) {
-  return static_cast<int>(std::count_if(points.begin(), points.end(),
-                                        [&](const Vec2& point) { return (point - centre).norm() <= radius; }));
-}
-
 /// The clearance of ways while anything else is left: no trap, and room to turn right round all along.
 double roomyClearance(const FrontierParameters& parameters, const Outline& driven) {
   return std::max(driven.halfWidth() + parameters.clearance_margin + parameters.trap_margin,
@@ -201,12 +196,10 @@ void FrontierEvaluator::adoptGoal(Frontier& frontier, const GoalCell& goal, cons
   frontier.heading = bearing(towards.isZero() ? Vec2(frontier.goal - context.robot) : towards);
   frontier.distance = travel_.distance(goal.cell);
   frontier.obstacle_density = goal.obstacle_density;
-  if (context.visited != nullptr) {
-    frontier.visits = countNear(*context.visited, frontier.goal, parameters_.visit_radius);
-  }
-  const auto listed = [&](const Blacklist* list) { return list != nullptr && list->find(frontier.goal) != nullptr; };
-  if (listed(context.fruitless)) frontier.rejection = Rejection::kFruitless;
-  if (listed(context.blacklist)) frontier.rejection = Rejection::kBlacklisted;
+  if (context.history == nullptr) return;
+  frontier.visits = context.history->visits(frontier.goal, parameters_.visit_radius);
+  const Rejection learned = context.history->judge(frontier.goal);
+  if (learned != Rejection::kNone) frontier.rejection = learned;
 }
 
 Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& context) {

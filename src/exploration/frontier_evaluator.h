@@ -4,8 +4,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "exploration/blacklist.h"
 #include "exploration/frontier_search.h"
+#include "exploration/goal_history.h"
 #include "exploration/goal_score.h"
 #include "exploration/observed_map.h"
 #include "exploration/travel_field.h"
@@ -31,10 +31,8 @@ class FrontierEvaluator {
   struct Context {
     Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
     Vec2 start = Vec2::Zero();  ///< where it was first [m]
-    const Blacklist* blacklist = nullptr;
-    const Blacklist* fruitless = nullptr;
-    const std::vector<Vec2>* visited = nullptr;  ///< goals reached so far [m]
-    double rich_min_density = 0.0;               ///< of selectable frontiers; 0 for all
+    const GoalHistory* history = nullptr;
+    double rich_min_density = 0.0;  ///< of selectable frontiers; 0 for all
   };
   /// Every frontier of the map with its goal or the reason why it has none.
   const std::vector<Frontier>& evaluate(const Context& context);
