@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,7 @@
 namespace frontier_pilot::exploration {
 
 /// The explorer's state machine: inputs, events and transitions in explorer.cpp, what is done in each state in
-/// explorer_steps.cpp.
+/// explorer_steps.cpp, what is tried when nothing ordinary is left in fall_backs.cpp.
 class Explorer::Impl {
  public:
   explicit Impl(const ExplorerParameters& parameters);
@@ -39,6 +40,18 @@ class Explorer::Impl {
     bool stepping_back = false;  ///< from what is too near to be a goal
   };
 
+  /// What is tried when no frontier can be selected as things are.
+  struct FallBack {
+    enum class Scope {
+      kEveryDecision,  ///< judges the same map in another way; may give the robot another goal while it drives
+      kWithoutGoal,    ///< changes what the next decision goes by, or sends a goal of its own
+    };
+    const char* name;
+    Scope scope;
+    bool (Impl::*attempt)(Time now);  ///< gives whether it helped
+  };
+  static const std::array<FallBack, 5> kFallBacks;
+
   void trackMotion(const ExplorerInputs& inputs);
   bool clockJumped(Time now) const;
   void forgetTime(Time now);
@@ -61,8 +74,15 @@ class Explorer::Impl {
   std::optional<GoalCandidate> judgeAndChoose(bool keep_present, Time now);
   std::size_t countRejected(Rejection rejection) const;
   bool informationGone();
-  bool retryOtherwise(Time now);
+  FrontierEvaluator::Context context() const;
+
+  const FallBack* fallBack(FallBack::Scope scope, Time now);
+  bool judgeTightWays(Time now);
+  bool judgeWaysFromStart(Time now);
+  bool goOnToCoverage(Time now);
   bool stepBack(Time now);
+  bool retryBlacklisted(Time now);
+
   void finish(Time now);
   ExplorerReason whyNothingIsLeft() const;
   void returnToStart(Time now);
@@ -94,6 +114,7 @@ class Explorer::Impl {
   std::uint64_t judged_changes_ = 0;  ///< of the map, at the last decision
   bool was_running_ = false;
   int step_backs_ = 0;
+  const FallBack* judged_by_ = nullptr;        ///< at the last decision; null when it needed none
   std::optional<ExplorerReason> done_reason_;  ///< on the way back to the start
 };
 

@@ -61,34 +61,7 @@ void Explorer::Impl::selectGoal(Time now) {
     nothing_left_since_.reset();
     return;
   }
-  if (!retryOtherwise(now) && !nothing_left_since_) nothing_left_since_ = now;
-}
-
-/// What is still worth a try when no frontier can be selected as things are. Gives whether something was done.
-bool Explorer::Impl::retryOtherwise(Time now) {
-  if (status_.phase == ExplorerPhase::kRich) {
-    status_.phase = ExplorerPhase::kCoverage;
-    enter(ExplorerState::kSelectGoal, ExplorerReason::kRichFrontiersExhausted, "", now);
-    return true;
-  }
-  if (countRejected(Rejection::kTooNear) > 0 && stepBack(now)) return true;
-  if (countRejected(Rejection::kBlacklisted) == 0 || !history_.retryBlacklisted()) return false;
-  note(true, toString(ExplorerReason::kBlacklistSaturated));
-  enter(ExplorerState::kSelectGoal, ExplorerReason::kBlacklistSaturated, "", now);
-  return true;
-}
-
-/// Drives a little away, so that what is left close by is far enough to be a goal.
-bool Explorer::Impl::stepBack(Time now) {
-  constexpr int kMaxStepBacks = 3;  // in a row: what three approaches do not show stays unseen
-  const std::optional<Vec2> place = evaluator_.placeToStepBackTo(T_map_base_->position());
-  if (!place || step_backs_ >= kMaxStepBacks) return false;
-  ++step_backs_;
-  Goal goal;
-  goal.position = *place;
-  goal.stepping_back = true;
-  send(goal, T_map_base_->yaw, ExplorerReason::kGoalSent, "stepping back from a frontier that is too near", now);
-  return true;
+  if (fallBack(FallBack::Scope::kWithoutGoal, now) == nullptr && !nothing_left_since_) nothing_left_since_ = now;
 }
 
 void Explorer::Impl::finish(Time now) {
@@ -177,17 +150,22 @@ bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   Goal goal;
   goal.position = frontier.goal;
   goal.info_area = frontier.info.area;
-  send(goal, frontier.heading, reason, describeGoal(toString(reason), frontier), now);
+  const std::string found_by = judged_by_ != nullptr ? std::string(", by ") + judged_by_->name : "";
+  send(goal, frontier.heading, reason, describeGoal(toString(reason), frontier) + found_by, now);
   return true;
+}
+
+FrontierEvaluator::Context Explorer::Impl::context() const {
+  const bool rich = status_.phase == ExplorerPhase::kRich;
+  return {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0};
 }
 
 /// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has
 /// come too near to its goal to be sent there is not to turn away from it.
 std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
   history_.expire(evaluator_.map());
-  const bool rich = status_.phase == ExplorerPhase::kRich;
-  evaluator_.evaluate(
-      {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0});
+  judged_by_ = nullptr;
+  if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;

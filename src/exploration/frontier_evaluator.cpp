@@ -51,26 +51,27 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   return !differing.empty();
 }
 
-/// Ways that keep clear of unknown ground come first: a gap whose sides have yet to be seen may prove too narrow when
-/// the robot is in it. Only when nothing else is left such ways count; and where the robot seems to be cut off, what
-/// can be reached from its start: it has come from there, and the navigation may know how to go back.
-const std::vector<Frontier>& FrontierEvaluator::evaluate(const Context& context) {
+bool FrontierEvaluator::evaluate(const Context& context) {
   frontiers_.clear();
-  if (map_.empty()) return frontiers_;
+  if (map_.empty()) return false;
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
   const bool any = judgeAll(space_, context.robot, context);
   blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
     return frontier.rejection == Rejection::kBlacklisted;
   });
-  // Where some were left out there is no telling whether nothing else is left.
-  if (any || left_out_ > 0 || clusters_.too_many) return frontiers_;
+  return any;
+}
+
+bool FrontierEvaluator::evaluateTightWays(const Context& context) {
   tight_space_.update(map_.grid(), tight_changes_);
   tight_changes_ = {};
-  if (judgeAll(tight_space_, context.robot, context)) return frontiers_;
+  return judgeAll(tight_space_, context.robot, context);
+}
+
+bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
   const bool cut_off = robotHasGround() && !travel_.reached(map_.geometry().cellAt(context.start));
-  if (cut_off) judgeAll(tight_space_, context.start, context);
-  return frontiers_;
+  return cut_off && judgeAll(tight_space_, context.start, context);
 }
 
 /// Gives whether any frontier can be selected.

@@ -34,8 +34,14 @@ class FrontierEvaluator {
     const GoalHistory* history = nullptr;
     double rich_min_density = 0.0;  ///< of selectable frontiers; 0 for all
   };
-  /// Every frontier of the map with its goal or the reason why it has none.
-  const std::vector<Frontier>& evaluate(const Context& context);
+  /// Finds every frontier of the map and judges it: its goal, or the reason why it has none. Ways to goals keep clear
+  /// of unknown ground and have room to turn right round: a gap whose sides have yet to be seen may prove too narrow
+  /// when the robot is in it. Gives whether any frontier can be selected.
+  bool evaluate(const Context& context);
+  /// Judges the same frontiers by ways through gaps that only just fit as well.
+  bool evaluateTightWays(const Context& context);
+  /// Judges them by such ways from `context.start`, if the robot is cut off from there by the last evaluation.
+  bool evaluateWaysFromStart(const Context& context);
 
   /// The selectable ones of the last evaluation, scored, as the choice wants them.
   std::vector<GoalCandidate> candidates(const Vec2& robot);
@@ -49,6 +55,8 @@ class FrontierEvaluator {
   std::size_t leftOut() const { return left_out_; }
   /// Whether the map has so many that it gave up before it looked for any. [FLT-1]
   bool tooMany() const { return clusters_.too_many; }
+  /// Whether no frontier has been passed over for one of these two reasons.
+  bool allJudged() const { return left_out_ == 0 && !clusters_.too_many; }
   /// Whether the last evaluation found ground for the robot to move on.
   bool robotHasGround() const { return travel_.reachedCount() > 0; }
   /// A reachable place a little farther than min_distance from the robot, from where what is too near now is not.

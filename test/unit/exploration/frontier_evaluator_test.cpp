@@ -26,7 +26,9 @@ class FrontierJudgement : public ::testing::Test {
     evaluator = exploration::FrontierEvaluator(parameters, robot.drivenOutline());
     evaluator.setPlan(plan);
     evaluator.setMap(world.map, world.map.geometry().rect());
-    const auto& all = evaluator.evaluate({world.point('r'), world.point('r'), &history, 0.0});
+    const exploration::FrontierEvaluator::Context context{world.point('r'), world.point('r'), &history, 0.0};
+    if (!evaluator.evaluate(context)) evaluator.evaluateTightWays(context);
+    const auto& all = evaluator.frontiers();
     largest = *std::max_element(
         all.begin(), all.end(),
         [](const exploration::Frontier& a, const exploration::Frontier& b) { return a.cell_count < b.cell_count; });
