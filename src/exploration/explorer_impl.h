@@ -80,6 +80,7 @@ class Explorer::Impl {
   bool judgeTightWays(Time now);
   bool judgeWaysFromStart(Time now);
   bool goOnToCoverage(Time now);
+  bool anyRich();
   bool stepBack(Time now);
   bool retryBlacklisted(Time now);
 

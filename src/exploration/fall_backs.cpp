@@ -1,4 +1,5 @@
 #include <array>
+#include <string>
 
 #include "exploration/explorer_impl.h"
 
@@ -31,10 +32,15 @@ bool Explorer::Impl::judgeWaysFromStart(Time /*now*/) {
   return evaluator_.allJudged() && evaluator_.evaluateWaysFromStart(context());
 }
 
+/// The change of phase says how many frontiers are left for COVERAGE: those that can be selected although they are not
+/// rich, and those that `rich_first` has held back.
 bool Explorer::Impl::goOnToCoverage(Time now) {
   if (status_.phase == ExplorerPhase::kCoverage) return false;
   status_.phase = ExplorerPhase::kCoverage;
-  enter(ExplorerState::kSelectGoal, ExplorerReason::kRichFrontiersExhausted, "", now);
+  const std::size_t left = countRejected(Rejection::kNone) + countRejected(Rejection::kNotRich);
+  const std::string text = std::string(toString(ExplorerReason::kRichFrontiersExhausted)) +
+                           ", others that can be selected: " + std::to_string(left);
+  enter(status_.state, ExplorerReason::kRichFrontiersExhausted, text, now);
   return true;
 }
 

@@ -206,7 +206,7 @@ void FrontierEvaluator::adoptGoal(Frontier& frontier, const GoalCell& goal, cons
 Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& context) {
   frontier.info = infoAt(frontier.goal);
   if (frontier.info.area < leastInfo()) return Rejection::kNothingToSee;
-  if (frontier.info.density < context.rich_min_density) return Rejection::kNotRich;
+  if (frontier.info.density < context.least_density) return Rejection::kNotRich;
   if (!plan_) return Rejection::kNone;
   const std::optional<double> planned = plan_(context.robot, frontier.goal);
   if (!planned) return Rejection::kUnreachable;

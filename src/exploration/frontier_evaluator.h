@@ -32,7 +32,7 @@ class FrontierEvaluator {
     Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
     Vec2 start = Vec2::Zero();  ///< where it was first [m]
     const GoalHistory* history = nullptr;
-    double rich_min_density = 0.0;  ///< of selectable frontiers; 0 for all
+    double least_density = 0.0;  ///< of information, of selectable frontiers; 0 for all
   };
   /// Finds every frontier of the map and judges it: its goal, or the reason why it has none. Ways to goals keep clear
   /// of unknown ground and have room to turn right round: a gap whose sides have yet to be seen may prove too narrow

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "explorer_fixture.h"
 
 namespace frontier_pilot {
@@ -107,7 +109,10 @@ TEST_F(ExplorerInputsTest, ResetForgetsBlacklistAndPhase) {
   inputs.reset = true;
   const exploration::ExplorerOutput output = tick();
   EXPECT_TRUE(explorer.blacklist().empty());
-  EXPECT_EQ(output.status.phase, exploration::ExplorerPhase::kRich);
+  const auto reset = std::find_if(history.begin(), history.end(),
+                                  [](const exploration::ExplorerProgress& p) { return p.reason == Reason::kReset; });
+  ASSERT_NE(reset, history.end());
+  EXPECT_EQ(reset->phase, exploration::ExplorerPhase::kRich);
   EXPECT_EQ(output.status.state, State::kNavigating);
 }
 

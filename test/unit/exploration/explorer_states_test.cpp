@@ -30,25 +30,6 @@ TEST_F(ExplorerStates, GoFromIdleOverAGoalAndItsEvaluationToDone_EXP_1) {
   EXPECT_EQ(history.back().goals_reached, 1U);
 }
 
-class RichFirst : public ExplorerTest {
- protected:
-  static exploration::ExplorerParameters parameters() {
-    exploration::ExplorerParameters p = shortSighted();
-    p.rich_min_density = 0.9;
-    return p;
-  }
-  RichFirst() : ExplorerTest(parameters()) {}
-};
-
-// [EXP-1]
-TEST_F(RichFirst, PhaseCoverageFollowsWhenNoRichFrontierIsLeft_EXP_1) {
-  show(kRoom);
-  const exploration::ExplorerOutput output = tick();
-  EXPECT_EQ(output.status.phase, exploration::ExplorerPhase::kCoverage);
-  EXPECT_EQ(output.status.state, State::kNavigating);
-  EXPECT_TRUE(wentThrough(State::kSelectGoal, Reason::kRichFrontiersExhausted));
-}
-
 // [EXP-5]
 TEST_F(ExplorerStates, AGoalThatFailsTwiceIsBlacklistedAndNotSooner_EXP_5) {
   show(kTwoEnds);

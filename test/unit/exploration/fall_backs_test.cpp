@@ -48,7 +48,6 @@ TEST_F(FallBacks, AGapThatOnlyJustFitsIsTakenWhenNothingElseIsLeftAndTheTextSays
   ASSERT_EQ(output.status.state, State::kNavigating);
   EXPECT_GT(sent.goal.x, 0.8);
   EXPECT_TRUE(ends(output.status.reason_text, ", by tight ways")) << output.status.reason_text;
-  EXPECT_EQ(output.status.phase, exploration::ExplorerPhase::kRich) << "that comes before the change of phase";
 }
 
 TEST_F(FallBacks, AnOrdinaryGoalNeedsNone) {
