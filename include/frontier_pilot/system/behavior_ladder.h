@@ -12,8 +12,8 @@
 namespace frontier_pilot::system {
 
 /// Looks ahead by the navigator's live scan: a motion is free unless it brings something into `outline`, the robot's
-/// with its margin, or nearer to its middle than it is. A disc may always turn. What
-/// `scan_distance` refers to must outlive it.
+/// with its margin, or nearer to its middle than it is. A disc may always turn. What `scan_distance`
+/// refers to must outlive it.
 behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, const Outline& outline);
 
 /// The goal as far as it is free: a robot that is no disc may have room for a part of it only, and that may be enough
