@@ -11,9 +11,9 @@
 #include <random>
 #include <string>
 
+#include "exploration/frontier_search.h"
+#include "exploration/travel_field.h"
 #include "frontier_pilot/core/grid_traversal.h"
-#include "frontier_pilot/exploration/frontier_search.h"
-#include "frontier_pilot/exploration/travel_field.h"
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/world_image.h"
 #include "support/buildings.h"

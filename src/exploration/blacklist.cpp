@@ -1,4 +1,4 @@
-#include "frontier_pilot/exploration/blacklist.h"
+#include "exploration/blacklist.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ void Blacklist::add(const Vec2& position, const std::string& reason, const Obser
 }
 
 std::size_t Blacklist::expire(const ObservedMap& map) {
-  const auto lifted = std::remove_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+  const auto lifted = std::remove_if(entries_.begin(), entries_.end(), [&](const BlacklistedPlace& entry) {
     return map.changesAround(entry.position, parameters_.change_radius) >= entry.changes_then + entry.changes_to_lift;
   });
   const auto count = static_cast<std::size_t>(entries_.end() - lifted);
@@ -27,11 +27,12 @@ void Blacklist::reset() {
 }
 
 void Blacklist::rebase(const ObservedMap& map) {
-  for (Entry& entry : entries_) entry.changes_then = map.changesAround(entry.position, parameters_.change_radius);
+  for (BlacklistedPlace& entry : entries_)
+    entry.changes_then = map.changesAround(entry.position, parameters_.change_radius);
 }
 
-const Blacklist::Entry* Blacklist::find(const Vec2& position) const {
-  for (const Entry& entry : entries_) {
+const BlacklistedPlace* Blacklist::find(const Vec2& position) const {
+  for (const BlacklistedPlace& entry : entries_) {
     if ((entry.position - position).norm() <= parameters_.radius) return &entry;
   }
   return nullptr;

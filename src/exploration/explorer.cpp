@@ -1,6 +1,9 @@
 #include "frontier_pilot/exploration/explorer.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "exploration/explorer_impl.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -29,27 +32,36 @@ bool isOlder(Time stamp, Time now, double age) { return now - stamp > fromSecond
 
 }  // namespace
 
-Explorer::Explorer(const ExplorerParameters& parameters)
+Explorer::Explorer(const ExplorerParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
+Explorer::~Explorer() = default;
+Explorer::Explorer(Explorer&&) noexcept = default;
+Explorer& Explorer::operator=(Explorer&&) noexcept = default;
+
+void Explorer::setMap(const OccupancyGrid& map, const CellRect& changed) { impl_->setMap(map, changed); }
+void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
+ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) { return impl_->update(inputs, now); }
+
+const std::vector<Frontier>& Explorer::frontiers() const { return impl_->evaluator().frontiers(); }
+const std::vector<Frontier>& Explorer::frontiersWithCells() {
+  impl_->evaluator().listCells();
+  return frontiers();
+}
+const GridGeometry& Explorer::geometry() const { return impl_->evaluator().map().geometry(); }
+const std::vector<BlacklistedPlace>& Explorer::blacklist() const { return impl_->history().blacklist(); }
+const std::optional<Pose2>& Explorer::goal() const { return impl_->goal(); }
+
+Explorer::Impl::Impl(const ExplorerParameters& parameters)
     : parameters_(parameters),
       evaluator_(parameters.frontier, parameters.robot.drivenOutline()),
-      blacklist_(parameters.blacklist),
-      fruitless_(
-          {parameters.blacklist.radius / 2, parameters.blacklist.change_radius, parameters.blacklist.change_cells}) {}
+      history_(parameters.blacklist, parameters.max_goal_retries) {}
 
-void Explorer::setMap(const OccupancyGrid& map, const CellRect& changed) {
+void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
   const bool new_geometry = map.geometry() != evaluator_.map().geometry();
   evaluator_.setMap(map, changed);
-  if (!new_geometry) return;
-  blacklist_.rebase(evaluator_.map());
-  fruitless_.rebase(evaluator_.map());
+  if (new_geometry) history_.rebase(evaluator_.map());
 }
 
-const std::vector<Frontier>& Explorer::frontiersWithCells() {
-  evaluator_.listCells();
-  return evaluator_.frontiers();
-}
-
-ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) {
+ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   out_ = {};
   if (clockJumped(now)) forgetTime(now);
   trackMotion(inputs);
@@ -67,10 +79,10 @@ ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) {
   return std::move(out_);
 }
 
-bool Explorer::clockJumped(Time now) const { return last_update_ && now < *last_update_; }
+bool Explorer::Impl::clockJumped(Time now) const { return last_update_ && now < *last_update_; }
 
 /// Back to the safe state: what was measured in the old time means nothing in the new one.
-void Explorer::forgetTime(Time now) {
+void Explorer::Impl::forgetTime(Time now) {
   cancelGoal();
   last_report_.reset();
   nothing_left_since_.reset();
@@ -78,7 +90,7 @@ void Explorer::forgetTime(Time now) {
   last_check_ = last_decision_ = now;
 }
 
-void Explorer::trackMotion(const ExplorerInputs& inputs) {
+void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
   constexpr double kJump = 1.0;  // [m] between two ticks: a correction of the map, not a motion
   if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite()) return;
   const Pose2& pose = inputs.T_map_base->pose;
@@ -88,13 +100,8 @@ void Explorer::trackMotion(const ExplorerInputs& inputs) {
   if (!start_) start_ = pose;
 }
 
-void Explorer::reset(Time now) {
-  blacklist_.reset();
-  fruitless_.reset();
-  visited_.clear();
-  failures_.clear();
-  vanished_.clear();
-  blacklist_retried_ = false;
+void Explorer::Impl::reset(Time now) {
+  history_.reset();
   step_backs_ = 0;
   nothing_left_since_.reset();
   done_reason_.reset();
@@ -105,7 +112,7 @@ void Explorer::reset(Time now) {
 }
 
 /// Whether the explorer may act: enabled, and every input there. [EXP-8]
-bool Explorer::ready(const ExplorerInputs& inputs, Time now) {
+bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
   if (!inputs.enabled) {
     pause(now);
     return false;
@@ -119,13 +126,13 @@ bool Explorer::ready(const ExplorerInputs& inputs, Time now) {
   return false;
 }
 
-void Explorer::pause(Time now) {
+void Explorer::Impl::pause(Time now) {
   cancelGoal();
   if (status_.reason == ExplorerReason::kPaused) return;
   enter(ExplorerState::kIdle, ExplorerReason::kPaused, "", now);
 }
 
-std::vector<ExplorerReason> Explorer::missingInputs(const ExplorerInputs& inputs, Time now) const {
+std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& inputs, Time now) const {
   const double age = parameters_.input_timeout;
   std::vector<ExplorerReason> missing;
   if (!inputs.map_available || evaluator_.map().empty()) missing.push_back(ExplorerReason::kMapGone);
@@ -139,7 +146,7 @@ std::vector<ExplorerReason> Explorer::missingInputs(const ExplorerInputs& inputs
   return missing;
 }
 
-void Explorer::stopFor(const std::vector<ExplorerReason>& missing, Time now) {
+void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time now) {
   cancelGoal();
   const ExplorerReason reason = was_running_ ? missing.front() : ExplorerReason::kWaitingForInputs;
   const std::string text = "missing: " + listMissing(missing);
@@ -151,7 +158,7 @@ void Explorer::stopFor(const std::vector<ExplorerReason>& missing, Time now) {
   }
 }
 
-void Explorer::handleEvent(const GoalEvent& event, Time now) {
+void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
   if (!goal_ || goal_->id != event.goal_id) return;  // of a goal that has been replaced: its end says nothing
   const Goal goal = *goal_;
   goal_.reset();
@@ -159,32 +166,32 @@ void Explorer::handleEvent(const GoalEvent& event, Time now) {
     case GoalEvent::Kind::kReached:
       ++status_.goals_reached;
       arrived_ = goal;
-      visited_.push_back(goal.position);
+      history_.reached(goal.position);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalReached, "", now);
     case GoalEvent::Kind::kPreempted:
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalPreempted, event.text, now);
     case GoalEvent::Kind::kAborted:
     case GoalEvent::Kind::kRejected:
-      goalFailed(goal, event.text, now);
+      goalFailed(goal, event.text);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, event.text, now);
   }
 }
 
-/// Blacklists a goal that has failed once more often than it may be tried again. [EXP-5]
-void Explorer::goalFailed(const Goal& goal, const std::string& what, Time now) {
+/// What a goal failed for that steps back or returns says nothing of a frontier.
+void Explorer::Impl::goalFailed(const Goal& goal, const std::string& what) {
   ++status_.goals_failed;
   if (goal.returning || goal.stepping_back) return;
-  failures_.push_back(goal.position);
-  const auto times = std::count_if(failures_.begin(), failures_.end(), [&](const Vec2& failed) {
-    return (failed - goal.position).norm() <= parameters_.blacklist.radius;
-  });
-  const bool timed_out = now - goal.sent >= fromSeconds(parameters_.goal_timeout);
-  if (times <= parameters_.max_goal_retries && !timed_out) return;
-  blacklist_.add(goal.position, what, evaluator_.map());
-  note(true, "goal blacklisted: " + what);
+  if (history_.failed(goal.position, what, evaluator_.map())) note(true, "goal blacklisted: " + what);
 }
 
-void Explorer::cancelGoal() {
+void Explorer::Impl::goalTimedOut(const Goal& goal) {
+  ++status_.goals_failed;
+  if (goal.returning || goal.stepping_back) return;
+  history_.timedOut(goal.position, evaluator_.map());
+  note(true, "goal blacklisted: timed out");
+}
+
+void Explorer::Impl::cancelGoal() {
   if (goal_) {
     out_.command = {GoalCommand::Kind::kCancel, goal_->id, {}};
   } else if (out_.command.kind == GoalCommand::Kind::kSend) {
@@ -195,7 +202,7 @@ void Explorer::cancelGoal() {
   goal_pose_.reset();
 }
 
-void Explorer::send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now) {
+void Explorer::Impl::send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now) {
   goal.id = next_goal_id_++;
   goal.sent = now;
   if (!goal.returning) done_reason_.reset();
@@ -206,7 +213,7 @@ void Explorer::send(Goal goal, double yaw, ExplorerReason reason, const std::str
   enter(ExplorerState::kNavigating, reason, text, now);
 }
 
-void Explorer::enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now) {
+void Explorer::Impl::enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now) {
   if (state != status_.state) state_since_ = now;
   if (state == ExplorerState::kSelectGoal) was_running_ = true;
   status_.state = state;
@@ -216,14 +223,14 @@ void Explorer::enter(ExplorerState state, ExplorerReason reason, const std::stri
   out_.transitions.push_back(status_);
 }
 
-void Explorer::countFrontiers() {
+void Explorer::Impl::countFrontiers() {
   status_.frontiers_found = static_cast<std::uint32_t>(evaluator_.frontiers().size());
   status_.frontiers_selectable = static_cast<std::uint32_t>(countRejected(Rejection::kNone));
   status_.frontiers_blacklisted = static_cast<std::uint32_t>(countRejected(Rejection::kBlacklisted));
   status_.explored_area = evaluator_.map().freeArea();
 }
 
-std::size_t Explorer::countRejected(Rejection rejection) const {
+std::size_t Explorer::Impl::countRejected(Rejection rejection) const {
   const auto& all = evaluator_.frontiers();
   return static_cast<std::size_t>(
       std::count_if(all.begin(), all.end(), [&](const Frontier& f) { return f.rejection == rejection; }));

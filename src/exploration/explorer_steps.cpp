@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "frontier_pilot/exploration/explorer.h"
+#include "exploration/explorer_impl.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -18,7 +18,7 @@ std::string describeGoal(const char* what, const Frontier& frontier) {
 }  // namespace
 
 /// One step, and as many more as the new states want at the same instant.
-void Explorer::step(Time now) {
+void Explorer::Impl::step(Time now) {
   constexpr int kMaxSteps = 6;
   for (int i = 0; i < kMaxSteps; ++i) {
     const std::size_t transitions = out_.transitions.size();
@@ -42,7 +42,7 @@ void Explorer::step(Time now) {
   }
 }
 
-void Explorer::selectGoal(Time now) {
+void Explorer::Impl::selectGoal(Time now) {
   // While it only waits for what the map may yet show, a map that has not changed need not be judged again.
   const bool waiting = nothing_left_since_ || status_.reason == ExplorerReason::kRobotOffKnownGround;
   const bool news = judged_changes_ != evaluator_.map().changes();
@@ -61,40 +61,10 @@ void Explorer::selectGoal(Time now) {
     nothing_left_since_.reset();
     return;
   }
-  if (!retryOtherwise(now) && !nothing_left_since_) nothing_left_since_ = now;
+  if (fallBack(FallBack::Scope::kWithoutGoal, now) == nullptr && !nothing_left_since_) nothing_left_since_ = now;
 }
 
-/// What is still worth a try when no frontier can be selected as things are. Gives whether something was done.
-bool Explorer::retryOtherwise(Time now) {
-  if (status_.phase == ExplorerPhase::kRich) {
-    status_.phase = ExplorerPhase::kCoverage;
-    enter(ExplorerState::kSelectGoal, ExplorerReason::kRichFrontiersExhausted, "", now);
-    return true;
-  }
-  if (countRejected(Rejection::kTooNear) > 0 && stepBack(now)) return true;
-  if (countRejected(Rejection::kBlacklisted) == 0 || blacklist_retried_) return false;
-  blacklist_retried_ = true;
-  blacklist_.clear();
-  failures_.clear();
-  note(true, toString(ExplorerReason::kBlacklistSaturated));
-  enter(ExplorerState::kSelectGoal, ExplorerReason::kBlacklistSaturated, "", now);
-  return true;
-}
-
-/// Drives a little away, so that what is left close by is far enough to be a goal.
-bool Explorer::stepBack(Time now) {
-  constexpr int kMaxStepBacks = 3;  // in a row: what three approaches do not show stays unseen
-  const std::optional<Vec2> place = evaluator_.placeToStepBackTo(T_map_base_->position());
-  if (!place || step_backs_ >= kMaxStepBacks) return false;
-  ++step_backs_;
-  Goal goal;
-  goal.position = *place;
-  goal.stepping_back = true;
-  send(goal, T_map_base_->yaw, ExplorerReason::kGoalSent, "stepping back from a frontier that is too near", now);
-  return true;
-}
-
-void Explorer::finish(Time now) {
+void Explorer::Impl::finish(Time now) {
   nothing_left_since_.reset();
   done_reason_ = whyNothingIsLeft();
   if (done_reason_ == ExplorerReason::kTooManyFrontiers) note(true, toString(*done_reason_));
@@ -102,30 +72,30 @@ void Explorer::finish(Time now) {
   enter(ExplorerState::kDone, *done_reason_, "", now);
 }
 
-ExplorerReason Explorer::whyNothingIsLeft() const {
+ExplorerReason Explorer::Impl::whyNothingIsLeft() const {
   if (evaluator_.tooMany() || evaluator_.leftOut() > 0) return ExplorerReason::kTooManyFrontiers;
   return evaluator_.anyBlacklistedInTheOpen() ? ExplorerReason::kAllBlacklisted : ExplorerReason::kNoReachableFrontier;
 }
 
-void Explorer::returnToStart(Time now) {
+void Explorer::Impl::returnToStart(Time now) {
   Goal goal;
   goal.position = start_->position();
   goal.returning = true;
   send(goal, start_->yaw, ExplorerReason::kReturningToStart, "", now);
 }
 
-void Explorer::navigate(Time now) {
+void Explorer::Impl::navigate(Time now) {
   if (!goal_) return;
   if (passed(goal_->sent, parameters_.goal_timeout, now)) {
     const Goal goal = *goal_;
     cancelGoal();
-    goalFailed(goal, "timed out", now);
+    goalTimedOut(goal);
     return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalTimedOut, "", now);
   }
   if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
   last_check_ = now;
   if (informationGone()) {
-    noteVanished();
+    history_.vanished(goal_->position, evaluator_.map());
     if (decide(ExplorerReason::kInformationGone, now)) return;
     cancelGoal();
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
@@ -134,24 +104,13 @@ void Explorer::navigate(Time now) {
 }
 
 /// Whether the goal has been seen from afar on the way. [EXP-6]
-bool Explorer::informationGone() {
+bool Explorer::Impl::informationGone() {
   const double left = evaluator_.infoAt(goal_->position).area;
   return left < evaluator_.leastInfo() || left < parameters_.vanished_share * goal_->info_area;
 }
 
-/// Where thin things flicker between free and occupied, what lies behind them comes into sight and goes again with
-/// every scan. A place whose information has come and gone several times is not worth another way.
-void Explorer::noteVanished() {
-  constexpr double kSamePlace = 0.5;  // [m]
-  constexpr int kMaxTimes = 2;
-  const auto times = std::count_if(vanished_.begin(), vanished_.end(),
-                                   [&](const Vec2& place) { return (place - goal_->position).norm() < kSamePlace; });
-  vanished_.push_back(goal_->position);
-  if (times >= kMaxTimes) fruitless_.add(goal_->position, "what it was to show came and went", evaluator_.map());
-}
-
 /// A goal that still promises what it promised before it was reached will never show it.
-void Explorer::evaluateArrival(Time now) {
+void Explorer::Impl::evaluateArrival(Time now) {
   if (done_reason_) {
     enter(ExplorerState::kDone, *done_reason_, "", now);
     done_reason_.reset();
@@ -162,26 +121,25 @@ void Explorer::evaluateArrival(Time now) {
     const double left = evaluator_.infoAt(arrived_->position).area;
     const bool promising = left >= evaluator_.leastInfo() && left > arrived_->info_area / 2;
     if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
-    if (promising)
-      fruitless_.add(arrived_->position, "reached, and what it was to show stayed unknown", evaluator_.map());
+    if (promising) history_.stayedUnknown(arrived_->position, evaluator_.map());
   }
   arrived_.reset();
   goal_pose_.reset();
   enter(ExplorerState::kSelectGoal, status_.reason, status_.reason_text, now);
 }
 
-void Explorer::stayDone(Time now) {
+void Explorer::Impl::stayDone(Time now) {
   if (judged_changes_ == evaluator_.map().changes() || !passed(last_decision_, parameters_.decision_period, now))
     return;
   if (!judgeAndChoose(false, now)) return;
   status_.phase = ExplorerPhase::kRich;
-  blacklist_retried_ = false;
+  history_.allowRetry();
   step_backs_ = 0;
   enter(ExplorerState::kSelectGoal, ExplorerReason::kMapChanged, "", now);
 }
 
 /// Chooses a goal and sends it, unless it is the present one. Gives whether there is a goal now.
-bool Explorer::decide(ExplorerReason reason, Time now) {
+bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   constexpr double kSameGoal = 0.3;  // [m]
   if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
   const std::optional<GoalCandidate> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
@@ -192,18 +150,32 @@ bool Explorer::decide(ExplorerReason reason, Time now) {
   Goal goal;
   goal.position = frontier.goal;
   goal.info_area = frontier.info.area;
-  send(goal, frontier.heading, reason, describeGoal(toString(reason), frontier), now);
+  const std::string found_by = judged_by_ != nullptr ? std::string(", by ") + judged_by_->name : "";
+  send(goal, frontier.heading, reason, describeGoal(toString(reason), frontier) + found_by, now);
   return true;
+}
+
+FrontierEvaluator::Context Explorer::Impl::context() const {
+  const bool only_rich = parameters_.rich_first && status_.phase == ExplorerPhase::kRich;
+  return {T_map_base_->position(), start_->position(), &history_, only_rich ? parameters_.rich_min_density : 0.0};
+}
+
+/// Whether a frontier can be selected, or the robot is on its way to one, that is expected to show so much that it is
+/// worth a way of its own.
+bool Explorer::Impl::anyRich() {
+  const auto rich = [&](const ViewGain& info) { return info.density >= parameters_.rich_min_density; };
+  if (goal_ && rich(evaluator_.infoAt(goal_->position))) return true;
+  const std::vector<Frontier>& all = evaluator_.frontiers();
+  return std::any_of(all.begin(), all.end(), [&](const Frontier& f) { return f.selectable() && rich(f.info); });
 }
 
 /// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has
 /// come too near to its goal to be sent there is not to turn away from it.
-std::optional<GoalCandidate> Explorer::judgeAndChoose(bool keep_present, Time now) {
-  blacklist_.expire(evaluator_.map());
-  fruitless_.expire(evaluator_.map());
-  const bool rich = status_.phase == ExplorerPhase::kRich;
-  evaluator_.evaluate({T_map_base_->position(), start_->position(), &blacklist_, &fruitless_, &visited_,
-                       rich ? parameters_.rich_min_density : 0.0});
+std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
+  history_.expire(evaluator_.map());
+  judged_by_ = nullptr;
+  if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
+  if (!parameters_.rich_first && evaluator_.robotHasGround() && !anyRich()) goOnToCoverage(now);
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;

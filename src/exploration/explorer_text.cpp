@@ -1,4 +1,5 @@
 #include "frontier_pilot/exploration/explorer_types.h"
+#include "frontier_pilot/exploration/frontier.h"
 
 namespace frontier_pilot::exploration {
 

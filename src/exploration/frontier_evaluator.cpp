@@ -1,8 +1,9 @@
-#include "frontier_pilot/exploration/frontier_evaluator.h"
+#include "exploration/frontier_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "exploration/view_gain.h"
 #include "frontier_pilot/core/bounds.h"
 
 namespace frontier_pilot::exploration {
@@ -19,11 +20,6 @@ std::vector<Cell> discOffsets(int radius) {
   std::stable_sort(offsets.begin(), offsets.end(),
                    [](Cell a, Cell b) { return a.x * a.x + a.y * a.y < b.x * b.x + b.y * b.y; });
   return offsets;
-}
-
-int countNear(const std::vector<Vec2>& points, const Vec2& centre, double radius) {
-  return static_cast<int>(std::count_if(points.begin(), points.end(),
-                                        [&](const Vec2& point) { return (point - centre).norm() <= radius; }));
 }
 
 /// The clearance of ways while anything else is left: no trap, and room to turn right round all along.
@@ -55,26 +51,27 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   return !differing.empty();
 }
 
-/// Ways that keep clear of unknown ground come first: a gap whose sides have yet to be seen may prove too narrow when
-/// the robot is in it. Only when nothing else is left such ways count; and where the robot seems to be cut off, what
-/// can be reached from its start: it has come from there, and the navigation may know how to go back.
-const std::vector<Frontier>& FrontierEvaluator::evaluate(const Context& context) {
+bool FrontierEvaluator::evaluate(const Context& context) {
   frontiers_.clear();
-  if (map_.empty()) return frontiers_;
+  if (map_.empty()) return false;
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
   const bool any = judgeAll(space_, context.robot, context);
   blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
     return frontier.rejection == Rejection::kBlacklisted;
   });
-  // Where some were left out there is no telling whether nothing else is left.
-  if (any || left_out_ > 0 || clusters_.too_many) return frontiers_;
+  return any;
+}
+
+bool FrontierEvaluator::evaluateTightWays(const Context& context) {
   tight_space_.update(map_.grid(), tight_changes_);
   tight_changes_ = {};
-  if (judgeAll(tight_space_, context.robot, context)) return frontiers_;
+  return judgeAll(tight_space_, context.robot, context);
+}
+
+bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
   const bool cut_off = robotHasGround() && !travel_.reached(map_.geometry().cellAt(context.start));
-  if (cut_off) judgeAll(tight_space_, context.start, context);
-  return frontiers_;
+  return cut_off && judgeAll(tight_space_, context.start, context);
 }
 
 /// Gives whether any frontier can be selected.
@@ -200,18 +197,16 @@ void FrontierEvaluator::adoptGoal(Frontier& frontier, const GoalCell& goal, cons
   frontier.heading = bearing(towards.isZero() ? Vec2(frontier.goal - context.robot) : towards);
   frontier.distance = travel_.distance(goal.cell);
   frontier.obstacle_density = goal.obstacle_density;
-  if (context.visited != nullptr) {
-    frontier.visits = countNear(*context.visited, frontier.goal, parameters_.visit_radius);
-  }
-  const auto listed = [&](const Blacklist* list) { return list != nullptr && list->find(frontier.goal) != nullptr; };
-  if (listed(context.fruitless)) frontier.rejection = Rejection::kFruitless;
-  if (listed(context.blacklist)) frontier.rejection = Rejection::kBlacklisted;
+  if (context.history == nullptr) return;
+  frontier.visits = context.history->visits(frontier.goal, parameters_.visit_radius);
+  const Rejection learned = context.history->judge(frontier.goal);
+  if (learned != Rejection::kNone) frontier.rejection = learned;
 }
 
 Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& context) {
   frontier.info = infoAt(frontier.goal);
   if (frontier.info.area < leastInfo()) return Rejection::kNothingToSee;
-  if (frontier.info.density < context.rich_min_density) return Rejection::kNotRich;
+  if (frontier.info.density < context.least_density) return Rejection::kNotRich;
   if (!plan_) return Rejection::kNone;
   const std::optional<double> planned = plan_(context.robot, frontier.goal);
   if (!planned) return Rejection::kUnreachable;

@@ -1,4 +1,4 @@
-#include "frontier_pilot/exploration/frontier_search.h"
+#include "exploration/frontier_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "frontier_pilot/exploration/goal_score.h"
+#include "exploration/goal_score.h"
 
 namespace frontier_pilot::exploration {
 

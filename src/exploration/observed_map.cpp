@@ -1,4 +1,4 @@
-#include "frontier_pilot/exploration/observed_map.h"
+#include "exploration/observed_map.h"
 
 #include <algorithm>
 #include <cstring>

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "frontier_pilot/exploration/frontier_search.h"
+#include "exploration/frontier_search.h"
 
 namespace frontier_pilot::exploration::detail {
 

@@ -1,16 +1,13 @@
-#include "frontier_pilot/exploration/travel_field.h"
+#include "exploration/travel_field.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "frontier_pilot/grids/cell_window.h"
+#include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::exploration {
 namespace {
 
-constexpr std::array<int, 8> kStepX = {1, 1, 0, -1, -1, -1, 0, 1};
-constexpr std::array<int, 8> kStepY = {0, 1, 1, 1, 0, -1, -1, -1};
 constexpr unsigned kNoDirection = 8;  ///< of a seed: it expands to all sides
 
 /// The directions in which a cell, entered in a direction, has to go on, by the mask of its traversable neighbours:
@@ -43,14 +40,6 @@ class SuccessorTable {
 
 constexpr SuccessorTable kSuccessors;
 
-/// What to add to a cell's index, modulo its range, for a step in each direction.
-std::array<std::size_t, 8> stepOffsets(int width) {
-  std::array<std::size_t, 8> offsets{};
-  for (std::size_t d = 0; d < 8; ++d)
-    offsets[d] = static_cast<std::size_t>(kStepX[d] + std::ptrdiff_t{kStepY[d]} * width);
-  return offsets;
-}
-
 }  // namespace
 
 void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius) {
@@ -60,10 +49,16 @@ void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& ma
     std::fill(units_.cells().begin(), units_.cells().end(), kUnreached);
   }
   reached_count_ = 0;
-  offsets_ = stepOffsets(map.width());
+  offsets_ = grids::neighbourOffsets(map.width());
+  queue_.reset(0);
   if (!map.contains(start)) return;
   seed(space, map, start, escape_radius);
-  for (std::uint32_t units = 0; pending_ > 0; ++units) expandBucket(buckets_[units % kBuckets], space, units);
+  while (!queue_.empty()) {
+    queue_.popLeast([&](std::uint32_t entry, std::uint32_t units) {
+      const std::size_t index = entry >> 4U;
+      if (units_[index] == units) expandCell(index, entry & 15U, units, space);  // else reached on a shorter way since
+    });
+  }
 }
 
 bool TravelField::anyReached(const CellRect& rect) const {
@@ -90,41 +85,21 @@ void TravelField::label(std::size_t index, std::uint32_t units) {
 
 void TravelField::push(std::size_t index, unsigned direction, std::uint32_t units) {
   label(index, units);
-  buckets_[units % kBuckets].push_back(static_cast<std::uint32_t>(index << 4U | direction));
-  ++pending_;
+  queue_.push(static_cast<std::uint32_t>(index << 4U | direction), units);
 }
 
-/// Breadth-first over cells that are not occupied, from the robot's own to the traversable ones around.
+/// Every first traversable cell around the robot is a seed, as far away as if each step to it were a diagonal one.
 void TravelField::seed(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius) {
   if (space.traversable(start)) return push(map.geometry().index(start), kNoDirection, 0);
   const int reach = std::min(static_cast<int>(escape_radius / map.resolution()),
                              static_cast<int>((kBuckets - kDiagonal - 1) / kDiagonal));
-  grids::CellWindow<std::uint32_t> steps(start, reach, kUnreached);
-  const CellRect box = CellRect{start.x, start.y, 1, 1}.grown(reach).intersection(map.geometry().rect());
-  std::vector<Cell> queue = {start};
-  steps[start] = 0;
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const Cell cell = queue[i];
-    if (space.traversable(cell)) {
-      push(map.geometry().index(cell), kNoDirection, steps[cell] * kDiagonal);
-      continue;
-    }
-    for (std::size_t d = 0; d < 8; ++d) {
-      const Cell next{cell.x + kStepX[d], cell.y + kStepY[d]};
-      if (!box.contains(next) || steps[next] != kUnreached || isOccupied(map[next])) continue;
-      steps[next] = steps[cell] + 1;
-      queue.push_back(next);
-    }
-  }
-}
-
-void TravelField::expandBucket(std::vector<std::uint32_t>& bucket, const TraversableSpace& space, std::uint32_t units) {
-  for (const std::uint32_t entry : bucket) {  // no step ends in its own bucket
-    const std::size_t index = entry >> 4U;
-    if (units_[index] == units) expandCell(index, entry & 15U, units, space);  // else reached on a shorter way since
-  }
-  pending_ -= bucket.size();
-  bucket.clear();
+  grids::ExitSearch(start, reach)
+      .run(
+          false, [&](Cell cell) { return space.traversable(cell); },
+          [&](Cell, Cell next) { return map.contains(next) && !isOccupied(map[next]) ? 1.0 : -1.0; },
+          [&](Cell cell, double steps) {
+            push(map.geometry().index(cell), kNoDirection, static_cast<std::uint32_t>(steps) * kDiagonal);
+          });
 }
 
 void TravelField::expandCell(std::size_t index, unsigned direction, std::uint32_t units,

@@ -1,4 +1,4 @@
-#include "frontier_pilot/exploration/view_gain.h"
+#include "exploration/view_gain.h"
 
 #include <algorithm>
 

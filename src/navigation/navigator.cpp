@@ -1,39 +1,12 @@
 #include "frontier_pilot/navigation/navigator.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "navigation/navigator_impl.h"
+
 namespace frontier_pilot::navigation {
 namespace {
-
-NavReason reasonOf(planning::PlanStatus status) {
-  switch (status) {
-    case planning::PlanStatus::kFound:
-      return NavReason::kDriving;
-    case planning::PlanStatus::kNoMap:
-      return NavReason::kNoMap;
-    case planning::PlanStatus::kInvalidRequest:
-      return NavReason::kInvalidGoal;
-    case planning::PlanStatus::kStartOutside:
-      return NavReason::kStartOutside;
-    case planning::PlanStatus::kStartBlocked:
-      return NavReason::kStartBlocked;
-    case planning::PlanStatus::kGoalOutside:
-      return NavReason::kGoalOutside;
-    case planning::PlanStatus::kGoalOccupied:
-      return NavReason::kGoalOccupied;
-    case planning::PlanStatus::kGoalUnreachable:
-      return NavReason::kGoalUnreachable;
-    case planning::PlanStatus::kNoPath:
-      return NavReason::kNoPath;
-  }
-  return NavReason::kNoPath;
-}
-
-/// A new path replaces a valid one only if it saves this share and length [m]: no dithering between equals.
-constexpr double kWorthwhileShare = 0.1;
-constexpr double kWorthwhile = 0.2;
 
 /// Beside a robot that is no disc: its corners swing out while it corrects its course, and along a wall that is nearer
 /// it could turn neither way [m].
@@ -48,8 +21,23 @@ planning::ClearanceParams clearanceFor(planning::ClearanceParams params, const O
 }  // namespace
 
 Navigator::Navigator(const NavigatorParams& params) : Navigator(params, clearingLadder()) {}
-
 Navigator::Navigator(const NavigatorParams& params, std::vector<RecoveryRung> ladder)
+    : impl_(std::make_unique<Impl>(params, std::move(ladder))) {}
+Navigator::~Navigator() = default;
+Navigator::Navigator(Navigator&&) noexcept = default;
+Navigator& Navigator::operator=(Navigator&&) noexcept = default;
+
+void Navigator::setMap(const OccupancyGrid& map, const CellRect& changed) { impl_->setMap(map, changed); }
+NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) { return impl_->update(inputs, now); }
+planning::PlanResult Navigator::makePlan(const planning::PlanRequest& request) { return impl_->makePlan(request); }
+void Navigator::clearObstacles() { impl_->clearObstacles(); }
+bool Navigator::hasGoal() const { return impl_->hasGoal(); }
+const planning::Path& Navigator::path() const { return impl_->follower().path(); }
+double Navigator::progress() const { return impl_->follower().progress(); }
+const std::vector<Vec2>& Navigator::prediction() const { return impl_->follower().prediction(); }
+const planning::ClearanceMap& Navigator::clearanceMap() const { return impl_->clearanceMap(); }
+
+Navigator::Impl::Impl(const NavigatorParams& params, std::vector<RecoveryRung> ladder)
     : params_(params),
       outline_(params.robot.drivenOutline()),
       outline_on_map_(planning::OutlineCheck(outline_).inTightPlaces()),
@@ -61,7 +49,7 @@ Navigator::Navigator(const NavigatorParams& params, std::vector<RecoveryRung> la
       predictor_(params.robot.limits),
       watchdog_(params.watchdog) {}
 
-void Navigator::setMap(const OccupancyGrid& map, const CellRect& changed) {
+void Navigator::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
   if (clearance_.setMap(map, changed)) {
     obstacles_.forget();
     obstacles_changed_ = true;
@@ -69,15 +57,15 @@ void Navigator::setMap(const OccupancyGrid& map, const CellRect& changed) {
   map_changed_ = true;
 }
 
-planning::PlanResult Navigator::makePlan(const planning::PlanRequest& request) {
+planning::PlanResult Navigator::Impl::makePlan(const planning::PlanRequest& request) {
   if (!clearance_.empty()) clearance_.refresh();
   // What has changed is still to be held against the path being followed.
   return planner_.plan(clearance_, request);
 }
 
-void Navigator::clearObstacles() { obstacles_changed_ = obstacles_.clear(clearance_) || obstacles_changed_; }
+void Navigator::Impl::clearObstacles() { obstacles_changed_ = obstacles_.clear(clearance_) || obstacles_changed_; }
 
-NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) {
+NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now) {
   output_ = {};
   if (last_update_ && now < *last_update_) {
     poses_.clear();
@@ -103,7 +91,7 @@ NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) {
   return output_;
 }
 
-void Navigator::takeIn(const NavigatorInputs& inputs, Time now) {
+void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   if (inputs.pose && inputs.pose->T_map_base.isFinite()) {
     pose_ = inputs.pose;
     poses_.add(pose_->stamp, pose_->T_map_base);
@@ -117,21 +105,21 @@ void Navigator::takeIn(const NavigatorInputs& inputs, Time now) {
   obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
 }
 
-void Navigator::takeEvents(const NavigatorInputs& inputs, Time now) {
+void Navigator::Impl::takeEvents(const NavigatorInputs& inputs, Time now) {
   if (inputs.cancel && goal_) finish(NavResult::kCanceled, NavReason::kCanceled);
   if (!inputs.new_goal) return;
   if (goal_) finish(NavResult::kPreempted, NavReason::kPreempted);
   start(*inputs.new_goal, now);
 }
 
-void Navigator::start(const NavGoal& goal, Time now) {
+void Navigator::Impl::start(const NavGoal& goal, Time now) {
   goal_ = goal;
   waiting_since_.reset();
   if (pose_) watchdog_.restart(now, pose_->T_map_base.position());
   if (!goal.T_map_goal.isFinite()) finish(NavResult::kAborted, NavReason::kInvalidGoal);
 }
 
-void Navigator::finish(NavResult result, NavReason reason) {
+void Navigator::Impl::finish(NavResult result, NavReason reason) {
   output_.finished.push_back({goal_->id, result, reason});
   output_.command = Twist2{};
   output_.state = NavState::kIdle;
@@ -146,7 +134,7 @@ void Navigator::finish(NavResult result, NavReason reason) {
   blocked_since_.reset();
 }
 
-std::optional<NavReason> Navigator::missingData(const NavigatorInputs& inputs, Time now) const {
+std::optional<NavReason> Navigator::Impl::missingData(const NavigatorInputs& inputs, Time now) const {
   const auto fresh = [&](Time stamp) { return std::abs(toSeconds(now - stamp)) <= params_.max_age; };
   if (clearance_.empty() || !inputs.map_alive) return NavReason::kNoMap;
   if (!pose_ || !fresh(pose_->stamp)) return NavReason::kNoPose;
@@ -154,141 +142,17 @@ std::optional<NavReason> Navigator::missingData(const NavigatorInputs& inputs, T
   return std::nullopt;
 }
 
-void Navigator::wait(NavReason reason, Time now) {
+void Navigator::Impl::wait(NavReason reason, Time now) {
   if (!waiting_since_) waiting_since_ = now;
   if (toSeconds(now - *waiting_since_) > params_.data_patience) return finish(NavResult::kAborted, reason);
   if (pose_) watchdog_.restart(now, pose_->T_map_base.position());
   command({}, NavState::kWaiting, reason);
 }
 
-void Navigator::command(const Twist2& twist, NavState state, NavReason reason) {
+void Navigator::Impl::command(const Twist2& twist, NavState state, NavReason reason) {
   output_.command = twist;
   output_.state = state;
   output_.reason = reason;
-}
-
-void Navigator::pursueGoal(const NavigatorInputs& inputs, Time now) {
-  refreshMap(now);
-  if (recovery_) return continueRecovery(now);
-  if (!ensurePath(now)) return;
-  const MotionPredictor::Motion motion = predictor_.predict(*pose_, inputs.twist, now);
-  if (arrived_ || isAtGoal()) return turn(motion, now);
-  lookForBetter(now);
-  drive(motion, now);
-}
-
-void Navigator::refreshMap(Time now) {
-  const bool due = map_changed_ && (!has_path_ || toSeconds(now - refreshed_) >= params_.map_period);
-  if (!due && !obstacles_changed_) return;
-  clearance_.refresh();
-  refreshed_ = now;
-  map_changed_ = obstacles_changed_ = false;
-  if (!has_path_ || arrived_) return;
-  const double along = follower_.progress();
-  const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->T_map_base) : std::nullopt;
-  has_path_ = planning::isPathValid(clearance_, path(), escape_, along) &&
-              outline_on_map_.canFollow(clearance_, path(), escape_, along, robot);
-}
-
-bool Navigator::ensurePath(Time now) { return has_path_ || replan(now); }
-
-bool Navigator::replan(Time now) {
-  planning::PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
-  if (result.found()) return usePath(std::move(result), now);
-  output_.plan_changed = true;
-  const bool may_help = !obstacles_.empty() || result.status == planning::PlanStatus::kStartBlocked;
-  if (may_help) {
-    recover(reasonOf(result.status), now);
-  } else {
-    finish(NavResult::kAborted, reasonOf(result.status));
-  }
-  return false;
-}
-
-planning::PlanRequest Navigator::requestFrom(const StampedPose& pose) const {
-  return {pose.T_map_base.position(), goal_->T_map_goal.position(), -1.0, pose.T_map_base.yaw};
-}
-
-bool Navigator::usePath(planning::PlanResult result, Time now) {
-  escape_ = result.escape;
-  goal_is_moved_ = (result.path.goal() - goal_->T_map_goal.position()).norm() > params_.goal_tolerance;
-  follower_.setPath(std::move(result.path));
-  watchdog_.newPath(follower_.remaining());
-  has_path_ = true;
-  planned_ = now;
-  blocked_since_.reset();
-  output_.plan_changed = true;
-  return true;
-}
-
-void Navigator::lookForBetter(Time now) {
-  if (toSeconds(now - planned_) < params_.replan_period) return;
-  planned_ = now;
-  planning::PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
-  const double left = follower_.remaining();
-  if (result.found() && result.path.length() < (1.0 - kWorthwhileShare) * left - kWorthwhile) {
-    usePath(std::move(result), now);
-  }
-}
-
-bool Navigator::isAtGoal() const {
-  const Vec2 target = goal_is_moved_ ? path().goal() : goal_->T_map_goal.position();
-  return (pose_->T_map_base.position() - target).norm() <= params_.goal_tolerance;
-}
-
-void Navigator::turn(const MotionPredictor::Motion& motion, Time now) {
-  arrived_ = true;
-  const double left = angleDifference(goal_->T_map_goal.yaw, motion.T_map_base.yaw);
-  if (!goal_->use_yaw || std::abs(left) <= params_.yaw_tolerance)
-    return finish(NavResult::kSucceeded, NavReason::kReached);
-  const FollowerOutput step = follower_.turn(left, followerInputs(motion, now));
-  if (step.blocked) return blocked(now);
-  blocked_since_.reset();
-  command(step.command, NavState::kTurning, NavReason::kTurning);
-}
-
-FollowerInputs Navigator::followerInputs(const MotionPredictor::Motion& motion, Time now) const {
-  const double age = std::max(0.0, toSeconds(now - std::min(pose_->stamp, *scan_stamp_)));
-  return {motion.T_map_base, motion.twist, age, scan_, clearance_};
-}
-
-void Navigator::drive(const MotionPredictor::Motion& motion, Time now) {
-  const FollowerOutput step = follower_.update(followerInputs(motion, now));
-  const auto verdict = watchdog_.update(now, pose_->T_map_base.position(), follower_.remaining());
-  if (watchdog_.hasMoved()) rung_ = 0;
-  if (verdict == ProgressWatchdog::Verdict::kNoProgress) return recover(NavReason::kBlocked, now);
-  if (verdict == ProgressWatchdog::Verdict::kOscillating) return recover(NavReason::kOscillating, now);
-  if (step.blocked) return blocked(now);
-  blocked_since_.reset();
-  command(step.command, NavState::kDriving, NavReason::kDriving);
-}
-
-void Navigator::blocked(Time now) {
-  if (!blocked_since_) blocked_since_ = now;
-  if (toSeconds(now - *blocked_since_) > params_.blocked_patience) return recover(NavReason::kBlocked, now);
-  command({}, NavState::kDriving, NavReason::kBlocked);
-}
-
-void Navigator::recover(NavReason trouble, Time now) {
-  if (rung_ >= ladder_.size()) return finish(NavResult::kAborted, trouble);
-  const RecoveryRung& rung = ladder_[rung_++];
-  trouble_ = trouble;
-  has_path_ = false;
-  blocked_since_.reset();
-  watchdog_.restart(now, pose_->T_map_base.position());
-  if (rung.clears_obstacles) clearObstacles();
-  if (rung.begin) recovery_ = rung.begin();
-  command({}, NavState::kRecovering, trouble);
-  output_.recovery = rung.name;
-}
-
-void Navigator::continueRecovery(Time now) {
-  const RecoveryStep step = recovery_({pose_->T_map_base, scan_}, now);
-  command(step.command, NavState::kRecovering, trouble_);
-  output_.recovery = ladder_[rung_ - 1].name;
-  if (!step.done) return;
-  recovery_ = nullptr;
-  watchdog_.restart(now, pose_->T_map_base.position());
 }
 
 }  // namespace frontier_pilot::navigation

@@ -1,4 +1,4 @@
-#include "frontier_pilot/navigation/obstacle_layer.h"
+#include "navigation/obstacle_layer.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/navigation/path_follower.h"
+#include "navigation/path_follower.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "frontier_pilot/navigation/scan_points.h"
+#include "navigation/scan_points.h"
 
 #include <algorithm>
 #include <array>

@@ -10,33 +10,8 @@ namespace {
 // 99/70 is the root of two to 5e-5.
 constexpr std::uint32_t kStraight = 70;
 constexpr std::uint32_t kDiagonal = 99;
-// Counter-clockwise from +x; odd ones are diagonal.
-constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
 }  // namespace
-
-void GridSearch::Queue::reset(std::uint32_t f) {
-  if (count != 0) {
-    for (auto& bucket : buckets) bucket.clear();
-  }
-  count = 0;
-  least = f;
-}
-
-void GridSearch::Queue::push(std::uint32_t node, std::uint32_t f) {
-  buckets[f % kSize].push_back(node);
-  ++count;
-}
-
-std::uint32_t GridSearch::Queue::pop() {
-  while (buckets[least % kSize].empty()) ++least;
-  // Last in, first out: of equal f the deeper node first, which runs straight for the goal in the open.
-  std::vector<std::uint32_t>& bucket = buckets[least % kSize];
-  const std::uint32_t node = bucket.back();
-  bucket.pop_back();
-  --count;
-  return node;
-}
 
 void GridSearch::prepare(const ClearanceMap& map) {
   if (map.geometry() != geometry_ || nodes_.empty()) {
@@ -52,7 +27,7 @@ void GridSearch::prepare(const ClearanceMap& map) {
     step_cost_[static_cast<std::size_t>(i)] = {static_cast<std::uint32_t>(std::lround(kStraight * map.weight(i))),
                                                static_cast<std::uint32_t>(std::lround(kDiagonal * map.weight(i)))};
   }
-  for (std::size_t i = 0; i < kSteps.size(); ++i) offset_[i] = kSteps[i].y * geometry_.width + kSteps[i].x;
+  offsets_ = grids::neighbourOffsets(geometry_.width);
 }
 
 std::uint32_t GridSearch::heuristic(Cell cell) const {
@@ -75,7 +50,7 @@ bool GridSearch::search(const ClearanceMap& map, Cell start, Cell goal) {
   prepare(map);
   begin(start, goal);
   const auto goal_index = static_cast<std::uint32_t>(geometry_.index(goal));
-  while (queue_.count > 0) {
+  while (!queue_.empty()) {
     const std::uint32_t index = queue_.pop();
     if ((nodes_[index].label & kClosed) != 0) continue;
     nodes_[index].label |= kClosed;
@@ -93,14 +68,15 @@ void GridSearch::expand(const ClearanceMap& map, std::uint32_t index) {
   const bool inside = cell.x > 0 && cell.y > 0 && cell.x + 1 < geometry_.width && cell.y + 1 < geometry_.height;
   std::array<std::uint8_t, 8> around{};
   for (std::size_t i = 0; i < 8; ++i) {
-    const bool there = inside || geometry_.contains({cell.x + kSteps[i].x, cell.y + kSteps[i].y});
-    const std::int64_t at = static_cast<std::int64_t>(index) + offset_[i];
-    around[i] = there ? static_cast<std::uint8_t>(costs[at] & ClearanceMap::kClassMask) : std::uint8_t{0};
+    const Cell step = grids::kNeighbourSteps[i];
+    const bool there = inside || geometry_.contains({cell.x + step.x, cell.y + step.y});
+    around[i] =
+        there ? static_cast<std::uint8_t>(costs[index + offsets_[i]] & ClearanceMap::kClassMask) : std::uint8_t{0};
   }
   for (std::size_t i = 0; i < 8; ++i) {
     const bool diagonal = i % 2 == 1;
     if (around[i] == 0 || (diagonal && (around[i - 1] == 0 || around[(i + 1) % 8] == 0))) continue;
-    const auto next = static_cast<std::uint32_t>(static_cast<std::int64_t>(index) + offset_[i]);
+    const auto next = static_cast<std::uint32_t>(index + offsets_[i]);
     relax(next, cost + step_cost_[around[i]][diagonal ? 1 : 0], static_cast<std::uint32_t>(i));
   }
 }
@@ -122,7 +98,7 @@ std::vector<Cell> GridSearch::pathTo(Cell cell) const {
   std::vector<Cell> path{cell};
   while (path.back() != start_) {
     const Cell at = path.back();
-    const Cell step = kSteps[nodes_[geometry_.index(at)].label & kDirectionMask];
+    const Cell step = grids::kNeighbourSteps[nodes_[geometry_.index(at)].label & kDirectionMask];
     path.push_back({at.x - step.x, at.y - step.y});
   }
   std::reverse(path.begin(), path.end());

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "frontier_pilot/grids/cell_search.h"
 #include "frontier_pilot/planning/clearance_map.h"
 
 namespace frontier_pilot::planning {
@@ -30,16 +32,8 @@ class GridSearch {
     std::uint32_t cost;   ///< from the start, in units of 1/70 cell
     std::uint32_t label;  ///< number of the search, closed bit, direction it was reached by
   };
-  struct Queue {
-    static constexpr std::uint32_t kSize = 4096;  ///< more than two of the dearest steps
-    std::array<std::vector<std::uint32_t>, kSize> buckets;
-    std::uint32_t least = 0;
-    std::size_t count = 0;
-
-    void reset(std::uint32_t f);
-    void push(std::uint32_t node, std::uint32_t f);
-    std::uint32_t pop();
-  };
+  /// More than two of the dearest steps.
+  using Queue = grids::BucketQueue<4096>;
   static constexpr std::uint32_t kDirectionMask = 7;
   static constexpr std::uint32_t kClosed = 8;
   static constexpr int kNumberShift = 4;
@@ -53,7 +47,7 @@ class GridSearch {
 
   GridGeometry geometry_;
   std::array<std::array<std::uint32_t, 2>, ClearanceMap::kClasses> step_cost_{};  ///< [class][diagonal]
-  std::array<std::int32_t, 8> offset_{};
+  std::array<std::size_t, 8> offsets_{};                                          ///< of the neighbours' indices
   std::vector<Node> nodes_;
   std::uint32_t number_ = 0;
   std::size_t expanded_ = 0;

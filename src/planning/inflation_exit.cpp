@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
-#include <tuple>
 
-#include "frontier_pilot/grids/cell_window.h"
+#include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::planning {
 namespace {
@@ -14,81 +11,46 @@ namespace {
 /// What it costs to be in contact, in metres a metre.
 constexpr double kContactWeight = 4.0;
 
-/// Dijkstra's search over a small window around the robot.
-class InflationExitSearch {
+/// What steps cost around a robot, which is known to be where it is.
+class StepCost {
  public:
-  InflationExitSearch(const ClearanceMap& map, Cell from, double radius, bool beyond)
-      : map_(map),
-        beyond_(beyond),
-        from_(from),
-        reach_(static_cast<int>(std::ceil(radius / map.geometry().resolution))),
-        cost_(from, reach_, std::numeric_limits<double>::infinity()),
-        parent_(from, reach_, from) {}
+  StepCost(const ClearanceMap& map, Cell robot, int reach) : map_(map), robot_(robot), reach_(reach) {}
 
-  std::vector<InflationExit> run() {
-    push(from_, from_, 0.0);
-    while (!queue_.empty()) {
-      const auto [cost, y, x] = queue_.top();
-      const Cell cell{x, y};
-      queue_.pop();
-      if (cost > cost_[cell]) continue;
-      const bool out = map_.isPassable(cell);
-      if (out) escapes_.push_back({cost, wayTo(cell)});
-      if (!out || beyond_) expand(cell, cost);
-    }
-    return std::move(escapes_);
+  /// [m], more where it is near an obstacle; negative where there is no way. A diagonal step needs both cells beside
+  /// it.
+  double operator()(Cell cell, Cell next) const {
+    if (!isOpen(next) || !isOpen({next.x, cell.y}) || !isOpen({cell.x, next.y})) return -1.0;
+    const double room = std::min(1.0, map_.field().at(next) / map_.requiredClearance());
+    const double step = std::hypot(next.x - cell.x, next.y - cell.y) * map_.geometry().resolution;
+    return step * (1.0 + kContactWeight * (1.0 - room));
   }
 
  private:
   bool isOpen(Cell cell) const {
-    const int dx = cell.x - from_.x;
-    const int dy = cell.y - from_.y;
+    const int dx = cell.x - robot_.x;
+    const int dy = cell.y - robot_.y;
     if (dx * dx + dy * dy > reach_ * reach_ || !map_.geometry().contains(cell)) return false;
     const bool under_the_robot = std::hypot(dx, dy) * map_.geometry().resolution < map_.params().inscribed_radius;
     return under_the_robot || !map_.isOccupied(cell);
   }
 
-  void push(Cell cell, Cell parent, double cost) {
-    if (cost >= cost_[cell]) return;
-    cost_[cell] = cost;
-    parent_[cell] = parent;
-    queue_.emplace(cost, cell.y, cell.x);
-  }
-
-  void expand(Cell cell, double cost) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const Cell next{cell.x + dx, cell.y + dy};
-        if ((dx == 0 && dy == 0) || !isOpen(next)) continue;
-        if (!isOpen({next.x, cell.y}) || !isOpen({cell.x, next.y})) continue;
-        const double room = std::min(1.0, map_.field().at(next) / map_.requiredClearance());
-        const double step = std::hypot(dx, dy) * map_.geometry().resolution;
-        push(next, cell, cost + step * (1.0 + kContactWeight * (1.0 - room)));
-      }
-    }
-  }
-
-  std::vector<Cell> wayTo(Cell cell) const {
-    std::vector<Cell> way{cell};
-    while (way.back() != from_) way.push_back(parent_[way.back()]);
-    std::reverse(way.begin(), way.end());
-    return way;
-  }
-
   const ClearanceMap& map_;
-  bool beyond_;
-  Cell from_;
+  Cell robot_;
   int reach_;
-  grids::CellWindow<double> cost_;
-  grids::CellWindow<Cell> parent_;
-  std::priority_queue<std::tuple<double, int, int>, std::vector<std::tuple<double, int, int>>, std::greater<>> queue_;
-  std::vector<InflationExit> escapes_;
 };
 
 }  // namespace
 
 std::vector<InflationExit> findInflationExits(const ClearanceMap& map, Cell from, double radius, bool beyond) {
-  return InflationExitSearch(map, from, radius, beyond).run();
+  const int reach = static_cast<int>(std::ceil(radius / map.geometry().resolution));
+  grids::ExitSearch search(from, reach);
+  std::vector<InflationExit> exits;
+  search.run(
+      beyond, [&](Cell cell) { return map.isPassable(cell); }, StepCost(map, from, reach),
+      [&](Cell cell, double cost) {
+        exits.push_back({cost, search.wayTo(cell)});
+      });
+  return exits;
 }
 
 }  // namespace frontier_pilot::planning

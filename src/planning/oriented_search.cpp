@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::planning {
 namespace {
@@ -65,13 +66,11 @@ class CostToGo {
   }
 
   void expand(Cell cell, float cost) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const Cell next{cell.x + dx, cell.y + dy};
-        if ((dx == 0 && dy == 0) || !map_.geometry().contains(next) || !map_.isPassable(next)) continue;
-        const double step = std::hypot(dx, dy) * map_.geometry().resolution * map_.weight(map_.costClass(next));
-        push(next, cost + static_cast<float>(step));
-      }
+    for (const Cell step : grids::kNeighbourSteps) {
+      const Cell next{cell.x + step.x, cell.y + step.y};
+      if (!map_.geometry().contains(next) || !map_.isPassable(next)) continue;
+      const double length = std::hypot(step.x, step.y) * map_.geometry().resolution;
+      push(next, cost + static_cast<float>(length * map_.weight(map_.costClass(next))));
     }
   }
 

@@ -5,19 +5,19 @@
 
 namespace frontier_pilot::system {
 
-behavior::LookAhead lookAtScan(const navigation::ScanPoints& scan, const Outline& outline) {
-  return [&scan, outline](const Pose2& T_map_base, const behavior::AxisMotion& motion) {
+behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, const Outline& outline) {
+  return [scan_distance, outline](const Pose2& T_map_base, const behavior::AxisMotion& motion) {
     if (motion.axis == behavior::AxisMotion::Axis::kTurn && outline.isDisc()) return behavior::SweepResult::kClear;
     constexpr double kStep = 0.03;  // [m]: how far a point of the outline may move between two poses
     const bool turns = motion.axis == behavior::AxisMotion::Axis::kTurn;
     const double travel = std::abs(motion.amount) * (turns ? outline.circumscribedRadius() : 1.0);
     const int poses = std::max(10, static_cast<int>(std::ceil(travel / kStep)));
-    const double at_start = scan.distance(outline, T_map_base);
+    const double at_start = scan_distance(outline, T_map_base);
     // An outline with straight sides that moves along a wall meets other points of the wall, with other noise.
     constexpr double kNoise = 0.005;  // [m]
     const double least = outline.isDisc() || at_start < -kNoise ? at_start : at_start - kNoise;
     for (int i = 1; i <= poses; ++i) {
-      const double there = scan.distance(outline, T_map_base * motion.at(static_cast<double>(i) / poses));
+      const double there = scan_distance(outline, T_map_base * motion.at(static_cast<double>(i) / poses));
       if (there < 0.0 && there < least) return behavior::SweepResult::kObstacle;
     }
     return behavior::SweepResult::kClear;
@@ -27,7 +27,7 @@ behavior::LookAhead lookAtScan(const navigation::ScanPoints& scan, const Outline
 behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
                                   const Outline& outline) {
   if (outline.isDisc()) return goal;
-  const behavior::LookAhead look = lookAtScan(in.scan, outline);
+  const behavior::LookAhead look = lookAtScan(in.scan_distance, outline);
   const double sign = goal.kind == behavior::BehaviorKind::kBackUp ? -1.0 : 1.0;
   const auto axis = goal.kind == behavior::BehaviorKind::kSpin ? behavior::AxisMotion::Axis::kTurn
                                                                : behavior::AxisMotion::Axis::kLine;
@@ -48,7 +48,7 @@ navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavi
     begun = true;
     behavior::BehaviorInputs inputs;
     inputs.pose = behavior::BehaviorInputs::Pose{now, in.T_map_base};
-    inputs.look_ahead = lookAtScan(in.scan, outline);
+    inputs.look_ahead = lookAtScan(in.scan_distance, outline);
     const behavior::BehaviorOutput output = core.update(inputs, now);
     return navigation::RecoveryStep{output.command.value_or(Twist2()), !core.active()};
   };

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/exploration/explorer_types.h"
-#include "frontier_pilot/exploration/frontier_evaluator.h"
-#include "frontier_pilot/exploration/goal_score.h"
+#include "frontier_pilot/exploration/frontier.h"
+#include "frontier_pilot/exploration/parameters.h"
 
 namespace frontier_pilot::exploration {
 
@@ -16,94 +17,32 @@ namespace frontier_pilot::exploration {
 class Explorer {
  public:
   explicit Explorer(const ExplorerParameters& parameters = {});
+  ~Explorer();
+  Explorer(Explorer&&) noexcept;
+  Explorer& operator=(Explorer&&) noexcept;
+  Explorer(const Explorer&) = delete;
+  Explorer& operator=(const Explorer&) = delete;
 
   /// The map, whenever it changes; `changed` holds every cell that may differ from last time.
   void setMap(const OccupancyGrid& map, const CellRect& changed);
   /// Asks a planner, in place of the own wavefront, for travel distances.
-  void setPlan(PlanFn plan) { evaluator_.setPlan(std::move(plan)); }
+  void setPlan(PlanFn plan);
 
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
   /// As judged at the last decision.
-  const std::vector<Frontier>& frontiers() const { return evaluator_.frontiers(); }
+  const std::vector<Frontier>& frontiers() const;
   /// The same with their cells listed, for display.
   const std::vector<Frontier>& frontiersWithCells();
-  const Blacklist& blacklist() const { return blacklist_; }
-  const ObservedMap& map() const { return evaluator_.map(); }
-  const std::optional<Pose2>& goal() const { return goal_pose_; }
+  /// Of the map that `Frontier::cells` are cells of.
+  const GridGeometry& geometry() const;
+  const std::vector<BlacklistedPlace>& blacklist() const;
+  /// The goal that the navigation has, or had until it was reached; in the map's frame.
+  const std::optional<Pose2>& goal() const;
 
  private:
-  /// The goal that the navigation has.
-  struct Goal {
-    std::uint32_t id = 0;
-    Vec2 position = Vec2::Zero();
-    double info_area = 0.0;  ///< when it was chosen [m^2]
-    Time sent;
-    bool returning = false;      ///< to the start
-    bool stepping_back = false;  ///< from what is too near to be a goal
-  };
-
-  void trackMotion(const ExplorerInputs& inputs);
-  bool clockJumped(Time now) const;
-  void forgetTime(Time now);
-  void reset(Time now);
-  bool ready(const ExplorerInputs& inputs, Time now);
-  void pause(Time now);
-  void stopFor(const std::vector<ExplorerReason>& missing, Time now);
-  std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
-  void handleEvent(const GoalEvent& event, Time now);
-  void goalFailed(const Goal& goal, const std::string& what, Time now);
-
-  void step(Time now);
-  void selectGoal(Time now);
-  void navigate(Time now);
-  void evaluateArrival(Time now);
-  void stayDone(Time now);
-
-  bool decide(ExplorerReason reason, Time now);
-  std::optional<GoalCandidate> judgeAndChoose(bool keep_present, Time now);
-  std::size_t countRejected(Rejection rejection) const;
-  bool informationGone();
-  void noteVanished();
-  bool retryOtherwise(Time now);
-  bool stepBack(Time now);
-  void finish(Time now);
-  ExplorerReason whyNothingIsLeft() const;
-  void returnToStart(Time now);
-
-  void send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now);
-  void cancelGoal();
-  void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
-  void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }
-  void countFrontiers();
-
-  ExplorerParameters parameters_;
-  FrontierEvaluator evaluator_;
-  Blacklist blacklist_;
-  Blacklist fruitless_;
-
-  ExplorerOutput out_;
-  ExplorerProgress status_;
-  std::optional<Goal> goal_;     ///< with the navigation now
-  std::optional<Goal> arrived_;  ///< reached, and not yet looked back upon
-  std::optional<Pose2> goal_pose_;
-  std::optional<Pose2> start_;
-  std::optional<Pose2> T_map_base_;
-  std::optional<Time> last_update_;
-  std::optional<Time> last_report_;
-  std::optional<Time> nothing_left_since_;
-  Time state_since_;
-  Time last_check_;
-  Time last_decision_;
-  std::vector<Vec2> visited_;   ///< goals reached [m]
-  std::vector<Vec2> failures_;  ///< goals failed [m]
-  std::vector<Vec2> vanished_;  ///< goals dropped because nothing was left to see there [m]
-  std::uint32_t next_goal_id_ = 1;
-  std::uint64_t judged_changes_ = 0;  ///< of the map, at the last decision
-  bool was_running_ = false;
-  bool blacklist_retried_ = false;
-  int step_backs_ = 0;
-  std::optional<ExplorerReason> done_reason_;  ///< on the way back to the start
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace frontier_pilot::exploration

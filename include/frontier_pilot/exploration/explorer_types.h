@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/exploration/blacklist.h"
-#include "frontier_pilot/exploration/frontier.h"
 
 namespace frontier_pilot::exploration {
 
@@ -46,46 +45,16 @@ const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
 const char* toString(ExplorerReason reason);
 
-struct ExplorerParameters {
-  RobotModel robot;
-  double rich_min_density = 0.0;
-  double goal_timeout = 120.0;
-  int max_goal_retries = 1;
-  double check_period = 0.5;
-  double decision_period = 2.0;
-  double settle_time = 1.0;
-  double done_settle_time = 3.0;
-  double yield_time = 5.0;
-  double vanished_share = 0.25;
-  double input_timeout = 1.5;
-  double report_period = 5.0;
-  bool return_to_start = false;
-  FrontierParameters frontier;
-  BlacklistParameters blacklist;
+/// Length [m] of the way between two points, or nothing where there is none. A caller with a better planner may hand it
+/// to the explorer; without one the explorer's own wavefront answers.
+using PlanFn = std::function<std::optional<double>(const Vec2& from, const Vec2& to)>;
 
-  template <class V>
-  void describe(V& v) {
-    describeRobot(v, robot);
-    v.field("rich_min_density", rich_min_density, "", "information density that phase RICH asks for",
-            between(0.0, 1.0));
-    v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled; a frontier's is blacklisted",
-            timeSpan());
-    v.field("max_goal_retries", max_goal_retries, "", "times a failed goal is tried again", atLeast(0));
-    v.fixed({"check_period"});
-    v.field("decision_period", decision_period, "s", "time between two comparisons of the present goal with the others",
-            timeSpan());
-    v.field("settle_time", settle_time, "s", "time to wait at a goal for the map to show what was expected",
-            timeSpanOrNone());
-    v.field("done_settle_time", done_settle_time, "s", "time without a goal to send after which exploration is done",
-            timeSpanOrNone());
-    v.fixed({"yield_time", "vanished_share"});
-    v.field("input_timeout", input_timeout, "s", "greatest age of pose and odometry; beyond it they count as missing",
-            timeSpan());
-    v.field("report_period", report_period, "s", "time between two warnings about missing inputs", tickPeriod());
-    v.field("return_to_start", return_to_start, "", "drive back to the start before DONE");
-    v.group("frontier", frontier, "frontiers and their goals");
-    v.group("blacklist", blacklist, "places that are not to be tried");
-  }
+/// A place that is not to be tried again until the map around it changes. [EXP-5]
+struct BlacklistedPlace {
+  Vec2 position = Vec2::Zero();       ///< in the map's frame [m]
+  std::string reason;                 ///< what the navigation said, or what was found there
+  std::uint64_t changes_then = 0;     ///< cells around it that had changed when it was listed
+  std::uint64_t changes_to_lift = 0;  ///< that many more lift it
 };
 
 /// How a goal ended, as the navigation says.

@@ -4,6 +4,7 @@
 
 #include "frontier_pilot/behavior/timed_behavior.h"
 #include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/navigation/parameters.h"
 #include "frontier_pilot/navigation/recovery.h"
 
 /// The navigator's recoveries, built from the timed behaviours that also carry out the actions back_up and spin. The
@@ -11,9 +12,9 @@
 namespace frontier_pilot::system {
 
 /// Looks ahead in the navigator's live scan: a motion is free unless it brings a scan point into `outline`, which is
-/// the robot's with a margin, or deeper into it than one is at the start. A disc may always turn. `scan` must outlive
-/// the returned function.
-behavior::LookAhead lookAtScan(const navigation::ScanPoints& scan, const Outline& outline);
+/// the robot's with a margin, or deeper into it than one is at the start. A disc may always turn. What `scan_distance`
+/// refers to must outlive the returned function.
+behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, const Outline& outline);
 
 /// The goal, shortened in eighths until it is free, but not below a quarter: a robot that is not a disc may have room
 /// for a part of the motion only, and that may be enough. A disc's goal is unchanged.

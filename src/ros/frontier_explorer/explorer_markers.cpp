@@ -104,7 +104,7 @@ void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, 
 }  // namespace
 
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
-                                                    const std::vector<exploration::Blacklist::Entry>& blacklist,
+                                                    const std::vector<exploration::BlacklistedPlace>& blacklist,
                                                     const GridGeometry& geometry, const std::string& frame,
                                                     Time stamp) {
   MarkerWriter writer(frame, stamp);
@@ -115,7 +115,7 @@ visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploratio
       writeRejected(writer, frontier, geometry);
     }
   }
-  for (const exploration::Blacklist::Entry& entry : blacklist) {
+  for (const exploration::BlacklistedPlace& entry : blacklist) {
     writer.sphere("blacklist", entry.position, 0.4, kRed);
     writer.text("blacklist reasons", entry.position, entry.reason, kRed);
   }

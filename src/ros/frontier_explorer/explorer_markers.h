@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/exploration/blacklist.h"
+#include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
 
 namespace frontier_pilot {
@@ -16,7 +16,7 @@ namespace frontier_pilot {
 /// and the rejected frontiers in grey, with the reason in the namespace (`rejected: too near`) and as text. Frontiers
 /// that are too small or left out, of which there can be thousands, have no text.
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
-                                                    const std::vector<exploration::Blacklist::Entry>& blacklist,
+                                                    const std::vector<exploration::BlacklistedPlace>& blacklist,
                                                     const GridGeometry& geometry, const std::string& frame, Time stamp);
 
 }  // namespace frontier_pilot

@@ -124,8 +124,8 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
   markers_due_ = markers_due_ || news;
   if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
   markers_due_ = false;
-  markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist().entries(),
-                                                 explorer_.map().geometry(), parameters_.map_frame, now));
+  markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist(),
+                                                 explorer_.geometry(), parameters_.map_frame, now));
 }
 
 /// Warns while ROS time stands still: ticks are on ROS time, so no tick could report it.

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "frontier_pilot/navigation/path_follower.h"
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/global_planner.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "navigation/path_follower.h"
 #include "sim/random.h"
 
 namespace frontier_pilot::test {

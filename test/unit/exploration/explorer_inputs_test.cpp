@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "explorer_fixture.h"
 
 namespace frontier_pilot {
@@ -72,7 +74,7 @@ TEST_P(ExplorerLosses, StopsSaysSoAndResumes_EXP_8) {
   set(true);
   EXPECT_EQ(tick().status.state, State::kNavigating);
   EXPECT_NE(sent.goal_id, first.goal_id);
-  EXPECT_TRUE(explorer.blacklist().entries().empty());
+  EXPECT_TRUE(explorer.blacklist().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(EachInput, ExplorerLosses,
@@ -103,11 +105,14 @@ TEST_F(ExplorerInputsTest, ResetForgetsBlacklistAndPhase) {
     inputs.goal_events = {{sent.goal_id, exploration::GoalEvent::Kind::kRejected, "no"}};
     tickFor(0.5);
   }
-  ASSERT_FALSE(explorer.blacklist().entries().empty());
+  ASSERT_FALSE(explorer.blacklist().empty());
   inputs.reset = true;
   const exploration::ExplorerOutput output = tick();
-  EXPECT_TRUE(explorer.blacklist().entries().empty());
-  EXPECT_EQ(output.status.phase, exploration::ExplorerPhase::kRich);
+  EXPECT_TRUE(explorer.blacklist().empty());
+  const auto reset = std::find_if(history.begin(), history.end(),
+                                  [](const exploration::ExplorerProgress& p) { return p.reason == Reason::kReset; });
+  ASSERT_NE(reset, history.end());
+  EXPECT_EQ(reset->phase, exploration::ExplorerPhase::kRich);
   EXPECT_EQ(output.status.state, State::kNavigating);
 }
 
@@ -118,11 +123,11 @@ TEST_F(ExplorerInputsTest, AMapOfAnotherSizeKeepsTheBlacklist) {
     inputs.goal_events = {{sent.goal_id, exploration::GoalEvent::Kind::kAborted, "no"}};
     tickFor(0.5);
   }
-  ASSERT_EQ(explorer.blacklist().entries().size(), 1U);
+  ASSERT_EQ(explorer.blacklist().size(), 1U);
   show(kRoom);
   pose = Pose2(0.3, 0.27, 0.0);  // far enough from the new frontier, which is not near the blacklisted goal
   EXPECT_EQ(tickFor(0.5).status.state, State::kNavigating);
-  EXPECT_EQ(explorer.blacklist().entries().size(), 1U);
+  EXPECT_EQ(explorer.blacklist().size(), 1U);
 }
 
 TEST_F(ExplorerInputsTest, TheDistanceTravelledIsThatOfThePoseWithoutItsJumps) {

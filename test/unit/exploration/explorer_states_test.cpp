@@ -30,25 +30,6 @@ TEST_F(ExplorerStates, GoFromIdleOverAGoalAndItsEvaluationToDone_EXP_1) {
   EXPECT_EQ(history.back().goals_reached, 1U);
 }
 
-class RichFirst : public ExplorerTest {
- protected:
-  static exploration::ExplorerParameters parameters() {
-    exploration::ExplorerParameters p = shortSighted();
-    p.rich_min_density = 0.9;
-    return p;
-  }
-  RichFirst() : ExplorerTest(parameters()) {}
-};
-
-// [EXP-1]
-TEST_F(RichFirst, PhaseCoverageFollowsWhenNoRichFrontierIsLeft_EXP_1) {
-  show(kRoom);
-  const exploration::ExplorerOutput output = tick();
-  EXPECT_EQ(output.status.phase, exploration::ExplorerPhase::kCoverage);
-  EXPECT_EQ(output.status.state, State::kNavigating);
-  EXPECT_TRUE(wentThrough(State::kSelectGoal, Reason::kRichFrontiersExhausted));
-}
-
 // [EXP-5]
 TEST_F(ExplorerStates, AGoalThatFailsTwiceIsBlacklistedAndNotSooner_EXP_5) {
   show(kTwoEnds);
@@ -56,12 +37,12 @@ TEST_F(ExplorerStates, AGoalThatFailsTwiceIsBlacklistedAndNotSooner_EXP_5) {
   const Pose2 first = sent.goal;
   goalEnds(Event::kAborted, "no path");
   tickFor(0.5);
-  EXPECT_TRUE(explorer.blacklist().entries().empty()) << "max_goal_retries 1 [EXP-5]";
+  EXPECT_TRUE(explorer.blacklist().empty()) << "max_goal_retries 1 [EXP-5]";
   EXPECT_EQ(sent.goal, first);
   goalEnds(Event::kAborted, "no path");
   const exploration::ExplorerOutput output = tickFor(0.5);
-  ASSERT_EQ(explorer.blacklist().entries().size(), 1U);
-  EXPECT_EQ(explorer.blacklist().entries()[0].reason, "no path");
+  ASSERT_EQ(explorer.blacklist().size(), 1U);
+  EXPECT_EQ(explorer.blacklist()[0].reason, "no path");
   EXPECT_GT((sent.goal.position() - first.position()).norm(), 0.6) << "[EXP-3] 0.60 m off blacklisted goals";
   EXPECT_EQ(output.status.goals_failed, 2U);
   EXPECT_GE(output.status.frontiers_blacklisted, 1U);
@@ -74,8 +55,8 @@ TEST_F(ExplorerStates, ATimedOutGoalIsCancelledAndBlacklistedAtOnce_EXP_5) {
   const exploration::GoalCommand first = sent;
   const exploration::ExplorerOutput output = tickFor(120.5);
   EXPECT_TRUE(wentThrough(State::kEvaluate, Reason::kGoalTimedOut));
-  ASSERT_EQ(explorer.blacklist().entries().size(), 1U);
-  EXPECT_EQ(explorer.blacklist().entries()[0].position, first.goal.position());
+  ASSERT_EQ(explorer.blacklist().size(), 1U);
+  EXPECT_EQ(explorer.blacklist()[0].position, first.goal.position());
   EXPECT_NE(sent.goal_id, first.goal_id);
   EXPECT_EQ(output.status.state, State::kNavigating);
 }
@@ -90,7 +71,7 @@ TEST_F(ExplorerStates, AGoalReplacedByTheExplorerItselfIsNeverBlacklisted_EXP_5)
   ASSERT_NE(sent.goal_id, first.goal_id);
   inputs.goal_events = {{first.goal_id, Event::kPreempted, "a new goal"}, {first.goal_id, Event::kAborted, "late"}};
   const exploration::ExplorerOutput output = tickFor(1.0);
-  EXPECT_TRUE(explorer.blacklist().entries().empty());
+  EXPECT_TRUE(explorer.blacklist().empty());
   EXPECT_EQ(output.status.goals_failed, 0U);
   EXPECT_EQ(output.status.state, State::kNavigating);
 }
@@ -143,14 +124,14 @@ TEST_F(ExplorerStates, ABlacklistEntryExpiresWhenTheMapAroundItChanges_EXP_5) {
     goalEnds(Event::kAborted, "blocked");
     tickFor(0.5);
   }
-  ASSERT_EQ(explorer.blacklist().entries().size(), 1U);
+  ASSERT_EQ(explorer.blacklist().size(), 1U);
   change({36, 1, 3, 2}, kOccupied);  // far away
   tickFor(3.0);
-  EXPECT_EQ(explorer.blacklist().entries().size(), 1U);
+  EXPECT_EQ(explorer.blacklist().size(), 1U);
   change({1, 1, 2, 9}, kFree);
   goalEnds(Event::kReached);
   tickFor(3.0);
-  EXPECT_TRUE(explorer.blacklist().entries().empty()) << "[EXP-5]";
+  EXPECT_TRUE(explorer.blacklist().empty()) << "[EXP-5]";
   EXPECT_LT((sent.goal.position() - first.position()).norm(), 0.6);
 }
 
@@ -162,7 +143,7 @@ TEST_F(ExplorerStates, AGoalTakenAwayByAnotherClientIsNotBlacklistedAndNotFought
   goalEnds(Event::kPreempted, "another goal");
   tickFor(2.0);
   EXPECT_EQ(sent.goal_id, first.goal_id);
-  EXPECT_TRUE(explorer.blacklist().entries().empty());
+  EXPECT_TRUE(explorer.blacklist().empty());
   EXPECT_EQ(tickFor(5.0).status.state, State::kNavigating);
 }
 

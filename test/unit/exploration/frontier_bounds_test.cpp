@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exploration/frontier_evaluator.h"
+#include "exploration/frontier_search.h"
 #include "explorer_fixture.h"
 #include "frontier_pilot/core/bounds.h"
 
@@ -67,7 +69,8 @@ TEST(FrontierBounds, OnlySoManyFrontiersAreJudgedTheLargeAndNearOnesFirst_FLT_1)
   exploration::FrontierEvaluator evaluator{exploration::FrontierParameters{}, Outline::disc(0.105)};
   evaluator.setMap(floor, floor.geometry().rect());
   const Vec2 robot = floor.geometry().centre({63, 63});
-  const auto& all = evaluator.evaluate({robot, robot, nullptr, nullptr, nullptr, 0.0});
+  evaluator.evaluate({robot, robot, nullptr, 0.0});
+  const auto& all = evaluator.frontiers();
   const auto count = [&](exploration::Rejection rejection) {
     return static_cast<std::size_t>(std::count_if(
         all.begin(), all.end(), [&](const exploration::Frontier& f) { return f.rejection == rejection; }));

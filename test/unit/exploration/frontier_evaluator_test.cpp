@@ -1,9 +1,10 @@
-#include "frontier_pilot/exploration/frontier_evaluator.h"
+#include "exploration/frontier_evaluator.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "exploration/view_gain.h"
 #include "frontier_pilot/core/robot_model.h"
 #include "support/ascii_world.h"
 #include "support/shipped_robot.h"
@@ -25,7 +26,9 @@ class FrontierJudgement : public ::testing::Test {
     evaluator = exploration::FrontierEvaluator(parameters, robot.drivenOutline());
     evaluator.setPlan(plan);
     evaluator.setMap(world.map, world.map.geometry().rect());
-    const auto& all = evaluator.evaluate({world.point('r'), world.point('r'), &blacklist, nullptr, nullptr, 0.0});
+    const exploration::FrontierEvaluator::Context context{world.point('r'), world.point('r'), &history, 0.0};
+    if (!evaluator.evaluate(context)) evaluator.evaluateTightWays(context);
+    const auto& all = evaluator.frontiers();
     largest = *std::max_element(
         all.begin(), all.end(),
         [](const exploration::Frontier& a, const exploration::Frontier& b) { return a.cell_count < b.cell_count; });
@@ -33,7 +36,7 @@ class FrontierJudgement : public ::testing::Test {
   }
 
   test::AsciiWorld world;
-  exploration::Blacklist blacklist{exploration::BlacklistParameters{}};
+  exploration::GoalHistory history{exploration::BlacklistParameters{}, 1};
   exploration::PlanFn plan;
   RobotModel robot;
   exploration::FrontierEvaluator evaluator{smallWorld(), robot.drivenOutline()};
@@ -164,10 +167,10 @@ TEST_F(FrontierJudgement, NearABlacklistedGoalItIsBlacklisted_EXP_3) {
   const Vec2 goal = judge(kRoom).goal;
   exploration::ObservedMap observed;
   observed.update(world.map, world.map.geometry().rect());
-  blacklist.add(goal + Vec2(0.55, 0.0), "test", observed);
+  history.timedOut(goal + Vec2(0.55, 0.0), observed);
   EXPECT_EQ(judge(kRoom).rejection, exploration::Rejection::kBlacklisted) << "[EXP-3] within 0.60 m";
-  blacklist.reset();
-  blacklist.add(goal + Vec2(0.65, 0.0), "test", observed);
+  history.reset();
+  history.timedOut(goal + Vec2(0.65, 0.0), observed);
   EXPECT_EQ(judge(kRoom).rejection, exploration::Rejection::kNone);
 }
 

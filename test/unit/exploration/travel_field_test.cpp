@@ -1,4 +1,4 @@
-#include "frontier_pilot/exploration/travel_field.h"
+#include "exploration/travel_field.h"
 
 #include <gtest/gtest.h>
 

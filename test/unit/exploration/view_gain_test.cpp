@@ -1,8 +1,8 @@
-#include "frontier_pilot/exploration/view_gain.h"
+#include "exploration/view_gain.h"
 
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/exploration/goal_score.h"
+#include "exploration/goal_score.h"
 #include "support/ascii_world.h"
 
 namespace frontier_pilot {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/navigation/motion_predictor.h"
+#include "navigation/motion_predictor.h"
 
 #include <gtest/gtest.h>
 

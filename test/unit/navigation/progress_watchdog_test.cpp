@@ -1,4 +1,4 @@
-#include "frontier_pilot/navigation/progress_watchdog.h"
+#include "navigation/progress_watchdog.h"
 
 #include <gtest/gtest.h>
 

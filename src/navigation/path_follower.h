@@ -3,31 +3,14 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
-#include "frontier_pilot/navigation/scan_points.h"
+#include "frontier_pilot/navigation/parameters.h"
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/outline_check.h"
 #include "frontier_pilot/planning/path.h"
+#include "navigation/scan_points.h"
 
 namespace frontier_pilot::navigation {
-
-struct FollowerParams {
-  double scan_margin = 0.014;        ///< room that the outline keeps to the scan's points [m]
-  double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
-  double min_lookahead = 0.2;        ///< [m]
-  double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
-  double horizon = 1.5;              ///< how far ahead motions are tried out [s]
-  double reaction_time = 0.25;       ///< until wheels brake for what is seen next, if it comes at once [s]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.moved("inscribed_radius", "robot/disc_radius");
-    v.field("scan_margin", scan_margin, "m", "room that the robot's outline keeps to the scan's points",
-            between(0.0, 0.5));
-    v.fixed({"lookahead_time", "min_lookahead", "turn_in_place_angle", "horizon", "reaction_time"});
-  }
-};
 
 /// What the follower looks at; all of it in the map frame.
 struct FollowerInputs {

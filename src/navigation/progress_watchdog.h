@@ -1,27 +1,10 @@
 #pragma once
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/navigation/parameters.h"
 
 namespace frontier_pilot::navigation {
-
-struct WatchdogParams {
-  double progress_distance = 0.1;     ///< [m]
-  double progress_timeout = 10.0;     ///< [s]
-  double oscillation_distance = 0.5;  ///< [m]
-  double oscillation_timeout = 30.0;  ///< [s]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"progress_distance"});
-    v.field("progress_timeout", progress_timeout, "s", "without progress for this long the robot is blocked",
-            timeSpan());
-    v.fixed({"oscillation_distance"});
-    v.field("oscillation_timeout", oscillation_timeout, "s",
-            "time within that circle after which the robot is oscillating", timeSpan());
-  }
-};
 
 /// Notices that a driving robot gets nowhere: no nearer to its goal, or nearer all the time but round and round on the
 /// spot (each new plan starts the measure of nearness anew, the place does not).

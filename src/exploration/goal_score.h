@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frontier_pilot/exploration/frontier.h"
+#include "frontier_pilot/exploration/parameters.h"
 
 namespace frontier_pilot::exploration {
 

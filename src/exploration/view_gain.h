@@ -1,28 +1,10 @@
 #pragma once
 
 #include "frontier_pilot/core/grid.h"
-#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/exploration/frontier.h"
+#include "frontier_pilot/exploration/parameters.h"
 
 namespace frontier_pilot::exploration {
-
-/// How the scanner is expected to see from a goal.
-struct ViewParameters {
-  double sensor_range = 8.0;
-  double unknown_depth = 1.5;
-  int rays = 120;
-
-  template <class V>
-  void describe(V& v) {
-    v.field("sensor_range", sensor_range, "m", "range that is counted on when a view is judged", positive());
-    v.fixed({"unknown_depth", "rays"});
-  }
-};
-
-/// What may be seen from a place.
-struct ViewGain {
-  double area = 0.0;     ///< unknown area in sight [m^2]
-  double density = 0.0;  ///< unknown share of all the area in sight, 0 to 1
-};
 
 /// Expected newly seen area from `from` [m]: every beam goes up to the first occupied cell, the sensor's range, or
 /// `unknown_depth` beyond the first unknown cell, and counts the sector of ground that it crosses from there on. Each

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::exploration {
 
@@ -66,7 +68,7 @@ class TravelField {
 
  private:
   static constexpr std::uint32_t kUnreached = 0xFFFFFFFFU;
-  static constexpr std::size_t kBuckets = 128;  ///< a power of two above the longest run and the farthest seed
+  static constexpr std::uint32_t kBuckets = 128;  ///< a power of two above the longest run and the farthest seed
   static constexpr std::uint32_t kStraight = 5;
   static constexpr std::uint32_t kDiagonal = 7;
   static constexpr std::uint32_t kRun = 16;  ///< straight steps at once: the cells of a cache line
@@ -74,14 +76,12 @@ class TravelField {
   void seed(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
   void label(std::size_t index, std::uint32_t units);
   void push(std::size_t index, unsigned direction, std::uint32_t units);
-  void expandBucket(std::vector<std::uint32_t>& bucket, const TraversableSpace& space, std::uint32_t units);
   void expandCell(std::size_t index, unsigned direction, std::uint32_t units, const TraversableSpace& space);
   void goStraight(std::size_t index, unsigned direction, std::uint32_t units, const std::uint8_t* open);
 
   Grid<std::uint32_t> units_;
   std::array<std::size_t, 8> offsets_{};  ///< of the neighbours' indices
-  std::array<std::vector<std::uint32_t>, kBuckets> buckets_;
-  std::size_t pending_ = 0;
+  grids::BucketQueue<kBuckets> queue_;
   std::size_t reached_count_ = 0;
 };
 

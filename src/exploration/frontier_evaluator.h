@@ -1,23 +1,20 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "exploration/frontier_search.h"
+#include "exploration/goal_history.h"
+#include "exploration/goal_score.h"
+#include "exploration/observed_map.h"
+#include "exploration/travel_field.h"
 #include "frontier_pilot/core/outline.h"
-#include "frontier_pilot/exploration/blacklist.h"
+#include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
-#include "frontier_pilot/exploration/frontier_search.h"
-#include "frontier_pilot/exploration/goal_score.h"
-#include "frontier_pilot/exploration/observed_map.h"
-#include "frontier_pilot/exploration/travel_field.h"
+#include "frontier_pilot/exploration/parameters.h"
 
 namespace frontier_pilot::exploration {
-
-/// Length [m] of the way between two points, or nothing where there is none. A caller with a better planner may hand it
-/// to the explorer; without one the explorer's own wavefront answers.
-using PlanFn = std::function<std::optional<double>(const Vec2& from, const Vec2& to)>;
 
 /// From the map to judged frontiers: search, goals, filters, information. Holds what is worth keeping between
 /// decisions, so that one costs the changed block, one wavefront, and views near the change.
@@ -34,13 +31,17 @@ class FrontierEvaluator {
   struct Context {
     Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
     Vec2 start = Vec2::Zero();  ///< where it was first [m]
-    const Blacklist* blacklist = nullptr;
-    const Blacklist* fruitless = nullptr;
-    const std::vector<Vec2>* visited = nullptr;  ///< goals reached so far [m]
-    double rich_min_density = 0.0;               ///< of selectable frontiers; 0 for all
+    const GoalHistory* history = nullptr;
+    double least_density = 0.0;  ///< of information, of selectable frontiers; 0 for all
   };
-  /// Every frontier of the map with its goal or the reason why it has none.
-  const std::vector<Frontier>& evaluate(const Context& context);
+  /// Finds every frontier of the map and judges it: its goal, or the reason why it has none. Ways to goals keep clear
+  /// of unknown ground and have room to turn right round: a gap whose sides have yet to be seen may prove too narrow
+  /// when the robot is in it. Gives whether any frontier can be selected.
+  bool evaluate(const Context& context);
+  /// Judges the same frontiers by ways through gaps that only just fit as well.
+  bool evaluateTightWays(const Context& context);
+  /// Judges them by such ways from `context.start`, if the robot is cut off from there by the last evaluation.
+  bool evaluateWaysFromStart(const Context& context);
 
   /// The selectable ones of the last evaluation, scored, as the choice wants them.
   std::vector<GoalCandidate> candidates(const Vec2& robot);
@@ -54,6 +55,8 @@ class FrontierEvaluator {
   std::size_t leftOut() const { return left_out_; }
   /// Whether the map has so many that it gave up before it looked for any. [FLT-1]
   bool tooMany() const { return clusters_.too_many; }
+  /// Whether no frontier has been passed over for one of these two reasons.
+  bool allJudged() const { return left_out_ == 0 && !clusters_.too_many; }
   /// Whether the last evaluation found ground for the robot to move on.
   bool robotHasGround() const { return travel_.reachedCount() > 0; }
   /// A reachable place a little farther than min_distance from the robot, from where what is too near now is not.

@@ -3,24 +3,11 @@
 #include <map>
 
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/navigation/scan_points.h"
+#include "frontier_pilot/navigation/parameters.h"
 #include "frontier_pilot/planning/clearance_map.h"
+#include "navigation/scan_points.h"
 
 namespace frontier_pilot::navigation {
-
-struct ObstacleLayerParams {
-  double range = 3.0;          ///< how far away obstacles are taken in [m]
-  double memory = 30.0;        ///< how long an obstacle out of sight is believed [s]
-  int map_tolerance = 2;       ///< a hit this near to an occupied cell is the map's own [cells]
-  double seen_through = 0.15;  ///< a beam this much farther than an obstacle says that it is gone [m]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("range", range, "m", "greatest range at which obstacles that the map lacks are taken in", positive());
-    v.field("memory", memory, "s", "time after which an obstacle that is out of sight is forgotten", timeSpan());
-    v.fixed({"map_tolerance", "seen_through"});
-  }
-};
 
 /// What the live scan sees and the map does not (yet): marks it in the ClearanceMap and takes it away again when a beam
 /// goes through or it is forgotten.

@@ -1,0 +1,148 @@
+#pragma once
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot_model.h"
+
+namespace frontier_pilot::exploration {
+
+/// How the scanner is expected to see from a goal.
+struct ViewParameters {
+  double sensor_range = 8.0;
+  double unknown_depth = 1.5;
+  int rays = 120;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("sensor_range", sensor_range, "m", "range that is counted on when a view is judged", positive());
+    v.fixed({"unknown_depth", "rays"});
+  }
+};
+
+/// What the score is made of. [EXP-4]
+struct ScoreParameters {
+  double w_info = 1.0;
+  double w_dist = 1.0;
+  double w_obs = 1.2;
+  double w_visit = 0.8;
+  double info_scale = 8.0;
+  double distance_scale = 3.0;
+  double switch_margin = 0.5;
+  bool info_by_ray_casting = true;
+  bool distance_by_travel = true;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("w_info", w_info, "", "weight of the expected information", atLeast(0.0));
+    v.field("w_dist", w_dist, "", "weight of the distance", atLeast(0.0));
+    v.field("w_obs", w_obs, "", "weight of the obstacle density around the goal", atLeast(0.0));
+    v.field("w_visit", w_visit, "", "weight of earlier goals close by", atLeast(0.0));
+    v.fixed({"info_scale", "distance_scale", "switch_margin"});
+    v.field("info_by_ray_casting", info_by_ray_casting, "",
+            "whether the information is found by ray casting; false: by the unknown share around the goal");
+    v.field("distance_by_travel", distance_by_travel, "",
+            "whether the distance is that of the way to the goal; false: the Euclidean distance");
+  }
+};
+
+/// Which frontiers can be chosen. [EXP-2] [EXP-3]
+struct FrontierParameters {
+  int min_frontier_cells = 4;
+  double max_cluster_extent = 3.0;
+  double clearance_margin = 0.045;
+  double trap_margin = 0.03;
+  double escape_radius = 0.6;
+  double goal_search_radius = 1.0;
+  double min_distance = 0.45;
+  int obstacle_radius_cells = 6;
+  double max_obstacle_density = 0.30;
+  double min_info_area = 0.01;
+  double min_info_share = 2e-4;
+  double visit_radius = 0.6;
+  ViewParameters view;
+  ScoreParameters score;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("min_frontier_cells", min_frontier_cells, "", "smaller frontiers are ignored", atLeast(1));
+    v.fixed({"max_cluster_extent"});
+    v.field("clearance_margin", clearance_margin, "m",
+            "room that a way to a goal leaves on either side of the robot: nearly a cell of the map, for its walls are "
+            "known no better",
+            atLeast(0.0));
+    v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
+    v.fixed({"trap_margin", "escape_radius", "goal_search_radius"});
+    v.field("min_distance", min_distance, "m", "goals nearer to the robot are not sent", atLeast(0.0));
+    v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "radius in which the obstacle density is measured",
+            atLeast(1));
+    v.field("max_obstacle_density", max_obstacle_density, "",
+            "goals with a greater obstacle density around them are not sent", between(0.0, 1.0));
+    v.field("min_info_area", min_info_area, "m^2", "goals that are expected to show less unknown area are not sent",
+            atLeast(0.0));
+    v.fixed({"min_info_share", "visit_radius"});
+    v.group("view", view, "what is expected to be seen from a goal");
+    v.group("score", score, "how goals are compared");
+  }
+};
+
+/// Which places are not to be tried, and for how long. [EXP-5]
+struct BlacklistParameters {
+  double radius = 0.60;
+  double change_radius = 1.0;
+  int change_cells = 20;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("radius", radius, "m", "a frontier whose goal is within this of a blacklisted goal is not tried",
+            positive());
+    v.fixed({"change_radius", "change_cells"});
+  }
+};
+
+/// What the explorer is configured with.
+struct ExplorerParameters {
+  RobotModel robot;
+  double rich_min_density = 0.2;
+  bool rich_first = false;
+  double goal_timeout = 120.0;
+  int max_goal_retries = 1;
+  double check_period = 0.5;
+  double decision_period = 2.0;
+  double settle_time = 1.0;
+  double done_settle_time = 3.0;
+  double yield_time = 5.0;
+  double vanished_share = 0.25;
+  double input_timeout = 1.5;
+  double report_period = 5.0;
+  bool return_to_start = false;
+  FrontierParameters frontier;
+  BlacklistParameters blacklist;
+
+  template <class V>
+  void describe(V& v) {
+    describeRobot(v, robot);
+    v.field("rich_min_density", rich_min_density, "",
+            "information density from which on a frontier is rich; phase RICH lasts until none can be selected",
+            between(0.0, 1.0));
+    v.field("rich_first", rich_first, "",
+            "whether only rich frontiers are selected in phase RICH; false: the score alone decides");
+    v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled; a frontier's is blacklisted",
+            timeSpan());
+    v.field("max_goal_retries", max_goal_retries, "", "times a failed goal is tried again", atLeast(0));
+    v.fixed({"check_period"});
+    v.field("decision_period", decision_period, "s", "time between two comparisons of the present goal with the others",
+            timeSpan());
+    v.field("settle_time", settle_time, "s", "time to wait at a goal for the map to show what was expected",
+            timeSpanOrNone());
+    v.field("done_settle_time", done_settle_time, "s", "time without a goal to send after which exploration is done",
+            timeSpanOrNone());
+    v.fixed({"yield_time", "vanished_share"});
+    v.field("input_timeout", input_timeout, "s", "greatest age of pose and odometry; beyond it they count as missing",
+            timeSpan());
+    v.field("report_period", report_period, "s", "time between two warnings about missing inputs", tickPeriod());
+    v.field("return_to_start", return_to_start, "", "drive back to the start before DONE");
+    v.group("frontier", frontier, "frontiers and their goals");
+    v.group("blacklist", blacklist, "places that are not to be tried");
+  }
+};
+
+}  // namespace frontier_pilot::exploration

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/planning/clearance_map.h"
+#include "frontier_pilot/planning/global_planner.h"
+
+namespace frontier_pilot::navigation {
+
+/// How a path is followed.
+struct FollowerParams {
+  double scan_margin = 0.014;        ///< room that the outline keeps to the scan's points [m]
+  double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
+  double min_lookahead = 0.2;        ///< [m]
+  double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
+  double horizon = 1.5;              ///< how far ahead motions are tried out [s]
+  double reaction_time = 0.25;       ///< until wheels brake for what is seen next, if it comes at once [s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.moved("inscribed_radius", "robot/disc_radius");
+    v.field("scan_margin", scan_margin, "m", "room that the robot's outline keeps to the scan's points",
+            between(0.0, 0.5));
+    v.fixed({"lookahead_time", "min_lookahead", "turn_in_place_angle", "horizon", "reaction_time"});
+  }
+};
+
+/// Which obstacles are taken in that the map lacks, and for how long.
+struct ObstacleLayerParams {
+  double range = 3.0;          ///< how far away obstacles are taken in [m]
+  double memory = 30.0;        ///< how long an obstacle out of sight is believed [s]
+  int map_tolerance = 2;       ///< a hit this near to an occupied cell is the map's own [cells]
+  double seen_through = 0.15;  ///< a beam this much farther than an obstacle says that it is gone [m]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("range", range, "m", "greatest range at which obstacles that the map lacks are taken in", positive());
+    v.field("memory", memory, "s", "time after which an obstacle that is out of sight is forgotten", timeSpan());
+    v.fixed({"map_tolerance", "seen_through"});
+  }
+};
+
+/// When a robot counts as one that gets nowhere.
+struct WatchdogParams {
+  double progress_distance = 0.1;     ///< [m]
+  double progress_timeout = 10.0;     ///< [s]
+  double oscillation_distance = 0.5;  ///< [m]
+  double oscillation_timeout = 30.0;  ///< [s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"progress_distance"});
+    v.field("progress_timeout", progress_timeout, "s", "without progress for this long the robot is blocked",
+            timeSpan());
+    v.fixed({"oscillation_distance"});
+    v.field("oscillation_timeout", oscillation_timeout, "s",
+            "time within that circle after which the robot is oscillating", timeSpan());
+  }
+};
+
+/// What the driving rungs of the ladder of recoveries do.
+struct RecoveryParams {
+  double back_up_distance = 0.2;  ///< [m]
+  double back_up_speed = 0.08;    ///< [m/s]
+  double spin_angle = 2.0 * kPi;  ///< [rad]
+  double spin_rate = 1.0;         ///< [rad/s]
+  double time_allowance = 10.0;   ///< for each [s]
+  double margin = 0.015;          ///< room that the outline keeps meanwhile [m]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("back_up_distance", back_up_distance, "m", "distance that a blocked robot backs up", positive());
+    v.fixed({"back_up_speed"});
+    v.field("spin_angle", spin_angle, "rad", "angle that a blocked robot turns to look around", positive());
+    v.fixed({"spin_rate"});
+    v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", timeSpan());
+    v.field("margin", margin, "m", "room that the robot's outline keeps to the scan's points while it recovers",
+            between(0.0, 0.5));
+    v.moved("footprint_radius", "margin, on top of the robot's outline");
+  }
+};
+
+/// What the navigator is configured with.
+struct NavigatorParams {
+  RobotModel robot;
+  planning::ClearanceParams clearance;
+  planning::GlobalPlannerParams planner;
+  FollowerParams follower;
+  ObstacleLayerParams obstacles;
+  WatchdogParams watchdog;
+  RecoveryParams recovery;
+  double goal_tolerance = 0.12;   ///< [m]
+  double yaw_tolerance = 0.1;     ///< [rad]
+  double max_age = 0.5;           ///< of pose and scan [s]
+  double data_patience = 15.0;    ///< how long a goal waits for missing data [s]
+  double blocked_patience = 2.0;  ///< how long the robot waits before a recovery [s]
+  double replan_period = 5.0;     ///< how often a better path is looked for [s]
+  double map_period = 0.3;        ///< map updates take effect at most this often [s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    describeRobot(v, robot);
+    v.group("clearance", clearance, "room that paths keep");
+    v.group("planner", planner, "global planner");
+    v.group("follower", follower, "local control");
+    v.group("obstacles", obstacles, "obstacles that the map lacks");
+    v.group("watchdog", watchdog, "progress and oscillation");
+    v.group("recovery", recovery, "recoveries");
+    v.field("goal_tolerance", goal_tolerance, "m", "a goal is reached at this distance", positive());
+    v.field("yaw_tolerance", yaw_tolerance, "rad",
+            "greatest deviation of the yaw at the goal, if its direction matters", positive());
+    v.field("max_age", max_age, "s", "greatest age of pose and scan; beyond it the robot stands", timeSpan());
+    v.field("data_patience", data_patience, "s", "a goal that waits for data longer is aborted", timeSpan());
+    v.field("blocked_patience", blocked_patience, "s", "a blocked robot waits this long before a recovery",
+            timeSpanOrNone());
+    v.field("replan_period", replan_period, "s", "time between two searches for a better path", timeSpan());
+    v.fixed({"map_period"});
+  }
+};
+
+}  // namespace frontier_pilot::navigation

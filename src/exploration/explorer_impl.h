@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exploration/frontier_evaluator.h"
+#include "exploration/goal_history.h"
+#include "exploration/goal_score.h"
+#include "frontier_pilot/exploration/explorer.h"
+
+namespace frontier_pilot::exploration {
+
+/// The explorer's state machine: inputs, events and transitions in explorer.cpp, what is done in each state in
+/// explorer_steps.cpp, what is tried when nothing ordinary is left in fall_backs.cpp.
+class Explorer::Impl {
+ public:
+  explicit Impl(const ExplorerParameters& parameters);
+
+  void setMap(const OccupancyGrid& map, const CellRect& changed);
+  ExplorerOutput update(const ExplorerInputs& inputs, Time now);
+
+  FrontierEvaluator& evaluator() { return evaluator_; }
+  const FrontierEvaluator& evaluator() const { return evaluator_; }
+  const GoalHistory& history() const { return history_; }
+  const std::optional<Pose2>& goal() const { return goal_pose_; }
+
+ private:
+  /// The goal that the navigation has.
+  struct Goal {
+    std::uint32_t id = 0;
+    Vec2 position = Vec2::Zero();
+    double info_area = 0.0;  ///< when it was chosen [m^2]
+    Time sent;
+    bool returning = false;      ///< to the start
+    bool stepping_back = false;  ///< from what is too near to be a goal
+  };
+
+  /// What is tried when no frontier can be selected as things are.
+  struct FallBack {
+    enum class Scope {
+      kEveryDecision,  ///< judges the same map in another way; may give the robot another goal while it drives
+      kWithoutGoal,    ///< changes what the next decision goes by, or sends a goal of its own
+    };
+    const char* name;
+    Scope scope;
+    bool (Impl::*attempt)(Time now);  ///< gives whether it helped
+  };
+  static const std::array<FallBack, 5> kFallBacks;
+
+  void trackMotion(const ExplorerInputs& inputs);
+  bool clockJumped(Time now) const;
+  void forgetTime(Time now);
+  void reset(Time now);
+  bool ready(const ExplorerInputs& inputs, Time now);
+  void pause(Time now);
+  void stopFor(const std::vector<ExplorerReason>& missing, Time now);
+  std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
+  void handleEvent(const GoalEvent& event, Time now);
+  void goalFailed(const Goal& goal, const std::string& what);
+  void goalTimedOut(const Goal& goal);
+
+  void step(Time now);
+  void selectGoal(Time now);
+  void navigate(Time now);
+  void evaluateArrival(Time now);
+  void stayDone(Time now);
+
+  bool decide(ExplorerReason reason, Time now);
+  std::optional<GoalCandidate> judgeAndChoose(bool keep_present, Time now);
+  std::size_t countRejected(Rejection rejection) const;
+  bool informationGone();
+  FrontierEvaluator::Context context() const;
+
+  const FallBack* fallBack(FallBack::Scope scope, Time now);
+  bool judgeTightWays(Time now);
+  bool judgeWaysFromStart(Time now);
+  bool goOnToCoverage(Time now);
+  bool anyRich();
+  bool stepBack(Time now);
+  bool retryBlacklisted(Time now);
+
+  void finish(Time now);
+  ExplorerReason whyNothingIsLeft() const;
+  void returnToStart(Time now);
+
+  void send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now);
+  void cancelGoal();
+  void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
+  void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }
+  void countFrontiers();
+
+  ExplorerParameters parameters_;
+  FrontierEvaluator evaluator_;
+  GoalHistory history_;
+
+  ExplorerOutput out_;
+  ExplorerProgress status_;
+  std::optional<Goal> goal_;     ///< with the navigation now
+  std::optional<Goal> arrived_;  ///< reached, and not yet looked back upon
+  std::optional<Pose2> goal_pose_;
+  std::optional<Pose2> start_;
+  std::optional<Pose2> T_map_base_;
+  std::optional<Time> last_update_;
+  std::optional<Time> last_report_;
+  std::optional<Time> nothing_left_since_;
+  Time state_since_;
+  Time last_check_;
+  Time last_decision_;
+  std::uint32_t next_goal_id_ = 1;
+  std::uint64_t judged_changes_ = 0;  ///< of the map, at the last decision
+  bool was_running_ = false;
+  int step_backs_ = 0;
+  const FallBack* judged_by_ = nullptr;        ///< at the last decision; null when it needed none
+  std::optional<ExplorerReason> done_reason_;  ///< on the way back to the start
+};
+
+}  // namespace frontier_pilot::exploration

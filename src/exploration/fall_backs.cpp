@@ -1,0 +1,68 @@
+#include <array>
+#include <string>
+
+#include "exploration/explorer_impl.h"
+
+namespace frontier_pilot::exploration {
+
+/// In this order, until one helps. When none does the explorer waits for what the map may yet show, and is then done.
+const std::array<Explorer::Impl::FallBack, 5> Explorer::Impl::kFallBacks{{
+    {"tight ways", FallBack::Scope::kEveryDecision, &Impl::judgeTightWays},
+    {"ways from the start", FallBack::Scope::kEveryDecision, &Impl::judgeWaysFromStart},
+    {"coverage", FallBack::Scope::kWithoutGoal, &Impl::goOnToCoverage},
+    {"stepping back", FallBack::Scope::kWithoutGoal, &Impl::stepBack},
+    {"blacklisted places once more", FallBack::Scope::kWithoutGoal, &Impl::retryBlacklisted},
+}};
+
+/// The first one of the scope that helps; null if none does.
+const Explorer::Impl::FallBack* Explorer::Impl::fallBack(FallBack::Scope scope, Time now) {
+  for (const FallBack& candidate : kFallBacks) {
+    if (candidate.scope == scope && (this->*candidate.attempt)(now)) return &candidate;
+  }
+  return nullptr;
+}
+
+/// Where some frontiers were left out there is no telling whether nothing else is left.
+bool Explorer::Impl::judgeTightWays(Time /*now*/) {
+  return evaluator_.allJudged() && evaluator_.evaluateTightWays(context());
+}
+
+/// The robot seems to be cut off: it has come from the start, and the navigation may know how to go back.
+bool Explorer::Impl::judgeWaysFromStart(Time /*now*/) {
+  return evaluator_.allJudged() && evaluator_.evaluateWaysFromStart(context());
+}
+
+/// The change of phase says how many frontiers are left for COVERAGE: those that can be selected although they are not
+/// rich, and those that `rich_first` has held back.
+bool Explorer::Impl::goOnToCoverage(Time now) {
+  if (status_.phase == ExplorerPhase::kCoverage) return false;
+  status_.phase = ExplorerPhase::kCoverage;
+  const std::size_t left = countRejected(Rejection::kNone) + countRejected(Rejection::kNotRich);
+  const std::string text = std::string(toString(ExplorerReason::kRichFrontiersExhausted)) +
+                           ", others that can be selected: " + std::to_string(left);
+  enter(status_.state, ExplorerReason::kRichFrontiersExhausted, text, now);
+  return true;
+}
+
+/// Drives a little away, so that what is left close by is far enough to be a goal.
+bool Explorer::Impl::stepBack(Time now) {
+  constexpr int kMaxStepBacks = 3;  // in a row: what three approaches do not show stays unseen
+  if (countRejected(Rejection::kTooNear) == 0 || step_backs_ >= kMaxStepBacks) return false;
+  const std::optional<Vec2> place = evaluator_.placeToStepBackTo(T_map_base_->position());
+  if (!place) return false;
+  ++step_backs_;
+  Goal goal;
+  goal.position = *place;
+  goal.stepping_back = true;
+  send(goal, T_map_base_->yaw, ExplorerReason::kGoalSent, "stepping back from a frontier that is too near", now);
+  return true;
+}
+
+bool Explorer::Impl::retryBlacklisted(Time now) {
+  if (countRejected(Rejection::kBlacklisted) == 0 || !history_.retryBlacklisted()) return false;
+  note(true, toString(ExplorerReason::kBlacklistSaturated));
+  enter(ExplorerState::kSelectGoal, ExplorerReason::kBlacklistSaturated, "", now);
+  return true;
+}
+
+}  // namespace frontier_pilot::exploration

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/navigation/navigator.h"
+#include "frontier_pilot/planning/outline_check.h"
+#include "navigation/motion_predictor.h"
+#include "navigation/obstacle_layer.h"
+#include "navigation/path_follower.h"
+#include "navigation/progress_watchdog.h"
+#include "navigation/scan_points.h"
+
+namespace frontier_pilot::navigation {
+
+/// The navigator's state machine: inputs, events and ends of goals in navigator.cpp, the way to a goal in
+/// navigator_steps.cpp.
+class Navigator::Impl {
+ public:
+  Impl(const NavigatorParams& params, std::vector<RecoveryRung> ladder);
+
+  void setMap(const OccupancyGrid& map, const CellRect& changed);
+  NavigatorOutput update(const NavigatorInputs& inputs, Time now);
+  planning::PlanResult makePlan(const planning::PlanRequest& request);
+  void clearObstacles();
+
+  bool hasGoal() const { return goal_.has_value(); }
+  const PathFollower& follower() const { return follower_; }
+  const planning::ClearanceMap& clearanceMap() const { return clearance_; }
+
+ private:
+  void takeIn(const NavigatorInputs& inputs, Time now);
+  void takeEvents(const NavigatorInputs& inputs, Time now);
+  void start(const NavGoal& goal, Time now);
+  void finish(NavResult result, NavReason reason);
+  std::optional<NavReason> missingData(const NavigatorInputs& inputs, Time now) const;
+  void wait(NavReason reason, Time now);
+  void pursueGoal(const NavigatorInputs& inputs, Time now);
+  bool ensurePath(Time now);
+  bool replan(Time now);
+  bool usePath(planning::PlanResult result, Time now);
+  void lookForBetter(Time now);
+  void drive(const MotionPredictor::Motion& motion, Time now);
+  void turn(const MotionPredictor::Motion& motion, Time now);
+  FollowerInputs followerInputs(const MotionPredictor::Motion& motion, Time now) const;
+  planning::PlanRequest requestFrom(const StampedPose& pose) const;
+  void blocked(Time now);
+  void recover(NavReason trouble, Time now);
+  void continueRecovery(Time now);
+  void refreshMap(Time now);
+  bool isAtGoal() const;
+  void command(const Twist2& twist, NavState state, NavReason reason);
+
+  NavigatorParams params_;
+  Outline outline_;
+  planning::OutlineCheck outline_on_map_;
+  std::vector<RecoveryRung> ladder_;
+  planning::ClearanceMap clearance_;
+  planning::GlobalPlanner planner_;
+  ObstacleLayer obstacles_;
+  PathFollower follower_;
+  MotionPredictor predictor_;
+  ProgressWatchdog watchdog_;
+
+  PoseHistory poses_;
+  std::optional<StampedPose> pose_;
+  std::optional<Time> scan_stamp_;
+  ScanPoints scan_;
+  bool map_changed_ = false;
+  bool obstacles_changed_ = false;
+  Time refreshed_;
+
+  std::optional<NavGoal> goal_;
+  bool has_path_ = false;
+  bool goal_is_moved_ = false;  ///< the path ends beside the goal
+  bool arrived_ = false;        ///< only the direction is left
+  std::size_t escape_ = 0;
+  Time planned_;
+  std::optional<Time> blocked_since_;
+  std::optional<Time> waiting_since_;
+  std::size_t rung_ = 0;
+  Recovery recovery_;
+  NavReason trouble_ = NavReason::kBlocked;
+  std::optional<Time> last_update_;
+  NavigatorOutput output_;
+};
+
+}  // namespace frontier_pilot::navigation

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "navigation/navigator_impl.h"
+
+namespace frontier_pilot::navigation {
+namespace {
+
+NavReason reasonOf(planning::PlanStatus status) {
+  switch (status) {
+    case planning::PlanStatus::kFound:
+      return NavReason::kDriving;
+    case planning::PlanStatus::kNoMap:
+      return NavReason::kNoMap;
+    case planning::PlanStatus::kInvalidRequest:
+      return NavReason::kInvalidGoal;
+    case planning::PlanStatus::kStartOutside:
+      return NavReason::kStartOutside;
+    case planning::PlanStatus::kStartBlocked:
+      return NavReason::kStartBlocked;
+    case planning::PlanStatus::kGoalOutside:
+      return NavReason::kGoalOutside;
+    case planning::PlanStatus::kGoalOccupied:
+      return NavReason::kGoalOccupied;
+    case planning::PlanStatus::kGoalUnreachable:
+      return NavReason::kGoalUnreachable;
+    case planning::PlanStatus::kNoPath:
+      return NavReason::kNoPath;
+  }
+  return NavReason::kNoPath;
+}
+
+/// A new path replaces a valid one only if it saves this share and length [m]: no dithering between equals.
+constexpr double kWorthwhileShare = 0.1;
+constexpr double kWorthwhile = 0.2;
+
+}  // namespace
+
+void Navigator::Impl::pursueGoal(const NavigatorInputs& inputs, Time now) {
+  refreshMap(now);
+  if (recovery_) return continueRecovery(now);
+  if (!ensurePath(now)) return;
+  const MotionPredictor::Motion motion = predictor_.predict(*pose_, inputs.twist, now);
+  if (arrived_ || isAtGoal()) return turn(motion, now);
+  lookForBetter(now);
+  drive(motion, now);
+}
+
+void Navigator::Impl::refreshMap(Time now) {
+  const bool due = map_changed_ && (!has_path_ || toSeconds(now - refreshed_) >= params_.map_period);
+  if (!due && !obstacles_changed_) return;
+  clearance_.refresh();
+  refreshed_ = now;
+  map_changed_ = obstacles_changed_ = false;
+  if (!has_path_ || arrived_) return;
+  const double along = follower_.progress();
+  const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->T_map_base) : std::nullopt;
+  has_path_ = planning::isPathValid(clearance_, follower_.path(), escape_, along) &&
+              outline_on_map_.canFollow(clearance_, follower_.path(), escape_, along, robot);
+}
+
+bool Navigator::Impl::ensurePath(Time now) { return has_path_ || replan(now); }
+
+bool Navigator::Impl::replan(Time now) {
+  planning::PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
+  if (result.found()) return usePath(std::move(result), now);
+  output_.plan_changed = true;
+  const bool may_help = !obstacles_.empty() || result.status == planning::PlanStatus::kStartBlocked;
+  if (may_help) {
+    recover(reasonOf(result.status), now);
+  } else {
+    finish(NavResult::kAborted, reasonOf(result.status));
+  }
+  return false;
+}
+
+planning::PlanRequest Navigator::Impl::requestFrom(const StampedPose& pose) const {
+  return {pose.T_map_base.position(), goal_->T_map_goal.position(), -1.0, pose.T_map_base.yaw};
+}
+
+bool Navigator::Impl::usePath(planning::PlanResult result, Time now) {
+  escape_ = result.escape;
+  goal_is_moved_ = (result.path.goal() - goal_->T_map_goal.position()).norm() > params_.goal_tolerance;
+  follower_.setPath(std::move(result.path));
+  watchdog_.newPath(follower_.remaining());
+  has_path_ = true;
+  planned_ = now;
+  blocked_since_.reset();
+  output_.plan_changed = true;
+  return true;
+}
+
+void Navigator::Impl::lookForBetter(Time now) {
+  if (toSeconds(now - planned_) < params_.replan_period) return;
+  planned_ = now;
+  planning::PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
+  const double left = follower_.remaining();
+  if (result.found() && result.path.length() < (1.0 - kWorthwhileShare) * left - kWorthwhile) {
+    usePath(std::move(result), now);
+  }
+}
+
+bool Navigator::Impl::isAtGoal() const {
+  const Vec2 target = goal_is_moved_ ? follower_.path().goal() : goal_->T_map_goal.position();
+  return (pose_->T_map_base.position() - target).norm() <= params_.goal_tolerance;
+}
+
+void Navigator::Impl::turn(const MotionPredictor::Motion& motion, Time now) {
+  arrived_ = true;
+  const double left = angleDifference(goal_->T_map_goal.yaw, motion.T_map_base.yaw);
+  if (!goal_->use_yaw || std::abs(left) <= params_.yaw_tolerance)
+    return finish(NavResult::kSucceeded, NavReason::kReached);
+  const FollowerOutput step = follower_.turn(left, followerInputs(motion, now));
+  if (step.blocked) return blocked(now);
+  blocked_since_.reset();
+  command(step.command, NavState::kTurning, NavReason::kTurning);
+}
+
+FollowerInputs Navigator::Impl::followerInputs(const MotionPredictor::Motion& motion, Time now) const {
+  const double age = std::max(0.0, toSeconds(now - std::min(pose_->stamp, *scan_stamp_)));
+  return {motion.T_map_base, motion.twist, age, scan_, clearance_};
+}
+
+void Navigator::Impl::drive(const MotionPredictor::Motion& motion, Time now) {
+  const FollowerOutput step = follower_.update(followerInputs(motion, now));
+  const auto verdict = watchdog_.update(now, pose_->T_map_base.position(), follower_.remaining());
+  if (watchdog_.hasMoved()) rung_ = 0;
+  if (verdict == ProgressWatchdog::Verdict::kNoProgress) return recover(NavReason::kBlocked, now);
+  if (verdict == ProgressWatchdog::Verdict::kOscillating) return recover(NavReason::kOscillating, now);
+  if (step.blocked) return blocked(now);
+  blocked_since_.reset();
+  command(step.command, NavState::kDriving, NavReason::kDriving);
+}
+
+void Navigator::Impl::blocked(Time now) {
+  if (!blocked_since_) blocked_since_ = now;
+  if (toSeconds(now - *blocked_since_) > params_.blocked_patience) return recover(NavReason::kBlocked, now);
+  command({}, NavState::kDriving, NavReason::kBlocked);
+}
+
+void Navigator::Impl::recover(NavReason trouble, Time now) {
+  if (rung_ >= ladder_.size()) return finish(NavResult::kAborted, trouble);
+  const RecoveryRung& rung = ladder_[rung_++];
+  trouble_ = trouble;
+  has_path_ = false;
+  blocked_since_.reset();
+  watchdog_.restart(now, pose_->T_map_base.position());
+  if (rung.clears_obstacles) clearObstacles();
+  if (rung.begin) recovery_ = rung.begin();
+  command({}, NavState::kRecovering, trouble);
+  output_.recovery = rung.name;
+}
+
+void Navigator::Impl::continueRecovery(Time now) {
+  const ScanDistance scan_distance = [this](const Outline& outline, const Pose2& T_map_base) {
+    return scan_.distance(outline, T_map_base);
+  };
+  const RecoveryStep step = recovery_({pose_->T_map_base, scan_distance}, now);
+  command(step.command, NavState::kRecovering, trouble_);
+  output_.recovery = ladder_[rung_ - 1].name;
+  if (!step.done) return;
+  recovery_ = nullptr;
+  watchdog_.restart(now, pose_->T_map_base.position());
+}
+
+}  // namespace frontier_pilot::navigation
