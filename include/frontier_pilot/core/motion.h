@@ -7,6 +7,12 @@
 
 namespace frontier_pilot {
 
+/// Where something was at a time. In which frame, and where what was, the name of the variable says.
+struct StampedPose2 {
+  Time stamp;
+  Pose2 pose;
+};
+
 /// Where the base was and how it moved at `stamp`, by odometry.
 struct MotionSample {
   Time stamp;
