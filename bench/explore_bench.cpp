@@ -202,7 +202,7 @@ class Run {
   /// What the mapper thinks of its scans, each time it thinks something else, and how far it is off.
   void logMapper() {
     const mapping::Mapper& mapper = loop_.mapper();
-    const auto remark = mapper.health().worst(loop_.now());
+    const auto remark = mapper.remark(loop_.now());
     std::string text = std::to_string(mapper.revisions().closures) + " loops closed";
     if (remark) text += ", " + remark->text;
     if (text == last_remark_) return;

@@ -15,7 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/slam/local_slam.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
+#include "slam/front_end/local_slam.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
 
@@ -110,7 +111,7 @@ void searchWindow(benchmark::State& state) {
   for (std::size_t i = kFirst; i < kFirst + 100; i += 5)
     map.add(surfaces::filled(surfaces::readSurface(scanner.at(poses[i]))), poses[i]);
   const scan_matching::SearchWindow window{half, half, 0.3};
-  const scan_matching::MaxPyramid pyramid(map.likelihood().grid(), scan_matching::pyramidTop(window, 0.05));
+  const scan_matching::MaxPyramid pyramid(map.field(), scan_matching::pyramidTop(window, 0.05));
   const Pose2 truth = poses[kFirst + 50];
   const surfaces::SurfacePoints points = surfaces::thinned(surfaces::readSurface(scanner.at(truth)));
   scan_matching::SearchRequest request;

@@ -1,15 +1,10 @@
-#include "frontier_pilot/mapping/odometry_buffer.h"
+#include "mapping/odometry_buffer.h"
 
 #include <algorithm>
 
 #include "frontier_pilot/core/bounds.h"
 
 namespace frontier_pilot::mapping {
-
-Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
-  const Vec2 position = a.position() + s * (b.position() - a.position());
-  return {position, normalizeAngle(a.yaw + s * angleDifference(b.yaw, a.yaw))};
-}
 
 void OdometryBuffer::add(Time stamp, const Pose2& T_odom_base) {
   if (!entries_.empty() && stamp == entries_.back().stamp) return;

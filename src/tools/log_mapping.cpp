@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "frontier_pilot/mapping/odometry_buffer.h"
-
 namespace frontier_pilot::tools {
 namespace {
 
@@ -67,8 +65,7 @@ logs::Trajectory bend(const logs::Trajectory& trajectory, const logs::Trajectory
     const double gap = toSeconds(after.stamp - before.stamp);
     const double share = gap > 0.0 ? toSeconds(entry.stamp - before.stamp) / gap : 0.0;
     // What is interpolated are poses near to each other: the origin may lie far off.
-    out.push_back(
-        {entry.stamp, mapping::interpolate(before.T_new_old * entry.pose, after.T_new_old * entry.pose, share)});
+    out.push_back({entry.stamp, interpolate(before.T_new_old * entry.pose, after.T_new_old * entry.pose, share)});
   }
   return out;
 }

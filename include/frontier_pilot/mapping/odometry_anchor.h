@@ -4,24 +4,10 @@
 #include <optional>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/mapping/parameters.h"
 
 namespace frontier_pilot::mapping {
-
-struct OdometryAnchorParameters {
-  double max_speed = 2.0;       ///< odometry is not believed to drive faster [m/s]
-  double max_turn_rate = 10.0;  ///< nor to turn faster [rad/s]
-  bool trusted = false;         ///< where odometry stays after a jump, there the robot is; described by the mapper
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("max_speed", max_speed, "m/s", "greatest credible speed between two messages; more is a jump of odometry",
-            positive());
-    v.field("max_turn_rate", max_turn_rate, "rad/s",
-            "greatest credible rate of turn between two messages; more is a jump of odometry", positive());
-  }
-};
 
 /// Odometry without its jumps. No robot drives 10 m between two messages: its driver was started again and counts from
 /// the origin, somebody set it, or the message is wrong. A single such message is left out; when the next ones go on

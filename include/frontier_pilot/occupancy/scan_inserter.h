@@ -4,25 +4,11 @@
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
+#include "frontier_pilot/occupancy/parameters.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 
 namespace frontier_pilot::occupancy {
-
-struct ScanInsertionParameters {
-  double max_clear_range = 8.0;  ///< a beam without a return clears at most this far [m]
-  double robot_radius = 0.105;   ///< a disc under the robot is free [m]; the mapper takes it from its robot
-  double hit_offset = 0.5;       ///< a hit is put this much behind the measured surface [cells]
-  double clear_margin = 0.3;     ///< a beam clears what it enters until this much before the surface [cells]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("max_clear_range", max_clear_range, "m", "a beam without a return clears at most this far", positive());
-    v.moved("robot_radius", "robot/disc_radius or robot/outline");
-    v.fixed({"hit_offset", "clear_margin"});
-  }
-};
 
 enum class Insertion {
   kInserted,

@@ -1,7 +1,7 @@
+#include "slam/back_end/graph_back_end.h"
+
 #include <cmath>
 #include <utility>
-
-#include "frontier_pilot/slam/graph_slam.h"
 
 namespace frontier_pilot::slam {
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 
 #include <utility>
 
@@ -31,7 +31,7 @@ std::optional<MatchTarget> LocalSlam::target() {
   const Submap& submap = *active_.front();
   if (!pyramid_) {
     const int top = scan_matching::pyramidTop(tracker_.usualWindow(), parameters_.likelihood.resolution);
-    pyramid_.emplace(submap.map.likelihood().grid(), top);
+    pyramid_.emplace(submap.map.field(), top);
   }
   return MatchTarget{submap.map, *pyramid_, submap.T_local_submap};
 }

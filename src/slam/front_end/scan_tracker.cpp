@@ -153,7 +153,7 @@ bool ScanTracker::fits(const scan_matching::Refinement& refined, const surfaces:
   // A hand before the scanner is small enough to lie on some surface by chance.
   const bool evident = refined.inliers * static_cast<double>(points.size()) >= kEvidence;
   return evident && refined.inliers >= parameters_.new_inliers &&
-         scan_matching::inconsistentShare(map.likelihood(), points, refined.pose) <= kMostContradictions;
+         scan_matching::inconsistentShare(map, points, refined.pose) <= kMostContradictions;
 }
 
 bool ScanTracker::overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
@@ -162,7 +162,7 @@ bool ScanTracker::overrulesOdometry(const scan_matching::Refinement& refined, co
   constexpr double kWide = 0.75;  // [m]
   constexpr double kSure = 0.8;
   return prediction.unseen.position < kWide || refined.inliers >= kSure ||
-         scan_matching::inconsistentShare(target.map.likelihood(), points, refined.pose) <= kMostContradictions;
+         scan_matching::inconsistentShare(target.map, points, refined.pose) <= kMostContradictions;
 }
 
 Track ScanTracker::match(const surfaces::SurfacePoints& points, const MatchTarget& target,
@@ -178,7 +178,7 @@ Track ScanTracker::match(const surfaces::SurfacePoints& points, const MatchTarge
   const scan_matching::PoseWithCovariance loose =
       beliefOf(prediction.T_map_base, prediction.unseen.position, prediction.unseen.yaw);
   const scan_matching::Refinement refined =
-      scan_matching::refine(target.map.surfels(), points, found->pose, loose, parameters_.refinement);
+      scan_matching::refine(target.map, points, found->pose, loose, parameters_.refinement);
   track.inliers = refined.inliers;
   track.slides = slidesAlong(refined.information);
   if (!fits(refined, points, target.map)) return track;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
-#include "frontier_pilot/slam/submap_graph.h"
+#include "slam/graph/submap_graph.h"
 #include "support/drives/drive.h"
 
 namespace frontier_pilot::test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/motion.h"
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 #include "support/drives/drive.h"
 
 namespace frontier_pilot::test {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 
 #include <gtest/gtest.h>
 

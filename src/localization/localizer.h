@@ -2,7 +2,12 @@
 
 #include <optional>
 
-#include "frontier_pilot/slam/local_slam.h"
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
+#include "frontier_pilot/scan_matching/scan_matcher.h"
+#include "frontier_pilot/slam/parameters.h"
+#include "frontier_pilot/slam/scan_tracker.h"
 
 namespace frontier_pilot::localization {
 

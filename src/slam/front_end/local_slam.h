@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/scan_matching/surface_map.h"
+#include "frontier_pilot/slam/parameters.h"
 #include "frontier_pilot/slam/scan_tracker.h"
 
 namespace frontier_pilot::slam {
@@ -28,24 +29,6 @@ struct Submap {
   Pose2 T_local_submap;
   std::vector<std::size_t> keyframes;  ///< ids of those that went in
   scan_matching::SurfaceMap map;
-};
-
-struct LocalSlamParameters {
-  double keyframe_distance = 0.2;  ///< a keyframe is made after moving this far [m]
-  double keyframe_angle = 0.2;     ///< or turning this far [rad]
-  double keyframe_inliers = 0.8;   ///< or a tenth of that where the map shows less of the scan than this share
-  int submap_keyframes = 80;       ///< a submap is finished with so many; the next begins at half of them
-  surfaces::SurfaceParameters surface;
-  scan_matching::LikelihoodParameters likelihood;
-  ScanTrackerParameters tracker;
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"keyframe_distance", "keyframe_angle", "keyframe_inliers", "submap_keyframes"});
-    v.group("surface", surface, "how scans are read, to be matched and to be mapped");
-    v.group("likelihood", likelihood, "the field that is searched");
-    v.group("tracker", tracker, "how the robot is followed");
-  }
 };
 
 struct LocalSlamOutput {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 
 namespace frontier_pilot::slam {
 
