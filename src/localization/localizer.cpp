@@ -35,20 +35,20 @@ scan_matching::SearchRequest requestFor(const scan_matching::PoseWithCovariance&
 
 }  // namespace
 
-Localizer::Localizer(const slam::LocalSlamParameters& parameters, const OccupancyGrid& map,
+Localizer::Localizer(const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
                      const scan_matching::PoseWithCovariance& T_map_base)
-    : parameters_(parameters),
-      map_(parameters.likelihood),
-      tracker_(withoutEnd(parameters.tracker)),
+    : parameters_(parameters.local),
+      surface_parameters_(parameters.surface),
+      map_(parameters_.likelihood),
+      tracker_(withoutEnd(parameters_.tracker)),
       sought_(T_map_base) {
   map_.add(surfaces::surfaceOf(map), Pose2());
   if (map_.empty()) return;
-  pyramid_.emplace(map_.field(), scan_matching::pyramidTop(tracker_.usualWindow(), parameters.likelihood.resolution));
+  pyramid_.emplace(map_.field(), scan_matching::pyramidTop(tracker_.usualWindow(), parameters_.likelihood.resolution));
 }
 
-slam::MatchVerdict Localizer::update(const LaserScan2& scan, const Pose2& T_odom_base) {
-  const surfaces::SurfacePoints points =
-      surfaces::thinned(surfaces::readSurface(scan, parameters_.surface), parameters_.surface);
+slam::MatchVerdict Localizer::update(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
+  const surfaces::SurfacePoints points = surfaces::thinned(scan.points, surface_parameters_);
   if (sought_) {
     const slam::MatchVerdict verdict = find(points, T_odom_base);
     if (sought_) return verdict;

@@ -18,7 +18,7 @@ std::string bytesOf(occupancy::OccupancyMap& map) {
 }  // namespace
 
 struct MapLocalization::Impl {
-  Impl(Use use_of_map, const slam::LocalSlamParameters& parameters, const OccupancyGrid& map,
+  Impl(Use use_of_map, const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
        const scan_matching::PoseWithCovariance& T_map_base)
       : use(use_of_map), localizer(parameters, map, T_map_base) {}
 
@@ -33,13 +33,13 @@ struct MapLocalization::Impl {
 MapLocalization::MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
                                  const occupancy::ScanInsertionParameters& insertion,
                                  const scan_matching::PoseWithCovariance& T_map_base)
-    : impl_(std::make_unique<Impl>(use, parameters.local, map.grid(), T_map_base)) {
+    : impl_(std::make_unique<Impl>(use, parameters, map.grid(), T_map_base)) {
   if (use != Use::kGoOnMapping) return;
   impl_->graph_slam = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
 }
 MapLocalization::~MapLocalization() = default;
 
-slam::CorrectedScan MapLocalization::correct(const LaserScan2& scan, const Pose2& T_odom_base,
+slam::CorrectedScan MapLocalization::correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                                              const occupancy::OccupancyMap& map) {
   std::optional<Pose2>& T_map_odom = impl_->T_map_odom;
   if (!T_map_odom) {

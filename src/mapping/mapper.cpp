@@ -6,6 +6,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/occupancy/scan_inserter.h"
+#include "frontier_pilot/surfaces/surface_points.h"
 #include "mapping/corrections.h"
 #include "mapping/mapping_health.h"
 
@@ -17,16 +18,6 @@ bool isWellFormed(const LaserScan2& scan) {
                       std::isfinite(scan.range_min) && std::isfinite(scan.range_max) && scan.T_base_sensor.isFinite();
   return finite && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
          !scan.ranges.empty();
-}
-
-/// Share of the beams that tell where there is something, or nothing.
-double shareOfUsable(const LaserScan2& scan) {
-  std::size_t usable = 0;
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    const RangeKind kind = readBeam(scan, beam).kind;
-    if (kind == RangeKind::kHit || kind == RangeKind::kFree) ++usable;
-  }
-  return static_cast<double>(usable) / static_cast<double>(scan.ranges.size());
 }
 
 ScanVerdict verdictOf(occupancy::Insertion insertion) {
@@ -55,20 +46,21 @@ struct Mapper::Impl {
     Pose2 T_odom_base;
   };
   struct Inserted {
-    LaserScan2 scan;
+    surfaces::SurfaceScan scan;
     Pose2 T_map_base;
   };
 
   Impl(const MapperParameters& given, std::unique_ptr<slam::PoseCorrection> corrector)
       : parameters(withRobotsRadius(given)),
         map(parameters.map),
-        inserter(parameters.insertion, parameters.slam.local.surface),
+        inserter(parameters.insertion),
         correction(corrector ? std::move(corrector) : correctionFor(parameters, map)) {}
 
   void note(ScanVerdict verdict, Time now);
   ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
-  ScanVerdict integrate(const LaserScan2& scan, const Pose2& T_odom_base);
-  ScanVerdict put(const LaserScan2& scan, const Pose2& T_map_base);
+  ScanVerdict take(const LaserScan2& scan, const Pose2& T_odom_base);
+  ScanVerdict integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base);
+  ScanVerdict put(const surfaces::SurfaceScan& scan, const Pose2& T_map_base);
   std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
   bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
   bool isTooLarge(const slam::MapRevision& revision) const;
@@ -126,13 +118,17 @@ ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pos
   if (!isWellFormed(scan)) return ScanVerdict::kMalformed;
   if (!T_odom_base || !T_odom_base->isFinite()) return ScanVerdict::kNoOdometry;
   if (!hasMoved(scan, *T_odom_base)) return ScanVerdict::kNotMoved;
-  usable_share = shareOfUsable(scan);
-  if (usable_share == 0.0) return ScanVerdict::kAllInvalid;
-  if (scan.ranges.size() <= bounds::kMostMappedBeams) return integrate(scan, *T_odom_base);
-  return integrate(withAtMost(bounds::kMostMappedBeams, scan), *T_odom_base);
+  if (scan.ranges.size() <= bounds::kMostMappedBeams) return take(scan, *T_odom_base);
+  return take(withAtMost(bounds::kMostMappedBeams, scan), *T_odom_base);
 }
 
-ScanVerdict Mapper::Impl::integrate(const LaserScan2& scan, const Pose2& T_odom_base) {
+ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base) {
+  const surfaces::SurfaceScan read = surfaces::readScan(scan, parameters.slam.surface);
+  usable_share = static_cast<double>(read.usableBeams()) / static_cast<double>(scan.ranges.size());
+  return usable_share > 0.0 ? integrate(read, T_odom_base) : ScanVerdict::kAllInvalid;
+}
+
+ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
   const slam::CorrectedScan corrected = correction->correct(scan, T_odom_base, map);
   last_correction = corrected.text;
   ++correction_counts[corrected.text];
@@ -146,7 +142,7 @@ ScanVerdict Mapper::Impl::integrate(const LaserScan2& scan, const Pose2& T_odom_
   return verdict;
 }
 
-ScanVerdict Mapper::Impl::put(const LaserScan2& scan, const Pose2& T_map_base) {
+ScanVerdict Mapper::Impl::put(const surfaces::SurfaceScan& scan, const Pose2& T_map_base) {
   const ScanVerdict verdict = verdictOf(inserter.insert(scan, T_map_base, map));
   if (verdict == ScanVerdict::kOutOfBounds) ++out_of_bounds;
   if (working && verdict == ScanVerdict::kInserted) meanwhile.push_back({scan, T_map_base});

@@ -18,19 +18,21 @@ constexpr int kMostMissing = 3;     ///< beams without a return between two that
 constexpr double kSameWay = 0.9;    ///< cosine of the greatest angle between normals of one surface
 constexpr double kFlat = 0.25;      ///< greatest slope between two points of one surface
 
-/// Reads the returns beam by beam, and sees where the surface surely breaks off between them.
-class ReturnReader {
+/// Reads a scan beam by beam, and sees where the surface surely breaks off between its returns.
+class BeamReader {
  public:
-  explicit ReturnReader(const LaserScan2& scan) : scan_(scan) {}
+  explicit BeamReader(const LaserScan2& scan) : scan_(scan) {}
 
-  SurfacePoints read() {
+  SurfaceScan read() {
     for (std::size_t beam = 0; beam < scan_.ranges.size(); ++beam) {
       const RangeReading reading = readBeam(scan_, beam);
       if (reading.kind == RangeKind::kHit) add(beam, reading.distance);
       // A beam that says nothing may have met the same surface; one that met nothing has not.
-      if (reading.kind == RangeKind::kFree) open_ = true;
+      if (reading.kind != RangeKind::kFree) continue;
+      open_ = true;
+      free_.push_back(scan_.angle(beam));
     }
-    return std::move(points_);
+    return {scan_.stamp, scan_.T_base_sensor, std::move(points_), std::move(free_), scan_.range_max};
   }
 
  private:
@@ -48,6 +50,7 @@ class ReturnReader {
 
   const LaserScan2& scan_;
   SurfacePoints points_;
+  std::vector<double> free_;
   std::size_t last_beam_ = 0;
   double last_distance_ = 0.0;
   bool open_ = true;  ///< nothing connects the next return to the last one
@@ -190,8 +193,9 @@ bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) 
 
 }  // namespace
 
-SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters) {
-  SurfacePoints points = ReturnReader(scan).read();
+SurfaceScan readScan(const LaserScan2& scan, const SurfaceParameters& parameters) {
+  SurfaceScan read = BeamReader(scan).read();
+  SurfacePoints& points = read.points;
   const LineFitter fitter(points);
   const SpanFinder neighbours(points);
   const Vec2 sensor = scan.T_base_sensor.position();
@@ -209,7 +213,7 @@ SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& param
     point.roughness = square(parameters.roughness);
     if (line) point.roughness += std::max(0.0, line->variance - point.noise) / square(facing);
   }
-  return points;
+  return read;
 }
 
 SurfacePoints placed(const Pose2& T_other_points, SurfacePoints points) {

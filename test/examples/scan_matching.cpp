@@ -12,8 +12,8 @@ bool examples::scanMatching() {
   //! [example]
   const fp::Pose2 truth(0.06, -0.04, 0.03);
   fp::scan_matching::SurfaceMap map;
-  map.add(fp::surfaces::filled(fp::surfaces::readSurface(scanFrom({}))), {});
-  const auto points = fp::surfaces::thinned(fp::surfaces::readSurface(scanFrom(truth)));
+  map.add(fp::surfaces::filled(fp::surfaces::readScan(scanFrom({})).points), {});
+  const auto points = fp::surfaces::thinned(fp::surfaces::readScan(scanFrom(truth)).points);
   fp::scan_matching::SearchRequest request;
   request.window = {0.2, 0.2, 0.2};
   const fp::scan_matching::MaxPyramid pyramid(map.field(), 3);

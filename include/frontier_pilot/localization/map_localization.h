@@ -31,7 +31,7 @@ class MapLocalization final : public slam::PoseCorrection {
   MapLocalization(const MapLocalization&) = delete;
   MapLocalization& operator=(const MapLocalization&) = delete;
 
-  slam::CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
+  slam::CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                               const occupancy::OccupancyMap& map) override;
   slam::RevisionWork takeWork() override;
   bool accept(const slam::MapRevision& revision) override;

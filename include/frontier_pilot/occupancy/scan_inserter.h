@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
 #include "frontier_pilot/occupancy/parameters.h"
 #include "frontier_pilot/surfaces/surface_points.h"
@@ -23,11 +23,10 @@ enum class Insertion {
 /// over misses within a scan.
 class ScanInserter {
  public:
-  explicit ScanInserter(const ScanInsertionParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {})
-      : parameters_(parameters), surface_parameters_(surface) {}
+  explicit ScanInserter(const ScanInsertionParameters& parameters = {}) : parameters_(parameters) {}
 
-  /// `scan` was taken at `T_map_base`; both must be well-formed and finite. On failure the map is untouched.
-  Insertion insert(const LaserScan2& scan, const Pose2& T_map_base, OccupancyMap& map);
+  /// `scan` was taken at `T_map_base`; both must be finite. On failure the map is untouched.
+  Insertion insert(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, OccupancyMap& map);
 
  private:
   struct Ray {
@@ -35,15 +34,14 @@ class ScanInserter {
     std::optional<Vec2> hit;  ///< a point behind the surface [m, map]; a beam without a return has none
   };
 
-  void readRays(const LaserScan2& scan, const Pose2& T_map_base, double resolution);
-  Ray rayThatMet(const surfaces::SurfacePoint& point, const Vec2& sensor, double resolution) const;
+  void readRays(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, double resolution);
+  Ray rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor, double resolution) const;
   bool reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const;
   void markHits(OccupancyMap& map) const;
   void clearRays(const Vec2& sensor, OccupancyMap& map) const;
   void clearFootprint(const Vec2& robot, OccupancyMap& map) const;
 
   ScanInsertionParameters parameters_;
-  surfaces::SurfaceParameters surface_parameters_;
   std::vector<Ray> rays_;  ///< of the present scan
 };
 

@@ -23,7 +23,8 @@ class GraphSlam final : public PoseCorrection {
   GraphSlam(const GraphSlam&) = delete;
   GraphSlam& operator=(const GraphSlam&) = delete;
 
-  CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base, const occupancy::OccupancyMap& map) override;
+  CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
+                        const occupancy::OccupancyMap& map) override;
   RevisionWork takeWork() override;
   bool accept(const MapRevision& revision) override;
   bool refuse(const MapRevision& revision) override;

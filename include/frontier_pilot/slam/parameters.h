@@ -50,14 +50,12 @@ struct LocalSlamParameters {
   double keyframe_angle = 0.2;     ///< or turning this far [rad]
   double keyframe_inliers = 0.8;   ///< or a tenth of that where the map shows less of the scan than this share
   int submap_keyframes = 80;       ///< a submap is finished with so many; the next begins at half of them
-  surfaces::SurfaceParameters surface;
   scan_matching::LikelihoodParameters likelihood;
   ScanTrackerParameters tracker;
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.fixed({"keyframe_distance", "keyframe_angle", "keyframe_inliers", "submap_keyframes"});
-    v.group("surface", surface, "how scans are read, to be matched and to be mapped");
     v.group("likelihood", likelihood, "the field that is searched");
     v.group("tracker", tracker, "how the robot is followed");
   }
@@ -94,14 +92,12 @@ struct LoopSearchParameters {
   double peak_distance = 0.2;  ///< nearer than this it is the same place [m]
   double peak_angle = 0.1;     ///< turned less than this it is the same place [rad]
   int submaps_kept = 8;        ///< so many submaps are kept ready for a search
-  surfaces::SurfaceParameters surface;
   scan_matching::LikelihoodParameters likelihood;
   scan_matching::RefinementParameters refinement;
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.fixed({"min_score", "min_inliers", "ambiguity", "peak_distance", "peak_angle", "submaps_kept"});
-    v.group("surface", surface, "how scans are read");
     v.group("likelihood", likelihood, "the field that is searched");
     v.group("refinement", refinement, "the match below the size of a cell");
   }
@@ -156,6 +152,7 @@ struct RenderingParameters {
 
 /// All of GraphSlam.
 struct GraphSlamParameters {
+  surfaces::SurfaceParameters surface;
   LocalSlamParameters local;
   SubmapDrift drift;
   PoseGraphParameters graph;
@@ -164,6 +161,7 @@ struct GraphSlamParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
+    v.group("surface", surface, "how scans are read, to be matched and to be mapped");
     v.group("local", local, "matching of scans with the last few metres");
     v.group("drift", drift, "how far the local map is believed to drift");
     v.group("graph", graph, "the pose graph");

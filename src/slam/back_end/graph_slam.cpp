@@ -39,7 +39,7 @@ struct Setup {
 struct GraphSlam::Impl {
   explicit Impl(Setup made_with)
       : setup(std::move(made_with)),
-        local(setup.parameters.local),
+        local(setup.parameters.local, setup.parameters.surface),
         drift(setup.parameters.local),
         back_end(setup.backEnd()) {}
 
@@ -72,7 +72,8 @@ void GraphSlam::Impl::keep(LocalSlamOutput& output) {
   if (!placed.places.empty() && !abandoned) inbox.push_back(std::move(placed));
 }
 
-CorrectedScan GraphSlam::correct(const LaserScan2& scan, const Pose2& T_odom_base, const occupancy::OccupancyMap&) {
+CorrectedScan GraphSlam::correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
+                                 const occupancy::OccupancyMap&) {
   LocalSlamOutput output = impl_->local.update(scan, T_odom_base);
   if (output.keyframe) impl_->keep(output);
   const Track& track = output.track;

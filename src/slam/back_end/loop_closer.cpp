@@ -49,7 +49,8 @@ bool isSound(const SubmapGraph& graph) {
 
 }  // namespace
 
-LoopCloser::LoopCloser(const LoopCloserParameters& parameters) : parameters_(parameters), search_(parameters.search) {}
+LoopCloser::LoopCloser(const LoopCloserParameters& parameters, const surfaces::SurfaceParameters& surface)
+    : parameters_(parameters), search_(parameters.search, surface) {}
 
 std::vector<LoopClosure> LoopCloser::update(SubmapGraph& graph, const surfaces::SurfacePoints& points) {
   const std::size_t newest = graph.keyframeCount() - 1;

@@ -15,7 +15,7 @@ namespace frontier_pilot::slam {
 /// closure costs some accuracy, a false one destroys the map: in doubt there is none.
 class LoopCloser {
  public:
-  explicit LoopCloser(const LoopCloserParameters& parameters = {});
+  explicit LoopCloser(const LoopCloserParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {});
 
   /// Looks for the newest keyframe of `graph`, of which `points` are the thinned ones. Gives the closures that have
   /// become certain by that; the graph has then moved.

@@ -8,11 +8,12 @@ namespace frontier_pilot::slam {
 namespace {
 
 scan_matching::SurfaceMap surfaceMapOf(const SubmapGraph& graph, std::size_t submap,
-                                       const LoopSearchParameters& parameters) {
-  scan_matching::SurfaceMap map(parameters.likelihood);
+                                       const scan_matching::LikelihoodParameters& likelihood,
+                                       const surfaces::SurfaceParameters& surface) {
+  scan_matching::SurfaceMap map(likelihood);
   for (const std::size_t keyframe : graph.submap(submap).keyframes) {
-    const surfaces::SurfacePoints points = surfaces::readSurface(graph.keyframe(keyframe).scan, parameters.surface);
-    map.add(surfaces::filled(points, parameters.surface), graph.T_submap_keyframe(submap, keyframe));
+    const surfaces::SurfacePoints& points = graph.keyframe(keyframe).scan.points;
+    map.add(surfaces::filled(points, surface), graph.T_submap_keyframe(submap, keyframe));
   }
   return map;
 }
@@ -62,7 +63,7 @@ const LoopSearch::Prepared& LoopSearch::prepare(const SubmapGraph& graph, std::s
     if (found->pyramid.top() < top) found->pyramid = scan_matching::MaxPyramid(found->map.field(), top);
     return *found;
   }
-  scan_matching::SurfaceMap map = surfaceMapOf(graph, submap, parameters_);
+  scan_matching::SurfaceMap map = surfaceMapOf(graph, submap, parameters_.likelihood, surface_parameters_);
   scan_matching::MaxPyramid pyramid(map.field(), top);
   prepared_.push_front({submap, keyframes, std::move(map), std::move(pyramid)});
   if (prepared_.size() > static_cast<std::size_t>(parameters_.submaps_kept)) prepared_.pop_back();
@@ -84,7 +85,7 @@ bool LoopSearch::isAmbiguous(const scan_matching::MaxPyramid& pyramid, const sur
 }
 
 surfaces::SurfacePoints LoopSearch::pointsOf(const Keyframe& keyframe) const {
-  return surfaces::thinned(surfaces::readSurface(keyframe.scan, parameters_.surface), parameters_.surface);
+  return surfaces::thinned(keyframe.scan.points, surface_parameters_);
 }
 
 double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,

@@ -21,7 +21,8 @@ class LoopSearch {
     scan_matching::PoseWithCovariance T_submap_keyframe;
   };
 
-  explicit LoopSearch(const LoopSearchParameters& parameters = {}) : parameters_(parameters) {}
+  explicit LoopSearch(const LoopSearchParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {})
+      : parameters_(parameters), surface_parameters_(surface) {}
 
   /// Around `expected`, T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
   Result find(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
@@ -47,6 +48,7 @@ class LoopSearch {
                    const Eigen::Matrix3d& information) const;
 
   LoopSearchParameters parameters_;
+  surfaces::SurfaceParameters surface_parameters_;
   std::list<Prepared> prepared_;  ///< the last used one first
 };
 

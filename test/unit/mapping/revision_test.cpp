@@ -30,7 +30,7 @@ class Thoughtful final : public slam::PoseCorrection {
   };
   explicit Thoughtful(std::shared_ptr<Script> script) : script_(std::move(script)) {}
 
-  slam::CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
+  slam::CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                               const occupancy::OccupancyMap&) override {
     scans_.emplace_back(scan, T_map_odom_ * T_odom_base);
     return {T_map_odom_, true, "scripted"};
@@ -66,7 +66,7 @@ class Thoughtful final : public slam::PoseCorrection {
 
  private:
   std::shared_ptr<Script> script_;
-  std::vector<std::pair<LaserScan2, Pose2>> scans_;
+  std::vector<std::pair<surfaces::SurfaceScan, Pose2>> scans_;
   Pose2 T_map_odom_;
   std::uint64_t generation_ = 0;
 };

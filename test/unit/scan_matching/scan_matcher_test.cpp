@@ -46,13 +46,13 @@ scan_matching::SurfaceMap mapAlong(test::Scanner& scanner, const Pose2& from, co
   scan_matching::SurfaceMap map;
   for (int i = 0; i < count; ++i) {
     const Pose2 pose(from.position() + i * step, from.yaw);
-    map.add(surfaces::filled(surfaces::readSurface(scanner.scan(pose, timeFromSeconds(i)))), pose);
+    map.add(surfaces::filled(surfaces::readScan(scanner.scan(pose, timeFromSeconds(i))).points), pose);
   }
   return map;
 }
 
 surfaces::SurfacePoints look(test::Scanner& scanner, const Pose2& pose) {
-  return surfaces::thinned(surfaces::readSurface(scanner.scan(pose, timeFromSeconds(100.0))));
+  return surfaces::thinned(surfaces::readScan(scanner.scan(pose, timeFromSeconds(100.0))).points);
 }
 
 TEST(Refine, FindsThePoseWithinMillimetres) {
@@ -142,7 +142,7 @@ TEST(Contradictions, AreFewInANewPlaceAndManyInAnother) {
   // A hand before the scanner: the walls behind it are known.
   LaserScan2 hand = scanner.scan(at_the_end, timeFromSeconds(1.0));
   hand.ranges.assign(hand.ranges.size(), 0.2F);
-  EXPECT_GT(scan_matching::inconsistentShare(map, surfaces::thinned(surfaces::readSurface(hand)), {1.2, 1.1, 0.0}),
+  EXPECT_GT(scan_matching::inconsistentShare(map, surfaces::thinned(surfaces::readScan(hand).points), {1.2, 1.1, 0.0}),
             0.7);
 }
 
