@@ -10,6 +10,7 @@
 
 namespace frontier_pilot::occupancy {
 
+/// What became of a scan that was to go into a map.
 enum class Insertion {
   kInserted,
   kAllInvalid,   ///< no beam says anything

@@ -86,7 +86,7 @@ struct PoseGraphParameters {
 
 /// The search for one keyframe in one submap, and what makes a match of it.
 struct LoopSearchParameters {
-  double min_score = 0.55;     ///< mean likelihood of the points, as in LocalSlam
+  double min_score = 0.55;     ///< mean likelihood of the points that a match must reach
   double min_inliers = 0.6;    ///< share of the points that must lie on a surface
   double ambiguity = 0.9;      ///< a second place that scores this share of the best one makes it ambiguous
   double peak_distance = 0.2;  ///< nearer than this it is the same place [m]
