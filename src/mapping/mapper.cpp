@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/occupancy/scan_inserter.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 #include "mapping/corrections.h"
@@ -41,10 +42,6 @@ MapperParameters withRobotsRadius(MapperParameters parameters) {
 }  // namespace
 
 struct Mapper::Impl {
-  struct Last {
-    Time stamp;
-    Pose2 T_odom_base;
-  };
   struct Inserted {
     surfaces::SurfaceScan scan;
     Pose2 T_map_base;
@@ -75,7 +72,7 @@ struct Mapper::Impl {
   std::unique_ptr<slam::PoseCorrection> correction;
   Pose2 T_map_odom;
   Time last_now{};
-  std::optional<Last> last;  ///< the last scan that was placed
+  std::optional<StampedPose2> last;  ///< T_odom_base of the last scan that was placed
   ScanCounts counts;
   std::uint64_t epoch = 0;  ///< one for each corrector: work for an earlier one is void
   bool working = false;
@@ -138,7 +135,7 @@ ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pos
   if (corrected.fits_map) {
     verdict = parameters.localize_only ? ScanVerdict::kLocalized : put(scan, T_map_odom * T_odom_base);
   }
-  if (verdict == ScanVerdict::kMisfit || !isDropped(verdict)) last = Last{scan.stamp, T_odom_base};
+  if (verdict == ScanVerdict::kMisfit || !isDropped(verdict)) last = StampedPose2{scan.stamp, T_odom_base};
   return verdict;
 }
 
@@ -216,7 +213,7 @@ void Mapper::reviseNow() {
 }
 
 scan_matching::PoseWithCovariance Mapper::Impl::presentBelief() const {
-  return beliefOf(last ? T_map_odom * last->T_odom_base : T_map_odom);
+  return beliefOf(last ? T_map_odom * last->pose : T_map_odom);
 }
 
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
@@ -265,7 +262,7 @@ std::optional<ScanVerdict> Mapper::Impl::checkStamp(Time stamp, Time now) {
 
 bool Mapper::Impl::hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const {
   if (!last || toSeconds(scan.stamp - last->stamp) >= parameters.standing_period) return true;
-  const Pose2 step = last->T_odom_base.inverse() * T_odom_base;
+  const Pose2 step = last->pose.inverse() * T_odom_base;
   return step.position().norm() >= parameters.min_travel || std::abs(step.yaw) >= parameters.min_rotation;
 }
 

@@ -2,8 +2,7 @@
 
 #include <deque>
 
-#include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/mapping/parameters.h"
 
 namespace frontier_pilot::mapping {
@@ -29,13 +28,8 @@ class OdometryBuffer {
   bool empty() const { return entries_.empty(); }
 
  private:
-  struct Entry {
-    Time stamp;
-    Pose2 T_odom_base;
-  };
-
   OdometryBufferParameters parameters_;
-  std::deque<Entry> entries_;  ///< oldest first
+  std::deque<StampedPose2> entries_;  ///< T_odom_base, oldest first
 };
 
 }  // namespace frontier_pilot::mapping

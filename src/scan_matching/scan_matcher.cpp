@@ -19,12 +19,11 @@ class Linearization {
   Linearization(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& pose,
                 const RefinementParameters& parameters)
       : parameters_(parameters) {
-    const double c = std::cos(pose.yaw);
-    const double s = std::sin(pose.yaw);
+    const Rotation2 rotation(pose.yaw);
     for (const surfaces::SurfacePoint& point : points) {
-      const Vec2 arm(c * point.position.x() - s * point.position.y(), s * point.position.x() + c * point.position.y());
-      const Vec2 normal(c * point.normal.x() - s * point.normal.y(), s * point.normal.x() + c * point.normal.y());
-      const surfaces::SurfacePoint placed{pose.position() + arm, normal, false, point.noise, point.roughness};
+      const Vec2 arm = rotation * point.position;
+      const surfaces::SurfacePoint placed{pose.position() + arm, rotation * point.normal, false, point.noise,
+                                          point.roughness};
       if (const Surfel* surfel = surfels.nearest(placed)) add(*surfel, placed, arm);
     }
     information *= parameters.independence;

@@ -217,13 +217,10 @@ SurfaceScan readScan(const LaserScan2& scan, const SurfaceParameters& parameters
 }
 
 SurfacePoints placed(const Pose2& T_other_points, SurfacePoints points) {
-  const double c = std::cos(T_other_points.yaw);
-  const double s = std::sin(T_other_points.yaw);
+  const Rotation2 rotation(T_other_points.yaw);
   for (SurfacePoint& point : points) {
-    const Vec2 p = point.position;
-    const Vec2 n = point.normal;
-    point.position = {T_other_points.x + c * p.x() - s * p.y(), T_other_points.y + s * p.x() + c * p.y()};
-    point.normal = {c * n.x() - s * n.y(), s * n.x() + c * n.y()};
+    point.position = rotation.applied(point.position, T_other_points.position());
+    point.normal = rotation * point.normal;
   }
   return points;
 }

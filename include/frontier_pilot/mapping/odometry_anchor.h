@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/mapping/parameters.h"
 
 namespace frontier_pilot::mapping {
@@ -39,21 +38,17 @@ class OdometryAnchor {
   void reset();
 
  private:
-  struct Sample {
-    Time stamp;
-    Pose2 T_odom_base;
-  };
-  bool isDrivable(const Sample& from, const Sample& to) const;
-  bool isRestart(const Sample& from, const Sample& to) const;
-  std::optional<Pose2> accept(const Sample& sample);
-  std::optional<Pose2> confirmLater(const Sample& sample);
+  bool isDrivable(const StampedPose2& from, const StampedPose2& to) const;
+  bool isRestart(const StampedPose2& from, const StampedPose2& to) const;
+  std::optional<Pose2> accept(const StampedPose2& sample);
+  std::optional<Pose2> confirmLater(const StampedPose2& sample);
 
   OdometryAnchorParameters parameters_;
   Pose2 T_smooth_odom_;
-  std::optional<Sample> last_;         ///< that was believed
-  std::optional<Sample> landing_;      ///< the first one after a jump that may be a mistake
-  std::optional<Sample> unconfirmed_;  ///< the last one since then
-  int followers_ = 0;                  ///< how many have gone on from there
+  std::optional<StampedPose2> last_;         ///< the odometry, T_odom_base, that was believed last
+  std::optional<StampedPose2> landing_;      ///< the first one after a jump that may be a mistake
+  std::optional<StampedPose2> unconfirmed_;  ///< the last one since then
+  int followers_ = 0;                        ///< how many have gone on from there
   std::uint64_t resets_ = 0;
   Jump last_jump_;
 };

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -60,7 +59,7 @@ scan_matching::PoseWithCovariance fused(const scan_matching::Refinement& refined
 /// A belief in a map's frame, as one in the frame that the map lies in.
 scan_matching::PoseWithCovariance moved(const Pose2& T_local_map, const scan_matching::PoseWithCovariance& belief) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_local_map.yaw).toRotationMatrix();
+  turn.topLeftCorner<2, 2>() = Rotation2(T_local_map.yaw).matrix();
   return {T_local_map * belief.pose, turn * belief.covariance * turn.transpose()};
 }
 
