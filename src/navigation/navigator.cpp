@@ -104,9 +104,9 @@ NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) {
 }
 
 void Navigator::takeIn(const NavigatorInputs& inputs, Time now) {
-  if (inputs.pose && inputs.pose->T_map_base.isFinite()) {
+  if (inputs.pose && inputs.pose->pose.isFinite()) {
     pose_ = inputs.pose;
-    poses_.add(pose_->stamp, pose_->T_map_base);
+    poses_.add(pose_->stamp, pose_->pose);
   }
   if (inputs.scan == nullptr || (scan_stamp_ && inputs.scan->stamp == *scan_stamp_) || !isUsable(*inputs.scan)) return;
   const auto T_map_base = poses_.at(inputs.scan->stamp);
@@ -127,7 +127,7 @@ void Navigator::takeEvents(const NavigatorInputs& inputs, Time now) {
 void Navigator::start(const NavGoal& goal, Time now) {
   goal_ = goal;
   waiting_since_.reset();
-  if (pose_) watchdog_.restart(now, pose_->T_map_base.position());
+  if (pose_) watchdog_.restart(now, pose_->pose.position());
   if (!goal.T_map_goal.isFinite()) finish(NavResult::kAborted, NavReason::kInvalidGoal);
 }
 
@@ -157,7 +157,7 @@ std::optional<NavReason> Navigator::missingData(const NavigatorInputs& inputs, T
 void Navigator::wait(NavReason reason, Time now) {
   if (!waiting_since_) waiting_since_ = now;
   if (toSeconds(now - *waiting_since_) > params_.data_patience) return finish(NavResult::kAborted, reason);
-  if (pose_) watchdog_.restart(now, pose_->T_map_base.position());
+  if (pose_) watchdog_.restart(now, pose_->pose.position());
   command({}, NavState::kWaiting, reason);
 }
 
@@ -185,7 +185,7 @@ void Navigator::refreshMap(Time now) {
   map_changed_ = obstacles_changed_ = false;
   if (!has_path_ || arrived_) return;
   const double along = follower_.progress();
-  const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->T_map_base) : std::nullopt;
+  const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->pose) : std::nullopt;
   has_path_ = planning::isPathValid(clearance_, path(), escape_, along) &&
               outline_on_map_.canFollow(clearance_, path(), escape_, along, robot);
 }
@@ -205,8 +205,8 @@ bool Navigator::replan(Time now) {
   return false;
 }
 
-planning::PlanRequest Navigator::requestFrom(const StampedPose& pose) const {
-  return {pose.T_map_base.position(), goal_->T_map_goal.position(), -1.0, pose.T_map_base.yaw};
+planning::PlanRequest Navigator::requestFrom(const StampedPose2& pose) const {
+  return {pose.pose.position(), goal_->T_map_goal.position(), -1.0, pose.pose.yaw};
 }
 
 bool Navigator::usePath(planning::PlanResult result, Time now) {
@@ -233,7 +233,7 @@ void Navigator::lookForBetter(Time now) {
 
 bool Navigator::isAtGoal() const {
   const Vec2 target = goal_is_moved_ ? path().goal() : goal_->T_map_goal.position();
-  return (pose_->T_map_base.position() - target).norm() <= params_.goal_tolerance;
+  return (pose_->pose.position() - target).norm() <= params_.goal_tolerance;
 }
 
 void Navigator::turn(const MotionPredictor::Motion& motion, Time now) {
@@ -254,7 +254,7 @@ FollowerInputs Navigator::followerInputs(const MotionPredictor::Motion& motion, 
 
 void Navigator::drive(const MotionPredictor::Motion& motion, Time now) {
   const FollowerOutput step = follower_.update(followerInputs(motion, now));
-  const auto verdict = watchdog_.update(now, pose_->T_map_base.position(), follower_.remaining());
+  const auto verdict = watchdog_.update(now, pose_->pose.position(), follower_.remaining());
   if (watchdog_.hasMoved()) rung_ = 0;
   if (verdict == ProgressWatchdog::Verdict::kNoProgress) return recover(NavReason::kBlocked, now);
   if (verdict == ProgressWatchdog::Verdict::kOscillating) return recover(NavReason::kOscillating, now);
@@ -275,7 +275,7 @@ void Navigator::recover(NavReason trouble, Time now) {
   trouble_ = trouble;
   has_path_ = false;
   blocked_since_.reset();
-  watchdog_.restart(now, pose_->T_map_base.position());
+  watchdog_.restart(now, pose_->pose.position());
   if (rung.clears_obstacles) clearObstacles();
   if (rung.begin) recovery_ = rung.begin();
   command({}, NavState::kRecovering, trouble);
@@ -283,12 +283,12 @@ void Navigator::recover(NavReason trouble, Time now) {
 }
 
 void Navigator::continueRecovery(Time now) {
-  const RecoveryStep step = recovery_({pose_->T_map_base, scan_}, now);
+  const RecoveryStep step = recovery_({pose_->pose, scan_}, now);
   command(step.command, NavState::kRecovering, trouble_);
   output_.recovery = ladder_[rung_ - 1].name;
   if (!step.done) return;
   recovery_ = nullptr;
-  watchdog_.restart(now, pose_->T_map_base.position());
+  watchdog_.restart(now, pose_->pose.position());
 }
 
 }  // namespace frontier_pilot::navigation

@@ -92,7 +92,7 @@ class Navigator {
   void drive(const MotionPredictor::Motion& motion, Time now);
   void turn(const MotionPredictor::Motion& motion, Time now);
   FollowerInputs followerInputs(const MotionPredictor::Motion& motion, Time now) const;
-  planning::PlanRequest requestFrom(const StampedPose& pose) const;
+  planning::PlanRequest requestFrom(const StampedPose2& pose) const;
   void blocked(Time now);
   void recover(NavReason trouble, Time now);
   void continueRecovery(Time now);
@@ -112,7 +112,7 @@ class Navigator {
   ProgressWatchdog watchdog_;
 
   PoseHistory poses_;
-  std::optional<StampedPose> pose_;
+  std::optional<StampedPose2> pose_;
   std::optional<Time> scan_stamp_;
   ScanPoints scan_;
   bool map_changed_ = false;

@@ -30,7 +30,7 @@ class TransformOdometry {
  private:
   const TfBridge& tf_;
   std::string odom_frame_, base_frame_;
-  std::optional<Odometry2> last_;
+  std::optional<MotionSample> last_;
 };
 
 /// Calls `handle` with each message of odometry, whether `robot` publishes it as a topic or as a transform alone.
