@@ -1,7 +1,6 @@
 #include "slam/graph/pose_graph.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "slam/graph/normal_equations.h"
 
