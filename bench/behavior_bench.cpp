@@ -125,7 +125,7 @@ void tabulateSpins(int count) {
     while (behavior.active()) {
       const auto begin = std::chrono::steady_clock::now();
       behavior::BehaviorInputs inputs;
-      inputs.pose = behavior::BehaviorInputs::Pose{simulator.now(), simulator.odometry(0)};
+      inputs.pose = StampedPose2{simulator.now(), simulator.odometry(0)};
       inputs.look_ahead = eyes.around.lookAhead(0.5, simulator.now());
       output = behavior.update(inputs, simulator.now());
       thought += std::chrono::steady_clock::now() - begin;

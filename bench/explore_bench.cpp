@@ -203,7 +203,7 @@ class Run {
   /// Prints the mapper's remark about its scans whenever it changes, with the error of its pose.
   void logMapper() {
     const mapping::Mapper& mapper = loop_.mapper();
-    const auto remark = mapper.health().worst(loop_.now());
+    const auto remark = mapper.remark(loop_.now());
     std::string text = std::to_string(mapper.revisions().closures) + " loops closed";
     if (remark) text += ", " + remark->text;
     if (text == last_remark_) return;

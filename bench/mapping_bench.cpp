@@ -19,6 +19,7 @@
 #include "frontier_pilot/map_files/map_io.h"
 #include "frontier_pilot/mapping/map_schedule.h"
 #include "frontier_pilot/mapping/mapper.h"
+#include "occupancy/octree_layer.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
 

@@ -3,7 +3,7 @@
 // and rotation that drifts by 2 % of the distance and 0.01 rad/m. Set FRONTIER_PILOT_WORLDS to the folder of
 // willow_garage.yaml.
 //
-//   Follow   LocalSlam::update, scan by scan
+//   Follow   reading a scan and LocalSlam::update, scan by scan
 //   Search   the correlative search alone, in windows of growing half width [cm]
 //
 // The least that a search can cost is to score one pose: one load for each of its `points`. Branch and bound scores
@@ -16,7 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/slam/local_slam.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
+#include "slam/front_end/local_slam.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
 
@@ -85,7 +86,7 @@ void follow(benchmark::State& state) {
       const LaserScan2& scan = scanner.at(poses[i]);
       const Pose2 T_odom_base = wheels.move(i == 0 ? Pose2() : poses[i - 1].inverse() * poses[i]);
       slam::LocalSlamOutput output;
-      watch.time([&] { output = slam.update(scan, T_odom_base); });
+      watch.time([&] { output = slam.update(surfaces::readScan(scan), T_odom_base); });
       drift.add(poses[i], output.track.T_local_base.pose);
       if (!slam::isMatched(output.track.verdict)) odometry_only += 1.0;
       if (output.track.verdict == slam::MatchVerdict::kContradicts) contradicts += 1.0;
@@ -109,11 +110,11 @@ void searchWindow(benchmark::State& state) {
   scan_matching::SurfaceMap map;
   constexpr std::size_t kFirst = 3000;
   for (std::size_t i = kFirst; i < kFirst + 100; i += 5)
-    map.add(surfaces::filled(surfaces::readSurface(scanner.at(poses[i]))), poses[i]);
+    map.add(surfaces::filled(surfaces::readScan(scanner.at(poses[i])).points), poses[i]);
   const scan_matching::SearchWindow window{half, half, 0.3};
-  const scan_matching::MaxPyramid pyramid(map.likelihood().grid(), scan_matching::pyramidTop(window, 0.05));
+  const scan_matching::MaxPyramid pyramid(map.field(), scan_matching::pyramidTop(window, 0.05));
   const Pose2 truth = poses[kFirst + 50];
-  const surfaces::SurfacePoints points = surfaces::thinned(surfaces::readSurface(scanner.at(truth)));
+  const surfaces::SurfacePoints points = surfaces::thinned(surfaces::readScan(scanner.at(truth)).points);
   scan_matching::SearchRequest request;
   request.expected = truth * Pose2(0.4 * half, -0.3 * half, 0.1);
   request.window = window;

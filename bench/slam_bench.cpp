@@ -152,7 +152,7 @@ class Run {
   std::size_t falseClosures(const tools::MappedDrive& mapped) const {
     const auto truthAt = [&](Time stamp) {
       const auto found = std::find_if(mapped.odometry.begin(), mapped.odometry.end(),
-                                      [&](const logs::TrajectoryPose& entry) { return entry.stamp == stamp; });
+                                      [&](const StampedPose2& entry) { return entry.stamp == stamp; });
       return truth_[static_cast<std::size_t>(found - mapped.odometry.begin())];
     };
     return static_cast<std::size_t>(
@@ -195,7 +195,7 @@ class Run {
 
   void draw(const tools::MappedDrive& mapped) const {
     tools::MapPicture picture;
-    for (const logs::TrajectoryPose& entry : mapped.corrected) picture.trajectory.push_back(entry.pose.position());
+    for (const StampedPose2& entry : mapped.corrected) picture.trajectory.push_back(entry.pose.position());
     writePicture(mapper_.grid(), picture, options_.png + std::to_string(seed_) + ".png");
   }
 

@@ -112,23 +112,21 @@ std::optional<std::string> TimedBehavior::poseProblem(const BehaviorInputs& inpu
   // A pose from the future is useless as well: the clock has jumped.
   const double age = std::abs(toSeconds(now - inputs.pose->stamp));
   if (age > parameters_.pose_timeout) return "the pose is older than " + seconds(parameters_.pose_timeout);
-  if (!inputs.pose->T_odom_base.isFinite()) return "the pose is not finite";
-  if (last_pose_ &&
-      isJump(last_pose_->T_odom_base, inputs.pose->T_odom_base, parameters_.jump_distance, parameters_.jump_angle)) {
+  if (!inputs.pose->pose.isFinite()) return "the pose is not finite";
+  if (last_pose_ && isJump(last_pose_->pose, inputs.pose->pose, parameters_.jump_distance, parameters_.jump_angle)) {
     return "the pose jumped";
   }
   return std::nullopt;
 }
 
-void TimedBehavior::measure(const BehaviorInputs::Pose& pose, Time now) {
+void TimedBehavior::measure(const StampedPose2& pose, Time now) {
   const double before = progress_;
   if (!first_pose_) {
     first_pose_ = pose;
-    turned_.restart(pose.T_odom_base.yaw);
+    turned_.restart(pose.pose.yaw);
   }
-  const double moved = motion().axis == AxisMotion::Axis::kTurn
-                           ? turned_.add(pose.T_odom_base.yaw)
-                           : (first_pose_->T_odom_base.inverse() * pose.T_odom_base).x;
+  const double moved = motion().axis == AxisMotion::Axis::kTurn ? turned_.add(pose.pose.yaw)
+                                                                : (first_pose_->pose.inverse() * pose.pose).x;
   progress_ = sign() * moved;
   estimate_.age = std::max(0.0, toSeconds(now - pose.stamp));
   if (last_pose_ && pose.stamp > last_pose_->stamp) {
@@ -154,8 +152,7 @@ BehaviorOutput TimedBehavior::goOn(const BehaviorInputs& inputs, double speed) {
   const double remaining = std::abs(ahead.amount) - progress_;
   ahead.amount = sign() * std::min(remaining, speed * parameters_.simulate_ahead_time);
   if (goal_.check_collisions) {
-    const SweepResult seen =
-        inputs.look_ahead ? inputs.look_ahead(inputs.pose->T_odom_base, ahead) : SweepResult::kNoCostmap;
+    const SweepResult seen = inputs.look_ahead ? inputs.look_ahead(inputs.pose->pose, ahead) : SweepResult::kNoCostmap;
     if (seen != SweepResult::kClear) {
       return end(BehaviorOutcome::kCollisionAhead, std::string("not free ahead: ") + toString(seen));
     }

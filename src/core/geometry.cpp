@@ -20,10 +20,11 @@ Pose2 operator*(const Pose2& T_a_b, const Pose2& T_b_c) {
   return {T_a_b * T_b_c.position(), normalizeAngle(T_a_b.yaw + T_b_c.yaw)};
 }
 
-Vec2 operator*(const Pose2& T_a_b, const Vec2& p_b) {
-  const double c = std::cos(T_a_b.yaw);
-  const double s = std::sin(T_a_b.yaw);
-  return {T_a_b.x + c * p_b.x() - s * p_b.y(), T_a_b.y + s * p_b.x() + c * p_b.y()};
+Vec2 operator*(const Pose2& T_a_b, const Vec2& p_b) { return Rotation2(T_a_b.yaw).applied(p_b, T_a_b.position()); }
+
+Pose2 interpolate(const Pose2& a, const Pose2& b, double fraction) {
+  const Vec2 position = a.position() + fraction * (b.position() - a.position());
+  return {position, normalizeAngle(a.yaw + fraction * angleDifference(b.yaw, a.yaw))};
 }
 
 bool operator==(const Pose2& a, const Pose2& b) { return a.x == b.x && a.y == b.y && a.yaw == b.yaw; }

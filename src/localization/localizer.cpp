@@ -1,4 +1,4 @@
-#include "frontier_pilot/localization/localizer.h"
+#include "localization/localizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,21 +35,20 @@ scan_matching::SearchRequest requestFor(const scan_matching::PoseWithCovariance&
 
 }  // namespace
 
-Localizer::Localizer(const slam::LocalSlamParameters& parameters, const OccupancyGrid& map,
+Localizer::Localizer(const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
                      const scan_matching::PoseWithCovariance& T_map_base)
-    : parameters_(parameters),
-      map_(parameters.likelihood),
-      tracker_(withoutEnd(parameters.tracker)),
+    : parameters_(parameters.local),
+      surface_parameters_(parameters.surface),
+      map_(parameters_.likelihood),
+      tracker_(withoutEnd(parameters_.tracker)),
       sought_(T_map_base) {
   map_.add(surfaces::surfaceOf(map), Pose2());
   if (map_.empty()) return;
-  pyramid_.emplace(map_.likelihood().grid(),
-                   scan_matching::pyramidTop(tracker_.usualWindow(), parameters.likelihood.resolution));
+  pyramid_.emplace(map_.field(), scan_matching::pyramidTop(tracker_.usualWindow(), parameters_.likelihood.resolution));
 }
 
-slam::MatchVerdict Localizer::update(const LaserScan2& scan, const Pose2& T_odom_base) {
-  const surfaces::SurfacePoints points =
-      surfaces::thinned(surfaces::readSurface(scan, parameters_.surface), parameters_.surface);
+slam::MatchVerdict Localizer::update(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
+  const surfaces::SurfacePoints points = surfaces::thinned(scan.points, surface_parameters_);
   if (sought_) {
     const slam::MatchVerdict verdict = find(points, T_odom_base);
     if (sought_) return verdict;
@@ -70,7 +69,7 @@ slam::MatchVerdict Localizer::find(const surfaces::SurfacePoints& points, const 
   const scan_matching::SearchRequest request = requestFor(belief, parameters_.tracker.min_score);
   if (!wide_pyramid_) {
     const int top = scan_matching::pyramidTop(request.window, parameters_.likelihood.resolution);
-    wide_pyramid_.emplace(map_.likelihood().grid(), top);
+    wide_pyramid_.emplace(map_.field(), top);
   }
   const auto found = scan_matching::correlativeSearch(*wide_pyramid_, points, request);
   if (!found) return slam::MatchVerdict::kPoor;
@@ -78,7 +77,7 @@ slam::MatchVerdict Localizer::find(const surfaces::SurfacePoints& points, const 
   const Eigen::Vector3d sigma = Eigen::Vector3d(request.window.x, request.window.y, request.window.yaw) / kSigmas;
   const scan_matching::PoseWithCovariance prior{belief.pose, sigma.cwiseAbs2().asDiagonal()};
   const scan_matching::Refinement refined =
-      scan_matching::refine(map_.surfels(), points, found->pose, prior, parameters_.tracker.refinement);
+      scan_matching::refine(map_, points, found->pose, prior, parameters_.tracker.refinement);
   if (refined.inliers < parameters_.tracker.min_inliers) return slam::MatchVerdict::kPoor;
   tracker_.reset(refined.pose * T_odom_base.inverse());
   sought_.reset();

@@ -1,6 +1,10 @@
 #include "frontier_pilot/localization/map_localization.h"
 
 #include <sstream>
+#include <string>
+
+#include "frontier_pilot/slam/graph_slam.h"
+#include "localization/localizer.h"
 
 namespace frontier_pilot::localization {
 namespace {
@@ -13,33 +17,66 @@ std::string bytesOf(occupancy::OccupancyMap& map) {
 
 }  // namespace
 
+struct MapLocalization::Impl {
+  Impl(Use use_of_map, const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
+       const scan_matching::PoseWithCovariance& T_map_base)
+      : use(use_of_map), localizer(parameters, map, T_map_base) {}
+
+  Use use;
+  Localizer localizer;
+  std::unique_ptr<slam::GraphSlam> graph_slam;  ///< to go on mapping
+  /// Where odometry began when mapping went on. `graph_slam` is given odometry that begins there, and so it thinks in
+  /// the map's frame. None until the robot is found.
+  std::optional<Pose2> T_map_odom;
+};
+
 MapLocalization::MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
                                  const occupancy::ScanInsertionParameters& insertion,
                                  const scan_matching::PoseWithCovariance& T_map_base)
-    : use_(use), localizer_(parameters.local, map.grid(), T_map_base) {
+    : impl_(std::make_unique<Impl>(use, parameters, map.grid(), T_map_base)) {
   if (use != Use::kGoOnMapping) return;
-  slam_ = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
+  impl_->graph_slam = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
 }
+MapLocalization::~MapLocalization() = default;
 
-slam::CorrectedScan MapLocalization::correct(const LaserScan2& scan, const Pose2& T_odom_base,
+slam::CorrectedScan MapLocalization::correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                                              const occupancy::OccupancyMap& map) {
-  if (!T_map_odom_) {
-    const slam::MatchVerdict verdict = localizer_.update(scan, T_odom_base);
-    const char* text = localizer_.isLocated() ? toString(verdict) : "looking for the robot in the known map";
-    if (use_ == Use::kLocalizeOnly || !localizer_.isLocated())
-      return {localizer_.T_map_odom(), slam::isMatched(verdict), text, verdict == slam::MatchVerdict::kMatched};
-    T_map_odom_ = localizer_.T_map_odom();
+  std::optional<Pose2>& T_map_odom = impl_->T_map_odom;
+  if (!T_map_odom) {
+    Localizer& localizer = impl_->localizer;
+    const slam::MatchVerdict verdict = localizer.update(scan, T_odom_base);
+    const char* text = localizer.isLocated() ? toString(verdict) : "looking for the robot in the known map";
+    if (impl_->use == Use::kLocalizeOnly || !localizer.isLocated())
+      return {localizer.T_map_odom(), slam::isMatched(verdict), text, verdict == slam::MatchVerdict::kMatched};
+    T_map_odom = localizer.T_map_odom();
   }
-  if (!slam_) return {*T_map_odom_, true, "odometry taken as given"};
-  slam::CorrectedScan corrected = slam_->correct(scan, *T_map_odom_ * T_odom_base, map);
-  corrected.T_map_odom = corrected.T_map_odom * *T_map_odom_;
+  if (!impl_->graph_slam) return {*T_map_odom, true, "odometry taken as given"};
+  slam::CorrectedScan corrected = impl_->graph_slam->correct(scan, *T_map_odom * T_odom_base, map);
+  corrected.T_map_odom = corrected.T_map_odom * *T_map_odom;
   return corrected;
 }
 
+slam::RevisionWork MapLocalization::takeWork() {
+  return impl_->graph_slam ? impl_->graph_slam->takeWork() : slam::RevisionWork();
+}
+
+bool MapLocalization::accept(const slam::MapRevision& revision) {
+  return impl_->graph_slam && impl_->graph_slam->accept(revision);
+}
+
+bool MapLocalization::refuse(const slam::MapRevision& revision) {
+  return impl_->graph_slam && impl_->graph_slam->refuse(revision);
+}
+
+void MapLocalization::abandonWork() {
+  if (impl_->graph_slam) impl_->graph_slam->abandonWork();
+}
+
 std::vector<slam::KeyframePose> MapLocalization::trajectory() const {
-  if (!slam_ || !T_map_odom_) return {};
-  std::vector<slam::KeyframePose> trajectory = slam_->trajectory();
-  for (slam::KeyframePose& keyframe : trajectory) keyframe.T_odom_base = T_map_odom_->inverse() * keyframe.T_odom_base;
+  if (!impl_->graph_slam || !impl_->T_map_odom) return {};
+  std::vector<slam::KeyframePose> trajectory = impl_->graph_slam->trajectory();
+  const Pose2 T_odom_map = impl_->T_map_odom->inverse();
+  for (slam::KeyframePose& keyframe : trajectory) keyframe.T_odom_base = T_odom_map * keyframe.T_odom_base;
   return trajectory;
 }
 

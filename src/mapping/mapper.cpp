@@ -1,9 +1,15 @@
 #include "frontier_pilot/mapping/mapper.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/occupancy/scan_inserter.h"
+#include "frontier_pilot/surfaces/surface_points.h"
+#include "mapping/corrections.h"
+#include "mapping/mapping_health.h"
 
 namespace frontier_pilot::mapping {
 namespace {
@@ -13,16 +19,6 @@ bool isWellFormed(const LaserScan2& scan) {
                       std::isfinite(scan.range_min) && std::isfinite(scan.range_max) && scan.T_base_sensor.isFinite();
   return finite && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
          !scan.ranges.empty();
-}
-
-/// Share of the beams that tell where there is something, or nothing.
-double shareOfUsable(const LaserScan2& scan) {
-  std::size_t usable = 0;
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    const RangeKind kind = readBeam(scan, beam).kind;
-    if (kind == RangeKind::kHit || kind == RangeKind::kFree) ++usable;
-  }
-  return static_cast<double>(usable) / static_cast<double>(scan.ranges.size());
 }
 
 ScanVerdict verdictOf(occupancy::Insertion insertion) {
@@ -37,26 +33,6 @@ ScanVerdict verdictOf(occupancy::Insertion insertion) {
   return ScanVerdict::kOutOfBounds;
 }
 
-scan_matching::PoseWithCovariance beliefOf(const Pose2& pose) {
-  constexpr double kPosition = 0.5;  // [m]
-  constexpr double kYaw = 0.25;      // [rad]
-  return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
-}
-
-std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
-                                               const scan_matching::PoseWithCovariance& T_map_base) {
-  auto use = parameters.trust_odometry ? localization::MapLocalization::Use::kTrustOdometry
-                                       : localization::MapLocalization::Use::kGoOnMapping;
-  if (parameters.localize_only) use = localization::MapLocalization::Use::kLocalizeOnly;
-  return std::make_unique<localization::MapLocalization>(use, parameters.slam, map, parameters.insertion, T_map_base);
-}
-
-std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map) {
-  if (parameters.localize_only) return knownMap(parameters, map, beliefOf(Pose2()));
-  if (parameters.trust_odometry) return std::make_unique<slam::TrustOdometry>();
-  return std::make_unique<slam::GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
-}
-
 MapperParameters withRobotsRadius(MapperParameters parameters) {
   // Whichever way the robot has turned there, this much of it was on that floor.
   parameters.insertion.robot_radius = parameters.robot.drivenOutline().inscribedRadius();
@@ -65,66 +41,116 @@ MapperParameters withRobotsRadius(MapperParameters parameters) {
 
 }  // namespace
 
+struct Mapper::Impl {
+  struct Inserted {
+    surfaces::SurfaceScan scan;
+    Pose2 T_map_base;
+  };
+
+  Impl(const MapperParameters& given, std::unique_ptr<slam::PoseCorrection> corrector)
+      : parameters(withRobotsRadius(given)),
+        map(parameters.map),
+        inserter(parameters.insertion),
+        correction(corrector ? std::move(corrector) : correctionFor(parameters, map)) {}
+
+  void note(ScanVerdict verdict, Time now);
+  ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
+  ScanVerdict take(const LaserScan2& scan, const Pose2& T_odom_base);
+  ScanVerdict integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base);
+  ScanVerdict put(const surfaces::SurfaceScan& scan, const Pose2& T_map_base);
+  std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
+  bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
+  bool isTooLarge(const slam::MapRevision& revision) const;
+  bool refuse(slam::MapRevision& revision);
+  scan_matching::PoseWithCovariance presentBelief() const;
+  void replace(std::unique_ptr<slam::PoseCorrection> corrector);
+  void forgetRevisions();
+
+  MapperParameters parameters;
+  occupancy::OccupancyMap map;
+  occupancy::ScanInserter inserter;
+  std::unique_ptr<slam::PoseCorrection> correction;
+  Pose2 T_map_odom;
+  Time last_now{};
+  std::optional<StampedPose2> last;  ///< T_odom_base of the last scan that was placed
+  ScanCounts counts;
+  std::uint64_t epoch = 0;  ///< one for each corrector: work for an earlier one is void
+  bool working = false;
+  std::vector<Inserted> meanwhile;  ///< what went into the map while work is out
+  RevisionReport revisions;
+  std::map<std::string, std::uint64_t> correction_counts;
+  const char* last_correction = "";
+  bool sound = true;              ///< the last correction was
+  bool overgrown = false;         ///< the last revision's map would have been larger than a map may be
+  std::size_t out_of_bounds = 0;  ///< scans that the map had no room for
+  double usable_share = 1.0;
+  MappingHealth health;
+};
+
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<slam::PoseCorrection> correction)
-    : parameters_(withRobotsRadius(parameters)),
-      map_(parameters_.map),
-      inserter_(parameters_.insertion, parameters_.slam.local.surface),
-      correction_(correction ? std::move(correction) : correctionFor(parameters_, map_)) {}
+    : impl_(std::make_unique<Impl>(parameters, std::move(correction))) {}
+Mapper::~Mapper() = default;
+Mapper::Mapper(Mapper&&) noexcept = default;
+Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 ScanVerdict Mapper::insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
-  const ScanVerdict verdict = decide(scan, T_odom_base, now);
-  note(verdict, now);
+  const ScanVerdict verdict = impl_->decide(scan, T_odom_base, now);
+  impl_->note(verdict, now);
   return verdict;
 }
 
-void Mapper::reject(ScanVerdict verdict, Time now) { note(verdict, now); }
+void Mapper::reject(ScanVerdict verdict, Time now) { impl_->note(verdict, now); }
 
-void Mapper::note(ScanVerdict verdict, Time now) {
-  counts_.add(verdict);
+void Mapper::Impl::note(ScanVerdict verdict, Time now) {
+  counts.add(verdict);
   if (verdict == ScanVerdict::kNotMoved) return;
   const bool corrected = verdict == ScanVerdict::kMisfit || !isDropped(verdict);
-  if (!corrected) return health_.add(now, toString(verdict));
-  if (!sound_) return health_.add(now, last_correction_);
-  health_.add(now, overgrown_ ? "corrected map too large, map and poses stay as they are" : nullptr);
+  if (!corrected) return health.add(now, toString(verdict));
+  if (!sound) return health.add(now, last_correction);
+  health.add(now, overgrown ? "corrected map too large, map and poses stay as they are" : nullptr);
 }
 
-ScanVerdict Mapper::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
+ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   if (const auto wrong = checkStamp(scan.stamp, now)) return *wrong;
   if (!isWellFormed(scan)) return ScanVerdict::kMalformed;
   if (!T_odom_base || !T_odom_base->isFinite()) return ScanVerdict::kNoOdometry;
   if (!hasMoved(scan, *T_odom_base)) return ScanVerdict::kNotMoved;
-  usable_share_ = shareOfUsable(scan);
-  if (usable_share_ == 0.0) return ScanVerdict::kAllInvalid;
-  if (scan.ranges.size() <= bounds::kMostMappedBeams) return integrate(scan, *T_odom_base);
-  return integrate(withAtMost(bounds::kMostMappedBeams, scan), *T_odom_base);
+  if (scan.ranges.size() <= bounds::kMostMappedBeams) return take(scan, *T_odom_base);
+  return take(withAtMost(bounds::kMostMappedBeams, scan), *T_odom_base);
 }
 
-ScanVerdict Mapper::integrate(const LaserScan2& scan, const Pose2& T_odom_base) {
-  const slam::CorrectedScan corrected = correction_->correct(scan, T_odom_base, map_);
-  last_correction_ = corrected.text;
-  ++correction_counts_[corrected.text];
-  sound_ = corrected.sound && corrected.fits_map;
-  T_map_odom_ = corrected.T_map_odom;
+ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base) {
+  const surfaces::SurfaceScan read = surfaces::readScan(scan, parameters.slam.surface);
+  usable_share = static_cast<double>(read.usableBeams()) / static_cast<double>(scan.ranges.size());
+  return usable_share > 0.0 ? integrate(read, T_odom_base) : ScanVerdict::kAllInvalid;
+}
+
+ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
+  const slam::CorrectedScan corrected = correction->correct(scan, T_odom_base, map);
+  last_correction = corrected.text;
+  ++correction_counts[corrected.text];
+  sound = corrected.sound && corrected.fits_map;
+  T_map_odom = corrected.T_map_odom;
   ScanVerdict verdict = ScanVerdict::kMisfit;
   if (corrected.fits_map) {
-    verdict = parameters_.localize_only ? ScanVerdict::kLocalized : put(scan, T_map_odom_ * T_odom_base);
+    verdict = parameters.localize_only ? ScanVerdict::kLocalized : put(scan, T_map_odom * T_odom_base);
   }
-  if (verdict == ScanVerdict::kMisfit || !isDropped(verdict)) last_ = Last{scan.stamp, T_odom_base};
+  if (verdict == ScanVerdict::kMisfit || !isDropped(verdict)) last = StampedPose2{scan.stamp, T_odom_base};
   return verdict;
 }
 
-ScanVerdict Mapper::put(const LaserScan2& scan, const Pose2& T_map_base) {
-  const ScanVerdict verdict = verdictOf(inserter_.insert(scan, T_map_base, map_));
-  if (verdict == ScanVerdict::kOutOfBounds) ++out_of_bounds_;
-  if (working_ && verdict == ScanVerdict::kInserted) meanwhile_.push_back({scan, T_map_base});
+ScanVerdict Mapper::Impl::put(const surfaces::SurfaceScan& scan, const Pose2& T_map_base) {
+  const ScanVerdict verdict = verdictOf(inserter.insert(scan, T_map_base, map));
+  if (verdict == ScanVerdict::kOutOfBounds) ++out_of_bounds;
+  if (working && verdict == ScanVerdict::kInserted) meanwhile.push_back({scan, T_map_base});
   return verdict;
 }
 
 slam::RevisionWork Mapper::takeWork() {
-  slam::RevisionWork work = correction_->takeWork();
+  slam::RevisionWork work = impl_->correction->takeWork();
   if (!work) return work;
-  working_ = true;
-  return [work, epoch = epoch_] {
+  impl_->working = true;
+  return [work, epoch = impl_->epoch] {
     slam::MapRevision revision = work();
     revision.epoch = epoch;
     return revision;
@@ -132,50 +158,50 @@ slam::RevisionWork Mapper::takeWork() {
 }
 
 bool Mapper::revise(slam::MapRevision& revision) {
-  if (revision.epoch != epoch_) return false;
-  if (isTooLarge(revision)) return refuse(revision);
-  if (!correction_->accept(revision)) return false;
-  working_ = false;
-  const std::vector<Inserted> meanwhile = std::exchange(meanwhile_, {});
-  T_map_odom_ = revision.T_new_old * T_map_odom_;
-  revisions_.attempts = revision.counts;
+  if (revision.epoch != impl_->epoch) return false;
+  if (impl_->isTooLarge(revision)) return impl_->refuse(revision);
+  if (!impl_->correction->accept(revision)) return false;
+  impl_->working = false;
+  const std::vector<Impl::Inserted> meanwhile = std::exchange(impl_->meanwhile, {});
+  impl_->T_map_odom = revision.T_new_old * impl_->T_map_odom;
+  impl_->revisions.attempts = revision.counts;
   if (!revision.closures.empty()) {
-    revisions_.closures += revision.closures.size();
-    revisions_.last_jump = revision.T_new_old;
-    revisions_.last_closures = revision.closures;
+    impl_->revisions.closures += revision.closures.size();
+    impl_->revisions.last_jump = revision.T_new_old;
+    impl_->revisions.last_closures = revision.closures;
   }
   if (!revision.map) return true;
-  map_.exchange(*revision.map);
-  overgrown_ = false;
-  ++revisions_.rendered;
-  for (const Inserted& inserted : meanwhile) {
-    inserter_.insert(inserted.scan, revision.T_new_old * inserted.T_map_base, map_);
+  impl_->map.exchange(*revision.map);
+  impl_->overgrown = false;
+  ++impl_->revisions.rendered;
+  for (const Impl::Inserted& inserted : meanwhile) {
+    impl_->inserter.insert(inserted.scan, revision.T_new_old * inserted.T_map_base, impl_->map);
   }
   return true;
 }
 
-bool Mapper::isTooLarge(const slam::MapRevision& revision) const {
+bool Mapper::Impl::isTooLarge(const slam::MapRevision& revision) const {
   // A map that left out more than was ever refused lacks something that is mapped.
-  return revision.map && (revision.left_out > out_of_bounds_ || !map_.hasRoomFor(*revision.map));
+  return revision.map && (revision.left_out > out_of_bounds || !map.hasRoomFor(*revision.map));
 }
 
-bool Mapper::refuse(slam::MapRevision& revision) {
-  if (!correction_->refuse(revision)) return false;
-  working_ = false;
-  meanwhile_.clear();
-  revisions_.attempts = revision.counts;
+bool Mapper::Impl::refuse(slam::MapRevision& revision) {
+  if (!correction->refuse(revision)) return false;
+  working = false;
+  meanwhile.clear();
+  revisions.attempts = revision.counts;
   // Nothing of it has happened.
   revision.closures.clear();
   revision.T_new_old = Pose2();
-  overgrown_ = true;
+  overgrown = true;
   return true;
 }
 
 bool Mapper::abandonWork() {
-  if (!working_) return false;
-  correction_->abandonWork();
-  working_ = false;
-  meanwhile_.clear();
+  if (!impl_->working) return false;
+  impl_->correction->abandonWork();
+  impl_->working = false;
+  impl_->meanwhile.clear();
   return true;
 }
 
@@ -186,67 +212,79 @@ void Mapper::reviseNow() {
   }
 }
 
-scan_matching::PoseWithCovariance Mapper::presentBelief() const {
-  return beliefOf(last_ ? T_map_odom_ * last_->T_odom_base : T_map_odom_);
+scan_matching::PoseWithCovariance Mapper::Impl::presentBelief() const {
+  return beliefOf(last ? T_map_odom * last->pose : T_map_odom);
 }
 
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
-  if (!map_.exchange(loaded)) return false;
-  replace(knownMap(parameters_, map_, presentBelief()));
+  if (!impl_->map.exchange(loaded)) return false;
+  impl_->replace(knownMap(impl_->parameters, impl_->map, impl_->presentBelief()));
   return true;
 }
 
 bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
-  if (!map_.exchange(map)) return false;
-  T_map_odom_ = T_map_odom;
+  if (!impl_->map.exchange(map)) return false;
+  impl_->T_map_odom = T_map_odom;
   // Odometry that was taken for the truth since the first scan still is.
-  const bool trusted = parameters_.trust_odometry && !parameters_.localize_only && T_map_odom == Pose2();
-  if (!trusted) replace(knownMap(parameters_, map_, beliefOf(T_map_odom * T_odom_base)));
+  const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
+  if (!trusted) impl_->replace(knownMap(impl_->parameters, impl_->map, beliefOf(T_map_odom * T_odom_base)));
   return true;
 }
 
 bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
   const auto& cells = grid().cells();
   if (std::none_of(cells.begin(), cells.end(), isOccupied)) return false;
-  replace(knownMap(parameters_, map_, T_map_base));
+  impl_->replace(knownMap(impl_->parameters, impl_->map, T_map_base));
   return true;
 }
 
-void Mapper::replace(std::unique_ptr<slam::PoseCorrection> correction) {
-  correction_ = std::move(correction);
-  ++epoch_;
-  working_ = false;
-  overgrown_ = false;
-  out_of_bounds_ = 0;
-  meanwhile_.clear();
+void Mapper::Impl::replace(std::unique_ptr<slam::PoseCorrection> corrector) {
+  correction = std::move(corrector);
+  ++epoch;
+  forgetRevisions();
 }
 
-std::optional<ScanVerdict> Mapper::checkStamp(Time stamp, Time now) {
+void Mapper::Impl::forgetRevisions() {
+  working = false;
+  overgrown = false;
+  out_of_bounds = 0;
+  meanwhile.clear();
+}
+
+std::optional<ScanVerdict> Mapper::Impl::checkStamp(Time stamp, Time now) {
   // The clock has been set back: stamps that were seen before may come again.
-  if (now < now_) last_.reset();
-  now_ = now;
-  if (toSeconds(now - stamp) > parameters_.max_age || (last_ && stamp <= last_->stamp)) return ScanVerdict::kStale;
-  if (toSeconds(stamp - now) > parameters_.max_lead) return ScanVerdict::kFuture;
+  if (now < last_now) last.reset();
+  last_now = now;
+  if (toSeconds(now - stamp) > parameters.max_age || (last && stamp <= last->stamp)) return ScanVerdict::kStale;
+  if (toSeconds(stamp - now) > parameters.max_lead) return ScanVerdict::kFuture;
   return std::nullopt;
 }
 
-bool Mapper::hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const {
-  if (!last_ || toSeconds(scan.stamp - last_->stamp) >= parameters_.standing_period) return true;
-  const Pose2 step = last_->T_odom_base.inverse() * T_odom_base;
-  return step.position().norm() >= parameters_.min_travel || std::abs(step.yaw) >= parameters_.min_rotation;
+bool Mapper::Impl::hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const {
+  if (!last || toSeconds(scan.stamp - last->stamp) >= parameters.standing_period) return true;
+  const Pose2 step = last->pose.inverse() * T_odom_base;
+  return step.position().norm() >= parameters.min_travel || std::abs(step.yaw) >= parameters.min_rotation;
 }
 
 void Mapper::reset() {
-  map_.clear();
-  T_map_odom_ = Pose2();
-  last_.reset();
-  correction_->reset();
-  working_ = false;
-  overgrown_ = false;
-  out_of_bounds_ = 0;
-  meanwhile_.clear();
+  impl_->map.clear();
+  impl_->T_map_odom = Pose2();
+  impl_->last.reset();
+  impl_->correction->reset();
+  impl_->forgetRevisions();
   // What was known is forgotten too.
-  if (epoch_ > 0) replace(correctionFor(parameters_, map_));
+  if (impl_->epoch > 0) impl_->replace(correctionFor(impl_->parameters, impl_->map));
 }
+
+occupancy::OccupancyMap& Mapper::map() { return impl_->map; }
+const occupancy::OccupancyMap& Mapper::map() const { return impl_->map; }
+const Pose2& Mapper::T_map_odom() const { return impl_->T_map_odom; }
+const ScanCounts& Mapper::counts() const { return impl_->counts; }
+const RevisionReport& Mapper::revisions() const { return impl_->revisions; }
+const std::map<std::string, std::uint64_t>& Mapper::correctionCounts() const { return impl_->correction_counts; }
+const char* Mapper::lastCorrection() const { return impl_->last_correction; }
+double Mapper::usableShare() const { return impl_->usable_share; }
+std::optional<ScanRemark> Mapper::remark(Time now) const { return impl_->health.worst(now); }
+std::vector<slam::KeyframePose> Mapper::trajectory() const { return impl_->correction->trajectory(); }
 
 }  // namespace frontier_pilot::mapping

@@ -1,8 +1,9 @@
-#include "frontier_pilot/mapping/mapping_health.h"
+#include "mapping/mapping_health.h"
 
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <string>
 
 namespace frontier_pilot::mapping {
 namespace {
@@ -19,7 +20,7 @@ void MappingHealth::add(Time now, const char* remark) {
   while (now - entries_.front().time > kWindow) entries_.pop_front();
 }
 
-std::optional<MappingHealth::Remark> MappingHealth::worst(Time now) const {
+std::optional<ScanRemark> MappingHealth::worst(Time now) const {
   std::map<std::string, int> counts;
   int scans = 0;
   for (const Entry& entry : entries_) {
@@ -32,7 +33,7 @@ std::optional<MappingHealth::Remark> MappingHealth::worst(Time now) const {
   if (most == counts.end() || most->second <= kSlips) return std::nullopt;
   const double share = static_cast<double>(most->second) / scans;
   if (share < kLeastShare) return std::nullopt;
-  return Remark{most->first, share};
+  return ScanRemark{most->first, share};
 }
 
 }  // namespace frontier_pilot::mapping

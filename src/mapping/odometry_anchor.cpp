@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "frontier_pilot/core/motion.h"
-
 namespace frontier_pilot::mapping {
 namespace {
 
@@ -15,7 +13,7 @@ constexpr int kSure = 2;             ///< so many messages after the first make 
 }  // namespace
 
 std::optional<Pose2> OdometryAnchor::follow(Time stamp, const Pose2& T_odom_base) {
-  const Sample sample{stamp, T_odom_base};
+  const StampedPose2 sample{stamp, T_odom_base};
   // A clock that stands still says nothing about speed, and no scan is paired with such a message.
   if (last_ && stamp == last_->stamp) return T_smooth_odom_ * T_odom_base;
   // First whether it goes on from the landing: a restart counts from the origin, and soon leaves it.
@@ -26,27 +24,27 @@ std::optional<Pose2> OdometryAnchor::follow(Time stamp, const Pose2& T_odom_base
   return confirmLater(sample);
 }
 
-bool OdometryAnchor::isDrivable(const Sample& from, const Sample& to) const {
+bool OdometryAnchor::isDrivable(const StampedPose2& from, const StampedPose2& to) const {
   const double seconds = std::abs(toSeconds(to.stamp - from.stamp));
-  return !isJump(from.T_odom_base, to.T_odom_base, kSlack + parameters_.max_speed * seconds,
+  return !isJump(from.pose, to.pose, kSlack + parameters_.max_speed * seconds,
                  kSlackAngle + parameters_.max_turn_rate * seconds);
 }
 
 /// Whether odometry is at its origin after a silence in which the robot might have come there, but to the millimetre.
-bool OdometryAnchor::isRestart(const Sample& from, const Sample& to) const {
+bool OdometryAnchor::isRestart(const StampedPose2& from, const StampedPose2& to) const {
   constexpr double kSilence = 1.0;  // [s]
   constexpr double kExact = 0.001;  // [m, rad]
-  return toSeconds(to.stamp - from.stamp) > kSilence && !isJump(Pose2(), to.T_odom_base, kExact, kExact) &&
-         isJump(Pose2(), from.T_odom_base, kSlack, kSlackAngle);
+  return toSeconds(to.stamp - from.stamp) > kSilence && !isJump(Pose2(), to.pose, kExact, kExact) &&
+         isJump(Pose2(), from.pose, kSlack, kSlackAngle);
 }
 
-std::optional<Pose2> OdometryAnchor::accept(const Sample& sample) {
+std::optional<Pose2> OdometryAnchor::accept(const StampedPose2& sample) {
   landing_.reset();
   last_ = sample;
-  return T_smooth_odom_ * sample.T_odom_base;
+  return T_smooth_odom_ * sample.pose;
 }
 
-std::optional<Pose2> OdometryAnchor::confirmLater(const Sample& sample) {
+std::optional<Pose2> OdometryAnchor::confirmLater(const StampedPose2& sample) {
   unconfirmed_ = sample;
   if (!landing_) {
     landing_ = sample;
@@ -54,11 +52,11 @@ std::optional<Pose2> OdometryAnchor::confirmLater(const Sample& sample) {
     return std::nullopt;
   }
   if (++followers_ < kSure) return std::nullopt;
-  const Pose2 step = last_->T_odom_base.inverse() * landing_->T_odom_base;
+  const Pose2 step = last_->pose.inverse() * landing_->pose;
   last_jump_ = {step.position().norm(), normalizeAngle(step.yaw), toSeconds(landing_->stamp - last_->stamp)};
   ++resets_;
   if (!parameters_.trusted) {
-    T_smooth_odom_ = T_smooth_odom_ * last_->T_odom_base * landing_->T_odom_base.inverse();
+    T_smooth_odom_ = T_smooth_odom_ * last_->pose * landing_->pose.inverse();
   }
   return accept(sample);
 }

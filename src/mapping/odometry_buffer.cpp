@@ -1,15 +1,10 @@
-#include "frontier_pilot/mapping/odometry_buffer.h"
+#include "mapping/odometry_buffer.h"
 
 #include <algorithm>
 
 #include "frontier_pilot/core/bounds.h"
 
 namespace frontier_pilot::mapping {
-
-Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
-  const Vec2 position = a.position() + s * (b.position() - a.position());
-  return {position, normalizeAngle(a.yaw + s * angleDifference(b.yaw, a.yaw))};
-}
 
 void OdometryBuffer::add(Time stamp, const Pose2& T_odom_base) {
   if (!entries_.empty() && stamp == entries_.back().stamp) return;
@@ -23,17 +18,17 @@ void OdometryBuffer::add(Time stamp, const Pose2& T_odom_base) {
 
 OdometryLookup OdometryBuffer::at(Time stamp, Pose2& T_odom_base) const {
   const auto after = std::lower_bound(entries_.begin(), entries_.end(), stamp,
-                                      [](const Entry& entry, Time time) { return entry.stamp < time; });
+                                      [](const StampedPose2& entry, Time time) { return entry.stamp < time; });
   if (after == entries_.end()) return OdometryLookup::kTooNew;
   if (after->stamp == stamp) {
-    T_odom_base = after->T_odom_base;
+    T_odom_base = after->pose;
     return OdometryLookup::kFound;
   }
   if (after == entries_.begin()) return OdometryLookup::kTooOld;
   const auto before = std::prev(after);
   const double gap = toSeconds(after->stamp - before->stamp);
   if (gap > parameters_.max_gap) return OdometryLookup::kGap;
-  T_odom_base = interpolate(before->T_odom_base, after->T_odom_base, toSeconds(stamp - before->stamp) / gap);
+  T_odom_base = interpolate(before->pose, after->pose, toSeconds(stamp - before->stamp) / gap);
   return OdometryLookup::kFound;
 }
 

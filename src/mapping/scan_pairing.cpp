@@ -1,33 +1,51 @@
 #include "frontier_pilot/mapping/scan_pairing.h"
 
+#include <deque>
 #include <utility>
+
+#include "mapping/odometry_buffer.h"
 
 namespace frontier_pilot::mapping {
 
-ScanPairing::ScanPairing(const ScanPairingParameters& parameters)
-    : parameters_(parameters), odometry_(parameters.odometry) {}
+struct ScanPairing::Impl {
+  explicit Impl(const ScanPairingParameters& given) : parameters(given), odometry(given.odometry) {}
+
+  bool mayWait(const LaserScan2& scan, Time now) const {
+    const double waited = toSeconds(now - scan.stamp);
+    // A stamp far ahead is no reason to wait for ever: the clock may have been set back.
+    return waited < parameters.patience && waited > -1.0 &&
+           waiting.size() <= static_cast<std::size_t>(parameters.max_waiting);
+  }
+
+  ScanPairingParameters parameters;
+  OdometryBuffer odometry;
+  std::deque<LaserScan2> waiting;
+};
+
+ScanPairing::ScanPairing(const ScanPairingParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
+ScanPairing::~ScanPairing() = default;
+
+void ScanPairing::addOdometry(Time stamp, const Pose2& T_odom_base) { impl_->odometry.add(stamp, T_odom_base); }
+
+void ScanPairing::addScan(LaserScan2 scan) { impl_->waiting.push_back(std::move(scan)); }
 
 std::optional<PairedScan> ScanPairing::next(Time now) {
-  if (waiting_.empty()) return std::nullopt;
+  std::deque<LaserScan2>& waiting = impl_->waiting;
+  if (waiting.empty()) return std::nullopt;
   Pose2 T_odom_base;
-  const OdometryLookup lookup = odometry_.at(waiting_.front().stamp, T_odom_base);
-  if (lookup == OdometryLookup::kTooNew && mayWait(waiting_.front(), now)) return std::nullopt;
-  PairedScan paired{std::move(waiting_.front()), std::nullopt};
-  waiting_.pop_front();
+  const OdometryLookup lookup = impl_->odometry.at(waiting.front().stamp, T_odom_base);
+  if (lookup == OdometryLookup::kTooNew && impl_->mayWait(waiting.front(), now)) return std::nullopt;
+  PairedScan paired{std::move(waiting.front()), std::nullopt};
+  waiting.pop_front();
   if (lookup == OdometryLookup::kFound) paired.T_odom_base = T_odom_base;
   return paired;
 }
 
-bool ScanPairing::mayWait(const LaserScan2& scan, Time now) const {
-  const double waited = toSeconds(now - scan.stamp);
-  // A stamp far ahead is no reason to wait for ever: the clock may have been set back.
-  return waited < parameters_.patience && waited > -1.0 &&
-         waiting_.size() <= static_cast<std::size_t>(parameters_.max_waiting);
-}
+bool ScanPairing::hasOdometry() const { return !impl_->odometry.empty(); }
 
 void ScanPairing::clear() {
-  odometry_.clear();
-  waiting_.clear();
+  impl_->odometry.clear();
+  impl_->waiting.clear();
 }
 
 }  // namespace frontier_pilot::mapping

@@ -22,8 +22,8 @@ const Twist2* MotionPredictor::commandAt(Time time) const {
   return in_force == commands_.rend() ? nullptr : &in_force->twist;
 }
 
-MotionPredictor::Motion MotionPredictor::predict(const StampedPose& pose, const Twist2& twist, Time now) const {
-  Motion motion{pose.T_map_base, twist};
+MotionPredictor::Motion MotionPredictor::predict(const StampedPose2& pose, const Twist2& twist, Time now) const {
+  Motion motion{pose.pose, twist};
   for (Time time = pose.stamp; time < now; time += kStep) {
     const double seconds = toSeconds(std::min(kStep, Duration(now - time)));
     if (const Twist2* command = commandAt(time)) {

@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/navigation/navigator_types.h"
@@ -24,7 +25,7 @@ class MotionPredictor {
   void commanded(const Twist2& command, Time now);
   void clear() { commands_.clear(); }
   /// The motion at `now` of a base that was at `pose` and had `twist` then. Without commands it keeps `twist`.
-  Motion predict(const StampedPose& pose, const Twist2& twist, Time now) const;
+  Motion predict(const StampedPose2& pose, const Twist2& twist, Time now) const;
 
  private:
   struct Command {

@@ -92,9 +92,9 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
 }
 
 void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
-  if (inputs.pose && inputs.pose->T_map_base.isFinite()) {
+  if (inputs.pose && inputs.pose->pose.isFinite()) {
     pose_ = inputs.pose;
-    poses_.add(pose_->stamp, pose_->T_map_base);
+    poses_.add(pose_->stamp, pose_->pose);
   }
   if (inputs.scan == nullptr || (scan_stamp_ && inputs.scan->stamp == *scan_stamp_) || !isUsable(*inputs.scan)) return;
   const auto T_map_base = poses_.at(inputs.scan->stamp);
@@ -115,7 +115,7 @@ void Navigator::Impl::takeEvents(const NavigatorInputs& inputs, Time now) {
 void Navigator::Impl::start(const NavGoal& goal, Time now) {
   goal_ = goal;
   waiting_since_.reset();
-  if (pose_) watchdog_.restart(now, pose_->T_map_base.position());
+  if (pose_) watchdog_.restart(now, pose_->pose.position());
   if (!goal.T_map_goal.isFinite()) finish(NavResult::kAborted, NavReason::kInvalidGoal);
 }
 
@@ -145,7 +145,7 @@ std::optional<NavReason> Navigator::Impl::missingData(const NavigatorInputs& inp
 void Navigator::Impl::wait(NavReason reason, Time now) {
   if (!waiting_since_) waiting_since_ = now;
   if (toSeconds(now - *waiting_since_) > params_.data_patience) return finish(NavResult::kAborted, reason);
-  if (pose_) watchdog_.restart(now, pose_->T_map_base.position());
+  if (pose_) watchdog_.restart(now, pose_->pose.position());
   command({}, NavState::kWaiting, reason);
 }
 

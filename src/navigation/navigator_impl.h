@@ -45,7 +45,7 @@ class Navigator::Impl {
   void drive(const MotionPredictor::Motion& motion, Time now);
   void turn(const MotionPredictor::Motion& motion, Time now);
   FollowerInputs followerInputs(const MotionPredictor::Motion& motion, Time now) const;
-  planning::PlanRequest requestFrom(const StampedPose& pose) const;
+  planning::PlanRequest requestFrom(const StampedPose2& pose) const;
   void blocked(Time now);
   void recover(NavReason trouble, Time now);
   void continueRecovery(Time now);
@@ -65,7 +65,7 @@ class Navigator::Impl {
   ProgressWatchdog watchdog_;
 
   PoseHistory poses_;
-  std::optional<StampedPose> pose_;
+  std::optional<StampedPose2> pose_;
   std::optional<Time> scan_stamp_;
   ScanPoints scan_;
   bool map_changed_ = false;

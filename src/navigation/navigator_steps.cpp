@@ -56,7 +56,7 @@ void Navigator::Impl::refreshMap(Time now) {
   map_changed_ = obstacles_changed_ = false;
   if (!has_path_ || arrived_) return;
   const double along = follower_.progress();
-  const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->T_map_base) : std::nullopt;
+  const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->pose) : std::nullopt;
   has_path_ = planning::isPathValid(clearance_, follower_.path(), escape_, along) &&
               outline_on_map_.canFollow(clearance_, follower_.path(), escape_, along, robot);
 }
@@ -76,8 +76,8 @@ bool Navigator::Impl::replan(Time now) {
   return false;
 }
 
-planning::PlanRequest Navigator::Impl::requestFrom(const StampedPose& pose) const {
-  return {pose.T_map_base.position(), goal_->T_map_goal.position(), -1.0, pose.T_map_base.yaw};
+planning::PlanRequest Navigator::Impl::requestFrom(const StampedPose2& pose) const {
+  return {pose.pose.position(), goal_->T_map_goal.position(), -1.0, pose.pose.yaw};
 }
 
 bool Navigator::Impl::usePath(planning::PlanResult result, Time now) {
@@ -104,7 +104,7 @@ void Navigator::Impl::lookForBetter(Time now) {
 
 bool Navigator::Impl::isAtGoal() const {
   const Vec2 target = goal_is_moved_ ? follower_.path().goal() : goal_->T_map_goal.position();
-  return (pose_->T_map_base.position() - target).norm() <= params_.goal_tolerance;
+  return (pose_->pose.position() - target).norm() <= params_.goal_tolerance;
 }
 
 void Navigator::Impl::turn(const MotionPredictor::Motion& motion, Time now) {
@@ -125,7 +125,7 @@ FollowerInputs Navigator::Impl::followerInputs(const MotionPredictor::Motion& mo
 
 void Navigator::Impl::drive(const MotionPredictor::Motion& motion, Time now) {
   const FollowerOutput step = follower_.update(followerInputs(motion, now));
-  const auto verdict = watchdog_.update(now, pose_->T_map_base.position(), follower_.remaining());
+  const auto verdict = watchdog_.update(now, pose_->pose.position(), follower_.remaining());
   if (watchdog_.hasMoved()) rung_ = 0;
   if (verdict == ProgressWatchdog::Verdict::kNoProgress) return recover(NavReason::kBlocked, now);
   if (verdict == ProgressWatchdog::Verdict::kOscillating) return recover(NavReason::kOscillating, now);
@@ -146,7 +146,7 @@ void Navigator::Impl::recover(NavReason trouble, Time now) {
   trouble_ = trouble;
   has_path_ = false;
   blocked_since_.reset();
-  watchdog_.restart(now, pose_->T_map_base.position());
+  watchdog_.restart(now, pose_->pose.position());
   if (rung.clears_obstacles) clearObstacles();
   if (rung.begin) recovery_ = rung.begin();
   command({}, NavState::kRecovering, trouble);
@@ -157,12 +157,12 @@ void Navigator::Impl::continueRecovery(Time now) {
   const ScanDistance scan_distance = [this](const Outline& outline, const Pose2& T_map_base) {
     return scan_.distance(outline, T_map_base);
   };
-  const RecoveryStep step = recovery_({pose_->T_map_base, scan_distance}, now);
+  const RecoveryStep step = recovery_({pose_->pose, scan_distance}, now);
   command(step.command, NavState::kRecovering, trouble_);
   output_.recovery = ladder_[rung_ - 1].name;
   if (!step.done) return;
   recovery_ = nullptr;
-  watchdog_.restart(now, pose_->T_map_base.position());
+  watchdog_.restart(now, pose_->pose.position());
 }
 
 }  // namespace frontier_pilot::navigation

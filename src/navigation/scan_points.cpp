@@ -132,7 +132,8 @@ void PoseHistory::add(Time stamp, const Pose2& T_map_base) {
 
 std::optional<Pose2> PoseHistory::at(Time stamp) const {
   if (poses_.empty()) return std::nullopt;
-  const auto after = std::find_if(poses_.begin(), poses_.end(), [&](const Stamped& s) { return s.stamp >= stamp; });
+  const auto after =
+      std::find_if(poses_.begin(), poses_.end(), [&](const StampedPose2& s) { return s.stamp >= stamp; });
   if (after == poses_.end()) {
     if (stamp - poses_.back().stamp > kExtrapolation) return std::nullopt;
     return poses_.back().pose;
@@ -141,10 +142,9 @@ std::optional<Pose2> PoseHistory::at(Time stamp) const {
     if (after->stamp - stamp > kExtrapolation) return std::nullopt;
     return after->pose;
   }
-  const Stamped& before = *std::prev(after);
+  const StampedPose2& before = *std::prev(after);
   const double part = toSeconds(stamp - before.stamp) / toSeconds(after->stamp - before.stamp);
-  const Vec2 position = before.pose.position() + part * (after->pose.position() - before.pose.position());
-  return Pose2(position, normalizeAngle(before.pose.yaw + part * angleDifference(after->pose.yaw, before.pose.yaw)));
+  return interpolate(before.pose, after->pose, part);
 }
 
 }  // namespace frontier_pilot::navigation

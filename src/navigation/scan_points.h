@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/core/outline.h"
 
 namespace frontier_pilot::navigation {
@@ -44,11 +45,7 @@ class PoseHistory {
   std::optional<Pose2> at(Time stamp) const;
 
  private:
-  struct Stamped {
-    Time stamp;
-    Pose2 pose;
-  };
-  std::deque<Stamped> poses_;
+  std::deque<StampedPose2> poses_;
 };
 
 }  // namespace frontier_pilot::navigation

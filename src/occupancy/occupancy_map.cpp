@@ -6,13 +6,24 @@
 #include <vector>
 
 #include "frontier_pilot/grids/growing_grid.h"
+#include "occupancy/log_odds.h"
+#include "occupancy/octree_layer.h"
 
 namespace frontier_pilot::occupancy {
+
+LogOddsModel::LogOddsModel(const OccupancyModel& model)
+    : hit(logOdds(model.hit)),
+      miss(logOdds(model.miss)),
+      min(logOdds(model.clamp_min)),
+      max(logOdds(model.clamp_max)) {}
 
 OccupancyMap::OccupancyMap(const OccupancyMapParameters& parameters)
     : parameters_(parameters),
       model_(parameters.model),
-      octree_(parameters.resolution, parameters.scanner_height, parameters.model) {}
+      octree_(std::make_unique<OctreeLayer>(parameters.resolution, parameters.scanner_height, parameters.model)) {}
+OccupancyMap::~OccupancyMap() = default;
+OccupancyMap::OccupancyMap(OccupancyMap&&) noexcept = default;
+OccupancyMap& OccupancyMap::operator=(OccupancyMap&&) noexcept = default;
 
 CellRect OccupancyMap::needed(const Vec2& low, const Vec2& high) const {
   GridGeometry frame;
@@ -79,7 +90,7 @@ void OccupancyMap::change(std::size_t index, float step) {
 
 void OccupancyMap::store(std::size_t index) {
   const Cell cell = geometry().cell(index);
-  octree_.set({cell.x + extent_.x, cell.y + extent_.y}, entries_[index].log_odds);
+  octree_->set({cell.x + extent_.x, cell.y + extent_.y}, entries_[index].log_odds);
 }
 
 void OccupancyMap::endBatch() {
@@ -104,7 +115,7 @@ std::int8_t OccupancyMap::value(float log_odds) const {
 MapChanges OccupancyMap::takeChanges() { return std::exchange(changes_, MapChanges{}); }
 
 void OccupancyMap::clear() {
-  octree_.clear();
+  octree_->clear();
   std::fill(entries_.cells().begin(), entries_.cells().end(), Entry{});
   std::fill(grid_.cells().begin(), grid_.cells().end(), kUnknown);
   changes_.cells = geometry().rect();
@@ -141,20 +152,22 @@ std::size_t OccupancyMap::mostBytes() const {
 
 bool OccupancyMap::read(const std::string& bytes, std::string& why) {
   OccupancyMap loaded(parameters_);
-  why = loaded.octree_.read(bytes, mostNodes());
+  why = loaded.octree_->read(bytes, mostNodes());
   if (!why.empty()) return false;
-  const CellRect cells = loaded.octree_.extent();
+  const CellRect cells = loaded.octree_->extent();
   // A tree that holds nothing at the scanner's height is another's: it must not take the place of what is known.
   if (cells.empty()) return why = "holds nothing at the scanner's height", false;
   why = "is larger than the map may be";
   if (!loaded.reserveCells(cells)) return false;
-  loaded.octree_.forEach([&](Cell cell, float log_odds) {
+  loaded.octree_->forEach([&](Cell cell, float log_odds) {
     const std::size_t index = loaded.geometry().index({cell.x - loaded.extent_.x, cell.y - loaded.extent_.y});
     loaded.entries_[index].log_odds = log_odds;
     loaded.grid_[index] = loaded.value(log_odds);
   });
   return exchange(loaded);
 }
+
+bool OccupancyMap::write(std::ostream& out) { return octree_->write(out); }
 
 bool OccupancyMap::logOdds(Cell cell, float& value) const {
   const Entry entry = entries_.get(cell, Entry{});

@@ -1,4 +1,4 @@
-#include "frontier_pilot/occupancy/octree_layer.h"
+#include "occupancy/octree_layer.h"
 
 #include <octomap/OcTree.h>
 

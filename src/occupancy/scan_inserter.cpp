@@ -7,7 +7,7 @@
 
 namespace frontier_pilot::occupancy {
 
-Insertion ScanInserter::insert(const LaserScan2& scan, const Pose2& T_map_base, OccupancyMap& map) {
+Insertion ScanInserter::insert(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, OccupancyMap& map) {
   const Vec2 sensor = T_map_base * scan.T_base_sensor.position();
   readRays(scan, T_map_base, map.parameters().resolution);
   if (rays_.empty()) return Insertion::kAllInvalid;
@@ -19,32 +19,30 @@ Insertion ScanInserter::insert(const LaserScan2& scan, const Pose2& T_map_base, 
   return Insertion::kInserted;
 }
 
-void ScanInserter::readRays(const LaserScan2& scan, const Pose2& T_map_base, double resolution) {
+void ScanInserter::readRays(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, double resolution) {
   const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
   const Vec2 sensor = T_map_sensor.position();
   rays_.clear();
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    // Too near says that something is there, but not where.
-    const RangeReading reading = readBeam(scan, beam);
-    if (reading.kind != RangeKind::kFree) continue;
-    const Vec2 unit = direction(T_map_sensor.yaw + scan.angle(beam));
-    rays_.push_back({sensor + std::min(reading.distance, parameters_.max_clear_range) * unit, std::nullopt});
+  for (const double angle : scan.free) {
+    const Vec2 unit = direction(T_map_sensor.yaw + angle);
+    rays_.push_back({sensor + std::min(scan.range_max, parameters_.max_clear_range) * unit, std::nullopt});
   }
-  for (const surfaces::SurfacePoint& point :
-       surfaces::placed(T_map_base, surfaces::readSurface(scan, surface_parameters_))) {
-    rays_.push_back(rayThatMet(point, sensor, resolution));
+  const Rotation2 R_map_base(T_map_base.yaw);
+  for (const surfaces::SurfacePoint& point : scan.points) {
+    const Vec2 position = R_map_base.applied(point.position, T_map_base.position());
+    rays_.push_back(rayThatMet(position, R_map_base * point.normal, sensor, resolution));
   }
 }
 
-ScanInserter::Ray ScanInserter::rayThatMet(const surfaces::SurfacePoint& point, const Vec2& sensor,
+ScanInserter::Ray ScanInserter::rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor,
                                            double resolution) const {
   constexpr double kFlattest = 0.1;  // cosine: at a flatter angle a beam would clear nothing far before the surface
-  const double range = (point.position - sensor).norm();
+  const double range = (point - sensor).norm();
   // Eigen leaves a vector of no length as it is.
-  const Vec2 unit = (point.position - sensor).normalized();
-  const Vec2 behind = point.hasNormal() ? Vec2(-point.normal) : unit;
+  const Vec2 unit = (point - sensor).normalized();
+  const Vec2 behind = normal.isZero(0.0) ? unit : Vec2(-normal);
   const double margin = parameters_.clear_margin * resolution / std::max(kFlattest, unit.dot(behind));
-  return {sensor + std::max(0.0, range - margin) * unit, point.position + parameters_.hit_offset * resolution * behind};
+  return {sensor + std::max(0.0, range - margin) * unit, point + parameters_.hit_offset * resolution * behind};
 }
 
 bool ScanInserter::reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const {

@@ -60,12 +60,9 @@ class BranchAndBound {
   /// Finds the cells that the points lie in for one direction and no offset.
   void place(const surfaces::SurfacePoints& points, int angle) {
     const Pose2 T_map_points(request_.expected.position(), request_.expected.yaw + angle * step_);
-    const double c = std::cos(T_map_points.yaw);
-    const double s = std::sin(T_map_points.yaw);
+    const Rotation2 rotation(T_map_points.yaw);
     for (const surfaces::SurfacePoint& point : points) {
-      const Vec2& p = point.position;
-      const Vec2 turned(c * p.x() - s * p.y(), s * p.x() + c * p.y());
-      cells_.push_back(pyramid_.geometry().cellAt(T_map_points.position() + turned));
+      cells_.push_back(pyramid_.geometry().cellAt(T_map_points.position() + rotation * point.position));
     }
     points_ = points.size();
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "frontier_pilot/core/grid_traversal.h"
+#include "scan_matching/surfel_map.h"
 
 namespace frontier_pilot::scan_matching {
 namespace {
@@ -18,12 +19,11 @@ class Linearization {
   Linearization(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& pose,
                 const RefinementParameters& parameters)
       : parameters_(parameters) {
-    const double c = std::cos(pose.yaw);
-    const double s = std::sin(pose.yaw);
+    const Rotation2 rotation(pose.yaw);
     for (const surfaces::SurfacePoint& point : points) {
-      const Vec2 arm(c * point.position.x() - s * point.position.y(), s * point.position.x() + c * point.position.y());
-      const Vec2 normal(c * point.normal.x() - s * point.normal.y(), s * point.normal.x() + c * point.normal.y());
-      const surfaces::SurfacePoint placed{pose.position() + arm, normal, false, point.noise, point.roughness};
+      const Vec2 arm = rotation * point.position;
+      const surfaces::SurfacePoint placed{pose.position() + arm, rotation * point.normal, false, point.noise,
+                                          point.roughness};
       if (const Surfel* surfel = surfels.nearest(placed)) add(*surfel, placed, arm);
     }
     information *= parameters.independence;
@@ -88,21 +88,21 @@ bool contradicts(const Grid<std::uint8_t>& field, const Vec2& origin, const Vec2
 
 }  // namespace
 
-Refinement refine(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& start,
+Refinement refine(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& start,
                   const std::optional<PoseWithCovariance>& prior, const RefinementParameters& parameters) {
   Pose2 pose = start;
   for (int i = 0; i < parameters.iterations; ++i) {
-    const Eigen::Vector3d step = stepOf(Linearization(surfels, points, pose, parameters), pose, start, prior);
+    const Eigen::Vector3d step = stepOf(Linearization(map.surfels(), points, pose, parameters), pose, start, prior);
     pose = Pose2(pose.x + step.x(), pose.y + step.y(), normalizeAngle(pose.yaw + step.z()));
     if (step.cwiseAbs().maxCoeff() < kStill) break;
   }
-  const Linearization last(surfels, points, pose, parameters);
+  const Linearization last(map.surfels(), points, pose, parameters);
   return {pose, last.information, last.inliers / static_cast<double>(points.size())};
 }
 
-double inconsistentShare(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base) {
+double inconsistentShare(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& T_map_base) {
   const auto count = std::count_if(points.begin(), points.end(), [&](const surfaces::SurfacePoint& point) {
-    return contradicts(field.grid(), T_map_base.position(), T_map_base * point.position);
+    return contradicts(map.field(), T_map_base.position(), T_map_base * point.position);
   });
   return static_cast<double>(count) / static_cast<double>(points.size());
 }

@@ -60,11 +60,8 @@ void Lidar::scan(const Pose2& T_world_base, const grids::RayCaster& walls, const
 }
 
 void Lidar::turnBeams(double yaw) {
-  const double c = std::cos(yaw);
-  const double s = std::sin(yaw);
-  for (std::size_t i = 0; i < beams_.size(); ++i) {
-    turned_[i] = {c * beams_[i].x() - s * beams_[i].y(), s * beams_[i].x() + c * beams_[i].y()};
-  }
+  const Rotation2 rotation(yaw);
+  for (std::size_t i = 0; i < beams_.size(); ++i) turned_[i] = rotation * beams_[i];
 }
 
 // The farthest distance to a wall in each sector and the two next to it.

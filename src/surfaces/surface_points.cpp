@@ -18,19 +18,21 @@ constexpr int kMostMissing = 3;     ///< beams without a return between two that
 constexpr double kSameWay = 0.9;    ///< cosine of the greatest angle between normals of one surface
 constexpr double kFlat = 0.25;      ///< greatest slope between two points of one surface
 
-/// Reads the returns beam by beam, and sees where the surface surely breaks off between them.
-class ReturnReader {
+/// Reads a scan beam by beam, and sees where the surface surely breaks off between its returns.
+class BeamReader {
  public:
-  explicit ReturnReader(const LaserScan2& scan) : scan_(scan) {}
+  explicit BeamReader(const LaserScan2& scan) : scan_(scan) {}
 
-  SurfacePoints read() {
+  SurfaceScan read() {
     for (std::size_t beam = 0; beam < scan_.ranges.size(); ++beam) {
       const RangeReading reading = readBeam(scan_, beam);
       if (reading.kind == RangeKind::kHit) add(beam, reading.distance);
       // A beam that says nothing may have met the same surface; one that met nothing has not.
-      if (reading.kind == RangeKind::kFree) open_ = true;
+      if (reading.kind != RangeKind::kFree) continue;
+      open_ = true;
+      free_.push_back(scan_.angle(beam));
     }
-    return std::move(points_);
+    return {scan_.stamp, scan_.T_base_sensor, std::move(points_), std::move(free_), scan_.range_max};
   }
 
  private:
@@ -48,6 +50,7 @@ class ReturnReader {
 
   const LaserScan2& scan_;
   SurfacePoints points_;
+  std::vector<double> free_;
   std::size_t last_beam_ = 0;
   double last_distance_ = 0.0;
   bool open_ = true;  ///< nothing connects the next return to the last one
@@ -190,8 +193,9 @@ bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) 
 
 }  // namespace
 
-SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters) {
-  SurfacePoints points = ReturnReader(scan).read();
+SurfaceScan readScan(const LaserScan2& scan, const SurfaceParameters& parameters) {
+  SurfaceScan read = BeamReader(scan).read();
+  SurfacePoints& points = read.points;
   const LineFitter fitter(points);
   const SpanFinder neighbours(points);
   const Vec2 sensor = scan.T_base_sensor.position();
@@ -209,17 +213,14 @@ SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& param
     point.roughness = square(parameters.roughness);
     if (line) point.roughness += std::max(0.0, line->variance - point.noise) / square(facing);
   }
-  return points;
+  return read;
 }
 
 SurfacePoints placed(const Pose2& T_other_points, SurfacePoints points) {
-  const double c = std::cos(T_other_points.yaw);
-  const double s = std::sin(T_other_points.yaw);
+  const Rotation2 rotation(T_other_points.yaw);
   for (SurfacePoint& point : points) {
-    const Vec2 p = point.position;
-    const Vec2 n = point.normal;
-    point.position = {T_other_points.x + c * p.x() - s * p.y(), T_other_points.y + s * p.x() + c * p.y()};
-    point.normal = {c * n.x() - s * n.y(), s * n.x() + c * n.y()};
+    point.position = rotation.applied(point.position, T_other_points.position());
+    point.normal = rotation * point.normal;
   }
   return points;
 }

@@ -47,7 +47,7 @@ navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavi
     if (!begun) core.start(freePartOf(goal, in, outline), now);
     begun = true;
     behavior::BehaviorInputs inputs;
-    inputs.pose = behavior::BehaviorInputs::Pose{now, in.T_map_base};
+    inputs.pose = StampedPose2{now, in.T_map_base};
     inputs.look_ahead = lookAtScan(in.scan_distance, outline);
     const behavior::BehaviorOutput output = core.update(inputs, now);
     return navigation::RecoveryStep{output.command.value_or(Twist2()), !core.active()};

@@ -77,15 +77,15 @@ void ClosedLoop::setNavEnabled(bool on) { arbiter_.setEnabled(nav_source_, on, i
 
 void ClosedLoop::sense() {
   const LaserScan2* scan = simulator_.newScan(0);
-  on_the_way_.push_back({now(), simulator_.odometry(0), simulator_.velocity(0),
+  on_the_way_.push_back({{now(), simulator_.odometry(0), simulator_.velocity(0)},
                          scan != nullptr ? std::optional<LaserScan2>(*scan) : std::nullopt});
-  while (!on_the_way_.empty() && now() - on_the_way_.front().stamp >= latency_) {
+  while (!on_the_way_.empty() && now() - on_the_way_.front().odometry.stamp >= latency_) {
     sensed_ = std::move(on_the_way_.front());
     on_the_way_.pop_front();
     if (!sensed_.scan) continue;
     scan_ = std::move(*sensed_.scan);
     const Stopwatch watch(wall_clock_, times_.mapper);
-    mapper_.insert(scan_, sensed_.T_odom_base, now());
+    mapper_.insert(scan_, sensed_.odometry.T_odom_base, now());
     mapper_.reviseNow();
   }
 }
@@ -106,8 +106,8 @@ void ClosedLoop::control() {
   for (const double value : {pose.x, pose.y, pose.yaw}) mix(value);
 }
 
-navigation::StampedPose ClosedLoop::lastPose() const {
-  return {sensed_.stamp, mapper_.T_map_odom() * sensed_.T_odom_base};
+StampedPose2 ClosedLoop::lastPose() const {
+  return {sensed_.odometry.stamp, mapper_.T_map_odom() * sensed_.odometry.T_odom_base};
 }
 
 Instant ClosedLoop::instant() const { return {now(), SteadyTime(now().time_since_epoch())}; }
@@ -117,8 +117,8 @@ void ClosedLoop::explore() {
   exploration::ExplorerInputs inputs;
   inputs.enabled = now().time_since_epoch() >= head_start_;
   inputs.map_available = !mapper_.grid().empty();
-  inputs.T_map_base = exploration::StampedPose2{lastPose().T_map_base, sensed_.stamp};
-  inputs.odometry_stamp = sensed_.stamp;
+  inputs.T_map_base = lastPose();
+  inputs.odometry_stamp = sensed_.odometry.stamp;
   inputs.goal_events.swap(goal_events_);
   exploration::ExplorerOutput output = explorer_.update(inputs, now());
   if (output.command.kind != exploration::GoalCommand::Kind::kNone) pending_ = output.command;
@@ -137,7 +137,7 @@ void ClosedLoop::navigate() {
     navigation::NavigatorInputs inputs;
     inputs.pose = lastPose();
     inputs.scan = scan_.ranges.empty() ? nullptr : &scan_;
-    inputs.twist = sensed_.twist;
+    inputs.twist = sensed_.odometry.twist;
     if (pending_.kind == exploration::GoalCommand::Kind::kSend)
       inputs.new_goal = navigation::NavGoal{pending_.goal_id, pending_.goal, false};
     inputs.cancel = pending_.kind == exploration::GoalCommand::Kind::kCancel;

@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <iterator>
 
-#include "frontier_pilot/mapping/odometry_buffer.h"
-
 namespace frontier_pilot::tools {
 namespace {
 
-/// An anchor, and the correction that it requires of the trajectory at its stamp.
-struct Anchor {
-  Time stamp;
-  Pose2 T_new_old;
-};
-
-std::vector<Anchor> anchored(const logs::Trajectory& trajectory, const logs::Trajectory& anchors) {
-  std::vector<Anchor> out;
+/// Each anchor with the correction T_new_old that it requires of the trajectory at its stamp.
+std::vector<StampedPose2> anchored(const logs::Trajectory& trajectory, const logs::Trajectory& anchors) {
+  std::vector<StampedPose2> out;
   auto entry = trajectory.begin();
-  for (const logs::TrajectoryPose& anchor : anchors) {
-    entry =
-        std::find_if(entry, trajectory.end(), [&](const logs::TrajectoryPose& e) { return e.stamp == anchor.stamp; });
+  for (const StampedPose2& anchor : anchors) {
+    entry = std::find_if(entry, trajectory.end(), [&](const StampedPose2& e) { return e.stamp == anchor.stamp; });
     if (entry == trajectory.end()) break;
     out.push_back({anchor.stamp, anchor.pose * entry->pose.inverse()});
   }
@@ -56,20 +48,19 @@ MappedDrive mapLog(const logs::ScanLog& log, mapping::Mapper& mapper) {
 }
 
 logs::Trajectory bend(const logs::Trajectory& trajectory, const logs::Trajectory& anchors) {
-  const std::vector<Anchor> fixed = anchored(trajectory, anchors);
+  const std::vector<StampedPose2> fixed = anchored(trajectory, anchors);
   if (fixed.empty()) return trajectory;
   logs::Trajectory out;
   std::size_t next = 0;
-  for (const logs::TrajectoryPose& entry : trajectory) {
+  for (const StampedPose2& entry : trajectory) {
     while (next < fixed.size() && fixed[next].stamp < entry.stamp) ++next;
-    const Anchor& before = fixed[next == 0 ? 0 : next - 1];
-    const Anchor& after = fixed[std::min(next, fixed.size() - 1)];
+    const StampedPose2& before = fixed[next == 0 ? 0 : next - 1];
+    const StampedPose2& after = fixed[std::min(next, fixed.size() - 1)];
     const double gap = toSeconds(after.stamp - before.stamp);
     const double share = gap > 0.0 ? toSeconds(entry.stamp - before.stamp) / gap : 0.0;
     // Interpolates between two corrected poses, which are close together, not between the corrections themselves: these
     // turn about the origin, which may be far away.
-    out.push_back(
-        {entry.stamp, mapping::interpolate(before.T_new_old * entry.pose, after.T_new_old * entry.pose, share)});
+    out.push_back({entry.stamp, interpolate(before.pose * entry.pose, after.pose * entry.pose, share)});
   }
   return out;
 }
@@ -78,7 +69,7 @@ std::vector<Pose2> posesOf(const logs::Trajectory& trajectory) {
   std::vector<Pose2> poses;
   poses.reserve(trajectory.size());
   std::transform(trajectory.begin(), trajectory.end(), std::back_inserter(poses),
-                 [](const logs::TrajectoryPose& entry) { return entry.pose; });
+                 [](const StampedPose2& entry) { return entry.pose; });
   return poses;
 }
 

@@ -55,7 +55,7 @@ double lengthOf(const logs::Trajectory& trajectory) {
 
 Polyline polylineOf(const logs::Trajectory& trajectory) {
   Polyline track;
-  for (const logs::TrajectoryPose& entry : trajectory) track.push_back(entry.pose.position());
+  for (const StampedPose2& entry : trajectory) track.push_back(entry.pose.position());
   return track;
 }
 
@@ -69,9 +69,8 @@ void printLog(const logs::ScanLog& log, const MappedDrive& drive) {
 /// The closures as lines between corrected positions: from the recognised place to where it was recognised.
 std::vector<std::pair<Vec2, Vec2>> closuresOf(const MappedDrive& drive) {
   const auto at = [&](Time stamp) {
-    const auto later =
-        std::lower_bound(drive.corrected.begin(), drive.corrected.end(), stamp,
-                         [](const logs::TrajectoryPose& entry, Time time) { return entry.stamp < time; });
+    const auto later = std::lower_bound(drive.corrected.begin(), drive.corrected.end(), stamp,
+                                        [](const StampedPose2& entry, Time time) { return entry.stamp < time; });
     return later->pose.position();
   };
   std::vector<std::pair<Vec2, Vec2>> lines;
@@ -115,7 +114,7 @@ void printErrors(const MapLogOptions& options, const MappedDrive& drive) {
 
 void writeTrajectory(const logs::Trajectory& trajectory, const std::string& path) {
   std::ostringstream text;
-  writeTum(text, trajectory);
+  logs::writeTum(text, trajectory);
   const std::string problem = writeFile(path, text.str());
   if (!problem.empty()) throw logs::LogError(path + ": cannot be written: " + problem);
 }

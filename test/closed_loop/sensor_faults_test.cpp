@@ -37,7 +37,7 @@ Outcome drive(sim::World world, test::SensorFault fault) {
     const auto T_odom_base = drive.T_odom_base();
     mapper.insert(*scan, T_odom_base, scan->stamp);
     mapper.reviseNow();
-    if (const auto remark = mapper.health().worst(scan->stamp)) outcome.remarks.insert(remark->text);
+    if (const auto remark = mapper.remark(scan->stamp)) outcome.remarks.insert(remark->text);
     if (T_odom_base) outcome.error = drive.T_map_base().inverse() * (mapper.T_map_odom() * *T_odom_base);
   }
   outcome.usable_share = mapper.usableShare();

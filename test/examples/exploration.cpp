@@ -15,7 +15,7 @@ bool examples::exploration() {
   explorer.setMap(map, map.geometry().rect());
   const fp::Time now = fp::timeFromSeconds(10.0);
   fp::exploration::ExplorerInputs inputs;
-  inputs.T_map_base = fp::exploration::StampedPose2{fp::Pose2(-2.0, 0.0, 0.0), now};
+  inputs.T_map_base = fp::StampedPose2{now, fp::Pose2(-2.0, 0.0, 0.0)};
   inputs.odometry_stamp = now;
   const fp::exploration::GoalCommand command = explorer.update(inputs, now).command;  // for the navigation
   return command.kind == fp::exploration::GoalCommand::Kind::kSend && command.goal.x > -1.0;

@@ -9,7 +9,7 @@ namespace fp = frontier_pilot;
 bool examples::mapFiles(const std::string& folder) {
   //! [example]
   fp::occupancy::OccupancyMap map;
-  fp::occupancy::ScanInserter().insert(scanFrom({}), {}, map);
+  fp::occupancy::ScanInserter().insert(fp::surfaces::readScan(scanFrom({})), {}, map);
   const fp::map_files::MapIoResult saved = fp::map_files::saveMap(map, folder + "/room");  // .pgm, .yaml and .bt
   fp::occupancy::OccupancyMap loaded;
   const fp::map_files::MapIoResult read = fp::map_files::loadMap(folder + "/room", loaded);

@@ -17,7 +17,7 @@ bool examples::navigation() {
   for (fp::Time now; output.finished.empty() && fp::toSeconds(now) < 60.0; now += std::chrono::milliseconds(50)) {
     const fp::LaserScan2 scan = scanFrom(pose, now);
     inputs.scan = &scan;
-    inputs.pose = fp::navigation::StampedPose{now, pose};
+    inputs.pose = fp::StampedPose2{now, pose};
     output = navigator.update(inputs, now);
     inputs.new_goal.reset();  // it is an event
     inputs.twist = output.command.value_or(fp::Twist2());

@@ -11,7 +11,8 @@ bool examples::occupancy() {
   fp::occupancy::ScanInserter inserter;
   const fp::Pose2 T_map_base(0.0, 0.02, 0.0);
   for (int i = 0; i < 3; ++i) {
-    const fp::occupancy::Insertion insertion = inserter.insert(scanFrom(T_map_base), T_map_base, map);
+    const fp::occupancy::Insertion insertion =
+        inserter.insert(fp::surfaces::readScan(scanFrom(T_map_base)), T_map_base, map);
     if (insertion != fp::occupancy::Insertion::kInserted) return false;  // and the map is as it was
   }
   const fp::OccupancyGrid& grid = map.grid();

@@ -13,8 +13,9 @@ bool examples::slam() {
   const fp::Pose2 T_odom_base(0.05, 0.0, 0.02);  // a little wrong, as odometry is
   const fp::occupancy::OccupancyMap map;         // the caller's, which the revisions replace
   fp::slam::GraphSlam slam;
-  slam.correct(scanFrom({}, fp::timeFromSeconds(10.0)), {}, map);
-  const auto corrected = slam.correct(scanFrom(truth, fp::timeFromSeconds(10.1)), T_odom_base, map);
+  slam.correct(fp::surfaces::readScan(scanFrom({}, fp::timeFromSeconds(10.0))), {}, map);
+  const fp::surfaces::SurfaceScan scan = fp::surfaces::readScan(scanFrom(truth, fp::timeFromSeconds(10.1)));
+  const auto corrected = slam.correct(scan, T_odom_base, map);
   if (const fp::slam::RevisionWork work = slam.takeWork()) slam.accept(work());  // `work` may run on another thread
   const fp::Pose2 T_map_base = corrected.T_map_odom * T_odom_base;
   const bool near = (T_map_base.position() - truth.position()).norm() < 0.01;

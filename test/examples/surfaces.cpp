@@ -7,7 +7,7 @@ namespace fp = frontier_pilot;
 
 bool examples::surfaces() {
   //! [example]
-  const fp::surfaces::SurfacePoints surface = fp::surfaces::readSurface(scanFrom({}));
+  const fp::surfaces::SurfacePoints surface = fp::surfaces::readScan(scanFrom({})).points;
   const fp::surfaces::SurfacePoint& left = surface[90];  // of the beam that points to the left
   const bool looks_back = left.position.y() > 1.99 && left.normal.y() < -0.99;
   const fp::surfaces::SurfacePoints to_match = fp::surfaces::thinned(surface);  // few points, evenly spaced

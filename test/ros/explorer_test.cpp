@@ -58,7 +58,7 @@ class FakeRobot {
  public:
   explicit FakeRobot(ros::NodeHandle& node) : odometry_(node.advertise<nav_msgs::Odometry>(names::kOdom, 10)) {
     timer_ = node.createSteadyTimer(ros::WallDuration(0.05), [this](const ros::SteadyTimerEvent&) {
-      Odometry2 odometry;
+      MotionSample odometry;
       odometry.stamp = rosNow();
       odometry_.publish(toOdometryMsg(odometry, names::kOdomFrame, names::kBaseFootprintFrame));
       tf_.broadcast(names::kMapFrame, names::kBaseFootprintFrame, Pose2(1.0, 1.0, 0.0), odometry.stamp);

@@ -42,12 +42,8 @@ using LookAhead = std::function<SweepResult(const Pose2& T_odom_base, const Axis
 
 /// The inputs of one control cycle.
 struct BehaviorInputs {
-  struct Pose {
-    Time stamp;
-    Pose2 T_odom_base;
-  };
-  std::optional<Pose> pose;
-  LookAhead look_ahead;  ///< empty: there is no costmap
+  std::optional<StampedPose2> pose;  ///< T_odom_base
+  LookAhead look_ahead;              ///< empty: there is no costmap
   bool emergency_stop = false;
 };
 
@@ -84,7 +80,7 @@ class TimedBehavior {
   BehaviorOutput wait();
   BehaviorOutput move(const BehaviorInputs& inputs, Time now);
   std::optional<std::string> poseProblem(const BehaviorInputs& inputs, Time now) const;
-  void measure(const BehaviorInputs::Pose& pose, Time now);
+  void measure(const StampedPose2& pose, Time now);
   BehaviorOutput settle(Time now);
   BehaviorOutput goOn(const BehaviorInputs& inputs, double speed);
   AxisMotion motion() const;
@@ -97,7 +93,7 @@ class TimedBehavior {
   Time started_, last_update_;
   double elapsed_ = 0.0;
   double progress_ = 0.0;  ///< along the motion: positive towards the target
-  std::optional<BehaviorInputs::Pose> first_pose_, last_pose_;
+  std::optional<StampedPose2> first_pose_, last_pose_;
   TurnCounter turned_;
   MotionEstimate estimate_;
   double best_progress_ = 0.0;

@@ -21,6 +21,23 @@ inline double angleDifference(double to, double from) { return normalizeAngle(to
 /// The unit vector at `angle` [rad] from the x axis.
 inline Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
+/// A rotation of the plane, whose sine and cosine are computed once for many points.
+class Rotation2 {
+ public:
+  /// By `angle` [rad], counter-clockwise.
+  explicit Rotation2(double angle) : cos_(std::cos(angle)), sin_(std::sin(angle)) {}
+
+  Vec2 operator*(const Vec2& v) const { return {cos_ * v.x() - sin_ * v.y(), sin_ * v.x() + cos_ * v.y()}; }
+  /// `p` turned, and then moved by `translation`: what a Pose2 does.
+  Vec2 applied(const Vec2& p, const Vec2& translation) const {
+    return {translation.x() + cos_ * p.x() - sin_ * p.y(), translation.y() + sin_ * p.x() + cos_ * p.y()};
+  }
+  Eigen::Matrix2d matrix() const { return (Eigen::Matrix2d() << cos_, -sin_, sin_, cos_).finished(); }
+
+ private:
+  double cos_, sin_;
+};
+
 /// The angle of `v` from the x axis [rad].
 inline double bearing(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
@@ -46,6 +63,9 @@ Pose2 operator*(const Pose2& T_a_b, const Pose2& T_b_c);
 Vec2 operator*(const Pose2& T_a_b, const Vec2& p_b);
 
 bool operator==(const Pose2& a, const Pose2& b);
+
+/// The pose at `fraction` (0 ... 1) of the way from `a` to `b`: straight, and turning the short way.
+Pose2 interpolate(const Pose2& a, const Pose2& b, double fraction);
 
 /// A velocity of a differential drive, in the base frame.
 struct Twist2 {

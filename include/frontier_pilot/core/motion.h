@@ -7,6 +7,12 @@
 
 namespace frontier_pilot {
 
+/// A pose and the time at which it holds. The name of the variable tells the frames.
+struct StampedPose2 {
+  Time stamp;
+  Pose2 pose;
+};
+
 /// Where the base was and how it moved at `stamp`, according to odometry.
 struct MotionSample {
   Time stamp;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot::exploration {
@@ -63,12 +64,6 @@ struct GoalEvent {
   std::uint32_t goal_id = 0;  ///< of the command that sent it; events of older goals are ignored
   Kind kind = Kind::kReached;
   std::string text;  ///< what the navigation said
-};
-
-/// Where the base is, in the map's frame.
-struct StampedPose2 {
-  Pose2 pose;
-  Time stamp;
 };
 
 /// What the explorer is told each tick. Absent = never received or not available.

@@ -2,9 +2,12 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "frontier_pilot/localization/localizer.h"
-#include "frontier_pilot/slam/graph_slam.h"
+#include "frontier_pilot/occupancy/parameters.h"
+#include "frontier_pilot/scan_matching/scan_matcher.h"
+#include "frontier_pilot/slam/parameters.h"
+#include "frontier_pilot/slam/pose_correction.h"
 
 namespace frontier_pilot::localization {
 
@@ -24,25 +27,22 @@ class MapLocalization final : public slam::PoseCorrection {
   MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
                   const occupancy::ScanInsertionParameters& insertion,
                   const scan_matching::PoseWithCovariance& T_map_base);
+  ~MapLocalization() override;
+  MapLocalization(const MapLocalization&) = delete;
+  MapLocalization& operator=(const MapLocalization&) = delete;
 
-  slam::CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
+  slam::CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                               const occupancy::OccupancyMap& map) override;
-  slam::RevisionWork takeWork() override { return slam_ ? slam_->takeWork() : slam::RevisionWork(); }
-  bool accept(const slam::MapRevision& revision) override { return slam_ && slam_->accept(revision); }
-  bool refuse(const slam::MapRevision& revision) override { return slam_ && slam_->refuse(revision); }
-  void abandonWork() override {
-    if (slam_) slam_->abandonWork();
-  }
+  slam::RevisionWork takeWork() override;
+  bool accept(const slam::MapRevision& revision) override;
+  bool refuse(const slam::MapRevision& revision) override;
+  void abandonWork() override;
   std::vector<slam::KeyframePose> trajectory() const override;
   void reset() override;
 
  private:
-  Use use_;
-  Localizer localizer_;
-  std::unique_ptr<slam::GraphSlam> slam_;  ///< to go on mapping
-  /// Where odometry began when mapping went on. `slam_` is given odometry that begins there, and so it thinks in the
-  /// map's frame. None until the robot is found.
-  std::optional<Pose2> T_map_odom_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace frontier_pilot::localization

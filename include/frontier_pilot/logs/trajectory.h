@@ -3,17 +3,12 @@
 #include <iosfwd>
 #include <vector>
 
-#include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/core/motion.h"
 
 namespace frontier_pilot::logs {
 
-/// A pose and the time at which it was taken.
-struct TrajectoryPose {
-  Time stamp;
-  Pose2 pose;
-};
-using Trajectory = std::vector<TrajectoryPose>;
+/// Poses in the order of their stamps.
+using Trajectory = std::vector<StampedPose2>;
 
 /// Writes lines `stamp x y z qx qy qz qw` [s, m], the format of the TUM RGB-D benchmark and its tools. Check the stream
 /// for errors afterwards.

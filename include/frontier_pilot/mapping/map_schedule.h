@@ -3,23 +3,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/mapping/parameters.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
 
 namespace frontier_pilot::mapping {
-
-struct MapScheduleParameters {
-  double min_period = 1.0;  ///< between two whole maps, at least [s]
-  double max_period = 5.0;  ///< after which changes are followed by a whole map; 12 times that while they are few [s]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("min_period", min_period, "s", "least time between two whole maps", timeSpan());
-    v.field("max_period", max_period, "s",
-            "time after which changes are followed by a whole map; 12 times that while they are few", timeSpan());
-  }
-};
 
 /// Says when the whole map is to be sent, besides the changes, which are sent at once. It is due when
 ///  - the map has grown, or a new subscriber has come;

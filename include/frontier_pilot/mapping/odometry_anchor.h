@@ -3,25 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/mapping/parameters.h"
 
 namespace frontier_pilot::mapping {
-
-struct OdometryAnchorParameters {
-  double max_speed = 2.0;       ///< odometry is not believed to drive faster [m/s]
-  double max_turn_rate = 10.0;  ///< nor to turn faster [rad/s]
-  bool trusted = false;         ///< where odometry stays after a jump, there the robot is; described by the mapper
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("max_speed", max_speed, "m/s", "greatest credible speed between two messages; more is a jump of odometry",
-            positive());
-    v.field("max_turn_rate", max_turn_rate, "rad/s",
-            "greatest credible rate of turn between two messages; more is a jump of odometry", positive());
-  }
-};
 
 /// Odometry without its jumps. No robot drives 10 m between two messages: its driver was started again and counts from
 /// the origin, somebody set it, or the message is wrong. A single such message is left out; when the next ones go on
@@ -53,21 +38,17 @@ class OdometryAnchor {
   void reset();
 
  private:
-  struct Sample {
-    Time stamp;
-    Pose2 T_odom_base;
-  };
-  bool isDrivable(const Sample& from, const Sample& to) const;
-  bool isRestart(const Sample& from, const Sample& to) const;
-  std::optional<Pose2> accept(const Sample& sample);
-  std::optional<Pose2> confirmLater(const Sample& sample);
+  bool isDrivable(const StampedPose2& from, const StampedPose2& to) const;
+  bool isRestart(const StampedPose2& from, const StampedPose2& to) const;
+  std::optional<Pose2> accept(const StampedPose2& sample);
+  std::optional<Pose2> confirmLater(const StampedPose2& sample);
 
   OdometryAnchorParameters parameters_;
   Pose2 T_smooth_odom_;
-  std::optional<Sample> last_;         ///< that was believed
-  std::optional<Sample> landing_;      ///< the first one after a jump that may be a mistake
-  std::optional<Sample> unconfirmed_;  ///< the last one since then
-  int followers_ = 0;                  ///< how many have gone on from there
+  std::optional<StampedPose2> last_;         ///< the odometry, T_odom_base, that was believed last
+  std::optional<StampedPose2> landing_;      ///< the first one after a jump that may be a mistake
+  std::optional<StampedPose2> unconfirmed_;  ///< the last one since then
+  int followers_ = 0;                        ///< how many have gone on from there
   std::uint64_t resets_ = 0;
   Jump last_jump_;
 };

@@ -1,25 +1,12 @@
 #pragma once
 
-#include <deque>
+#include <memory>
 #include <optional>
 
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/mapping/odometry_buffer.h"
-#include "frontier_pilot/mapping/scan_verdict.h"
+#include "frontier_pilot/mapping/parameters.h"
 
 namespace frontier_pilot::mapping {
-
-struct ScanPairingParameters {
-  double patience = 0.3;  ///< how long a scan waits for its odometry [s]
-  int max_waiting = 20;   ///< more scans than this do not wait
-  OdometryBufferParameters odometry;
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"patience", "max_waiting"});
-    v.group("odometry", odometry, "odometry buffer");
-  }
-};
 
 /// A scan that has met its odometry, or will not.
 struct PairedScan {
@@ -31,20 +18,21 @@ struct PairedScan {
 class ScanPairing {
  public:
   explicit ScanPairing(const ScanPairingParameters& parameters = {});
+  ~ScanPairing();
+  ScanPairing(const ScanPairing&) = delete;
+  ScanPairing& operator=(const ScanPairing&) = delete;
 
-  void addOdometry(Time stamp, const Pose2& T_odom_base) { odometry_.add(stamp, T_odom_base); }
-  void addScan(LaserScan2 scan) { waiting_.push_back(std::move(scan)); }
+  /// A stamp that is older than the last one means that the clock was set back: earlier odometry is forgotten.
+  void addOdometry(Time stamp, const Pose2& T_odom_base);
+  void addScan(LaserScan2 scan);
   /// The oldest scan that is decided, if any; call until there is none.
   std::optional<PairedScan> next(Time now);
-  bool hasOdometry() const { return !odometry_.empty(); }
+  bool hasOdometry() const;
   void clear();
 
  private:
-  bool mayWait(const LaserScan2& scan, Time now) const;
-
-  ScanPairingParameters parameters_;
-  OdometryBuffer odometry_;
-  std::deque<LaserScan2> waiting_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace frontier_pilot::mapping

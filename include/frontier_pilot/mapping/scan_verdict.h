@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace frontier_pilot::mapping {
 
@@ -29,6 +30,12 @@ const char* toString(ScanVerdict verdict);
 inline bool isDropped(ScanVerdict verdict) {
   return verdict != ScanVerdict::kInserted && verdict != ScanVerdict::kLocalized && verdict != ScanVerdict::kNotMoved;
 }
+
+/// What many of the scans of the last seconds had in common.
+struct ScanRemark {
+  std::string text;
+  double share = 0.0;  ///< of these scans, 0 ... 1
+};
 
 /// How many scans met each fate.
 class ScanCounts {

@@ -7,6 +7,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot::navigation {
@@ -18,15 +19,9 @@ struct NavGoal {
   bool use_yaw = false;
 };
 
-/// A pose and when it was true.
-struct StampedPose {
-  Time stamp;
-  Pose2 T_map_base;
-};
-
 /// What the navigator gets each tick. What is missing is absent; what is old is found out by its stamp.
 struct NavigatorInputs {
-  std::optional<StampedPose> pose;
+  std::optional<StampedPose2> pose;  ///< T_map_base
   const LaserScan2* scan = nullptr;  ///< the latest one; taken in once per stamp
   bool map_alive = true;             ///< false: whoever made the map is gone, and what is true now is not known
   Twist2 twist;                      ///< present one, by odometry

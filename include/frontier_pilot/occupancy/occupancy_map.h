@@ -1,34 +1,25 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 #include "frontier_pilot/core/grid.h"
-#include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/occupancy/log_odds.h"
-#include "frontier_pilot/occupancy/octree_layer.h"
+#include "frontier_pilot/occupancy/parameters.h"
 
 namespace frontier_pilot::occupancy {
 
-struct OccupancyMapParameters {
-  double resolution = 0.05;      ///< side of a cell [m]
-  double scanner_height = 0.18;  ///< height of the mapped layer [m]
-  double growth_step = 10.0;     ///< the map grows by multiples of this [m]
-  double max_side = 200.0;       ///< the map never gets wider or higher than this [m]
-  bool probabilities = false;    ///< project probabilities, not just free and occupied
-  OccupancyModel model;
+class OctreeLayer;
 
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("resolution", resolution, "m", "side of a cell", between(0.005, 1.0));
-    v.field("scanner_height", scanner_height, "m", "height of the layer in the octree", between(0.0, 10.0));
-    v.fixed({"growth_step"});
-    v.field("max_side", max_side, "m", "the map never gets wider or higher than this", between(10.0, 1000.0));
-    v.fixed({"probabilities"});
-    v.group("model", model, "inverse sensor model");
-  }
+/// The inverse sensor model in log-odds; `min` and `max` are the clamping bounds.
+struct LogOddsModel {
+  float hit, miss, min, max;
+
+  explicit LogOddsModel(const OccupancyModel& model);
+  float clamp(float log_odds) const { return std::min(std::max(log_odds, min), max); }
 };
 
 /// What became different since the last time one asked.
@@ -45,12 +36,17 @@ struct MapChanges {
 class OccupancyMap {
  public:
   explicit OccupancyMap(const OccupancyMapParameters& parameters = {});
+  ~OccupancyMap();
+  OccupancyMap(OccupancyMap&&) noexcept;
+  OccupancyMap& operator=(OccupancyMap&&) noexcept;
+  OccupancyMap(const OccupancyMap&) = delete;
+  OccupancyMap& operator=(const OccupancyMap&) = delete;
 
   const OccupancyMapParameters& parameters() const { return parameters_; }
   /// The projection: -1 unknown, 0 free ... 100 occupied. Empty until the first `reserve`.
   const OccupancyGrid& grid() const { return grid_; }
   const GridGeometry& geometry() const { return grid_.geometry(); }
-  const OctreeLayer& octree() const { return octree_; }
+  const OctreeLayer& octree() const { return *octree_; }
 
   /// Grows so that the box `low`-`high` [m] is inside. False, and nothing happens, when the map would get too large.
   bool reserve(const Vec2& low, const Vec2& high);
@@ -89,7 +85,7 @@ class OccupancyMap {
   bool exchange(OccupancyMap& other);
 
   /// Octomap's binary format. False when the stream fails.
-  bool write(std::ostream& out) { return octree_.write(out); }
+  bool write(std::ostream& out);
   /// Replaces the map by what `write` gave. False, nothing is changed, and `why` says the reason, when the bytes are
   /// not all of an octree of this resolution, or one that is too large.
   bool read(const std::string& bytes, std::string& why);
@@ -119,7 +115,7 @@ class OccupancyMap {
 
   OccupancyMapParameters parameters_;
   LogOddsModel model_;
-  OctreeLayer octree_;
+  std::unique_ptr<OctreeLayer> octree_;
   CellRect extent_;      ///< the grid's place, in cells from the frame's origin
   Grid<Entry> entries_;  ///< the octree's layer, dense
   OccupancyGrid grid_;

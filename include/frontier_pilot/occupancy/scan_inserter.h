@@ -3,27 +3,14 @@
 #include <optional>
 #include <vector>
 
-#include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
+#include "frontier_pilot/occupancy/parameters.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 
 namespace frontier_pilot::occupancy {
 
-struct ScanInsertionParameters {
-  double max_clear_range = 8.0;  ///< a beam without a return clears at most this far [m]
-  double robot_radius = 0.105;   ///< a disc under the robot is free [m]; the mapper takes it from its robot
-  double hit_offset = 0.5;       ///< a hit is put this much behind the measured surface [cells]
-  double clear_margin = 0.3;     ///< a beam clears what it enters until this much before the surface [cells]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("max_clear_range", max_clear_range, "m", "a beam without a return clears at most this far", positive());
-    v.moved("robot_radius", "robot/disc_radius or robot/outline");
-    v.fixed({"hit_offset", "clear_margin"});
-  }
-};
-
+/// What became of a scan that was to go into a map.
 enum class Insertion {
   kInserted,
   kAllInvalid,   ///< no beam says anything
@@ -37,11 +24,10 @@ enum class Insertion {
 /// over misses within a scan.
 class ScanInserter {
  public:
-  explicit ScanInserter(const ScanInsertionParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {})
-      : parameters_(parameters), surface_parameters_(surface) {}
+  explicit ScanInserter(const ScanInsertionParameters& parameters = {}) : parameters_(parameters) {}
 
-  /// `scan` was taken at `T_map_base`; both must be well-formed and finite. On failure the map is untouched.
-  Insertion insert(const LaserScan2& scan, const Pose2& T_map_base, OccupancyMap& map);
+  /// `scan` was taken at `T_map_base`; both must be finite. On failure the map is untouched.
+  Insertion insert(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, OccupancyMap& map);
 
  private:
   struct Ray {
@@ -49,15 +35,14 @@ class ScanInserter {
     std::optional<Vec2> hit;  ///< a point behind the surface [m, map]; a beam without a return has none
   };
 
-  void readRays(const LaserScan2& scan, const Pose2& T_map_base, double resolution);
-  Ray rayThatMet(const surfaces::SurfacePoint& point, const Vec2& sensor, double resolution) const;
+  void readRays(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, double resolution);
+  Ray rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor, double resolution) const;
   bool reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const;
   void markHits(OccupancyMap& map) const;
   void clearRays(const Vec2& sensor, OccupancyMap& map) const;
   void clearFootprint(const Vec2& robot, OccupancyMap& map) const;
 
   ScanInsertionParameters parameters_;
-  surfaces::SurfaceParameters surface_parameters_;
   std::vector<Ray> rays_;  ///< of the present scan
 };
 

@@ -1,11 +1,43 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "frontier_pilot/scan_matching/likelihood_grid.h"
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 
 namespace frontier_pilot::scan_matching {
+
+/// Maxima of a field over squares: cell (x, y) of level h holds the greatest value in [x, x + 2^h) x [y, y + 2^h), in
+/// the field's own cell numbers, which may begin below zero. Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM",
+/// ICRA 2016, V-C. A copy: the field may change or go, and another thread may search in it.
+class MaxPyramid {
+ public:
+  /// With the levels 0 (the field itself) to `top`.
+  MaxPyramid(const Grid<std::uint8_t>& field, int top);
+
+  const GridGeometry& geometry() const { return levels_.front().grid.geometry(); }
+  int top() const { return static_cast<int>(levels_.size()) - 1; }
+
+  struct Level {
+    int offset = 0;  ///< the number, in both directions, of the first cell (never positive)
+    Grid<std::uint8_t> grid;
+    /// 0 outside.
+    std::uint8_t at(int x, int y) const {
+      const auto column = static_cast<unsigned>(x - offset);
+      const auto row = static_cast<unsigned>(y - offset);
+      if (column >= static_cast<unsigned>(grid.width()) || row >= static_cast<unsigned>(grid.height())) return 0;
+      return grid.cells()[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width()) + column];
+    }
+  };
+  const Level& level(int h) const { return levels_[static_cast<std::size_t>(h)]; }
+
+ private:
+  std::vector<Level> levels_;
+};
 
 /// Half widths around the expected pose.
 struct SearchWindow {

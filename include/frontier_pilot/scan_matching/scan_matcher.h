@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/scan_matching/correlative_search.h"
+#include "frontier_pilot/scan_matching/parameters.h"
 #include "frontier_pilot/scan_matching/surface_map.h"
+#include "frontier_pilot/surfaces/surface_points.h"
 
 namespace frontier_pilot::scan_matching {
 
@@ -16,17 +16,6 @@ struct PoseWithCovariance {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2, m rad, rad^2]
 };
 
-struct RefinementParameters {
-  int iterations = 12;         ///< at most
-  double outlier = 0.05;       ///< a point this far from its surface counts a quarter [m]
-  double independence = 0.25;  ///< share of the points that count as independent of each other
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"iterations", "outlier", "independence"});
-  }
-};
-
 struct Refinement {
   Pose2 pose;
   Eigen::Matrix3d information =
@@ -34,16 +23,16 @@ struct Refinement {
   double inliers = 0.0;         ///< share of the points that lie on a surface, 0 ... 1
 };
 
-/// Moves `start` to where `points` lie on the surfels: Gauss-Newton on the distances along the surfels' normals (Chen &
-/// Medioni, "Object Modelling by Registration of Multiple Range Images", 1992), with the weights of Geman & McClure.
-/// Along a wall a point says nothing, so a corridor leaves the information along it near zero, and `prior` decides
-/// there: what it says is minimised together with the distances.
-Refinement refine(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& start,
+/// Moves `start` to where `points` lie on the surfels of `map`: Gauss-Newton on the distances along the surfels'
+/// normals (Chen & Medioni, "Object Modelling by Registration of Multiple Range Images", 1992), with the weights of
+/// Geman & McClure. Along a wall a point says nothing, so a corridor leaves the information along it near zero, and
+/// `prior` decides there: what it says is minimised together with the distances.
+Refinement refine(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& start,
                   const std::optional<PoseWithCovariance>& prior, const RefinementParameters& parameters);
 
 /// Share of the points whose beams, traced from the base's origin at `T_map_base`, are inconsistent with the map: they
 /// pass through a known surface, or end before one where nothing is known to be. A scan of a new place matches few
 /// known surfaces and yet is consistent with them; a scan of another place is not.
-double inconsistentShare(const LikelihoodGrid& field, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
+double inconsistentShare(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
 
 }  // namespace frontier_pilot::scan_matching

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/time.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
 #include "frontier_pilot/slam/loop_closure.h"
+#include "frontier_pilot/surfaces/surface_points.h"
 
 namespace frontier_pilot::slam {
 
@@ -47,7 +48,7 @@ class PoseCorrection {
  public:
   virtual ~PoseCorrection() = default;
   /// For a scan taken at `T_odom_base`; `map` is what is known so far, without this scan.
-  virtual CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
+  virtual CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                                 const occupancy::OccupancyMap& map) = 0;
   /// Work that should be done, if any; none until the last one's result was handed to `accept` or `refuse`, or the work
   /// abandoned.
@@ -69,7 +70,7 @@ class PoseCorrection {
 /// Takes odometry for the truth: `map` and `odom` are the same frame.
 class TrustOdometry final : public PoseCorrection {
  public:
-  CorrectedScan correct(const LaserScan2&, const Pose2&, const occupancy::OccupancyMap&) override {
+  CorrectedScan correct(const surfaces::SurfaceScan&, const Pose2&, const occupancy::OccupancyMap&) override {
     return {Pose2(), true, "odometry taken as given"};
   }
   void reset() override {}

@@ -2,48 +2,12 @@
 
 #include <optional>
 
-#include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/scan_matching/scan_matcher.h"
+#include "frontier_pilot/slam/parameters.h"
 
 namespace frontier_pilot::slam {
-
-/// The motion model of odometry. Variances grow with the distance driven, so that they do not depend on how often
-/// odometry is read.
-struct OdometryTrust {
-  double distance = 0.06;         ///< standard deviation of the position after a metre [m]
-  double yaw_distance = 0.04;     ///< of the yaw after a metre [rad]
-  double yaw_turn = 0.06;         ///< of the yaw after a radian [rad]
-  double unmeasured_speed = 0.6;  ///< greatest speed that odometry may fail to measure, such as slip [m/s]
-  double unmeasured_turn = 3.0;   ///< greatest rate of turn that it may fail to measure [rad/s]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.field("distance", distance, "m", "standard deviation of the position after a metre of odometry", positive());
-    v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre of odometry", positive());
-    v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a turn of a radian", positive());
-    v.fixed({"unseen_speed", "unseen_turn"});
-  }
-};
-
-struct ScanTrackerParameters {
-  int min_points = 25;        ///< fewer are not matched
-  double min_score = 0.4;     ///< mean likelihood that a match must reach
-  double min_inliers = 0.5;   ///< share of the points that must lie on known surfaces
-  double new_inliers = 0.3;   ///< the same while the other points are consistent with the map: they show a new place
-  double max_distance = 1.0;  ///< greatest half width of the search [m]
-  double max_angle = 0.6;     ///< [rad]
-  double max_silence = 5.0;   ///< after so long with scans that fit nowhere the robot is lost [s]
-  OdometryTrust odometry;
-  scan_matching::RefinementParameters refinement;
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"min_points", "min_score", "min_inliers", "new_inliers", "max_distance", "max_angle", "max_silence"});
-    v.group("odometry", odometry, "the motion model of odometry");
-    v.group("refinement", refinement, "the match below the size of a cell");
-  }
-};
 
 /// What became of a scan.
 enum class MatchVerdict {

@@ -6,7 +6,8 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/surfaces/parameters.h"
 
 namespace frontier_pilot::surfaces {
 
@@ -24,30 +25,24 @@ struct SurfacePoint {
 };
 using SurfacePoints = std::vector<SurfacePoint>;
 
-struct SurfaceParameters {
-  double fit_radius = 0.2;       ///< neighbours within this take part in fitting a line [m]
-  double fit_error = 0.025;      ///< greatest standard deviation of the neighbours from that line [m]
-  double range_noise = 0.01;     ///< standard deviation of a range [m]
-  double bearing_noise = 0.002;  ///< of a beam's direction [rad]
-  double roughness = 0.003;      ///< least standard deviation of a surface about the line fitted to it [m]
-  double thinning = 0.1;         ///< points this near to each other are matched as one [m]
-  int max_points = 250;          ///< no more points than this are matched
-  double fill_spacing = 0.05;    ///< gaps between beams on one surface are filled this densely [m]
-  double max_gap = 1.5;          ///< wider gaps are not filled [m]
+/// What a scan says, read once for all that uses it: the surfaces that its beams met, and the beams that met nothing.
+struct SurfaceScan {
+  Time stamp;                ///< when the beams were measured
+  Pose2 T_base_sensor;       ///< where the scanner sits on the base
+  SurfacePoints points;      ///< the returns in the base frame, in the order of the beams
+  std::vector<double> free;  ///< the directions, in the sensor's frame, in which nothing is up to `range_max` [rad]
+  double range_max = 0.0;    ///< [m]
 
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"fit_radius", "fit_error", "range_noise", "bearing_noise", "roughness", "thinning", "max_points",
-             "fill_spacing", "max_gap"});
-  }
+  /// How many beams say where there is something, or nothing.
+  std::size_t usableBeams() const { return points.size() + free.size(); }
 };
 
-/// The returns of `scan` in the base frame, in the order of the beams, with the normals of the lines that neighbours
-/// form. Beams without a return and too near ones are left out.
+/// Reads `scan`, which must be well-formed and finite: its returns, with the normals of the lines that neighbours form,
+/// and its beams without a return. Invalid and too near beams are left out.
 /// A rough surface that is seen at a flat angle shows its tips and hides what lies between them: it seems to lie nearer
 /// than when it is seen from the front. So there the roughness counts for more. Without that a robot between rough
 /// walls seemed to drive 0.15 % farther than it did.
-SurfacePoints readSurface(const LaserScan2& scan, const SurfaceParameters& parameters = {});
+SurfaceScan readScan(const LaserScan2& scan, const SurfaceParameters& parameters = {});
 
 /// `points`, which lie in one frame, in another.
 SurfacePoints placed(const Pose2& T_other_points, SurfacePoints points);

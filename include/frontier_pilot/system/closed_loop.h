@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frontier_pilot/arbiter/arbiter.h"
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/exploration/explorer.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/navigation/navigator.h"
@@ -76,9 +77,7 @@ class ClosedLoop {
  private:
   /// The readings of the robot's sensors at one moment.
   struct Sensed {
-    Time stamp;
-    Pose2 T_odom_base;
-    Twist2 twist;
+    MotionSample odometry;
     std::optional<LaserScan2> scan;
   };
 
@@ -88,7 +87,7 @@ class ClosedLoop {
   void navigate();
   void noteGoals(const navigation::NavigatorOutput& output);
   Instant instant() const;
-  navigation::StampedPose lastPose() const;
+  StampedPose2 lastPose() const;
   void log(const std::string& line);
   void mix(double value);
 

@@ -43,7 +43,7 @@ behavior::BehaviorInputs BehaviorCostmap::inputs(double max_age, Time now) {
   behavior::BehaviorInputs inputs;
   const auto stamp = poseStamp();
   const auto T_odom_base = stamp ? tf_.lookup(frames_.odom_frame, frames_.base_frame, *stamp) : std::nullopt;
-  if (T_odom_base) inputs.pose = behavior::BehaviorInputs::Pose{*stamp, *T_odom_base};
+  if (T_odom_base) inputs.pose = StampedPose2{*stamp, *T_odom_base};
   inputs.look_ahead = surroundings_.lookAhead(max_age, now);
   return inputs;
 }

@@ -88,7 +88,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
     // A chain of static transforms alone has no stamp: it holds now.
     const Time when = *stamp == Time{} ? now : *stamp;
     const auto pose = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
-    if (pose) inputs.T_map_base = exploration::StampedPose2{*pose, when};
+    if (pose) inputs.T_map_base = StampedPose2{when, *pose};
   }
   return inputs;
 }

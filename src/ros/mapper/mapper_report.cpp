@@ -58,7 +58,7 @@ void MapperAdapter::report(Status& status) const {
 void MapperAdapter::summarize(Status& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   status.summary(DiagnosticStatus::OK, "mapping");
-  if (const auto remark = mapper_.health().worst(rosNow())) {
+  if (const auto remark = mapper_.remark(rosNow())) {
     status.summaryf(DiagnosticStatus::WARN, "%.0f %% of the last scans: %s", 100.0 * remark->share,
                     remark->text.c_str());
   } else if (!last_inserted_) {

@@ -61,17 +61,17 @@ void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   }
 }
 
-std::optional<navigation::StampedPose> NavigatorAdapter::pose() const {
+std::optional<StampedPose2> NavigatorAdapter::pose() const {
   const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_);
   if (!stamp) return std::nullopt;
   const auto T_map_base = tf_.lookup(parameters_.map_frame, base_frame_, *stamp);
   if (!T_map_base) return std::nullopt;
-  return navigation::StampedPose{*stamp, *T_map_base};
+  return StampedPose2{*stamp, *T_map_base};
 }
 
 std::optional<Vec2> NavigatorAdapter::positionNow() const {
   const auto now = pose();
-  return now ? std::optional<Vec2>(now->T_map_base.position()) : std::nullopt;
+  return now ? std::optional<Vec2>(now->pose.position()) : std::nullopt;
 }
 
 void NavigatorAdapter::takeMap() {
@@ -100,7 +100,7 @@ void NavigatorAdapter::tick(Time now) {
     failure_ = finished.result == navigation::NavResult::kAborted ? toString(finished.reason) : "";
     server_.settle(finished);
   }
-  const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->T_map_base) : std::nullopt;
+  const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->pose) : std::nullopt;
   if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
   publisher_.publish(navigator_, output, T_map_base, now);
 }

@@ -56,7 +56,7 @@ class NavigatorAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   bool handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
   bool handleClear(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
-  std::optional<navigation::StampedPose> pose() const;
+  std::optional<StampedPose2> pose() const;
   std::optional<Vec2> positionNow() const;
   void takeMap();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;

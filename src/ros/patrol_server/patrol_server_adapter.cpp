@@ -52,7 +52,7 @@ void PatrolServerAdapter::handleGoal(const PatrolGoal& msg) {
 
 void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   std::string why;
-  const std::optional<Odometry2> odometry = toOdometry(msg, &why);
+  const std::optional<MotionSample> odometry = toOdometry(msg, &why);
   if (!odometry) {
     bad_odometry_.add(why);
     inputs_.odometry_problem = why;

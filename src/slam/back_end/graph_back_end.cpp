@@ -1,7 +1,7 @@
+#include "slam/back_end/graph_back_end.h"
+
 #include <cmath>
 #include <utility>
-
-#include "frontier_pilot/slam/graph_slam.h"
 
 namespace frontier_pilot::slam {
 
@@ -9,10 +9,10 @@ GraphBackEnd::GraphBackEnd(const GraphSlamParameters& parameters, const occupanc
                            const occupancy::ScanInsertionParameters& insertion, std::string base)
     : parameters_(parameters),
       map_parameters_(map),
-      inserter_(insertion, parameters.local.surface),
+      inserter_(insertion),
       base_(std::move(base)),
       graph_(parameters.drift, parameters.graph),
-      closer_(parameters.loops) {}
+      closer_(parameters.loops, parameters.surface) {}
 
 MapRevision GraphBackEnd::update(std::vector<PlacedKeyframe> batch) {
   MapRevision revision;

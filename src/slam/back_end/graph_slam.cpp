@@ -1,6 +1,11 @@
 #include "frontier_pilot/slam/graph_slam.h"
 
+#include <cstdint>
 #include <utility>
+
+#include "slam/back_end/graph_back_end.h"
+#include "slam/front_end/drift_covariance.h"
+#include "slam/front_end/local_slam.h"
 
 namespace frontier_pilot::slam {
 namespace {
@@ -17,42 +22,70 @@ void addPlace(const std::shared_ptr<const Submap>& submap, PlacedKeyframe& place
   if (inside) placed.places.push_back({submap->id, submap->T_local_submap});
 }
 
+/// What a GraphSlam is made with, to begin anew with a reset.
+struct Setup {
+  GraphSlamParameters parameters;
+  occupancy::OccupancyMapParameters map;
+  occupancy::ScanInsertionParameters insertion;
+  std::string base;
+
+  std::shared_ptr<GraphBackEnd> backEnd() const {
+    return std::make_shared<GraphBackEnd>(parameters, map, insertion, base);
+  }
+};
+
 }  // namespace
 
+struct GraphSlam::Impl {
+  explicit Impl(Setup made_with)
+      : setup(std::move(made_with)),
+        local(setup.parameters.local, setup.parameters.surface),
+        drift(setup.parameters.local),
+        back_end(setup.backEnd()) {}
+
+  void keep(LocalSlamOutput& output);
+
+  Setup setup;
+  LocalSlam local;
+  DriftCovariance drift;
+  Pose2 T_map_local;
+  std::shared_ptr<GraphBackEnd> back_end;  ///< only the work touches it while it is out
+  std::vector<PlacedKeyframe> inbox;       ///< keyframes for the next work
+  bool working = false;
+  bool abandoned = false;  ///< the back end threw: it gets nothing any more
+  std::uint64_t generation = 0;
+};
+
 GraphSlam::GraphSlam(const GraphSlamParameters& parameters, const occupancy::OccupancyMapParameters& map,
-                     const occupancy::ScanInsertionParameters& insertion, std::string base)
-    : parameters_(parameters),
-      map_parameters_(map),
-      insertion_parameters_(insertion),
-      base_(std::move(base)),
-      local_(parameters.local),
-      drift_(parameters.local),
-      back_end_(std::make_shared<GraphBackEnd>(parameters, map, insertion, base_)) {}
+                     const occupancy::ScanInsertionParameters& insertion, const std::string& base)
+    : impl_(std::make_unique<Impl>(Setup{parameters, map, insertion, base})) {}
+GraphSlam::~GraphSlam() = default;
 
-CorrectedScan GraphSlam::correct(const LaserScan2& scan, const Pose2& T_odom_base, const occupancy::OccupancyMap&) {
-  LocalSlamOutput output = local_.update(scan, T_odom_base);
-  if (output.keyframe) keep(output);
-  const Track& track = output.track;
-  return {T_map_local_ * track.T_local_base.pose * T_odom_base.inverse(), fits(track.verdict), describe(track),
-          isSound(track)};
-}
-
-void GraphSlam::keep(LocalSlamOutput& output) {
+void GraphSlam::Impl::keep(LocalSlamOutput& output) {
   PlacedKeyframe placed;
   placed.keyframe = std::move(*output.keyframe);
   output.keyframe.reset();
-  placed.drift = drift_.step(placed.keyframe, output.track.verdict);
-  placed.T_map_base = T_map_local_ * placed.keyframe.T_local_base;
+  placed.drift = drift.step(placed.keyframe, output.track.verdict);
+  placed.T_map_base = T_map_local * placed.keyframe.T_local_base;
   for (const auto& submap : output.finished) addPlace(submap, placed);
-  for (const auto& submap : local_.active()) addPlace(submap, placed);
-  if (!placed.places.empty() && !abandoned_) inbox_.push_back(std::move(placed));
+  for (const auto& submap : local.active()) addPlace(submap, placed);
+  if (!placed.places.empty() && !abandoned) inbox.push_back(std::move(placed));
+}
+
+CorrectedScan GraphSlam::correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
+                                 const occupancy::OccupancyMap&) {
+  LocalSlamOutput output = impl_->local.update(scan, T_odom_base);
+  if (output.keyframe) impl_->keep(output);
+  const Track& track = output.track;
+  return {impl_->T_map_local * track.T_local_base.pose * T_odom_base.inverse(), fits(track.verdict), describe(track),
+          isSound(track)};
 }
 
 RevisionWork GraphSlam::takeWork() {
-  if (working_ || inbox_.empty()) return {};
-  working_ = true;
-  auto batch = std::make_shared<std::vector<PlacedKeyframe>>(std::exchange(inbox_, {}));
-  return [back_end = back_end_, batch, generation = generation_] {
+  if (impl_->working || impl_->inbox.empty()) return {};
+  impl_->working = true;
+  auto batch = std::make_shared<std::vector<PlacedKeyframe>>(std::exchange(impl_->inbox, {}));
+  return [back_end = impl_->back_end, batch, generation = impl_->generation] {
     MapRevision revision = back_end->update(std::move(*batch));
     revision.generation = generation;
     return revision;
@@ -60,39 +93,36 @@ RevisionWork GraphSlam::takeWork() {
 }
 
 bool GraphSlam::accept(const MapRevision& revision) {
-  if (revision.generation != generation_) return false;
-  working_ = false;
-  T_map_local_ = revision.T_new_old * T_map_local_;
+  if (revision.generation != impl_->generation) return false;
+  impl_->working = false;
+  impl_->T_map_local = revision.T_new_old * impl_->T_map_local;
   // What came meanwhile is put into a map that was rendered anew at its new place.
   if (revision.map) {
-    for (PlacedKeyframe& placed : inbox_) placed.T_map_base = revision.T_new_old * placed.T_map_base;
+    for (PlacedKeyframe& placed : impl_->inbox) placed.T_map_base = revision.T_new_old * placed.T_map_base;
   }
   return true;
 }
 
 bool GraphSlam::refuse(const MapRevision& revision) {
-  if (revision.generation != generation_) return false;
-  working_ = false;
-  back_end_->takeBack(revision);
+  if (revision.generation != impl_->generation) return false;
+  impl_->working = false;
+  impl_->back_end->takeBack(revision);
   return true;
 }
 
+std::vector<KeyframePose> GraphSlam::trajectory() const { return impl_->back_end->trajectory(); }
+
 void GraphSlam::abandonWork() {
-  working_ = false;
-  abandoned_ = true;
-  ++generation_;
-  inbox_.clear();
+  impl_->working = false;
+  impl_->abandoned = true;
+  ++impl_->generation;
+  impl_->inbox.clear();
 }
 
 void GraphSlam::reset() {
-  abandoned_ = false;
-  local_.reset();
-  drift_.reset();
-  T_map_local_ = Pose2();
-  back_end_ = std::make_shared<GraphBackEnd>(parameters_, map_parameters_, insertion_parameters_, base_);
-  inbox_.clear();
-  working_ = false;
-  ++generation_;
+  const std::uint64_t generation = impl_->generation + 1;
+  impl_ = std::make_unique<Impl>(Setup(impl_->setup));
+  impl_->generation = generation;
 }
 
 }  // namespace frontier_pilot::slam

@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/loop_closer.h"
+#include "slam/back_end/loop_closer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,8 @@ bool isSound(const SubmapGraph& graph) {
 
 }  // namespace
 
-LoopCloser::LoopCloser(const LoopCloserParameters& parameters) : parameters_(parameters), search_(parameters.search) {}
+LoopCloser::LoopCloser(const LoopCloserParameters& parameters, const surfaces::SurfaceParameters& surface)
+    : parameters_(parameters), search_(parameters.search, surface) {}
 
 std::vector<LoopClosure> LoopCloser::update(SubmapGraph& graph, const surfaces::SurfacePoints& points) {
   const std::size_t newest = graph.keyframeCount() - 1;

@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/loop_search.h"
+#include "slam/back_end/loop_search.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,11 +8,12 @@ namespace frontier_pilot::slam {
 namespace {
 
 scan_matching::SurfaceMap surfaceMapOf(const SubmapGraph& graph, std::size_t submap,
-                                       const LoopSearchParameters& parameters) {
-  scan_matching::SurfaceMap map(parameters.likelihood);
+                                       const scan_matching::LikelihoodParameters& likelihood,
+                                       const surfaces::SurfaceParameters& surface) {
+  scan_matching::SurfaceMap map(likelihood);
   for (const std::size_t keyframe : graph.submap(submap).keyframes) {
-    const surfaces::SurfacePoints points = surfaces::readSurface(graph.keyframe(keyframe).scan, parameters.surface);
-    map.add(surfaces::filled(points, parameters.surface), graph.T_submap_keyframe(submap, keyframe));
+    const surfaces::SurfacePoints& points = graph.keyframe(keyframe).scan.points;
+    map.add(surfaces::filled(points, surface), graph.T_submap_keyframe(submap, keyframe));
   }
   return map;
 }
@@ -59,11 +60,11 @@ const LoopSearch::Prepared& LoopSearch::prepare(const SubmapGraph& graph, std::s
                                   [&](const Prepared& prepared) { return prepared.submap == submap; });
   if (found != prepared_.end()) {
     prepared_.splice(prepared_.begin(), prepared_, found);
-    if (found->pyramid.top() < top) found->pyramid = scan_matching::MaxPyramid(found->map.likelihood().grid(), top);
+    if (found->pyramid.top() < top) found->pyramid = scan_matching::MaxPyramid(found->map.field(), top);
     return *found;
   }
-  scan_matching::SurfaceMap map = surfaceMapOf(graph, submap, parameters_);
-  scan_matching::MaxPyramid pyramid(map.likelihood().grid(), top);
+  scan_matching::SurfaceMap map = surfaceMapOf(graph, submap, parameters_.likelihood, surface_parameters_);
+  scan_matching::MaxPyramid pyramid(map.field(), top);
   prepared_.push_front({submap, keyframes, std::move(map), std::move(pyramid)});
   if (prepared_.size() > static_cast<std::size_t>(parameters_.submaps_kept)) prepared_.pop_back();
   return prepared_.front();
@@ -84,14 +85,14 @@ bool LoopSearch::isAmbiguous(const scan_matching::MaxPyramid& pyramid, const sur
 }
 
 surfaces::SurfacePoints LoopSearch::pointsOf(const Keyframe& keyframe) const {
-  return surfaces::thinned(surfaces::readSurface(keyframe.scan, parameters_.surface), parameters_.surface);
+  return surfaces::thinned(keyframe.scan.points, surface_parameters_);
 }
 
 double LoopSearch::contradiction(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
                                  const Pose2& T_submap_keyframe) {
   const Prepared& prepared = prepare(graph, submap, 0);
   if (prepared.map.empty() || points.empty()) return 0.0;
-  return scan_matching::inconsistentShare(prepared.map.likelihood(), points, T_submap_keyframe);
+  return scan_matching::inconsistentShare(prepared.map, points, T_submap_keyframe);
 }
 
 LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
@@ -112,7 +113,7 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   const scan_matching::PoseWithCovariance prior{
       expected, Eigen::Vector3d(sigma.x(), sigma.x(), sigma.y()).array().square().matrix().asDiagonal()};
   const scan_matching::Refinement refined =
-      scan_matching::refine(prepared.map.surfels(), points, best->pose, prior, parameters_.refinement);
+      scan_matching::refine(prepared.map, points, best->pose, prior, parameters_.refinement);
   const Pose2 step = best->pose.inverse() * refined.pose;
   // The refinement is of a few cells at most; farther, it has slid along a wall.
   constexpr double kFarthest = 4.0;    // [cells]

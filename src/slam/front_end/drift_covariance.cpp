@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/drift_covariance.h"
+#include "slam/front_end/drift_covariance.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

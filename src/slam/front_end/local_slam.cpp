@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 
 #include <utility>
 
@@ -6,20 +6,20 @@
 
 namespace frontier_pilot::slam {
 
-LocalSlam::LocalSlam(const LocalSlamParameters& parameters) : parameters_(parameters), tracker_(parameters.tracker) {}
+LocalSlam::LocalSlam(const LocalSlamParameters& parameters, const surfaces::SurfaceParameters& surface)
+    : parameters_(parameters), surface_parameters_(surface), tracker_(parameters.tracker) {}
 
-LocalSlamOutput LocalSlam::update(const LaserScan2& scan, const Pose2& T_odom_base) {
-  const surfaces::SurfacePoints surface = surfaces::readSurface(scan, parameters_.surface);
-  surfaces::SurfacePoints points = surfaces::thinned(surface, parameters_.surface);
+LocalSlamOutput LocalSlam::update(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
+  surfaces::SurfacePoints points = surfaces::thinned(scan.points, surface_parameters_);
   LocalSlamOutput output;
   output.track = tracker_.track(points, scan.stamp, T_odom_base, target());
   if (!isKeyframe(output.track) || points.empty()) {
-    if (isMatched(output.track.verdict)) updateKnown(surface, output.track.T_local_base.pose);
+    if (isMatched(output.track.verdict)) updateKnown(scan.points, output.track.T_local_base.pose);
     return output;
   }
   if (output.track.verdict == MatchVerdict::kLost) output.finished = takeFinished(1);
   output.keyframe = Keyframe{keyframes_++, scan, std::move(points), output.track.T_local_base.pose, T_odom_base};
-  insert(*output.keyframe, surface);
+  insert(*output.keyframe);
   for (auto& submap : takeFinished(static_cast<std::size_t>(parameters_.submap_keyframes))) {
     output.finished.push_back(std::move(submap));
   }
@@ -31,7 +31,7 @@ std::optional<MatchTarget> LocalSlam::target() {
   const Submap& submap = *active_.front();
   if (!pyramid_) {
     const int top = scan_matching::pyramidTop(tracker_.usualWindow(), parameters_.likelihood.resolution);
-    pyramid_.emplace(submap.map.likelihood().grid(), top);
+    pyramid_.emplace(submap.map.field(), top);
   }
   return MatchTarget{submap.map, *pyramid_, submap.T_local_submap};
 }
@@ -45,10 +45,10 @@ bool LocalSlam::isKeyframe(const Track& track) const {
                                             share * parameters_.keyframe_distance, share * parameters_.keyframe_angle);
 }
 
-void LocalSlam::insert(const Keyframe& keyframe, const surfaces::SurfacePoints& surface) {
+void LocalSlam::insert(const Keyframe& keyframe) {
   const auto half = static_cast<std::size_t>(parameters_.submap_keyframes / 2);
   if (active_.empty() || active_.back()->keyframes.size() >= half) begin(keyframe.T_local_base);
-  const surfaces::SurfacePoints dense = surfaces::filled(surface, parameters_.surface);
+  const surfaces::SurfacePoints dense = surfaces::filled(keyframe.scan.points, surface_parameters_);
   for (const auto& submap : active_) {
     submap->map.add(dense, submap->T_local_submap.inverse() * keyframe.T_local_base);
     submap->keyframes.push_back(keyframe.id);
@@ -58,7 +58,7 @@ void LocalSlam::insert(const Keyframe& keyframe, const surfaces::SurfacePoints& 
 }
 
 void LocalSlam::updateKnown(const surfaces::SurfacePoints& surface, const Pose2& T_local_base) {
-  const surfaces::SurfacePoints dense = surfaces::filled(surface, parameters_.surface);
+  const surfaces::SurfacePoints dense = surfaces::filled(surface, surface_parameters_);
   for (const auto& submap : active_) submap->map.updateKnown(dense, submap->T_local_submap.inverse() * T_local_base);
 }
 
@@ -79,6 +79,6 @@ void LocalSlam::begin(const Pose2& T_local_submap) {
   active_.push_back(std::move(submap));
 }
 
-void LocalSlam::reset() { *this = LocalSlam(parameters_); }
+void LocalSlam::reset() { *this = LocalSlam(parameters_, surface_parameters_); }
 
 }  // namespace frontier_pilot::slam

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -60,7 +59,7 @@ scan_matching::PoseWithCovariance fused(const scan_matching::Refinement& refined
 /// A belief in a map's frame, as one in the frame that the map lies in.
 scan_matching::PoseWithCovariance moved(const Pose2& T_local_map, const scan_matching::PoseWithCovariance& belief) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_local_map.yaw).toRotationMatrix();
+  turn.topLeftCorner<2, 2>() = Rotation2(T_local_map.yaw).matrix();
   return {T_local_map * belief.pose, turn * belief.covariance * turn.transpose()};
 }
 
@@ -153,7 +152,7 @@ bool ScanTracker::fits(const scan_matching::Refinement& refined, const surfaces:
   // A hand before the scanner is small enough to lie on some surface by chance.
   const bool evident = refined.inliers * static_cast<double>(points.size()) >= kEvidence;
   return evident && refined.inliers >= parameters_.new_inliers &&
-         scan_matching::inconsistentShare(map.likelihood(), points, refined.pose) <= kMostContradictions;
+         scan_matching::inconsistentShare(map, points, refined.pose) <= kMostContradictions;
 }
 
 bool ScanTracker::overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
@@ -162,7 +161,7 @@ bool ScanTracker::overrulesOdometry(const scan_matching::Refinement& refined, co
   constexpr double kWide = 0.75;  // [m]
   constexpr double kSure = 0.8;
   return prediction.unseen.position < kWide || refined.inliers >= kSure ||
-         scan_matching::inconsistentShare(target.map.likelihood(), points, refined.pose) <= kMostContradictions;
+         scan_matching::inconsistentShare(target.map, points, refined.pose) <= kMostContradictions;
 }
 
 Track ScanTracker::match(const surfaces::SurfacePoints& points, const MatchTarget& target,
@@ -178,7 +177,7 @@ Track ScanTracker::match(const surfaces::SurfacePoints& points, const MatchTarge
   const scan_matching::PoseWithCovariance loose =
       beliefOf(prediction.T_map_base, prediction.unseen.position, prediction.unseen.yaw);
   const scan_matching::Refinement refined =
-      scan_matching::refine(target.map.surfels(), points, found->pose, loose, parameters_.refinement);
+      scan_matching::refine(target.map, points, found->pose, loose, parameters_.refinement);
   track.inliers = refined.inliers;
   track.slides = slidesAlong(refined.information);
   if (!fits(refined, points, target.map)) return track;

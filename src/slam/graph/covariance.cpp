@@ -21,10 +21,8 @@ Eigen::Matrix3d diagonalCovariance(double position, double yaw) {
 }
 
 Eigen::Matrix3d alongAxes(const Eigen::Matrix3d& covariance, double yaw) {
-  const double c = std::cos(yaw);
-  const double s = std::sin(yaw);
-  Eigen::Matrix3d turn;
-  turn << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = Rotation2(yaw).matrix().transpose();
   return turn * covariance * turn.transpose();
 }
 

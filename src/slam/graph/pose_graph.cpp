@@ -1,7 +1,6 @@
-#include "frontier_pilot/slam/pose_graph.h"
+#include "slam/graph/pose_graph.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "slam/graph/normal_equations.h"
 
@@ -38,11 +37,10 @@ Eigen::Vector3d residual(const PoseConstraint& constraint, const Pose2& T_map_fr
 }
 
 ResidualJacobians residualJacobians(const Pose2& T_map_from, const Pose2& T_map_to) {
-  const double c = std::cos(T_map_from.yaw);
-  const double s = std::sin(T_map_from.yaw);
   const Vec2 seen = T_map_from.inverse() * T_map_to.position();
   ResidualJacobians jacobians;
-  jacobians.by_to << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
+  jacobians.by_to.setIdentity();
+  jacobians.by_to.topLeftCorner<2, 2>() = Rotation2(T_map_from.yaw).matrix().transpose();
   jacobians.by_from = -jacobians.by_to;
   jacobians.by_from(0, 2) = seen.y();
   jacobians.by_from(1, 2) = -seen.x();

@@ -1,8 +1,7 @@
-#include "frontier_pilot/slam/submap_graph.h"
+#include "slam/graph/submap_graph.h"
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -11,12 +10,6 @@
 
 namespace frontier_pilot::slam {
 namespace {
-
-/// Between 0 for a and 1 for b; the two are near each other.
-Pose2 blend(const Pose2& a, const Pose2& b, double share) {
-  const Vec2 position = a.position() + share * (b.position() - a.position());
-  return {position, normalizeAngle(a.yaw + share * angleDifference(b.yaw, a.yaw))};
-}
 
 /// One number for how uncertain a pose is: a turn counts by what it moves at a scanner's reach.
 double spread(const Eigen::Matrix3d& covariance) {
@@ -74,7 +67,7 @@ Pose2 SubmapGraph::T_map_keyframe(std::size_t keyframe) const {
   const std::size_t begin = submaps_[last].keyframes.front();
   const std::size_t end = submaps_[first].keyframes.back();
   const double share = (static_cast<double>(keyframe - begin) + 0.5) / static_cast<double>(end - begin + 1);
-  return blend(by_first, T_map_submap(last) * T_submap_keyframe(last, keyframe), share);
+  return interpolate(by_first, T_map_submap(last) * T_submap_keyframe(last, keyframe), share);
 }
 
 Pose2 SubmapGraph::T_map_local() const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
-#include "frontier_pilot/slam/submap_graph.h"
+#include "slam/graph/submap_graph.h"
 #include "support/drives/drive.h"
 
 namespace frontier_pilot::test {
@@ -77,8 +77,9 @@ class DriftingDrive {
   slam::PlacedKeyframe keyframe(std::size_t i) {
     slam::PlacedKeyframe placed;
     placed.keyframe.id = i;
-    placed.keyframe.scan = scanner_.scan(truth_[i], timeFromSeconds(static_cast<double>(i + 1)));
-    placed.keyframe.points = surfaces::thinned(surfaces::readSurface(placed.keyframe.scan));
+    const LaserScan2 scan = scanner_.scan(truth_[i], timeFromSeconds(static_cast<double>(i + 1)));
+    placed.keyframe.scan = surfaces::readScan(scan);
+    placed.keyframe.points = surfaces::thinned(placed.keyframe.scan.points);
     placed.keyframe.T_local_base = T_local_base_[i];
     placed.T_map_base = T_local_base_[i];
     const Eigen::Vector3d sigma(0.01, 0.01, 0.004);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/motion.h"
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 #include "support/drives/drive.h"
 
 namespace frontier_pilot::test {
@@ -109,7 +109,7 @@ struct TrackedDrive {
       LaserScan2 scan = scanner.scan(poses[i], timeFromSeconds(100.0 + now));
       const bool seen = !fault || fault(now, scan, wheels);
       const Pose2 T_odom_base = wheels.move(poses[i == 0 ? 0 : i - 1], poses[i]);
-      if (seen) compare(poses[0].inverse() * poses[i], slam.update(scan, T_odom_base));
+      if (seen) compare(poses[0].inverse() * poses[i], slam.update(surfaces::readScan(scan), T_odom_base));
     }
   }
   int count(slam::MatchVerdict verdict) { return verdicts[verdict]; }

@@ -41,7 +41,7 @@ class DrivenRobot {
     for (int i = 0; i < 5; ++i) step();
     navigation::NavigatorInputs inputs = event_;
     event_ = {};
-    if (has_pose) inputs.pose = navigation::StampedPose{simulator_.now(), simulator_.pose(0)};
+    if (has_pose) inputs.pose = StampedPose2{simulator_.now(), simulator_.pose(0)};
     if (has_scan && scan_) inputs.scan = &*scan_;
     inputs.map_alive = has_map;
     inputs.twist = simulator_.velocity(0);

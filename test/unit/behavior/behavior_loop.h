@@ -25,7 +25,7 @@ class BehaviorLoop {
   /// One cycle; `wheels`, if given, replaces the command on its way to the base.
   behavior::BehaviorOutput cycle(const std::optional<Twist2>& wheels = std::nullopt) {
     if (scanning) surroundings.costmap().insert(scan(), base.pose());
-    if (posing) inputs.pose = behavior::BehaviorInputs::Pose{base.now(), base.pose()};
+    if (posing) inputs.pose = StampedPose2{base.now(), base.pose()};
     inputs.look_ahead = surroundings.lookAhead(0.5, base.now());
     const behavior::BehaviorOutput output = behavior.update(inputs, base.now());
     const Twist2 command = output.command.value_or(Twist2());

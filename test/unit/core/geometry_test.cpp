@@ -48,6 +48,25 @@ TEST(Pose2, InverseUndoesAndCompositionAssociates) {
   }
 }
 
+TEST(Rotation2, TurnsAndMovesAsAPoseDoes) {
+  const Pose2 pose(1.0, -2.0, 0.7);
+  const Rotation2 rotation(pose.yaw);
+  const Vec2 point(0.3, 0.4);
+  EXPECT_EQ(rotation.applied(point, pose.position()), pose * point);
+  EXPECT_LT((rotation * point - (pose * point - pose.position())).norm(), 1e-12);
+  EXPECT_LT((rotation.matrix() * point - rotation * point).norm(), 1e-12);
+  EXPECT_NEAR(bearing(rotation * Vec2(2.0, 0.0)), 0.7, 1e-12);
+}
+
+TEST(Interpolate, GoesStraightFromOnePoseToTheOtherAndTurnsTheShortWay) {
+  const Pose2 a(1.0, 2.0, 3.0);
+  const Pose2 b(3.0, 1.0, -3.0);
+  EXPECT_EQ(interpolate(a, b, 0.0), a);
+  EXPECT_LT((interpolate(a, b, 0.25).position() - Vec2(1.5, 1.75)).norm(), 1e-12);
+  EXPECT_NEAR(std::abs(interpolate(a, b, 0.5).yaw), kPi, 1e-12) << "across the seam";
+  EXPECT_NEAR(interpolate(a, b, 1.0).yaw, b.yaw, 1e-12);
+}
+
 TEST(Integrate, TwoHalvesOfAnArcAreTheWholeArc) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> rate(-3.0, 3.0);

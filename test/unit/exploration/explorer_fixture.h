@@ -81,7 +81,7 @@ class ExplorerTest : public ::testing::Test {
   exploration::ExplorerOutput tick() {
     inputs.T_map_base.reset();
     inputs.odometry_stamp.reset();
-    if (pose_comes) inputs.T_map_base = exploration::StampedPose2{pose, now};
+    if (pose_comes) inputs.T_map_base = StampedPose2{now, pose};
     if (odometry_comes) inputs.odometry_stamp = now;
     exploration::ExplorerOutput output = explorer.update(inputs, now);
     inputs.goal_events.clear();

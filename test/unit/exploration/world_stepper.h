@@ -41,7 +41,7 @@ class WorldStepper {
   exploration::ExplorerOutput step(exploration::Explorer& explorer) {
     if (!changed_.empty()) explorer.setMap(map_, changed_);
     changed_ = {};
-    inputs_.T_map_base = exploration::StampedPose2{pose_, now_};
+    inputs_.T_map_base = StampedPose2{now_, pose_};
     inputs_.odometry_stamp = now_;
     exploration::ExplorerOutput output = explorer.update(inputs_, now_);
     inputs_.goal_events.clear();

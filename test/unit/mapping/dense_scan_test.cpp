@@ -36,7 +36,7 @@ double secondsOf(const Work& work) {
 TEST(DenseScan, FLT_1_IsReadInTimeThatItsSizeBounds) {  // [FLT-1]
   for (const double roughness : {0.0, 0.01, 0.05}) {
     const LaserScan2 scan = scanOfPot(bounds::kMostRanges, roughness);
-    EXPECT_LT(secondsOf([&] { EXPECT_GT(surfaces::thinned(surfaces::readSurface(scan)).size(), 2U); }), 2.0)
+    EXPECT_LT(secondsOf([&] { EXPECT_GT(surfaces::thinned(surfaces::readScan(scan).points).size(), 2U); }), 2.0)
         << roughness;
   }
 }
@@ -46,7 +46,10 @@ TEST(DenseScan, FLT_1_IsPutIntoTheMapInTimeThatItsSizeBounds) {  // [FLT-1]
   for (float& range : scan.ranges) range = 60.0F;
   occupancy::OccupancyMap map;
   occupancy::ScanInserter inserter;
-  EXPECT_LT(secondsOf([&] { EXPECT_EQ(inserter.insert(scan, Pose2(), map), occupancy::Insertion::kInserted); }), 8.0);
+  EXPECT_LT(secondsOf([&] {
+              EXPECT_EQ(inserter.insert(surfaces::readScan(scan), Pose2(), map), occupancy::Insertion::kInserted);
+            }),
+            8.0);
 }
 
 OccupancyGrid mapOf(const LaserScan2& scan) {

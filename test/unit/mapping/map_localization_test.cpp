@@ -4,7 +4,6 @@
 
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/mapping/mapper.h"
-#include "frontier_pilot/mapping/odometry_buffer.h"
 #include "support/ascii_world.h"
 #include "support/drives/drive.h"
 
@@ -36,7 +35,7 @@ class MapLocalizationTest : public ::testing::Test {
     const double length = (to.position() - from.position()).norm();
     const int steps = std::max(5, static_cast<int>(length / 0.05));
     for (int i = 0; i <= steps; ++i) {
-      T_world_base = mapping::interpolate(from, to, static_cast<double>(i) / steps);
+      T_world_base = interpolate(from, to, static_cast<double>(i) / steps);
       T_odom_base = from.inverse() * T_world_base;
       seconds += 0.6;
       verdict =

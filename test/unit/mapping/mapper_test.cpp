@@ -127,7 +127,7 @@ TEST_F(MapperTest, ForgetsOnResetAndStartsAnew) {
 /// Says that odometry's frame lies a metre to the left.
 class Shift final : public slam::PoseCorrection {
  public:
-  slam::CorrectedScan correct(const LaserScan2&, const Pose2&, const occupancy::OccupancyMap&) override {
+  slam::CorrectedScan correct(const surfaces::SurfaceScan&, const Pose2&, const occupancy::OccupancyMap&) override {
     return {Pose2(0.0, 1.0, 0.0), true, "shifted"};
   }
   void reset() override {}

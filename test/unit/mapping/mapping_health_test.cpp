@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/mapping/mapping_health.h"
+#include "mapping/mapping_health.h"
 
 namespace frontier_pilot {
 namespace {

@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "frontier_pilot/mapping/mapper.h"
+#include "frontier_pilot/occupancy/scan_inserter.h"
+#include "occupancy/octree_layer.h"
 
 namespace frontier_pilot {
 namespace {
@@ -28,7 +30,7 @@ class Thoughtful final : public slam::PoseCorrection {
   };
   explicit Thoughtful(std::shared_ptr<Script> script) : script_(std::move(script)) {}
 
-  slam::CorrectedScan correct(const LaserScan2& scan, const Pose2& T_odom_base,
+  slam::CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                               const occupancy::OccupancyMap&) override {
     scans_.emplace_back(scan, T_map_odom_ * T_odom_base);
     return {T_map_odom_, true, "scripted"};
@@ -64,7 +66,7 @@ class Thoughtful final : public slam::PoseCorrection {
 
  private:
   std::shared_ptr<Script> script_;
-  std::vector<std::pair<LaserScan2, Pose2>> scans_;
+  std::vector<std::pair<surfaces::SurfaceScan, Pose2>> scans_;
   Pose2 T_map_odom_;
   std::uint64_t generation_ = 0;
 };
@@ -155,15 +157,14 @@ TEST_F(Revisions, SayWhenTheMapWouldBeTooLargeUntilOneFits) {
   script->T_new_old = Pose2(250.0, 0.0, 0.0);
   mapper.reviseNow();
   for (int i = 2; i < 10; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
-  ASSERT_TRUE(mapper.health().worst(timeFromSeconds(10.0)).has_value());
-  EXPECT_EQ(mapper.health().worst(timeFromSeconds(10.0))->text,
-            "corrected map too large, map and poses stay as they are");
+  ASSERT_TRUE(mapper.remark(timeFromSeconds(10.0)).has_value());
+  EXPECT_EQ(mapper.remark(timeFromSeconds(10.0))->text, "corrected map too large, map and poses stay as they are");
   script->T_new_old = Pose2(2.0, 0.0, 0.0);
   mapper.reviseNow();
   EXPECT_EQ(mapper.T_map_odom(), Pose2(2.0, 0.0, 0.0));
   EXPECT_EQ(mapper.revisions().rendered, 1U);
   for (int i = 20; i < 28; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
-  EXPECT_FALSE(mapper.health().worst(timeFromSeconds(28.0)).has_value());
+  EXPECT_FALSE(mapper.remark(timeFromSeconds(28.0)).has_value());
 }
 
 // [MAP-4]
@@ -196,7 +197,7 @@ TEST_F(Revisions, ThatAreTooLargeAreVoidAfterAResetToo) {
   slam::MapRevision revision = work();
   EXPECT_FALSE(mapper.revise(revision));
   for (int i = 2; i < 10; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
-  EXPECT_FALSE(mapper.health().worst(timeFromSeconds(10.0)).has_value());
+  EXPECT_FALSE(mapper.remark(timeFromSeconds(10.0)).has_value());
 }
 
 // [MAP-1]

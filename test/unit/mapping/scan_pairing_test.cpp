@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mapping/odometry_buffer.h"
+
 namespace frontier_pilot {
 namespace {
 

@@ -5,6 +5,9 @@
 #include <random>
 #include <sstream>
 
+#include "occupancy/log_odds.h"
+#include "occupancy/octree_layer.h"
+
 namespace frontier_pilot {
 namespace {
 

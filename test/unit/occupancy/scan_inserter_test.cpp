@@ -105,7 +105,8 @@ class DriveThroughARoom : public ::testing::Test {
     occupancy::ScanInserter inserter(parameters);
     map = occupancy::OccupancyMap();
     for (const Pose2& pose : rounds()) {
-      if (inserter.insert(scanner.scan(pose, Time{}), pose, map) != occupancy::Insertion::kInserted) ADD_FAILURE();
+      if (inserter.insert(surfaces::readScan(scanner.scan(pose, Time{})), pose, map) != occupancy::Insertion::kInserted)
+        ADD_FAILURE();
     }
     return compare(truth, map);
   }
@@ -147,13 +148,14 @@ TEST_F(DriveThroughARoom, KeepsItsWallsThoughSomeBeamsGetLostAtThem) {
   EXPECT_EQ(result.holes, 0) << drawing();
 }
 
-LaserScan2 oneBeam(float range, double range_max = 8.0) {
+surfaces::SurfaceScan oneBeam(float range, double range_max = 8.0, const Pose2& T_base_sensor = {}) {
   LaserScan2 scan;
   scan.angle_increment = 0.1;
   scan.range_min = 0.12;
   scan.range_max = range_max;
+  scan.T_base_sensor = T_base_sensor;
   scan.ranges = {range};
-  return scan;
+  return surfaces::readScan(scan);
 }
 
 std::int8_t valueAt(const occupancy::OccupancyMap& map, double x, double y) {
@@ -188,7 +190,7 @@ TEST(ScanInserter, KeepsAWallWhereItIsHoweverFlatItIsSeenAndIfThePoseIsOffByALit
   for (int i = 0; i < 200; ++i) {
     const Pose2 pose(1.0 + 0.05 * i, 0.5, 0.01 * i);
     const Pose2 estimate(pose.x, pose.y + (i % 2 == 0 ? 0.012 : -0.012), pose.yaw);
-    inserter.insert(scanner.scan(pose, Time{}), estimate, map);
+    inserter.insert(surfaces::readScan(scanner.scan(pose, Time{})), estimate, map);
   }
   int wide = 0;
   int holes = 0;
@@ -237,8 +239,7 @@ TEST(ScanInserter, ClearsWhereTheRobotStands) {
 }
 
 TEST(ScanInserter, KnowsWhereTheScannerSits) {
-  LaserScan2 scan = oneBeam(1.0F);
-  scan.T_base_sensor = Pose2(0.0, 1.0, kPi / 2.0);
+  const surfaces::SurfaceScan scan = oneBeam(1.0F, 8.0, Pose2(0.0, 1.0, kPi / 2.0));
   occupancy::OccupancyMap map;
   // Base at (5, 5) looking along -x: the scanner is at (5, 4), looking along -y.
   ASSERT_EQ(occupancy::ScanInserter().insert(scan, Pose2(5.026, 5.0, kPi), map), occupancy::Insertion::kInserted);
@@ -285,7 +286,7 @@ TEST(ScanInserter, RendersTheSameScansToTheSameMap) {
     for (int pass = 0; pass < (map == &again ? 2 : 1); ++pass) {
       if (pass == 1) map->clear();
       scanner = Scanner(solidOf(truth), 0.01);
-      for (const Pose2& pose : rounds()) inserter.insert(scanner.scan(pose, Time{}), pose, *map);
+      for (const Pose2& pose : rounds()) inserter.insert(surfaces::readScan(scanner.scan(pose, Time{})), pose, *map);
     }
   }
   EXPECT_TRUE(first.grid().cells() == again.grid().cells())

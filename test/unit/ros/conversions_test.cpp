@@ -74,7 +74,7 @@ TEST(Conversions, ATwistLosesTheAxesThatADifferentialDriveLacks) {
 }
 
 TEST(Conversions, OdometryComesBackAsItWent) {
-  const Odometry2 odometry{timeFromSeconds(12.25), Pose2(1.0, 2.0, 0.5), Twist2{0.1, -0.2}};
+  const MotionSample odometry{timeFromSeconds(12.25), Pose2(1.0, 2.0, 0.5), Twist2{0.1, -0.2}};
   const auto back = toOdometry(toOdometryMsg(odometry, "odom", "base_footprint"));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->stamp, odometry.stamp);

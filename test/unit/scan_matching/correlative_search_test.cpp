@@ -6,6 +6,7 @@
 #include <random>
 
 #include "frontier_pilot/core/motion.h"
+#include "scan_matching/likelihood_grid.h"
 
 namespace frontier_pilot {
 namespace {

@@ -1,8 +1,10 @@
-#include "frontier_pilot/scan_matching/likelihood_grid.h"
+#include "scan_matching/likelihood_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "frontier_pilot/scan_matching/correlative_search.h"
 
 namespace frontier_pilot {
 namespace {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
+#include "scan_matching/surfel_map.h"
 #include "support/drives/drive.h"
 
 namespace frontier_pilot {
@@ -44,13 +46,13 @@ scan_matching::SurfaceMap mapAlong(test::Scanner& scanner, const Pose2& from, co
   scan_matching::SurfaceMap map;
   for (int i = 0; i < count; ++i) {
     const Pose2 pose(from.position() + i * step, from.yaw);
-    map.add(surfaces::filled(surfaces::readSurface(scanner.scan(pose, timeFromSeconds(i)))), pose);
+    map.add(surfaces::filled(surfaces::readScan(scanner.scan(pose, timeFromSeconds(i))).points), pose);
   }
   return map;
 }
 
 surfaces::SurfacePoints look(test::Scanner& scanner, const Pose2& pose) {
-  return surfaces::thinned(surfaces::readSurface(scanner.scan(pose, timeFromSeconds(100.0))));
+  return surfaces::thinned(surfaces::readScan(scanner.scan(pose, timeFromSeconds(100.0))).points);
 }
 
 TEST(Refine, FindsThePoseWithinMillimetres) {
@@ -59,8 +61,7 @@ TEST(Refine, FindsThePoseWithinMillimetres) {
   for (int i = 0; i < 20; ++i) {
     const Pose2 truth(1.2 + 0.05 * i, 2.0 + 0.03 * i, 0.3 * i);
     const Pose2 start = truth * Pose2(0.03, -0.04, 0.02);
-    const scan_matching::Refinement refined =
-        scan_matching::refine(map.surfels(), look(scanner, truth), start, std::nullopt, {});
+    const scan_matching::Refinement refined = scan_matching::refine(map, look(scanner, truth), start, std::nullopt, {});
     EXPECT_FALSE(isJump(truth, refined.pose, 0.005, 0.002))
         << i << ": " << (refined.pose.position() - truth.position()).transpose() << " m, "
         << angleDifference(refined.pose.yaw, truth.yaw) << " rad";
@@ -85,8 +86,7 @@ TEST(Refine, KnowsThatACorridorSaysNothingAboutThePlaceAlongIt) {
   test::Scanner scanner(corridor(), 0.01);
   const scan_matching::SurfaceMap map = mapAlong(scanner, {14.0, 1.3, 0.0}, {0.2, 0.0}, 15);
   const Pose2 truth(15.5, 1.4, 0.1);
-  const scan_matching::Refinement refined =
-      scan_matching::refine(map.surfels(), look(scanner, truth), truth, std::nullopt, {});
+  const scan_matching::Refinement refined = scan_matching::refine(map, look(scanner, truth), truth, std::nullopt, {});
   const double along = refined.information(0, 0);
   const double across = refined.information(1, 1);
   EXPECT_GT(across, 50.0 * along);
@@ -99,8 +99,7 @@ TEST(Refine, LetsThePriorDecideWhatTheScanDoesNotShow) {
   scan_matching::PoseWithCovariance prior;
   prior.pose = Pose2(truth.x + 0.1, truth.y - 0.05, truth.yaw + 0.02);
   prior.covariance = Eigen::Vector3d(0.01, 0.05, 0.02).array().square().matrix().asDiagonal();
-  const scan_matching::Refinement refined =
-      scan_matching::refine(map.surfels(), look(scanner, truth), prior.pose, prior, {});
+  const scan_matching::Refinement refined = scan_matching::refine(map, look(scanner, truth), prior.pose, prior, {});
   EXPECT_NEAR(refined.pose.x, prior.pose.x, 0.01);
   EXPECT_NEAR(refined.pose.y, truth.y, 0.005);
   EXPECT_NEAR(refined.pose.yaw, truth.yaw, 0.003);
@@ -114,8 +113,7 @@ TEST(Refine, IsAsSureAsItIsRight) {
   constexpr int kCases = 100;
   for (int i = 0; i < kCases; ++i) {
     const Pose2 truth(1.2 + 0.01 * i, 2.0 + 0.01 * i, 0.3 * i);
-    const scan_matching::Refinement refined =
-        scan_matching::refine(map.surfels(), look(scanner, truth), truth, std::nullopt, {});
+    const scan_matching::Refinement refined = scan_matching::refine(map, look(scanner, truth), truth, std::nullopt, {});
     const Eigen::Vector3d error(refined.pose.x - truth.x, refined.pose.y - truth.y,
                                 angleDifference(refined.pose.yaw, truth.yaw));
     sum += error.dot(refined.information * error);
@@ -129,7 +127,7 @@ TEST(Refine, SaysWhenAScanFitsNowhere) {
   test::Scanner elsewhere(corridor(), 0.01);
   const scan_matching::SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.2}, {0.05, 0.05}, 20);
   const scan_matching::Refinement refined =
-      scan_matching::refine(map.surfels(), look(elsewhere, {15.0, 1.0, 0.0}), {1.5, 1.5, 0.7}, std::nullopt, {});
+      scan_matching::refine(map, look(elsewhere, {15.0, 1.0, 0.0}), {1.5, 1.5, 0.7}, std::nullopt, {});
   EXPECT_LT(refined.inliers, 0.4);
 }
 
@@ -138,15 +136,13 @@ TEST(Contradictions, AreFewInANewPlaceAndManyInAnother) {
   // Mapped from the left of the thin wall; the robot then looks around its end, where nothing is known.
   const scan_matching::SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.0}, {0.0, 0.02}, 10);
   const Pose2 at_the_end(3.0, 3.2, 0.0);
-  EXPECT_LT(scan_matching::inconsistentShare(map.likelihood(), look(scanner, at_the_end), at_the_end), 0.1);
+  EXPECT_LT(scan_matching::inconsistentShare(map, look(scanner, at_the_end), at_the_end), 0.1);
   test::Scanner elsewhere(corridor(), 0.01);
-  EXPECT_GT(scan_matching::inconsistentShare(map.likelihood(), look(elsewhere, {15.0, 1.0, 0.0}), {1.2, 1.1, 0.0}),
-            0.3);
+  EXPECT_GT(scan_matching::inconsistentShare(map, look(elsewhere, {15.0, 1.0, 0.0}), {1.2, 1.1, 0.0}), 0.3);
   // A hand before the scanner: the walls behind it are known.
   LaserScan2 hand = scanner.scan(at_the_end, timeFromSeconds(1.0));
   hand.ranges.assign(hand.ranges.size(), 0.2F);
-  EXPECT_GT(scan_matching::inconsistentShare(map.likelihood(), surfaces::thinned(surfaces::readSurface(hand)),
-                                             {1.2, 1.1, 0.0}),
+  EXPECT_GT(scan_matching::inconsistentShare(map, surfaces::thinned(surfaces::readScan(hand).points), {1.2, 1.1, 0.0}),
             0.7);
 }
 

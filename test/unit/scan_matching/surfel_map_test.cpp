@@ -1,4 +1,4 @@
-#include "frontier_pilot/scan_matching/surfel_map.h"
+#include "scan_matching/surfel_map.h"
 
 #include <gtest/gtest.h>
 

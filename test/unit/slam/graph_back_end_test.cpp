@@ -1,8 +1,9 @@
+#include "slam/back_end/graph_back_end.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "frontier_pilot/slam/graph_slam.h"
 #include "support/drives/ring_drive.h"
 
 namespace frontier_pilot::test {

@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 
 #include <gtest/gtest.h>
 
@@ -88,7 +88,7 @@ TEST(LocalSlam, StartsAnewAfterAReset) {
   drive.slam.reset();
   EXPECT_TRUE(drive.slam.active().empty());
   const slam::LocalSlamOutput output =
-      drive.slam.update(scanner.scan({2.0, 2.0, 0.0}, timeFromSeconds(1.0)), {5.0, 3.0, 1.0});
+      drive.slam.update(surfaces::readScan(scanner.scan({2.0, 2.0, 0.0}, timeFromSeconds(1.0))), {5.0, 3.0, 1.0});
   EXPECT_EQ(output.track.verdict, slam::MatchVerdict::kFirst);
   EXPECT_EQ(output.track.T_local_base.pose, Pose2(5.0, 3.0, 1.0));
   ASSERT_TRUE(output.keyframe);

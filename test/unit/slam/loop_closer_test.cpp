@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/loop_closer.h"
+#include "slam/back_end/loop_closer.h"
 
 #include <gtest/gtest.h>
 

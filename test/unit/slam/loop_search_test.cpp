@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/loop_search.h"
+#include "slam/back_end/loop_search.h"
 
 #include <gtest/gtest.h>
 

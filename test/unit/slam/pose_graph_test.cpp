@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/pose_graph.h"
+#include "slam/graph/pose_graph.h"
 
 #include <gtest/gtest.h>
 

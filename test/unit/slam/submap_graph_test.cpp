@@ -1,4 +1,4 @@
-#include "frontier_pilot/slam/submap_graph.h"
+#include "slam/graph/submap_graph.h"
 
 #include <gtest/gtest.h>
 

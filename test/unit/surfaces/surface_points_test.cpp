@@ -28,12 +28,12 @@ Grid<std::uint8_t> scannedRoom() {
   return solid;
 }
 
-TEST(ReadSurface, GivesTheReturnsInTheBaseFrameHoweverTheScannerIsMounted) {
+TEST(ReadScan, GivesTheReturnsInTheBaseFrameHoweverTheScannerIsMounted) {
   for (const Pose2& mount : {Pose2(), Pose2(0.3, 0.1, 2.0), Pose2(-0.2, 0.0, -0.7)}) {
     test::Scanner scanner(scannedRoom(), 0.0);
     scanner.T_base_sensor = mount;
     const Pose2 pose(2.0, 1.5, 0.4);
-    const surfaces::SurfacePoints points = surfaces::readSurface(scanOfRoom(scanner, pose));
+    const surfaces::SurfacePoints points = surfaces::readScan(scanOfRoom(scanner, pose)).points;
     EXPECT_EQ(points.size(), 360U);
     for (const surfaces::SurfacePoint& point : points) {
       const Vec2 p = pose * point.position;
@@ -44,10 +44,10 @@ TEST(ReadSurface, GivesTheReturnsInTheBaseFrameHoweverTheScannerIsMounted) {
   }
 }
 
-TEST(ReadSurface, KnowsWhichWayEachWallLooks) {
+TEST(ReadScan, KnowsWhichWayEachWallLooks) {
   test::Scanner scanner(scannedRoom(), 0.01);
   const Pose2 pose(2.0, 1.5, 0.4);
-  const surfaces::SurfacePoints points = surfaces::readSurface(scanOfRoom(scanner, pose));
+  const surfaces::SurfacePoints points = surfaces::readScan(scanOfRoom(scanner, pose)).points;
   int with_normal = 0;
   for (const surfaces::SurfacePoint& point : points) {
     if (!point.hasNormal()) continue;
@@ -62,7 +62,7 @@ TEST(ReadSurface, KnowsWhichWayEachWallLooks) {
   EXPECT_GT(with_normal, 330);
 }
 
-TEST(ReadSurface, MAP_1_TakesTheNormalOfAWallUpToItsCornersHoweverManyBeamsThereAre) {
+TEST(ReadScan, MAP_1_TakesTheNormalOfAWallUpToItsCornersHoweverManyBeamsThereAre) {
   for (const std::size_t beams : {360U, 2000U}) {
     test::Scanner scanner(scannedRoom(), 0.01);
     scanner.beams = beams;
@@ -70,7 +70,7 @@ TEST(ReadSurface, MAP_1_TakesTheNormalOfAWallUpToItsCornersHoweverManyBeamsThere
     double sum = 0.0;
     double count = 0.0;
     for (int i = 0; i < 20; ++i) {
-      for (const surfaces::SurfacePoint& point : surfaces::readSurface(scanOfRoom(scanner, pose))) {
+      for (const surfaces::SurfacePoint& point : surfaces::readScan(scanOfRoom(scanner, pose)).points) {
         if (!point.hasNormal()) continue;
         const Vec2 normal = Pose2(0.0, 0.0, pose.yaw) * point.normal;
         const double tilt = std::min(std::abs(normal.x()), std::abs(normal.y()));
@@ -83,11 +83,11 @@ TEST(ReadSurface, MAP_1_TakesTheNormalOfAWallUpToItsCornersHoweverManyBeamsThere
   }
 }
 
-TEST(ReadSurface, MAP_1_KnowsAWallTheBetterAcrossItTheFlatterItIsSeen) {
+TEST(ReadScan, MAP_1_KnowsAWallTheBetterAcrossItTheFlatterItIsSeen) {
   test::Scanner scanner(scannedRoom(), 0.0);
   const Pose2 pose(2.0, 0.8, 0.0);  // 0.3 m beside a wall
   int count = 0;
-  for (const surfaces::SurfacePoint& point : surfaces::readSurface(scanOfRoom(scanner, pose))) {
+  for (const surfaces::SurfacePoint& point : surfaces::readScan(scanOfRoom(scanner, pose)).points) {
     const Vec2 p = pose * point.position;
     if (!point.hasNormal() || std::abs(p.y() - 0.5) > 0.01 || point.position.norm() > 1.0) continue;
     const double facing = 0.3 / point.position.norm();
@@ -98,7 +98,7 @@ TEST(ReadSurface, MAP_1_KnowsAWallTheBetterAcrossItTheFlatterItIsSeen) {
   EXPECT_GT(count, 100);
 }
 
-TEST(ReadSurface, MAP_1_KnowsARoughWallTheWorseTheFlatterItIsSeen) {
+TEST(ReadScan, MAP_1_KnowsARoughWallTheWorseTheFlatterItIsSeen) {
   // Steps of 5 cm, every 5 cm, along a wall at 45 degrees: 1.4 m away where the beam meets it at a right angle.
   LaserScan2 scan;
   scan.angle_min = 0.25 * kPi;
@@ -113,7 +113,7 @@ TEST(ReadSurface, MAP_1_KnowsARoughWallTheWorseTheFlatterItIsSeen) {
   }
   double front = 0.0;
   double flat = 0.0;
-  const surfaces::SurfacePoints points = surfaces::readSurface(scan);
+  const surfaces::SurfacePoints points = surfaces::readScan(scan).points;
   ASSERT_EQ(points.size(), 70U);
   for (std::size_t i = 0; i < 10; ++i) front += 0.1 * points[i].roughness;
   for (std::size_t i = 60; i < 70; ++i) flat += 0.1 * points[i].roughness;
@@ -121,26 +121,29 @@ TEST(ReadSurface, MAP_1_KnowsARoughWallTheWorseTheFlatterItIsSeen) {
   EXPECT_GT(flat, 2.0 * front);
 }
 
-TEST(ReadSurface, LeavesOutBeamsThatSayNothing) {
+TEST(ReadScan, LeavesOutBeamsThatSayNothingAndKnowsThoseThatMetNothing) {
   LaserScan2 scan;
   scan.angle_increment = 0.01;
   scan.range_min = 0.1;
   scan.range_max = 8.0;
   const float inf = std::numeric_limits<float>::infinity();
   scan.ranges = {1.0F, std::nanf(""), inf, -inf, 0.0F, 9.0F, 0.05F, 1.0F};
-  const surfaces::SurfacePoints points = surfaces::readSurface(scan);
-  ASSERT_EQ(points.size(), 2U);
-  EXPECT_NEAR(bearing(points[1].position), 0.07, 1e-9);
-  EXPECT_TRUE(surfaces::readSurface(LaserScan2{}).empty());
+  const surfaces::SurfaceScan read = surfaces::readScan(scan);
+  ASSERT_EQ(read.points.size(), 2U);
+  EXPECT_NEAR(bearing(read.points[1].position), 0.07, 1e-9);
+  EXPECT_EQ(read.free, (std::vector<double>{0.02, 0.05}));
+  EXPECT_EQ(read.range_max, 8.0);
+  EXPECT_EQ(read.usableBeams(), 4U);
+  EXPECT_TRUE(surfaces::readScan(LaserScan2{}).points.empty());
 }
 
-TEST(ReadSurface, SeesNoSurfaceWhereBeamsMeetSinglePoints) {
+TEST(ReadScan, SeesNoSurfaceWhereBeamsMeetSinglePoints) {
   LaserScan2 scan;
   scan.angle_increment = 0.05;
   scan.range_min = 0.1;
   scan.range_max = 8.0;
   scan.ranges = {1.0F, 3.0F, 5.0F, 2.0F, 7.0F, 4.0F};
-  for (const surfaces::SurfacePoint& point : surfaces::readSurface(scan)) EXPECT_FALSE(point.hasNormal());
+  for (const surfaces::SurfacePoint& point : surfaces::readScan(scan).points) EXPECT_FALSE(point.hasNormal());
 }
 
 TEST(Thinned, MAP_1_IsTheSameWhicheverWayTheBeamsRun) {
@@ -151,8 +154,8 @@ TEST(Thinned, MAP_1_IsTheSameWhicheverWayTheBeamsRun) {
     std::reverse(reversed.ranges.begin(), reversed.ranges.end());
     reversed.angle_min = scan.angle(scan.ranges.size() - 1);
     reversed.angle_increment = -scan.angle_increment;
-    const surfaces::SurfacePoints one = surfaces::thinned(surfaces::readSurface(scan));
-    const surfaces::SurfacePoints other = surfaces::thinned(surfaces::readSurface(reversed));
+    const surfaces::SurfacePoints one = surfaces::thinned(surfaces::readScan(scan).points);
+    const surfaces::SurfacePoints other = surfaces::thinned(surfaces::readScan(reversed).points);
     ASSERT_EQ(one.size(), other.size());
     for (std::size_t k = 0; k < one.size(); ++k) {
       const surfaces::SurfacePoint& mirrored = other[other.size() - 1 - k];
@@ -168,7 +171,7 @@ TEST(Thinned, NeverExceedsTheNumberAskedForAndCoversTheSame) {
   scanner.beams = 2000;
   surfaces::SurfaceParameters parameters;
   parameters.max_points = 60;
-  const surfaces::SurfacePoints points = surfaces::readSurface(scanOfRoom(scanner, {2.0, 1.5, 0.0}));
+  const surfaces::SurfacePoints points = surfaces::readScan(scanOfRoom(scanner, {2.0, 1.5, 0.0})).points;
   const surfaces::SurfacePoints few = surfaces::thinned(points, parameters);
   EXPECT_LE(few.size(), 60U);
   EXPECT_GT(few.size(), 30U);
@@ -192,7 +195,7 @@ TEST(Filled, ClosesGapsWithinAWallAndNotBetweenWalls) {
   }
 }
 
-TEST(ReadSurface, DoesNotBridgeADoorThatBeamsPass) {
+TEST(ReadScan, DoesNotBridgeADoorThatBeamsPass) {
   // A wall 1 m to the left with a door in it, through which nothing is seen; then one with beams that failed.
   LaserScan2 scan;
   scan.angle_min = 0.25 * kPi;
@@ -202,13 +205,13 @@ TEST(ReadSurface, DoesNotBridgeADoorThatBeamsPass) {
   for (std::size_t i = 0; i < 60; ++i) scan.ranges.push_back(static_cast<float>(1.0 / std::sin(scan.angle(i))));
   std::fill_n(scan.ranges.begin() + 20, 3, std::numeric_limits<float>::infinity());
   std::fill_n(scan.ranges.begin() + 40, 3, std::nanf(""));
-  const surfaces::SurfacePoints points = surfaces::readSurface(scan);
+  const surfaces::SurfacePoints points = surfaces::readScan(scan).points;
   ASSERT_EQ(points.size(), 54U);
   EXPECT_FALSE(points[20].connected) << "beyond the door";
   EXPECT_TRUE(points[37].connected) << "beyond the failed beams";
 }
 
-TEST(ReadSurface, KnowsTheNormalsOfAWallThatItSeesAtAGrazingAngle) {
+TEST(ReadScan, KnowsTheNormalsOfAWallThatItSeesAtAGrazingAngle) {
   // A corridor of 2 m, with 1 degree between beams, up to 7 m ahead: there successive returns lie 0.9 m apart.
   LaserScan2 scan;
   scan.angle_min = std::asin(1.0 / 7.0);
@@ -216,7 +219,7 @@ TEST(ReadSurface, KnowsTheNormalsOfAWallThatItSeesAtAGrazingAngle) {
   scan.range_min = 0.1;
   scan.range_max = 8.0;
   for (std::size_t i = 0; i < 60; ++i) scan.ranges.push_back(static_cast<float>(1.0 / std::sin(scan.angle(i))));
-  const surfaces::SurfacePoints points = surfaces::readSurface(scan);
+  const surfaces::SurfacePoints points = surfaces::readScan(scan).points;
   for (const surfaces::SurfacePoint& point : points) EXPECT_LT(point.normal.y(), -0.99);
   const surfaces::SurfacePoints dense = surfaces::filled(points);
   for (std::size_t i = 1; i < dense.size(); ++i) {

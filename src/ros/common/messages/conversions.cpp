@@ -131,16 +131,17 @@ geometry_msgs::Twist toTwistMsg(const Twist2& twist) {
   return msg;
 }
 
-std::optional<Odometry2> toOdometry(const nav_msgs::Odometry& msg, std::string* why) {
+std::optional<MotionSample> toOdometry(const nav_msgs::Odometry& msg, std::string* why) {
   const auto pose = toPose(msg.pose.pose, why);
   if (!pose) return std::nullopt;
   const auto twist = toTwist(msg.twist.twist, why);
   if (!twist) return std::nullopt;
   if (const std::string problem = problemOf(*twist); !problem.empty()) return malformed(why, problem);
-  return Odometry2{toTime(msg.header.stamp), *pose, *twist};
+  return MotionSample{toTime(msg.header.stamp), *pose, *twist};
 }
 
-nav_msgs::Odometry toOdometryMsg(const Odometry2& odometry, const std::string& frame, const std::string& child_frame) {
+nav_msgs::Odometry toOdometryMsg(const MotionSample& odometry, const std::string& frame,
+                                 const std::string& child_frame) {
   auto msg = stamped<nav_msgs::Odometry>(frame, odometry.stamp);
   msg.child_frame_id = child_frame;
   msg.pose.pose = toPoseMsg(odometry.T_odom_base);

@@ -19,6 +19,7 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/motion.h"
 #include "ros/common/clock.h"
 
 /// Conversions between messages and core types. Malformed input becomes std::nullopt, and `why`, if given, says what is
@@ -42,16 +43,10 @@ geometry_msgs::PolygonStamped toPolygonStampedMsg(const std::vector<Vec2>& corne
 std::optional<Twist2> toTwist(const geometry_msgs::Twist& msg, std::string* why = nullptr);
 geometry_msgs::Twist toTwistMsg(const Twist2& twist);
 
-/// The contents of an odometry message; `twist` is in the base frame [m/s], [rad/s].
-struct Odometry2 {
-  Time stamp;
-  Pose2 T_odom_base;
-  Twist2 twist;
-};
-
 /// Nothing if its pose or its twist is malformed.
-std::optional<Odometry2> toOdometry(const nav_msgs::Odometry& msg, std::string* why = nullptr);
-nav_msgs::Odometry toOdometryMsg(const Odometry2& odometry, const std::string& frame, const std::string& child_frame);
+std::optional<MotionSample> toOdometry(const nav_msgs::Odometry& msg, std::string* why = nullptr);
+nav_msgs::Odometry toOdometryMsg(const MotionSample& odometry, const std::string& frame,
+                                 const std::string& child_frame);
 
 /// Nothing if it is empty, an angle or range limit is not finite or out of bounds, the increment is zero, the number of
 /// ranges does not match the angles, or the scanner is tilted (its z axis more than 10 degrees off the base's).

@@ -11,7 +11,7 @@ std::optional<nav_msgs::Odometry> TransformOdometry::next() {
   if (last_ && !went_back && *stamp - last_->stamp < kLeast) return std::nullopt;
   const auto T_odom_base = tf_.lookup(odom_frame_, base_frame_, *stamp);
   if (!T_odom_base) return std::nullopt;
-  Odometry2 odometry{*stamp, *T_odom_base, {}};
+  MotionSample odometry{*stamp, *T_odom_base, {}};
   if (last_ && !went_back) {
     const Pose2 motion = last_->T_odom_base.inverse() * *T_odom_base;
     const double seconds = toSeconds(*stamp - last_->stamp);

@@ -31,7 +31,7 @@ class TransformOdometry {
  private:
   const TfBridge& tf_;
   std::string odom_frame_, base_frame_;
-  std::optional<Odometry2> last_;
+  std::optional<MotionSample> last_;
 };
 
 /// Calls `handle` with each odometry message, whether `robot` publishes odometry as a topic or only as a transform.

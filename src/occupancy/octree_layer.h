@@ -8,7 +8,7 @@
 #include <string>
 
 #include "frontier_pilot/core/grid.h"
-#include "frontier_pilot/occupancy/log_odds.h"
+#include "frontier_pilot/occupancy/parameters.h"
 
 namespace frontier_pilot::occupancy {
 

@@ -5,21 +5,10 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/slam/local_slam.h"
-#include "frontier_pilot/slam/pose_graph.h"
+#include "slam/front_end/local_slam.h"
+#include "slam/graph/pose_graph.h"
 
 namespace frontier_pilot::slam {
-
-/// How far a submap is believed to be off, seen from its predecessor, even where the scans show all there is to see.
-struct SubmapDrift {
-  double position = 0.008;  ///< standard deviation [m]
-  double yaw = 0.002;       ///< standard deviation [rad]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"position", "yaw"});
-  }
-};
 
 /// A keyframe and where it went.
 struct PlacedKeyframe {

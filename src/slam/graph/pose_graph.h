@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/slam/parameters.h"
 
 namespace frontier_pilot::slam {
 
@@ -27,17 +27,6 @@ struct ResidualJacobians {
   Eigen::Matrix3d by_to;
 };
 ResidualJacobians residualJacobians(const Pose2& T_map_from, const Pose2& T_map_to);
-
-struct PoseGraphParameters {
-  int max_iterations = 50;
-  double tolerance = 1e-6;   ///< an optimisation ends when a step lowers the cost by a smaller share
-  double outlier_chi2 = 16;  ///< squared error at which a robustly weighted constraint counts a quarter
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"max_iterations", "tolerance", "outlier_chi2"});
-  }
-};
 
 /// How an optimisation went. Costs are half the weighted sum of squared errors.
 struct PoseGraphReport {

@@ -5,32 +5,13 @@
 #include <cstdint>
 #include <list>
 
-#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/scan_matching/scan_matcher.h"
 #include "frontier_pilot/slam/loop_closure.h"
-#include "frontier_pilot/slam/submap_graph.h"
+#include "frontier_pilot/slam/parameters.h"
+#include "slam/graph/submap_graph.h"
 
 namespace frontier_pilot::slam {
-
-struct LoopSearchParameters {
-  double min_score = 0.55;     ///< mean likelihood of the points, as in LocalSlam
-  double min_inliers = 0.6;    ///< share of the points that must lie on a surface
-  double ambiguity = 0.9;      ///< a second place that scores this share of the best one makes it ambiguous
-  double peak_distance = 0.2;  ///< nearer than this it is the same place [m]
-  double peak_angle = 0.1;     ///< turned less than this it is the same place [rad]
-  int submaps_kept = 8;        ///< so many submaps are kept ready for a search
-  surfaces::SurfaceParameters surface;
-  scan_matching::LikelihoodParameters likelihood;
-  scan_matching::RefinementParameters refinement;
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"min_score", "min_inliers", "ambiguity", "peak_distance", "peak_angle", "submaps_kept"});
-    v.group("surface", surface, "how scans are read");
-    v.group("likelihood", likelihood, "the field that is searched");
-    v.group("refinement", refinement, "the match below the size of a cell");
-  }
-};
 
 /// Looks for a keyframe in an old submap: the exact optimum in a window, refined, and looked at with suspicion.
 class LoopSearch {
@@ -40,7 +21,8 @@ class LoopSearch {
     scan_matching::PoseWithCovariance T_submap_keyframe;
   };
 
-  explicit LoopSearch(const LoopSearchParameters& parameters = {}) : parameters_(parameters) {}
+  explicit LoopSearch(const LoopSearchParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {})
+      : parameters_(parameters), surface_parameters_(surface) {}
 
   /// Around `expected`, T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
   Result find(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
@@ -66,6 +48,7 @@ class LoopSearch {
                    const Eigen::Matrix3d& information) const;
 
   LoopSearchParameters parameters_;
+  surfaces::SurfaceParameters surface_parameters_;
   std::list<Prepared> prepared_;  ///< the last used one first
 };
 

@@ -2,9 +2,9 @@
 
 #include <deque>
 #include <optional>
-#include <string>
 
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/mapping/scan_verdict.h"
 
 namespace frontier_pilot::mapping {
 
@@ -12,15 +12,10 @@ namespace frontier_pilot::mapping {
 /// would hide it.
 class MappingHealth {
  public:
-  struct Remark {
-    std::string text;
-    double share = 0.0;  ///< of the scans of the last seconds, 0 ... 1
-  };
-
   /// What is to be said of a scan; nullptr: nothing, it is in the map and so is the robot.
   void add(Time now, const char* remark);
   /// The most frequent remark of the last seconds, if it was more than a slip.
-  std::optional<Remark> worst(Time now) const;
+  std::optional<ScanRemark> worst(Time now) const;
 
  private:
   struct Entry {

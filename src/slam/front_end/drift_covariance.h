@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "frontier_pilot/slam/local_slam.h"
+#include "slam/front_end/local_slam.h"
 
 namespace frontier_pilot::slam {
 
@@ -17,7 +17,6 @@ class DriftCovariance {
 
   /// The covariance of (x, y, yaw) of the step to `keyframe` from the last one, along the local frame's axes.
   Eigen::Matrix3d step(const Keyframe& keyframe, MatchVerdict verdict);
-  void reset() { last_.reset(); }
 
  private:
   Eigen::Vector3d odometrySigma(const Pose2& motion) const;

@@ -2,21 +2,10 @@
 
 #include <deque>
 
-#include "frontier_pilot/core/geometry.h"
-#include "frontier_pilot/core/parameters.h"
-#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/mapping/parameters.h"
 
 namespace frontier_pilot::mapping {
-
-struct OdometryBufferParameters {
-  double length = 5.0;   ///< how long a pose is kept [s]
-  double max_gap = 0.5;  ///< poses farther apart are not interpolated between [s]
-
-  template <class Visitor>
-  void describe(Visitor& v) {
-    v.fixed({"length", "max_gap"});
-  }
-};
 
 enum class OdometryLookup {
   kFound,
@@ -39,16 +28,8 @@ class OdometryBuffer {
   bool empty() const { return entries_.empty(); }
 
  private:
-  struct Entry {
-    Time stamp;
-    Pose2 T_odom_base;
-  };
-
   OdometryBufferParameters parameters_;
-  std::deque<Entry> entries_;  ///< oldest first
+  std::deque<StampedPose2> entries_;  ///< T_odom_base, oldest first
 };
-
-/// The pose at share `s` (0...1) of the way from `a` to `b`, turning the short way.
-Pose2 interpolate(const Pose2& a, const Pose2& b, double s);
 
 }  // namespace frontier_pilot::mapping

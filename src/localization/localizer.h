@@ -2,7 +2,12 @@
 
 #include <optional>
 
-#include "frontier_pilot/slam/local_slam.h"
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/scan_matching/correlative_search.h"
+#include "frontier_pilot/scan_matching/scan_matcher.h"
+#include "frontier_pilot/slam/parameters.h"
+#include "frontier_pilot/slam/scan_tracker.h"
+#include "frontier_pilot/surfaces/surface_points.h"
 
 namespace frontier_pilot::localization {
 
@@ -11,12 +16,12 @@ namespace frontier_pilot::localization {
 class Localizer {
  public:
   /// `map` may be empty: then no scan ever fits.
-  Localizer(const slam::LocalSlamParameters& parameters, const OccupancyGrid& map,
+  Localizer(const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
             const scan_matching::PoseWithCovariance& T_map_base);
 
-  /// `scan`, well-formed and newer than the last one, was taken at `T_odom_base`. Before the robot is found the verdict
+  /// `scan`, newer than the last one, was taken at `T_odom_base`. Before the robot is found the verdict
   /// says why it is not.
-  slam::MatchVerdict update(const LaserScan2& scan, const Pose2& T_odom_base);
+  slam::MatchVerdict update(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base);
 
   /// Whether the robot has been found.
   bool isLocated() const { return !sought_; }
@@ -26,6 +31,7 @@ class Localizer {
   slam::MatchVerdict find(const surfaces::SurfacePoints& points, const Pose2& T_odom_base);
 
   slam::LocalSlamParameters parameters_;
+  surfaces::SurfaceParameters surface_parameters_;
   scan_matching::SurfaceMap map_;
   std::optional<scan_matching::MaxPyramid> pyramid_;       ///< none without a map
   std::optional<scan_matching::MaxPyramid> wide_pyramid_;  ///< while the robot is sought

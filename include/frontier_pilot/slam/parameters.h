@@ -1,0 +1,173 @@
+#pragma once
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/scan_matching/parameters.h"
+#include "frontier_pilot/surfaces/parameters.h"
+
+namespace frontier_pilot::slam {
+
+/// The motion model of odometry. Variances grow with the distance driven, so that they do not depend on how often
+/// odometry is read.
+struct OdometryTrust {
+  double distance = 0.06;         ///< standard deviation of the position after a metre [m]
+  double yaw_distance = 0.04;     ///< of the yaw after a metre [rad]
+  double yaw_turn = 0.06;         ///< of the yaw after a radian [rad]
+  double unmeasured_speed = 0.6;  ///< greatest speed that odometry may fail to measure, such as slip [m/s]
+  double unmeasured_turn = 3.0;   ///< greatest rate of turn that it may fail to measure [rad/s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("distance", distance, "m", "standard deviation of the position after a metre of odometry", positive());
+    v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre of odometry", positive());
+    v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a turn of a radian", positive());
+    v.fixed({"unseen_speed", "unseen_turn"});
+  }
+};
+
+/// How the robot is followed, see ScanTracker.
+struct ScanTrackerParameters {
+  int min_points = 25;        ///< fewer are not matched
+  double min_score = 0.4;     ///< mean likelihood that a match must reach
+  double min_inliers = 0.5;   ///< share of the points that must lie on known surfaces
+  double new_inliers = 0.3;   ///< the same while the other points are consistent with the map: they show a new place
+  double max_distance = 1.0;  ///< greatest half width of the search [m]
+  double max_angle = 0.6;     ///< [rad]
+  double max_silence = 5.0;   ///< after so long with scans that fit nowhere the robot is lost [s]
+  OdometryTrust odometry;
+  scan_matching::RefinementParameters refinement;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"min_points", "min_score", "min_inliers", "new_inliers", "max_distance", "max_angle", "max_silence"});
+    v.group("odometry", odometry, "the motion model of odometry");
+    v.group("refinement", refinement, "the match below the size of a cell");
+  }
+};
+
+/// The front end: keyframes, and submaps of the last few metres.
+struct LocalSlamParameters {
+  double keyframe_distance = 0.2;  ///< a keyframe is made after moving this far [m]
+  double keyframe_angle = 0.2;     ///< or turning this far [rad]
+  double keyframe_inliers = 0.8;   ///< or a tenth of that where the map shows less of the scan than this share
+  int submap_keyframes = 80;       ///< a submap is finished with so many; the next begins at half of them
+  scan_matching::LikelihoodParameters likelihood;
+  ScanTrackerParameters tracker;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"keyframe_distance", "keyframe_angle", "keyframe_inliers", "submap_keyframes"});
+    v.group("likelihood", likelihood, "the field that is searched");
+    v.group("tracker", tracker, "how the robot is followed");
+  }
+};
+
+/// How far a submap is believed to be off, seen from its predecessor, even where the scans show all there is to see.
+struct SubmapDrift {
+  double position = 0.008;  ///< standard deviation [m]
+  double yaw = 0.002;       ///< standard deviation [rad]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"position", "yaw"});
+  }
+};
+
+/// The optimisation of the pose graph.
+struct PoseGraphParameters {
+  int max_iterations = 50;
+  double tolerance = 1e-6;   ///< an optimisation ends when a step lowers the cost by a smaller share
+  double outlier_chi2 = 16;  ///< squared error at which a robustly weighted constraint counts a quarter
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"max_iterations", "tolerance", "outlier_chi2"});
+  }
+};
+
+/// The search for one keyframe in one submap, and what makes a match of it.
+struct LoopSearchParameters {
+  double min_score = 0.55;     ///< mean likelihood of the points that a match must reach
+  double min_inliers = 0.6;    ///< share of the points that must lie on a surface
+  double ambiguity = 0.9;      ///< a second place that scores this share of the best one makes it ambiguous
+  double peak_distance = 0.2;  ///< nearer than this it is the same place [m]
+  double peak_angle = 0.1;     ///< turned less than this it is the same place [rad]
+  int submaps_kept = 8;        ///< so many submaps are kept ready for a search
+  scan_matching::LikelihoodParameters likelihood;
+  scan_matching::RefinementParameters refinement;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"min_score", "min_inliers", "ambiguity", "peak_distance", "peak_angle", "submaps_kept"});
+    v.group("likelihood", likelihood, "the field that is searched");
+    v.group("refinement", refinement, "the match below the size of a cell");
+  }
+};
+
+/// Where loops are looked for, and which of them are believed.
+struct LoopCloserParameters {
+  int min_gap = 3;                  ///< least number of submaps between the newest one and one that is recognised
+  double reach = 4.0;               ///< greatest distance to a submap's keyframes, less half the window [m]
+  double sigmas = 3.0;              ///< half width of the search window, in standard deviations
+  double min_window = 0.4;          ///< least half width of the window [m]
+  double max_window = 8.0;          ///< greatest half width of the window [m]
+  double min_angle = 0.1;           ///< least half angle of the window [rad]
+  double max_angle = 0.8;           ///< greatest half angle of the window [rad]
+  double known_position = 0.05;     ///< no search where the standard deviation of the position is less [m],
+  double known_yaw = 0.01;          ///< and that of the yaw is less [rad]
+  int max_candidates = 2;           ///< greatest number of submaps searched for each keyframe
+  int max_per_pair = 3;             ///< greatest number of closures between the same two submaps
+  int confirmations = 3;            ///< number of keyframes whose matches must agree
+  double confirm_travel = 0.5;      ///< least distance from the keyframe to the farthest that agrees [m]
+  double confirm_jump = 1.0;        ///< added to that distance for each metre that the robot would jump [m/m]
+  double confirm_share = 0.5;       ///< least share of the keyframes between them whose matches agree
+  int confirm_within = 40;          ///< age at which a match is dropped that nothing has confirmed [keyframes]
+  double verify_jump = 0.1;         ///< closures that move the robot farther are checked against the map [m]
+  double max_inconsistency = 0.03;  ///< greatest increase of the share of beams that contradict the map
+  double agree_distance = 0.2;      ///< two matches agree when their positions differ by no more [m],
+  double agree_angle = 0.04;        ///< and their yaws by no more [rad]
+  LoopSearchParameters search;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"min_gap",        "reach",          "sigmas",        "min_window",     "max_window",   "min_angle",
+             "max_angle",      "known_position", "known_yaw",     "max_candidates", "max_per_pair", "confirmations",
+             "confirm_travel", "confirm_jump",   "confirm_share", "confirm_within", "verify_jump",  "max_contradiction",
+             "agree_distance", "agree_angle"});
+    v.group("search", search, "the search for one keyframe in one submap");
+  }
+};
+
+/// When the map is rendered again.
+struct RenderingParameters {
+  double min_distance = 0.025;    ///< the map is rendered again when a keyframe moved this far [m]
+  double min_angle = 0.005;       ///< or turned this far [rad]
+  double urgent_distance = 0.05;  ///< at once, when one moved this far [m]
+  double share = 0.02;            ///< else after so many new keyframes, as a share of all
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"min_distance", "min_angle", "urgent_distance", "share"});
+  }
+};
+
+/// All of GraphSlam.
+struct GraphSlamParameters {
+  surfaces::SurfaceParameters surface;
+  LocalSlamParameters local;
+  SubmapDrift drift;
+  PoseGraphParameters graph;
+  LoopCloserParameters loops;
+  RenderingParameters rendering;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.group("surface", surface, "how scans are read, to be matched and to be mapped");
+    v.group("local", local, "matching of scans with the last few metres");
+    v.group("drift", drift, "how far the local map is believed to drift");
+    v.group("graph", graph, "the pose graph");
+    v.group("loops", loops, "loop closing");
+    v.group("rendering", rendering, "when the map is rendered again");
+  }
+};
+
+}  // namespace frontier_pilot::slam

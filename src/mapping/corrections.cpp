@@ -1,0 +1,28 @@
+#include "mapping/corrections.h"
+
+#include "frontier_pilot/localization/map_localization.h"
+#include "frontier_pilot/slam/graph_slam.h"
+
+namespace frontier_pilot::mapping {
+
+scan_matching::PoseWithCovariance beliefOf(const Pose2& pose) {
+  constexpr double kPosition = 0.5;  // [m]
+  constexpr double kYaw = 0.25;      // [rad]
+  return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
+}
+
+std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
+                                               const scan_matching::PoseWithCovariance& T_map_base) {
+  auto use = parameters.trust_odometry ? localization::MapLocalization::Use::kTrustOdometry
+                                       : localization::MapLocalization::Use::kGoOnMapping;
+  if (parameters.localize_only) use = localization::MapLocalization::Use::kLocalizeOnly;
+  return std::make_unique<localization::MapLocalization>(use, parameters.slam, map, parameters.insertion, T_map_base);
+}
+
+std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map) {
+  if (parameters.localize_only) return knownMap(parameters, map, beliefOf(Pose2()));
+  if (parameters.trust_odometry) return std::make_unique<slam::TrustOdometry>();
+  return std::make_unique<slam::GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
+}
+
+}  // namespace frontier_pilot::mapping

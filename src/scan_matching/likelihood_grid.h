@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/grids/growing_grid.h"
+#include "frontier_pilot/scan_matching/parameters.h"
+
+namespace frontier_pilot::scan_matching {
+
+/// A likelihood field: 255 exp(-d^2 / (2 sigma^2)), where d is the distance from the cell's centre to the nearest
+/// point. Thrun, Burgard & Fox, "Probabilistic Robotics", 6.4. It grows where points are added.
+class LikelihoodGrid {
+ public:
+  explicit LikelihoodGrid(const LikelihoodParameters& parameters = {});
+
+  /// `points` [m] in the field's frame, finite.
+  void add(const std::vector<Vec2>& points);
+
+  /// Empty until the first point.
+  const Grid<std::uint8_t>& grid() const { return field_.grid(); }
+  const LikelihoodParameters& parameters() const { return parameters_; }
+
+ private:
+  void stamp(const Vec2& point);
+  const float* profile(double phase) const;
+
+  LikelihoodParameters parameters_;
+  int reach_;                    ///< how far a point is felt [cells]
+  std::vector<float> profiles_;  ///< the Gaussian at the cells' centres, for each place of the point in its cell
+  grids::GrowingGrid<std::uint8_t> field_;
+};
+
+}  // namespace frontier_pilot::scan_matching
