@@ -156,14 +156,15 @@ bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
 }
 
 FrontierEvaluator::Context Explorer::Impl::context() const {
-  const bool only_rich = parameters_.rich_first && status_.phase == ExplorerPhase::kRich;
-  return {T_map_base_->position(), start_->position(), &history_, only_rich ? parameters_.rich_min_density : 0.0};
+  const bool rich = status_.phase == ExplorerPhase::kRich;
+  return {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0};
 }
 
 /// Whether a frontier can be selected, or the robot is on its way to one, that is expected to show so much that it is
 /// worth a way of its own.
 bool Explorer::Impl::anyRich() {
-  const auto rich = [&](const ViewGain& info) { return info.density >= parameters_.rich_min_density; };
+  constexpr double kRichDensity = 0.2;  // at least a fifth of what is seen from the goal is expected to be new
+  const auto rich = [](const ViewGain& info) { return info.density >= kRichDensity; };
   if (goal_ && rich(evaluator_.infoAt(goal_->position))) return true;
   const std::vector<Frontier>& all = evaluator_.frontiers();
   return std::any_of(all.begin(), all.end(), [&](const Frontier& f) { return f.selectable() && rich(f.info); });
@@ -175,7 +176,8 @@ std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, T
   history_.expire(evaluator_.map());
   judged_by_ = nullptr;
   if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
-  if (!parameters_.rich_first && evaluator_.robotHasGround() && !anyRich()) goOnToCoverage(now);
+  const bool selects_by_density = parameters_.rich_min_density > 0.0;  // then COVERAGE is a fall-back
+  if (!selects_by_density && evaluator_.robotHasGround() && !anyRich()) goOnToCoverage(now);
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;

@@ -33,7 +33,7 @@ bool Explorer::Impl::judgeWaysFromStart(Time /*now*/) {
 }
 
 /// The change of phase says how many frontiers are left for COVERAGE: those that can be selected although they are not
-/// rich, and those that `rich_first` has held back.
+/// rich, and those that `rich_min_density` has held back.
 bool Explorer::Impl::goOnToCoverage(Time now) {
   if (status_.phase == ExplorerPhase::kCoverage) return false;
   status_.phase = ExplorerPhase::kCoverage;

@@ -18,7 +18,12 @@ bool isWellFormed(const LaserScan2& scan) {
   const bool finite = std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) &&
                       std::isfinite(scan.range_min) && std::isfinite(scan.range_max) && scan.T_base_sensor.isFinite();
   return finite && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
-         !scan.ranges.empty();
+         !scan.ranges.empty() && bounds::isWithin(scan.T_base_sensor.position().norm(), bounds::kMostMount);
+}
+
+bool isUsable(const Pose2& T_odom_base) {
+  return T_odom_base.isFinite() &&
+         bounds::isWithin(T_odom_base.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate);
 }
 
 ScanVerdict verdictOf(occupancy::Insertion insertion) {
@@ -113,7 +118,7 @@ void Mapper::Impl::note(ScanVerdict verdict, Time now) {
 ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
   if (const auto wrong = checkStamp(scan.stamp, now)) return *wrong;
   if (!isWellFormed(scan)) return ScanVerdict::kMalformed;
-  if (!T_odom_base || !T_odom_base->isFinite()) return ScanVerdict::kNoOdometry;
+  if (!T_odom_base || !isUsable(*T_odom_base)) return ScanVerdict::kNoOdometry;
   if (!hasMoved(scan, *T_odom_base)) return ScanVerdict::kNotMoved;
   if (scan.ranges.size() <= bounds::kMostMappedBeams) return take(scan, *T_odom_base);
   return take(withAtMost(bounds::kMostMappedBeams, scan), *T_odom_base);

@@ -15,7 +15,7 @@ enum class Rejection {
   kCluttered,     ///< obstacle density around every such cell above max_obstacle_density
   kBlacklisted,   ///< near a blacklisted goal
   kNothingToSee,  ///< no beam from the goal is expected to find unknown ground
-  kNotRich,       ///< in phase RICH with rich_first: information density below rich_min_density
+  kNotRich,       ///< in phase RICH: information density below rich_min_density
   kFruitless,     ///< reached before, and what it was to show stayed unknown
   kLeftOut,       ///< not judged: there are too many others, larger or nearer ones
 };

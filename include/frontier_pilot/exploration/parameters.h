@@ -101,8 +101,7 @@ struct BlacklistParameters {
 /// What the explorer is configured with.
 struct ExplorerParameters {
   RobotModel robot;
-  double rich_min_density = 0.2;
-  bool rich_first = false;
+  double rich_min_density = 0.0;
   double goal_timeout = 120.0;
   int max_goal_retries = 1;
   double check_period = 0.5;
@@ -120,11 +119,10 @@ struct ExplorerParameters {
   template <class V>
   void describe(V& v) {
     describeRobot(v, robot);
-    v.field("rich_min_density", rich_min_density, "",
-            "information density from which on a frontier is rich; phase RICH lasts until none can be selected",
-            between(0.0, 1.0));
-    v.field("rich_first", rich_first, "",
-            "whether only rich frontiers are selected in phase RICH; false: the score alone decides");
+    v.field(
+        "rich_min_density", rich_min_density, "",
+        "least information density of the frontiers that phase RICH selects; 0: the score alone decides in both phases",
+        between(0.0, 1.0));
     v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled; a frontier's is blacklisted",
             timeSpan());
     v.field("max_goal_retries", max_goal_retries, "", "times a failed goal is tried again", atLeast(0));

@@ -14,15 +14,13 @@ using Event = exploration::GoalEvent::Kind;
 
 class ExplorerPhases : public test::ExplorerTest {
  protected:
-  static exploration::ExplorerParameters parameters(double rich_min_density, bool rich_first) {
+  static exploration::ExplorerParameters parameters(double rich_min_density) {
     exploration::ExplorerParameters p = shortSighted();
     p.rich_min_density = rich_min_density;
-    p.rich_first = rich_first;
     return p;
   }
-  explicit ExplorerPhases(double rich_min_density = exploration::ExplorerParameters().rich_min_density,
-                          bool rich_first = false)
-      : test::ExplorerTest(parameters(rich_min_density, rich_first)) {}
+  explicit ExplorerPhases(double rich_min_density = exploration::ExplorerParameters().rich_min_density)
+      : test::ExplorerTest(parameters(rich_min_density)) {}
 
   /// What was said when the phase changed; empty if it did not.
   std::string textOfChange() const {
@@ -101,13 +99,13 @@ TEST_F(ExplorerPhases, CoverageFetchesWhatIsLeftAndSaysHowMuchThatIs_EXP_1) {
   EXPECT_EQ(textOfChange(), "no rich frontier left, others that can be selected: 1");
 }
 
-class RichFirst : public ExplorerPhases {
+class SelectionByDensity : public ExplorerPhases {
  protected:
-  RichFirst() : ExplorerPhases(0.2, true) {}
+  SelectionByDensity() : ExplorerPhases(0.2) {}
 };
 
 // [EXP-1]
-TEST_F(RichFirst, OnlyRichFrontiersAreSelectedInPhaseRich_EXP_1) {
+TEST_F(SelectionByDensity, OnlyRichFrontiersAreSelectedInPhaseRich_EXP_1) {
   show(kNicheAndOpenEnd);
   const exploration::ExplorerOutput output = tick();
   EXPECT_EQ(output.status.phase, Phase::kRich);
@@ -117,7 +115,7 @@ TEST_F(RichFirst, OnlyRichFrontiersAreSelectedInPhaseRich_EXP_1) {
 
 class NothingIsRich : public ExplorerPhases {
  protected:
-  NothingIsRich() : ExplorerPhases(0.9, true) {}
+  NothingIsRich() : ExplorerPhases(0.9) {}
 };
 
 // [EXP-1]

@@ -79,6 +79,20 @@ TEST_F(MapperTest, DropsAndCountsMalformedScans_MAP_4) {
   expectDrop(scan, moved, 2.0, mapping::ScanVerdict::kMalformed);
 }
 
+// [FLT-1] These distances size the grids that a scan is matched in: 10^9 m had them written beyond their ends.
+TEST_F(MapperTest, DropsScansFromImpossiblyFarAway_FLT_1) {
+  ASSERT_EQ(insert(ring(1.0)), mapping::ScanVerdict::kInserted);
+  for (const double far : {11.0, 5e4, 1e9, 1e300}) {
+    LaserScan2 scan = ring(2.0);
+    scan.T_base_sensor = Pose2(-far, far, 1.0);
+    expectDrop(scan, Pose2(1.0, 0.0, 0.0), 2.0, mapping::ScanVerdict::kMalformed);
+  }
+  for (const double far : {1.1e6, 1e9, 1e300}) {
+    expectDrop(ring(2.0), Pose2(0.0, -far, 0.0), 2.0, mapping::ScanVerdict::kNoOdometry);
+  }
+  EXPECT_EQ(insert(ring(2.0), Pose2(1.0, 0.0, 0.0)), mapping::ScanVerdict::kInserted);
+}
+
 // [MAP-4]
 TEST_F(MapperTest, DropsAndCountsScansThatSayNothingOrCannotBePlaced_MAP_4) {
   ASSERT_EQ(insert(ring(1.0)), mapping::ScanVerdict::kInserted);
