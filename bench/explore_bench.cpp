@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
 #include "support/explore_report.h"

@@ -15,7 +15,7 @@
 #include "exploration/travel_field.h"
 #include "frontier_pilot/core/grid_traversal.h"
 #include "frontier_pilot/grids/ray_casting.h"
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "support/buildings.h"
 
 namespace frontier_pilot {

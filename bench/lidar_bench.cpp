@@ -11,6 +11,7 @@
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "sim/collision_map.h"
+#include "sim/solid_cells.h"
 #include "support/buildings.h"
 
 namespace frontier_pilot::sim {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "frontier_pilot/planning/global_planner.h"
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "planning/grid_search.h"
 #include "support/any_angle_reference.h"
 #include "support/buildings.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 
 namespace frontier_pilot::bench {
 

@@ -5,7 +5,7 @@
 #include <deque>
 #include <filesystem>
 
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "support/buildings.h"
 
 namespace frontier_pilot::bench {

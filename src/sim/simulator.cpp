@@ -15,6 +15,7 @@
 #include "sim/lidar.h"
 #include "sim/odometry.h"
 #include "sim/random.h"
+#include "sim/solid_cells.h"
 
 namespace frontier_pilot::sim {
 namespace {

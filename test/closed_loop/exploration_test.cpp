@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
 

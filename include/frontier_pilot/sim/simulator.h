@@ -6,12 +6,19 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/map_files/map_image.h"
 #include "frontier_pilot/sim/parameters.h"
-#include "frontier_pilot/sim/world_image.h"
 
 namespace frontier_pilot::sim {
+
+/// The true map of a world, in the world's frame, and the default start pose if its file has one.
+using World = map_files::MapImage;
+
+/// Loads a world with map_files::readMapImage, and puts "world" before the text of what that throws. [SIM-1]
+World loadWorld(const std::string& yaml_path);
 
 /// The result of a request to place or remove a robot or an obstacle.
 enum class Placement {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 
 namespace frontier_pilot::test {
 

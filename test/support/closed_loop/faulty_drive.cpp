@@ -1,4 +1,5 @@
 #include "support/closed_loop/faulty_drive.h"
+#include "sim/solid_cells.h"
 
 #include <cmath>
 #include <map>

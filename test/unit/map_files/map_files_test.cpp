@@ -8,7 +8,7 @@
 #include <random>
 
 #include "frontier_pilot/map_files/map_io.h"
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "support/temporary_folder.h"
 
 namespace frontier_pilot {

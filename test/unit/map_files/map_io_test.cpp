@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "support/temporary_folder.h"
 
 namespace frontier_pilot {

@@ -11,7 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 #include "support/temporary_folder.h"
 
 namespace frontier_pilot {

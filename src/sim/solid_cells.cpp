@@ -1,18 +1,8 @@
-#include "frontier_pilot/sim/world_image.h"
+#include "sim/solid_cells.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <utility>
 
 namespace frontier_pilot::sim {
-
-World loadWorld(const std::string& yaml_path) {
-  try {
-    return map_files::readMapImage(yaml_path);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(std::string("world ") + error.what());
-  }
-}
 
 Grid<std::uint8_t> solidCells(const OccupancyGrid& map, bool unknown_is_free) {
   GridGeometry framed = map.geometry();

@@ -1,4 +1,4 @@
-#include "frontier_pilot/sim/world_image.h"
+#include "frontier_pilot/sim/simulator.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
