@@ -5,7 +5,7 @@
 
 namespace frontier_pilot::exploration {
 
-/// How the scanner is expected to see from a goal.
+/// How the view from a goal is estimated.
 struct ViewParameters {
   double sensor_range = 8.0;
   double unknown_depth = 1.5;
@@ -18,7 +18,7 @@ struct ViewParameters {
   }
 };
 
-/// What the score is made of. [EXP-4]
+/// Weights and scales of the goal score. [EXP-4]
 struct ScoreParameters {
   double w_info = 1.0;
   double w_dist = 1.0;
@@ -98,7 +98,7 @@ struct BlacklistParameters {
   }
 };
 
-/// What the explorer is configured with.
+/// Parameters of the explorer.
 struct ExplorerParameters {
   RobotModel robot;
   double rich_min_density = 0.2;

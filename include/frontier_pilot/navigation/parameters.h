@@ -10,12 +10,12 @@ namespace frontier_pilot::navigation {
 
 /// How a path is followed.
 struct FollowerParams {
-  double scan_margin = 0.014;        ///< room that the outline keeps to the scan's points [m]
-  double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
+  double scan_margin = 0.014;        ///< clearance of the outline from the scan's points [m]
+  double lookahead_time = 1.0;       ///< the pursued point is this far ahead at full speed [s]
   double min_lookahead = 0.2;        ///< [m]
   double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
-  double horizon = 1.5;              ///< how far ahead motions are tried out [s]
-  double reaction_time = 0.25;       ///< until wheels brake for what is seen next, if it comes at once [s]
+  double horizon = 1.5;              ///< how far ahead motions are simulated [s]
+  double reaction_time = 0.25;       ///< from the next scan, if it comes without delay, until the wheels brake [s]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -26,12 +26,12 @@ struct FollowerParams {
   }
 };
 
-/// Which obstacles are taken in that the map lacks, and for how long.
+/// Which obstacles missing from the map are marked, and for how long.
 struct ObstacleLayerParams {
-  double range = 3.0;          ///< how far away obstacles are taken in [m]
-  double memory = 30.0;        ///< how long an obstacle out of sight is believed [s]
-  int map_tolerance = 2;       ///< a hit this near to an occupied cell is the map's own [cells]
-  double seen_through = 0.15;  ///< a beam this much farther than an obstacle says that it is gone [m]
+  double range = 3.0;          ///< range up to which obstacles are marked [m]
+  double memory = 30.0;        ///< how long an obstacle that is out of sight is kept [s]
+  int map_tolerance = 2;       ///< a hit this near to an occupied cell belongs to the map [cells]
+  double seen_through = 0.15;  ///< beams that reach this much farther than an obstacle remove it [m]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -41,7 +41,7 @@ struct ObstacleLayerParams {
   }
 };
 
-/// When a robot counts as one that gets nowhere.
+/// When a robot counts as blocked or oscillating.
 struct WatchdogParams {
   double progress_distance = 0.1;     ///< [m]
   double progress_timeout = 10.0;     ///< [s]
@@ -59,14 +59,14 @@ struct WatchdogParams {
   }
 };
 
-/// What the driving rungs of the ladder of recoveries do.
+/// Motions of the recoveries.
 struct RecoveryParams {
   double back_up_distance = 0.2;  ///< [m]
   double back_up_speed = 0.08;    ///< [m/s]
   double spin_angle = 2.0 * kPi;  ///< [rad]
   double spin_rate = 1.0;         ///< [rad/s]
   double time_allowance = 10.0;   ///< for each [s]
-  double margin = 0.015;          ///< room that the outline keeps meanwhile [m]
+  double margin = 0.015;          ///< clearance of the outline from the scan's points [m]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -81,7 +81,7 @@ struct RecoveryParams {
   }
 };
 
-/// What the navigator is configured with.
+/// Parameters of the navigator.
 struct NavigatorParams {
   RobotModel robot;
   planning::ClearanceParams clearance;
