@@ -27,7 +27,7 @@ struct FrontierCluster {
 struct FrontierClusters {
   std::vector<FrontierRun> runs;
   std::vector<FrontierCluster> clusters;  ///< ordered by their first cell, row by row from the lower left
-  bool too_many = false;                  ///< cells or clusters for core/bounds.h: then both lists are empty
+  bool too_many = false;                  ///< cells or clusters, see core/bounds.h; then both lists are empty
 };
 
 /// Writes for each cell of a row whether it is a frontier cell: free, with an unknown 8-neighbour. [EXP-2]

@@ -24,8 +24,8 @@ namespace ob = ompl::base;
 constexpr const char* kRrtConnect = "rrt_connect";
 constexpr const char* kAnyAngleGrid = "any_angle_grid";
 
-/// By default OMPL logs to the console and seeds from the clock; its seed has to be set once, before any object is
-/// made.
+/// By default OMPL logs to the console and seeds from the clock; both have to be changed once, before any OMPL object
+/// is made.
 void silenceAndSeedOmpl() {
   static const bool done = [] {
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);

@@ -20,7 +20,7 @@ struct FollowerParams {
   template <class Visitor>
   void describe(Visitor& v) {
     v.moved("inscribed_radius", "robot/disc_radius");
-    v.field("scan_margin", scan_margin, "m", "room that the robot's outline keeps to the scan's points",
+    v.field("scan_margin", scan_margin, "m", "clearance of the robot's outline from the scan's points",
             between(0.0, 0.5));
     v.fixed({"lookahead_time", "min_lookahead", "turn_in_place_angle", "horizon", "reaction_time"});
   }
@@ -35,7 +35,7 @@ struct ObstacleLayerParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("range", range, "m", "greatest range at which obstacles that the map lacks are taken in", positive());
+    v.field("range", range, "m", "range up to which obstacles missing from the map are marked", positive());
     v.field("memory", memory, "s", "time after which an obstacle that is out of sight is forgotten", timeSpan());
     v.fixed({"map_tolerance", "seen_through"});
   }
@@ -51,11 +51,11 @@ struct WatchdogParams {
   template <class Visitor>
   void describe(Visitor& v) {
     v.fixed({"progress_distance"});
-    v.field("progress_timeout", progress_timeout, "s", "without progress for this long the robot is blocked",
+    v.field("progress_timeout", progress_timeout, "s", "a robot that makes no progress for this long is blocked",
             timeSpan());
     v.fixed({"oscillation_distance"});
     v.field("oscillation_timeout", oscillation_timeout, "s",
-            "time within that circle after which the robot is oscillating", timeSpan());
+            "a robot that stays within the oscillation distance for this long is oscillating", timeSpan());
   }
 };
 
@@ -75,7 +75,7 @@ struct RecoveryParams {
     v.field("spin_angle", spin_angle, "rad", "angle that a blocked robot turns to look around", positive());
     v.fixed({"spin_rate"});
     v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", timeSpan());
-    v.field("margin", margin, "m", "room that the robot's outline keeps to the scan's points while it recovers",
+    v.field("margin", margin, "m", "clearance of the robot's outline from the scan's points while it recovers",
             between(0.0, 0.5));
     v.moved("footprint_radius", "margin, on top of the robot's outline");
   }
