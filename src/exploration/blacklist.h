@@ -16,13 +16,14 @@ class Blacklist {
   explicit Blacklist(const BlacklistParameters& parameters) : parameters_(parameters) {}
 
   void add(const Vec2& position, const std::string& reason, const ObservedMap& map);
-  /// Lifts the entries around which enough has changed; gives their number.
+  /// Lifts the entries around which enough cells have changed; returns how many.
   std::size_t expire(const ObservedMap& map);
-  /// Forgets the entries. How often a place has been listed stays known, as what makes it hard to lift.
+  /// Removes the entries but remembers how often each place was listed: a repeated entry needs more changes to be
+  /// lifted.
   void clear() { entries_.clear(); }
-  /// Forgets that as well.
+  /// Removes the entries and forgets how often places were listed.
   void reset();
-  /// Takes the map as it is now as the reference of every entry: its counts began anew with a new geometry.
+  /// Compares every entry with the change counts of `map` from now on: they restart when the map's geometry changes.
   void rebase(const ObservedMap& map);
 
   /// The entry that covers `position`, or null.
@@ -34,7 +35,7 @@ class Blacklist {
 
   BlacklistParameters parameters_;
   std::vector<BlacklistedPlace> entries_;
-  std::vector<Vec2> history_;  ///< where entries have been made since the reset
+  std::vector<Vec2> history_;  ///< positions of all entries made since the last reset
 };
 
 }  // namespace frontier_pilot::exploration

@@ -8,7 +8,7 @@
 namespace frontier_pilot::exploration {
 namespace {
 
-/// The input by the name its user knows it by.
+/// The missing input by the name that users know.
 const char* nameOfMissing(ExplorerReason reason) {
   switch (reason) {
     case ExplorerReason::kMapGone:
@@ -81,7 +81,7 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
 
 bool Explorer::Impl::clockJumped(Time now) const { return last_update_ && now < *last_update_; }
 
-/// Back to the safe state: what was measured in the old time means nothing in the new one.
+/// Returns to IDLE: times measured before the clock jumped cannot be compared with those after it.
 void Explorer::Impl::forgetTime(Time now) {
   cancelGoal();
   last_report_.reset();
@@ -91,7 +91,7 @@ void Explorer::Impl::forgetTime(Time now) {
 }
 
 void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
-  constexpr double kJump = 1.0;  // [m] between two ticks: a correction of the map, not a motion
+  constexpr double kJump = 1.0;  // [m] between two ticks: larger steps are corrections of the pose, not motion
   if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite()) return;
   const Pose2& pose = inputs.T_map_base->pose;
   const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;
@@ -111,7 +111,7 @@ void Explorer::Impl::reset(Time now) {
   enter(idle ? ExplorerState::kIdle : ExplorerState::kSelectGoal, ExplorerReason::kReset, "", now);
 }
 
-/// Whether the explorer may act: enabled, and every input there. [EXP-8]
+/// Whether the explorer may act: it is enabled and every input is available. [EXP-8]
 bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
   if (!inputs.enabled) {
     pause(now);
@@ -159,7 +159,7 @@ void Explorer::Impl::stopFor(const std::vector<ExplorerReason>& missing, Time no
 }
 
 void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
-  if (!goal_ || goal_->id != event.goal_id) return;  // of a goal that has been replaced: its end says nothing
+  if (!goal_ || goal_->id != event.goal_id) return;  // the event belongs to a goal that has been replaced
   const Goal goal = *goal_;
   goal_.reset();
   switch (event.kind) {
@@ -177,7 +177,7 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
   }
 }
 
-/// What a goal failed for that steps back or returns says nothing of a frontier.
+/// Goals for stepping back or returning to the start belong to no frontier and are never blacklisted.
 void Explorer::Impl::goalFailed(const Goal& goal, const std::string& what) {
   ++status_.goals_failed;
   if (goal.returning || goal.stepping_back) return;

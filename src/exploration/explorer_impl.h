@@ -15,8 +15,8 @@
 
 namespace frontier_pilot::exploration {
 
-/// The explorer's state machine: inputs, events and transitions in explorer.cpp, what is done in each state in
-/// explorer_steps.cpp, what is tried when nothing ordinary is left in fall_backs.cpp.
+/// The explorer's state machine: inputs, events and transitions in explorer.cpp, the actions in each state in
+/// explorer_steps.cpp, and the fall-backs for when no frontier can be selected in fall_backs.cpp.
 class Explorer::Impl {
  public:
   explicit Impl(const ExplorerParameters& parameters);
@@ -30,25 +30,25 @@ class Explorer::Impl {
   const std::optional<Pose2>& goal() const { return goal_pose_; }
 
  private:
-  /// The goal that the navigation has.
+  /// A goal sent to the navigation.
   struct Goal {
     std::uint32_t id = 0;
     Vec2 position = Vec2::Zero();
-    double info_area = 0.0;  ///< when it was chosen [m^2]
+    double info_area = 0.0;  ///< expected area when it was chosen [m^2]
     Time sent;
     bool returning = false;      ///< to the start
-    bool stepping_back = false;  ///< from what is too near to be a goal
+    bool stepping_back = false;  ///< from a frontier that is too near
   };
 
-  /// What is tried when no frontier can be selected as things are.
+  /// An alternative that is tried when the ordinary judgement leaves no selectable frontier.
   struct FallBack {
     enum class Scope {
-      kEveryDecision,  ///< judges the same map in another way; may give the robot another goal while it drives
-      kWithoutGoal,    ///< changes what the next decision goes by, or sends a goal of its own
+      kEveryDecision,  ///< judges the same map by other rules; also tried while the robot drives to a goal
+      kWithoutGoal,    ///< changes the basis of the next decision or sends a goal of its own; only without a goal
     };
     const char* name;
     Scope scope;
-    bool (Impl::*attempt)(Time now);  ///< gives whether it helped
+    bool (Impl::*attempt)(Time now);  ///< returns whether it helped
   };
   static const std::array<FallBack, 5> kFallBacks;
 
@@ -100,8 +100,8 @@ class Explorer::Impl {
 
   ExplorerOutput out_;
   ExplorerProgress status_;
-  std::optional<Goal> goal_;     ///< with the navigation now
-  std::optional<Goal> arrived_;  ///< reached, and not yet looked back upon
+  std::optional<Goal> goal_;     ///< being driven to
+  std::optional<Goal> arrived_;  ///< reached and not yet evaluated
   std::optional<Pose2> goal_pose_;
   std::optional<Pose2> start_;
   std::optional<Pose2> T_map_base_;
@@ -112,11 +112,11 @@ class Explorer::Impl {
   Time last_check_;
   Time last_decision_;
   std::uint32_t next_goal_id_ = 1;
-  std::uint64_t judged_changes_ = 0;  ///< of the map, at the last decision
+  std::uint64_t judged_changes_ = 0;  ///< changes() of the map at the last decision
   bool was_running_ = false;
   int step_backs_ = 0;
-  const FallBack* judged_by_ = nullptr;        ///< at the last decision; null when it needed none
-  std::optional<ExplorerReason> done_reason_;  ///< on the way back to the start
+  const FallBack* judged_by_ = nullptr;        ///< fall-back of the last decision; null if none was needed
+  std::optional<ExplorerReason> done_reason_;  ///< kept while the robot returns to the start
 };
 
 }  // namespace frontier_pilot::exploration

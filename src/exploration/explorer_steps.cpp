@@ -17,7 +17,7 @@ std::string describeGoal(const char* what, const Frontier& frontier) {
 
 }  // namespace
 
-/// One step, and as many more as the new states want at the same instant.
+/// Runs the action of the state and, if it causes a transition, that of the new state in the same tick, and so on.
 void Explorer::Impl::step(Time now) {
   constexpr int kMaxSteps = 6;
   for (int i = 0; i < kMaxSteps; ++i) {
@@ -43,7 +43,7 @@ void Explorer::Impl::step(Time now) {
 }
 
 void Explorer::Impl::selectGoal(Time now) {
-  // While it only waits for what the map may yet show, a map that has not changed need not be judged again.
+  // While the explorer only waits for the map to change, an unchanged map need not be judged again.
   const bool waiting = nothing_left_since_ || status_.reason == ExplorerReason::kRobotOffKnownGround;
   const bool news = judged_changes_ != evaluator_.map().changes();
   if (waiting && !(news && passed(last_decision_, parameters_.check_period, now))) {
@@ -103,13 +103,13 @@ void Explorer::Impl::navigate(Time now) {
   if (passed(last_decision_, parameters_.decision_period, now)) decide(ExplorerReason::kBetterGoal, now);
 }
 
-/// Whether the goal has been seen from afar on the way. [EXP-6]
+/// Whether most of the area expected at the goal has been seen from a distance on the way. [EXP-6]
 bool Explorer::Impl::informationGone() {
   const double left = evaluator_.infoAt(goal_->position).area;
   return left < evaluator_.leastInfo() || left < parameters_.vanished_share * goal_->info_area;
 }
 
-/// A goal that still promises what it promised before it was reached will never show it.
+/// A reached goal that still promises more than half of the expected area after settle_time is recorded as fruitless.
 void Explorer::Impl::evaluateArrival(Time now) {
   if (done_reason_) {
     enter(ExplorerState::kDone, *done_reason_, "", now);
@@ -138,7 +138,7 @@ void Explorer::Impl::stayDone(Time now) {
   enter(ExplorerState::kSelectGoal, ExplorerReason::kMapChanged, "", now);
 }
 
-/// Chooses a goal and sends it, unless it is the present one. Gives whether there is a goal now.
+/// Chooses a goal and sends it, unless it is the current one. Returns whether there is a goal now.
 bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   constexpr double kSameGoal = 0.3;  // [m]
   if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
@@ -160,8 +160,8 @@ FrontierEvaluator::Context Explorer::Impl::context() const {
   return {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0};
 }
 
-/// Whether a frontier can be selected, or the robot is on its way to one, that is expected to show so much that it is
-/// worth a way of its own.
+/// Whether a rich frontier, one with an information density of at least rich_min_density, can be selected or is being
+/// driven to.
 bool Explorer::Impl::anyRich() {
   constexpr double kRichDensity = 0.2;  // at least a fifth of what is seen from the goal is expected to be new
   const auto rich = [](const ViewGain& info) { return info.density >= kRichDensity; };
@@ -170,8 +170,8 @@ bool Explorer::Impl::anyRich() {
   return std::any_of(all.begin(), all.end(), [&](const Frontier& f) { return f.selectable() && rich(f.info); });
 }
 
-/// With `keep_present` the goal being driven to competes too, whatever filter it would fail by now: a robot that has
-/// come too near to its goal to be sent there is not to turn away from it.
+/// With `keep_present` the goal being driven to competes too, even if it fails a filter by now: a robot that has come
+/// nearer to its goal than min_distance must not turn away from it.
 std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
   history_.expire(evaluator_.map());
   judged_by_ = nullptr;

@@ -5,7 +5,8 @@
 
 namespace frontier_pilot::exploration {
 
-/// In this order, until one helps. When none does the explorer waits for what the map may yet show, and is then done.
+/// Tried in this order until one helps. If none does, the explorer waits done_settle_time for the map to change and is
+/// then done.
 const std::array<Explorer::Impl::FallBack, 5> Explorer::Impl::kFallBacks{{
     {"tight ways", FallBack::Scope::kEveryDecision, &Impl::judgeTightWays},
     {"ways from the start", FallBack::Scope::kEveryDecision, &Impl::judgeWaysFromStart},
@@ -14,7 +15,7 @@ const std::array<Explorer::Impl::FallBack, 5> Explorer::Impl::kFallBacks{{
     {"blacklisted places once more", FallBack::Scope::kWithoutGoal, &Impl::retryBlacklisted},
 }};
 
-/// The first one of the scope that helps; null if none does.
+/// The first fall-back of the scope that helps; null if none does.
 const Explorer::Impl::FallBack* Explorer::Impl::fallBack(FallBack::Scope scope, Time now) {
   for (const FallBack& candidate : kFallBacks) {
     if (candidate.scope == scope && (this->*candidate.attempt)(now)) return &candidate;
@@ -22,18 +23,19 @@ const Explorer::Impl::FallBack* Explorer::Impl::fallBack(FallBack::Scope scope, 
   return nullptr;
 }
 
-/// Where some frontiers were left out there is no telling whether nothing else is left.
+/// Not tried if some frontiers were not judged: one of them might be selectable without tight ways.
 bool Explorer::Impl::judgeTightWays(Time /*now*/) {
   return evaluator_.allJudged() && evaluator_.evaluateTightWays(context());
 }
 
-/// The robot seems to be cut off: it has come from the start, and the navigation may know how to go back.
+/// For a robot that the map shows as cut off from its start: it came from there, so the navigation may find the way
+/// back.
 bool Explorer::Impl::judgeWaysFromStart(Time /*now*/) {
   return evaluator_.allJudged() && evaluator_.evaluateWaysFromStart(context());
 }
 
-/// The change of phase says how many frontiers are left for COVERAGE: those that can be selected although they are not
-/// rich, and those that `rich_min_density` has held back.
+/// The text of the transition says how many frontiers are left for COVERAGE: those that can be selected and those that
+/// `rich_min_density` has held back.
 bool Explorer::Impl::goOnToCoverage(Time now) {
   if (status_.phase == ExplorerPhase::kCoverage) return false;
   status_.phase = ExplorerPhase::kCoverage;
@@ -44,9 +46,9 @@ bool Explorer::Impl::goOnToCoverage(Time now) {
   return true;
 }
 
-/// Drives a little away, so that what is left close by is far enough to be a goal.
+/// Drives a short distance away, so that frontiers that are too near become far enough to be goals.
 bool Explorer::Impl::stepBack(Time now) {
-  constexpr int kMaxStepBacks = 3;  // in a row: what three approaches do not show stays unseen
+  constexpr int kMaxStepBacks = 3;  // in a row; frontiers that are then still too near are given up
   if (countRejected(Rejection::kTooNear) == 0 || step_backs_ >= kMaxStepBacks) return false;
   const std::optional<Vec2> place = evaluator_.placeToStepBackTo(T_map_base_->position());
   if (!place) return false;

@@ -22,7 +22,8 @@ std::vector<Cell> discOffsets(int radius) {
   return offsets;
 }
 
-/// The clearance of ways while anything else is left: no trap, and room to turn right round all along.
+/// Clearance [m] of the paths that are tried first: with trap_margin against dead ends, and room for a full turn
+/// everywhere.
 double roomyClearance(const FrontierParameters& parameters, const Outline& driven) {
   return std::max(driven.halfWidth() + parameters.clearance_margin + parameters.trap_margin,
                   driven.circumscribedRadius() + parameters.clearance_margin);
@@ -74,7 +75,7 @@ bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
   return cut_off && judgeAll(tight_space_, context.start, context);
 }
 
-/// Gives whether any frontier can be selected.
+/// Returns whether any frontier can be selected.
 bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context) {
   travel_.compute(space, map_.grid(), map_.geometry().cellAt(from), parameters_.escape_radius);
   frontiers_.clear();
@@ -89,7 +90,7 @@ bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Vec2& from
   return any;
 }
 
-/// What can be said at little cost: where it is, and whether it is worth a judgement.
+/// What is cheap to determine: where the frontier is, and whether it is worth judging.
 Frontier FrontierEvaluator::outline(const FrontierCluster& cluster) const {
   const GridGeometry& geometry = map_.geometry();
   Frontier frontier;
@@ -106,9 +107,9 @@ Frontier FrontierEvaluator::outline(const FrontierCluster& cluster) const {
   return frontier;
 }
 
-/// The large ones near the robot stay: there is most to see for the way.
+/// Keeps the `most` frontiers with the greatest size per distance from the robot, the most to see for the travel.
 void FrontierEvaluator::leaveOutAllBut(std::size_t most, const Vec2& robot) {
-  constexpr double kNear = 10.0;  // [m]: nearer ones are as good as this far away
+  constexpr double kNear = 10.0;  // [m]: nearer frontiers are ranked as if they were this far away
   std::vector<std::size_t> worth_judging;
   for (std::size_t i = 0; i < frontiers_.size(); ++i) {
     if (frontiers_[i].selectable()) worth_judging.push_back(i);
@@ -136,7 +137,7 @@ void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster
   }
 }
 
-/// The anchor may be in a corner that nothing sees: then a few other cells of the cluster are tried.
+/// If no suitable cell sees the anchor, for example in a corner, a few other cells of the cluster are tried as targets.
 FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& cluster, Cell anchor) {
   constexpr int kOtherTargets = 3;
   if (const std::optional<GoalCell> known = recallGoal(anchor)) return *known;
@@ -149,8 +150,8 @@ FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& c
   return best;
 }
 
-/// The goal found for the same frontier before, as long as it is good: most frontiers stay what they are from one
-/// decision to the next.
+/// The goal found earlier for this anchor, if it is still reachable, sees the anchor and passes the filters: most
+/// frontiers do not change from one decision to the next.
 std::optional<FrontierEvaluator::GoalCell> FrontierEvaluator::recallGoal(Cell anchor) const {
   const auto known = goals_.find(map_.geometry().index(anchor));
   if (known == goals_.end() || !travel_.reached(known->second) || !inSight(map_.grid(), known->second, anchor)) {
@@ -161,9 +162,9 @@ std::optional<FrontierEvaluator::GoalCell> FrontierEvaluator::recallGoal(Cell an
 }
 
 /// The nearest reachable cell that sees `target` and passes the filters; else the nearest that sees it. So a frontier
-/// close to the robot or to a wall is looked at from elsewhere before it is given up.
+/// close to the robot or to a wall gets a goal farther away before it is rejected.
 FrontierEvaluator::GoalCell FrontierEvaluator::findGoalFor(Cell target) const {
-  constexpr int kMaxLooks = 60;  // each: bounds the cost of a frontier that much ground is near, but none sees
+  constexpr int kMaxLooks = 60;  // of near and of other cells: bounds the cost if none of many cells sees it
   GoalCell first;
   int looks_from_near = 0;
   int looks = 0;
@@ -259,7 +260,7 @@ ViewGain FrontierEvaluator::infoAt(const Vec2& goal) {
   return unknownShare(map_.grid(), goal, parameters_.goal_search_radius);
 }
 
-/// A view stays what it is until something within its range changes, by enough to matter: a tenth of what it shows.
+/// A cached view is used until the area that changed within sensor_range exceeds a tenth of the area that it shows.
 ViewGain FrontierEvaluator::cachedView(Cell cell) {
   constexpr std::size_t kMaxViews = 4096;
   constexpr double kTolerance = 0.1;

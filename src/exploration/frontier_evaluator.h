@@ -16,54 +16,56 @@
 
 namespace frontier_pilot::exploration {
 
-/// From the map to judged frontiers: search, goals, filters, information. Holds what is worth keeping between
-/// decisions, so that one costs the changed block, one wavefront, and views near the change.
+/// Finds the frontiers of the map and judges them: goals, filters, expected information. Keeps results between
+/// decisions, so that a decision costs an update of the changed block, a wavefront, and the views near the change.
 class FrontierEvaluator {
  public:
-  /// The ways to goals leave `clearance_margin` beside a robot of the outline `driven`.
+  /// Paths to goals leave `clearance_margin` [m] on either side of a robot with the outline `driven`.
   FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven);
 
-  /// Takes over a map; the block says where it may differ from the last one. Gives whether any cell changed class.
+  /// Takes over a map that may differ from the last one within `changed`. Returns whether any cell changed class.
   bool setMap(const OccupancyGrid& map, const CellRect& changed);
   void setPlan(PlanFn plan) { plan_ = std::move(plan); }
 
   /// What the judgement depends on besides the map.
   struct Context {
     Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
-    Vec2 start = Vec2::Zero();  ///< where it was first [m]
+    Vec2 start = Vec2::Zero();  ///< the robot's first known position [m]
     const GoalHistory* history = nullptr;
-    double least_density = 0.0;  ///< of information, of selectable frontiers; 0 for all
+    double least_density = 0.0;  ///< least information density of a selectable frontier; 0: any
   };
-  /// Finds every frontier of the map and judges it: its goal, or the reason why it has none. Ways to goals keep clear
-  /// of unknown ground and have room to turn right round: a gap whose sides have yet to be seen may prove too narrow
-  /// when the robot is in it. Gives whether any frontier can be selected.
+  /// Finds every frontier of the map and its goal, or the reason why it has none. Paths to goals keep clear of unknown
+  /// cells and leave room for a full turn: a gap whose sides have not been seen yet may prove too narrow once the robot
+  /// is in it. Returns whether any frontier can be selected.
   bool evaluate(const Context& context);
-  /// Judges the same frontiers by ways through gaps that only just fit as well.
+  /// Judges the same frontiers again and also allows paths through gaps that the robot only just fits through.
   bool evaluateTightWays(const Context& context);
-  /// Judges them by such ways from `context.start`, if the robot is cut off from there by the last evaluation.
+  /// The same with paths from `context.start`, if the last evaluation found no path from there to the robot.
   bool evaluateWaysFromStart(const Context& context);
 
-  /// The selectable ones of the last evaluation, scored, as the choice wants them.
+  /// The selectable frontiers of the last evaluation as scored candidates.
   std::vector<GoalCandidate> candidates(const Vec2& robot);
-  /// The same for a place that a goal was sent to before, which belongs to no frontier; none if it cannot be reached.
+  /// A scored candidate for the goal being driven to, which need not belong to a frontier; nullopt if it cannot be
+  /// reached.
   std::optional<GoalCandidate> candidateAt(const Vec2& goal, const Vec2& robot);
 
-  /// Blacklisted frontiers that can be reached without squeezing through gaps that only just fit. What lies behind such
-  /// a gap, and the navigation could not get to, is not within reach.
+  /// Whether a blacklisted frontier can be reached without tight gaps. Frontiers behind a gap that the robot only just
+  /// fits through, which the navigation failed to reach, count as unreachable.
   bool anyBlacklistedInTheOpen() const { return blacklisted_in_the_open_; }
-  /// Frontiers within reach that the last evaluation did not judge, for there were too many. [FLT-1]
+  /// Number of reachable frontiers that the last evaluation did not judge because there were too many. [FLT-1]
   std::size_t leftOut() const { return left_out_; }
-  /// Whether the map has so many that it gave up before it looked for any. [FLT-1]
+  /// Whether the map has so many frontier cells or clusters that none was judged. [FLT-1]
   bool tooMany() const { return clusters_.too_many; }
-  /// Whether no frontier has been passed over for one of these two reasons.
+  /// Whether neither of these two limits was exceeded.
   bool allJudged() const { return left_out_ == 0 && !clusters_.too_many; }
   /// Whether the last evaluation found ground for the robot to move on.
   bool robotHasGround() const { return travel_.reachedCount() > 0; }
-  /// A reachable place a little farther than min_distance from the robot, from where what is too near now is not.
+  /// The nearest place with a travel distance above 1.5 min_distance, from which frontiers that are too near now are
+  /// not.
   std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
-  /// What a goal has to show at least [m^2]: leftovers count less in a large building.
+  /// Least unknown area that a goal has to show [m^2]; it grows with the free area of the map.
   double leastInfo() const;
-  /// What a place is expected to show now. [EXP-6]
+  /// What a view from `goal` is expected to show now. [EXP-6]
   ViewGain infoAt(const Vec2& goal);
   const ObservedMap& map() const { return map_; }
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
@@ -98,8 +100,8 @@ class FrontierEvaluator {
   ObservedMap map_;
   FrontierSearch search_;
   TraversableSpace space_;        ///< clear of unknown cells
-  TraversableSpace tight_space_;  ///< clear of obstacles only; brought up to date when it is needed
-  CellRect tight_changes_;        ///< what it has not heard of
+  TraversableSpace tight_space_;  ///< clear of obstacles only; updated when it is needed
+  CellRect tight_changes_;        ///< not yet applied to tight_space_
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;
@@ -107,7 +109,7 @@ class FrontierEvaluator {
   bool blacklisted_in_the_open_ = false;
   std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;
-  std::unordered_map<std::size_t, Cell> goals_;  ///< found for an anchor before
+  std::unordered_map<std::size_t, Cell> goals_;  ///< the last goal found, by the index of the frontier's anchor
 };
 
 }  // namespace frontier_pilot::exploration

@@ -12,8 +12,8 @@ namespace frontier_pilot::exploration {
 
 void markFrontierCells(const std::int8_t* below, const std::int8_t* row, const std::int8_t* above, int width,
                        std::vector<std::int8_t>& scratch, std::uint8_t* out) {
-  // Unknown cells are the negative ones, so that a bitwise or of cells is negative where one of them is unknown. Loops
-  // without branches over bytes: the compiler turns them into vector instructions.
+  // Unknown cells are negative, so the bitwise OR of several cells is negative if any of them is unknown. The loops
+  // over bytes have no branches, so that the compiler can vectorise them.
   const auto n = static_cast<std::size_t>(width);
   scratch.assign(n + 2, 0);
   const std::int8_t* a = below != nullptr ? below : row;
@@ -71,13 +71,13 @@ void FrontierSearch::countRow(const OccupancyGrid& map, int y) {
   cell_count_ += cells;
 }
 
-/// The runs of the row that was marked last.
+/// Writes the runs of the row that was marked last to `spans`.
 void FrontierSearch::keepRow(std::vector<Span>& spans, int width) const {
   spans.clear();
   int x = 0;
   while (x < width) {
     std::uint64_t eight = 0;
-    std::memcpy(&eight, marks_.data() + x, sizeof eight);  // eight cells at once: nearly all are none
+    std::memcpy(&eight, marks_.data() + x, sizeof eight);  // eight cells at once: frontier cells are rare
     if (eight == 0) {
       x += 8;
       continue;

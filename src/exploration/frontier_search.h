@@ -14,12 +14,12 @@ struct FrontierRun {
   int end = 0;
 };
 
-/// Frontier cells that hang together over their 8-neighbours, or a piece of a long one.
+/// An 8-connected component of frontier cells, or a piece of a long one.
 struct FrontierCluster {
   std::size_t first_run = 0;  ///< its runs in FrontierClusters::runs, row by row
   std::size_t run_count = 0;
   int cells = 0;                 ///< its own size
-  int component_cells = 0;       ///< the size of all that hangs together, where it is a piece
+  int component_cells = 0;       ///< size of the component, of which it may be a piece
   Vec2 centroid = Vec2::Zero();  ///< [cells], the mean of the cells' indices; may lie in a wall
   CellRect box;
 };
@@ -27,7 +27,7 @@ struct FrontierCluster {
 struct FrontierClusters {
   std::vector<FrontierRun> runs;
   std::vector<FrontierCluster> clusters;  ///< ordered by their first cell, row by row from the lower left
-  bool too_many = false;                  ///< cells or clusters, by core/bounds.h: then there are none here
+  bool too_many = false;                  ///< cells or clusters, see core/bounds.h; then both lists are empty
 };
 
 /// Writes for each cell of a row whether it is a frontier cell: free, with an unknown 8-neighbour. [EXP-2]
@@ -37,13 +37,13 @@ void markFrontierCells(const std::int8_t* below, const std::int8_t* row, const s
                        std::vector<std::int8_t>& scratch, std::uint8_t* out);
 
 /// The frontier of a map, kept up to date row by row. After a change only the rows it touches are searched again; the
-/// clusters are then joined from runs of cells, which costs the length of the frontier and never the map. The result is
-/// that of a breadth-first search over 8-neighbours. [EXP-2]
-/// A map of noise may have millions of frontier cells: beyond the bound they are counted, and nothing else. [FLT-1]
+/// clusters are then joined from runs of cells, at a cost that depends on the length of the frontier and not on the
+/// size of the map. The result is that of a breadth-first search over 8-neighbours. [EXP-2]
+/// A map of noise may have millions of frontier cells: beyond the bound they are only counted. [FLT-1]
 /// He, Chao & Suzuki, "A Run-Based Two-Scan Labeling Algorithm", IEEE Trans. Image Processing 17(5), 2008.
 class FrontierSearch {
  public:
-  /// Searches again what a change of `map` within `changed` can reach; all of it when the geometry is a new one.
+  /// Searches the rows again that a change of `map` within `changed` can affect; all rows if the geometry is new.
   void update(const OccupancyGrid& map, const CellRect& changed);
 
   /// Clusters of at least `min_cells`. One wider or higher than `max_extent` cells is cut across its longer side into

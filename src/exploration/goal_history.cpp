@@ -10,7 +10,8 @@ int countNear(const std::vector<Vec2>& places, const Vec2& centre, double radius
                                         [&](const Vec2& place) { return (place - centre).norm() <= radius; }));
 }
 
-/// Fruitless places are known better than blacklisted ones: the robot has been there, or has looked at them.
+/// Half the radius: the robot has been at a fruitless place or has seen it, so it is known better than a blacklisted
+/// one.
 BlacklistParameters fruitlessParameters(BlacklistParameters parameters) {
   parameters.radius /= 2.0;
   return parameters;
@@ -37,7 +38,7 @@ void GoalHistory::timedOut(const Vec2& goal, const ObservedMap& map) {
 }
 
 void GoalHistory::stayedUnknown(const Vec2& goal, const ObservedMap& map) {
-  fruitless_.add(goal, "reached, and what it was to show stayed unknown", map);
+  fruitless_.add(goal, "reached, but the area expected there stayed unknown", map);
 }
 
 void GoalHistory::vanished(const Vec2& goal, const ObservedMap& map) {
@@ -46,7 +47,7 @@ void GoalHistory::vanished(const Vec2& goal, const ObservedMap& map) {
   const auto times = std::count_if(vanished_.begin(), vanished_.end(),
                                    [&](const Vec2& place) { return (place - goal).norm() < kSamePlace; });
   vanished_.push_back(goal);
-  if (times >= kMaxTimes) fruitless_.add(goal, "what it was to show came and went", map);
+  if (times >= kMaxTimes) fruitless_.add(goal, "the area expected there appeared and disappeared repeatedly", map);
 }
 
 Rejection GoalHistory::judge(const Vec2& place) const {

@@ -8,11 +8,11 @@
 
 namespace frontier_pilot::exploration {
 
-/// A place worth going to, with its price: all that a choice of the next goal is made from. [EXP-4]
+/// A possible next goal with everything that its score is computed from. [EXP-4]
 struct GoalCandidate {
   std::size_t frontier = 0;         ///< index among the frontiers
   Vec2 goal = Vec2::Zero();         ///< [m]
-  double travel_distance = 0.0;     ///< from the robot, on the map [m]
+  double travel_distance = 0.0;     ///< from the robot, along a path [m]
   double euclidean_distance = 0.0;  ///< [m]
   ViewGain info;
   double obstacle_density = 0.0;  ///< relative to the greatest allowed, 0 to 1
@@ -25,8 +25,8 @@ struct GoalCandidate {
 /// over the greatest allowed; visited = visits / (visits + 1). [EXP-4]
 double goalScore(const GoalCandidate& candidate, const ScoreParameters& parameters);
 
-/// The index of the candidate with the best score; the first of equal ones, none if there is none. The one at
-/// `current`, the goal being driven to, is ahead by switch_margin.
+/// Index of the candidate with the best score, the first of equal ones; nullopt without candidates. A candidate within
+/// 0.5 m of `current`, the goal being driven to, gets a bonus of switch_margin.
 std::optional<std::size_t> chooseBestScore(const std::vector<GoalCandidate>& candidates,
                                            const std::optional<Vec2>& current, const ScoreParameters& parameters);
 

@@ -7,12 +7,12 @@
 
 namespace frontier_pilot::exploration {
 
-/// The explorer's own copy of the map, which knows what really changed: how many cells went from one class (unknown,
-/// free, occupied) to another, where, and how much floor is known. An update costs the block it is told of.
+/// The explorer's own copy of the map. Counts the cells that change class (unknown, free, occupied) by place, and the
+/// known free area. The cost of an update depends on the size of the changed block only.
 class ObservedMap {
  public:
-  /// Takes over what differs within `changed`, all of it when the geometry is a new one. Gives the block that holds
-  /// every cell whose class changed; empty if none did. Old change counts are lost with the old geometry.
+  /// Takes over the differences within `changed`, or the whole map if the geometry is new. Returns the block that holds
+  /// every cell whose class changed; empty if none did. The counts by place restart with a new geometry.
   CellRect update(const OccupancyGrid& map, const CellRect& changed);
 
   const OccupancyGrid& grid() const { return map_; }
@@ -20,10 +20,10 @@ class ObservedMap {
   bool empty() const { return map_.empty(); }
   /// Known free floor [m^2].
   double freeArea() const;
-  /// Cells that have ever changed class within a square of half side `radius` [m] around `point`, in whole tiles.
-  /// Only differences between two calls mean something.
+  /// Number of changes of class so far within a square of half side `radius` [m] around `point`, in whole tiles. Only
+  /// the difference between two calls is meaningful.
   std::uint64_t changesAround(const Vec2& point, double radius) const;
-  /// Cells that have ever changed class.
+  /// Number of changes of class so far, in the whole map.
   std::uint64_t changes() const { return changes_; }
 
  private:

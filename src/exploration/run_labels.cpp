@@ -56,8 +56,8 @@ FrontierRun cut(const FrontierRun& run, int begin, int end) {
   return {run.y, std::max(run.begin, begin), std::min(run.end, end)};
 }
 
-/// Appends the component in equal slabs across its longer side. Each run is looked at once, however many slabs there
-/// are: slab k begins at extent * k / slabs.
+/// Appends the component in equal slabs across its longer side. Each run is visited once, however many slabs there are:
+/// slab k begins at extent * k / slabs.
 void appendSlabs(FrontierClusters& all, const std::vector<FrontierRun>& runs, const FrontierCluster& whole,
                  int max_extent) {
   const bool wide = whole.box.width >= whole.box.height;
@@ -79,7 +79,7 @@ void appendSlabs(FrontierClusters& all, const std::vector<FrontierRun>& runs, co
   }
 }
 
-/// The runs of each component together, components by their first run.
+/// Indices of the runs grouped by component, the components in the order of their first runs.
 std::vector<std::uint32_t> orderByLabel(const std::vector<std::uint32_t>& labels) {
   std::vector<std::uint32_t> start(labels.size() + 1, 0);
   for (const std::uint32_t label : labels) ++start[label + 1];

@@ -8,10 +8,10 @@
 namespace frontier_pilot::exploration {
 namespace {
 
-constexpr unsigned kNoDirection = 8;  ///< of a seed: it expands to all sides
+constexpr unsigned kNoDirection = 8;  ///< of a seed, which is expanded in all directions
 
-/// The directions in which a cell, entered in a direction, has to go on, by the mask of its traversable neighbours:
-/// the natural ones, and those forced because the obstacle beside them blocks the other way around.
+/// The directions in which a cell has to be expanded, by the direction it was entered in and the mask of its
+/// traversable neighbours: the natural successors, and those forced because an obstacle blocks the alternative path.
 class SuccessorTable {
  public:
   constexpr SuccessorTable() {
@@ -26,7 +26,7 @@ class SuccessorTable {
   static constexpr unsigned bit(unsigned direction) { return 1U << (direction & 7U); }
   static constexpr unsigned successors(unsigned d, unsigned open) {
     const bool diagonal = (d & 1U) != 0;
-    const unsigned side = diagonal ? 3 : 2;  // where an obstacle forces, seen from the direction of travel
+    const unsigned side = diagonal ? 3 : 2;  // of an obstacle that forces a successor, relative to d [45 degrees]
     unsigned result = bit(d);
     if (diagonal) result |= bit(d + 1) | bit(d + 7);
     if ((open & bit(d + side)) == 0) result |= bit(d + side - 1);
@@ -56,7 +56,7 @@ void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& ma
   while (!queue_.empty()) {
     queue_.popLeast([&](std::uint32_t entry, std::uint32_t units) {
       const std::size_t index = entry >> 4U;
-      if (units_[index] == units) expandCell(index, entry & 15U, units, space);  // else reached on a shorter way since
+      if (units_[index] == units) expandCell(index, entry & 15U, units, space);  // else a shorter path was found since
     });
   }
 }
@@ -66,7 +66,7 @@ bool TravelField::anyReached(const CellRect& rect) const {
   for (int y = box.y; y < box.y + box.height; ++y) {
     const std::uint32_t* row = units_.row(y) + box.x;
     std::uint32_t all = kUnreached;
-    for (int x = 0; x < box.width; ++x) all &= row[x];  // the unreached have all bits set
+    for (int x = 0; x < box.width; ++x) all &= row[x];  // unreached cells have all bits set
     if (all != kUnreached) return true;
   }
   return false;
@@ -88,7 +88,8 @@ void TravelField::push(std::size_t index, unsigned direction, std::uint32_t unit
   queue_.push(static_cast<std::uint32_t>(index << 4U | direction), units);
 }
 
-/// Every first traversable cell around the robot is a seed, as far away as if each step to it were a diagonal one.
+/// Each traversable cell that is the first on a path from the robot is a seed, at a distance as if every step to it
+/// were diagonal.
 void TravelField::seed(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius) {
   if (space.traversable(start)) return push(map.geometry().index(start), kNoDirection, 0);
   const int reach = std::min(static_cast<int>(escape_radius / map.resolution()),
@@ -115,8 +116,9 @@ void TravelField::expandCell(std::size_t index, unsigned direction, std::uint32_
   }
 }
 
-/// Labels what lies straight ahead up to where somebody was before, and leaves the rest to the bucket of the cell where
-/// there is more to do than to go on. What this labels ahead of its time a shorter way may label again.
+/// Labels up to kRun cells straight ahead. Ends at a cell that has been reached on a path no longer than this, or
+/// queues the last cell: one that must be expanded in other directions than straight ahead, or the end of the run. A
+/// shorter path may later replace a label that was set ahead of the queue's order.
 void TravelField::goStraight(std::size_t index, unsigned direction, std::uint32_t units, const std::uint8_t* open) {
   const std::size_t step = offsets_[direction];
   for (const std::uint32_t end = units + kRun * kStraight; units < end;) {

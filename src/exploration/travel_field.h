@@ -12,19 +12,19 @@ namespace frontier_pilot::exploration {
 
 /// What a TraversableSpace keeps clear of.
 enum class KeepClearOf {
-  kObstacles,            ///< unknown cells are not traversable, but take no room away
-  kObstaclesAndUnknown,  ///< nothing that has yet to be seen can turn out to be in the way, nor close behind the robot
+  kObstacles,            ///< unknown cells are not traversable, but need no clearance
+  kObstaclesAndUnknown,  ///< unknown cells need the clearance too: they may turn out to be obstacles
 };
 
-/// Where the robot's centre may be: known free cells at least `clearance` away from what it keeps clear of (centre to
-/// centre). Kept up to date by changed blocks.
+/// Where the robot's centre may be: known free cells at least `clearance` away from the cells to keep clear of (centre
+/// to centre). Updated by changed blocks.
 class TraversableSpace {
  public:
   /// `clearance` [m] >= 0: half the width of the robot's lane, or the radius it needs to turn, with a margin.
   explicit TraversableSpace(double clearance, KeepClearOf obstacles = KeepClearOf::kObstacles)
       : clearance_(clearance), obstacles_(obstacles) {}
 
-  /// Works out again what a change of `map` within `changed` can reach; all of it when the geometry is a new one.
+  /// Recomputes the cells that a change of `map` within `changed` can affect; all cells if the geometry is new.
   void update(const OccupancyGrid& map, const CellRect& changed);
 
   bool traversable(Cell c) const { return passable_.get(c, 0) != 0; }
@@ -49,19 +49,20 @@ class TraversableSpace {
 /// 8-neighbours, 5 : 7 for straight : diagonal steps.
 /// A bucket queue (Dial, "Algorithm 360", CACM 12, 1969) that expands each cell only in the directions that no other
 /// shortest path covers (Harabor & Grastien, "Online Graph Pruning for Pathfinding on Grid Maps", AAAI 2011; Sturtevant
-/// & Rabin, "Canonical Orderings on Grids", IJCAI 2016): exact, and about one relaxation per cell in place of eight. A
-/// straight way over open ground goes on for a run of cells at once, so that most cells never see the queue and a line
-/// of memory is fetched once; a label that comes too early that way is corrected by the shorter way that follows.
+/// & Rabin, "Canonical Orderings on Grids", IJCAI 2016): exact, with about one relaxation per cell instead of eight.
+/// Straight runs over open ground are labelled several cells at a time, so that most cells never enter the queue and a
+/// cache line is fetched once; a label that is too large because it was set ahead of the queue's order is corrected
+/// when the shorter path arrives.
 class TravelField {
  public:
-  /// A robot that stands closer to an obstacle than the clearance leaves over cells that are not occupied, up to
-  /// `escape_radius` [m]. Nothing is reached when there is no traversable cell within that.
+  /// If the robot stands closer to an obstacle than the clearance, paths first lead over cells that are not occupied,
+  /// for up to `escape_radius` [m]. Nothing is reached if there is no traversable cell within that.
   void compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
 
   bool reached(Cell c) const { return units_.get(c, kUnreached) != kUnreached; }
   /// Whether any cell of `rect` is reached.
   bool anyReached(const CellRect& rect) const;
-  /// Length of the way [m]; infinite where there is none.
+  /// Travel distance [m]; infinite if the cell is not reached.
   double distance(Cell c) const;
   std::size_t reachedCount() const { return reached_count_; }
   const GridGeometry& geometry() const { return units_.geometry(); }

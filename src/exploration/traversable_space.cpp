@@ -27,10 +27,10 @@ void widen(Row& row, Row& scratch) {
   }
 }
 
-/// Writes 0xFF where cells [0, n) of `from` are obstacles, after one cell of margin; gives whether there are any.
+/// Writes 0xFF where cells [0, n) of `from` are obstacles, after one cell of margin; returns whether there are any.
 bool readObstacles(const std::int8_t* from, int n, KeepClearOf obstacles, Row& row) {
   row.assign(static_cast<std::size_t>(n) + 2, 0);
-  // Unknown cells are negative: as unsigned bytes they are the large ones.
+  // Unknown cells are negative: as unsigned bytes they are greater than 127.
   const std::uint8_t top = obstacles == KeepClearOf::kObstacles ? 127 : 255;
   std::uint8_t any = 0;
   std::uint8_t* out = row.data() + 1;
@@ -49,7 +49,7 @@ void TraversableSpace::update(const OccupancyGrid& map, const CellRect& changed)
   if (passable_.geometry() != map.geometry() || passable_.empty()) {
     passable_ = Grid<std::uint8_t>(map.geometry());
     neighbours_ = Grid<std::uint8_t>(map.geometry());
-    // Just less than the clearance blocks, so that a cell exactly that far away is traversable.
+    // Slightly less than the clearance, so that a cell exactly that far away is traversable.
     half_widths_ = discHalfWidths(clearance_ / map.resolution() - 1e-6);
     area = map.geometry().rect();
   }
@@ -60,7 +60,7 @@ void TraversableSpace::update(const OccupancyGrid& map, const CellRect& changed)
   linkNeighbours(window.grown(1).intersection(map.geometry().rect()));
 }
 
-/// Writes 0xFF to the cells of `window` that are too near to what is kept clear of, 0 to the others.
+/// Writes 0xFF to the cells of `window` that are too near to a cell to keep clear of, 0 to the others.
 void TraversableSpace::markNearObstacles(const OccupancyGrid& map, const CellRect& window) {
   const int margin = static_cast<int>(half_widths_.size());
   const CellRect source = window.grown(margin).intersection(map.geometry().rect());
@@ -70,7 +70,7 @@ void TraversableSpace::markNearObstacles(const OccupancyGrid& map, const CellRec
   for (int y = source.y; y < source.y + source.height; ++y) {
     if (!readObstacles(map.row(y) + source.x, source.width, obstacles_, row)) continue;
     int width_now = 0;
-    for (int dy = margin - 1; dy >= 0; --dy) {  // the disc is narrowest at its far rows
+    for (int dy = margin - 1; dy >= 0; --dy) {  // from the disc's outermost row, the narrowest, inwards
       const int wanted = half_widths_[static_cast<std::size_t>(dy)];
       for (; width_now < wanted; ++width_now) widen(row, scratch);
       const std::uint8_t* near = row.data() + 1 + (window.x - source.x);

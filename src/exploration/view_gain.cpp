@@ -7,7 +7,7 @@
 namespace frontier_pilot::exploration {
 namespace {
 
-/// Twice the area per radian, seen and unseen, along one beam.
+/// Twice the area per radian along one beam, known and unknown [m^2].
 struct Sector {
   double known = 0.0;
   double unknown = 0.0;

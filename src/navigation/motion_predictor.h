@@ -10,8 +10,8 @@
 
 namespace frontier_pilot::navigation {
 
-/// Where a base is by now, although its last measured pose is some time old: it is taken to have done what it was told,
-/// as its limits allow. Without that a controller steers from where the robot was, and brakes too late.
+/// Predicts where the base is now from a measured pose that is some time old: it is assumed to have followed its
+/// commands within its limits. Without this a controller steers from where the robot was, and brakes too late.
 class MotionPredictor {
  public:
   struct Motion {
@@ -21,7 +21,7 @@ class MotionPredictor {
 
   explicit MotionPredictor(const RobotLimits& limits) : limits_(limits) {}
 
-  /// The base is told to do `command` from `now` on.
+  /// Records that the base is sent `command` at `now`.
   void commanded(const Twist2& command, Time now);
   void clear() { commands_.clear(); }
   /// The motion at `now` of a base that was at `pose` and had `twist` then. Without commands it keeps `twist`.

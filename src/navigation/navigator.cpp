@@ -8,8 +8,8 @@
 namespace frontier_pilot::navigation {
 namespace {
 
-/// Beside a robot that is no disc: its corners swing out while it corrects its course, and along a wall that is nearer
-/// it could turn neither way [m].
+/// Extra clearance beside a robot that is not a disc [m]: its corners swing out while it corrects its course, and
+/// closer to a wall it could turn neither way.
 constexpr double kSwingRoom = 0.02;
 
 /// The map is for a disc as wide as the lane of the robot.
@@ -59,7 +59,7 @@ void Navigator::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) 
 
 planning::PlanResult Navigator::Impl::makePlan(const planning::PlanRequest& request) {
   if (!clearance_.empty()) clearance_.refresh();
-  // What has changed is still to be held against the path being followed.
+  // The flags of changes stay set: the path being followed still has to be checked against them.
   return planner_.plan(clearance_, request);
 }
 

@@ -74,8 +74,8 @@ class Navigator::Impl {
 
   std::optional<NavGoal> goal_;
   bool has_path_ = false;
-  bool goal_is_moved_ = false;  ///< the path ends beside the goal
-  bool arrived_ = false;        ///< only the direction is left
+  bool goal_is_moved_ = false;  ///< the path ends farther from the goal than goal_tolerance
+  bool arrived_ = false;        ///< at the position; only the yaw is left
   std::size_t escape_ = 0;
   Time planned_;
   std::optional<Time> blocked_since_;

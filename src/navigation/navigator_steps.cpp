@@ -32,7 +32,8 @@ NavReason reasonOf(planning::PlanStatus status) {
   return NavReason::kNoPath;
 }
 
-/// A new path replaces a valid one only if it saves this share and length [m]: no dithering between equals.
+/// A new path replaces a valid one only if it saves this share and length [m]: prevents switching back and forth
+/// between similar paths.
 constexpr double kWorthwhileShare = 0.1;
 constexpr double kWorthwhile = 0.2;
 

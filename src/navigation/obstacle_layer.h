@@ -9,16 +9,16 @@
 
 namespace frontier_pilot::navigation {
 
-/// What the live scan sees and the map does not (yet): marks it in the ClearanceMap and takes it away again when a beam
-/// goes through or it is forgotten.
+/// Obstacles that the live scan shows and the map does not (yet): marks them in the ClearanceMap, and removes a mark
+/// when beams pass through it or it is too old.
 class ObstacleLayer {
  public:
   explicit ObstacleLayer(const ObstacleLayerParams& params = {}) : params_(params) {}
 
-  /// Takes in a scan whose hits are `points` (map frame), from a base at `T_map_base`. Gives whether marks changed.
+  /// Processes a scan whose hits are `points` (map frame), from a base at `T_map_base`. Returns whether marks changed.
   bool update(const LaserScan2& scan, const ScanPoints& points, const Pose2& T_map_base, planning::ClearanceMap& map,
               Time now);
-  /// Takes all marks away. Gives whether there were any.
+  /// Removes all marks. Returns whether there were any.
   bool clear(planning::ClearanceMap& map);
   /// Forgets the marks of a map that is gone.
   void forget() { seen_.clear(); }

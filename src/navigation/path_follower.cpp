@@ -8,17 +8,17 @@
 namespace frontier_pilot::navigation {
 namespace {
 
-constexpr double kStep = 0.05;         ///< of a trial [s]
-constexpr double kSpeedMargin = 0.08;  ///< more room at speed, for what is measured late [m per m/s]
-constexpr double kNarrowSpeed = 0.12;  ///< at which no more room is needed: where it is narrow one goes slowly [m/s]
-constexpr double kMinGap = 0.004;      ///< between a disc and scan points, whatever happens [m]
-constexpr double kMinSideGap = 0.01;   ///< and a straight side, which the noise of many points at once is nearer to [m]
-constexpr double kMapSlack = 0.02;     ///< a follower may be this much nearer to walls than a path [m]
-constexpr double kCreep = 0.02;        ///< the speed at which a path is ended [m/s]
-constexpr double kBehind = 2.6;        ///< bearings beyond this are left and right alike [rad]
+constexpr double kStep = 0.05;            ///< of a trial [s]
+constexpr double kSpeedMargin = 0.08;     ///< extra clearance at speed, because measurements are late [m per m/s]
+constexpr double kNarrowSpeed = 0.12;     ///< without extra clearance: narrow places are driven slowly [m/s]
+constexpr double kMinGap = 0.004;         ///< least gap between a disc and scan points [m]
+constexpr double kMinSideGap = 0.01;      ///< and a straight side, which is close to many noisy points [m]
+constexpr double kMapSlack = 0.02;        ///< a follower may be this much nearer to walls than a path [m]
+constexpr double kCreep = 0.02;           ///< speed at the end of a path [m/s]
+constexpr double kBehind = 2.6;           ///< beyond this bearing a target is neither left nor right [rad]
 constexpr double kContactPenalty = 0.2;   ///< [m of progress]
-constexpr double kDeviationWeight = 0.5;  ///< metres of progress a metre off the path
-constexpr double kGoodEnough = 0.9;       ///< of what full speed could do: no other variant is tried
+constexpr double kDeviationWeight = 0.5;  ///< [m of progress per m off the path]
+constexpr double kGoodEnough = 0.9;       ///< share of full-speed progress; then no other variant is tried
 
 }  // namespace
 
@@ -90,7 +90,7 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
     const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));
     around.least_distances.push_back(static_cast<float>(leastDistance(distanceTo(point, pose))));
   }
-  // In the map's inflation only the scan can tell the way out.
+  // Inside the map's inflation only the scan is checked, for the map would not let the robot out.
   const double needed = inputs.map.leastClearance() - kMapSlack;
   if (inputs.map.clearance(pose.position()) >= needed) around.least_clearance = needed;
   around.corners_count = !outline_on_map_.isTrivial() && outline_on_map_.fits(inputs.map, pose, kMapSlack);
@@ -100,14 +100,15 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
 double PathFollower::leastDistance(double now) const {
   const double least = radius_ + params_.scan_margin;
   if (now >= least) return least;
-  // Too near already: come no nearer. Measurements are noisy, so without a floor that would be a creep into the wall.
+  // Too near already: come no nearer. Because measurements are noisy, without a floor the robot would creep into the
+  // wall.
   const double floor = outline_.isDisc() ? radius_ + kMinGap : kMinSideGap;
-  constexpr double kRounding = 1e-4;  // of what is compared with it
+  constexpr double kRounding = 1e-4;  // of the distances compared with it
   return now < floor ? now - kRounding : std::max(floor, now - 0.002);
 }
 
 double PathFollower::turnRate(double angle, const Twist2& twist) const {
-  // Straight behind, noise decides between left and right: go on as begun.
+  // If the target is straight behind, noise would decide between left and right: keep turning as begun.
   const bool undecided = std::abs(angle) > kBehind && std::abs(twist.angular) > 0.1;
   return stoppableRate(undecided ? std::copysign(angle, twist.angular) : angle, limits_);
 }
@@ -149,7 +150,7 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
 }
 
 bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs) const {
-  // A disc is never in its own way when it turns on the spot.
+  // A disc sweeps no new ground when it turns on the spot.
   if (outline_.isDisc() && trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
   const double speed = std::max(inputs.twist.linear, trial.command.linear);
   double braking = speed / limits_.max_linear_acc;
@@ -157,7 +158,7 @@ bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs) cons
     const double rate = std::max(std::abs(inputs.twist.angular), std::abs(trial.command.angular));
     braking = std::max(braking, rate / limits_.max_angular_acc);
   }
-  // What is late now will be late the next time.
+  // The next data are assumed to be as old as these.
   return trial.free_time >= params_.reaction_time + inputs.age + braking;
 }
 

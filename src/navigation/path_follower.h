@@ -12,11 +12,11 @@
 
 namespace frontier_pilot::navigation {
 
-/// What the follower looks at; all of it in the map frame.
+/// Inputs of the follower. Poses and points are in the map frame, the twist is in the base frame.
 struct FollowerInputs {
-  Pose2 T_map_base;  ///< present one
-  Twist2 twist;      ///< present one
-  double age;        ///< of what these and the scan were measured by [s]
+  Pose2 T_map_base;  ///< current one
+  Twist2 twist;      ///< current one
+  double age;        ///< of the older of the measured pose and the scan [s]
   const ScanPoints& scan;
   const planning::ClearanceMap& map;
 };
@@ -27,10 +27,10 @@ struct FollowerOutput {
 };
 
 /// Follows a path with a differential drive and keeps the outline off the scan's points: pure pursuit (Coulter,
-/// CMU-RI-TR-92-01, 1992), tried out before it is done. Some variants of it, bold and timid, are simulated over the
-/// horizon with the acceleration limits, as the Dynamic Window Approach does with constant twists (Fox, Burgard &
-/// Thrun, IEEE RAM 4(1), 1997); the one that gets farthest along the path wins among those that can still brake before
-/// anything they meet.
+/// CMU-RI-TR-92-01, 1992), simulated before it is executed. Variants with different look-aheads and speeds are
+/// simulated over the horizon with the acceleration limits, as the Dynamic Window Approach does with constant twists
+/// (Fox, Burgard & Thrun, IEEE RAM 4(1), 1997); of those that can still brake before any contact, the one that gets
+/// farthest along the path wins.
 class PathFollower {
  public:
   explicit PathFollower(const FollowerParams& params = {}, const RobotModel& robot = {});
@@ -45,17 +45,17 @@ class PathFollower {
   /// How far the robot has come along the path [m].
   double progress() const { return progress_; }
   double remaining() const { return path_.length() - progress_; }
-  /// Where the last update expects to be over the horizon, in the map frame.
+  /// Positions that the last update expects over the horizon, in the map frame.
   const std::vector<Vec2>& prediction() const { return prediction_; }
 
  private:
-  /// A way to pursue the path.
+  /// A variant of pure pursuit.
   struct Policy {
     double lookahead;   ///< [m]
     double speed;       ///< [m/s]
     double turn_angle;  ///< [rad]
   };
-  /// What became of it.
+  /// The simulated outcome of a policy.
   struct Trial {
     Twist2 command;          ///< the first one
     double progress = 0.0;   ///< along the path at its end [m]
@@ -65,16 +65,16 @@ class PathFollower {
 
     double score() const;
   };
-  /// What is near in one update, and how near it may come.
+  /// Obstacles near the robot in one update, and how near they may come.
   struct Vicinity {
     ScanPoints points;
     const planning::ClearanceMap& map;
     const PathFollower& follower;
-    /// How near each of the points may come [m]: to the middle of a disc, or to the outline. Where one is too near
-    /// already, the others still keep their distance.
+    /// How near each of the points may come [m]: to the centre of a disc, or to the outline. If one is too near
+    /// already, the distances of the others still apply.
     std::vector<float> least_distances;
-    double least_clearance;  ///< in the map [m]; 0 is no check
-    bool corners_count;      ///< in the map
+    double least_clearance;  ///< in the map [m]; 0: not checked
+    bool corners_count;      ///< whether corners are checked in the map
 
     bool isFree(const Pose2& pose, double speed) const;
     bool isFreeOfPoints(const Pose2& pose, float more) const;
@@ -82,9 +82,9 @@ class PathFollower {
   };
 
   Vicinity vicinity(const FollowerInputs& inputs) const;
-  /// How far away a point is from the middle of a disc, or from the outline [m].
+  /// Distance of a point from the centre of a disc, or from the outline [m].
   double distanceTo(const Vec2& point, const Pose2& pose) const;
-  /// How near a point may come that is as far away as `now` [m].
+  /// How near a point may come [m] whose present distance is `now` [m].
   double leastDistance(double now) const;
   Twist2 pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const;
   double turnRate(double angle, const Twist2& twist) const;
@@ -95,13 +95,13 @@ class PathFollower {
   RobotLimits limits_;
   Outline outline_;
   planning::OutlineCheck outline_on_map_;
-  double radius_;  ///< of the disc that the outline is; 0 where it is none [m]
+  double radius_;  ///< of an outline that is a disc, else 0 [m]
   planning::Path path_;
   double progress_ = 0.0;
   std::vector<Vec2> prediction_;
 };
 
-/// The rate to turn by `angle` [rad] with, as fast as can be stopped in time.
+/// The greatest rate [rad/s] from which a turn by `angle` [rad] can be stopped in time.
 double stoppableRate(double angle, const RobotLimits& limits);
 
 }  // namespace frontier_pilot::navigation

@@ -6,8 +6,8 @@
 
 namespace frontier_pilot::navigation {
 
-/// Notices that a driving robot gets nowhere: no nearer to its goal, or nearer all the time but round and round on the
-/// spot (each new plan starts the measure of nearness anew, the place does not).
+/// Notices that a driving robot gets nowhere: it comes no nearer to its goal, or it stays in one place while new plans
+/// let it seem to make progress (each restarts the measure of progress, but not the check of the place).
 class ProgressWatchdog {
  public:
   enum class Verdict { kFine, kNoProgress, kOscillating };
@@ -15,10 +15,10 @@ class ProgressWatchdog {
   explicit ProgressWatchdog(const WatchdogParams& params = {}) : params_(params) {}
 
   void restart(Time now, const Vec2& position);
-  /// The way to go is another one, and may be longer.
+  /// A new path, `remaining` [m] long and possibly longer than the old one, restarts the measure of progress.
   void newPath(double remaining) { best_remaining_ = remaining; }
   Verdict update(Time now, const Vec2& position, double remaining);
-  /// Whether the robot has left the place of the last `restart` or trouble behind.
+  /// Whether the robot has moved farther than oscillation_distance since the last `restart`.
   bool hasMoved() const { return moved_; }
 
  private:

@@ -11,11 +11,11 @@ constexpr float kFarAway = 1e6F;
 const Duration kHistory = fromSeconds(1.0);
 const Duration kExtrapolation = fromSeconds(0.2);
 
-/// Near surfaces are averaged over this many beams to either side: noise makes the nearest of many readings a good deal
-/// nearer than the surface is, and a narrow passage impassable.
+/// Near surfaces are averaged over this many beams to either side: because of noise the nearest of many readings is
+/// much nearer than the surface, which would make narrow passages impassable.
 constexpr long kAveraged = 3;
-constexpr double kAveragedWithin = 1.0;  ///< farther ones lie too far apart [m]
-constexpr double kSameSurface = 0.04;    ///< neighbours that differ by more are of another surface [m]
+constexpr double kAveragedWithin = 1.0;  ///< hits farther away lie too far apart [m]
+constexpr double kSameSurface = 0.04;    ///< neighbours that differ by more belong to another surface [m]
 
 /// The distance of a hit, averaged with those of its neighbours that lie on the same surface.
 double averaged(const LaserScan2& scan, std::size_t beam, double distance) {
@@ -63,7 +63,7 @@ ScanPoints ScanPoints::near(const Vec2& centre, double radius) const {
 double ScanPoints::distance(const Vec2& point) const {
   const auto px = static_cast<float>(point.x());
   const auto py = static_cast<float>(point.y());
-  // One minimum per lane: a single one would be a chain that the compiler may not reorder.
+  // One minimum per lane: a single one would be a chain of comparisons that the compiler may not vectorise.
   std::array<float, kLanes> least{};
   least.fill(kFarAway * kFarAway);
   const std::size_t whole = size() / kLanes * kLanes;

@@ -10,8 +10,7 @@
 
 namespace frontier_pilot::navigation {
 
-/// The surfaces that a scan saw, as points in the map frame [m]. Coordinates lie apart so that loops over them
-/// vectorise.
+/// The hits of a scan as points in the map frame [m]. The coordinates are in separate arrays so that loops vectorise.
 struct ScanPoints {
   std::vector<float> x;
   std::vector<float> y;
@@ -29,11 +28,11 @@ struct ScanPoints {
   static constexpr std::size_t kLanes = 8;
 };
 
-/// The hits of `scan`, taken from a base at `T_map_base`. A too near reading is somewhere between the robot's outline
-/// and the sensor's least range: it counts as the outline's edge, where that is the nearer one.
+/// The hits of `scan`, taken from a base at `T_map_base`. A reading below the sensor's least range counts as a hit at
+/// the edge of the robot's outline, if that is nearer than the reading.
 ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline);
 
-/// Whether enough beams say something for the scan to be driven by: more than a tenth of a scan that is not empty.
+/// Whether the scan has enough valid beams to drive by: more than a tenth. An empty scan has not.
 bool isUsable(const LaserScan2& scan);
 
 /// Poses of the last second, so that a scan can be placed where it was taken, not where the robot is by now.

@@ -9,9 +9,9 @@
 namespace frontier_pilot::planning {
 namespace {
 
-/// Half a cell's diagonal, the interpolation's error and a little more, see the class.
+/// Half a cell's diagonal, the interpolation error and a small margin [cells]; see ClearanceMap.
 constexpr double kDiscretisation = 0.9;
-/// The same for a tight place: diagonally between obstacle cells two off the footprint just fits.
+/// The same for a tight place: a Burger just fits diagonally between obstacle cells two rows and columns from its own.
 constexpr double kTightDiscretisation = 0.4;
 /// Keeps a distance that equals the required one valid, however it was rounded [m].
 constexpr double kRounding = 1e-5;
@@ -198,7 +198,7 @@ double ClearanceMap::leastAlong(Cell cell, const Vec2& from, const Vec2& to) con
   double last = 1.0;
   clip(from.x(), to.x(), low.x(), low.x() + g.resolution, first, last);
   clip(from.y(), to.y(), low.y(), low.y() + g.resolution, first, last);
-  // Along a piece of at most one cell the distance bends too little to dip unseen between three points.
+  // Within one cell the distance varies too smoothly for a dip between the three points checked.
   const Vec2 step = to - from;
   return std::min(
       {clearance(from + first * step), clearance(from + 0.5 * (first + last) * step), clearance(from + last * step)});
@@ -210,7 +210,7 @@ double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to) const {
   const bool free = visitCells(geometry(), from, to, [&](Cell cell) {
     std::uint8_t cost = cost_.get(cell, 0);
     if ((cost & kRoomy) == 0) {
-      // A cell whose centre is too near may still be cut at a corner.
+      // A segment may still cross the corner of a cell whose centre is too near an obstacle.
       if (cost == 0 && !isKnownFree(cell)) return false;
       const double distance = leastAlong(cell, from, to);
       if (distance < least_ - kRounding) return false;

@@ -24,7 +24,8 @@ namespace ob = ompl::base;
 constexpr const char* kRrtConnect = "rrt_connect";
 constexpr const char* kAnyAngleGrid = "any_angle_grid";
 
-/// OMPL logs to the console and seeds from the clock unless told otherwise, once and before anything is made.
+/// By default OMPL logs to the console and seeds from the clock; both have to be changed once, before any OMPL object
+/// is made.
 void silenceAndSeedOmpl() {
   static const bool done = [] {
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
@@ -34,8 +35,8 @@ void silenceAndSeedOmpl() {
   static_cast<void>(done);
 }
 
-/// Passable cells within `tolerance` [m] of `goal`, the nearest first and no more than a plan may end in; only the
-/// goal's own cell if that is passable.
+/// Passable cells within `tolerance` [m] of `goal`, the nearest first, at most kMostGoalCells; only the goal's own cell
+/// if that is passable.
 std::vector<Cell> goalCells(const ClearanceMap& map, const Vec2& goal, double tolerance) {
   const GridGeometry& grid = map.geometry();
   const Cell own = grid.cellAt(goal);
@@ -65,7 +66,7 @@ PlanStatus whyUnreachable(const ClearanceMap& map, Cell goal) {
 PlanStatus checkRequest(const ClearanceMap& map, const PlanRequest& request) {
   if (map.empty()) return PlanStatus::kNoMap;
   if (!request.start.allFinite() || !request.goal.allFinite()) return PlanStatus::kInvalidRequest;
-  // Far away coordinates do not fit a cell's integers.
+  // Very large coordinates would overflow a cell's integers.
   const auto inside = [&](const Vec2& point) {
     return (point - map.geometry().origin).cwiseAbs().maxCoeff() < 1e6 &&
            map.geometry().contains(map.geometry().cellAt(point));
@@ -101,7 +102,7 @@ std::vector<Vec2> solutionPoints(const ob::ProblemDefinition& problem) {
   return points;
 }
 
-/// Joins the request's exact ends to a path between cells, and pulls it taut.
+/// Connects the exact start and goal of the request to a path between cells, and smooths it.
 PlanResult finish(const ClearanceMap& map, const PlanRequest& request, const std::vector<InflationExit>& escapes,
                   std::vector<Vec2> points) {
   const GridGeometry& grid = map.geometry();
@@ -151,7 +152,8 @@ struct GlobalPlanner::Impl {
     return result;
   }
 
-  /// `result`, a path for the lane, or one with the same way out of the inflation that leaves room for the turns.
+  /// `result`, a path for the lane, if the outline can follow it; else one with the same escape that leaves room for
+  /// the turns.
   PlanResult withRoomToTurn(const ClearanceMap& map, const PlanRequest& request, PlanResult result,
                             const std::vector<Cell>& goals) const {
     const std::optional<Pose2> robot =
@@ -162,7 +164,7 @@ struct GlobalPlanner::Impl {
     const Cell start = map.geometry().cellAt(lane[result.escape]);
     const std::optional<Pose2> from = result.escape > 0 ? std::nullopt : robot;
     result.path = Path();
-    // Where the path for the lane ends, or else anywhere within the tolerance; tight places are the last resort.
+    // To the end of the path for the lane, else to any cell within the tolerance; tight places are the last resort.
     for (const OutlineCheck& check : {outline, outline.inTightPlaces()}) {
       for (const std::vector<Cell>* to : {&end, &goals}) {
         OrientedSearch oriented(map, check);
@@ -179,7 +181,7 @@ struct GlobalPlanner::Impl {
     return result;
   }
 
-  /// Gives whether the problem has an exact solution now.
+  /// Returns whether the problem has an exact solution now.
   bool solve(const ClearanceMap& map, const ob::SpaceInformationPtr& si, const ob::ProblemDefinitionPtr& problem,
              std::size_t& expanded) {
     if (params.algorithm == kRrtConnect) {
@@ -246,7 +248,7 @@ PlanResult GlobalPlanner::plan(const ClearanceMap& map, const PlanRequest& reque
   const Cell start = map.geometry().cellAt(request.start);
   const double radius = impl_->params.escape_radius;
   result = impl_->plan(map, request, findInflationExits(map, start, radius), goals);
-  // On an island the way out may be one that the map shows as too narrow.
+  // On an island of passable cells the only way out may be a gap that the map shows as too narrow.
   if (!result.found() && !goals.empty()) {
     result = impl_->plan(map, request, findInflationExits(map, start, radius, true), goals);
   }

@@ -7,7 +7,7 @@
 namespace frontier_pilot::planning {
 namespace {
 
-// 99/70 is the root of two to 5e-5.
+// 99/70 is the square root of two to a relative error of 5e-5.
 constexpr std::uint32_t kStraight = 70;
 constexpr std::uint32_t kDiagonal = 99;
 

@@ -10,15 +10,17 @@
 
 namespace frontier_pilot::planning {
 
-/// Shortest paths over the passable cells of a ClearanceMap, 8-connected; a diagonal step needs both cells beside it,
-/// so what is reachable is what a 4-connected flood reaches. Complete, optimal for the cells' costs and deterministic.
+/// Shortest paths over the passable cells of a ClearanceMap, 8-connected; a diagonal step needs both cells beside it to
+/// be passable, so the reachable cells are those of a 4-connected flood fill. Complete, optimal for the cells' costs
+/// and deterministic.
 ///
 /// A* (Hart, Nilsson & Raphael, IEEE Trans. Systems Science and Cybernetics 4(2), 1968) with integer costs, so that the
 /// queue is a ring of buckets (Dial, CACM 12(11), 1969): all open f-values lie within two steps' cost of the least.
 /// Nodes carry the number of the search that wrote them; nothing is cleared between searches.
 class GridSearch {
  public:
-  /// Whether a path from `start` to `goal`, both passable, exists. If not, `reached` knows all that is reachable.
+  /// Whether a path from `start` to `goal`, both passable, exists. If not, `reached` holds for all cells that are
+  /// reachable.
   bool search(const ClearanceMap& map, Cell start, Cell goal);
   /// Whether the last search expanded `cell`.
   bool reached(Cell cell) const;
@@ -32,7 +34,7 @@ class GridSearch {
     std::uint32_t cost;   ///< from the start, in units of 1/70 cell
     std::uint32_t label;  ///< number of the search, closed bit, direction it was reached by
   };
-  /// More than two of the dearest steps.
+  /// More buckets than the cost of two of the most expensive steps.
   using Queue = grids::BucketQueue<4096>;
   static constexpr std::uint32_t kDirectionMask = 7;
   static constexpr std::uint32_t kClosed = 8;

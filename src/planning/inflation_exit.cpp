@@ -8,16 +8,16 @@
 namespace frontier_pilot::planning {
 namespace {
 
-/// What it costs to be in contact, in metres a metre.
+/// Extra cost per metre at zero distance from an obstacle.
 constexpr double kContactWeight = 4.0;
 
-/// What steps cost around a robot, which is known to be where it is.
+/// Cost of steps around the robot; cells under the robot itself count as free.
 class StepCost {
  public:
   StepCost(const ClearanceMap& map, Cell robot, int reach) : map_(map), robot_(robot), reach_(reach) {}
 
-  /// [m], more where it is near an obstacle; negative where there is no way. A diagonal step needs both cells beside
-  /// it.
+  /// [m], more near an obstacle; negative if the step is not possible. A diagonal step needs both cells beside it to be
+  /// free.
   double operator()(Cell cell, Cell next) const {
     if (!isOpen(next) || !isOpen({next.x, cell.y}) || !isOpen({cell.x, next.y})) return -1.0;
     const double room = std::min(1.0, map_.field().at(next) / map_.requiredClearance());

@@ -33,7 +33,7 @@ class ExactMotionValidator : public ob::MotionValidator {
     return map_.isValid(pointOf(from), pointOf(to));
   }
 
-  /// Also gives the last valid state, by bisection.
+  /// Also returns the last valid state, found by bisection.
   bool checkMotion(const ob::State* from, const ob::State* to, std::pair<ob::State*, double>& last) const override {
     const Vec2 a = pointOf(from);
     const Vec2 b = pointOf(to);
@@ -103,7 +103,7 @@ ob::PlannerStatus AnyAngleGridPlanner::solve(const ob::PlannerTerminationConditi
   }
   while (!starts.empty()) {
     if (searchFrom(starts.front(), goals)) return ob::PlannerStatus::EXACT_SOLUTION;
-    // What the failed search reached is an island that the goal is not on.
+    // The cells that the failed search reached form an island without a goal.
     const auto on_island = [this](Cell start) { return search_.reached(start); };
     starts.erase(std::remove_if(starts.begin(), starts.end(), on_island), starts.end());
   }

@@ -10,22 +10,22 @@
 
 namespace frontier_pilot::planning {
 
-/// The plane of a map as OMPL's space, with exact checks on the ClearanceMap instead of a resolution along motions:
+/// The plane of a map as an OMPL space. Motions are checked exactly on the ClearanceMap instead of at discrete states:
 /// OMPL's default of 1 % of the extent would step through walls. `map` must outlive it.
 ompl::base::SpaceInformationPtr makeSpaceInformation(const ClearanceMap& map);
 
-/// A point of the plane as an OMPL state, and back.
+/// Conversion between OMPL states and points of the plane.
 Vec2 pointOf(const ompl::base::State* state);
 void setPoint(ompl::base::State* state, const Vec2& point);
 
-/// A planner of OMPL that is complete on the grid: A* from the first start state from which a goal state can be
-/// reached, to the first goal state that can. `expanded` counts the cells of all searches.
+/// An OMPL planner that is complete on the grid: A* from the first start state from which a goal state can be reached,
+/// to the first goal state that can. `expanded` counts the cells of all searches.
 class AnyAngleGridPlanner : public ompl::base::Planner {
  public:
   AnyAngleGridPlanner(const ompl::base::SpaceInformationPtr& si, const ClearanceMap& map, GridSearch& search);
 
-  /// Runs to its end whatever the condition says: it is bounded by the cells of the map, and a cut by time would not be
-  /// deterministic.
+  /// Ignores the termination condition: the search is bounded by the cells of the map, and a time limit would make it
+  /// non-deterministic.
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& condition) override;
   std::size_t expanded() const { return expanded_; }
 

@@ -33,9 +33,9 @@ constexpr std::array<std::array<int, 2>, kDirections> kSteps{{{1, 0},
                                                               {1, -2},
                                                               {1, -1},
                                                               {2, -1}}};
-/// What a turn costs, so that of equal ways the straight one is found [m/rad].
+/// Cost of turning [m/rad], so that of equally long paths the one that turns least is found.
 constexpr double kTurnCost = 0.1;
-/// How many corners ahead a straight line is tried to.
+/// How many points ahead straight lines are tried.
 constexpr std::size_t kLongestShortcut = 60;
 
 double yawOf(int direction) {
@@ -43,8 +43,8 @@ double yawOf(int direction) {
   return std::atan2(step[1], step[0]);
 }
 
-/// What a way from each cell to the nearest goal costs at least, for a robot that needs no room to turn: Dijkstra's
-/// search over the passable cells; infinite where there is no way.
+/// Cost of the cheapest 8-connected path from each cell to the nearest goal, for a robot that needs no room to turn:
+/// Dijkstra's search over the passable cells; infinite where there is no path.
 class CostToGo {
  public:
   CostToGo(const ClearanceMap& map, const std::vector<Cell>& goals)
@@ -81,14 +81,14 @@ class CostToGo {
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
 };
 
-/// One search: the open list and what is known of each state that it has seen.
+/// One search: the open list and the nodes of all states reached so far.
 class Search {
  public:
   Search(const ClearanceMap& map, const OutlineCheck& outline, const OutlineCheck::Leave& leave,
          const std::vector<Cell>& goals)
       : map_(map), outline_(outline), leave_(leave), to_go_(map, goals) {}
 
-  /// From every direction that the robot can turn into, or that it fits in.
+  /// Begins with every direction that the robot can turn to or, without `robot`, in which it fits.
   void begin(Cell start, const std::optional<Pose2>& robot) {
     const Vec2 centre = map_.geometry().centre(start);
     for (int i = 0; i < kDirections; ++i) {
@@ -99,7 +99,7 @@ class Search {
     }
   }
 
-  /// A state at a goal; empty if none can be reached.
+  /// A state at a goal; nullopt if none is reached within the limit.
   std::optional<std::uint64_t> run() {
     while (!open_.empty() && expanded_ < bounds::kMostOrientedStates) {
       const auto [estimate, key] = open_.top();
@@ -180,12 +180,12 @@ class Search {
   std::size_t expanded_ = 0;
 };
 
-/// Replaces pieces of a path by straight lines wherever the robot can turn into the line, drive it and turn out of it.
+/// Replaces pieces of a path by straight lines wherever the robot can turn onto the line, follow it and turn off it.
 std::vector<Vec2> pulledTaut(const ClearanceMap& map, const OutlineCheck& outline, const std::vector<Vec2>& points,
                              const std::optional<Pose2>& robot) {
   std::vector<Vec2> kept{points.front()};
   for (std::size_t i = 0; i + 1 < points.size();) {
-    // Whether the robot can turn into a line from here: it comes along the one before, or stands at the start.
+    // Whether the robot can turn onto a line from here, coming along the previous one or standing at the start.
     const auto canBegin = [&](double line) {
       if (i == 0) return !robot || outline.canTurn(map, points[0], robot->yaw, line);
       return outline.canTurn(map, points[i], bearing(kept.back() - kept[kept.size() - 2]), line);
@@ -218,7 +218,7 @@ std::vector<Vec2> OrientedSearch::search(Cell start, const std::optional<Pose2>&
   expanded_ = search.expanded();
   if (!end) return {};
   std::vector<Vec2> points = pulledTaut(map_, outline_, search.pointsTo(*end), begin);
-  // The search may have turned the longer way round; whoever follows the path turns the shorter one.
+  // The search may have turned the longer way round; the follower turns the shorter way.
   return outline_.canFollow(map_, Path(points), 0, 0.0, begin) ? points : std::vector<Vec2>{};
 }
 

@@ -39,7 +39,7 @@ double OutlineCheck::neededClearance(const ClearanceMap& map) const {
 
 bool OutlineCheck::fits(const ClearanceMap& map, const Pose2& T_map_base, double slack) const {
   const double needed = neededClearance(map) - slack;
-  // In the open one look-up answers for all points.
+  // In open space one look-up suffices for all points.
   if (canTurnRound(map, T_map_base.position())) return true;
   return std::all_of(points_.begin(), points_.end(),
                      [&](const Vec2& point) { return map.clearance(T_map_base * point) >= needed; });

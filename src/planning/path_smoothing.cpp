@@ -7,11 +7,11 @@
 namespace frontier_pilot::planning {
 namespace {
 
-/// After so many blocked lines in a row the points farther on are given up.
+/// After this many blocked lines in a row no points farther on are tried.
 constexpr int kMaxBlocked = 12;
 constexpr double kMargin = 1e-9;
 
-/// Cheapest ways to each of the samples, from the first one on.
+/// Cheapest polylines from the first sample to each of the others.
 class Chain {
  public:
   Chain(const ClearanceMap& map, const std::vector<Vec2>& samples)
@@ -44,7 +44,7 @@ class Chain {
     }
   }
 
-  /// The path's own piece is valid by contract; rounding may not say otherwise and tear the chain.
+  /// The path's own piece is valid by contract; a rounding error must not make it invalid and break the chain.
   double neighbourCost(std::size_t i) const {
     const double cost = map_.segmentCost(samples_[i], samples_[i + 1]);
     return cost >= 0.0 ? cost : (samples_[i + 1] - samples_[i]).norm() * map_.weight(1);
@@ -56,7 +56,7 @@ class Chain {
   std::vector<std::size_t> parent_;
 };
 
-/// Drops points of a dense path that a valid line of at most `spacing` can do without.
+/// Drops points of a dense path that a valid line of at most `spacing` [m] can replace.
 std::vector<Vec2> thinned(const ClearanceMap& map, const Path& path, double spacing) {
   const std::vector<Vec2>& points = path.points();
   std::vector<Vec2> kept{points.front()};
@@ -68,7 +68,7 @@ std::vector<Vec2> thinned(const ClearanceMap& map, const Path& path, double spac
   return kept;
 }
 
-/// The path's points, and more of them `spacing` apart within `reach` of its corners, where there is slack to take in.
+/// The path's points, and more of them `spacing` apart within `reach` [m] of its corners, where it can be shortened.
 std::vector<Vec2> sampledAtCorners(const Path& path, double spacing, double reach) {
   std::vector<Vec2> samples{path.points().front()};
   for (std::size_t i = 0; i + 1 < path.points().size(); ++i) {

@@ -11,8 +11,8 @@
 
 namespace frontier_pilot::exploration {
 
-/// Frontier exploration as a state machine: chooses where to look next until no reachable frontier is left. Goals go to
-/// whatever navigation the caller has. Deterministic. [EXP-1] to [EXP-8]
+/// Frontier exploration as a state machine: chooses goals until no reachable frontier is left; the caller passes them
+/// to its navigation. Deterministic. [EXP-1] to [EXP-8]
 /// Yamauchi, "A Frontier-Based Approach for Autonomous Exploration", CIRA 1997.
 class Explorer {
  public:
@@ -23,21 +23,21 @@ class Explorer {
   Explorer(const Explorer&) = delete;
   Explorer& operator=(const Explorer&) = delete;
 
-  /// The map, whenever it changes; `changed` holds every cell that may differ from last time.
+  /// To be called whenever the map changes; `changed` covers every cell that may differ from the previous map.
   void setMap(const OccupancyGrid& map, const CellRect& changed);
-  /// Asks a planner, in place of the own wavefront, for travel distances.
+  /// Takes travel distances from `plan` instead of the explorer's own wavefront.
   void setPlan(PlanFn plan);
 
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
-  /// As judged at the last decision.
+  /// The frontiers as judged at the last decision.
   const std::vector<Frontier>& frontiers() const;
-  /// The same with their cells listed, for display.
+  /// The same with `Frontier::cells` filled in, for display.
   const std::vector<Frontier>& frontiersWithCells();
-  /// Of the map that `Frontier::cells` are cells of.
+  /// Geometry of the map that `Frontier::cells` refer to.
   const GridGeometry& geometry() const;
   const std::vector<BlacklistedPlace>& blacklist() const;
-  /// The goal that the navigation has, or had until it was reached; in the map's frame.
+  /// The last goal sent, until it is cancelled or its outcome has been evaluated; in the map frame.
   const std::optional<Pose2>& goal() const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace frontier_pilot::exploration {
 
-/// The values of these three are those of msg/ExplorerStatus.msg. [EXP-1]
+/// The values of these three enums are the constants of msg/ExplorerStatus.msg. [EXP-1]
 enum class ExplorerState : std::uint8_t { kIdle, kSelectGoal, kNavigating, kEvaluate, kDone };
 enum class ExplorerPhase : std::uint8_t { kRich, kCoverage };
 enum class ExplorerReason : std::uint8_t {
@@ -46,38 +46,38 @@ const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
 const char* toString(ExplorerReason reason);
 
-/// Length [m] of the way between two points, or nothing where there is none. A caller with a better planner may hand it
-/// to the explorer; without one the explorer's own wavefront answers.
+/// Length [m] of the path between two points in the map frame; nullopt if there is none. A caller may give the explorer
+/// its own planner; by default the explorer's wavefront is used.
 using PlanFn = std::function<std::optional<double>(const Vec2& from, const Vec2& to)>;
 
 /// A place that is not to be tried again until the map around it changes. [EXP-5]
 struct BlacklistedPlace {
   Vec2 position = Vec2::Zero();       ///< in the map's frame [m]
-  std::string reason;                 ///< what the navigation said, or what was found there
-  std::uint64_t changes_then = 0;     ///< cells around it that had changed when it was listed
-  std::uint64_t changes_to_lift = 0;  ///< that many more lift it
+  std::string reason;                 ///< given by the navigation or by the explorer
+  std::uint64_t changes_then = 0;     ///< count of changes around it when it was listed
+  std::uint64_t changes_to_lift = 0;  ///< number of further changes that lifts the entry
 };
 
-/// How a goal ended, as the navigation says.
+/// How a goal ended, as reported by the navigation.
 struct GoalEvent {
   enum class Kind { kReached, kAborted, kRejected, kPreempted };
   std::uint32_t goal_id = 0;  ///< of the command that sent it; events of older goals are ignored
   Kind kind = Kind::kReached;
-  std::string text;  ///< what the navigation said
+  std::string text;  ///< message of the navigation
 };
 
-/// What the explorer is told each tick. Absent = never received or not available.
+/// Inputs of one tick. An absent value has never been received or is not available.
 struct ExplorerInputs {
   bool enabled = true;               ///< false pauses
   bool reset = false;                ///< forget blacklist, visits and phase
-  bool map_available = true;         ///< somebody publishes the map
+  bool map_available = true;         ///< the map has a publisher
   bool navigation_available = true;  ///< the move_base server is there
   std::optional<StampedPose2> T_map_base;
   std::optional<Time> odometry_stamp;  ///< of the latest odometry
   std::vector<GoalEvent> goal_events;  ///< since the last tick
 };
 
-/// What is to be done with the navigation. Sending a goal replaces the present one without a stop.
+/// What the navigation has to do. A new goal replaces the current one without a stop.
 struct GoalCommand {
   enum class Kind { kNone, kSend, kCancel };
   Kind kind = Kind::kNone;
@@ -109,9 +109,9 @@ struct ExplorerNote {
 struct ExplorerOutput {
   GoalCommand command;
   ExplorerProgress status;
-  std::vector<ExplorerProgress> transitions;  ///< every one of this tick, in order, each with its reason
+  std::vector<ExplorerProgress> transitions;  ///< all of this tick, in order, each with its reason
   std::vector<ExplorerNote> notes;
-  bool frontiers_judged = false;  ///< Explorer::frontiers() is news
+  bool frontiers_judged = false;  ///< Explorer::frontiers() has been updated
 };
 
 }  // namespace frontier_pilot::exploration

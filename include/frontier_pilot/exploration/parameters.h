@@ -5,7 +5,7 @@
 
 namespace frontier_pilot::exploration {
 
-/// How the scanner is expected to see from a goal.
+/// How the view from a goal is estimated.
 struct ViewParameters {
   double sensor_range = 8.0;
   double unknown_depth = 1.5;
@@ -13,12 +13,13 @@ struct ViewParameters {
 
   template <class V>
   void describe(V& v) {
-    v.field("sensor_range", sensor_range, "m", "range that is counted on when a view is judged", positive());
+    v.field("sensor_range", sensor_range, "m",
+            "range of the scanner that is assumed when the view from a goal is estimated", positive());
     v.fixed({"unknown_depth", "rays"});
   }
 };
 
-/// What the score is made of. [EXP-4]
+/// Weights and scales of the goal score. [EXP-4]
 struct ScoreParameters {
   double w_info = 1.0;
   double w_dist = 1.0;
@@ -38,9 +39,9 @@ struct ScoreParameters {
     v.field("w_visit", w_visit, "", "weight of earlier goals close by", atLeast(0.0));
     v.fixed({"info_scale", "distance_scale", "switch_margin"});
     v.field("info_by_ray_casting", info_by_ray_casting, "",
-            "whether the information is found by ray casting; false: by the unknown share around the goal");
+            "estimate the information by ray casting; false: by the share of unknown cells around the goal");
     v.field("distance_by_travel", distance_by_travel, "",
-            "whether the distance is that of the way to the goal; false: the Euclidean distance");
+            "score by the travel distance to the goal; false: by the Euclidean distance");
   }
 };
 
@@ -63,21 +64,22 @@ struct FrontierParameters {
 
   template <class V>
   void describe(V& v) {
-    v.field("min_frontier_cells", min_frontier_cells, "", "smaller frontiers are ignored", atLeast(1));
+    v.field("min_frontier_cells", min_frontier_cells, "", "frontiers of fewer cells are ignored", atLeast(1));
     v.fixed({"max_cluster_extent"});
-    v.field("clearance_margin", clearance_margin, "m",
-            "room that a way to a goal leaves on either side of the robot: nearly a cell of the map, for its walls are "
-            "known no better",
-            atLeast(0.0));
+    v.field(
+        "clearance_margin", clearance_margin, "m",
+        "clearance that a path to a goal leaves on either side of the robot: nearly one cell, as walls in the map are "
+        "no more accurate",
+        atLeast(0.0));
     v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
     v.fixed({"trap_margin", "escape_radius", "goal_search_radius"});
-    v.field("min_distance", min_distance, "m", "goals nearer to the robot are not sent", atLeast(0.0));
+    v.field("min_distance", min_distance, "m", "goals nearer to the robot than this are not sent", atLeast(0.0));
     v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "radius in which the obstacle density is measured",
             atLeast(1));
     v.field("max_obstacle_density", max_obstacle_density, "",
             "goals with a greater obstacle density around them are not sent", between(0.0, 1.0));
-    v.field("min_info_area", min_info_area, "m^2", "goals that are expected to show less unknown area are not sent",
-            atLeast(0.0));
+    v.field("min_info_area", min_info_area, "m^2",
+            "goals that are expected to show less unknown area than this are not sent", atLeast(0.0));
     v.fixed({"min_info_share", "visit_radius"});
     v.group("view", view, "what is expected to be seen from a goal");
     v.group("score", score, "how goals are compared");
@@ -92,13 +94,13 @@ struct BlacklistParameters {
 
   template <class V>
   void describe(V& v) {
-    v.field("radius", radius, "m", "a frontier whose goal is within this of a blacklisted goal is not tried",
+    v.field("radius", radius, "m", "frontiers with a goal nearer than this to a blacklisted goal are not tried",
             positive());
     v.fixed({"change_radius", "change_cells"});
   }
 };
 
-/// What the explorer is configured with.
+/// Parameters of the explorer.
 struct ExplorerParameters {
   RobotModel robot;
   double rich_min_density = 0.0;
@@ -123,15 +125,15 @@ struct ExplorerParameters {
         "rich_min_density", rich_min_density, "",
         "least information density of the frontiers that phase RICH selects; 0: the score alone decides in both phases",
         between(0.0, 1.0));
-    v.field("goal_timeout", goal_timeout, "s", "a goal that takes longer is cancelled; a frontier's is blacklisted",
-            timeSpan());
+    v.field("goal_timeout", goal_timeout, "s",
+            "a goal that takes longer is cancelled, and blacklisted if it is a frontier's", timeSpan());
     v.field("max_goal_retries", max_goal_retries, "", "times a failed goal is tried again", atLeast(0));
     v.fixed({"check_period"});
     v.field("decision_period", decision_period, "s", "time between two comparisons of the present goal with the others",
             timeSpan());
     v.field("settle_time", settle_time, "s", "time to wait at a goal for the map to show what was expected",
             timeSpanOrNone());
-    v.field("done_settle_time", done_settle_time, "s", "time without a goal to send after which exploration is done",
+    v.field("done_settle_time", done_settle_time, "s", "exploration is done after this long without a goal to send",
             timeSpanOrNone());
     v.fixed({"yield_time", "vanished_share"});
     v.field("input_timeout", input_timeout, "s", "greatest age of pose and odometry; beyond it they count as missing",

@@ -15,9 +15,9 @@ namespace frontier_pilot::navigation {
 
 /// Drives the robot to goals with move_base's semantics, as a state machine: [NAV-1] every goal ends in success,
 /// preemption, cancellation or an abort that says why, with zero velocity; [NAV-2] the path is re-validated on every
-/// change of map or live obstacles, local control looks at the live scan; [NAV-3] a robot that is stuck climbs the
-/// ladder of recoveries; old or missing data stop it, and it goes on when they are back. Poses are T_map_base,
-/// velocities in the base frame. A clock that jumps backward aborts the goal.
+/// change of map or live obstacles, local control looks at the live scan; [NAV-3] a robot that is stuck tries the
+/// recoveries of a ladder in order; old or missing data stop it until they are back. Poses are T_map_base, velocities
+/// in the base frame. A clock that jumps backward aborts the goal.
 class Navigator {
  public:
   explicit Navigator(const NavigatorParams& params = {});
@@ -28,17 +28,18 @@ class Navigator {
   Navigator(const Navigator&) = delete;
   Navigator& operator=(const Navigator&) = delete;
 
-  /// The map, or what differs in it inside `changed`; anything may have changed if its geometry did.
+  /// Takes over a map: the differences inside `changed`, or all of it if its geometry is new.
   void setMap(const OccupancyGrid& map, const CellRect& changed);
   NavigatorOutput update(const NavigatorInputs& inputs, Time now);
 
-  /// A path on the present map and live obstacles, for make_plan and the like; the state is left alone.
+  /// Plans a path on the current map and live obstacles, for example for make_plan; pursuit of the goal is not
+  /// affected.
   planning::PlanResult makePlan(const planning::PlanRequest& request);
-  /// Forgets live obstacles, as move_base's clear_costmaps.
+  /// Removes the live obstacles, like move_base's clear_costmaps.
   void clearObstacles();
 
   bool hasGoal() const;
-  /// The path being followed; empty without one.
+  /// The path being followed, or the last one; empty before the first.
   const planning::Path& path() const;
   /// How far the robot has come along the path [m].
   double progress() const;

@@ -14,18 +14,18 @@ namespace frontier_pilot::navigation {
 
 /// A place to go to. `T_map_goal.yaw` matters only with `use_yaw`.
 struct NavGoal {
-  std::uint64_t id = 0;  ///< the caller's; comes back in the result
+  std::uint64_t id = 0;  ///< chosen by the caller; returned in the result
   Pose2 T_map_goal;
   bool use_yaw = false;
 };
 
-/// What the navigator gets each tick. What is missing is absent; what is old is found out by its stamp.
+/// Inputs of one tick. A missing input is absent; an old one is recognised by its stamp.
 struct NavigatorInputs {
   std::optional<StampedPose2> pose;  ///< T_map_base
-  const LaserScan2* scan = nullptr;  ///< the latest one; taken in once per stamp
-  bool map_alive = true;             ///< false: whoever made the map is gone, and what is true now is not known
-  Twist2 twist;                      ///< present one, by odometry
-  std::optional<NavGoal> new_goal;   ///< an event: preempts the present goal
+  const LaserScan2* scan = nullptr;  ///< the latest one; processed once per stamp
+  bool map_alive = true;             ///< false: the map's publisher is gone, so the map may be out of date
+  Twist2 twist;                      ///< current one, from odometry
+  std::optional<NavGoal> new_goal;   ///< an event: preempts the current goal
   bool cancel = false;               ///< an event; acts before `new_goal`
 };
 
@@ -73,7 +73,7 @@ struct NavigatorOutput {
   NavReason reason = NavReason::kNone;
   std::string recovery;               ///< what the recovery in progress is doing [NAV-3]
   std::vector<NavFinished> finished;  ///< goals that ended in this tick, the oldest first
-  bool plan_changed = false;          ///< `Navigator::path` is another one, or gone
+  bool plan_changed = false;          ///< `Navigator::path` has been replaced or is no longer followed
 };
 
 }  // namespace frontier_pilot::navigation

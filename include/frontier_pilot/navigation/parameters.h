@@ -10,38 +10,38 @@ namespace frontier_pilot::navigation {
 
 /// How a path is followed.
 struct FollowerParams {
-  double scan_margin = 0.014;        ///< room that the outline keeps to the scan's points [m]
-  double lookahead_time = 1.0;       ///< the pursued point is as far ahead as full speed gets in this [s]
+  double scan_margin = 0.014;        ///< clearance of the outline from the scan's points [m]
+  double lookahead_time = 1.0;       ///< the pursued point is this far ahead at full speed [s]
   double min_lookahead = 0.2;        ///< [m]
   double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
-  double horizon = 1.5;              ///< how far ahead motions are tried out [s]
-  double reaction_time = 0.25;       ///< until wheels brake for what is seen next, if it comes at once [s]
+  double horizon = 1.5;              ///< how far ahead motions are simulated [s]
+  double reaction_time = 0.25;       ///< from the next scan, if it comes without delay, until the wheels brake [s]
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.moved("inscribed_radius", "robot/disc_radius");
-    v.field("scan_margin", scan_margin, "m", "room that the robot's outline keeps to the scan's points",
+    v.field("scan_margin", scan_margin, "m", "clearance of the robot's outline from the scan's points",
             between(0.0, 0.5));
     v.fixed({"lookahead_time", "min_lookahead", "turn_in_place_angle", "horizon", "reaction_time"});
   }
 };
 
-/// Which obstacles are taken in that the map lacks, and for how long.
+/// Which obstacles missing from the map are marked, and for how long.
 struct ObstacleLayerParams {
-  double range = 3.0;          ///< how far away obstacles are taken in [m]
-  double memory = 30.0;        ///< how long an obstacle out of sight is believed [s]
-  int map_tolerance = 2;       ///< a hit this near to an occupied cell is the map's own [cells]
-  double seen_through = 0.15;  ///< a beam this much farther than an obstacle says that it is gone [m]
+  double range = 3.0;          ///< range up to which obstacles are marked [m]
+  double memory = 30.0;        ///< how long an obstacle that is out of sight is kept [s]
+  int map_tolerance = 2;       ///< a hit this near to an occupied cell belongs to the map [cells]
+  double seen_through = 0.15;  ///< beams that reach this much farther than an obstacle remove it [m]
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("range", range, "m", "greatest range at which obstacles that the map lacks are taken in", positive());
+    v.field("range", range, "m", "range up to which obstacles missing from the map are marked", positive());
     v.field("memory", memory, "s", "time after which an obstacle that is out of sight is forgotten", timeSpan());
     v.fixed({"map_tolerance", "seen_through"});
   }
 };
 
-/// When a robot counts as one that gets nowhere.
+/// When a robot counts as blocked or oscillating.
 struct WatchdogParams {
   double progress_distance = 0.1;     ///< [m]
   double progress_timeout = 10.0;     ///< [s]
@@ -51,22 +51,22 @@ struct WatchdogParams {
   template <class Visitor>
   void describe(Visitor& v) {
     v.fixed({"progress_distance"});
-    v.field("progress_timeout", progress_timeout, "s", "without progress for this long the robot is blocked",
+    v.field("progress_timeout", progress_timeout, "s", "a robot that makes no progress for this long is blocked",
             timeSpan());
     v.fixed({"oscillation_distance"});
     v.field("oscillation_timeout", oscillation_timeout, "s",
-            "time within that circle after which the robot is oscillating", timeSpan());
+            "a robot that stays within the oscillation distance for this long is oscillating", timeSpan());
   }
 };
 
-/// What the driving rungs of the ladder of recoveries do.
+/// Motions of the recoveries.
 struct RecoveryParams {
   double back_up_distance = 0.2;  ///< [m]
   double back_up_speed = 0.08;    ///< [m/s]
   double spin_angle = 2.0 * kPi;  ///< [rad]
   double spin_rate = 1.0;         ///< [rad/s]
   double time_allowance = 10.0;   ///< for each [s]
-  double margin = 0.015;          ///< room that the outline keeps meanwhile [m]
+  double margin = 0.015;          ///< clearance of the outline from the scan's points [m]
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -75,13 +75,13 @@ struct RecoveryParams {
     v.field("spin_angle", spin_angle, "rad", "angle that a blocked robot turns to look around", positive());
     v.fixed({"spin_rate"});
     v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", timeSpan());
-    v.field("margin", margin, "m", "room that the robot's outline keeps to the scan's points while it recovers",
+    v.field("margin", margin, "m", "clearance of the robot's outline from the scan's points while it recovers",
             between(0.0, 0.5));
     v.moved("footprint_radius", "margin, on top of the robot's outline");
   }
 };
 
-/// What the navigator is configured with.
+/// Parameters of the navigator.
 struct NavigatorParams {
   RobotModel robot;
   planning::ClearanceParams clearance;

@@ -14,7 +14,7 @@ namespace frontier_pilot::navigation {
 /// of the outline; large if there is none.
 using ScanDistance = std::function<double(const Outline& outline, const Pose2& T_map_base)>;
 
-/// What a recovery sees; map frame.
+/// Inputs of a recovery, in the map frame.
 struct RecoveryInputs {
   Pose2 T_map_base;
   ScanDistance scan_distance;  ///< of the latest scan; valid in this tick only
@@ -22,22 +22,21 @@ struct RecoveryInputs {
 
 struct RecoveryStep {
   Twist2 command;
-  bool done = false;  ///< it did what it could; the command is zero then
+  bool done = false;  ///< finished, or no further motion is possible; the command is zero
 };
 
 /// A recovery under way: called once a tick until it is done.
 using Recovery = std::function<RecoveryStep(const RecoveryInputs&, Time now)>;
 
-/// A rung of the ladder [NAV-3]: what it says in the status, whether it also forgets live obstacles, and how it begins.
-/// Plain callables, so that any timed behaviour fits in.
+/// A rung of the ladder [NAV-3]: its name in the status, whether it also removes the live obstacles, and a function
+/// that begins it. Plain callables, so that any timed behaviour can be used.
 struct RecoveryRung {
   std::string name;
   bool clears_obstacles = false;
-  std::function<Recovery()> begin;  ///< empty: nothing to drive
+  std::function<Recovery()> begin;  ///< empty: no motion
 };
 
-/// Only what needs no motion: forgetting the live obstacles. Motions are put together with it by whoever owns both, see
-/// system/behavior_ladder.h.
+/// A ladder without motions: it only removes the live obstacles. system/behavior_ladder.h combines this with motions.
 std::vector<RecoveryRung> clearingLadder();
 
 }  // namespace frontier_pilot::navigation

@@ -10,12 +10,12 @@
 
 namespace frontier_pilot::planning {
 
-/// How much room a path leaves to obstacles.
+/// How much clearance a path keeps from obstacles.
 struct ClearanceParams {
-  double inscribed_radius = 0.105;      ///< of the robot's lane: set from its description, no parameter [m]
+  double inscribed_radius = 0.105;      ///< of the robot's lane: set from the robot model, not a parameter [m]
   double preferred_clearance = 0.35;    ///< centre of the robot to obstacle cells [m]
-  double wall_weight = 1.5;             ///< a metre along a wall costs 1 + this many
-  double tight_weight = 10.0;           ///< and one through a tight place this many; 0 is never
+  double wall_weight = 1.5;             ///< a metre beside a wall costs 1 + this
+  double tight_weight = 10.0;           ///< a metre through a tight place costs this; 0: not passable
   bool unknown_is_traversable = false;  ///< whether paths may lead through unknown cells
 
   template <class Visitor>
@@ -33,31 +33,31 @@ struct ClearanceParams {
 /// The field measures between cell centres, and an obstacle fills its cell. A point whose bilinearly interpolated
 /// distance is D has its nearest obstacle's surface at least D - (sqrt(1/2) + 0.1) cells away: half a diagonal of the
 /// obstacle's cell, and what interpolation overestimates at two cells and more. `requiredClearance` is the radius plus
-/// 0.9 cells, hence a touch is impossible; at 5 cm it is 0.15 m for the Burger, so every place that is reachable for a
-/// disc of 0.15 m, centre to centre, is so here.
+/// 0.9 cells, so contact is impossible; at 5 cm it is 0.15 m for the Burger, so every place that a disc of 0.15 m can
+/// reach, centre to centre, can be reached here.
 ///
-/// A noisy map draws corners up to a cell too thick, which closes narrow doors for that rule. Where the distance is
-/// less, but at least the radius plus 0.4 cells, a cell is tight: passable at a price that makes it the last resort.
-/// There the follower and the live scan decide.
+/// In a noisy map corners are up to a cell too thick, so that this rule would close narrow doors. Where the distance is
+/// less, but at least the radius plus 0.4 cells, a cell is tight: passable at a cost that makes it the last resort.
+/// There the follower decides by the live scan.
 ///
-/// Changes are collected and take effect at `refresh`, at a cost that goes with the tiles they touch.
+/// Changes are collected and take effect at `refresh`, at a cost proportional to the number of tiles they touch.
 class ClearanceMap {
  public:
   explicit ClearanceMap(const ClearanceParams& params = {});
 
-  /// Takes over what differs inside `changed`; all of it if the geometry is new, and then live obstacles are gone too.
-  /// Gives whether the geometry was new.
+  /// Takes over the differences inside `changed`, or the whole map if its geometry is new, which also removes the live
+  /// obstacles. Returns whether the geometry was new.
   bool setMap(const OccupancyGrid& map, const CellRect& changed);
-  /// Adds or removes an obstacle that the map does not know of. `cell` must be in the map.
+  /// Adds or removes an obstacle that is missing from the map. `cell` must be in the map.
   void setLive(Cell cell, bool obstacle);
-  /// Brings field and costs up to date. Gives the cells whose clearance may have changed.
+  /// Brings field and costs up to date. Returns the block of cells whose clearance may have changed.
   CellRect refresh();
 
   bool empty() const { return obstacle_.empty(); }
   const GridGeometry& geometry() const { return obstacle_.geometry(); }
   const ClearanceParams& params() const { return params_; }
   const grids::DistanceField& field() const { return field_; }
-  /// Least interpolated distance at which a touch is impossible [m].
+  /// Least interpolated distance at which contact is impossible [m].
   double requiredClearance() const { return required_; }
   /// Least interpolated distance that a path keeps, tight places included [m].
   double leastClearance() const { return least_; }
@@ -70,16 +70,16 @@ class ClearanceMap {
   /// Whether the robot's centre may be at the cell's centre.
   bool isPassable(Cell c) const { return costClass(c) != 0; }
 
-  /// Interpolated distance to the nearest obstacle [m], cut at the field's maximum. Outside of the map: as at its edge.
+  /// Interpolated distance to the nearest obstacle [m], at most the field's maximum. Outside the map: that at its edge.
   double clearance(const Vec2& point) const;
-  /// Whether a path may touch `point`.
+  /// Whether a path may pass through `point`.
   bool isValid(const Vec2& point) const;
   /// Whether a path may lead straight from `from` to `to`, both ends included.
   bool isValid(const Vec2& from, const Vec2& to) const { return segmentCost(from, to) >= 0.0; }
   /// The length of a valid segment, weighted by the nearness of walls [m]; negative if it is not valid.
   double segmentCost(const Vec2& from, const Vec2& to) const;
 
-  /// Classes of cells: 0 is not passable, else `weight(class)` is the price of a metre.
+  /// Classes of cells: 0 is not passable, else `weight(class)` is the cost of a metre.
   static constexpr int kClasses = 33;
   static constexpr int kTightClass = 32;
   std::uint8_t costClass(Cell c) const { return static_cast<std::uint8_t>(cost_.get(c, 0) & kClassMask); }
@@ -109,7 +109,7 @@ class ClearanceMap {
   std::array<double, kClasses> weights_{};
   Grid<std::uint8_t> state_;     ///< of the map
   Grid<std::uint8_t> live_;      ///< 1 where a live obstacle is
-  Grid<std::uint8_t> obstacle_;  ///< either of both
+  Grid<std::uint8_t> obstacle_;  ///< in the map or live
   grids::DistanceField field_;
   Grid<std::uint8_t> cost_;  ///< class and kRoomy
   Grid<std::uint8_t> dirty_tiles_;

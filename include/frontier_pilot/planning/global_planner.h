@@ -13,9 +13,9 @@
 namespace frontier_pilot::planning {
 
 struct GlobalPlannerParams {
-  std::string algorithm = "any_angle_grid";  ///< or "rrt_connect", which is neither complete nor short
-  double goal_tolerance = 0.4;               ///< how far a goal that cannot be stood on may be moved [m]
-  double escape_radius = 0.5;                ///< how far away a blocked robot looks for a place to start from [m]
+  std::string algorithm = "any_angle_grid";  ///< or "rrt_connect", neither complete nor optimal
+  double goal_tolerance = 0.4;               ///< how far a goal on an impassable cell may be moved [m]
+  double escape_radius = 0.5;                ///< radius in which a blocked robot looks for a passable cell [m]
   int max_iterations = 20000;                ///< of a sampling planner
 
   template <class Visitor>
@@ -38,11 +38,11 @@ enum class PlanStatus {
   kGoalOutside,      ///< of the map
   kGoalOccupied,     ///< in or too near an obstacle, and nothing reachable within the tolerance
   kGoalUnreachable,  ///< in unknown space, and nothing reachable within the tolerance
-  kNoPath,           ///< the goal is a good one but cannot be reached from the start
+  kNoPath,           ///< the goal is passable but cannot be reached from the start
 };
 const char* toString(PlanStatus status);
 
-/// From where to where, in the frame of the map [m].
+/// Start and goal in the map frame [m].
 struct PlanRequest {
   Vec2 start = Vec2::Zero();
   Vec2 goal = Vec2::Zero();
@@ -53,16 +53,16 @@ struct PlanRequest {
 struct PlanResult {
   PlanStatus status = PlanStatus::kNoMap;
   Path path;                 ///< from the start to the goal, or as near to it as was possible; empty unless kFound
-  std::size_t escape = 0;    ///< that many first segments lead out of the inflation and are not valid ones
-  std::size_t expanded = 0;  ///< cells that the search looked at
+  std::size_t escape = 0;    ///< number of first segments that lead out of the inflation and need not be valid
+  std::size_t expanded = 0;  ///< number of cells or states that were expanded
 
   bool found() const { return status == PlanStatus::kFound; }
 };
 
 /// Global planner: OMPL's state space, validity checking and problem definition in R^2, on the ClearanceMap, with a
-/// planner of our own that is complete on the grid and deterministic. Where the outline of a robot that is no disc
-/// cannot turn on the shortest path for its lane, an OrientedSearch finds one that it can follow. A function of map and
-/// request: same question, same path.
+/// planner of our own that is complete on the grid and deterministic. If the outline of a robot that is not a disc
+/// cannot turn on the shortest path for its lane, an OrientedSearch looks for one that it can follow. The same request
+/// on the same map gives the same path.
 class GlobalPlanner {
  public:
   explicit GlobalPlanner(const GlobalPlannerParams& params = {}, const OutlineCheck& outline = {});
@@ -72,7 +72,8 @@ class GlobalPlanner {
   GlobalPlanner(const GlobalPlanner&) = delete;
   GlobalPlanner& operator=(const GlobalPlanner&) = delete;
 
-  /// `map` must be refreshed. A found path's every segment but the escape is valid on the map, and the outline fits.
+  /// `map` must be refreshed. Every segment of a found path after the escape is valid on the map, and the outline can
+  /// follow it.
   PlanResult plan(const ClearanceMap& map, const PlanRequest& request);
 
  private:
@@ -80,7 +81,7 @@ class GlobalPlanner {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether the path may still be driven from `from` [m along it] on; its first segments, `escape` of them, are exempt.
+/// Whether the path is still valid from `from` [m along it] on; its first `escape` segments are exempt.
 bool isPathValid(const ClearanceMap& map, const Path& path, std::size_t escape, double from = 0.0);
 
 }  // namespace frontier_pilot::planning

@@ -9,28 +9,29 @@
 
 namespace frontier_pilot::planning {
 
-/// Whether an outline that is no disc fits where it drives and turns. A ClearanceMap for a disc as wide as the robot
-/// answers for the lane of a straight motion; this adds the corners, which reach beyond that disc: each of the
-/// outline's points, `kSpacing` apart, keeps the distance to obstacles that the map asks for beyond its disc. Poses are
-/// T_map_base.
+/// Whether an outline that is not a disc fits where it drives and turns. A ClearanceMap for a disc as wide as the robot
+/// covers the lane of a straight motion; this class adds the corners, which reach beyond that disc: each of the
+/// outline's points, `kSpacing` apart, has to keep the distance from obstacles that the map requires in addition to its
+/// disc's radius. Poses are T_map_base.
 class OutlineCheck {
  public:
-  /// For a robot that is a disc: everything that the map allows fits.
+  /// For a robot that is a disc: the outline fits wherever the map allows it.
   OutlineCheck() = default;
   /// For this outline on maps for a disc of `outline.halfWidth()`.
   explicit OutlineCheck(const Outline& outline);
 
   bool isTrivial() const { return points_.empty(); }
-  /// The same outline where paths may lead through what a ClearanceMap calls tight: the map may exaggerate the corners
-  /// there, so that the follower and the live scan decide.
+  /// The same check with the smaller distances that a ClearanceMap allows in tight places: corners may be too thick in
+  /// the map, and there the follower decides by the live scan.
   OutlineCheck inTightPlaces() const;
-  /// Whether the outline fits at a pose; `slack` [m] is how much nearer than a path its points may come.
+  /// Whether the outline fits at a pose; `slack` [m] is how much nearer to obstacles than on a path its points may
+  /// come.
   bool fits(const ClearanceMap& map, const Pose2& T_map_base, double slack = 0.0) const;
-  /// Whether the robot can turn on the spot from one direction [rad] into the other, the shorter way.
+  /// Whether the robot can turn on the spot from one direction [rad] to the other, the shorter way.
   bool canTurn(const ClearanceMap& map, const Vec2& position, double from, double to, double slack = 0.0) const;
   /// Whether the robot can turn right round.
   bool canTurnRound(const ClearanceMap& map, const Vec2& position) const;
-  /// Whether it fits at both ends of a straight motion, whose lane the map answers for.
+  /// Whether it fits at both ends of a straight motion, whose lane the map covers.
   bool canDrive(const ClearanceMap& map, const Vec2& from, const Vec2& to) const;
   /// Whether it can follow a path by straight motions and turns on the spot, from `along` [m] on. The first `escape`
   /// segments are exempt. With `robot`, where it is now, the turn into the path's direction counts too.
@@ -43,7 +44,7 @@ class OutlineCheck {
    public:
     Leave() = default;
     Leave(const OutlineCheck& outline, const ClearanceMap& map, const std::optional<Pose2>& robot);
-    /// How much nearer than a path the outline may come at `position` [m].
+    /// How much nearer to obstacles than on a path the outline may come at `position` [m].
     double slackAt(const Vec2& position) const;
 
    private:
