@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kSigmas = 3.0;
 constexpr double kLeastReach = 0.1;   // [m]
-constexpr double kMostReach = 10.0;   // [m]: what is still searched in a moment
+constexpr double kMostReach = 10.0;   // [m]: so that the search does not take too long
 constexpr double kLeastAngle = 0.05;  // [rad]
-constexpr double kPenalty = 0.0035;   // of score, for a deviation of one standard deviation
+constexpr double kPenalty = 0.0035;   // loss of score at a deviation of one standard deviation
 
-/// A robot that is lost in a known map stays lost: there is no other map to begin.
+/// Without a time limit: a known map is not given up, however long nothing matches.
 slam::ScanTrackerParameters withoutEnd(slam::ScanTrackerParameters parameters) {
   parameters.max_silence = std::numeric_limits<double>::infinity();
   return parameters;
@@ -73,7 +73,7 @@ slam::MatchVerdict Localizer::find(const surfaces::SurfacePoints& points, const 
   }
   const auto found = scan_matching::correlativeSearch(*wide_pyramid_, points, request);
   if (!found) return slam::MatchVerdict::kPoor;
-  // As sure as the window was wide: what is said to be certain may be a covariance that nobody filled in.
+  // As uncertain as the window is wide: a covariance of zero may just not have been filled in.
   const Eigen::Vector3d sigma = Eigen::Vector3d(request.window.x, request.window.y, request.window.yaw) / kSigmas;
   const scan_matching::PoseWithCovariance prior{belief.pose, sigma.cwiseAbs2().asDiagonal()};
   const scan_matching::Refinement refined =

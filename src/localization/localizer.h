@@ -11,16 +11,16 @@
 
 namespace frontier_pilot::localization {
 
-/// Follows a robot in a map that does not change. Where it begins has to be said: the first scan that fits there,
-/// within three standard deviations, decides. [MAP-5]
+/// Tracks a robot in a map that does not change. It needs an approximate initial pose: the first scan that fits within
+/// three standard deviations of that determines the pose. [MAP-5]
 class Localizer {
  public:
   /// `map` may be empty: then no scan ever fits.
   Localizer(const slam::GraphSlamParameters& parameters, const OccupancyGrid& map,
             const scan_matching::PoseWithCovariance& T_map_base);
 
-  /// `scan`, newer than the last one, was taken at `T_odom_base`. Before the robot is found the verdict
-  /// says why it is not.
+  /// `scan`, newer than the last one, was taken at `T_odom_base`. Until the robot is found the verdict says
+  /// why it was not.
   slam::MatchVerdict update(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base);
 
   /// Whether the robot has been found.
@@ -34,11 +34,10 @@ class Localizer {
   surfaces::SurfaceParameters surface_parameters_;
   scan_matching::SurfaceMap map_;
   std::optional<scan_matching::MaxPyramid> pyramid_;       ///< none without a map
-  std::optional<scan_matching::MaxPyramid> wide_pyramid_;  ///< while the robot is sought
+  std::optional<scan_matching::MaxPyramid> wide_pyramid_;  ///< for the wide search, until the robot is found
   slam::ScanTracker tracker_;
-  std::optional<scan_matching::PoseWithCovariance>
-      sought_;                          ///< T_map_base of the next scan; none once the robot is found
-  std::optional<Pose2> T_odom_sought_;  ///< the base's pose that `sought_` is the map's pose of
+  std::optional<scan_matching::PoseWithCovariance> sought_;  ///< the given T_map_base; none once the robot is found
+  std::optional<Pose2> T_odom_sought_;  ///< T_odom_base at the first scan: taken to belong to `sought_`
   Pose2 T_map_odom_;
 };
 

@@ -24,9 +24,9 @@ struct MapLocalization::Impl {
 
   Use use;
   Localizer localizer;
-  std::unique_ptr<slam::GraphSlam> graph_slam;  ///< to go on mapping
-  /// Where odometry began when mapping went on. `graph_slam` is given odometry that begins there, and so it thinks in
-  /// the map's frame. None until the robot is found.
+  std::unique_ptr<slam::GraphSlam> graph_slam;  ///< to continue mapping
+  /// The pose of the odometry frame when the robot was found; none until then. `graph_slam` gets odometry that is
+  /// transformed by it, so its local frame begins as the map frame.
   std::optional<Pose2> T_map_odom;
 };
 

@@ -10,14 +10,15 @@
 
 namespace frontier_pilot::mapping {
 
-/// A robot that is about at `pose`: within half a metre and a quarter of a radian, by one standard deviation.
+/// An uncertain `pose` of the robot, with standard deviations of 0.5 m and 0.25 rad.
 scan_matching::PoseWithCovariance beliefOf(const Pose2& pose);
 
-/// What the parameters choose for a robot at about `T_map_base` in a map that is known. Keeps nothing of `map`.
+/// The corrector that the parameters determine for a robot at about `T_map_base` in a known map. Keeps no reference to
+/// `map`.
 std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
                                                const scan_matching::PoseWithCovariance& T_map_base);
 
-/// What they choose to begin with, where `map` is still empty.
+/// The corrector that the parameters determine at the start, when `map` is still empty.
 std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map);
 
 }  // namespace frontier_pilot::mapping

@@ -15,7 +15,7 @@ bool MapSchedule::note(const occupancy::MapChanges& changes, Time now) {
 bool MapSchedule::isDue(std::size_t cells, Time now) const {
   constexpr std::size_t kFew = 8;
   constexpr double kPatience = 12.0;
-  // A clock that was set back must not hold the map.
+  // A clock that was set back must not delay the map.
   if (!last_ || now < *last_) return true;
   const double waited = toSeconds(now - *last_);
   if (waited < parameters_.min_period) return false;

@@ -39,7 +39,7 @@ ScanVerdict verdictOf(occupancy::Insertion insertion) {
 }
 
 MapperParameters withRobotsRadius(MapperParameters parameters) {
-  // Whichever way the robot has turned there, this much of it was on that floor.
+  // The robot covers the disc of its inscribed radius whatever its yaw.
   parameters.insertion.robot_radius = parameters.robot.drivenOutline().inscribedRadius();
   return parameters;
 }
@@ -79,14 +79,14 @@ struct Mapper::Impl {
   Time last_now{};
   std::optional<StampedPose2> last;  ///< T_odom_base of the last scan that was placed
   ScanCounts counts;
-  std::uint64_t epoch = 0;  ///< one for each corrector: work for an earlier one is void
+  std::uint64_t epoch = 0;  ///< number of the corrector: work of an earlier one is void
   bool working = false;
-  std::vector<Inserted> meanwhile;  ///< what went into the map while work is out
+  std::vector<Inserted> meanwhile;  ///< scans inserted into the map while work is under way
   RevisionReport revisions;
   std::map<std::string, std::uint64_t> correction_counts;
   const char* last_correction = "";
-  bool sound = true;              ///< the last correction was
-  bool overgrown = false;         ///< the last revision's map would have been larger than a map may be
+  bool sound = true;              ///< whether the last correction was sound
+  bool overgrown = false;         ///< the last map of a revision was refused because it was too large
   std::size_t out_of_bounds = 0;  ///< scans that the map had no room for
   double usable_share = 1.0;
   MappingHealth health;
@@ -186,7 +186,7 @@ bool Mapper::revise(slam::MapRevision& revision) {
 }
 
 bool Mapper::Impl::isTooLarge(const slam::MapRevision& revision) const {
-  // A map that left out more than was ever refused lacks something that is mapped.
+  // If it lacks more keyframes than scans were ever refused, it lacks some that the present map contains.
   return revision.map && (revision.left_out > out_of_bounds || !map.hasRoomFor(*revision.map));
 }
 
@@ -195,7 +195,7 @@ bool Mapper::Impl::refuse(slam::MapRevision& revision) {
   working = false;
   meanwhile.clear();
   revisions.attempts = revision.counts;
-  // Nothing of it has happened.
+  // None of it takes effect.
   revision.closures.clear();
   revision.T_new_old = Pose2();
   overgrown = true;
@@ -230,7 +230,7 @@ bool Mapper::load(occupancy::OccupancyMap& loaded) {
 bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
   if (!impl_->map.exchange(map)) return false;
   impl_->T_map_odom = T_map_odom;
-  // Odometry that was taken for the truth since the first scan still is.
+  // If odometry has been trusted since the first scan, it still is.
   const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
   if (!trusted) impl_->replace(knownMap(impl_->parameters, impl_->map, beliefOf(T_map_odom * T_odom_base)));
   return true;
@@ -257,7 +257,7 @@ void Mapper::Impl::forgetRevisions() {
 }
 
 std::optional<ScanVerdict> Mapper::Impl::checkStamp(Time stamp, Time now) {
-  // The clock has been set back: stamps that were seen before may come again.
+  // The clock was set back: stamps may repeat.
   if (now < last_now) last.reset();
   last_now = now;
   if (toSeconds(now - stamp) > parameters.max_age || (last && stamp <= last->stamp)) return ScanVerdict::kStale;
@@ -277,7 +277,7 @@ void Mapper::reset() {
   impl_->last.reset();
   impl_->correction->reset();
   impl_->forgetRevisions();
-  // What was known is forgotten too.
+  // A known map is forgotten too.
   if (impl_->epoch > 0) impl_->replace(correctionFor(impl_->parameters, impl_->map));
 }
 

@@ -9,8 +9,8 @@ namespace frontier_pilot::mapping {
 namespace {
 
 constexpr Duration kWindow = std::chrono::seconds(5);
-constexpr int kSlips = 2;            ///< so many are not worth a word
-constexpr double kLeastShare = 0.1;  ///< nor is less than this
+constexpr int kSlips = 2;            ///< this many scans with a problem are not reported
+constexpr double kLeastShare = 0.1;  ///< nor is a smaller share
 
 }  // namespace
 

@@ -8,13 +8,13 @@
 
 namespace frontier_pilot::mapping {
 
-/// What has been remarkable about the scans of late: the line to read at a glance, where counts since the beginning
-/// would hide it.
+/// Problems with the scans of the last seconds, for a summary at a glance: counts since the start would hide a recent
+/// one.
 class MappingHealth {
  public:
-  /// What is to be said of a scan; nullptr: nothing, it is in the map and so is the robot.
+  /// Adds the problem with a scan; nullptr: there was none.
   void add(Time now, const char* remark);
-  /// The most frequent remark of the last seconds, if it was more than a slip.
+  /// The most frequent problem of the last seconds, if it was not just a few scans.
   std::optional<ScanRemark> worst(Time now) const;
 
  private:

@@ -5,18 +5,18 @@
 namespace frontier_pilot::mapping {
 namespace {
 
-// Stamps may be those of the arrival, and two messages arrive together although they were made one after the other.
+// Tolerance, because messages may be stamped on arrival: two that were sent at different times may arrive together.
 constexpr double kSlack = 0.5;       ///< [m]
 constexpr double kSlackAngle = 0.5;  ///< [rad]
-constexpr int kSure = 2;             ///< so many messages after the first make a reset of it
+constexpr int kSure = 2;             ///< messages after the first that confirm a reset
 
 }  // namespace
 
 std::optional<Pose2> OdometryAnchor::follow(Time stamp, const Pose2& T_odom_base) {
   const StampedPose2 sample{stamp, T_odom_base};
-  // A clock that stands still says nothing about speed, and no scan is paired with such a message.
+  // Equal stamps give no speed, and no scan is paired with a message that repeats a stamp.
   if (last_ && stamp == last_->stamp) return T_smooth_odom_ * T_odom_base;
-  // First whether it goes on from the landing: a restart counts from the origin, and soon leaves it.
+  // Compared first with the messages after the jump: restarted odometry counts from the origin, but soon leaves it.
   if (landing_ && isDrivable(*unconfirmed_, sample)) return confirmLater(sample);
   const bool believed = !last_ || (isDrivable(*last_, sample) && !isRestart(*last_, sample));
   if (believed) return accept(sample);
@@ -30,7 +30,8 @@ bool OdometryAnchor::isDrivable(const StampedPose2& from, const StampedPose2& to
                  kSlackAngle + parameters_.max_turn_rate * seconds);
 }
 
-/// Whether odometry is at its origin after a silence in which the robot might have come there, but to the millimetre.
+/// Whether odometry is at its origin to the millimetre after a pause: the robot might have driven there, but not so
+/// precisely.
 bool OdometryAnchor::isRestart(const StampedPose2& from, const StampedPose2& to) const {
   constexpr double kSilence = 1.0;  // [s]
   constexpr double kExact = 0.001;  // [m, rad]

@@ -10,7 +10,7 @@ void OdometryBuffer::add(Time stamp, const Pose2& T_odom_base) {
   if (!entries_.empty() && stamp == entries_.back().stamp) return;
   if (!entries_.empty() && stamp < entries_.back().stamp) entries_.clear();
   entries_.push_back({stamp, T_odom_base});
-  // By number as well: stamps may follow one another by nanoseconds. [FLT-1]
+  // Limited in number as well: stamps may be only nanoseconds apart. [FLT-1]
   while (toSeconds(stamp - entries_.front().stamp) > parameters_.length || entries_.size() > bounds::kMostOdometry) {
     entries_.pop_front();
   }

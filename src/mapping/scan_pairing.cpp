@@ -12,7 +12,7 @@ struct ScanPairing::Impl {
 
   bool mayWait(const LaserScan2& scan, Time now) const {
     const double waited = toSeconds(now - scan.stamp);
-    // A stamp far ahead is no reason to wait for ever: the clock may have been set back.
+    // A scan stamped more than a second ahead does not wait: the clock may have been set back.
     return waited < parameters.patience && waited > -1.0 &&
            waiting.size() <= static_cast<std::size_t>(parameters.max_waiting);
   }

@@ -38,8 +38,8 @@ CellRect OccupancyMap::needed(const Vec2& low, const Vec2& high) const {
 }
 
 bool OccupancyMap::reserve(const Vec2& low, const Vec2& high) {
-  // Far beyond what any map may hold, so that what follows cannot overflow; also false for what is not a number.
-  constexpr double kFar = 1e6;
+  // Far beyond any map, so that what follows cannot overflow; the comparison is also false for NaN.
+  constexpr double kFar = 1e6;  // [m]
   const bool near = low.cwiseAbs().maxCoeff() < kFar && high.cwiseAbs().maxCoeff() < kFar;
   return near && reserveCells(needed(low, high));
 }
@@ -140,7 +140,7 @@ bool OccupancyMap::exchange(OccupancyMap& other) {
 }
 
 std::uint64_t OccupancyMap::mostNodes() const {
-  // A layer whose cells are all known, the levels above it, and as much again for what lies at other heights.
+  // The nodes of a layer whose cells are all known and of the levels above it, and as many again for other heights.
   const double side = parameters_.max_side / parameters_.resolution;
   return static_cast<std::uint64_t>(2.0 * side * side * 4.0 / 3.0);
 }
@@ -155,7 +155,7 @@ bool OccupancyMap::read(const std::string& bytes, std::string& why) {
   why = loaded.octree_->read(bytes, mostNodes());
   if (!why.empty()) return false;
   const CellRect cells = loaded.octree_->extent();
-  // A tree that holds nothing at the scanner's height is another's: it must not take the place of what is known.
+  // An octree without cells at the scanner's height is from another robot, and must not replace the map.
   if (cells.empty()) return why = "holds nothing at the scanner's height", false;
   why = "is larger than the map may be";
   if (!loaded.reserveCells(cells)) return false;

@@ -15,7 +15,7 @@ constexpr int kLevels = 16;
 
 OctreeFile broken(std::string problem) { return {std::move(problem), 0, {}}; }
 
-/// The line that begins at `rest`, which then begins behind it. Without the line's end, which must be there.
+/// Takes the first line, without its end, off `rest`. Returns false if it has no end.
 bool takeLine(std::string_view& rest, std::string_view& line) {
   const std::size_t end = rest.substr(0, kLongestHeader).find('\n');
   if (end == std::string_view::npos) return false;
@@ -24,7 +24,7 @@ bool takeLine(std::string_view& rest, std::string_view& line) {
   return true;
 }
 
-/// The whole word as a number; minus one if it is none.
+/// The whole word as a number; -1 if it is not one.
 template <class T>
 T numberOf(std::string_view word) {
   T value{};
@@ -38,7 +38,7 @@ struct Header {
   double resolution = -1.0;
 };
 
-/// Takes the header off `rest`; false if it has no end.
+/// Takes the header off `rest`. Returns false if it has no end.
 bool takeHeader(std::string_view& rest, Header& header) {
   const std::size_t whole = rest.size();
   std::string_view line;
@@ -54,13 +54,13 @@ bool takeHeader(std::string_view& rest, Header& header) {
   return false;
 }
 
-/// Goes through a tree as it is written: for each inner node two bits for each of its eight children, and then those
-/// of them that are inner nodes themselves.
+/// Traverses a tree in the order in which it is written: for each inner node two bits for each of its eight children,
+/// then those children that are inner nodes themselves.
 class TreeWalk {
  public:
   explicit TreeWalk(std::string_view tree) : rest_(tree) {}
 
-  /// What is wrong with the tree, or nothing.
+  /// What is wrong with the tree; nullptr if nothing is.
   const char* run(std::uint64_t announced) {
     int depth = 0;
     waiting_[0] = 1;
@@ -78,12 +78,12 @@ class TreeWalk {
       waiting_[static_cast<std::size_t>(depth)] = inner;
     }
     if (nodes_ != announced) return "its tree has fewer nodes than it announces";
-    return rest_.empty() ? nullptr : "something lies behind its tree";
+    return rest_.empty() ? nullptr : "there are bytes after its tree";
   }
 
  private:
   const char* takeNode(int& inner) {
-    if (rest_.size() < 2) return "its tree is not all there";
+    if (rest_.size() < 2) return "its tree is incomplete";
     const unsigned bits =
         static_cast<unsigned char>(rest_[0]) | static_cast<unsigned>(static_cast<unsigned char>(rest_[1])) << 8U;
     rest_.remove_prefix(2);
@@ -114,7 +114,7 @@ OctreeFile checkOctree(std::string_view bytes, double resolution, std::uint64_t 
   if (header.size < 1) return broken("does not say how many nodes it has");
   const auto nodes = static_cast<std::uint64_t>(header.size);
   if (nodes > most_nodes) return broken("is too large: " + std::to_string(nodes) + " nodes");
-  // Written so that it is also false for what is not a number.
+  // Negated, so that NaN is refused as well.
   if (!(std::abs(header.resolution - resolution) <= kResolutionTolerance))
     return broken("its cells are not of " + std::to_string(resolution) + " m");
   if (const char* problem = TreeWalk(rest).run(nodes)) return broken(problem);

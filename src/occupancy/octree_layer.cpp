@@ -19,7 +19,7 @@ void configure(octomap::OcTree& tree, const OccupancyModel& model) {
   tree.setOccupancyThres(0.5);
 }
 
-/// A leaf, which above the lowest level stands for a cube of cells.
+/// A leaf: above the lowest level it stands for a cube of cells.
 struct LeafCube {
   octomap::OcTreeKey low;
   int side;
@@ -27,7 +27,7 @@ struct LeafCube {
   LeafCube(const octomap::OcTree& tree, const octomap::OcTree::leaf_iterator& leaf)
       : low(leaf.getIndexKey()), side(1 << (tree.getTreeDepth() - leaf.getDepth())) {}
 
-  /// One layer of the cube lies in ours, or none.
+  /// Whether one of the cube's layers is the layer `z`.
   bool holds(octomap::key_type z) const { return z >= low[2] && z < low[2] + side; }
   CellRect cells() const { return {low[0] - OctreeLayer::kHalfSide, low[1] - OctreeLayer::kHalfSide, side, side}; }
 };
@@ -37,7 +37,7 @@ struct LeafCube {
 struct OctreeLayer::Impl {
   OccupancyModel model;
   octomap::OcTree tree;
-  octomap::key_type z;  ///< the layer
+  octomap::key_type z;  ///< key of the layer
 
   Impl(double resolution, double height, const OccupancyModel& occupancy)
       : model(occupancy), tree(resolution), z(tree.coordToKey(height)) {
@@ -56,8 +56,8 @@ OctreeLayer::OctreeLayer(OctreeLayer&&) noexcept = default;
 OctreeLayer& OctreeLayer::operator=(OctreeLayer&&) noexcept = default;
 
 void OctreeLayer::set(Cell cell, float log_odds) {
-  // Lazy: inner nodes are brought up to date once, before the tree is written. A single layer never prunes, because
-  // four of a node's eight children are missing.
+  // Lazy: inner nodes are updated once, before the tree is written. A single layer is never pruned, because four of
+  // each node's eight children are missing.
   impl_->tree.setNodeValue(impl_->key(cell), log_odds, true);
 }
 
@@ -89,7 +89,7 @@ std::size_t OctreeLayer::memory() const { return impl_->tree.memoryUsage(); }
 
 bool OctreeLayer::write(std::ostream& out) {
   impl_->tree.updateInnerOccupancy();
-  // The const version: the other one would first round our log-odds to free and occupied.
+  // The const version: the other one would first set the tree's log-odds to the clamping bounds.
   return impl_->tree.writeBinaryConst(out) && out.good();
 }
 
@@ -99,7 +99,7 @@ std::string OctreeLayer::read(const std::string& bytes, std::uint64_t most_nodes
   octomap::OcTree tree(impl_->tree.getResolution());
   configure(tree, impl_->model);
   std::istringstream in{std::string(file.tree)};
-  // The tree alone: the header has been read, and OctoMap's reader of it would take more than that.
+  // Only the tree: the header has been checked, and OctoMap's reader would accept others as well.
   if (!tree.readBinaryData(in).good() || tree.size() != file.nodes) return "its tree cannot be read";
   impl_->tree.swapContent(tree);
   return {};

@@ -12,14 +12,14 @@
 
 namespace frontier_pilot::occupancy {
 
-/// One horizontal layer of cells in an octomap::OcTree. Cells are counted from the frame's origin: cell (0, 0) has its
-/// lower left corner at (0, 0) [m].
+/// One horizontal layer of cells in an octomap::OcTree. Cells are numbered from the frame's origin: the lower left
+/// corner of cell (0, 0) is at (0, 0) [m].
 class OctreeLayer {
  public:
   /// Cells must lie within [-kHalfSide, kHalfSide): OctoMap's keys have 16 bits.
   static constexpr int kHalfSide = 32768;
 
-  /// `resolution` [m] of a cell, `height` [m] of the layer over the frame's origin.
+  /// `resolution`: side of a cell [m]; `height`: of the layer above the frame's origin [m].
   OctreeLayer(double resolution, double height, const OccupancyModel& model);
   ~OctreeLayer();
   OctreeLayer(OctreeLayer&&) noexcept;
@@ -28,20 +28,20 @@ class OctreeLayer {
   void set(Cell cell, float log_odds);
   /// The smallest rectangle that holds every known cell of the layer.
   CellRect extent() const;
-  /// The log-odds of every known cell of the layer.
+  /// Calls `visit` with every known cell of the layer and its log-odds.
   void forEach(const std::function<void(Cell, float)>& visit) const;
   void clear();
 
-  /// The number of known cells. Walks the tree, as `memory` does.
+  /// The number of leaves of the octree. Traverses the tree, as `memory` does.
   std::size_t leafCount() const;
-  /// What the nodes take [bytes].
+  /// The memory that the nodes take [bytes].
   std::size_t memory() const;
 
-  /// OctoMap's binary format (.bt): each cell free or occupied. False when the stream fails.
+  /// Writes OctoMap's binary format (.bt): each cell free or occupied. Returns false when the stream fails.
   bool write(std::ostream& out);
-  /// Replaces the content by an octree in OctoMap's binary format. Gives an empty text; or what is wrong with the
-  /// bytes, and nothing is changed, when they are not such an octree of this resolution and of at most `most_nodes`,
-  /// whole.
+  /// Replaces the content by an octree in OctoMap's binary format. Returns an empty text or, if the bytes are not a
+  /// complete octree of this resolution with at most `most_nodes` nodes, what is wrong with them; nothing is changed
+  /// then.
   std::string read(const std::string& bytes, std::uint64_t most_nodes);
 
  private:

@@ -36,9 +36,9 @@ void ScanInserter::readRays(const surfaces::SurfaceScan& scan, const Pose2& T_ma
 
 ScanInserter::Ray ScanInserter::rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor,
                                            double resolution) const {
-  constexpr double kFlattest = 0.1;  // cosine: at a flatter angle a beam would clear nothing far before the surface
+  constexpr double kFlattest = 0.1;  // cosine: at flatter angles the margin would leave too much uncleared
   const double range = (point - sensor).norm();
-  // Eigen leaves a vector of no length as it is.
+  // `normalized` returns a zero vector unchanged.
   const Vec2 unit = (point - sensor).normalized();
   const Vec2 behind = normal.isZero(0.0) ? unit : Vec2(-normal);
   const double margin = parameters_.clear_margin * resolution / std::max(kFlattest, unit.dot(behind));

@@ -10,16 +10,16 @@
 namespace frontier_pilot::scan_matching {
 namespace {
 
-/// Poses of one direction whose offsets, in cells, lie in a square of 2^level.
+/// Poses of one direction whose offsets lie in a square of 2^level cells.
 struct Node {
-  int angle;     ///< which direction, in steps from the expected one
-  Cell offset;   ///< the lower left one
-  double bound;  ///< no pose of it has a better rating
-  double score;  ///< nor a better score
+  int angle;     ///< the direction, in angle steps from the expected one
+  Cell offset;   ///< the square's lower left one [cells]
+  double bound;  ///< upper bound on the rating of its poses
+  double score;  ///< upper bound on their score
 };
 
-/// How far apart the directions are: the points move by a cell in the root mean square. By the farthest one a single
-/// return from afar would make the search expensive and no better.
+/// The angle between directions [rad], by which the points move one cell in the root mean square. If the farthest point
+/// determined it, a single distant return would make the search expensive and no better.
 double angleStep(const surfaces::SurfacePoints& points, double resolution) {
   double sum = 0.0;
   for (const surfaces::SurfacePoint& point : points) sum += point.position.squaredNorm();
@@ -67,7 +67,7 @@ class BranchAndBound {
     points_ = points.size();
   }
 
-  /// Adds the node if it may hold something better than the best so far.
+  /// Adds the node if it may contain a better pose than the best so far.
   void add(std::vector<Node>& nodes, int angle, Cell offset, int level) const {
     const double score = scoreOf(angle, offset, level);
     const double bound = score - leastPenalty(angle, offset, level);
@@ -140,9 +140,9 @@ class BranchAndBound {
   double step_;   ///< [rad]
   int angles_;    ///< directions on each side of the expected one
   Cell half_;     ///< greatest offset
-  double scale_;  ///< from a sum to a score
+  double scale_;  ///< factor from a sum of likelihoods to a score
   std::size_t points_ = 0;
-  std::vector<Cell> cells_;  ///< direction by direction
+  std::vector<Cell> cells_;  ///< of the points, direction by direction
   std::optional<Node> best_;
 };
 

@@ -6,8 +6,8 @@
 namespace frontier_pilot::scan_matching {
 namespace {
 
-constexpr int kPhases = 16;      ///< places in a cell, along one axis, that are told apart
-constexpr double kSigmas = 2.5;  ///< farther than this nothing is felt
+constexpr int kPhases = 16;      ///< positions of a point in its cell that are distinguished, along one axis
+constexpr double kSigmas = 2.5;  ///< the field is zero farther than this from all points, along either axis
 
 }  // namespace
 

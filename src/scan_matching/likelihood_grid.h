@@ -27,8 +27,8 @@ class LikelihoodGrid {
   const float* profile(double phase) const;
 
   LikelihoodParameters parameters_;
-  int reach_;                    ///< how far a point is felt [cells]
-  std::vector<float> profiles_;  ///< the Gaussian at the cells' centres, for each place of the point in its cell
+  int reach_;                    ///< how far from a point the field is not zero [cells]
+  std::vector<float> profiles_;  ///< the Gaussian at cell centres, for each subcell position of the point
   grids::GrowingGrid<std::uint8_t> field_;
 };
 

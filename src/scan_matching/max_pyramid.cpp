@@ -9,8 +9,8 @@ namespace {
 
 using Bytes = Grid<std::uint8_t>;
 
-/// Maxima of pairs of cells that are `step` apart, along a row. `out` is `step` longer than `in` and begins `step`
-/// earlier; outside of `in` there are zeros.
+/// Maxima of pairs of cells that are `step` apart in a row. `out` is `step` cells longer than `in` and begins `step`
+/// earlier; outside `in` the values are zero.
 void maxOfRow(const std::uint8_t* in, int width, int step, std::uint8_t* out) {
   std::copy_n(in, std::min(step, width), out);
   std::fill(out + std::min(step, width), out + step, std::uint8_t{0});

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStill = 1e-4;  ///< a step shorter than this ends the iterations [m, rad]
 
-/// All distances, made linear at one pose: the normal equations.
+/// The distances linearised at one pose: the normal equations.
 class Linearization {
  public:
   Linearization(const SurfelMap& surfels, const surfaces::SurfacePoints& points, const Pose2& pose,
@@ -40,7 +40,7 @@ class Linearization {
     const Vec2 normal = surfel.normal();
     const double share = 1.0 / (point.variance() + 1.0 / surfel.weight);
     if (normal.isZero()) {
-      // No line to slide along, but no surface that would say where exactly either.
+      // A point without a normal constrains both directions, but neither accurately.
       add(error.x(), {1.0, 0.0, -arm.y()}, 0.1 * share);
       add(error.y(), {0.0, 1.0, arm.x()}, 0.1 * share);
     } else {
@@ -63,21 +63,21 @@ Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
   return {a.x - b.x, a.y - b.y, angleDifference(a.yaw, b.yaw)};
 }
 
-/// The Gauss-Newton step; none where the equations do not determine it.
+/// The Gauss-Newton step (x, y, yaw); nearly zero in directions that nothing determines.
 Eigen::Vector3d stepOf(const Linearization& equations, const Pose2& pose, const Pose2& start,
                        const std::optional<PoseWithCovariance>& prior) {
-  // Without a prior the start holds, weakly, what nothing else determines.
+  // Without a prior a weak one at `start` takes its place, so that directions left open stay where they were.
   const Eigen::Matrix3d known = prior ? Eigen::Matrix3d(prior->covariance.inverse()) : Eigen::Matrix3d::Identity();
   const Eigen::Vector3d off = difference(pose, prior ? prior->pose : start);
   return -(equations.information + known).ldlt().solve(equations.gradient + known * off);
 }
 
-/// Whether a beam from `origin` that ended at `point` passed a known surface, or ended before one without meeting any.
+/// Whether a beam from `origin` to `point` passes through a known surface, or ends in front of one on none.
 bool contradicts(const Grid<std::uint8_t>& field, const Vec2& origin, const Vec2& point) {
   constexpr std::uint8_t kSurface = 200;
   constexpr std::uint8_t kNothing = 60;
-  constexpr double kNear = 0.5;    // [m]: a surface as near as this to the point may be the one that it lies on
-  constexpr double kBehind = 3.0;  // [m]
+  constexpr double kNear = 0.5;    // [m]: a surface nearer to the point than this may be the one it lies on
+  constexpr double kBehind = 3.0;  // [m]: how far behind the point a surface counts
   const GridGeometry& geometry = field.geometry();
   const bool on_surface = field.get(geometry.cellAt(point), 0) >= kNothing;
   const Vec2 end = on_surface ? point : Vec2(point + kBehind * (point - origin).normalized());

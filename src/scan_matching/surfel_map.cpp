@@ -5,19 +5,19 @@
 namespace frontier_pilot::scan_matching {
 namespace {
 
-constexpr double kSameWay = 0.5;  ///< cosine of the greatest angle between normals that look the same way
-constexpr double kAlong = 0.5 * SurfelMap::kSpacing;  ///< a point farther along the surface is of another surfel [m]
-constexpr double kAcross = 0.05;                      ///< and one farther across it of another surface [m]
+constexpr double kSameWay = 0.5;  ///< cosine of the greatest angle between normals that face the same way
+constexpr double kAlong = 0.5 * SurfelMap::kSpacing;  ///< a point farther along the surface is in another surfel [m]
+constexpr double kAcross = 0.05;                      ///< and one farther across it is on another surface [m]
 
-// Squares, because this is where a match spends its time.
+// Compares squares to avoid a root: a match spends most of its time here.
 bool looksTheSameWay(const Surfel& surfel, const surfaces::SurfacePoint& point) {
   const float squared = surfel.normal_x * surfel.normal_x + surfel.normal_y * surfel.normal_y;
   const double along = surfel.normal_x * point.normal.x() + surfel.normal_y * point.normal.y();
   return (squared > 0.0F) == point.hasNormal() && along >= 0.0 && along * along >= kSameWay * kSameWay * squared;
 }
 
-/// Whether `point` is one more of the points that the surfel is the mean of. Across the surface it may be off by its
-/// noise, and that must not decide: points on either side of a border that ran along the wall would be two walls.
+/// Whether `point` belongs to the surfel. Distances are taken from the surfel rather than by fixed cells: if a border
+/// between cells ran along a wall, noise would divide its points between both sides, and so make two walls.
 bool belongsTo(const Surfel& surfel, const surfaces::SurfacePoint& point) {
   if (!looksTheSameWay(surfel, point)) return false;
   const Vec2 apart = point.position - surfel.position();

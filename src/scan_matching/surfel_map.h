@@ -8,7 +8,7 @@
 
 namespace frontier_pilot::scan_matching {
 
-/// The mean of the points of one surface within `SurfelMap::kSpacing`, weighted by what they know.
+/// The mean of the points of one surface within `SurfelMap::kSpacing`, weighted by their inverse variances.
 struct Surfel {
   float weight = 0.0F;  ///< sum of the inverse variances [1/m^2]
   float x = 0.0F;       ///< mean of the positions [m]
@@ -17,35 +17,35 @@ struct Surfel {
   float normal_y = 0.0F;
 
   Vec2 position() const { return {x, y}; }
-  /// Unit; zero when the points had none.
+  /// Of unit length; zero when the points had no normals.
   Vec2 normal() const;
   void add(const surfaces::SurfacePoint& point);
 };
 
-/// Surfaces as means of the points that were seen of them: where a wall is, more precisely than any cell and better
-/// with each scan. Surfaces that look different ways are kept apart, so both sides of a thin wall and the two walls of
-/// a corner remain what they are. It grows where points are added.
+/// Surfaces as means of the points measured on them: more precise than cells, and more accurate with each scan.
+/// Surfaces that face different directions are kept apart, so the two sides of a thin wall, or the walls of a corner,
+/// do not merge. It grows where points are added.
 class SurfelMap {
  public:
-  static constexpr double kSpacing = 0.1;  ///< of the surfels of a wall [m]
-  static constexpr double kReach = 0.15;   ///< how far a surfel may be from a point that lies on it [m]
+  static constexpr double kSpacing = 0.1;  ///< length of wall that a surfel stands for [m]
+  static constexpr double kReach = 0.15;   ///< greatest distance from a point to the surfel it is matched with [m]
 
-  /// `points` at `T_map_points`.
+  /// Adds `points`, whose frame is at `T_map_points`.
   void add(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
-  /// The same for those of them that lie on surfels: what is known becomes known better.
+  /// The same, but only for points that belong to existing surfels: these become more accurate.
   void updateKnown(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
-  /// The nearest surfel within `kReach` that looks the same way, within 60 degrees; nullptr if there is none.
+  /// The nearest surfel within `kReach` that faces the same way, within 60 degrees; nullptr if there is none.
   const Surfel* nearest(const surfaces::SurfacePoint& point) const;
 
   std::size_t size() const { return entries_.size(); }
-  /// [bytes]
+  /// The memory that it takes [bytes].
   std::size_t memory() const;
 
  private:
-  static constexpr double kTile = 2.0 * kReach;  ///< so what is near lies in four tiles
+  static constexpr double kTile = 2.0 * kReach;  ///< so the surfels within reach of a point lie in at most four tiles
   static constexpr std::int32_t kNone = -1;
 
-  /// A surfel in the list of its tile's.
+  /// A surfel, in the linked list of its tile.
   struct Entry {
     Surfel surfel;
     std::int32_t next = kNone;
@@ -59,7 +59,7 @@ class SurfelMap {
   void link(std::int32_t index);
   void unlink(std::int32_t index);
 
-  /// The surfel nearest to `position` within `reach` that is accepted; kNone if there is none.
+  /// The surfel nearest to `position` within `reach` [m] that `accept` accepts; kNone if there is none.
   template <class Accept>
   std::int32_t find(const Vec2& position, double reach, const Accept& accept) const {
     const Cell low = tiles_.cellAt(position - Vec2::Constant(reach));
@@ -78,7 +78,7 @@ class SurfelMap {
     }
     return best;
   }
-  /// The surfel that `point` is of; kNone if there is none.
+  /// The surfel that `point` belongs to; kNone if there is none.
   std::int32_t surfelOf(const surfaces::SurfacePoint& point) const;
 
   grids::GrowingGrid<std::int32_t> tiles_{kTile, kNone};  ///< the first entry of each tile

@@ -6,8 +6,8 @@
 namespace frontier_pilot::surfaces {
 namespace {
 
-constexpr double kElongated = 16.0;  ///< a line is this many times longer than it is thick, squared
-constexpr double kDirected = 0.01;   ///< or its direction is known as well as this [rad^2]
+constexpr double kElongated = 16.0;  ///< least ratio of the variances along and across a line
+constexpr double kDirected = 0.01;   ///< or the greatest variance of its direction [rad^2]
 
 }  // namespace
 

@@ -11,19 +11,19 @@
 namespace frontier_pilot::surfaces {
 
 struct Line {
-  Vec2 normal;      ///< unit, either way round
-  double variance;  ///< of the points from it [m^2]
+  Vec2 normal;      ///< of unit length, with either sign
+  double variance;  ///< of the points about the line [m^2]
 };
 
-/// Fits lines to spans of points by total least squares. It keeps the sums of the moments of the first n points, so
-/// that any span costs the same.
+/// Fits lines to spans of points by total least squares. It keeps cumulative sums of the moments, so that the cost does
+/// not depend on the length of a span.
 class LineFitter {
  public:
   explicit LineFitter(const SurfacePoints& points);
 
   /// The line through a span of points; none if they do not lie on a line.
   std::optional<Line> line(const Span& span, double max_error) const;
-  /// As `line`, for a short span: its points may scatter as far across the line as along it when they are many.
+  /// As `line`, for a short span: the more points it has, the more they may scatter across the line.
   std::optional<Line> arm(const Span& span, double max_error) const;
 
  private:

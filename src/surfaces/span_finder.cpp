@@ -6,7 +6,7 @@
 namespace frontier_pilot::surfaces {
 namespace {
 
-/// Less than one, so that rounding never puts a point into the disc that is not in it by itself.
+/// Less than one, so that despite rounding no block is taken that has a point outside the disc.
 constexpr double kSurely = 1.0 - 1e-9;
 
 }  // namespace
@@ -73,8 +73,8 @@ bool SpanFinder::holdsAll(const Disc& disc, const Box& box) {
   return farthest.squaredNorm() <= kSurely * disc.squared_radius;
 }
 
-/// How many points from `from` up to `last` lie in the disc: those of the largest block that surely does, or `from`
-/// alone, or none.
+/// A number of points from `from` upwards, at most to `last`, that lie in the disc: those of the largest block that
+/// does for certain, or `from` alone, or none.
 std::size_t SpanFinder::countUp(const Disc& disc, std::size_t from, std::size_t last) const {
   std::size_t count = holds(disc, from) ? 1 : 0;
   for (std::size_t level = 0; count > 0 && level < boxes_.size(); ++level) {
@@ -85,7 +85,7 @@ std::size_t SpanFinder::countUp(const Disc& disc, std::size_t from, std::size_t 
   return count;
 }
 
-/// The same from `from` down to `first`.
+/// The same downwards from `from`, at most to `first`.
 std::size_t SpanFinder::countDown(const Disc& disc, std::size_t from, std::size_t first) const {
   std::size_t count = holds(disc, from) ? 1 : 0;
   for (std::size_t level = 0; count > 0 && level < boxes_.size(); ++level) {

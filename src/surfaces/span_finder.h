@@ -7,21 +7,20 @@
 
 namespace frontier_pilot::surfaces {
 
-/// First and last of some successive points.
+/// A range of successive points, by the indices of the first and the last.
 struct Span {
   std::size_t first, last;
   std::size_t size() const { return last - first + 1; }
 };
 
-/// Finds the neighbours of points. Blocks of points whose bounding box lies within the radius are taken at once, so
-/// that a scan of many beams, each of which has thousands of neighbours, costs little more for each beam than one of
-/// few.
+/// Finds the neighbours of points. Blocks of points whose bounding box lies within the radius are added at once, so
+/// that a beam in a dense scan, with thousands of neighbours, costs little more than one in a sparse scan.
 class SpanFinder {
  public:
-  /// `points` must outlive it, and stay where they are.
+  /// `points` must outlive it and must not be moved in memory.
   explicit SpanFinder(const SurfacePoints& points);
 
-  /// The connected points around `i` up to the first one beyond `radius` [m] to either side, but at least two there.
+  /// The connected points around `i` up to the first one beyond `radius` [m] on either side, but at least two per side.
   Span around(std::size_t i, double radius) const;
 
  private:
@@ -42,11 +41,11 @@ class SpanFinder {
   std::size_t countDown(const Disc& disc, std::size_t from, std::size_t first) const;
 
   const SurfacePoints& points_;
-  std::vector<Span> connected_;          ///< what each point is connected with
-  std::vector<std::vector<Box>> boxes_;  ///< of each block, of each block of blocks and so on; whole ones only
+  std::vector<Span> connected_;          ///< by point: all the points that it is connected with
+  std::vector<std::vector<Box>> boxes_;  ///< of each full block, of each full block of blocks and so on
 };
 
-/// The greatest of any successive values, block by block.
+/// The greatest value in a range of indices, found block by block.
 class RangeMaximum {
  public:
   explicit RangeMaximum(std::vector<double> values);
@@ -56,7 +55,7 @@ class RangeMaximum {
  private:
   static constexpr std::size_t kBlock = 64;
   std::vector<double> values_;
-  std::vector<double> blocks_;  ///< whole ones only
+  std::vector<double> blocks_;  ///< maxima of the full blocks
 };
 
 }  // namespace frontier_pilot::surfaces

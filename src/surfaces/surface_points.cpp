@@ -12,13 +12,13 @@
 namespace frontier_pilot::surfaces {
 namespace {
 
-constexpr double kSteepest = 15.0;  ///< beams whose returns lie this many beam spacings apart may be on one surface
-constexpr double kSlack = 0.05;     ///< and this much more, for noise [m]
-constexpr int kMostMissing = 3;     ///< beams without a return between two that may be on one surface
+constexpr double kSteepest = 15.0;  ///< returns at most this many beam spacings apart may be on one surface
+constexpr double kSlack = 0.05;     ///< tolerance added to that, for noise [m]
+constexpr int kMostMissing = 3;     ///< invalid beams between two returns that may be on one surface
 constexpr double kSameWay = 0.9;    ///< cosine of the greatest angle between normals of one surface
 constexpr double kFlat = 0.25;      ///< greatest slope between two points of one surface
 
-/// Reads a scan beam by beam, and sees where the surface surely breaks off between its returns.
+/// Reads a scan beam by beam, and finds between which returns the surface surely ends.
 class BeamReader {
  public:
   explicit BeamReader(const LaserScan2& scan) : scan_(scan) {}
@@ -27,7 +27,7 @@ class BeamReader {
     for (std::size_t beam = 0; beam < scan_.ranges.size(); ++beam) {
       const RangeReading reading = readBeam(scan_, beam);
       if (reading.kind == RangeKind::kHit) add(beam, reading.distance);
-      // A beam that says nothing may have met the same surface; one that met nothing has not.
+      // An invalid beam may have met the same surface; a beam without a return has not.
       if (reading.kind != RangeKind::kFree) continue;
       open_ = true;
       free_.push_back(scan_.angle(beam));
@@ -53,7 +53,7 @@ class BeamReader {
   std::vector<double> free_;
   std::size_t last_beam_ = 0;
   double last_distance_ = 0.0;
-  bool open_ = true;  ///< nothing connects the next return to the last one
+  bool open_ = true;  ///< the next return is not connected to the last one
 };
 
 /// Sine of the angle by which the surface bends at `i`, between the lines fitted to the span before it and after it;
@@ -65,13 +65,13 @@ double bendAt(const LineFitter& fitter, const Span& span, std::size_t i, double 
   return std::abs(before->normal.x() * after->normal.y() - before->normal.y() * after->normal.x());
 }
 
-/// Where one surface ends and another begins, though beams met nothing in between: the sharpest bends around. A line
-/// across a corner would be the normal of neither wall.
+/// Where two connected surfaces meet: at the sharpest bend nearby. A line fitted across a corner would have the normal
+/// of neither wall.
 std::vector<bool> cornersOf(const SurfacePoints& points, const SpanFinder& neighbours, const LineFitter& fitter,
                             const SurfaceParameters& parameters) {
-  constexpr double kArm = 0.5;     // of the radius that normals are fitted in
-  constexpr double kApart = 0.25;  // of it, the least distance between corners
-  constexpr double kSharp = 0.5;
+  constexpr double kArm = 0.5;     // of `fit_radius`: length of the lines on either side
+  constexpr double kApart = 0.25;  // of `fit_radius`: least distance between corners
+  constexpr double kSharp = 0.5;   // sine of the least bend of a corner
   std::vector<double> values;
   values.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<bool> cornersOf(const SurfacePoints& points, const SpanFinder& neigh
   return corners;
 }
 
-/// Of each point, the nearest corner before it and after it; the first and the last point where there is none.
+/// For each point the nearest corners before and after it; the first or the last point where there is none.
 std::vector<Span> betweenCorners(const std::vector<bool>& corners) {
   std::vector<Span> between(corners.size(), {0, 0});
   for (std::size_t i = 1; i < corners.size(); ++i) between[i].first = corners[i - 1] ? i - 1 : between[i - 1].first;
@@ -97,19 +97,19 @@ std::vector<Span> betweenCorners(const std::vector<bool>& corners) {
   return between;
 }
 
-/// What is left of `span` between the nearest corners, these included.
+/// The part of `span` between the nearest corners, including these.
 Span overlapOf(const Span& span, const Span& between) {
   return {std::max(span.first, between.first), std::min(span.last, between.last)};
 }
 
-/// Cosine of the angle between a beam and the normal where it ended; one where there is no normal.
+/// The cosine of the angle of incidence of a beam, bounded from below; one where there is no normal.
 double facingOf(const SurfacePoint& point, const Vec2& beam) {
   constexpr double kFlattest = 0.05;
   const double range = beam.norm();
   return point.hasNormal() && range > 0.0 ? std::max(kFlattest, std::abs(beam.dot(point.normal)) / range) : 1.0;
 }
 
-/// What the range and the bearing are off by, across the surface: along it a point may slide. [m^2]
+/// The variance by range and bearing across the surface [m^2]; errors along it do not matter.
 double noiseOf(double range, double facing, const SurfaceParameters& parameters) {
   return square(parameters.range_noise * facing) + square(parameters.bearing_noise * range) * (1.0 - square(facing));
 }
@@ -131,15 +131,15 @@ SurfacePoint meanOf(const SurfacePoints& points, const Span& span) {
   const auto count = static_cast<double>(span.size());
   mean.position /= count;
   mean.normal.normalize();
-  // The noise is each point's own, the roughness is one for all.
+  // Noise is independent from point to point, roughness is common to them.
   mean.noise /= square(count);
   mean.roughness /= count;
   return mean;
 }
 
-/// Adds the means of equal parts of `span`, none longer than `spacing`.
+/// Adds the means of equal parts of `span` that are at most `spacing` [m] long.
 void addMeans(const SurfacePoints& points, const Span& span, double spacing, SurfacePoints& means) {
-  // Along the surface: noise across it makes the way from point to point longer than it is.
+  // Lengths along the surface: noise across it would lengthen the path from point to point.
   std::vector<double> along = {0.0};
   for (std::size_t i = span.first; i < span.last; ++i) {
     const Vec2 step = points[i + 1].position - points[i].position;
@@ -161,8 +161,8 @@ void addMeans(const SurfacePoints& points, const Span& span, double spacing, Sur
   means.push_back(meanOf(points, part));
 }
 
-/// Groups that begin where the last one is full would be others if the beams ran the other way round, and on rough
-/// walls that turns the robot: so a stretch of wall is divided evenly.
+/// The means of groups of points. A stretch of wall is divided evenly: if each group began where the last one was full,
+/// groups would depend on the direction in which the scanner turns, and on rough walls that would turn the robot.
 SurfacePoints groupMeans(const SurfacePoints& points, double spacing) {
   SurfacePoints means;
   Span span{0, 0};
@@ -175,14 +175,14 @@ SurfacePoints groupMeans(const SurfacePoints& points, double spacing) {
   return means;
 }
 
-/// Evenly spread, in their order.
+/// Every n-th point, in the same order.
 SurfacePoints everyNth(const SurfacePoints& points, std::size_t n) {
   SurfacePoints result;
   for (std::size_t i = 0; i < points.size(); i += n) result.push_back(points[i]);
   return result;
 }
 
-/// Whether the surface goes on from `a` to `b`, the point after it.
+/// Whether `a` and `b`, the point after it, lie on one surface.
 bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) {
   const Vec2 step = b.position - a.position;
   const double gap = step.norm();
@@ -203,7 +203,7 @@ SurfaceScan readScan(const LaserScan2& scan, const SurfaceParameters& parameters
   const std::vector<Span> between = betweenCorners(corners);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Span span = overlapOf(neighbours.around(i, parameters.fit_radius), between[i]);
-    // A corner is on both walls: which of them it is counted to must not depend on the order of the beams.
+    // A corner is on both walls: which of them it is assigned to must not depend on the order of the beams.
     const auto line = corners[i] ? std::nullopt : fitter.line(span, parameters.fit_error);
     SurfacePoint& point = points[i];
     const Vec2 beam = point.position - sensor;
@@ -246,7 +246,7 @@ SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& param
     const Vec2 step = points[i + 1].position - points[i].position;
     const int pieces = static_cast<int>(std::ceil(step.norm() / parameters.fill_spacing));
     const Vec2 normal = (points[i].normal + points[i + 1].normal).normalized();
-    // All that is filled in counts as much as one point more.
+    // All points that fill a gap together weigh about as much as one point.
     const double noise = 0.5 * (points[i].noise + points[i + 1].noise) * pieces;
     const double roughness = 0.5 * (points[i].roughness + points[i + 1].roughness) * pieces;
     for (int k = 1; k < pieces; ++k) {

@@ -91,7 +91,7 @@ TEST(SensorFaults, OdometryThatIsMissingForASecondIsMissed) {
 
 TEST(SensorFaults, AlongACorridorWithoutFeaturesOdometryTellsTheWayAndTheDiagnosticsThatItDoes) {
   const Outcome outcome = drive(test::corridorWorld(), test::SensorFault::kNone);
-  EXPECT_EQ(outcome.remarks, Remarks{"matched, but the way along the walls is odometry's"});
+  EXPECT_EQ(outcome.remarks, Remarks{"matched, position along the walls from odometry"});
   EXPECT_LT(std::abs(outcome.error.x), 0.08 * 33.0) << "what its scale is off by, and no more";
   EXPECT_LT(std::abs(outcome.error.y), 0.10);
   EXPECT_LT(std::abs(outcome.error.yaw), 0.02);

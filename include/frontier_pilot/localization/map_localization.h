@@ -11,19 +11,19 @@
 
 namespace frontier_pilot::localization {
 
-/// Localisation in a known map: finds the robot in it, and then either follows it there and leaves the map as it is, or
-/// goes on mapping. When mapping goes on, new scans are matched with each other, and drawn on the known map. Until the
-/// robot is found no scan is used.
+/// Localisation in a known map: finds the robot in it, and then either tracks it there and leaves the map as it is, or
+/// continues mapping. In that case new scans are matched only with each other, and inserted into the known map. Until
+/// the robot is found no scan is inserted.
 /// [MAP-5]
 class MapLocalization final : public slam::PoseCorrection {
  public:
   enum class Use {
     kLocalizeOnly,   ///< the map stays as it is
-    kGoOnMapping,    ///< with scan matching and loop closing
-    kTrustOdometry,  ///< with odometry taken for the truth from where the robot was found
+    kGoOnMapping,    ///< mapping continues with scan matching and loop closing
+    kTrustOdometry,  ///< odometry is taken for the truth from the pose at which the robot was found
   };
 
-  /// `map` is the known one; revised maps get its parameters. `T_map_base` is a rough pose of the robot now.
+  /// `map` is the known map; revised maps get its parameters. `T_map_base` is a rough estimate of the robot's pose.
   MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
                   const occupancy::ScanInsertionParameters& insertion,
                   const scan_matching::PoseWithCovariance& T_map_base);

@@ -9,25 +9,26 @@
 
 namespace frontier_pilot::mapping {
 
-/// Says when the whole map is to be sent, besides the changes, which are sent at once. It is due when
-///  - the map has grown, or a new subscriber has come;
-///  - as many cells were sent as changes since the last whole map as the map has;
-///  - `max_period` has passed since the last whole map, and either an eighth of its cells were sent as changes or there
-///    were no changes for another `max_period`;
-///  - 12 times `max_period` has passed and anything has changed.
+/// Decides when the whole map is sent, in addition to the changes, which are sent at once. It is due when none was sent
+/// yet, or `min_period` after the last one when the map has grown, or when any cell was sent as a change since then and
+///  - a new subscriber has come;
+///  - as many cells were sent as changes as the map has;
+///  - `max_period` has passed since the last whole map, and either as many cells were sent as changes as an eighth of
+///    the map has, or the last change was `max_period` ago;
+///  - 12 times `max_period` has passed since the last whole map.
 /// The cost of publishing is thus proportional to what changed, plus one map a minute. [MAP-2]
 class MapSchedule {
  public:
   explicit MapSchedule(const MapScheduleParameters& parameters = {}) : parameters_(parameters) {}
 
-  /// Notes what has changed. Gives whether it can be sent as a change: it cannot when the map has grown since the last
-  /// whole one, and goes out with the next.
+  /// Notes what has changed. Returns whether there is anything that can be sent as a change: after the map has grown
+  /// there is not, and changes go out with the next whole map.
   bool note(const occupancy::MapChanges& changes, Time now);
-  /// A new subscriber has come, who has no map yet.
+  /// A new subscriber has come, which has no map yet.
   void noteNewcomer() { newcomer_ = true; }
   /// Whether a map of `cells` cells is to be sent now.
   bool isDue(std::size_t cells, Time now) const;
-  /// The whole map was sent. Gives whether it had grown.
+  /// The whole map was sent. Returns whether it had grown since the one before.
   bool sent(Time now);
   /// Forgets what was sent.
   void reset() { *this = MapSchedule(parameters_); }
@@ -35,10 +36,10 @@ class MapSchedule {
  private:
   MapScheduleParameters parameters_;
   std::optional<Time> last_;  ///< when the whole map was sent last
-  Time last_change_;          ///< when there was a change last
-  bool grown_ = true;         ///< since then its geometry has changed: changes would not fit
+  Time last_change_;          ///< when something was last sent as a change
+  bool grown_ = true;         ///< its geometry has changed since then, so cell indices have too
   std::size_t changed_ = 0;   ///< how many cells were sent as changes since then
-  bool newcomer_ = false;     ///< somebody has begun to listen since then
+  bool newcomer_ = false;     ///< a subscriber has come since then
 };
 
 }  // namespace frontier_pilot::mapping

@@ -17,22 +17,22 @@
 
 namespace frontier_pilot::mapping {
 
-/// What revisions have come to so far.
+/// What revisions have changed so far.
 struct RevisionReport {
-  std::uint64_t closures = 0;    ///< loops closed: `T_map_odom` jumps with these, and with nothing else
+  std::uint64_t closures = 0;    ///< loops closed: revisions move `T_map_odom` only with these
   std::uint64_t rendered = 0;    ///< how often the map was rendered again
-  slam::ClosureCounts attempts;  ///< of closing loops
-  Pose2 last_jump;               ///< by what the last closures have moved the robot in the map
+  slam::ClosureCounts attempts;  ///< to close loops
+  Pose2 last_jump;               ///< T_new_old of the last closures: how they moved the robot in the map
   std::vector<slam::LoopClosure> last_closures;
 };
 
-/// Builds the map from scans and the odometry of the moment each was taken at. Whatever is wrong with a scan, what is
-/// already mapped stays. [MAP-4]
-/// Revising the past takes time: whoever owns the mapper does `takeWork` in the background and hands the
-/// result to `revise`, or calls `reviseNow` after each scan.
+/// Builds the map from scans and the odometry at their stamps. Whatever is wrong with a scan, what is already mapped
+/// stays. [MAP-4]
+/// Revising past poses takes time: the owner of the mapper either runs the work from `takeWork` in the background and
+/// passes its result to `revise`, or calls `reviseNow` after each scan.
 class Mapper {
  public:
-  /// Without a corrector the parameters choose one.
+  /// Without `correction` the parameters determine one.
   explicit Mapper(const MapperParameters& parameters = {}, std::unique_ptr<slam::PoseCorrection> correction = nullptr);
   ~Mapper();
   Mapper(Mapper&&) noexcept;
@@ -40,33 +40,34 @@ class Mapper {
   Mapper(const Mapper&) = delete;
   Mapper& operator=(const Mapper&) = delete;
 
-  /// Puts `scan`, taken at `T_odom_base`, into the map, or says why not; no pose: there is no odometry for its stamp.
-  /// Of more than bounds::kMostMappedBeams beams every n-th is used. [FLT-1]
+  /// Inserts `scan`, taken at `T_odom_base`, into the map, or returns why not; no pose: there is no odometry for its
+  /// stamp. Of more than bounds::kMostMappedBeams beams every n-th is used. [FLT-1]
   ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
 
-  /// Work for another thread, if there is some; none while the last one's result has not come back.
+  /// Work for another thread, if there is any; none until the result of the last work has been passed to `revise`.
   slam::RevisionWork takeWork();
-  /// Takes over what the work came to; `revision` then holds what is no longer needed. Scans that came meanwhile are
-  /// put into a map that was rendered anew. A map that is too large is refused, and then poses stay as well: `remark`
-  /// says so until one fits. False, and nothing happens, when the mapper was reset since.
+  /// Takes over the result of the work; `revision` then holds the replaced map. Scans that arrived meanwhile are
+  /// inserted into a newly rendered map. A map that is too large is refused, and the poses then stay as they are too:
+  /// `remark` says so until one fits. Returns false, and does nothing, when the mapper has been reset, been given a map
+  /// or been located since.
   bool revise(slam::MapRevision& revision);
-  /// The work taken last threw: the map stays as it is, and mapping goes on without revisions until a reset.
-  /// False, and nothing happens, when the mapper was reset since.
+  /// The work taken last threw: the map stays as it is, and mapping continues without revisions until a reset.
+  /// Returns false, and does nothing, when no work is under way, as after a reset.
   bool abandonWork();
-  /// Does all work there is at once.
+  /// Runs the work that there is, and takes its result over, before it returns.
   void reviseNow();
 
-  /// Puts `loaded` in the place of the map and looks for the robot in it, about where it is thought to be. False, and
-  /// nothing happens, when the two together would be too large.
+  /// Replaces the map by `loaded` and searches it for the robot, around the present estimate of its pose. Returns
+  /// false, and does nothing, when a map that covers both would be too large.
   bool load(occupancy::OccupancyMap& loaded);
-  /// Goes on with a map that was made before, by a robot that odometry now has at `T_odom_base`. False, and nothing
-  /// happens, when the map would be too large.
+  /// Continues with an earlier map, in which the odometry frame was at `T_map_odom`; odometry now has the robot at
+  /// `T_odom_base`. Returns false, and does nothing, when the map would be too large.
   bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
-  /// The robot is about at `T_map_base`: takes the map as it is for known, looks for the robot there, and goes on.
-  /// False, and nothing happens, when the map shows nothing that could be recognised.
+  /// Takes the present map as known, searches it for the robot around `T_map_base`, and continues from there. Returns
+  /// false, and does nothing, when the map has no occupied cell.
   bool locate(const scan_matching::PoseWithCovariance& T_map_base);
 
-  /// Counts a scan that could not even be offered.
+  /// Counts a scan that was rejected before it could be passed to `insert`.
   void reject(ScanVerdict verdict, Time now);
 
   /// The map's projection; empty until the first scan.
@@ -78,14 +79,14 @@ class Mapper {
   const Pose2& T_map_odom() const;
   const ScanCounts& counts() const;
   const RevisionReport& revisions() const;
-  /// How often each way to find a scan's pose was taken, and the last one.
+  /// How the poses of scans were found: how often each way, and the last one.
   const std::map<std::string, std::uint64_t>& correctionCounts() const;
   const char* lastCorrection() const;
-  /// Share of the last scan's beams that tell where there is something, or nothing; 1 before the first.
+  /// Share of the last scan's beams that show an obstacle or free space; 1 before the first scan.
   double usableShare() const;
-  /// What went wrong most often with the scans of the last seconds, if it was more than a slip.
+  /// The most frequent problem with the scans of the last seconds, if it was not just a few of them.
   std::optional<ScanRemark> remark(Time now) const;
-  /// The keyframes so far, each where it is by what is known now. Not while work is out.
+  /// The keyframes so far, at their presently estimated poses. Must not be called while work is under way.
   std::vector<slam::KeyframePose> trajectory() const;
 
   /// Forgets the map and the correction; the geometry and the counts stay.

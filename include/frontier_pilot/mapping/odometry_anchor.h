@@ -8,15 +8,15 @@
 
 namespace frontier_pilot::mapping {
 
-/// Odometry without its jumps. No robot drives 10 m between two messages: its driver was started again and counts from
-/// the origin, somebody set it, or the message is wrong. A single such message is left out; when the next ones go on
-/// from there, odometry has been reset, and the robot is believed to stand where it stood. So whatever is anchored to
-/// this odometry stays where it is, and scan matching corrects the little that the robot moved meanwhile. [FLT-1]
-/// Odometry that is trusted, as that of a simulator, knows better: it jumps when the robot was put somewhere else.
-/// Messages that were lost make no jump: what may be driven grows with the time between the stamps.
+/// Odometry without its jumps. No robot drives 10 m between two messages: its driver was restarted and counts from the
+/// origin, somebody set its pose, or the message is wrong. A single such message is left out; if the next ones continue
+/// from there, odometry was reset, and the robot is taken to be where it was before. So everything anchored to this
+/// odometry stays in place, and scan matching corrects the little that the robot moved meanwhile. [FLT-1]
+/// The jumps of trusted odometry, as of a simulator, are real and followed: the robot was moved.
+/// Lost messages do not look like a jump: the distance that may be driven grows with the time between the stamps.
 class OdometryAnchor {
  public:
-  /// By what odometry jumped, and in what time between two stamps.
+  /// A jump of odometry, and the time between the stamps before and after it.
   struct Jump {
     double distance = 0.0;  ///< [m]
     double turn = 0.0;      ///< [rad]
@@ -25,16 +25,16 @@ class OdometryAnchor {
 
   explicit OdometryAnchor(const OdometryAnchorParameters& parameters = {}) : parameters_(parameters) {}
 
-  /// The pose without the jumps so far, `T_smooth_base`; none while it is not clear whether this one is a mistake.
+  /// The pose without the jumps so far, `T_smooth_base`; none while it is open whether this message is a mistake.
   std::optional<Pose2> follow(Time stamp, const Pose2& T_odom_base);
-  /// Where odometry's frame lies in the one without jumps: changes with each reset.
+  /// The pose of the odometry frame in the frame without jumps; changes with each reset of untrusted odometry.
   const Pose2& T_smooth_odom() const { return T_smooth_odom_; }
   std::uint64_t resets() const { return resets_; }
   const Jump& lastJump() const { return last_jump_; }
 
-  /// The clock was set: what comes next is compared with nothing.
+  /// The clock was set: the next message is not compared with earlier ones.
   void forgetTime();
-  /// Both frames are one again.
+  /// Forgets all jumps: both frames are the same again.
   void reset();
 
  private:
@@ -45,10 +45,10 @@ class OdometryAnchor {
 
   OdometryAnchorParameters parameters_;
   Pose2 T_smooth_odom_;
-  std::optional<StampedPose2> last_;         ///< the odometry, T_odom_base, that was believed last
+  std::optional<StampedPose2> last_;         ///< the T_odom_base that was accepted last
   std::optional<StampedPose2> landing_;      ///< the first one after a jump that may be a mistake
   std::optional<StampedPose2> unconfirmed_;  ///< the last one since then
-  int followers_ = 0;                        ///< how many have gone on from there
+  int followers_ = 0;                        ///< number of messages that continued from there
   std::uint64_t resets_ = 0;
   Jump last_jump_;
 };

@@ -7,24 +7,24 @@
 
 namespace frontier_pilot::mapping {
 
-/// When the whole map goes out, see MapSchedule.
+/// When the whole map is sent, see MapSchedule.
 struct MapScheduleParameters {
-  double min_period = 1.0;  ///< between two whole maps, at least [s]
-  double max_period = 5.0;  ///< after which changes are followed by a whole map; 12 times that while they are few [s]
+  double min_period = 1.0;  ///< least time between two whole maps [s]
+  double max_period = 5.0;  ///< time after which a whole map follows changes; 12 times as long while they are few [s]
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("min_period", min_period, "s", "least time between two whole maps", timeSpan());
     v.field("max_period", max_period, "s",
-            "time after which changes are followed by a whole map; 12 times that while they are few", timeSpan());
+            "time after which a whole map follows changes; 12 times as long while they are few", timeSpan());
   }
 };
 
-/// What odometry is believed, see OdometryAnchor.
+/// Which motion of odometry is credible, see OdometryAnchor.
 struct OdometryAnchorParameters {
-  double max_speed = 2.0;       ///< odometry is not believed to drive faster [m/s]
-  double max_turn_rate = 10.0;  ///< nor to turn faster [rad/s]
-  bool trusted = false;         ///< where odometry stays after a jump, there the robot is; described by the mapper
+  double max_speed = 2.0;       ///< greatest credible speed of odometry [m/s]
+  double max_turn_rate = 10.0;  ///< greatest credible rate of turn of odometry [rad/s]
+  bool trusted = false;         ///< the robot is where odometry is after a jump; described by the mapper
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -35,7 +35,7 @@ struct OdometryAnchorParameters {
   }
 };
 
-/// What is kept of odometry.
+/// How much odometry is kept.
 struct OdometryBufferParameters {
   double length = 5.0;   ///< how long a pose is kept [s]
   double max_gap = 0.5;  ///< poses farther apart are not interpolated between [s]
@@ -49,7 +49,7 @@ struct OdometryBufferParameters {
 /// How scans find their odometry, see ScanPairing.
 struct ScanPairingParameters {
   double patience = 0.3;  ///< how long a scan waits for its odometry [s]
-  int max_waiting = 20;   ///< more scans than this do not wait
+  int max_waiting = 20;   ///< greatest number of scans that wait
   OdometryBufferParameters odometry;
 
   template <class Visitor>
@@ -59,9 +59,9 @@ struct ScanPairingParameters {
   }
 };
 
-/// The mapper, and all that it is put together from.
+/// The mapper and all its parts.
 struct MapperParameters {
-  RobotModel robot;              ///< it stands on free floor; described by the node
+  RobotModel robot;              ///< the floor under it is free; described by the node
   double max_age = 1.0;          ///< an older scan is stale [s]
   double max_lead = 0.5;         ///< a scan may be this much ahead of the clock [s]
   double min_travel = 0.01;      ///< a robot that moved less has not moved [m]

@@ -8,13 +8,13 @@
 
 namespace frontier_pilot::mapping {
 
-/// A scan that has met its odometry, or will not.
+/// A scan with its odometry, or one for which there is none and will be none.
 struct PairedScan {
   LaserScan2 scan;
   std::optional<Pose2> T_odom_base;  ///< none: there is no odometry for the stamp
 };
 
-/// Pairs scans with odometry by stamp [MAP-1]: they come by different ways, in any order.
+/// Pairs scans with odometry by stamp [MAP-1], because they arrive on different topics in any order.
 class ScanPairing {
  public:
   explicit ScanPairing(const ScanPairingParameters& parameters = {});
@@ -25,7 +25,7 @@ class ScanPairing {
   /// A stamp that is older than the last one means that the clock was set back: earlier odometry is forgotten.
   void addOdometry(Time stamp, const Pose2& T_odom_base);
   void addScan(LaserScan2 scan);
-  /// The oldest scan that is decided, if any; call until there is none.
+  /// The oldest scan, once it is paired or has waited long enough; call until there is none.
   std::optional<PairedScan> next(Time now);
   bool hasOdometry() const;
   void clear();

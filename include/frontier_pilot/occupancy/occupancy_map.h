@@ -22,17 +22,17 @@ struct LogOddsModel {
   float clamp(float log_odds) const { return std::min(std::max(log_odds, min), max); }
 };
 
-/// What became different since the last time one asked.
+/// What has changed since the changes were last taken.
 struct MapChanges {
-  bool geometry_changed = false;  ///< the map has grown: every cell has a new index
-  CellRect cells;                 ///< the values that differ lie in here; the whole map when it has grown
+  bool geometry_changed = false;  ///< the map has grown: cell indices have changed
+  CellRect cells;                 ///< bounds of the cells whose values differ; the whole map when it has grown
 
   bool empty() const { return !geometry_changed && cells.empty(); }
 };
 
 /// The map: log-odds per cell in an octree [MAP-2], a dense copy of them for speed, and their projection to an
 /// OccupancyGrid, kept up to date cell by cell. It grows, and never shrinks. The grid's origin is a multiple of the
-/// resolution, so cells keep their place in the frame.
+/// resolution, so that cells keep their positions in the frame.
 class OccupancyMap {
  public:
   explicit OccupancyMap(const OccupancyMapParameters& parameters = {});
@@ -48,10 +48,10 @@ class OccupancyMap {
   const GridGeometry& geometry() const { return grid_.geometry(); }
   const OctreeLayer& octree() const { return *octree_; }
 
-  /// Grows so that the box `low`-`high` [m] is inside. False, and nothing happens, when the map would get too large.
+  /// Grows so that the box `low`-`high` [m] is inside. Returns false, and does nothing, if the map would be too large.
   bool reserve(const Vec2& low, const Vec2& high);
 
-  /// From here on each cell takes one more update: a hit wins when it is told before the misses.
+  /// Begins a scan, which updates each cell at most once: report hits before misses, so that hits take precedence.
   void beginScan();
   /// A beam ended in `cell`, which must be inside.
   void hit(Cell cell) {
@@ -63,7 +63,7 @@ class OccupancyMap {
   /// A beam passed `cell`, which must be inside.
   void miss(Cell cell) {
     Entry& entry = entries_[cell];
-    // What is as surely free as it may be stays: most cells end here, at the cost of one load.
+    // Nothing to do at the lower clamping bound: most calls end here, at the cost of one load.
     if (entry.log_odds == model_.min || entry.scan == scan_) return;
     entry.scan = scan_;
     change(geometry().index(cell), model_.miss);
@@ -72,7 +72,7 @@ class OccupancyMap {
 
   /// What changed since the last call.
   MapChanges takeChanges();
-  /// Between the two the octree lags behind: to put many scans in at once, which is faster so. Only where it is empty.
+  /// Between the two calls the octree is not updated, which makes inserting many scans faster. Only for an empty map.
   void beginBatch() { in_batch_ = true; }
   void endBatch();
 
@@ -80,16 +80,16 @@ class OccupancyMap {
   void clear();
   /// Whether `exchange` would succeed.
   bool hasRoomFor(const OccupancyMap& other) const;
-  /// Takes over the content of `other`, of the same parameters, which gets ours. The map may grow by that, and what
-  /// differs counts as changed. False, and nothing happens, when it would get too large.
+  /// Swaps the contents with `other`, which must have the same parameters. The map grows to cover both, and cells that
+  /// differ count as changed. Returns false, and does nothing, when it would be too large.
   bool exchange(OccupancyMap& other);
 
-  /// Octomap's binary format. False when the stream fails.
+  /// Writes OctoMap's binary format. Returns false when the stream fails.
   bool write(std::ostream& out);
-  /// Replaces the map by what `write` gave. False, nothing is changed, and `why` says the reason, when the bytes are
-  /// not all of an octree of this resolution, or one that is too large.
+  /// Replaces the map by one that `write` wrote. Returns false, changes nothing, and gives the reason in `why`, when
+  /// the bytes are not a complete octree of this resolution, or it is too large or empty at the scanner's height.
   bool read(const std::string& bytes, std::string& why);
-  /// What `read` takes at most [bytes].
+  /// The greatest size that `read` accepts [bytes].
   std::size_t mostBytes() const;
 
   /// The dense copy's log-odds; no value where unknown. For tests and pictures.
@@ -99,7 +99,7 @@ class OccupancyMap {
   static constexpr float kUnknownLogOdds = 1e9F;
   struct Entry {
     float log_odds = kUnknownLogOdds;
-    std::uint32_t scan = 0;  ///< the last scan that said something about this cell
+    std::uint32_t scan = 0;  ///< number of the last scan that updated this cell
   };
 
   void change(std::size_t index, float step);
@@ -116,8 +116,8 @@ class OccupancyMap {
   OccupancyMapParameters parameters_;
   LogOddsModel model_;
   std::unique_ptr<OctreeLayer> octree_;
-  CellRect extent_;      ///< the grid's place, in cells from the frame's origin
-  Grid<Entry> entries_;  ///< the octree's layer, dense
+  CellRect extent_;      ///< the grid's extent, in cells from the frame's origin
+  Grid<Entry> entries_;  ///< a dense copy of the octree's layer
   OccupancyGrid grid_;
   std::uint32_t scan_ = 0;
   bool in_batch_ = false;

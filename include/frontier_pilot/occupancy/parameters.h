@@ -4,8 +4,8 @@
 
 namespace frontier_pilot::occupancy {
 
-/// The inverse sensor model: what one scan says about a cell, and how sure the map may become (so that it can still
-/// change its mind). Hornung et al., "OctoMap", Autonomous Robots 34, 2013, eq. 2-4.
+/// The inverse sensor model: how one scan changes the probability of a cell, and the bounds of that, which let the map
+/// still adapt to changes. Hornung et al., "OctoMap", Autonomous Robots 34, 2013, eq. 2-4.
 struct OccupancyModel {
   double hit = 0.7;         ///< probability that a cell is occupied, given that a beam ended in it
   double miss = 0.4;        ///< probability that a cell is occupied, given that a beam passed it
@@ -41,12 +41,12 @@ struct OccupancyMapParameters {
   }
 };
 
-/// How a scan goes into the map, see ScanInserter.
+/// How a scan is inserted into the map, see ScanInserter.
 struct ScanInsertionParameters {
   double max_clear_range = 8.0;  ///< a beam without a return clears at most this far [m]
-  double robot_radius = 0.105;   ///< a disc under the robot is free [m]; the mapper takes it from its robot
-  double hit_offset = 0.5;       ///< a hit is put this much behind the measured surface [cells]
-  double clear_margin = 0.3;     ///< a beam clears what it enters until this much before the surface [cells]
+  double robot_radius = 0.105;   ///< radius of the free disc under the robot [m]; set by the mapper from its robot
+  double hit_offset = 0.5;       ///< distance of a hit behind the measured surface [cells]
+  double clear_margin = 0.3;     ///< a beam clears the cells up to this distance before the surface [cells]
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -10,18 +10,18 @@
 
 namespace frontier_pilot::occupancy {
 
-/// What became of a scan that was to go into a map.
+/// The result of inserting a scan into a map.
 enum class Insertion {
   kInserted,
-  kAllInvalid,   ///< no beam says anything
+  kAllInvalid,   ///< no beam is usable
   kOutOfBounds,  ///< the map would have to grow beyond its largest size
 };
 
-/// Puts scans into a map. A measured surface is the border of a cell, and noise moves it to either side: so the hit
-/// goes half a cell behind it, and the cells before it are cleared up to a margin. Both are measured across the
-/// surface, where the neighbours of a beam show how that lies: along a beam that meets a wall at a flat angle half a
-/// cell is hardly behind it, and what is before it may be the wall itself if the pose is off by a centimetre. Hits win
-/// over misses within a scan.
+/// Inserts scans into a map. A measured surface may lie on the border of a cell, and noise moves it to either side: so
+/// the hit goes half a cell behind it, and the cells before it are cleared up to a margin. Both distances are measured
+/// across the surface where its normal is known: half a cell along a beam that meets a wall at a flat angle is hardly
+/// behind the wall, and the cells just before the surface may be the wall itself if the pose is off by a centimetre.
+/// Within a scan hits take precedence over misses.
 class ScanInserter {
  public:
   explicit ScanInserter(const ScanInsertionParameters& parameters = {}) : parameters_(parameters) {}

@@ -12,8 +12,8 @@
 namespace frontier_pilot::scan_matching {
 
 /// Maxima of a field over squares: cell (x, y) of level h holds the greatest value in [x, x + 2^h) x [y, y + 2^h), in
-/// the field's own cell numbers, which may begin below zero. Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM",
-/// ICRA 2016, V-C. A copy: the field may change or go, and another thread may search in it.
+/// cell indices of the field; those of higher levels begin below zero. Hess et al., "Real-Time Loop Closure in 2D LIDAR
+/// SLAM", ICRA 2016, V-C. It is a copy: the field may change or be destroyed.
 class MaxPyramid {
  public:
   /// With the levels 0 (the field itself) to `top`.
@@ -23,9 +23,9 @@ class MaxPyramid {
   int top() const { return static_cast<int>(levels_.size()) - 1; }
 
   struct Level {
-    int offset = 0;  ///< the number, in both directions, of the first cell (never positive)
+    int offset = 0;  ///< index, in x and y, of the first cell (never positive)
     Grid<std::uint8_t> grid;
-    /// 0 outside.
+    /// The value at a cell; 0 outside the grid.
     std::uint8_t at(int x, int y) const {
       const auto column = static_cast<unsigned>(x - offset);
       const auto row = static_cast<unsigned>(y - offset);
@@ -47,7 +47,7 @@ struct SearchWindow {
 };
 
 /// What a deviation from the expected pose costs: weight * min(limit^2, (d / sigma_position)^2 + (a / sigma_yaw)^2)
-/// of score. Bounded, so that the expectation decides between equals and never against what the scan shows.
+/// of score. It is bounded, so that the expectation decides only between poses that score nearly alike.
 struct SearchPenalty {
   double weight = 0.0;          ///< 0: none
   double limit = 3.0;           ///< in standard deviations
@@ -55,7 +55,7 @@ struct SearchPenalty {
   double sigma_yaw = 1.0;       ///< [rad]
 };
 
-/// Poses that do not count, to look for a second peak: those within both bounds of `pose`.
+/// Poses to be ignored in the search for a second peak: those within both bounds of `pose`.
 struct SearchExclusion {
   Pose2 pose;
   double distance = 0.0;  ///< [m]
@@ -67,7 +67,7 @@ struct SearchRequest {
   SearchWindow window;
   SearchPenalty penalty;
   std::optional<SearchExclusion> exclusion;
-  double min_score = 0.0;  ///< what scores less is not found
+  double min_score = 0.0;  ///< poses with a lower score are not found
 };
 
 struct SearchResult {
@@ -77,15 +77,15 @@ struct SearchResult {
   bool on_border = false;  ///< of the window: the true optimum may lie outside
 };
 
-/// The pose in the window with the best rating, and no other has a better one: exact on the lattice of the field's
-/// cells and of the angle by which the points move one cell in the root mean square. None if no pose reaches
+/// The pose in the window with the best rating: the exact optimum on a lattice with steps of one cell of the field and
+/// of the angle by which the points move one cell in the root mean square. None if no pose reaches
 /// `min_score`. Olson, "Real-Time Correlative Scan Matching", ICRA 2009; depth-first branch and bound over the pyramid
-/// by Hess et al., ICRA 2016, V. A pyramid with top 0 gives the exhaustive search; its best top is about log2 of the
-/// window's width in cells. `points` must not be empty.
+/// by Hess et al., ICRA 2016, V. A pyramid with top 0 gives the exhaustive search; a search is
+/// fastest with about log2 of the window's width in cells. `points` must not be empty.
 std::optional<SearchResult> correlativeSearch(const MaxPyramid& pyramid, const surfaces::SurfacePoints& points,
                                               const SearchRequest& request);
 
-/// The level that a pyramid should have for `window`.
+/// The top level that a pyramid should have for `window`; `resolution` is the side of a cell [m].
 int pyramidTop(const SearchWindow& window, double resolution);
 
 }  // namespace frontier_pilot::scan_matching

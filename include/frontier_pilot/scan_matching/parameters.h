@@ -17,9 +17,9 @@ struct LikelihoodParameters {
 
 /// How a match is refined, see `refine`.
 struct RefinementParameters {
-  int iterations = 12;         ///< at most
-  double outlier = 0.05;       ///< a point this far from its surface counts a quarter [m]
-  double independence = 0.25;  ///< share of the points that count as independent of each other
+  int iterations = 12;         ///< greatest number of Gauss-Newton steps
+  double outlier = 0.05;       ///< the weight of a point this far from its surface is a quarter [m]
+  double independence = 0.25;  ///< share of the points that counts as independent measurements
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -9,7 +9,7 @@
 
 namespace frontier_pilot::scan_matching {
 
-/// A pose and how sure it is. The error is of (x, y, yaw), each added to the pose's own; x and y along the axes of the
+/// A pose and its uncertainty: the covariance of errors added to its (x, y, yaw), with x and y along the axes of the
 /// frame that the pose is in.
 struct PoseWithCovariance {
   Pose2 pose;
@@ -19,19 +19,19 @@ struct PoseWithCovariance {
 struct Refinement {
   Pose2 pose;
   Eigen::Matrix3d information =
-      Eigen::Matrix3d::Zero();  ///< of the points alone, without the prior; as in PoseWithCovariance
+      Eigen::Matrix3d::Zero();  ///< of the points alone, without the prior, for errors as in PoseWithCovariance
   double inliers = 0.0;         ///< share of the points that lie on a surface, 0 ... 1
 };
 
 /// Moves `start` to where `points` lie on the surfels of `map`: Gauss-Newton on the distances along the surfels'
 /// normals (Chen & Medioni, "Object Modelling by Registration of Multiple Range Images", 1992), with the weights of
-/// Geman & McClure. Along a wall a point says nothing, so a corridor leaves the information along it near zero, and
-/// `prior` decides there: what it says is minimised together with the distances.
+/// Geman & McClure. A point does not constrain the pose along its wall, so in a corridor the information along the
+/// walls is nearly zero, and `prior` decides there: its squared error is minimised together with the distances.
 Refinement refine(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& start,
                   const std::optional<PoseWithCovariance>& prior, const RefinementParameters& parameters);
 
 /// Share of the points whose beams, traced from the base's origin at `T_map_base`, are inconsistent with the map: they
-/// pass through a known surface, or end before one where nothing is known to be. A scan of a new place matches few
+/// pass through a known surface, or end in front of one where no surface is known. A scan of a new place matches few
 /// known surfaces and yet is consistent with them; a scan of another place is not.
 double inconsistentShare(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& T_map_base);
 

@@ -13,8 +13,8 @@ namespace frontier_pilot::scan_matching {
 
 class SurfelMap;
 
-/// What scans are matched with: a likelihood field to search in, and surfels to refine on, of the same points. It grows
-/// where points are added.
+/// The map that scans are matched with: a likelihood field for the search and surfels for the refinement, both of the
+/// same points. It grows where points are added.
 class SurfaceMap {
  public:
   explicit SurfaceMap(const LikelihoodParameters& parameters = {});
@@ -24,18 +24,18 @@ class SurfaceMap {
   SurfaceMap(const SurfaceMap&) = delete;
   SurfaceMap& operator=(const SurfaceMap&) = delete;
 
-  /// `points` at `T_map_points`; dense, see `filled`.
+  /// Adds `points`, whose frame is at `T_map_points`; they should be dense, see `filled`.
   void add(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
-  /// As `add`, but for the surfels only: what is known well becomes known better, nothing is found that was not.
+  /// Adds to existing surfels only, which become more accurate: no surface appears that was not known.
   void updateKnown(const surfaces::SurfacePoints& points, const Pose2& T_map_points);
 
   /// The likelihood field, which is searched: 255 exp(-d^2 / (2 sigma^2)), where d is the distance from the cell's
   /// centre to the nearest point. Thrun, Burgard & Fox, "Probabilistic Robotics", 6.4. Empty until the first point.
   const Grid<std::uint8_t>& field() const;
-  /// What a match is refined on.
+  /// The surfels, on which a match is refined.
   const SurfelMap& surfels() const;
   bool empty() const { return field().empty(); }
-  /// [bytes]
+  /// The memory that the field and the surfels take [bytes].
   std::size_t memory() const;
 
  private:

@@ -10,13 +10,13 @@
 
 namespace frontier_pilot::slam {
 
-/// Simultaneous localisation and mapping: scans are matched with the last few metres at once, in a local frame that is
-/// smooth and drifts; loops are closed in the background, on a pose graph of submaps. [MAP-1]
-/// The map's frame is the local one as long as no loop was closed.
+/// 2D graph SLAM. The front end matches each scan at once with a submap of the last few metres, in a local frame that
+/// is continuous but drifts; the back end closes loops in the background, on a pose graph of submaps. [MAP-1]
+/// The map frame equals the local frame until the first loop is closed.
 class GraphSlam final : public PoseCorrection {
  public:
-  /// The map that revisions bring has `map` as its parameters, scans go into it by `insertion`, and it begins with
-  /// `base`, a map in OctoMap's binary format, if there is one.
+  /// The maps of revisions have the parameters `map`, and scans are inserted into them with `insertion`. If `base` is
+  /// not empty, it is a map in OctoMap's binary format that every rendering starts from.
   explicit GraphSlam(const GraphSlamParameters& parameters = {}, const occupancy::OccupancyMapParameters& map = {},
                      const occupancy::ScanInsertionParameters& insertion = {}, const std::string& base = {});
   ~GraphSlam() override;

@@ -9,29 +9,29 @@
 
 namespace frontier_pilot::slam {
 
-/// What became of an attempt to recognise a place.
+/// The result of an attempt to close a loop.
 enum class ClosureVerdict {
-  kAccepted,     ///< it is in the graph
-  kNotFound,     ///< the scan does not fit into the window well enough
-  kPoor,         ///< found, but too few of its points lie on surfaces
-  kAmbiguous,    ///< it fits elsewhere in the window nearly as well
-  kUnconfirmed,  ///< too few keyframes near it said the same
-  kDisagrees,    ///< with it the graph as a whole contradicts itself
-  kContradicts,  ///< with it what was seen from where it moves contradicts the map
+  kAccepted,     ///< the closure is in the graph
+  kNotFound,     ///< no pose in the window scores well enough, or the best one lies on its border
+  kPoor,         ///< found, but with too few inliers, or the refinement moved it too far
+  kAmbiguous,    ///< another pose in the window scores nearly as well
+  kUnconfirmed,  ///< too few other keyframes had matches that agree with it
+  kDisagrees,    ///< with it, the optimised graph has a closure whose error is too large
+  kContradicts,  ///< with it, the scans of moved keyframes are less consistent with the map
 };
 constexpr std::size_t kClosureVerdicts = 7;
 const char* toString(ClosureVerdict verdict);
 
-/// A place seen again: where a keyframe is, seen from an older submap.
+/// A loop closure: the pose of a keyframe relative to an older submap.
 struct LoopClosure {
   std::size_t keyframe = 0;
   std::size_t submap = 0;
   Pose2 T_submap_keyframe;
   Time keyframe_stamp;
-  Time submap_stamp;  ///< when the keyframe was taken whose base is the submap's frame
+  Time submap_stamp;  ///< of the submap's first keyframe, whose base frame is the submap's frame
 };
 
-/// How many attempts met each fate.
+/// The number of attempts by verdict.
 class ClosureCounts {
  public:
   void add(ClosureVerdict verdict, std::uint64_t times = 1) { counts_[static_cast<std::size_t>(verdict)] += times; }

@@ -24,15 +24,15 @@ struct OdometryTrust {
   }
 };
 
-/// How the robot is followed, see ScanTracker.
+/// How the robot is tracked, see ScanTracker.
 struct ScanTrackerParameters {
-  int min_points = 25;        ///< fewer are not matched
+  int min_points = 25;        ///< a scan with fewer points is not matched
   double min_score = 0.4;     ///< mean likelihood that a match must reach
   double min_inliers = 0.5;   ///< share of the points that must lie on known surfaces
-  double new_inliers = 0.3;   ///< the same while the other points are consistent with the map: they show a new place
+  double new_inliers = 0.3;   ///< the same where nearly all beams are consistent with the map: the rest is new ground
   double max_distance = 1.0;  ///< greatest half width of the search [m]
-  double max_angle = 0.6;     ///< [rad]
-  double max_silence = 5.0;   ///< after so long with scans that fit nowhere the robot is lost [s]
+  double max_angle = 0.6;     ///< greatest half angle of the search [rad]
+  double max_silence = 5.0;   ///< time without a match after which a scan that fits nowhere means `lost` [s]
   OdometryTrust odometry;
   scan_matching::RefinementParameters refinement;
 
@@ -40,7 +40,7 @@ struct ScanTrackerParameters {
   void describe(Visitor& v) {
     v.fixed({"min_points", "min_score", "min_inliers", "new_inliers", "max_distance", "max_angle", "max_silence"});
     v.group("odometry", odometry, "the motion model of odometry");
-    v.group("refinement", refinement, "the match below the size of a cell");
+    v.group("refinement", refinement, "the sub-cell refinement of a match");
   }
 };
 
@@ -48,20 +48,20 @@ struct ScanTrackerParameters {
 struct LocalSlamParameters {
   double keyframe_distance = 0.2;  ///< a keyframe is made after moving this far [m]
   double keyframe_angle = 0.2;     ///< or turning this far [rad]
-  double keyframe_inliers = 0.8;   ///< or a tenth of that where the map shows less of the scan than this share
-  int submap_keyframes = 80;       ///< a submap is finished with so many; the next begins at half of them
+  double keyframe_inliers = 0.8;   ///< with a smaller share of inliers a tenth of either is enough
+  int submap_keyframes = 80;       ///< number of keyframes in a finished submap; the next one begins at half of it
   scan_matching::LikelihoodParameters likelihood;
   ScanTrackerParameters tracker;
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.fixed({"keyframe_distance", "keyframe_angle", "keyframe_inliers", "submap_keyframes"});
-    v.group("likelihood", likelihood, "the field that is searched");
-    v.group("tracker", tracker, "how the robot is followed");
+    v.group("likelihood", likelihood, "the likelihood field that is searched");
+    v.group("tracker", tracker, "how the robot is tracked");
   }
 };
 
-/// How far a submap is believed to be off, seen from its predecessor, even where the scans show all there is to see.
+/// The uncertainty of a submap's pose relative to its predecessor that remains even where scans determine it fully.
 struct SubmapDrift {
   double position = 0.008;  ///< standard deviation [m]
   double yaw = 0.002;       ///< standard deviation [rad]
@@ -75,8 +75,8 @@ struct SubmapDrift {
 /// The optimisation of the pose graph.
 struct PoseGraphParameters {
   int max_iterations = 50;
-  double tolerance = 1e-6;   ///< an optimisation ends when a step lowers the cost by a smaller share
-  double outlier_chi2 = 16;  ///< squared error at which a robustly weighted constraint counts a quarter
+  double tolerance = 1e-6;   ///< an optimisation ends when a step lowers the cost by no more than this share
+  double outlier_chi2 = 16;  ///< squared Mahalanobis error at which the weight of a robust constraint is a quarter
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -84,29 +84,29 @@ struct PoseGraphParameters {
   }
 };
 
-/// The search for one keyframe in one submap, and what makes a match of it.
+/// The search for one keyframe in one submap, and what its result must satisfy to be a match.
 struct LoopSearchParameters {
   double min_score = 0.55;     ///< mean likelihood of the points that a match must reach
   double min_inliers = 0.6;    ///< share of the points that must lie on a surface
-  double ambiguity = 0.9;      ///< a second place that scores this share of the best one makes it ambiguous
-  double peak_distance = 0.2;  ///< nearer than this it is the same place [m]
-  double peak_angle = 0.1;     ///< turned less than this it is the same place [rad]
-  int submaps_kept = 8;        ///< so many submaps are kept ready for a search
+  double ambiguity = 0.9;      ///< a match is ambiguous if a second pose has this share of its score
+  double peak_distance = 0.2;  ///< a pose within this distance of the best one [m]
+  double peak_angle = 0.1;     ///< and within this angle belongs to the same peak [rad]
+  int submaps_kept = 8;        ///< number of submaps whose maps for the search are kept in memory
   scan_matching::LikelihoodParameters likelihood;
   scan_matching::RefinementParameters refinement;
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.fixed({"min_score", "min_inliers", "ambiguity", "peak_distance", "peak_angle", "submaps_kept"});
-    v.group("likelihood", likelihood, "the field that is searched");
-    v.group("refinement", refinement, "the match below the size of a cell");
+    v.group("likelihood", likelihood, "the likelihood field that is searched");
+    v.group("refinement", refinement, "the sub-cell refinement of a match");
   }
 };
 
-/// Where loops are looked for, and which of them are believed.
+/// Where loops are searched for, and which matches are accepted.
 struct LoopCloserParameters {
   int min_gap = 3;                  ///< least number of submaps between the newest one and one that is recognised
-  double reach = 4.0;               ///< greatest distance to a submap's keyframes, less half the window [m]
+  double reach = 4.0;               ///< greatest distance to a submap's nearest keyframe, less half the window [m]
   double sigmas = 3.0;              ///< half width of the search window, in standard deviations
   double min_window = 0.4;          ///< least half width of the window [m]
   double max_window = 8.0;          ///< greatest half width of the window [m]
@@ -119,10 +119,10 @@ struct LoopCloserParameters {
   int confirmations = 3;            ///< number of keyframes whose matches must agree
   double confirm_travel = 0.5;      ///< least distance from the keyframe to the farthest that agrees [m]
   double confirm_jump = 1.0;        ///< added to that distance for each metre that the robot would jump [m/m]
-  double confirm_share = 0.5;       ///< least share of the keyframes between them whose matches agree
-  int confirm_within = 40;          ///< age at which a match is dropped that nothing has confirmed [keyframes]
-  double verify_jump = 0.1;         ///< closures that move the robot farther are checked against the map [m]
-  double max_inconsistency = 0.03;  ///< greatest increase of the share of beams that contradict the map
+  double confirm_share = 0.5;       ///< least share of the keyframes from the first of these on whose matches agree
+  int confirm_within = 40;          ///< age beyond which a match is dropped [keyframes]
+  double verify_jump = 0.1;         ///< keyframes that closures move farther are checked against the map [m]
+  double max_inconsistency = 0.03;  ///< greatest mean increase of the share of beams that are inconsistent with the map
   double agree_distance = 0.2;      ///< two matches agree when their positions differ by no more [m],
   double agree_angle = 0.04;        ///< and their yaws by no more [rad]
   LoopSearchParameters search;
@@ -141,8 +141,8 @@ struct LoopCloserParameters {
 struct RenderingParameters {
   double min_distance = 0.025;    ///< the map is rendered again when a keyframe moved this far [m]
   double min_angle = 0.005;       ///< or turned this far [rad]
-  double urgent_distance = 0.05;  ///< at once, when one moved this far [m]
-  double share = 0.02;            ///< else after so many new keyframes, as a share of all
+  double urgent_distance = 0.05;  ///< and at once when one moved this far [m],
+  double share = 0.02;            ///< otherwise after this many new keyframes, as a share of all
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -150,7 +150,7 @@ struct RenderingParameters {
   }
 };
 
-/// All of GraphSlam.
+/// All parameters of GraphSlam.
 struct GraphSlamParameters {
   surfaces::SurfaceParameters surface;
   LocalSlamParameters local;
@@ -161,9 +161,9 @@ struct GraphSlamParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.group("surface", surface, "how scans are read, to be matched and to be mapped");
+    v.group("surface", surface, "how the surfaces of a scan are read, for matching and mapping");
     v.group("local", local, "matching of scans with the last few metres");
-    v.group("drift", drift, "how far the local map is believed to drift");
+    v.group("drift", drift, "the drift of the local map from submap to submap");
     v.group("graph", graph, "the pose graph");
     v.group("loops", loops, "loop closing");
     v.group("rendering", rendering, "when the map is rendered again");

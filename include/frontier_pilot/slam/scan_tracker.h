@@ -13,20 +13,20 @@ namespace frontier_pilot::slam {
 enum class MatchVerdict {
   kFirst,        ///< there was nothing to match it with
   kMatched,      ///< scan and odometry agree
-  kContradicts,  ///< matched well, but elsewhere than odometry says: odometry is not believed
+  kContradicts,  ///< matched well, but not where odometry says: the scan is believed
   kTooFew,       ///< too few returns: odometry only
-  kPoor,         ///< the scan fits nowhere in the window, or after a long silence not surely: odometry only
+  kPoor,         ///< it fits nowhere in the window, or not well enough to overrule odometry: odometry only
   kAmbiguous,    ///< it fits in several places, and not where odometry says: odometry only
-  kLost,         ///< nothing has matched for so long that the map is begun anew, where odometry says
+  kLost,         ///< nothing has matched for so long that a new submap is begun at odometry's pose
 };
 const char* toString(MatchVerdict verdict);
 
-/// Whether the pose is one that the map confirms.
+/// Whether the pose comes from a match with the map.
 inline bool isMatched(MatchVerdict verdict) {
   return verdict == MatchVerdict::kMatched || verdict == MatchVerdict::kContradicts;
 }
 
-/// What scans are matched with: a map, its pyramid, and where its frame lies.
+/// What scans are matched with: a map, its pyramid, and the pose of its frame.
 struct MatchTarget {
   const scan_matching::SurfaceMap& map;
   const scan_matching::MaxPyramid& pyramid;
@@ -35,31 +35,31 @@ struct MatchTarget {
 
 struct Track {
   MatchVerdict verdict = MatchVerdict::kFirst;
-  scan_matching::PoseWithCovariance T_local_base;  ///< the covariance is relative to what it was matched with
+  scan_matching::PoseWithCovariance T_local_base;  ///< the covariance is relative to the map that was matched
   double score = 0.0;                              ///< mean likelihood of the points, 0 ... 1
   double inliers = 0.0;                            ///< share of the points that lie on surfaces, 0 ... 1
-  bool slides = false;  ///< matched, but along some direction the scan shows nothing, as in a bare corridor
+  bool slides = false;  ///< the scan hardly constrains the position in some direction, as in a bare corridor
 };
 
 /// How the pose was found, for diagnostics.
 const char* describe(const Track& track);
 
-/// Follows a robot from scan to scan: odometry says where to look and how sure it is of that, the map where the robot
-/// is, and odometry again what the map does not show. Where scan and odometry contradict each other, the scan is right:
-/// wheels slip and encoders freeze, walls do not. After a long silence it has to fit well for that: the scanner may
-/// have been carried away. Where the scan shows nothing known, odometry carries on.
+/// Tracks a robot from scan to scan. Odometry predicts the pose and its uncertainty, the match with the map determines
+/// the pose, and odometry decides where the scan leaves it open. Where scan and odometry contradict each other, the
+/// scan is believed: wheels slip and encoders freeze, walls do not. After a long time without a match it must fit well
+/// for that, because the scanner may have been carried away. Where a scan fits nowhere, odometry carries the pose on.
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParameters& parameters = {}) : parameters_(parameters) {}
 
-  /// `points` are those of a scan of `stamp`, taken at `T_odom_base`; without a target there is nothing yet.
+  /// `points` are those of the scan at `stamp`, taken at `T_odom_base`; no target: there is no map yet.
   Track track(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
               const std::optional<MatchTarget>& target);
 
-  /// How far a search may reach, so that pyramids fit.
+  /// The search window after a usual time between matches, to choose the top level of a pyramid by.
   scan_matching::SearchWindow usualWindow() const;
   const Pose2& T_local_odom() const { return T_local_odom_; }
-  /// Puts odometry's frame there, and forgets everything else.
+  /// Sets the pose of the odometry frame, and forgets everything else.
   void reset(const Pose2& T_local_odom = {});
 
  private:
@@ -70,21 +70,21 @@ class ScanTracker {
   };
   struct Prediction {
     Pose2 T_map_base;
-    Sigma odometry;  ///< if odometry works as it should
-    Sigma unseen;    ///< if it does not
+    Sigma odometry;  ///< if odometry works correctly
+    Sigma unseen;    ///< if it may have missed motion, such as slip
   };
   struct Last {
     Time stamp;
     Pose2 T_odom_base;
     Time matched;  ///< when a scan was matched last
-    Sigma sigma;   ///< what odometry has added since then
+    Sigma sigma;   ///< the uncertainty that odometry has added since then
   };
 
   Sigma grown(const Sigma& sigma, const Pose2& motion) const;
   Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
   bool fits(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
             const scan_matching::SurfaceMap& map) const;
-  /// Whether a match is sure enough to be right against odometry.
+  /// Whether a match is reliable enough to be believed although it contradicts odometry.
   bool overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
                          const MatchTarget& target, const Prediction& prediction) const;
   Track match(const surfaces::SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const;

@@ -6,14 +6,14 @@ namespace frontier_pilot::surfaces {
 
 /// How the surfaces of a scan are read, thinned and filled.
 struct SurfaceParameters {
-  double fit_radius = 0.2;       ///< neighbours within this take part in fitting a line [m]
+  double fit_radius = 0.2;       ///< neighbours within this distance are used to fit a line [m]
   double fit_error = 0.025;      ///< greatest standard deviation of the neighbours from that line [m]
   double range_noise = 0.01;     ///< standard deviation of a range [m]
-  double bearing_noise = 0.002;  ///< of a beam's direction [rad]
+  double bearing_noise = 0.002;  ///< standard deviation of a beam's direction [rad]
   double roughness = 0.003;      ///< least standard deviation of a surface about the line fitted to it [m]
-  double thinning = 0.1;         ///< points this near to each other are matched as one [m]
-  int max_points = 250;          ///< no more points than this are matched
-  double fill_spacing = 0.05;    ///< gaps between beams on one surface are filled this densely [m]
+  double thinning = 0.1;         ///< points this near to each other are averaged before matching [m]
+  int max_points = 250;          ///< greatest number of points that are matched
+  double fill_spacing = 0.05;    ///< spacing of the points that fill gaps between beams on one surface [m]
   double max_gap = 1.5;          ///< wider gaps are not filled [m]
 
   template <class Visitor>

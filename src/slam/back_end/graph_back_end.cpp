@@ -24,7 +24,7 @@ MapRevision GraphBackEnd::update(std::vector<PlacedKeyframe> batch) {
     graph_.add(std::move(placed));
     for (const LoopClosure& closure : closer_.update(graph_, points)) closures_.push_back(closure);
   }
-  // A submap begins where the local frame is thought to be, so that only closures move that.
+  // A new submap is placed by the present estimate of the local frame, so only closures move that frame.
   if (closures_.size() > known) {
     const Pose2 jump = graph_.T_map_local() * T_map_local.inverse();
     T_new_old_ = withheld_ ? jump * T_new_old_ : jump;
@@ -52,7 +52,7 @@ bool GraphBackEnd::isRenderingDue() const {
   for (std::size_t i = 0; i < rendered_.size(); ++i) {
     const Pose2 step = rendered_[i].inverse() * graph_.T_map_keyframe(i);
     const double distance = step.position().norm();
-    // A map that was too large is likely to be so again: that is not tried with each keyframe.
+    // After a refused map the next one is probably too large as well, so it is not rendered for every keyframe.
     if (distance > parameters_.rendering.urgent_distance && !withheld_) return true;
     visible = visible || distance > parameters_.rendering.min_distance ||
               std::abs(step.yaw) > parameters_.rendering.min_angle;
@@ -64,7 +64,7 @@ bool GraphBackEnd::isRenderingDue() const {
 void GraphBackEnd::render(MapRevision& revision) {
   occupancy::OccupancyMap& map = revision.map.emplace(map_parameters_);
   if (!base_.empty()) {
-    std::string ignored;  // it was this map's own once
+    std::string ignored;  // no error to report: a map of the same parameters wrote `base_`
     map.read(base_, ignored);
   }
   replaced_ = rendered_;

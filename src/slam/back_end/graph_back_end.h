@@ -12,18 +12,18 @@
 
 namespace frontier_pilot::slam {
 
-/// What is thought about in the background: the graph, the search for loops, and the map that follows from them. A
-/// state machine of its own, fed with keyframes; it shares nothing with who feeds it.
+/// The part of SLAM that runs in the background: the pose graph, the search for loops, and the rendering of the map. It
+/// is a state machine that takes keyframes and shares no data with its caller.
 class GraphBackEnd {
  public:
-  /// `base`, if any, is what every rendering begins with: a map in OctoMap's binary format.
+  /// Every rendering begins with `base`, a map in OctoMap's binary format, unless it is empty.
   GraphBackEnd(const GraphSlamParameters& parameters, const occupancy::OccupancyMapParameters& map,
                const occupancy::ScanInsertionParameters& insertion, std::string base = {});
 
-  /// Takes `batch` in, keyframe by keyframe.
+  /// Adds the keyframes of `batch` one by one, and closes loops; renders the map if that is due.
   MapRevision update(std::vector<PlacedKeyframe> batch);
   /// The map of `refused`, the last revision, was not taken over: the owner's map and poses are as before it. Revisions
-  /// move nothing until the next one with a map, which stands for this one too.
+  /// move nothing until the next one with a map, which then includes the changes of this one.
   void takeBack(const MapRevision& refused);
 
   const SubmapGraph& graph() const { return graph_; }
@@ -39,13 +39,13 @@ class GraphBackEnd {
   std::string base_;
   SubmapGraph graph_;
   LoopCloser closer_;
-  std::vector<Pose2> rendered_;        ///< by keyframe: T_map_base of its trace in the map
+  std::vector<Pose2> rendered_;        ///< by keyframe: T_map_base with which it is drawn in the map
   std::vector<Pose2> replaced_;        ///< the same before the map was last rendered
   std::size_t rendered_count_ = 0;     ///< how many keyframes there were when the map was last rendered
   bool moved_ = false;                 ///< the graph has moved since then
   bool withheld_ = false;              ///< a map was refused: the owner's poses wait for the next one
-  Pose2 T_new_old_;                    ///< by what the graph has moved the local frame, not told to the owner yet
-  std::vector<LoopClosure> closures_;  ///< the closures that did
+  Pose2 T_new_old_;                    ///< how closures moved the local frame, not yet reported to the owner
+  std::vector<LoopClosure> closures_;  ///< those closures
 };
 
 }  // namespace frontier_pilot::slam

@@ -10,7 +10,7 @@
 namespace frontier_pilot::slam {
 namespace {
 
-/// Whether a scan that was matched so shows what the map shows.
+/// Whether a scan with this verdict may be inserted into the map.
 bool fits(MatchVerdict verdict) { return verdict != MatchVerdict::kPoor && verdict != MatchVerdict::kAmbiguous; }
 
 bool isSound(const Track& track) {
@@ -22,7 +22,7 @@ void addPlace(const std::shared_ptr<const Submap>& submap, PlacedKeyframe& place
   if (inside) placed.places.push_back({submap->id, submap->T_local_submap});
 }
 
-/// What a GraphSlam is made with, to begin anew with a reset.
+/// The arguments that a GraphSlam was constructed with: a reset starts from them again.
 struct Setup {
   GraphSlamParameters parameters;
   occupancy::OccupancyMapParameters map;
@@ -49,10 +49,10 @@ struct GraphSlam::Impl {
   LocalSlam local;
   DriftCovariance drift;
   Pose2 T_map_local;
-  std::shared_ptr<GraphBackEnd> back_end;  ///< only the work touches it while it is out
+  std::shared_ptr<GraphBackEnd> back_end;  ///< while work is under way, only that work accesses it
   std::vector<PlacedKeyframe> inbox;       ///< keyframes for the next work
   bool working = false;
-  bool abandoned = false;  ///< the back end threw: it gets nothing any more
+  bool abandoned = false;  ///< the back end threw: it gets no more keyframes
   std::uint64_t generation = 0;
 };
 
@@ -96,7 +96,7 @@ bool GraphSlam::accept(const MapRevision& revision) {
   if (revision.generation != impl_->generation) return false;
   impl_->working = false;
   impl_->T_map_local = revision.T_new_old * impl_->T_map_local;
-  // What came meanwhile is put into a map that was rendered anew at its new place.
+  // Scans that arrived meanwhile are inserted into the newly rendered map at their corrected poses.
   if (revision.map) {
     for (PlacedKeyframe& placed : impl_->inbox) placed.T_map_base = revision.T_new_old * placed.T_map_base;
   }

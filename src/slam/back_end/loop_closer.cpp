@@ -10,9 +10,9 @@
 namespace frontier_pilot::slam {
 namespace {
 
-constexpr double kSight = 3.0;  ///< what is farther off a scan hardly sees [m]
+constexpr double kSight = 3.0;  ///< range beyond which a scan shows little [m]
 
-/// How far the keyframes of a submap are from a point in its frame at the nearest [m].
+/// The distance from a point in a submap's frame to the nearest of its keyframes [m].
 double distanceTo(const SubmapGraph& graph, std::size_t submap, const Vec2& point) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const std::size_t keyframe : graph.submap(submap).keyframes) {
@@ -21,15 +21,15 @@ double distanceTo(const SubmapGraph& graph, std::size_t submap, const Vec2& poin
   return nearest;
 }
 
-/// Where the newest keyframe is by what is known now.
+/// The newest keyframe's pose in the map, as currently estimated.
 Pose2 newestPose(const SubmapGraph& graph) {
   return graph.T_map_local() * graph.keyframe(graph.keyframeCount() - 1).T_local_base;
 }
 
-/// Of so many keyframes one is looked at when the map is held against itself: neighbours see the same.
+/// The n of "every n-th keyframe" in the check of the map's consistency: neighbouring keyframes see nearly the same.
 std::size_t sampling(const SubmapGraph& graph) {
   constexpr std::size_t kLeast = 5;
-  constexpr std::size_t kMost = 200;  // keyframes that are looked at
+  constexpr std::size_t kMost = 200;  // about how many keyframes are checked
   return std::max(kLeast, graph.keyframeCount() / kMost);
 }
 
@@ -39,7 +39,7 @@ std::vector<Pose2> sampledPoses(const SubmapGraph& graph) {
   return poses;
 }
 
-/// Whether every closure in the graph is one that it agrees with.
+/// Whether all closures in the graph agree with it.
 bool isSound(const SubmapGraph& graph) {
   const PoseGraph& poses = graph.graph();
   return std::all_of(poses.constraints().begin(), poses.constraints().end(), [&](const PoseConstraint& constraint) {

@@ -11,31 +11,31 @@
 namespace frontier_pilot::slam {
 
 /// Closes loops: searches for each keyframe in the old submaps that it may lie in, in a window given by the graph's
-/// covariance. A match becomes a closure when those of several keyframes agree and the map stays consistent. A missing
-/// closure costs some accuracy, a false one destroys the map: in doubt there is none.
+/// covariance. Matches become closures when those of several keyframes agree and the map stays consistent. A missing
+/// closure costs some accuracy, a false one destroys the map: doubtful matches are not accepted.
 class LoopCloser {
  public:
   explicit LoopCloser(const LoopCloserParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {});
 
-  /// Looks for the newest keyframe of `graph`, of which `points` are the thinned ones. Gives the closures that have
-  /// become certain by that; the graph has then moved.
+  /// Searches for the newest keyframe of `graph`; `points` are its thinned points. Returns the closures that this has
+  /// confirmed; the graph has then been optimised with them.
   std::vector<LoopClosure> update(SubmapGraph& graph, const surfaces::SurfacePoints& points);
 
-  /// The attempts so far.
+  /// The number of attempts so far, by verdict.
   const ClosureCounts& counts() const { return counts_; }
 
  private:
-  /// A match that waits for others that agree with it, or, once certain, is one of those others.
+  /// A match: waiting for others that agree with it or, if `certain`, accepted already and able to confirm others.
   struct Hypothesis {
     std::size_t keyframe = 0;
     std::size_t submap = 0;
-    std::size_t of = 0;  ///< the submap that the keyframe is in
+    std::size_t of = 0;  ///< the newest submap, which the keyframe is in
     scan_matching::PoseWithCovariance T_submap_keyframe;
     bool certain = false;
   };
   struct Candidate {
     std::size_t submap = 0;
-    double distance = 0.0;  ///< from where the robot may be to where it was [m]
+    double distance = 0.0;  ///< to the submap's nearest keyframe, less the half width of the window [m]
     scan_matching::SearchWindow window;
   };
 

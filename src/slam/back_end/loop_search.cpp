@@ -18,10 +18,10 @@ scan_matching::SurfaceMap surfaceMapOf(const SubmapGraph& graph, std::size_t sub
   return map;
 }
 
-constexpr double kSigmas = 3.0;     // that half a window holds
-constexpr double kPenalty = 0.005;  // of score, for a deviation of one standard deviation
+constexpr double kSigmas = 3.0;     // half width of a window, in standard deviations
+constexpr double kPenalty = 0.005;  // loss of score at a deviation of one standard deviation
 
-/// What the points leave open the window bounds; what they say is never believed to the last millimetre.
+/// The covariance of a match: the window bounds what the points leave open, and a floor prevents overconfidence.
 Eigen::Matrix3d covarianceOf(const Eigen::Matrix3d& information, const scan_matching::SearchWindow& window) {
   constexpr double kPosition = 0.02;  // [m]
   constexpr double kYaw = 0.004;      // [rad]
@@ -77,7 +77,7 @@ bool LoopSearch::isAmbiguous(const scan_matching::MaxPyramid& pyramid, const sur
   request.min_score = parameters_.ambiguity * best.score;
   const auto rival = scan_matching::correlativeSearch(pyramid, points, request);
   if (!rival) return false;
-  // Along a bare corridor neighbours are no rivals: the information says that the scan cannot tell them apart.
+  // Poses along a bare corridor are no rivals: by its information the scan cannot tell them apart.
   constexpr double kSameRidge = 25.0;
   const Eigen::Vector3d apart(rival->pose.x - best.pose.x, rival->pose.y - best.pose.y,
                               angleDifference(rival->pose.yaw, best.pose.yaw));
@@ -105,7 +105,7 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   request.expected = expected;
   request.window = window;
   request.min_score = parameters_.min_score;
-  // What the scan leaves open the expectation decides; it never outweighs what the scan shows.
+  // The expected pose decides only what the scan leaves open: the penalty is bounded.
   const Vec2 sigma(window.x / kSigmas, window.yaw / kSigmas);
   request.penalty = {kPenalty, kSigmas, sigma.x(), sigma.y()};
   const auto best = scan_matching::correlativeSearch(prepared.pyramid, points, request);
@@ -115,7 +115,7 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   const scan_matching::Refinement refined =
       scan_matching::refine(prepared.map, points, best->pose, prior, parameters_.refinement);
   const Pose2 step = best->pose.inverse() * refined.pose;
-  // The refinement is of a few cells at most; farther, it has slid along a wall.
+  // A correct refinement moves the pose by a few cells at most; beyond that it has slid along a wall.
   constexpr double kFarthest = 4.0;    // [cells]
   constexpr double kMostTurned = 0.1;  // [rad]
   const double farthest = kFarthest * parameters_.likelihood.resolution;

@@ -13,31 +13,31 @@
 
 namespace frontier_pilot::slam {
 
-/// Looks for a keyframe in an old submap: the exact optimum in a window, refined, and looked at with suspicion.
+/// Searches for a keyframe in an old submap: finds the exact optimum in a window, refines it, and checks the result.
 class LoopSearch {
  public:
   struct Result {
-    ClosureVerdict verdict = ClosureVerdict::kNotFound;  ///< kAccepted: found, nothing speaks against it
+    ClosureVerdict verdict = ClosureVerdict::kNotFound;  ///< kAccepted: found, and every check passed
     scan_matching::PoseWithCovariance T_submap_keyframe;
   };
 
   explicit LoopSearch(const LoopSearchParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {})
       : parameters_(parameters), surface_parameters_(surface) {}
 
-  /// Around `expected`, T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
+  /// Searches around `expected`, a T_submap_keyframe. `points`: thinned, in the keyframe's base frame.
   Result find(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
               const Pose2& expected, const scan_matching::SearchWindow& window);
-  /// What is matched of a keyframe.
+  /// The points of a keyframe that are matched: thinned, in its base frame.
   surfaces::SurfacePoints pointsOf(const Keyframe& keyframe) const;
-  /// Share of a keyframe's points that contradict a submap, as in `inconsistentShare`, if it is at `T_submap_keyframe`.
+  /// Share of the points of a keyframe at `T_submap_keyframe` that are inconsistent with a submap: `inconsistentShare`.
   double contradiction(const SubmapGraph& graph, std::size_t submap, const surfaces::SurfacePoints& points,
                        const Pose2& T_submap_keyframe);
 
  private:
-  /// What a search needs of a submap, made of its keyframes.
+  /// A submap's map and pyramid for the search, built from its keyframes.
   struct Prepared {
     std::size_t submap;
-    std::size_t keyframes;  ///< of it that are in the map: the newest submaps still grow
+    std::size_t keyframes;  ///< number of its keyframes in `map`: the newest submaps still grow
     scan_matching::SurfaceMap map;
     scan_matching::MaxPyramid pyramid;
   };
@@ -49,7 +49,7 @@ class LoopSearch {
 
   LoopSearchParameters parameters_;
   surfaces::SurfaceParameters surface_parameters_;
-  std::list<Prepared> prepared_;  ///< the last used one first
+  std::list<Prepared> prepared_;  ///< the most recently used first
 };
 
 }  // namespace frontier_pilot::slam

@@ -8,8 +8,8 @@
 namespace frontier_pilot::slam {
 namespace {
 
-/// (1 + K^4)^-2 of a symmetric K, direction by direction: what is known next to nothing in one must not drown in the
-/// rounding of what is known a million times better in another.
+/// (1 + K^4)^-2 of a symmetric K, eigenvalue by eigenvalue: a direction that is hardly known must not be lost in the
+/// rounding errors of one that is known a million times better.
 Eigen::Matrix3d unknownShare(const Eigen::Matrix3d& known) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> directions(known);
   const Eigen::Array3d squared = directions.eigenvalues().array().square();
@@ -24,7 +24,7 @@ Eigen::Matrix3d DriftCovariance::step(const Keyframe& keyframe, MatchVerdict ver
   const bool first = !last_;
   last_ = keyframe.T_local_base;
   if (first) return Eigen::Matrix3d::Zero();
-  // Nothing joins what was begun anew to what was before, but that the robot did not fly.
+  // No match connects the new submap to the earlier ones: only how far a robot may have been moved bounds the error.
   constexpr double kLostPosition = 1.5;  // [m]
   constexpr double kLostYaw = 0.5;       // [rad]
   if (verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
@@ -42,8 +42,8 @@ Eigen::Vector3d DriftCovariance::odometrySigma(const Pose2& motion) const {
 }
 
 Eigen::Matrix3d DriftCovariance::surfaceInformation(const surfaces::SurfacePoints& points) const {
-  // As if each point said something of its own: the question is which knows more, not how well it knows. Less than the
-  // points know of themselves: the normals of a corridor's walls are off by a little, and must not look like features.
+  // The points count as independent, because the information is only compared with odometry's. The noise is taken to be
+  // greater than it is, so that small errors in the normals of a corridor's walls do not look like features.
   constexpr double kNoise = 0.02;  // [m]
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const surfaces::SurfacePoint& point : points) {

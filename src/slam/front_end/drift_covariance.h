@@ -7,10 +7,10 @@
 
 namespace frontier_pilot::slam {
 
-/// How far the local map may drift from keyframe to keyframe. Where a scan shows surfaces on all sides it holds the
-/// robot to what is mapped; along a bare corridor there is nothing but odometry. So odometry's error stays where it
-/// knows more than the scan, and goes where it knows less: with S S and I, the covariance of odometry's step and the
-/// information of the surfaces, what stays is S (1 + (S I S)^4)^-2 S.
+/// The drift of the local map from keyframe to keyframe. Where a scan shows surfaces on all sides, matching determines
+/// the pose fully; along a bare corridor only odometry does. So odometry's error remains in directions in which
+/// odometry is more certain than the scan, and vanishes in the others: with the covariance S S of odometry's step and
+/// the information I of the surfaces, S (1 + (S I S)^4)^-2 S remains.
 class DriftCovariance {
  public:
   explicit DriftCovariance(const LocalSlamParameters& parameters) : parameters_(parameters) {}

@@ -38,7 +38,7 @@ std::optional<MatchTarget> LocalSlam::target() {
 
 bool LocalSlam::isKeyframe(const Track& track) const {
   if (track.verdict == MatchVerdict::kFirst || track.verdict == MatchVerdict::kLost) return true;
-  // The farther a scanner sees, the less it takes to see something new.
+  // A scan that shows new ground becomes a keyframe after a tenth of the usual distance or angle.
   constexpr double kSoon = 0.1;
   const double share = track.inliers < parameters_.keyframe_inliers ? kSoon : 1.0;
   return isMatched(track.verdict) && isJump(*T_local_keyframe_, track.T_local_base.pose,

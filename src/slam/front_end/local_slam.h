@@ -14,32 +14,32 @@
 
 namespace frontier_pilot::slam {
 
-/// A scan that went into the local map. The local frame is smooth and drifts; it begins where odometry's does.
+/// A scan that is in the local map. The local frame is continuous but drifts; it begins where odometry does.
 struct Keyframe {
   std::size_t id = 0;  ///< 0, 1, 2 ...
   surfaces::SurfaceScan scan;
-  surfaces::SurfacePoints points;  ///< of it, thinned: what is matched
+  surfaces::SurfacePoints points;  ///< its points, thinned for matching
   Pose2 T_local_base;
   Pose2 T_odom_base;
 };
 
-/// A piece of the local map, in a frame of its own: that of its first keyframe's base.
+/// A part of the local map, in the base frame of its first keyframe.
 struct Submap {
   std::size_t id = 0;  ///< 0, 1, 2 ...
   Pose2 T_local_submap;
-  std::vector<std::size_t> keyframes;  ///< ids of those that went in
+  std::vector<std::size_t> keyframes;  ///< ids of the keyframes that were inserted
   scan_matching::SurfaceMap map;
 };
 
 struct LocalSlamOutput {
-  Track track;                                          ///< where the robot is, and how that is known
+  Track track;                                          ///< the robot's pose, and how it was found
   std::optional<Keyframe> keyframe;                     ///< if this scan became one
   std::vector<std::shared_ptr<const Submap>> finished;  ///< submaps that do not change any more, the older first
 };
 
-/// Follows the robot by matching each scan with the submap of the last few metres. Two submaps overlap by half: scans
-/// are matched with the older one and keyframes go into both, so that a new one is well filled when it becomes the
-/// older. After Hess et al., ICRA 2016, IV.
+/// Tracks the robot by matching each scan with a submap of the last few metres. Two submaps overlap by half: scans are
+/// matched with the older one and keyframes go into both, so that a submap is well filled when it becomes the older.
+/// After Hess et al., ICRA 2016, IV.
 class LocalSlam {
  public:
   explicit LocalSlam(const LocalSlamParameters& parameters = {}, const surfaces::SurfaceParameters& surface = {});
@@ -49,7 +49,7 @@ class LocalSlam {
 
   /// The submaps that are being filled, the older first. They change with the next update.
   std::vector<std::shared_ptr<const Submap>> active() const { return {active_.begin(), active_.end()}; }
-  /// Where odometry's frame is by now.
+  /// The present pose of the odometry frame.
   const Pose2& T_local_odom() const { return tracker_.T_local_odom(); }
   const LocalSlamParameters& parameters() const { return parameters_; }
 
@@ -69,7 +69,7 @@ class LocalSlam {
   ScanTracker tracker_;
   std::deque<std::shared_ptr<Submap>> active_;
   std::optional<scan_matching::MaxPyramid> pyramid_;  ///< of the older submap; none when that has changed
-  std::optional<Pose2> T_local_keyframe_;             ///< where the last keyframe is
+  std::optional<Pose2> T_local_keyframe_;             ///< pose of the last keyframe
   std::size_t keyframes_ = 0;
   std::size_t submaps_ = 0;
 };

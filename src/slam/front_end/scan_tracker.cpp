@@ -11,27 +11,27 @@
 namespace frontier_pilot::slam {
 namespace {
 
-// What odometry may be off by without having moved at all: its resolution, and the moment it was read at.
+// The error of odometry that does not depend on motion: its resolution, and the inaccuracy of its stamps.
 constexpr double kLeastPosition = 0.003;  ///< [m]
 constexpr double kLeastYaw = 0.002;       ///< [rad]
 
-// And while its wheels do not turn at all: then what a scan seems to move by is mostly noise.
+// The same while the wheels do not turn: any motion that a scan seems to show is then mostly noise.
 constexpr double kStanding = 0.0003;       ///< [m, rad]
-constexpr double kTurningWheels = 0.0001;  ///< odometry moves by more than this [m, rad]
+constexpr double kTurningWheels = 0.0001;  ///< the wheels turn if odometry moves by more than this [m, rad]
 
-constexpr double kPenalty = 0.0035;  ///< of score, for a deviation of one standard deviation
-constexpr double kLimit = 3.0;       ///< standard deviations that odometry may be off by
-// What a beam shows for the first time counts against the pose that it is seen from. So in a corridor, after a while
-// without scans, poses farther back score more, and it takes this much to stay where odometry says.
+constexpr double kPenalty = 0.0035;  ///< loss of score at a deviation of one standard deviation
+constexpr double kLimit = 3.0;       ///< half width of the search, in standard deviations of odometry
+// Points on new ground lower the score of the true pose. So in a corridor, after a while without scans, poses farther
+// back score better, and the penalty must grow up to this limit to keep the pose where odometry says.
 constexpr double kPenaltyLimit = 6.0;        ///< standard deviations, beyond which the penalty does not grow
-constexpr double kContradiction = 16.0;      ///< squared Mahalanobis distance: one in a thousand by chance
-constexpr double kEvidence = 30.0;           ///< points on surfaces, where most of the scan is not
-constexpr double kMostContradictions = 0.1;  ///< share of the beams
-constexpr double kRival = 0.95;              ///< a second peak this near to the first makes it ambiguous
-constexpr double kRidge = 0.9;               ///< of the peak's score: what lies between poses of one ridge
+constexpr double kContradiction = 16.0;      ///< squared Mahalanobis distance: exceeded by chance once in a thousand
+constexpr double kEvidence = 30.0;           ///< least number of points on surfaces if most of the scan is on none
+constexpr double kMostContradictions = 0.1;  ///< greatest share of beams that are inconsistent with the map
+constexpr double kRival = 0.95;              ///< a second peak with this share of the score makes a match ambiguous
+constexpr double kRidge = 0.9;               ///< least share of the peak's score halfway between two poses of one ridge
 constexpr double kRivalDistance = 4;         ///< poses nearer than this to a peak belong to it [cells]
 constexpr double kRivalAngle = 0.1;          ///< [rad]
-constexpr double kSlide = 0.01;  ///< what a scan says along a corridor, at most, as a share of what it says across it
+constexpr double kSlide = 0.01;              ///< greatest ratio of the information along a corridor to that across it
 
 scan_matching::PoseWithCovariance beliefOf(const Pose2& pose, double position, double yaw) {
   return {pose, Eigen::Vector3d(position, position, yaw).array().square().matrix().asDiagonal()};
@@ -41,13 +41,13 @@ Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
   return {a.x - b.x, a.y - b.y, angleDifference(a.yaw, b.yaw)};
 }
 
-/// Whether two beliefs cannot both be right.
+/// Whether two estimates contradict each other.
 bool contradict(const scan_matching::PoseWithCovariance& a, const scan_matching::PoseWithCovariance& b) {
   const Eigen::Vector3d apart = difference(a.pose, b.pose);
   return apart.dot((a.covariance + b.covariance).ldlt().solve(apart)) > kContradiction;
 }
 
-/// What the points and odometry say together.
+/// The estimate by the points and odometry together.
 scan_matching::PoseWithCovariance fused(const scan_matching::Refinement& refined,
                                         const scan_matching::PoseWithCovariance& odometry) {
   const Eigen::Matrix3d covariance = (refined.information + odometry.covariance.inverse()).inverse();
@@ -56,14 +56,14 @@ scan_matching::PoseWithCovariance fused(const scan_matching::Refinement& refined
   return {Pose2(pose.x + shift.x(), pose.y + shift.y(), normalizeAngle(pose.yaw + shift.z())), covariance};
 }
 
-/// A belief in a map's frame, as one in the frame that the map lies in.
+/// An estimate in a map's frame, expressed in the local frame.
 scan_matching::PoseWithCovariance moved(const Pose2& T_local_map, const scan_matching::PoseWithCovariance& belief) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() = Rotation2(T_local_map.yaw).matrix();
   return {T_local_map * belief.pose, turn * belief.covariance * turn.transpose()};
 }
 
-/// Whether the points tell next to nothing about where the robot is along some direction.
+/// Whether the points hardly constrain the position in some direction.
 bool slidesAlong(const Eigen::Matrix3d& information) {
   const Eigen::Matrix2d position = information.topLeftCorner<2, 2>();
   const Eigen::Vector2d known = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues();
@@ -87,14 +87,13 @@ const char* toString(MatchVerdict verdict) {
     case MatchVerdict::kAmbiguous:
       return "ambiguous";
     case MatchVerdict::kLost:
-      return "lost, begun anew";
+      return "lost, new submap begun";
   }
   return "unknown";
 }
 
 const char* describe(const Track& track) {
-  if (track.verdict == MatchVerdict::kMatched && track.slides)
-    return "matched, but the way along the walls is odometry's";
+  if (track.verdict == MatchVerdict::kMatched && track.slides) return "matched, position along the walls from odometry";
   return toString(track.verdict);
 }
 
@@ -123,7 +122,7 @@ ScanTracker::Prediction ScanTracker::predict(Time stamp, const Pose2& T_odom_bas
 
 Track ScanTracker::track(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
                          const std::optional<MatchTarget>& target) {
-  // The clock has been set back: silence is counted from now.
+  // The clock was set back: the time without a match counts from now.
   if (last_ && stamp < last_->stamp) last_->matched = stamp;
   Track track;
   track.T_local_base.pose = T_local_odom_ * T_odom_base;
@@ -149,7 +148,7 @@ Track ScanTracker::track(const surfaces::SurfacePoints& points, Time stamp, cons
 bool ScanTracker::fits(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
                        const scan_matching::SurfaceMap& map) const {
   if (refined.inliers >= parameters_.min_inliers) return true;
-  // A hand before the scanner is small enough to lie on some surface by chance.
+  // A few points may lie on a surface by chance, as those of a hand in front of the scanner.
   const bool evident = refined.inliers * static_cast<double>(points.size()) >= kEvidence;
   return evident && refined.inliers >= parameters_.new_inliers &&
          scan_matching::inconsistentShare(map, points, refined.pose) <= kMostContradictions;
@@ -157,7 +156,7 @@ bool ScanTracker::fits(const scan_matching::Refinement& refined, const surfaces:
 
 bool ScanTracker::overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
                                     const MatchTarget& target, const Prediction& prediction) const {
-  // Half of what is seen elsewhere lies on some surface by chance, in a window that silence has made wide.
+  // A long time without a match makes the window wide, and half of the points may lie on surfaces by chance then.
   constexpr double kWide = 0.75;  // [m]
   constexpr double kSure = 0.8;
   return prediction.unseen.position < kWide || refined.inliers >= kSure ||
@@ -173,7 +172,7 @@ Track ScanTracker::match(const surfaces::SurfacePoints& points, const MatchTarge
   const auto found = find(points, target.pyramid, prediction);
   if (!found) return track;
   track.score = found->score;
-  // What odometry says holds the pose loosely at first: it may be wrong, and then it must not pull.
+  // Odometry is only a loose prior at first: it may be wrong, and must not bias the match then.
   const scan_matching::PoseWithCovariance loose =
       beliefOf(prediction.T_map_base, prediction.unseen.position, prediction.unseen.yaw);
   const scan_matching::Refinement refined =

@@ -5,7 +5,7 @@
 namespace frontier_pilot::slam {
 namespace {
 
-/// How the pose of c seen from a moves when that of b does, on which it hangs.
+/// The derivative of T_a_c with respect to T_a_b, each as (x, y, yaw) along the axes of a, for a constant T_b_c.
 Eigen::Matrix3d lever(const Pose2& T_a_b, const Pose2& T_a_c) {
   const Vec2 arm = T_a_c.position() - T_a_b.position();
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();

@@ -7,7 +7,7 @@ namespace frontier_pilot::slam {
 namespace {
 
 using Index = Eigen::Index;
-/// Row and column of a block, the row not above the column; ordered by columns.
+/// Column and row of the first element of a block in the lower triangle; compares by columns.
 using Place = std::pair<Index, Index>;
 
 Index rowOf(std::size_t node) { return 3 * (static_cast<Index>(node) - 1); }
@@ -105,7 +105,7 @@ void NormalEquations::add(std::size_t index, const Eigen::Vector3d& error, const
 }
 
 bool NormalEquations::solve(double damping, Eigen::VectorXd& x) {
-  // The offset keeps a node that nothing holds from making H singular: it has no gradient, and stays.
+  // The offset keeps H regular if there is a node without constraints: that has no gradient, and stays.
   constexpr double kOffset = 1e-9;
   cholesky_.setShift(kOffset, 1.0 + damping);
   cholesky_.factorize(hessian_);

@@ -8,14 +8,14 @@
 
 namespace frontier_pilot::slam {
 
-/// Two nodes that a measurement joins.
+/// Two nodes that a measurement connects.
 struct NodePair {
   std::size_t first = 0;
   std::size_t second = 0;
 };
 
-/// The normal equations H x = -b of a pose graph: symmetric, sparse, in blocks of 3 x 3. The pattern of H is found
-/// once, so that each linearisation only adds up numbers. Node 0 is the gauge and has no row.
+/// The normal equations H x = -b of a pose graph: symmetric, sparse, in blocks of 3 x 3. The sparsity pattern
+/// of H is determined once, and each linearisation only sums up values. Node 0 is the gauge and has no row.
 class NormalEquations {
  public:
   using Jacobian = Eigen::Matrix3d;
@@ -24,7 +24,7 @@ class NormalEquations {
   NormalEquations(std::size_t nodes, const std::vector<NodePair>& pairs);
 
   void setZero();
-  /// Adds measurement `index`: its error, the error's derivatives by its two nodes, and its information.
+  /// Adds measurement `index`: its error, the Jacobians of that by its two nodes, and its information.
   void add(std::size_t index, const Eigen::Vector3d& error, const Jacobian& by_first, const Jacobian& by_second,
            const Eigen::Matrix3d& information);
   /// Solves (H + damping diag H) x = -b for the nodes 1, 2, ... False when H cannot be factorised.
@@ -32,7 +32,7 @@ class NormalEquations {
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
-  /// Where the columns of a block begin among the matrix' values.
+  /// Indices among the matrix's values at which the columns of a block begin.
   using Block = std::array<Eigen::Index, 3>;
   struct Slots {
     Eigen::Index row_first = -1, row_second = -1;  ///< the nodes' rows; -1: the gauge

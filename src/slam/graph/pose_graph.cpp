@@ -47,7 +47,7 @@ ResidualJacobians residualJacobians(const Pose2& T_map_from, const Pose2& T_map_
   return jacobians;
 }
 
-/// One optimisation: Levenberg and Marquardt's steps while the loss goes from convex to robust.
+/// One optimisation: Levenberg-Marquardt steps during which the loss changes from convex to robust.
 class PoseGraph::Problem {
  public:
   explicit Problem(PoseGraph& graph)
@@ -72,7 +72,7 @@ class PoseGraph::Problem {
   static constexpr double kMaxDamping = 1e8;
   static constexpr double kNothing = 1e-12;  // far below any error that matters
 
-  /// From this scale on the loss is convex wherever a robustly weighted constraint is now.
+  /// The scale at which the loss is convex at the present errors of all robust constraints.
   double convexScale() const {
     double largest = 0.0;
     for (const PoseConstraint& constraint : graph_.constraints_) {
@@ -104,14 +104,14 @@ class PoseGraph::Problem {
     }
   }
 
-  /// The derivative of the loss by the squared error.
+  /// The derivative of the loss with respect to the squared error.
   double weight(const PoseConstraint& constraint, const Eigen::Vector3d& error) const {
     if (!constraint.robust) return 1.0;
     const double share = threshold() / (threshold() + error.dot(constraint.information * error));
     return share * share;
   }
 
-  /// Goes one step down. False when there is nothing to gain any more.
+  /// Takes one step that does not raise the cost. Returns false when there is nothing left to gain.
   bool step() {
     const double before = cost(graph_.poses_);
     linearize();
@@ -130,7 +130,7 @@ class PoseGraph::Problem {
 
   PoseGraph& graph_;
   NormalEquations equations_;
-  double scale_;           ///< how much wider than wanted the robust loss is
+  double scale_;           ///< factor by which the threshold of the robust loss still exceeds its final value
   double damping_ = 1e-6;  ///< share of H's diagonal that is added to it
 };
 

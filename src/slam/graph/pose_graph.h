@@ -21,7 +21,7 @@ struct PoseConstraint {
 /// x, y [m] and yaw [rad] of the constraint's `to`, seen from `from`, less what was measured.
 Eigen::Vector3d residual(const PoseConstraint& constraint, const Pose2& T_map_from, const Pose2& T_map_to);
 
-/// The derivatives of `residual` by x, y [m] and yaw [rad] of either node's pose.
+/// The derivatives of `residual` with respect to x, y [m] and yaw [rad] of either node's pose.
 struct ResidualJacobians {
   Eigen::Matrix3d by_from;
   Eigen::Matrix3d by_to;
@@ -36,9 +36,9 @@ struct PoseGraphReport {
   bool converged = true;
 };
 
-/// Poses and the measurements between them, and the poses that explain those best: nonlinear least squares by
-/// Levenberg and Marquardt on a sparse Cholesky factorisation. Plain data: a copy is an independent graph. The same
-/// graph gives the same poses, bit by bit.
+/// Poses and measurements between them, optimised so that the poses explain the measurements best: nonlinear least
+/// squares by Levenberg-Marquardt with a sparse Cholesky factorisation. Plain data: a copy is an independent graph.
+/// The same graph gives the same poses, bit by bit.
 /// Grisetti, Kuemmerle, Stachniss & Burgard, "A Tutorial on Graph-Based SLAM", IEEE ITS Magazine 2(4), 2010.
 /// Robustly weighted constraints have the loss of Geman & McClure (related to that of Agarwal et al., "Robust Map
 /// Optimization using Dynamic Covariance Scaling", ICRA 2013), reached from plain least squares by graduated
@@ -48,7 +48,7 @@ class PoseGraph {
  public:
   explicit PoseGraph(const PoseGraphParameters& parameters = {}) : parameters_(parameters) {}
 
-  /// Gives the node's index; the first node is 0, and it never moves.
+  /// Returns the node's index; the first node is 0, and it never moves.
   std::size_t addNode(const Pose2& T_map_node);
   /// Both nodes must exist and differ, and the information be symmetric and positive semidefinite.
   void addConstraint(const PoseConstraint& constraint) { constraints_.push_back(constraint); }
@@ -60,7 +60,7 @@ class PoseGraph {
   const std::vector<PoseConstraint>& constraints() const { return constraints_; }
   const PoseGraphParameters& parameters() const { return parameters_; }
 
-  /// Squared error of a constraint in standard deviations, at the present poses.
+  /// The squared Mahalanobis error of a constraint at the present poses.
   double chi2(const PoseConstraint& constraint) const;
 
   /// Moves the nodes to where the constraints are met best. Nodes that no constraint holds stay.

@@ -11,7 +11,7 @@
 namespace frontier_pilot::slam {
 namespace {
 
-/// One number for how uncertain a pose is: a turn counts by what it moves at a scanner's reach.
+/// The uncertainty of a pose as one number [m^2]: yaw counts by how far it moves points at a scanner's usual range.
 double spread(const Eigen::Matrix3d& covariance) {
   constexpr double kReach = 5.0;  // [m]
   return covariance(0, 0) + covariance(1, 1) + kReach * kReach * covariance(2, 2);
@@ -40,7 +40,7 @@ void SubmapGraph::begin(const PlacedKeyframe::Place& place) {
   const std::size_t node = graph_.addNode(T_map_submap);
   if (node == 0) return;
   const Pose2& T_local_before = submaps_[node - 1].T_local_submap;
-  // Odometry's errors go the same way for a while: they add up as such, not as their squares do.
+  // Odometry's errors persist for a while: their standard deviations add up, not their variances.
   const Eigen::Matrix3d drifted = static_cast<double>(steps_) * drift_since_;
   drift_since_.setZero();
   steps_ = 0;
@@ -63,7 +63,7 @@ Pose2 SubmapGraph::T_map_keyframe(std::size_t keyframe) const {
   const auto [first, last] = places_[keyframe];
   const Pose2 by_first = T_map_submap(first) * T_submap_keyframe(first, keyframe);
   if (first == last) return by_first;
-  // The older submap ends where the two stop to overlap; as long as it does not, both agree but for little.
+  // The overlap ends with the older submap. While that still grows, its present end is used: both nearly agree then.
   const std::size_t begin = submaps_[last].keyframes.front();
   const std::size_t end = submaps_[first].keyframes.back();
   const double share = (static_cast<double>(keyframe - begin) + 0.5) / static_cast<double>(end - begin + 1);

@@ -10,7 +10,7 @@
 
 namespace frontier_pilot::slam {
 
-/// A keyframe and where it went.
+/// A keyframe, the submaps that it is in, and its pose in the map.
 struct PlacedKeyframe {
   Keyframe keyframe;
   Eigen::Matrix3d drift = Eigen::Matrix3d::Zero();  ///< of the step from the keyframe before, see DriftCovariance
@@ -19,12 +19,12 @@ struct PlacedKeyframe {
     Pose2 T_local_submap;
   };
   std::vector<Place> places;  ///< the submaps that it is in, the older first
-  Pose2 T_map_base;           ///< where it went into the map
+  Pose2 T_map_base;           ///< pose with which it was inserted into the map
 };
 
-/// The submaps of a drive as nodes of a pose graph; the keyframes ride on them. A submap is rigid. A keyframe in two of
-/// them is placed between what either says, the nearer to the younger one the later it came: so the map bends
-/// smoothly where the graph does.
+/// The submaps of a drive as nodes of a pose graph. A submap is rigid, and its keyframes move with it. A keyframe in
+/// two submaps is interpolated between the poses that they give it, the closer to the younger one the later it came, so
+/// that the map bends smoothly where the graph does.
 class SubmapGraph {
  public:
   struct Submap {
@@ -42,17 +42,17 @@ class SubmapGraph {
   const Keyframe& keyframe(std::size_t id) const { return keyframes_[id]; }
   const Submap& submap(std::size_t id) const { return submaps_[id]; }
 
-  /// How many submaps later or earlier the nearest one with the keyframe in it was begun.
+  /// The difference between the ids of `submap` and of the nearest submap that the keyframe is in.
   std::size_t gap(std::size_t submap, std::size_t keyframe) const;
 
   Pose2 T_map_submap(std::size_t submap) const { return graph_.pose(submap); }
   Pose2 T_map_keyframe(std::size_t keyframe) const;
   Pose2 T_submap_keyframe(std::size_t submap, std::size_t keyframe) const;
-  /// Where the local frame is by what is known now.
+  /// The pose of the local frame in the map, as currently estimated.
   Pose2 T_map_local() const;
 
-  /// For each submap the covariance of (x, y, yaw) of its pose seen from `submap`, along the axes of that, at most:
-  /// that of the most certain way through the graph. Olson, "Robust and Efficient Robotic Mapping", 2008, 3.3.
+  /// For each submap an upper bound on the covariance of (x, y, yaw) of its pose relative to `submap`, along that one's
+  /// axes: that of the most certain path through the graph. Olson, "Robust and Efficient Robotic Mapping", 2008, 3.3.
   std::vector<Eigen::Matrix3d> uncertaintyFrom(std::size_t submap) const;
 
   /// Adds a closure: `keyframe`, which is in submap `of`, is at `T_submap_keyframe`. Moves nothing yet.

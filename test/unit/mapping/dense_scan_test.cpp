@@ -8,11 +8,11 @@
 #include "frontier_pilot/occupancy/scan_inserter.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 
-/// Scans of as many beams as are taken, each of which has all the others for neighbours. [FLT-1]
+/// Scans of as many beams as are accepted, each of which has all the others as neighbours. [FLT-1]
 namespace frontier_pilot {
 namespace {
 
-/// A robot in a pot: `roughness` [m] on top of the least range.
+/// A scan in a round pot whose wall is just beyond the least range, plus up to `roughness` [m].
 LaserScan2 scanOfPot(std::size_t beams, double roughness) {
   LaserScan2 scan;
   scan.angle_min = -kPi;

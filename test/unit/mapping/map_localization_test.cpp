@@ -25,7 +25,7 @@ constexpr const char* kRooms = R"(
   ########################################
 )";
 
-/// The rooms, a scanner in them, and a mapper that is not told more than a robot knows.
+/// The rooms, a scanner in them, and a mapper that gets no more than a real robot provides.
 class MapLocalizationTest : public ::testing::Test {
  protected:
   MapLocalizationTest() : world(drawWorld(kRooms, 0.2)), scanner(world.solid(), 0.01) {}

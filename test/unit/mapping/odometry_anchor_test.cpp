@@ -5,7 +5,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// Odometry of a robot that drives along x with 0.5 m/s, twenty times a second, as far as its driver is well.
+/// Odometry of a robot that drives along x at 0.5 m/s, twenty messages a second, while its driver works.
 class OdometryAnchorTest : public ::testing::Test {
  protected:
   std::optional<Pose2> hear(const Pose2& T_odom_base, double after = 0.05) {

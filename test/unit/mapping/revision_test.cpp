@@ -20,7 +20,7 @@ LaserScan2 ringAt(double seconds) {
   return scan;
 }
 
-/// Revises when it is told to: everything so far lies `T_new_old` from where it was put.
+/// Revises when told to: everything inserted so far moves by `T_new_old`.
 class Thoughtful final : public slam::PoseCorrection {
  public:
   struct Script {

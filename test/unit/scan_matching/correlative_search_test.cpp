@@ -161,7 +161,7 @@ TEST(CorrelativeSearch, FindsNothingThatScoresTooLittle) {
 }
 
 TEST(CorrelativeSearch, StaysWhereItIsExpectedAmongEquals) {
-  // A wall without ends: nothing says where along it the robot is.
+  // A wall without ends: nothing determines the robot's position along it.
   std::vector<Vec2> wall;
   std::vector<Vec2> seen;
   for (int i = -400; i <= 400; ++i) wall.emplace_back(0.02 * i, 1.0);

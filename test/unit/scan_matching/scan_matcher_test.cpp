@@ -106,7 +106,7 @@ TEST(Refine, LetsThePriorDecideWhatTheScanDoesNotShow) {
 }
 
 TEST(Refine, IsAsSureAsItIsRight) {
-  // The errors, weighed by the covariance that is claimed, are about as large as they should be: 3 in the mean.
+  // The squared Mahalanobis distance of the errors, which should be 3 in the mean, is of that order.
   test::Scanner scanner(matchedRoom(), 0.01);
   const scan_matching::SurfaceMap map = mapAlong(scanner, {1.2, 1.0, 0.2}, {0.05, 0.05}, 20);
   double sum = 0.0;
@@ -139,7 +139,7 @@ TEST(Contradictions, AreFewInANewPlaceAndManyInAnother) {
   EXPECT_LT(scan_matching::inconsistentShare(map, look(scanner, at_the_end), at_the_end), 0.1);
   test::Scanner elsewhere(corridor(), 0.01);
   EXPECT_GT(scan_matching::inconsistentShare(map, look(elsewhere, {15.0, 1.0, 0.0}), {1.2, 1.1, 0.0}), 0.3);
-  // A hand before the scanner: the walls behind it are known.
+  // A hand in front of the scanner: the walls behind it are known.
   LaserScan2 hand = scanner.scan(at_the_end, timeFromSeconds(1.0));
   hand.ranges.assign(hand.ranges.size(), 0.2F);
   EXPECT_GT(scan_matching::inconsistentShare(map, surfaces::thinned(surfaces::readScan(hand).points), {1.2, 1.1, 0.0}),

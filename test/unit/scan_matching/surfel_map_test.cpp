@@ -8,7 +8,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// Points every centimetre along 3 m of a wall at `y` that looks towards +y, seen so many times with noise [m].
+/// Points every centimetre along 3 m of a wall at `y` that faces +y, seen `times` times with noise [m].
 scan_matching::SurfelMap wallAt(double y, int times, double noise) {
   std::mt19937 random(1);
   std::normal_distribution<double> off(0.0, noise);
@@ -51,7 +51,7 @@ TEST(SurfelMap, MAP_1_BelievesMoreWhatIsKnownBetter) {
 }
 
 TEST(SurfelMap, FindsASurfelThatHasMovedOnSinceItWasBegun) {
-  // Begun at one side of a border of what it is looked up by, every 1.5 cm, and drawn 4 cm down the wall.
+  // Begun at places 1.5 cm apart, some of them near a tile's border, and then moved nearly 4 cm along the wall.
   const Vec2 up(0.0, 1.0);
   for (int i = 0; i < 40; ++i) {
     const double x = 0.015 * i;

@@ -48,7 +48,7 @@ Eigen::Vector2d sigmasOf(const surfaces::SurfacePoints& points) {
       .cwiseSqrt();
 }
 
-constexpr double kOdometry = 0.06 * 0.2;  // [m], what odometry may be off by after the step
+constexpr double kOdometry = 0.06 * 0.2;  // [m], standard deviation of odometry after the step
 
 TEST(DriftCovariance, MAP_1_IsOdometrysAlongACorridorWhicheverWayThatRuns) {
   for (int degrees = 0; degrees < 180; degrees += 5) {

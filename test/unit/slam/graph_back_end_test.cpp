@@ -65,7 +65,7 @@ TEST(GraphBackEnd, ClosesALoopAndStraightensTheTrajectory) {
   }
   EXPECT_LT(worst, 0.5);
   EXPECT_LT(positionError(trajectory[last].T_map_base, drive.truth(last)), 0.3);
-  // What is put into the map from here on goes where the trajectory says.
+  // Scans inserted from here on go where the trajectory says.
   EXPECT_LT(positionError(course.T_now_first * drive.local(last), trajectory[last].T_map_base), 0.1);
 }
 
@@ -142,7 +142,7 @@ TEST(GraphBackEnd, TellsHowManyKeyframesTheMapHasNoRoomFor) {
 }
 
 TEST(GraphBackEnd, ClosesNoFalseLoopWhereEverySideLooksTheSame) {
-  // Half a lap: nothing is seen twice, and the second side looks as the first one did.
+  // Half a lap: nothing is seen twice, but the second side looks like the first.
   DriftingDrive drive(ringPoses(kSide, kStep, 0.7), ringWorld(kSide, false), kDrift);
   slam::GraphBackEnd back_end = backEnd();
   Course course;

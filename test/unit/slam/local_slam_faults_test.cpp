@@ -1,4 +1,4 @@
-// What a robot meets on a bad day. The drive goes on, the map survives, and the verdicts say what happened.
+// Faults of sensors and odometry. The drive goes on, the map survives, and the verdicts say what happened.
 
 #include <gtest/gtest.h>
 
@@ -131,7 +131,7 @@ TEST_F(LocalSlamFaults, LetsOdometryCarryThePlaceAlongACorridorWithoutFeatures) 
   corridor.range_max = 5.0;
   drive.run(test::driveAlong({{6.5, 1.4}, {22.0, 1.6}}), corridor);
   EXPECT_EQ(drive.count(slam::MatchVerdict::kPoor), 0);
-  // The wheels go 2 % too far: nobody can do better along the corridor, and nothing may be worse across it.
+  // Odometry measures 2 % too much: along the corridor nothing corrects that, across it the pose must stay accurate.
   EXPECT_LT(std::abs(drive.error.x), 0.04 * 15.5);
   EXPECT_LT(std::abs(drive.error.y), 0.05);
   EXPECT_LT(std::abs(drive.error.yaw), 0.01);

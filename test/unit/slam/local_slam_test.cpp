@@ -124,7 +124,7 @@ TEST(LocalSlam, MAP_1_KeepsItsYawInAMazeOfNarrowCorridors) {
 }
 
 TEST(LocalSlam, MAP_1_KeepsTheLengthOfAWayBetweenRoughWalls) {
-  // Walls that run to and fro at 45 degrees, made of the edges of cells of 5 cm: what a scan sees of them depends on
+  // Walls that zigzag at 45 degrees, made of the edges of cells of 5 cm: what a scan sees of them depends on
   // the angle that it sees them at.
   Grid<std::uint8_t> solid(GridGeometry{0.05, Vec2::Zero(), 560, 80}, 1);
   for (int x = 10; x < 550; ++x) {

@@ -56,7 +56,7 @@ TEST(SubmapGraph, KnowsTheLessTheFartherTheWay) {
   const auto uncertainty = graph.uncertaintyFrom(19);
   EXPECT_EQ(uncertainty[19].norm(), 0.0);
   for (std::size_t i = 1; i < 19; ++i) EXPECT_GT(uncertainty[i - 1](0, 0), uncertainty[i](0, 0));
-  // Two steps of 0.1 m a submap, whose errors go the same way; those of different submaps are independent.
+  // Two steps of 0.1 m per submap, whose errors are correlated; those of different submaps are independent.
   EXPECT_NEAR(std::sqrt(uncertainty[9](0, 0)), 0.2 * std::sqrt(10.0), 0.01);
 }
 
@@ -73,7 +73,7 @@ TEST(SubmapGraph, SeesFarThingsMoveWhenTheYawIsUncertain) {
   slam::SubmapGraph graph(slam::SubmapDrift{1e-3, 0.01});
   for (std::size_t i = 0; i < 40; ++i) graph.add(along(i, 1e-6));
   const auto uncertainty = graph.uncertaintyFrom(0);
-  // Nineteen bends of 0.01 rad, each felt from there to the end: sigma^2 = sum (2 k 0.01)^2, k = 1 ... 18.
+  // Nineteen bends of 0.01 rad, each of which acts from there to the end: sigma^2 = sum (2 k 0.01)^2, k = 1 ... 18.
   double sum = 0.0;
   for (int k = 0; k < 19; ++k) sum += 4.0 * k * k * 1e-4;
   EXPECT_NEAR(std::sqrt(uncertainty[19](1, 1)), std::sqrt(sum), 0.02);

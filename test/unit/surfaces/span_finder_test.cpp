@@ -8,7 +8,7 @@
 namespace frontier_pilot {
 namespace {
 
-/// What SpanFinder::around is by definition, point by point.
+/// The definition of SpanFinder::around, point by point.
 surfaces::Span pointByPoint(const surfaces::SurfacePoints& points, std::size_t i, double radius) {
   const auto belongs = [&](std::size_t j, std::size_t count) {
     return count < 2 || (points[j].position - points[i].position).squaredNorm() <= radius * radius;
