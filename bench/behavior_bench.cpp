@@ -94,7 +94,7 @@ struct Eyes {
     const LaserScan2* scan = simulator.newScan(0);
     if (scan == nullptr) return;
     const auto begin = std::chrono::steady_clock::now();
-    around.costmap().insert(*scan, simulator.odometry(0));
+    around.insert(*scan, simulator.odometry(0));
     spent += std::chrono::steady_clock::now() - begin;
     ++scans;
   }

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/motion.h"
-#include "frontier_pilot/logs/trajectory_error.h"
+#include "frontier_pilot/logs/trajectory.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "support/closed_loop/faulty_drive.h"
 #include "support/slam_worlds.h"

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "avoid/sector_reader.h"
+
 namespace frontier_pilot::avoid {
 namespace {
 
@@ -22,10 +24,55 @@ const char* toString(AvoiderState state) {
   return kNames[static_cast<int>(state)];
 }
 
-Avoider::Avoider(const AvoiderParameters& parameters)
-    : parameters_(checked(parameters)), distances_(parameters), reader_(parameters), reason_("no scan yet") {}
+/// The state machine; decide() enters the state that follows from the last scan and the time.
+class Avoider::Impl {
+ public:
+  explicit Impl(const AvoiderParameters& parameters)
+      : parameters_(checked(parameters)), distances_(parameters), reader_(parameters), reason_("no scan yet") {}
 
-std::optional<AvoiderCommand> Avoider::onScan(const LaserScan2& scan, Time now) {
+  std::optional<AvoiderCommand> onScan(const LaserScan2& scan, Time now);
+  std::optional<AvoiderCommand> onBadScan(const std::string& why, Time now);
+  std::optional<AvoiderCommand> update(Time now);
+  std::optional<AvoiderCommand> tick(Time now);
+  std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
+
+  bool enabled() const { return state_ != AvoiderState::kIdle; }
+  AvoiderState state() const { return state_; }
+  AvoiderSnapshot status(Time now) const;
+
+ private:
+  void observe(Time now);
+  void fault(const std::string& why);
+  void decide(Time now);
+  void startEpisode(Time now);
+  void startCycle(Time now);
+  void recover(Time now);
+  void enter(AvoiderState state, const std::string& reason, Time now);
+  void turnAway(Time now, const std::string& reason);
+  bool rearFree() const { return around_.rear >= distances_.rear_stop; }
+  bool turnFree() const { return around_.nearest >= distances_.turn; }
+  bool ahead() const;
+  bool clear() const;
+  AvoiderCommand command() const;
+  std::optional<AvoiderCommand> makeOutput();
+
+  AvoiderParameters parameters_;
+  AvoiderDistances distances_;
+  SectorReader reader_;
+  AvoiderState state_ = AvoiderState::kWaiting;
+  std::string reason_;
+  SectorDistances around_;
+  bool has_scan_ = false;
+  Time scan_stamp_, scan_received_;
+  Time last_now_;
+  Time phase_start_;
+  int turn_ = 0, cycle_ = 0;
+  std::uint32_t episodes_ = 0;
+  std::uint64_t faults_ = 0;
+  AvoiderCommand last_;
+};
+
+std::optional<AvoiderCommand> Avoider::Impl::onScan(const LaserScan2& scan, Time now) {
   observe(now);
   if (!enabled()) return std::nullopt;
   around_ = reader_.read(scan);
@@ -37,7 +84,7 @@ std::optional<AvoiderCommand> Avoider::onScan(const LaserScan2& scan, Time now) 
   return makeOutput();
 }
 
-std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time now) {
+std::optional<AvoiderCommand> Avoider::Impl::onBadScan(const std::string& why, Time now) {
   observe(now);
   if (!enabled()) return std::nullopt;
   around_ = {};
@@ -49,20 +96,20 @@ std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time no
   return makeOutput();
 }
 
-std::optional<AvoiderCommand> Avoider::update(Time now) {
+std::optional<AvoiderCommand> Avoider::Impl::update(Time now) {
   observe(now);
   if (!enabled()) return std::nullopt;
   decide(now);
   return makeOutput();
 }
 
-std::optional<AvoiderCommand> Avoider::tick(Time now) {
+std::optional<AvoiderCommand> Avoider::Impl::tick(Time now) {
   update(now);
   if (!enabled()) return std::nullopt;
   return last_;
 }
 
-std::optional<AvoiderCommand> Avoider::setEnabled(bool enable, Time now) {
+std::optional<AvoiderCommand> Avoider::Impl::setEnabled(bool enable, Time now) {
   observe(now);
   if (enable == enabled()) return std::nullopt;
   has_scan_ = false;
@@ -72,7 +119,7 @@ std::optional<AvoiderCommand> Avoider::setEnabled(bool enable, Time now) {
   return last_;
 }
 
-void Avoider::observe(Time now) {
+void Avoider::Impl::observe(Time now) {
   const bool jumped_back = now < last_now_;
   last_now_ = now;
   if (!jumped_back || !enabled()) return;
@@ -81,17 +128,19 @@ void Avoider::observe(Time now) {
   enter(AvoiderState::kWaiting, "the clock jumped: no scan since", now);
 }
 
-bool Avoider::ahead() const { return around_.obstacleDistance() < distances_.stop || around_.lane() < distances_.stop; }
+bool Avoider::Impl::ahead() const {
+  return around_.obstacleDistance() < distances_.stop || around_.lane() < distances_.stop;
+}
 
-bool Avoider::clear() const {
+bool Avoider::Impl::clear() const {
   return around_.obstacleDistance() > distances_.clear && around_.lane() >= distances_.stop;
 }
 
-void Avoider::fault(const std::string& why) {
+void Avoider::Impl::fault(const std::string& why) {
   if (state_ != AvoiderState::kFault || reason_ != why) enter(AvoiderState::kFault, why, last_now_);
 }
 
-void Avoider::decide(Time now) {
+void Avoider::Impl::decide(Time now) {
   if (!has_scan_) return;
   if (!around_.fault.empty()) return fault(around_.fault);
   const Duration max_age = fromSeconds(parameters_.max_scan_age);
@@ -104,7 +153,7 @@ void Avoider::decide(Time now) {
   if (state_ != AvoiderState::kClear) enter(AvoiderState::kClear, "nothing near ahead", now);
 }
 
-void Avoider::startEpisode(Time now) {
+void Avoider::Impl::startEpisode(Time now) {
   // If only the lane outside of the sectors is blocked, its two sides decide: the sectors do not contain that obstacle.
   const bool by_lane = around_.obstacleDistance() >= distances_.stop;
   const bool left = by_lane ? around_.lane_left > around_.lane_right : around_.front_left > around_.front_right;
@@ -114,7 +163,7 @@ void Avoider::startEpisode(Time now) {
   startCycle(now);
 }
 
-void Avoider::startCycle(Time now) {
+void Avoider::Impl::startCycle(Time now) {
   ++cycle_;
   if (rearFree() && parameters_.reverse_time > 0.0) {
     return enter(AvoiderState::kReverse, "obstacle ahead: backing up", now);
@@ -122,14 +171,14 @@ void Avoider::startCycle(Time now) {
   turnAway(now, "obstacle ahead, and no room behind: turning away");
 }
 
-void Avoider::turnAway(Time now, const std::string& reason) {
+void Avoider::Impl::turnAway(Time now, const std::string& reason) {
   if (turnFree()) return enter(AvoiderState::kRotate, reason, now);
   const bool may_back_up = rearFree() && parameters_.reverse_time > 0.0 && cycle_ < parameters_.max_cycles;
   if (may_back_up) return startCycle(now);
   enter(AvoiderState::kStuck, "obstacle ahead, and no room to turn or to back up", now);
 }
 
-void Avoider::recover(Time now) {
+void Avoider::Impl::recover(Time now) {
   if (clear()) return enter(AvoiderState::kClear, "nothing near ahead", now);
   const bool reversing = state_ == AvoiderState::kReverse;
   if (reversing && !rearFree()) {
@@ -143,7 +192,7 @@ void Avoider::recover(Time now) {
   enter(AvoiderState::kStuck, std::to_string(cycle_) + " cycles did not free the way ahead", now);
 }
 
-void Avoider::enter(AvoiderState state, const std::string& reason, Time now) {
+void Avoider::Impl::enter(AvoiderState state, const std::string& reason, Time now) {
   state_ = state;
   reason_ = reason;
   phase_start_ = now;
@@ -152,7 +201,7 @@ void Avoider::enter(AvoiderState state, const std::string& reason, Time now) {
   if (!recovering && state != AvoiderState::kStuck) cycle_ = 0;
 }
 
-AvoiderCommand Avoider::command() const {
+AvoiderCommand Avoider::Impl::command() const {
   switch (state_) {
     case AvoiderState::kIdle:
     case AvoiderState::kClear:
@@ -169,14 +218,14 @@ AvoiderCommand Avoider::command() const {
   return {{0.0, 0.0}, true};
 }
 
-std::optional<AvoiderCommand> Avoider::makeOutput() {
+std::optional<AvoiderCommand> Avoider::Impl::makeOutput() {
   const AvoiderCommand next = command();
   if (next == last_) return std::nullopt;
   last_ = next;
   return next;
 }
 
-AvoiderSnapshot Avoider::status(Time now) const {
+AvoiderSnapshot Avoider::Impl::status(Time now) const {
   AvoiderSnapshot status;
   status.state = state_;
   status.reason = reason_;
@@ -188,5 +237,21 @@ AvoiderSnapshot Avoider::status(Time now) const {
   if (has_scan_) status.scan_age = toSeconds(now - scan_stamp_);
   return status;
 }
+
+Avoider::Avoider(const AvoiderParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
+Avoider::~Avoider() = default;
+Avoider::Avoider(Avoider&&) noexcept = default;
+Avoider& Avoider::operator=(Avoider&&) noexcept = default;
+
+std::optional<AvoiderCommand> Avoider::onScan(const LaserScan2& scan, Time now) { return impl_->onScan(scan, now); }
+std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time now) {
+  return impl_->onBadScan(why, now);
+}
+std::optional<AvoiderCommand> Avoider::update(Time now) { return impl_->update(now); }
+std::optional<AvoiderCommand> Avoider::tick(Time now) { return impl_->tick(now); }
+std::optional<AvoiderCommand> Avoider::setEnabled(bool enable, Time now) { return impl_->setEnabled(enable, now); }
+bool Avoider::enabled() const { return impl_->enabled(); }
+AvoiderState Avoider::state() const { return impl_->state(); }
+AvoiderSnapshot Avoider::status(Time now) const { return impl_->status(now); }
 
 }  // namespace frontier_pilot::avoid

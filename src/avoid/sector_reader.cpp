@@ -1,4 +1,4 @@
-#include "frontier_pilot/avoid/sector_reader.h"
+#include "avoid/sector_reader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "frontier_pilot/behavior/local_costmap.h"
+#include "behavior/local_costmap.h"
 
 #include <algorithm>
 #include <cmath>

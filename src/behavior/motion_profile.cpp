@@ -1,4 +1,4 @@
-#include "frontier_pilot/behavior/motion_profile.h"
+#include "behavior/motion_profile.h"
 
 #include <algorithm>
 #include <cmath>

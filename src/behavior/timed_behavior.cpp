@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
+
+#include "behavior/motion_profile.h"
 
 namespace frontier_pilot::behavior {
 namespace {
@@ -44,7 +47,47 @@ std::optional<std::string> problemOf(const BehaviorGoal& goal) {
   return std::nullopt;
 }
 
-BehaviorOutput TimedBehavior::start(const BehaviorGoal& goal, Time now) {
+/// The state machine: moves or waits in every cycle, and settles once the target is reached.
+class TimedBehavior::Impl {
+ public:
+  explicit Impl(const BehaviorParameters& parameters) : parameters_(parameters) {}
+
+  BehaviorOutput start(const BehaviorGoal& goal, Time now);
+  BehaviorOutput update(const BehaviorInputs& inputs, Time now);
+  BehaviorOutput cancel(const std::string& why, Time now);
+  BehaviorOutput abortByClockJump();
+
+  bool active() const { return active_; }
+  const BehaviorGoal& goal() const { return goal_; }
+
+ private:
+  BehaviorOutput running(const Twist2& command) const;
+  BehaviorOutput end(BehaviorOutcome outcome, std::string message);
+  BehaviorOutput wait();
+  BehaviorOutput move(const BehaviorInputs& inputs, Time now);
+  std::optional<std::string> poseProblem(const BehaviorInputs& inputs, Time now) const;
+  void measure(const StampedPose2& pose, Time now);
+  BehaviorOutput settle(Time now);
+  BehaviorOutput goOn(const BehaviorInputs& inputs, double speed);
+  AxisMotion motion() const;
+  MotionLimits limits() const;
+  double sign() const { return motion().amount < 0.0 ? -1.0 : 1.0; }
+
+  BehaviorParameters parameters_;
+  BehaviorGoal goal_;
+  bool active_ = false;
+  Time started_, last_update_;
+  double elapsed_ = 0.0;
+  double progress_ = 0.0;  ///< along the motion: positive towards the target
+  std::optional<StampedPose2> first_pose_, last_pose_;
+  TurnCounter turned_;
+  MotionEstimate estimate_;
+  double best_progress_ = 0.0;
+  Time progressed_;
+  std::optional<Time> settling_since_;
+};
+
+BehaviorOutput TimedBehavior::Impl::start(const BehaviorGoal& goal, Time now) {
   goal_ = goal;
   started_ = last_update_ = progressed_ = now;
   elapsed_ = progress_ = best_progress_ = 0.0;
@@ -58,18 +101,18 @@ BehaviorOutput TimedBehavior::start(const BehaviorGoal& goal, Time now) {
   return running({});
 }
 
-BehaviorOutput TimedBehavior::cancel(const std::string& why, Time now) {
+BehaviorOutput TimedBehavior::Impl::cancel(const std::string& why, Time now) {
   if (!active_) return {};
   elapsed_ = std::max(0.0, toSeconds(now - started_));
   return end(BehaviorOutcome::kCanceled, why);
 }
 
-BehaviorOutput TimedBehavior::abortByClockJump() {
+BehaviorOutput TimedBehavior::Impl::abortByClockJump() {
   if (!active_) return {};
   return end(BehaviorOutcome::kPoseLost, "the clock jumped");
 }
 
-BehaviorOutput TimedBehavior::update(const BehaviorInputs& inputs, Time now) {
+BehaviorOutput TimedBehavior::Impl::update(const BehaviorInputs& inputs, Time now) {
   if (!active_) return {};
   if (now < last_update_) return abortByClockJump();
   elapsed_ = toSeconds(now - started_);
@@ -82,12 +125,12 @@ BehaviorOutput TimedBehavior::update(const BehaviorInputs& inputs, Time now) {
   return output;
 }
 
-BehaviorOutput TimedBehavior::wait() {
+BehaviorOutput TimedBehavior::Impl::wait() {
   progress_ = std::min(elapsed_, goal_.target);
   return elapsed_ >= goal_.target ? end(BehaviorOutcome::kSucceeded, "waited") : running({});
 }
 
-BehaviorOutput TimedBehavior::move(const BehaviorInputs& inputs, Time now) {
+BehaviorOutput TimedBehavior::Impl::move(const BehaviorInputs& inputs, Time now) {
   if (const auto problem = poseProblem(inputs, now)) {
     // Once the target is reached, the pose no longer matters.
     if (settling_since_) return end(BehaviorOutcome::kSucceeded, "done");
@@ -107,7 +150,7 @@ BehaviorOutput TimedBehavior::move(const BehaviorInputs& inputs, Time now) {
   return goOn(inputs, next.speed);
 }
 
-std::optional<std::string> TimedBehavior::poseProblem(const BehaviorInputs& inputs, Time now) const {
+std::optional<std::string> TimedBehavior::Impl::poseProblem(const BehaviorInputs& inputs, Time now) const {
   if (!inputs.pose) return "no pose";
   // A pose from the future is useless as well: the clock has jumped.
   const double age = std::abs(toSeconds(now - inputs.pose->stamp));
@@ -119,7 +162,7 @@ std::optional<std::string> TimedBehavior::poseProblem(const BehaviorInputs& inpu
   return std::nullopt;
 }
 
-void TimedBehavior::measure(const StampedPose2& pose, Time now) {
+void TimedBehavior::Impl::measure(const StampedPose2& pose, Time now) {
   const double before = progress_;
   if (!first_pose_) {
     first_pose_ = pose;
@@ -140,14 +183,14 @@ void TimedBehavior::measure(const StampedPose2& pose, Time now) {
   }
 }
 
-BehaviorOutput TimedBehavior::settle(Time now) {
+BehaviorOutput TimedBehavior::Impl::settle(Time now) {
   const bool standing = std::abs(estimate_.rate) < 0.05 * limits().min_speed && estimate_.command == 0.0;
   const bool late = toSeconds(now - *settling_since_) >= parameters_.settle_timeout;
   estimate_.command = 0.0;
   return standing || late ? end(BehaviorOutcome::kSucceeded, "done") : running({});
 }
 
-BehaviorOutput TimedBehavior::goOn(const BehaviorInputs& inputs, double speed) {
+BehaviorOutput TimedBehavior::Impl::goOn(const BehaviorInputs& inputs, double speed) {
   AxisMotion ahead = motion();
   const double remaining = std::abs(ahead.amount) - progress_;
   ahead.amount = sign() * std::min(remaining, speed * parameters_.simulate_ahead_time);
@@ -162,12 +205,12 @@ BehaviorOutput TimedBehavior::goOn(const BehaviorInputs& inputs, double speed) {
   return running(ahead.axis == AxisMotion::Axis::kTurn ? Twist2{0.0, signed_speed} : Twist2{signed_speed, 0.0});
 }
 
-AxisMotion TimedBehavior::motion() const {
+AxisMotion TimedBehavior::Impl::motion() const {
   if (goal_.kind == BehaviorKind::kSpin) return {AxisMotion::Axis::kTurn, goal_.target};
   return {AxisMotion::Axis::kLine, goal_.kind == BehaviorKind::kBackUp ? -goal_.target : goal_.target};
 }
 
-MotionLimits TimedBehavior::limits() const {
+MotionLimits TimedBehavior::Impl::limits() const {
   const BehaviorParameters& p = parameters_;
   const RobotLimits& robot = p.robot.limits;
   const bool spin = goal_.kind == BehaviorKind::kSpin;
@@ -177,7 +220,7 @@ MotionLimits TimedBehavior::limits() const {
   return {spin ? robot.max_angular_acc : std::min(p.linear_acc_lim, robot.max_linear_acc), slowest, fastest};
 }
 
-BehaviorOutput TimedBehavior::running(const Twist2& command) const {
+BehaviorOutput TimedBehavior::Impl::running(const Twist2& command) const {
   BehaviorOutput output;
   output.outcome = BehaviorOutcome::kRunning;
   output.command = command;
@@ -186,13 +229,25 @@ BehaviorOutput TimedBehavior::running(const Twist2& command) const {
   return output;
 }
 
-BehaviorOutput TimedBehavior::end(BehaviorOutcome outcome, std::string message) {
+BehaviorOutput TimedBehavior::Impl::end(BehaviorOutcome outcome, std::string message) {
   active_ = false;
   BehaviorOutput output = running({});
   output.outcome = outcome;
   output.message = std::move(message);
   return output;
 }
+
+TimedBehavior::TimedBehavior(const BehaviorParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
+TimedBehavior::~TimedBehavior() = default;
+TimedBehavior::TimedBehavior(TimedBehavior&&) noexcept = default;
+TimedBehavior& TimedBehavior::operator=(TimedBehavior&&) noexcept = default;
+
+BehaviorOutput TimedBehavior::start(const BehaviorGoal& goal, Time now) { return impl_->start(goal, now); }
+BehaviorOutput TimedBehavior::update(const BehaviorInputs& inputs, Time now) { return impl_->update(inputs, now); }
+BehaviorOutput TimedBehavior::cancel(const std::string& why, Time now) { return impl_->cancel(why, now); }
+BehaviorOutput TimedBehavior::abortByClockJump() { return impl_->abortByClockJump(); }
+bool TimedBehavior::active() const { return impl_->active(); }
+const BehaviorGoal& TimedBehavior::goal() const { return impl_->goal(); }
 
 void BehaviorParameters::check(Problems& problems) const {
   if (min_rotational_vel > max_rotational_vel) {

@@ -1,8 +1,14 @@
 #include "frontier_pilot/patrol/patrol.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
+#include <utility>
+#include <vector>
 
+#include "frontier_pilot/core/geometry.h"
+#include "patrol/plan.h"
 #include "patrol/step_driver.h"
 
 namespace frontier_pilot::patrol {
@@ -32,11 +38,51 @@ const char* toString(PatrolOutcome outcome) {
   return kNames[static_cast<int>(outcome)];
 }
 
-Patrol::Patrol(const PatrolParameters& parameters)
-    : parameters_(parameters), driver_(std::make_unique<StepDriver>(withinLimits(parameters))) {}
-Patrol::~Patrol() = default;
+/// The state machine: waits for odometry, then moves and settles, step by step.
+class Patrol::Impl {
+ public:
+  explicit Impl(const PatrolParameters& parameters) : parameters_(parameters), driver_(withinLimits(parameters)) {}
 
-PatrolOutput Patrol::start(const PatrolOrder& goal, Time now) {
+  PatrolOutput start(const PatrolOrder& goal, Time now);
+  PatrolOutput update(const PatrolInputs& inputs, Time now);
+  PatrolOutput cancel();
+  PatrolOutput abortByClockJump();
+  bool active() const { return active_; }
+
+ private:
+  enum class Phase { kWaiting, kMoving, kSettling };
+  struct Fault {
+    PatrolOutcome outcome;
+    std::string text;
+  };
+
+  PatrolOutput end(PatrolOutcome outcome, std::string text);
+  std::optional<Fault> fault(const PatrolInputs& inputs, Time now) const;
+  std::optional<Fault> blocked(const PatrolInputs& inputs, Time now);
+  PatrolOutput advance(const MotionSample& sample, bool held, Time now);
+  PatrolOutput settle(const MotionSample& sample, Time now);
+  PatrolOutput beginStep(const MotionSample& sample, Time now);
+  PatrolOutput drive(const MotionSample& sample, bool held, Time now);
+  PatrolOutput running(const Twist2& command) const;
+  std::string completeText() const;
+
+  PatrolParameters parameters_;
+  StepDriver driver_;
+  bool active_ = false;
+  PatrolOrder goal_;
+  std::vector<PatrolStep> steps_;
+  std::size_t step_ = 0;  ///< index of the current step; of the next one while waiting or settling
+  Phase phase_ = Phase::kWaiting;
+  int leg_ = 0;
+  Pose2 T_odom_plan_;
+  std::optional<MotionSample> last_sample_;
+  Time started_, last_update_, settling_since_;
+  std::optional<Time> held_since_;
+  Time progressed_;  ///< when the step last made progress
+  double best_progress_ = 0.0;
+};
+
+PatrolOutput Patrol::Impl::start(const PatrolOrder& goal, Time now) {
   if (const auto problem = problemOf(goal, parameters_)) return end(PatrolOutcome::kInvalidGoal, *problem);
   active_ = true;
   goal_ = goal;
@@ -50,23 +96,23 @@ PatrolOutput Patrol::start(const PatrolOrder& goal, Time now) {
   return running({});
 }
 
-PatrolOutput Patrol::cancel() {
+PatrolOutput Patrol::Impl::cancel() {
   if (!active_) return {};
   return end(PatrolOutcome::kCanceled, "patrol canceled");
 }
 
-PatrolOutput Patrol::abortByClockJump() {
+PatrolOutput Patrol::Impl::abortByClockJump() {
   if (!active_) return {};
   return end(PatrolOutcome::kClockJump, "aborted: the clock jumped");
 }
 
-PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) {
+PatrolOutput Patrol::Impl::update(const PatrolInputs& inputs, Time now) {
   if (!active_) return {};
   if (now < last_update_) return abortByClockJump();
   if (const auto broken = fault(inputs, now)) return end(broken->outcome, broken->text);
   PatrolOutput output = running({});
   if (inputs.odometry) {
-    if (phase_ == Phase::kMoving) driver_->observe(*inputs.odometry);
+    if (phase_ == Phase::kMoving) driver_.observe(*inputs.odometry);
     if (const auto stuck = blocked(inputs, now)) return end(stuck->outcome, stuck->text);
     output = advance(*inputs.odometry, inputs.wheels_held_by.has_value(), now);
     last_sample_ = inputs.odometry;
@@ -75,7 +121,7 @@ PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) {
   return output;
 }
 
-std::optional<Patrol::Fault> Patrol::fault(const PatrolInputs& inputs, Time now) const {
+std::optional<Patrol::Impl::Fault> Patrol::Impl::fault(const PatrolInputs& inputs, Time now) const {
   if (inputs.emergency_stop) return Fault{PatrolOutcome::kEmergencyStop, "aborted: emergency stop"};
   if (inputs.odometry_problem) {
     return Fault{PatrolOutcome::kBadOdometry, "aborted: bad odometry: " + *inputs.odometry_problem};
@@ -92,11 +138,11 @@ std::optional<Patrol::Fault> Patrol::fault(const PatrolInputs& inputs, Time now)
   return std::nullopt;
 }
 
-std::optional<Patrol::Fault> Patrol::blocked(const PatrolInputs& inputs, Time now) {
+std::optional<Patrol::Impl::Fault> Patrol::Impl::blocked(const PatrolInputs& inputs, Time now) {
   if (!inputs.wheels_held_by) held_since_.reset();
   if (inputs.wheels_held_by && !held_since_) held_since_ = now;
-  if (phase_ == Phase::kMoving && driver_->progress() >= best_progress_ + kProgress) {
-    best_progress_ = driver_->progress();
+  if (phase_ == Phase::kMoving && driver_.progress() >= best_progress_ + kProgress) {
+    best_progress_ = driver_.progress();
     progressed_ = now;
   }
   const Duration limit = fromSeconds(parameters_.blocked_timeout);
@@ -108,7 +154,7 @@ std::optional<Patrol::Fault> Patrol::blocked(const PatrolInputs& inputs, Time no
   return std::nullopt;
 }
 
-PatrolOutput Patrol::advance(const MotionSample& sample, bool held, Time now) {
+PatrolOutput Patrol::Impl::advance(const MotionSample& sample, bool held, Time now) {
   switch (phase_) {
     case Phase::kWaiting:
       T_odom_plan_ = sample.T_odom_base;
@@ -121,7 +167,7 @@ PatrolOutput Patrol::advance(const MotionSample& sample, bool held, Time now) {
   return drive(sample, held, now);
 }
 
-PatrolOutput Patrol::settle(const MotionSample& sample, Time now) {
+PatrolOutput Patrol::Impl::settle(const MotionSample& sample, Time now) {
   const double waited = toSeconds(now - settling_since_);
   // Odometry from before the zero command does not tell whether the robot has stopped.
   const bool rests = sample.stamp > settling_since_ && stands(sample.twist);
@@ -130,41 +176,41 @@ PatrolOutput Patrol::settle(const MotionSample& sample, Time now) {
   return beginStep(sample, now);
 }
 
-PatrolOutput Patrol::beginStep(const MotionSample& sample, Time now) {
-  driver_->begin(steps_[step_], T_odom_plan_, sample);
+PatrolOutput Patrol::Impl::beginStep(const MotionSample& sample, Time now) {
+  driver_.begin(steps_[step_], T_odom_plan_, sample);
   phase_ = Phase::kMoving;
-  best_progress_ = driver_->progress();
+  best_progress_ = driver_.progress();
   progressed_ = now;
   return drive(sample, false, now);
 }
 
-PatrolOutput Patrol::drive(const MotionSample& sample, bool held, Time now) {
-  if (driver_->reached()) {
+PatrolOutput Patrol::Impl::drive(const MotionSample& sample, bool held, Time now) {
+  if (driver_.reached()) {
     phase_ = Phase::kSettling;
     settling_since_ = now;
     ++step_;
     return running({});
   }
-  if (held) driver_->rest();
-  PatrolOutput output = running(driver_->command(toSeconds(now - last_update_), toSeconds(now - sample.stamp)));
-  const bool arc = driver_->step().kind == PatrolStep::Kind::kArc;
-  const int lap = arc ? static_cast<int>(std::max(0.0, driver_->progress()) / (2.0 * kPi)) : 0;
-  const int leg = driver_->step().leg + lap;
-  if (driver_->step().leg > 0 && leg > leg_) {
+  if (held) driver_.rest();
+  PatrolOutput output = running(driver_.command(toSeconds(now - last_update_), toSeconds(now - sample.stamp)));
+  const bool arc = driver_.step().kind == PatrolStep::Kind::kArc;
+  const int lap = arc ? static_cast<int>(std::max(0.0, driver_.progress()) / (2.0 * kPi)) : 0;
+  const int leg = driver_.step().leg + lap;
+  if (driver_.step().leg > 0 && leg > leg_) {
     leg_ = leg;
     output.started_leg = leg;
   }
   return output;
 }
 
-PatrolOutput Patrol::running(const Twist2& command) const {
+PatrolOutput Patrol::Impl::running(const Twist2& command) const {
   PatrolOutput output;
   output.outcome = PatrolOutcome::kRunning;
   output.command = command;
   return output;
 }
 
-PatrolOutput Patrol::end(PatrolOutcome outcome, std::string text) {
+PatrolOutput Patrol::Impl::end(PatrolOutcome outcome, std::string text) {
   active_ = false;
   PatrolOutput output;
   output.outcome = outcome;
@@ -173,8 +219,17 @@ PatrolOutput Patrol::end(PatrolOutcome outcome, std::string text) {
   return output;
 }
 
-std::string Patrol::completeText() const {
+std::string Patrol::Impl::completeText() const {
   return std::string(toString(static_cast<PatrolShape>(static_cast<int>(goal_.mode)))) + " patrol complete!!";
 }
+
+Patrol::Patrol(const PatrolParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
+Patrol::~Patrol() = default;
+
+PatrolOutput Patrol::start(const PatrolOrder& goal, Time now) { return impl_->start(goal, now); }
+PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) { return impl_->update(inputs, now); }
+PatrolOutput Patrol::cancel() { return impl_->cancel(); }
+PatrolOutput Patrol::abortByClockJump() { return impl_->abortByClockJump(); }
+bool Patrol::active() const { return impl_->active(); }
 
 }  // namespace frontier_pilot::patrol

@@ -1,4 +1,4 @@
-#include "frontier_pilot/patrol/plan.h"
+#include "patrol/plan.h"
 
 #include <cmath>
 #include <sstream>

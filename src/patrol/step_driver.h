@@ -1,7 +1,9 @@
 #pragma once
 
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/motion.h"
-#include "frontier_pilot/patrol/plan.h"
+#include "frontier_pilot/patrol/parameters.h"
+#include "patrol/plan.h"
 
 namespace frontier_pilot::patrol {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace frontier_pilot::system {
 
@@ -42,15 +43,15 @@ behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navi
 
 navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavior::BehaviorParameters& behavior,
                                 const Outline& outline) {
-  return [goal, outline, core = behavior::TimedBehavior(behavior), begun = false](const navigation::RecoveryInputs& in,
-                                                                                  Time now) mutable {
-    if (!begun) core.start(freePartOf(goal, in, outline), now);
+  const auto core = std::make_shared<behavior::TimedBehavior>(behavior);  // a std::function must be copyable
+  return [goal, outline, core, begun = false](const navigation::RecoveryInputs& in, Time now) mutable {
+    if (!begun) core->start(freePartOf(goal, in, outline), now);
     begun = true;
     behavior::BehaviorInputs inputs;
     inputs.pose = StampedPose2{now, in.T_map_base};
     inputs.look_ahead = lookAtScan(in.scan_distance, outline);
-    const behavior::BehaviorOutput output = core.update(inputs, now);
-    return navigation::RecoveryStep{output.command.value_or(Twist2()), !core.active()};
+    const behavior::BehaviorOutput output = core->update(inputs, now);
+    return navigation::RecoveryStep{output.command.value_or(Twist2()), !core->active()};
   };
 }
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "frontier_pilot/core/files.h"
-#include "frontier_pilot/logs/trajectory_error.h"
+#include "frontier_pilot/logs/trajectory.h"
 #include "frontier_pilot/map_files/map_io.h"
 #include "tools/log_mapping.h"
 #include "tools/map_picture.h"

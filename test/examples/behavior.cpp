@@ -15,7 +15,7 @@ bool examples::behavior() {
   fp::Time now = fp::timeFromSeconds(10.0);
   auto output = behavior.start({fp::behavior::BehaviorKind::kSpin, fp::kPi / 2.0, 0.0, 10.0, true}, now);
   while (behavior.active()) {
-    surroundings.costmap().insert(scanFrom(pose, now), pose);
+    surroundings.insert(scanFrom(pose, now), pose);
     output = behavior.update({{{now, pose}}, surroundings.lookAhead(0.5, now)}, now);
     pose = fp::integrate(pose, output.command.value_or(fp::Twist2()), 0.1);  // the base does what it is told
     now += std::chrono::milliseconds(100);

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "frontier_pilot/avoid/parameters.h"
-#include "frontier_pilot/avoid/sector_reader.h"
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot::avoid {
@@ -30,6 +34,23 @@ inline bool operator==(const AvoiderCommand& a, const AvoiderCommand& b) {
   return a.twist == b.twist && a.hold == b.hold;
 }
 
+/// The nearest obstacles around the base in one scan: distances from the base's centre [m]; infinite if none in range.
+struct SectorDistances {
+  static constexpr double kNothing = std::numeric_limits<double>::infinity();
+
+  double front_left = kNothing;
+  double front_right = kNothing;
+  double rear = kNothing;        ///< in the rear sector, or in the lane behind the body
+  double lane_left = kNothing;   ///< in the lane ahead of the body but outside of the front sectors, on the left
+  double lane_right = kNothing;  ///< the same on the right
+  double nearest = kNothing;     ///< in any direction
+  std::string fault;             ///< why the scan cannot be trusted; empty if it can
+
+  /// The smaller of the two sector minima. [AVO-1]
+  double obstacleDistance() const { return std::min(front_left, front_right); }
+  double lane() const { return std::min(lane_left, lane_right); }
+};
+
 struct AvoiderSnapshot {
   AvoiderState state = AvoiderState::kWaiting;
   std::string reason;
@@ -51,6 +72,11 @@ class Avoider {
  public:
   /// Throws std::invalid_argument when the parameters do not pass their own check.
   explicit Avoider(const AvoiderParameters& parameters);
+  ~Avoider();
+  Avoider(Avoider&&) noexcept;
+  Avoider& operator=(Avoider&&) noexcept;
+  Avoider(const Avoider&) = delete;
+  Avoider& operator=(const Avoider&) = delete;
 
   std::optional<AvoiderCommand> onScan(const LaserScan2& scan, Time now);
   /// A scan arrived that could not be read at all.
@@ -62,40 +88,13 @@ class Avoider {
   /// Switching off returns one zero, and nothing from then on; switching on waits for a new scan. [AVO-6]
   std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
 
-  bool enabled() const { return state_ != AvoiderState::kIdle; }
-  AvoiderState state() const { return state_; }
+  bool enabled() const;
+  AvoiderState state() const;
   AvoiderSnapshot status(Time now) const;
 
  private:
-  void observe(Time now);
-  void fault(const std::string& why);
-  void decide(Time now);
-  void startEpisode(Time now);
-  void startCycle(Time now);
-  void recover(Time now);
-  void enter(AvoiderState state, const std::string& reason, Time now);
-  void turnAway(Time now, const std::string& reason);
-  bool rearFree() const { return around_.rear >= distances_.rear_stop; }
-  bool turnFree() const { return around_.nearest >= distances_.turn; }
-  bool ahead() const;
-  bool clear() const;
-  AvoiderCommand command() const;
-  std::optional<AvoiderCommand> makeOutput();
-
-  AvoiderParameters parameters_;
-  AvoiderDistances distances_;
-  SectorReader reader_;
-  AvoiderState state_ = AvoiderState::kWaiting;
-  std::string reason_;
-  SectorDistances around_;
-  bool has_scan_ = false;
-  Time scan_stamp_, scan_received_;
-  Time last_now_;
-  Time phase_start_;
-  int turn_ = 0, cycle_ = 0;
-  std::uint32_t episodes_ = 0;
-  std::uint64_t faults_ = 0;
-  AvoiderCommand last_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace frontier_pilot::avoid

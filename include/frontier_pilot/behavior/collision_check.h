@@ -1,7 +1,15 @@
 #pragma once
 
-#include "frontier_pilot/behavior/local_costmap.h"
+#include <memory>
+
+#include "frontier_pilot/behavior/parameters.h"
 #include "frontier_pilot/behavior/timed_behavior.h"
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot::behavior {
 
@@ -17,30 +25,34 @@ struct CollisionCheckParameters {
   }
 };
 
-/// Checks a behaviour's motion ahead: the footprint on the local costmap, as long as the last scan is recent.
+/// Checks a behaviour's motion ahead: the footprint on a costmap that the scans fill, as long as the last scan is
+/// recent. The costmap is a square window of the odometry frame that moves with the robot.
 class CollisionCheck {
  public:
-  explicit CollisionCheck(const CollisionCheckParameters& parameters = {}, const RobotModel& robot = {})
-      : footprint_(robot.exactOutline().padded(parameters.footprint.padding)),
-        costmap_(parameters.costmap, footprint_) {}
+  explicit CollisionCheck(const CollisionCheckParameters& parameters = {}, const RobotModel& robot = {});
+  ~CollisionCheck();
+  CollisionCheck(CollisionCheck&&) noexcept;
+  CollisionCheck& operator=(CollisionCheck&&) noexcept;
+  CollisionCheck(const CollisionCheck&) = delete;
+  CollisionCheck& operator=(const CollisionCheck&) = delete;
 
-  LocalCostmap& costmap() { return costmap_; }
-  const LocalCostmap& costmap() const { return costmap_; }
-  /// The robot's outline with the padding around it.
-  const Outline& footprint() const { return footprint_; }
+  /// Inserts a scan into the costmap; `T_odom_base` is the pose at its stamp. Beams clear the cells that they cross,
+  /// hits occupy theirs, invalid beams change nothing. Unknown cells under the robot become free.
+  void insert(const LaserScan2& scan, const Pose2& T_odom_base);
+  /// Forgets all scans.
+  void clear();
+
+  /// The costmap, in the odometry frame: -1 unknown, 0 free, 100 occupied; empty before the first scan.
+  const OccupancyGrid& grid() const;
+  /// The robot's outline with the padding around it, in the base frame.
+  const Outline& footprint() const;
   /// The look-ahead for `BehaviorInputs` at `now`. It is empty, so that every motion is blocked, when the last scan is
   /// older than `max_age` [s]. [SPN-3] It refers to this object.
-  LookAhead lookAhead(double max_age, Time now) const {
-    const auto stamp = costmap_.stamp();
-    if (!stamp || std::abs(toSeconds(now - *stamp)) > max_age) return {};
-    return [this](const Pose2& T_odom_base, const AxisMotion& motion) {
-      return sweep(costmap_.grid(), footprint_, T_odom_base, motion);
-    };
-  }
+  LookAhead lookAhead(double max_age, Time now) const;
 
  private:
-  Outline footprint_;
-  LocalCostmap costmap_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace frontier_pilot::behavior

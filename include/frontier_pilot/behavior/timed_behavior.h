@@ -1,13 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "frontier_pilot/behavior/motion_profile.h"
 #include "frontier_pilot/behavior/parameters.h"
 #include "frontier_pilot/behavior/sweep.h"
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/core/time.h"
 
 namespace frontier_pilot::behavior {
 
@@ -60,7 +62,12 @@ struct BehaviorOutput {
 /// at a time; whatever ends it, its last output has a zero command. Requirements: docs/requirements.md, SPN-1 to SPN-5.
 class TimedBehavior {
  public:
-  explicit TimedBehavior(const BehaviorParameters& parameters) : parameters_(parameters) {}
+  explicit TimedBehavior(const BehaviorParameters& parameters);
+  ~TimedBehavior();
+  TimedBehavior(TimedBehavior&&) noexcept;
+  TimedBehavior& operator=(TimedBehavior&&) noexcept;
+  TimedBehavior(const TimedBehavior&) = delete;
+  TimedBehavior& operator=(const TimedBehavior&) = delete;
 
   /// Starts a new goal; a running one must have been cancelled. The first motion comes with the next `update`.
   BehaviorOutput start(const BehaviorGoal& goal, Time now);
@@ -71,34 +78,12 @@ class TimedBehavior {
   /// Ends it because the clock has jumped, so that the time that has passed is not known.
   BehaviorOutput abortByClockJump();
 
-  bool active() const { return active_; }
-  const BehaviorGoal& goal() const { return goal_; }
+  bool active() const;
+  const BehaviorGoal& goal() const;
 
  private:
-  BehaviorOutput running(const Twist2& command) const;
-  BehaviorOutput end(BehaviorOutcome outcome, std::string message);
-  BehaviorOutput wait();
-  BehaviorOutput move(const BehaviorInputs& inputs, Time now);
-  std::optional<std::string> poseProblem(const BehaviorInputs& inputs, Time now) const;
-  void measure(const StampedPose2& pose, Time now);
-  BehaviorOutput settle(Time now);
-  BehaviorOutput goOn(const BehaviorInputs& inputs, double speed);
-  AxisMotion motion() const;
-  MotionLimits limits() const;
-  double sign() const { return motion().amount < 0.0 ? -1.0 : 1.0; }
-
-  BehaviorParameters parameters_;
-  BehaviorGoal goal_;
-  bool active_ = false;
-  Time started_, last_update_;
-  double elapsed_ = 0.0;
-  double progress_ = 0.0;  ///< along the motion: positive towards the target
-  std::optional<StampedPose2> first_pose_, last_pose_;
-  TurnCounter turned_;
-  MotionEstimate estimate_;
-  double best_progress_ = 0.0;
-  Time progressed_;
-  std::optional<Time> settling_since_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Why a goal is refused; nothing if it is valid. [SPN-4]

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "frontier_pilot/patrol/plan.h"
+#include "frontier_pilot/patrol/patrol.h"
 
 namespace frontier_pilot::patrol {
 

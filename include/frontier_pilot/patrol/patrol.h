@@ -1,18 +1,31 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/core/time.h"
 #include "frontier_pilot/patrol/parameters.h"
-#include "frontier_pilot/patrol/plan.h"
 
 namespace frontier_pilot::patrol {
 
-class StepDriver;
+/// The shapes of a patrol; the values are those of ROBOTIS' Patrol action.
+enum class PatrolShape { kSquare = 1, kTriangle = 2, kCircle = 3 };
+const char* toString(PatrolShape shape);
+
+/// A goal as it was sent, unchecked, in ROBOTIS' encoding.
+struct PatrolOrder {
+  double mode = 0.0;  ///< 1 square, 2 triangle, 3 circle
+  double size = 0.0;  ///< side or radius [m]
+  double laps = 0.0;
+};
+
+/// Why a goal is refused; nothing if it can be driven. [PAT-1]
+std::optional<std::string> problemOf(const PatrolOrder& goal, const PatrolParameters& parameters);
+
+/// How many legs a valid goal has, all laps together.
+int legsOf(const PatrolOrder& goal);
 
 /// The state of a patrol, or how it ended.
 enum class PatrolOutcome {
@@ -63,39 +76,11 @@ class Patrol {
   PatrolOutput cancel();
   /// Ends the patrol because the clock has jumped.
   PatrolOutput abortByClockJump();
-  bool active() const { return active_; }
+  bool active() const;
 
  private:
-  enum class Phase { kWaiting, kMoving, kSettling };
-  struct Fault {
-    PatrolOutcome outcome;
-    std::string text;
-  };
-
-  PatrolOutput end(PatrolOutcome outcome, std::string text);
-  std::optional<Fault> fault(const PatrolInputs& inputs, Time now) const;
-  std::optional<Fault> blocked(const PatrolInputs& inputs, Time now);
-  PatrolOutput advance(const MotionSample& sample, bool held, Time now);
-  PatrolOutput settle(const MotionSample& sample, Time now);
-  PatrolOutput beginStep(const MotionSample& sample, Time now);
-  PatrolOutput drive(const MotionSample& sample, bool held, Time now);
-  PatrolOutput running(const Twist2& command) const;
-  std::string completeText() const;
-
-  PatrolParameters parameters_;
-  std::unique_ptr<StepDriver> driver_;
-  bool active_ = false;
-  PatrolOrder goal_;
-  std::vector<PatrolStep> steps_;
-  std::size_t step_ = 0;  ///< index of the current step; of the next one while waiting or settling
-  Phase phase_ = Phase::kWaiting;
-  int leg_ = 0;
-  Pose2 T_odom_plan_;
-  std::optional<MotionSample> last_sample_;
-  Time started_, last_update_, settling_since_;
-  std::optional<Time> held_since_;
-  Time progressed_;  ///< when the step last made progress
-  double best_progress_ = 0.0;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace frontier_pilot::patrol

@@ -29,13 +29,13 @@ void BehaviorCostmap::takeIn() {
   if (!waiting_) return;
   const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->stamp);
   if (!T_odom_base) return;
-  surroundings_.costmap().insert(*waiting_, *T_odom_base);
+  surroundings_.insert(*waiting_, *T_odom_base);
   waiting_.reset();
 }
 
 void BehaviorCostmap::clear() {
   waiting_.reset();
-  surroundings_.costmap().clear();
+  surroundings_.clear();
 }
 
 behavior::BehaviorInputs BehaviorCostmap::inputs(double max_age, Time now) {

@@ -9,6 +9,7 @@
 
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/patrol/command_line.h"
+#include "frontier_pilot/patrol/patrol.h"
 #include "ros/common/actions/action_client.h"
 
 namespace frontier_pilot {

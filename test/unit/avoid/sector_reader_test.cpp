@@ -1,7 +1,7 @@
 // Sectors as laws that hold for every scanner, and the reading of odd ranges.
 #include <gtest/gtest.h>
 
-#include "frontier_pilot/avoid/sector_reader.h"
+#include "avoid/sector_reader.h"
 #include "scan_maker.h"
 
 namespace frontier_pilot {

@@ -24,7 +24,7 @@ class BehaviorLoop {
   behavior::BehaviorOutput start(const behavior::BehaviorGoal& goal) { return behavior.start(goal, base.now()); }
   /// One cycle; `wheels`, if given, replaces the command on its way to the base.
   behavior::BehaviorOutput cycle(const std::optional<Twist2>& wheels = std::nullopt) {
-    if (scanning) surroundings.costmap().insert(scan(), base.pose());
+    if (scanning) surroundings.insert(scan(), base.pose());
     if (posing) inputs.pose = StampedPose2{base.now(), base.pose()};
     inputs.look_ahead = surroundings.lookAhead(0.5, base.now());
     const behavior::BehaviorOutput output = behavior.update(inputs, base.now());

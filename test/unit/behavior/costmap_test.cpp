@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "behavior/local_costmap.h"
 #include "frontier_pilot/behavior/collision_check.h"
 #include "support/ascii_world.h"
 #include "support/shipped_robot.h"

@@ -158,7 +158,7 @@ TEST(Spin, AnObstacleWhereTheFirstTenthOfASecondSweepsIsSeenBeforeAnythingMoves)
     EXPECT_FALSE(loop.moved);
     const behavior::CollisionCheck& seen = loop.surroundings;
     const auto turn = [&](double from, double to) {
-      return behavior::sweep(seen.costmap().grid(), seen.footprint(), {0.0, 0.0, from},
+      return behavior::sweep(seen.grid(), seen.footprint(), {0.0, 0.0, from},
                              {behavior::AxisMotion::Axis::kTurn, to - from});
     };
     EXPECT_EQ(turn(0.0, 0.0), behavior::SweepResult::kClear);

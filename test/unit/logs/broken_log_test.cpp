@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "frontier_pilot/logs/scan_log.h"
-#include "frontier_pilot/logs/trajectory_error.h"
+#include "frontier_pilot/logs/trajectory.h"
 
 namespace frontier_pilot {
 namespace {

@@ -1,32 +1,14 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/avoid/avoider.h"
 #include "frontier_pilot/avoid/parameters.h"
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
 
 namespace frontier_pilot::avoid {
-
-/// The nearest obstacles around the base in one scan: distances from the base's centre [m]; infinite if none in range.
-struct SectorDistances {
-  static constexpr double kNothing = std::numeric_limits<double>::infinity();
-
-  double front_left = kNothing;
-  double front_right = kNothing;
-  double rear = kNothing;        ///< in the rear sector, or in the lane behind the body
-  double lane_left = kNothing;   ///< in the lane ahead of the body but outside of the front sectors, on the left
-  double lane_right = kNothing;  ///< the same on the right
-  double nearest = kNothing;     ///< in any direction
-  std::string fault;             ///< why the scan cannot be trusted; empty if it can
-
-  /// The smaller of the two sector minima. [AVO-1]
-  double obstacleDistance() const { return std::min(front_left, front_right); }
-  double lane() const { return std::min(lane_left, lane_right); }
-};
 
 /// Evaluates scans by sectors of the base frame, for any mount of the scanner. [AVO-1] [AVO-2] [AVO-5]
 class SectorReader {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "frontier_pilot/core/time.h"
-
 namespace frontier_pilot::behavior {
 
 /// The limits of a motion along one axis, in [m] or [rad] per second and per second squared.

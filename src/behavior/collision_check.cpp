@@ -1,0 +1,42 @@
+#include "frontier_pilot/behavior/collision_check.h"
+
+#include <cmath>
+
+#include "behavior/local_costmap.h"
+#include "frontier_pilot/behavior/sweep.h"
+
+namespace frontier_pilot::behavior {
+
+struct CollisionCheck::Impl {
+  Impl(const CollisionCheckParameters& parameters, const RobotModel& robot)
+      : footprint(robot.exactOutline().padded(parameters.footprint.padding)), costmap(parameters.costmap, footprint) {}
+
+  Outline footprint;
+  LocalCostmap costmap;
+};
+
+CollisionCheck::CollisionCheck(const CollisionCheckParameters& parameters, const RobotModel& robot)
+    : impl_(std::make_unique<Impl>(parameters, robot)) {}
+CollisionCheck::~CollisionCheck() = default;
+CollisionCheck::CollisionCheck(CollisionCheck&&) noexcept = default;
+CollisionCheck& CollisionCheck::operator=(CollisionCheck&&) noexcept = default;
+
+void CollisionCheck::insert(const LaserScan2& scan, const Pose2& T_odom_base) {
+  impl_->costmap.insert(scan, T_odom_base);
+}
+
+void CollisionCheck::clear() { impl_->costmap.clear(); }
+
+const OccupancyGrid& CollisionCheck::grid() const { return impl_->costmap.grid(); }
+
+const Outline& CollisionCheck::footprint() const { return impl_->footprint; }
+
+LookAhead CollisionCheck::lookAhead(double max_age, Time now) const {
+  const auto stamp = impl_->costmap.stamp();
+  if (!stamp || std::abs(toSeconds(now - *stamp)) > max_age) return {};
+  return [this](const Pose2& T_odom_base, const AxisMotion& motion) {
+    return sweep(grid(), footprint(), T_odom_base, motion);
+  };
+}
+
+}  // namespace frontier_pilot::behavior
