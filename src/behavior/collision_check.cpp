@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "behavior/local_costmap.h"
-#include "frontier_pilot/behavior/sweep.h"
+#include "behavior/sweep.h"
 
 namespace frontier_pilot::behavior {
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/behavior/sweep.h"
+#include "behavior/sweep.h"
 
 #include <algorithm>
 #include <cmath>

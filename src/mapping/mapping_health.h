@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "frontier_pilot/core/time.h"
-#include "frontier_pilot/mapping/scan_verdict.h"
+#include "frontier_pilot/mapping/mapper.h"
 
 namespace frontier_pilot::mapping {
 

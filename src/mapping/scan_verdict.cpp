@@ -1,4 +1,4 @@
-#include "frontier_pilot/mapping/scan_verdict.h"
+#include "frontier_pilot/mapping/mapper.h"
 
 namespace frontier_pilot::mapping {
 

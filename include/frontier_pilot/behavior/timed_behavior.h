@@ -6,7 +6,6 @@
 #include <string>
 
 #include "frontier_pilot/behavior/parameters.h"
-#include "frontier_pilot/behavior/sweep.h"
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/core/time.h"
@@ -38,6 +37,28 @@ enum class BehaviorOutcome {
   kCanceled,
 };
 const char* toString(BehaviorOutcome outcome);
+
+/// A motion along one axis of the base: a turn in place or a straight line, with its sign.
+struct AxisMotion {
+  enum class Axis { kTurn, kLine };
+  Axis axis = Axis::kTurn;
+  double amount = 0.0;  ///< [rad] counter-clockwise, or [m] forward
+
+  /// The pose of a base that started at the origin when `share` (0...1) of the motion is done.
+  Pose2 at(double share) const {
+    return axis == Axis::kTurn ? Pose2(0.0, 0.0, share * amount) : Pose2(share * amount, 0.0, 0.0);
+  }
+};
+
+/// The first thing that a look along a motion has met.
+enum class SweepResult {
+  kClear,
+  kObstacle,
+  kUnseen,     ///< a cell that no scan has seen
+  kOffGrid,    ///< the costmap ends there
+  kNoCostmap,  ///< there is none, or its last scan is too old
+};
+const char* toString(SweepResult result);
 
 /// Looks along a motion from a pose in the odometry frame.
 using LookAhead = std::function<SweepResult(const Pose2& T_odom_base, const AxisMotion& motion)>;

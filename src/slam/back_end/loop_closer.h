@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "frontier_pilot/slam/loop_closure.h"
 #include "frontier_pilot/slam/parameters.h"
+#include "frontier_pilot/slam/pose_correction.h"
 #include "slam/back_end/loop_search.h"
 #include "slam/graph/submap_graph.h"
 

@@ -7,8 +7,8 @@
 
 #include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/scan_matching/scan_matcher.h"
-#include "frontier_pilot/slam/loop_closure.h"
 #include "frontier_pilot/slam/parameters.h"
+#include "frontier_pilot/slam/pose_correction.h"
 #include "slam/graph/submap_graph.h"
 
 namespace frontier_pilot::slam {

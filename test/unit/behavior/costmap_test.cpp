@@ -5,6 +5,7 @@
 #include <set>
 
 #include "behavior/local_costmap.h"
+#include "behavior/sweep.h"
 #include "frontier_pilot/behavior/collision_check.h"
 #include "support/ascii_world.h"
 #include "support/shipped_robot.h"

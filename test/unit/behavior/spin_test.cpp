@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "behavior/sweep.h"
 #include "behavior_loop.h"
 
 namespace frontier_pilot {
