@@ -11,6 +11,7 @@ import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from frontier_pilot.msg import ExplorerStatus
 from geometry_msgs.msg import Twist
+from move_base_msgs.msg import MoveBaseActionGoal
 from nav_msgs.msg import OccupancyGrid
 from std_srvs.srv import SetBool, Trigger
 
@@ -90,6 +91,8 @@ class SecondCopies(unittest.TestCase):
     def test_an_explorer_cancels_the_goal_that_the_one_before_it_has_left(self):
         cancels = Record('move_base/cancel', GoalID)
         statuses = rospy.Publisher('move_base/status', GoalStatusArray, queue_size=1)
+        goals = Record('move_base/goal', MoveBaseActionGoal)  # a status counts if it comes from who takes the goals
+        self.addCleanup(goals.subscriber.unregister)
         pursued = GoalStatusArray()
         for name in ['/frontier_explorer-3-12.5', '/somebody-1-12.5']:
             status = GoalStatus(status=GoalStatus.ACTIVE)
