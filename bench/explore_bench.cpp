@@ -85,6 +85,7 @@ Options parse(const std::vector<std::string>& words) {
     const std::string word = arguments.next();
     takeWord(word, arguments, options);
   }
+  if (options.latency < 0.0) throw std::invalid_argument("--latency must not be negative");
   if (options.worlds.empty()) throw std::invalid_argument("no world given");
   return options;
 }

@@ -86,7 +86,9 @@ def main():
     while not master_is_up():
         time.sleep(0.2)
     # Periods are on the steady clock, because simulated time may stand still or run at any speed.
-    rospy.init_node('watch_exploration', anonymous=True)
+    # A name from outside could be that of a running node, which ROS would then shut down.
+    words = [word for word in sys.argv if not word.startswith('__name:=')]
+    rospy.init_node('watch_exploration', argv=words, anonymous=True)
     began = time.monotonic()
     watcher = Watcher(arguments.period)
     while not rospy.is_shutdown() and not watcher.done():

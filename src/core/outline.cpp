@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kDiscCorners = 32;
 constexpr double kLeastArea = 1e-6;  // [m^2]
+constexpr std::size_t kMostCorners = 1000;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -33,6 +34,29 @@ bool inside(const std::vector<Vec2>& corners, const Vec2& point) {
     if (point.x() < a.x() + (point.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) in = !in;
   }
   return in;
+}
+
+/// Whether the segments a-b and c-d cross or touch.
+bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto side = [](const Vec2& from, const Vec2& to, const Vec2& point) { return cross(to - from, point - from); };
+  const double c_side = side(a, b, c), d_side = side(a, b, d), a_side = side(c, d, a), b_side = side(c, d, b);
+  if (c_side == 0.0 && d_side == 0.0) {  // on one line
+    const auto low = a.cwiseMin(b).cwiseMax(c.cwiseMin(d)).eval(), high = a.cwiseMax(b).cwiseMin(c.cwiseMax(d)).eval();
+    return low.x() <= high.x() && low.y() <= high.y();
+  }
+  return c_side * d_side <= 0.0 && a_side * b_side <= 0.0;
+}
+
+/// Whether two sides meet that are not neighbours.
+bool crossesItself(const std::vector<Vec2>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i + 2 < n; ++i) {
+    for (std::size_t k = i + 2; k < n; ++k) {
+      const bool neighbours = i == 0 && k == n - 1;
+      if (!neighbours && meet(corners[i], corners[i + 1], corners[k], next(corners, k))) return true;
+    }
+  }
+  return false;
 }
 
 double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
@@ -90,6 +114,8 @@ Outline Outline::disc(double radius) {
 
 const char* Outline::problem(const std::vector<Vec2>& corners) {
   if (corners.size() < 3) return "must have at least three corners";
+  if (corners.size() > kMostCorners) return "must have at most 1000 corners";
+  if (crossesItself(corners)) return "crosses or touches itself";
   if (std::abs(signedArea(corners)) < kLeastArea) return "has no area";
   if (!inside(corners, Vec2::Zero())) return "the base's origin must lie inside";
   return "";

@@ -1,4 +1,5 @@
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +142,7 @@ void Loader::field(const char* name, std::string& field, const char* unit, const
   std::string read = field;
   this->field(name, read, unit, doc);
   if (read.empty() && rule == FrameName::kGiven) return problem(name, "must name a frame");
+  if (read.size() > bounds::kMostName) return problem(name, "must have at most 256 characters");
   if (read.rfind('/', 0) == 0) return problem(name, "must not begin with '/', is " + read + ": tf2 refuses such names");
   field = read;
 }

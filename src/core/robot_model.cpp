@@ -52,7 +52,9 @@ void RobotModel::check(Problems& problems) const {
   }
   if (outline.size() % 2 != 0) return problems.push_back("outline: must be pairs x, y");
   const std::string wrong = Outline::problem(cornersOf(outline));
-  if (!wrong.empty()) problems.push_back("outline: " + wrong);
+  if (!wrong.empty()) return problems.push_back("outline: " + wrong);
+  if (disc_radius > 0.0 && disc_radius < exactOutline().halfWidth())
+    problems.emplace_back("disc_radius: must be 0 or at least half the width of the outline");
 }
 
 }  // namespace frontier_pilot

@@ -125,7 +125,10 @@ ScanLog readCarmenLog(std::istream& file, const std::string& name, const LogScan
     }
     read.push_back(message == kFrontLaser ? readFrontLaser(reader, scanner) : readRobotLaser(reader, scanner));
   }
-  if (read.empty()) throw LogError(name + ": holds no FLASER and no ROBOTLASER1 line");
+  if (read.empty())
+    throw LogError(
+        name +
+        ": holds no FLASER and no ROBOTLASER1 line, and is no CSV file: its first line should begin with a number");
   ScanLog log;
   if (others > 0) log.notes.push_back(std::to_string(others) + " scans of another kind than " + kind + " skipped");
   mountScanner(read, scanner, log.notes);

@@ -26,6 +26,9 @@ bool parse(std::string_view word, T& value) {
 bool TextReader::nextLine() {
   while (std::getline(file_, line_)) {
     ++line_number_;
+    const std::size_t carriage_return = line_.find('\r');
+    if (carriage_return != std::string::npos && carriage_return + 1 < line_.size())
+      fail("has a carriage return inside: lines must end with LF or CR LF");
     split();
     if (!words_.empty() && words_.front().front() != '#') return true;
   }

@@ -45,6 +45,8 @@ std::vector<int> Arguments::range() {
   const std::size_t dash = word.find('-', 1);
   const int first = parse<int>(option_, word.substr(0, dash), "A or A-B");
   const int last = dash == std::string::npos ? first : parse<int>(option_, word.substr(dash + 1), "A or A-B");
+  if (last < first)
+    throw std::invalid_argument(option_ + ": " + word + " is empty, the second number is the smaller one");
   std::vector<int> numbers;
   for (int i = first; i <= last; ++i) numbers.push_back(i);
   return numbers;

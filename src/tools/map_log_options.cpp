@@ -22,6 +22,12 @@ double resolutionOf(Arguments& arguments, const std::string& option) {
   throw std::invalid_argument(option + " must be between 0.01 and 10 m");
 }
 
+double fieldOfView(Arguments& arguments, const std::string& option) {
+  const double degrees = positiveNumber(arguments, option);
+  if (degrees > 360.0) throw std::invalid_argument(option + " must be at most 360 degrees");
+  return degrees * kPi / 180.0;
+}
+
 Pose2 mountOf(Arguments& arguments, const std::string& option) {
   const double x = arguments.number();
   const double y = arguments.number();
@@ -44,7 +50,7 @@ void takeOption(const std::string& word, Arguments& arguments, MapLogOptions& o)
   if (word == "--relations") return void(o.relations = arguments.text());
   if (word == "--resolution") return void(o.mapper.map.resolution = resolutionOf(arguments, word));
   if (word == "--range") return void(o.scanner.range_max = positiveNumber(arguments, word));
-  if (word == "--fov") return void(o.scanner.field_of_view = positiveNumber(arguments, word) * kPi / 180.0);
+  if (word == "--fov") return void(o.scanner.field_of_view = fieldOfView(arguments, word));
   if (word == "--mount") return void(o.scanner.T_base_sensor = mountOf(arguments, word));
   if (word == "--scan") return void(o.topics.scan = rosName(arguments, word, "topic"));
   if (word == "--odom") return void(o.topics.odom = rosName(arguments, word, "topic"));

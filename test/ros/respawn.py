@@ -118,6 +118,9 @@ class Respawn(unittest.TestCase):
             code, said = self.start(executable).finish(20.0)
             self.assertEqual(code, 1, said)
             self.assertIn('/%s is already running' % executable, said)
+            code, said = self.start('patrol_client', 'square', '__name:=' + executable).finish(20.0)
+            self.assertEqual(code, 2, said)
+            self.assertIn('/%s is already running' % executable, said)
             self.assertFalse(first.has_ended(), '[FLT-2]')
             first.end()
 

@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <optional>
 
+#include "frontier_pilot/core/bounds.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/throttled_log.h"
@@ -57,6 +58,9 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
   const auto covariance = covarianceOf(msg.pose);
   if (pose && !covariance) why = "invalid covariance";
   if (!pose || !covariance) return bad_initial_poses_.add(why);
+  // From there the transform to odom, which is another pose, could lie beyond the bound on coordinates.
+  if (!bounds::isWithin(pose->position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate / 2))
+    return bad_initial_poses_.add("farther than 500 km from the map's origin");
   if (!mapper_.locate({*pose, *covariance})) {
     return bad_initial_poses_.add("the map has no occupied cell yet, so the robot cannot be found in it");
   }

@@ -6,8 +6,10 @@
 
 #include <csignal>
 #include <iostream>
+#include <stdexcept>
 
 #include "ros/common/clock.h"
+#include "ros/common/master/namesake.h"
 #include "ros/common/names.h"
 
 namespace frontier_pilot {
@@ -127,6 +129,12 @@ int runPatrolClient(int argc, char** argv) {
   if (!ros::master::check()) {
     complain("no ROS master at " + ros::master::getURI());
     return static_cast<int>(patrol::PatrolExit::kNoServer);
+  }
+  try {
+    refuseANamesake();
+  } catch (const std::runtime_error& error) {
+    complain(error.what());
+    return static_cast<int>(patrol::PatrolExit::kUsage);
   }
   std::signal(SIGINT, handleInterrupt);
   std::signal(SIGTERM, handleInterrupt);

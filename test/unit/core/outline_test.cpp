@@ -29,6 +29,22 @@ TEST(Outlines, KnowTheRadiiThatFollowFromThem) {
   }
 }
 
+// [ROB-1] What drives by such an outline would not know its inside from its outside.
+TEST(Outlines, ThatCrossOrTouchThemselvesAreRefused_ROB_1) {
+  const auto problem = [](const std::vector<Vec2>& corners) { return std::string(Outline::problem(corners)); };
+  EXPECT_EQ(problem({{-1.0, -1.0}, {2.0, 1.0}, {2.0, -1.0}, {-1.0, 1.0}}), "crosses or touches itself");
+  const std::vector<Vec2> square = {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}};
+  EXPECT_EQ(problem(square), "");
+  std::vector<Vec2> twice = square;
+  twice.insert(twice.end(), square.begin(), square.end());
+  EXPECT_EQ(problem(twice), "crosses or touches itself");
+  std::vector<Vec2> round;
+  for (int i = 0; i < 1001; ++i) round.push_back(direction(2.0 * kPi * i / 1001));
+  EXPECT_EQ(problem(round), "must have at most 1000 corners");
+  round.pop_back();
+  EXPECT_EQ(problem(round), "");
+}
+
 TEST(Outlines, OfADiscHaveAPolygonAroundIt) {
   const Outline disc = Outline::disc(0.2);
   const Outline around = Outline::polygon(disc.corners());

@@ -45,6 +45,10 @@ TEST(RobotModels, AreRefusedWithEveryProblemByName) {
   EXPECT_EQ(problems("robot: {outline: [0.1, 0.1, -0.1]}"), (Problems{"robot/outline: must be pairs x, y"}));
   EXPECT_EQ(problems("robot: {outline: [0.1, 0.1, -0.1, 0.1]}"),
             (Problems{"robot/outline: must have at least three corners"}));
+  EXPECT_EQ(problems("robot: {outline: [0.3, 0.2, -0.3, 0.2, -0.3, -0.2, 0.3, -0.2], disc_radius: 1.0e-9}"),
+            (Problems{"robot/disc_radius: must be 0 or at least half the width of the outline"}));
+  EXPECT_EQ(problems("robot: {base_frame: " + std::string(300, 'a') + "}"),
+            (Problems{"robot/base_frame: must have at most 256 characters"}));
 }
 
 // [ROB-1]

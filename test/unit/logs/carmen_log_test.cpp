@@ -115,7 +115,11 @@ TEST(CarmenLog, SaysInWhichLineWhatIsBroken) {
   EXPECT_EQ(problemOfCarmen("ROBOTLASER1 0 -1.5 3 0 80 0 0 2 1 1\n"), "drive.log:1: the angular resolution is zero");
   EXPECT_EQ(problemOfCarmen("ROBOTLASER1 0 -1.5 3 1 80 0 0 2 1 1 9 1\n"),
             "drive.log:1: ends where a remission should be");
-  EXPECT_EQ(problemOfCarmen("ODOM 1 2 3\n"), "drive.log: holds no FLASER and no ROBOTLASER1 line");
+  EXPECT_EQ(
+      problemOfCarmen("ODOM 1 2 3\n"),
+      "drive.log: holds no FLASER and no ROBOTLASER1 line, and is no CSV file: its first line should begin with a "
+      "number");
+  EXPECT_NE(problemOfCarmen("ODOM 1\rODOM 2\n").find("carriage return"), std::string::npos);
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ TEST(Transforms, AreRefusedWithoutNameOrOrientationAndWithNamesThatNobodyCanRead
   for (const double w : {0.0, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
     auto msg = transform();
     msg.transform.rotation.w = w;
-    EXPECT_STREQ(problemOf(msg, kHeardAt, false), "not finite, or its quaternion not of unit length");
+    EXPECT_STREQ(problemOf(msg, kHeardAt, false),
+                 "not finite, farther than 1000 km, or its quaternion not of unit length");
   }
 }
 

@@ -21,6 +21,9 @@ TEST(Arguments, GivesWordsAndTheirValues) {
   EXPECT_EQ(arguments.range(), (std::vector<int>{7}));
   arguments.next();
   EXPECT_EQ(arguments.range(), (std::vector<int>{-3, -2, -1, 0, 1}));
+  tools::Arguments empty({"--seeds", "5-1"});
+  empty.next();
+  EXPECT_THROW(empty.range(), std::invalid_argument);
   EXPECT_TRUE(arguments.atEnd());
 }
 

@@ -49,6 +49,7 @@ TEST(MapLogOptions, SayWhatIsWrong) {
   EXPECT_EQ(problemOf({"a", "b", "--out", "x"}), "more than one log: a and b");
   EXPECT_EQ(problemOf({"a", "--fast"}), "unknown option --fast");
   EXPECT_EQ(problemOf({"a", "--out", "x", "--range", "0"}), "--range must be positive");
+  EXPECT_EQ(problemOf({"a", "--out", "x", "--fov", "361"}), "--fov must be at most 360 degrees");
   EXPECT_TRUE(tools::parseMapLogOptions({"--help"}).help);
 }
 

@@ -132,7 +132,10 @@ class ActionClient {
   void cancelTakerWent(const Connection& connection) { monitor_.cancelDisconnectCallback(connection); }
 
   void takeStatus(const ros::MessageEvent<const actionlib_msgs::GoalStatusArray>& event) {
-    if (!isFromServer(event.getPublisherName())) return strangers_.add("not from the server");
+    if (!isFromServer(event.getPublisherName())) {
+      if (server_heard_) strangers_.add("not from the server");  // before, this may be the server, not yet connected
+      return;
+    }
     monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
     manager_.updateStatuses(event.getConstMessage());
     endWithoutResult(*event.getConstMessage());

@@ -30,7 +30,7 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
     return "frame's name longer than 256 characters";
   if (!isPrintable(parent) || !isPrintable(child)) return "control characters in a frame's name";
   if (parent == child) return "frame that is its own parent";
-  if (!toIsometry(transform.transform)) return "not finite, or its quaternion not of unit length";
+  if (!toIsometry(transform.transform)) return "not finite, farther than 1000 km, or its quaternion not of unit length";
   const Time stamp = toTime(transform.header.stamp);
   if (transform.header.stamp.nsec >= 1'000'000'000U || stamp > toTime(ros::TIME_MAX) - kMargin) {
     return "stamp out of range";
