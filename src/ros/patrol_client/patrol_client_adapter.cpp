@@ -25,6 +25,10 @@ void handleInterrupt(int) { interrupts = interrupts + 1; }
 
 void say(const std::string& text) { std::cout << text << std::endl; }
 void complain(const std::string& text) { std::cerr << "patrol_client: " << text << std::endl; }
+int fail(const std::string& text, patrol::PatrolExit exit) {
+  complain(text);
+  return static_cast<int>(exit);
+}
 
 }  // namespace
 
@@ -122,19 +126,12 @@ int runPatrolClient(int argc, char** argv) {
     std::cout << patrol::patrolUsage();
     return 0;
   }
-  if (!line.goal) {
-    complain(line.problem + "\n\n" + patrol::patrolUsage());
-    return static_cast<int>(patrol::PatrolExit::kUsage);
-  }
-  if (!ros::master::check()) {
-    complain("no ROS master at " + ros::master::getURI());
-    return static_cast<int>(patrol::PatrolExit::kNoServer);
-  }
+  if (!line.goal) return fail(line.problem + "\n\n" + patrol::patrolUsage(), patrol::PatrolExit::kUsage);
+  if (!ros::master::check()) return fail("no ROS master at " + ros::master::getURI(), patrol::PatrolExit::kNoServer);
   try {
     refuseANamesake();
   } catch (const std::runtime_error& error) {
-    complain(error.what());
-    return static_cast<int>(patrol::PatrolExit::kUsage);
+    return fail(error.what(), patrol::PatrolExit::kUsage);
   }
   std::signal(SIGINT, handleInterrupt);
   std::signal(SIGTERM, handleInterrupt);
