@@ -112,6 +112,8 @@ bool Explorer::Impl::informationGone() {
 /// A reached goal that still promises more than half of the expected area after settle_time is recorded as fruitless.
 void Explorer::Impl::evaluateArrival(Time now) {
   if (done_reason_) {
+    arrived_.reset();
+    goal_pose_.reset();
     enter(ExplorerState::kDone, *done_reason_, "", now);
     done_reason_.reset();
     return;

@@ -199,6 +199,7 @@ TEST_F(ReturnToStart, DrivesBackBeforeItIsDone_EXP_7) {
   output = tickFor(0.5);
   EXPECT_EQ(output.status.state, State::kDone);
   EXPECT_EQ(output.status.reason, Reason::kNoReachableFrontier);
+  EXPECT_FALSE(explorer.goal()) << "the start is no goal any more";
 }
 
 TEST_F(ExplorerStates, ARobotOnUnknownGroundWaitsAndIsNotDone_EXP_7) {
