@@ -179,7 +179,8 @@ std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, T
   judged_by_ = nullptr;
   if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
   const bool selects_by_density = parameters_.rich_min_density > 0.0;  // then COVERAGE is a fall-back
-  if (!selects_by_density && evaluator_.robotHasGround() && !anyRich()) goOnToCoverage(now);
+  const bool judged = evaluator_.allJudged() && evaluator_.robotHasGround();
+  if (!selects_by_density && judged && !anyRich()) goOnToCoverage(now);
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;

@@ -27,12 +27,13 @@ namespace {
 
 /// What sizes the map that is made of a log has the bounds that it has in messages.
 ScanLog bounded(ScanLog log, const std::string& name) {
-  for (const LogRecord& record : log.records) {
+  for (LogRecord& record : log.records) {
     const Pose2& base = record.T_odom_base;
     if (!bounds::isWithin(base.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate))
       throw LogError(name + ": odometry is farther than 1000 km from the origin");
     if (!bounds::isWithin(record.scan.T_base_sensor.position().norm(), bounds::kMostMount))
       throw LogError(name + ": the laser is farther than 10 m from the robot");
+    record.scan.range_max = std::min(record.scan.range_max, bounds::kUsedRange);  // what is longer is no return
   }
   return log;
 }

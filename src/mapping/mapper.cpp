@@ -18,7 +18,8 @@ bool isWellFormed(const LaserScan2& scan) {
   const bool finite = std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) &&
                       std::isfinite(scan.range_min) && std::isfinite(scan.range_max) && scan.T_base_sensor.isFinite();
   return finite && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
-         !scan.ranges.empty() && bounds::isWithin(scan.T_base_sensor.position().norm(), bounds::kMostMount);
+         scan.range_max <= bounds::kUsedRange && !scan.ranges.empty() &&
+         bounds::isWithin(scan.T_base_sensor.position().norm(), bounds::kMostMount);
 }
 
 bool isUsable(const Pose2& T_odom_base) {

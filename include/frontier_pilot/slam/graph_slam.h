@@ -18,7 +18,7 @@ class GraphSlam final : public PoseCorrection {
   /// The maps of revisions have the parameters `map`, and scans are inserted into them with `insertion`. If `base` is
   /// not empty, it is a map in OctoMap's binary format that every rendering starts from.
   explicit GraphSlam(const GraphSlamParameters& parameters = {}, const occupancy::OccupancyMapParameters& map = {},
-                     const occupancy::ScanInsertionParameters& insertion = {}, const std::string& base = {});
+                     const occupancy::ScanInsertionParameters& insertion = {}, std::string base = {});
   ~GraphSlam() override;
   GraphSlam(const GraphSlam&) = delete;
   GraphSlam& operator=(const GraphSlam&) = delete;

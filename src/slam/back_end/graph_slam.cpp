@@ -57,8 +57,8 @@ struct GraphSlam::Impl {
 };
 
 GraphSlam::GraphSlam(const GraphSlamParameters& parameters, const occupancy::OccupancyMapParameters& map,
-                     const occupancy::ScanInsertionParameters& insertion, const std::string& base)
-    : impl_(std::make_unique<Impl>(Setup{parameters, map, insertion, base})) {}
+                     const occupancy::ScanInsertionParameters& insertion, std::string base)
+    : impl_(std::make_unique<Impl>(Setup{parameters, map, insertion, std::move(base)})) {}
 GraphSlam::~GraphSlam() = default;
 
 void GraphSlam::Impl::keep(LocalSlamOutput& output) {

@@ -89,6 +89,7 @@ TEST_F(FallBacks, CoverageComesBeforeAnotherTryOfWhatIsBlacklisted_EXP_1_EXP_5) 
     output = tickFor(1.0);
   }
   ASSERT_EQ(output.status.state, State::kDone);
+  ASSERT_EQ(output.status.reason, Reason::kAllBlacklisted);
   EXPECT_LT(firstWith(Reason::kRichFrontiersExhausted), firstWith(Reason::kBlacklistSaturated));
   EXPECT_LT(firstWith(Reason::kBlacklistSaturated), firstWith(Reason::kAllBlacklisted));
 }

@@ -37,6 +37,11 @@ TEST(ScanLog, RefusesALaserOrAPoseThatIsTooFarAway_FLT_1) {
   EXPECT_THROW(recordsOf("FLASER 2 1 2 50000 0 0 0 0 0 5 host 1\n"), logs::LogError);
   EXPECT_THROW(recordsOf("FLASER 2 1 2 1e8 0 0 1e8 0 0 5 host 1\n"), logs::LogError);
   EXPECT_THROW(recordsOf("1,0,-2e6,0,1.6,1.7\n"), logs::LogError);
+  std::istringstream far("ROBOTLASER1 0 -1.5 3.0 3.0 4e9 0.01 1 2 4e9 5e4 0 0 0 0 0 0 0 0 0 0 0 0 1.0 host 0\n");
+  const logs::ScanLog log = logs::readScanLog(far, "drive");
+  ASSERT_EQ(log.records.size(), 1U);
+  EXPECT_EQ(readBeam(log.records[0].scan, 0).kind, RangeKind::kFree) << "longer than a scanner sees is no return";
+  EXPECT_EQ(readBeam(log.records[0].scan, 0).distance, 100.0);
 }
 
 TEST(ScanLog, SaysThatItCannotReadARosbag) { EXPECT_THROW(recordsOf("#ROSBAG V2.0\n"), logs::LogError); }

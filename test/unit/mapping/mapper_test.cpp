@@ -87,6 +87,11 @@ TEST_F(MapperTest, DropsScansFromImpossiblyFarAway_FLT_1) {
     scan.T_base_sensor = Pose2(-far, far, 1.0);
     expectDrop(scan, Pose2(1.0, 0.0, 0.0), 2.0, mapping::ScanVerdict::kMalformed);
   }
+  for (const double far : {101.0, 5e4, 4e9}) {
+    LaserScan2 scan = ring(2.0, static_cast<float>(far / 2));
+    scan.range_max = far;
+    expectDrop(scan, Pose2(1.0, 0.0, 0.0), 2.0, mapping::ScanVerdict::kMalformed);
+  }
   for (const double far : {1.1e6, 1e9, 1e300}) {
     expectDrop(ring(2.0), Pose2(0.0, -far, 0.0), 2.0, mapping::ScanVerdict::kNoOdometry);
   }

@@ -125,7 +125,9 @@ class ActionClient {
     monitor_.goalConnectCallback(connection);
   }
   void goalTakerWent(const Connection& connection) {
-    takers_.erase(connection.getSubscriberName());
+    const auto taker = takers_.find(connection.getSubscriberName());
+    if (taker != takers_.end()) takers_.erase(taker);
+    if (takers_.count(server_) == 0) server_heard_.reset();
     monitor_.goalDisconnectCallback(connection);
   }
   void cancelTakerCame(const Connection& connection) { monitor_.cancelConnectCallback(connection); }
@@ -186,8 +188,8 @@ class ActionClient {
   CallbackGuard callbacks_;
   UnreadableMessages unreadable_;
   Rejections strangers_{"action status"};
-  std::set<std::string> takers_;  ///< the nodes that subscribe to the goals
-  std::string server_;            ///< the node whose statuses are believed
+  std::multiset<std::string> takers_;  ///< the nodes that subscribe to the goals, once for each connection
+  std::string server_;                 ///< the node whose statuses are believed
   std::optional<SteadyTime> server_heard_;
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
