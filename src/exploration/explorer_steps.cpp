@@ -162,8 +162,7 @@ FrontierEvaluator::Context Explorer::Impl::context() const {
   return {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0};
 }
 
-/// Whether a rich frontier, one with an information density of at least rich_min_density, can be selected or is being
-/// driven to.
+/// Whether a frontier with an information density of at least kRichDensity can be selected or is being driven to.
 bool Explorer::Impl::anyRich() {
   constexpr double kRichDensity = 0.2;  // at least a fifth of what is seen from the goal is expected to be new
   const auto rich = [](const ViewGain& info) { return info.density >= kRichDensity; };

@@ -12,7 +12,7 @@ namespace frontier_pilot::exploration {
 struct GoalCandidate {
   std::size_t frontier = 0;         ///< index among the frontiers
   Vec2 goal = Vec2::Zero();         ///< [m]
-  double travel_distance = 0.0;     ///< from the robot, along a path [m]
+  double travel_distance = 0.0;     ///< along a path from the robot, or from a fall-back's start [m]
   double euclidean_distance = 0.0;  ///< [m]
   ViewGain info;
   double obstacle_density = 0.0;  ///< relative to the greatest allowed, 0 to 1

@@ -76,9 +76,9 @@ class Loader {
   /// A second name for a group: values under it override those under the first name, which `describe` must name before.
   template <class P>
   void alias(const char* name, P& group);
-  /// A parameter that had this name in the last release, and what it is called now. Setting `name` is a problem.
+  /// The name that a parameter had in an earlier version, and what it is called now. Setting `name` is a problem.
   void moved(const char* name, const char* now);
-  /// Parameters of the last release that are constants now. Setting one of them is a problem.
+  /// Names of parameters of an earlier version that are constants now. Setting one of them is a problem.
   void fixed(std::initializer_list<const char*> names);
 
   template <class P>

@@ -25,7 +25,8 @@ class Explorer {
 
   /// To be called whenever the map changes; `changed` covers every cell that may differ from the previous map.
   void setMap(const OccupancyGrid& map, const CellRect& changed);
-  /// Takes travel distances from `plan` instead of the explorer's own wavefront.
+  /// `plan` gives the distance of each goal that the explorer's wavefront has found reachable; without a path the goal
+  /// is unreachable.
   void setPlan(PlanFn plan);
 
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);

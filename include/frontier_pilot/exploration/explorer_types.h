@@ -14,6 +14,8 @@ namespace frontier_pilot::exploration {
 
 /// The values of these three enums are the constants of msg/ExplorerStatus.msg. [EXP-1]
 enum class ExplorerState : std::uint8_t { kIdle, kSelectGoal, kNavigating, kEvaluate, kDone };
+/// RICH: a frontier is left whose view is expected to be at least a fifth new, or with a positive `rich_min_density`
+/// one of at least that density. COVERAGE: only others are left.
 enum class ExplorerPhase : std::uint8_t { kRich, kCoverage };
 enum class ExplorerReason : std::uint8_t {
   kNone,
@@ -46,8 +48,8 @@ const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
 const char* toString(ExplorerReason reason);
 
-/// Length [m] of the path between two points in the map frame; nullopt if there is none. A caller may give the explorer
-/// its own planner; by default the explorer's wavefront is used.
+/// Length [m] of the path between two points in the map frame; nullopt if there is none. The caller may supply its
+/// planner; by default the explorer's wavefront gives the distances.
 using PlanFn = std::function<std::optional<double>(const Vec2& from, const Vec2& to)>;
 
 /// A place that is not to be tried again until the map around it changes. [EXP-5]
@@ -69,7 +71,7 @@ struct GoalEvent {
 /// Inputs of one tick. An absent value has never been received or is not available.
 struct ExplorerInputs {
   bool enabled = true;               ///< false pauses
-  bool reset = false;                ///< forget blacklist, visits and phase
+  bool reset = false;                ///< forget blacklist, fruitless places, failures and visits; return to RICH
   bool map_available = true;         ///< the map has a publisher
   bool navigation_available = true;  ///< the move_base server is there
   std::optional<StampedPose2> T_map_base;

@@ -11,8 +11,8 @@ enum class Rejection {
   kNone,
   kTooSmall,      ///< its cluster, before it was cut, has fewer cells than min_frontier_cells
   kUnreachable,   ///< no cell from which it is visible can be reached
-  kTooNear,       ///< no goal passes the filters; the first one tried is nearer than min_distance
-  kCluttered,     ///< no goal passes the filters; around the first one max_obstacle_density is exceeded
+  kTooNear,       ///< every goal tried fails a filter; the first one is nearer than min_distance
+  kCluttered,     ///< every goal tried fails a filter; the first one has more than max_obstacle_density around it
   kBlacklisted,   ///< near a blacklisted goal
   kNothingToSee,  ///< the unknown area expected to be seen from the goal is below the minimum
   kNotRich,       ///< in phase RICH: information density below rich_min_density
@@ -34,7 +34,7 @@ struct Frontier {
   Vec2 centroid = Vec2::Zero();  ///< [m]; may lie in a wall
   Cell anchor;                   ///< the cell of the frontier nearest to the centroid
   Rejection rejection = Rejection::kNone;
-  Vec2 goal = Vec2::Zero();       ///< reachable place from which it is visible [m]; meaningless if unreachable
+  Vec2 goal = Vec2::Zero();       ///< reachable place to see it from [m]; the anchor's centre if none was found
   double heading = 0.0;           ///< from the goal to the frontier [rad]
   double distance = 0.0;          ///< travel distance to the goal [m], from the robot or a fall-back's start
   ViewGain info;                  ///< what the view from the goal is expected to show

@@ -8,8 +8,8 @@ namespace frontier_pilot::exploration {
 /// How the view from a goal is estimated.
 struct ViewParameters {
   double sensor_range = 8.0;
-  double unknown_depth = 1.5;
-  int rays = 120;
+  double unknown_depth = 1.5;  ///< what lies this far behind the first unknown cell counts as seen [m]
+  int rays = 120;              ///< number of beams over the full circle
 
   template <class V>
   void describe(V& v) {
@@ -25,9 +25,9 @@ struct ScoreParameters {
   double w_dist = 1.0;
   double w_obs = 1.2;
   double w_visit = 0.8;
-  double info_scale = 8.0;
-  double distance_scale = 3.0;
-  double switch_margin = 0.5;
+  double info_scale = 8.0;      ///< expected area that counts half [m^2]
+  double distance_scale = 3.0;  ///< distance that counts 1 [m]
+  double switch_margin = 0.5;   ///< bonus in the score of a goal near the present one
   bool info_by_ray_casting = true;
   bool distance_by_travel = true;
 
@@ -48,17 +48,17 @@ struct ScoreParameters {
 /// Which frontiers can be chosen. [EXP-2] [EXP-3]
 struct FrontierParameters {
   int min_frontier_cells = 4;
-  double max_cluster_extent = 3.0;
+  double max_cluster_extent = 3.0;  ///< longer clusters are cut [m]
   double clearance_margin = 0.045;
-  double trap_margin = 0.03;
-  double escape_radius = 0.6;
-  double goal_search_radius = 1.0;
+  double trap_margin = 0.03;        ///< added to clearance_margin in the space that is tried first [m]
+  double escape_radius = 0.6;       ///< paths may begin this far from a robot too near to an obstacle [m]
+  double goal_search_radius = 1.0;  ///< greatest distance of a goal from the frontier cell that it has to see [m]
   double min_distance = 0.45;
   int obstacle_radius_cells = 6;
   double max_obstacle_density = 0.30;
   double min_info_area = 0.01;
-  double min_info_share = 2e-4;
-  double visit_radius = 0.6;
+  double min_info_share = 2e-4;  ///< least area expected at a goal, as a share of the map's free area
+  double visit_radius = 0.6;     ///< goals reached within this distance count as visits [m]
   ViewParameters view;
   ScoreParameters score;
 
@@ -68,12 +68,13 @@ struct FrontierParameters {
     v.fixed({"max_cluster_extent"});
     v.field(
         "clearance_margin", clearance_margin, "m",
-        "clearance that a path to a goal leaves on either side of the robot: nearly one cell, as walls in the map are "
-        "no more accurate",
+        "room that a path to a goal leaves on either side of the robot: about one cell, which is how exactly walls are "
+        "mapped",
         atLeast(0.0));
     v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
     v.fixed({"trap_margin", "escape_radius", "goal_search_radius"});
-    v.field("min_distance", min_distance, "m", "goals nearer to the robot than this are not sent", atLeast(0.0));
+    v.field("min_distance", min_distance, "m", "goals to which the way is shorter than this are not sent",
+            atLeast(0.0));
     v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "radius in which the obstacle density is measured",
             atLeast(1));
     v.field("max_obstacle_density", max_obstacle_density, "",
@@ -89,8 +90,8 @@ struct FrontierParameters {
 /// Which places are not to be tried, and for how long. [EXP-5]
 struct BlacklistParameters {
   double radius = 0.60;
-  double change_radius = 1.0;
-  int change_cells = 20;
+  double change_radius = 1.0;  ///< distance from a place within which changes of the map are counted [m]
+  int change_cells = 20;       ///< number of changed cells that lifts a first entry; doubled for each earlier one
 
   template <class V>
   void describe(V& v) {
@@ -106,12 +107,12 @@ struct ExplorerParameters {
   double rich_min_density = 0.0;
   double goal_timeout = 120.0;
   int max_goal_retries = 1;
-  double check_period = 0.5;
+  double check_period = 0.5;  ///< time between two checks of what there is to see at the goal [s]
   double decision_period = 2.0;
   double settle_time = 1.0;
   double done_settle_time = 3.0;
-  double yield_time = 5.0;
-  double vanished_share = 0.25;
+  double yield_time = 5.0;       ///< wait after another client has preempted a goal [s]
+  double vanished_share = 0.25;  ///< with less of the expected area left, the goal is given up
   double input_timeout = 1.5;
   double report_period = 5.0;
   bool return_to_start = false;
@@ -126,8 +127,9 @@ struct ExplorerParameters {
         "least information density of the frontiers that phase RICH selects; 0: the score alone decides in both phases",
         between(0.0, 1.0));
     v.field("goal_timeout", goal_timeout, "s",
-            "a goal that takes longer is cancelled, and blacklisted if it is a frontier's", timeSpan());
-    v.field("max_goal_retries", max_goal_retries, "", "times a failed goal is tried again", atLeast(0));
+            "after this long a goal is cancelled; a frontier's goal is also blacklisted", timeSpan());
+    v.field("max_goal_retries", max_goal_retries, "",
+            "failures allowed within blacklist/radius; with one more the place is blacklisted", atLeast(0));
     v.fixed({"check_period"});
     v.field("decision_period", decision_period, "s", "time between two comparisons of the present goal with the others",
             timeSpan());

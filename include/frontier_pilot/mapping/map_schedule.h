@@ -9,8 +9,9 @@
 
 namespace frontier_pilot::mapping {
 
-/// Decides when the whole map is sent, in addition to the changes, which are sent at once. It is due when none was sent
-/// yet, or `min_period` after the last one when the map has grown, or when any cell was sent as a change since then and
+/// Decides when the whole map is sent, in addition to the changes, which are sent at once. It is due if none was sent
+/// yet or the clock was set back; or, at least `min_period` after the last one, if the map has grown, or if cells were
+/// sent as changes since then and one of these holds:
 ///  - a new subscriber has come;
 ///  - as many cells were sent as changes as the map has;
 ///  - `max_period` has passed since the last whole map, and either as many cells were sent as changes as an eighth of
@@ -24,7 +25,7 @@ class MapSchedule {
   /// Notes what has changed. Returns whether there is anything that can be sent as a change: after the map has grown
   /// there is not, and changes go out with the next whole map.
   bool note(const occupancy::MapChanges& changes, Time now);
-  /// A new subscriber has come, which has no map yet.
+  /// A new subscriber has come, which has the last whole map, but not the changes since.
   void noteNewcomer() { newcomer_ = true; }
   /// Whether a map of `cells` cells is to be sent now.
   bool isDue(std::size_t cells, Time now) const;

@@ -62,7 +62,7 @@ class ScanCounts {
 
 /// What revisions have changed so far.
 struct RevisionReport {
-  std::uint64_t closures = 0;    ///< loops closed: revisions move `T_map_odom` only with these
+  std::uint64_t closures = 0;    ///< loops closed; a revision without a new one leaves `T_map_odom` as it is
   std::uint64_t rendered = 0;    ///< how often the map was rendered again
   slam::ClosureCounts attempts;  ///< to close loops
   Pose2 last_jump;               ///< T_new_old of the last closures: how they moved the robot in the map
@@ -87,7 +87,8 @@ class Mapper {
   /// stamp. Of more than bounds::kMostMappedBeams beams every n-th is used. [FLT-1]
   ScanVerdict insert(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
 
-  /// Work for another thread, if there is any; none until the result of the last work has been passed to `revise`.
+  /// Work for another thread, if there is any; none until the result of the last work has been passed to `revise`, and
+  /// none after `abandonWork` until a reset.
   slam::RevisionWork takeWork();
   /// Takes over the result of the work; `revision` then holds the replaced map. Scans that arrived meanwhile are
   /// inserted into a newly rendered map. A map that is too large is refused, and the poses then stay as they are too:
@@ -100,14 +101,14 @@ class Mapper {
   /// Runs the work that there is, and takes its result over, before it returns.
   void reviseNow();
 
-  /// Replaces the map by `loaded` and searches it for the robot, around the present estimate of its pose. Returns
-  /// false, and does nothing, when a map that covers both would be too large.
+  /// Swaps the map with `loaded`; the following scans look for the robot around the present estimate of its pose.
+  /// Returns false, and does nothing, when a map that covers both would be too large.
   bool load(occupancy::OccupancyMap& loaded);
   /// Continues with an earlier map, in which the odometry frame was at `T_map_odom`; odometry now has the robot at
   /// `T_odom_base`. Returns false, and does nothing, when the map would be too large.
   bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
-  /// Takes the present map as known, searches it for the robot around `T_map_base`, and continues from there. Returns
-  /// false, and does nothing, when the map has no occupied cell.
+  /// Takes the present map as known; the following scans look for the robot around `T_map_base`. Returns false, and
+  /// does nothing, when the map has no occupied cell.
   bool locate(const scan_matching::PoseWithCovariance& T_map_base);
 
   /// Counts a scan that was rejected before it could be passed to `insert`.
@@ -125,14 +126,14 @@ class Mapper {
   /// How the poses of scans were found: how often each way, and the last one.
   const std::map<std::string, std::uint64_t>& correctionCounts() const;
   const char* lastCorrection() const;
-  /// Share of the last scan's beams that show an obstacle or free space; 1 before the first scan.
+  /// Share of the last scan's beams with a return or free up to range_max; 1 before the first scan.
   double usableShare() const;
   /// The most frequent problem with the scans of the last seconds, if it was not just a few of them.
   std::optional<ScanRemark> remark(Time now) const;
   /// The keyframes so far, at their presently estimated poses. Must not be called while work is under way.
   std::vector<slam::KeyframePose> trajectory() const;
 
-  /// Forgets the map and the correction; the geometry and the counts stay.
+  /// Forgets the map and the correction; the grid's size and origin and the counts stay.
   void reset();
 
  private:

@@ -8,12 +8,14 @@
 
 namespace frontier_pilot::mapping {
 
-/// Odometry without its jumps. No robot drives 10 m between two messages: its driver was restarted and counts from the
-/// origin, somebody set its pose, or the message is wrong. A single such message is left out; if the next ones continue
-/// from there, odometry was reset, and the robot is taken to be where it was before. So everything anchored to this
-/// odometry stays in place, and scan matching corrects the little that the robot moved meanwhile. [FLT-1]
-/// The jumps of trusted odometry, as of a simulator, are real and followed: the robot was moved.
-/// Lost messages do not look like a jump: the distance that may be driven grows with the time between the stamps.
+/// Odometry without its jumps. A message is a jump if it lies farther from the last one than `max_speed` and
+/// `max_turn_rate` allow, plus 0.5 m and 0.5 rad, or if after more than 1 s of silence it lies exactly at the origin:
+/// the driver was restarted and counts from there, somebody set its pose, or the message is wrong. A single such
+/// message is left out; if the next two continue from there, odometry was reset, and the robot is taken to be where it
+/// was before. So everything anchored to this odometry stays in place, and scan matching corrects the little that the
+/// robot moved meanwhile. [FLT-1] The jumps of trusted odometry, as of a simulator, are real and followed: the robot
+/// was moved. Lost messages alone do not look like a jump: the distance that may be driven grows with the time between
+/// the stamps.
 class OdometryAnchor {
  public:
   /// A jump of odometry, and the time between the stamps before and after it.
@@ -29,6 +31,7 @@ class OdometryAnchor {
   std::optional<Pose2> follow(Time stamp, const Pose2& T_odom_base);
   /// The pose of the odometry frame in the frame without jumps; changes with each reset of untrusted odometry.
   const Pose2& T_smooth_odom() const { return T_smooth_odom_; }
+  /// How often odometry has jumped for good, trusted or not.
   std::uint64_t resets() const { return resets_; }
   const Jump& lastJump() const { return last_jump_; }
 

@@ -24,7 +24,7 @@ struct MapScheduleParameters {
 struct OdometryAnchorParameters {
   double max_speed = 2.0;       ///< greatest credible speed of odometry [m/s]
   double max_turn_rate = 10.0;  ///< greatest credible rate of turn of odometry [rad/s]
-  bool trusted = false;         ///< the robot is where odometry is after a jump; described by the mapper
+  bool trusted = false;         ///< jumps are real: the robot was moved; set from the mapper's `trust_odometry`
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -61,14 +61,14 @@ struct ScanPairingParameters {
 
 /// The mapper and all its parts.
 struct MapperParameters {
-  RobotModel robot;              ///< the floor under it is free; described by the node
+  RobotModel robot;              ///< cells under it are mapped as free; described by the node, as `robot`
   double max_age = 1.0;          ///< an older scan is stale [s]
   double max_lead = 0.5;         ///< a scan may be this much ahead of the clock [s]
   double min_travel = 0.01;      ///< a robot that moved less has not moved [m]
   double min_rotation = 0.01;    ///< a robot that turned less has not turned [rad]
   double standing_period = 0.2;  ///< time between scans used while the robot stands [s]
   bool trust_odometry = false;   ///< take odometry for the truth: no matching, no loops
-  bool localize_only = false;    ///< leave the map as it was loaded; described by the node
+  bool localize_only = false;    ///< leave the map as it was loaded; described by the node, as `localize_only`
   occupancy::OccupancyMapParameters map;
   occupancy::ScanInsertionParameters insertion;
   slam::GraphSlamParameters slam;

@@ -25,7 +25,8 @@ class ScanPairing {
   /// A stamp that is older than the last one means that the clock was set back: earlier odometry is forgotten.
   void addOdometry(Time stamp, const Pose2& T_odom_base);
   void addScan(LaserScan2 scan);
-  /// The oldest scan, once it is paired or has waited long enough; call until there is none.
+  /// The oldest scan, once its odometry is there or is not waited for any longer (it has waited too long, too many
+  /// wait, or its stamp is too far ahead); call until there is none.
   std::optional<PairedScan> next(Time now);
   bool hasOdometry() const;
   void clear();

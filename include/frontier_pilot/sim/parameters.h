@@ -32,8 +32,8 @@ struct LidarNoise {
 };
 
 /// Odometry noise by the odometry motion model of Thrun, Burgard & Fox, "Probabilistic Robotics", 5.4, with AMCL's
-/// names. There the variance of one update is alpha times the square of its motion, so that the total over a path
-/// depends on the update rate. Here it is alpha times the motion itself: the same for a motion of one metre or radian.
+/// names. In the book the variance of one update grows with the square of its motion, so the total over a path depends
+/// on the update rate. Here it grows with the motion itself, and equals the book's for a motion of one metre or radian.
 struct OdometryParameters {
   double alpha1 = 0.0005;  ///< [rad^2/rad]
   double alpha2 = 0.0002;  ///< [rad^2/m]
@@ -74,8 +74,8 @@ struct RobotSpec {
   }
 };
 
-/// The parameters of a simulation. x, y and yaw are NaN if not given. If neither x nor y is given, the robot starts at
-/// the world's own start pose; otherwise what is not given is 0.
+/// The parameters of a simulation. x, y and yaw are NaN if not given. What is not given is 0, or, if neither x nor y
+/// is, that of the world's start pose if it has one. A yaw that is given always counts.
 struct SimulatorParameters {
   std::string world;
   double x = std::numeric_limits<double>::quiet_NaN();    ///< [m]
@@ -93,9 +93,10 @@ struct SimulatorParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("world", world, "", "map_server YAML of the world; required");
-    v.field("x", x, "m", "start in the world's frame; without x and y: where the world file says", anyNumber());
-    v.field("y", y, "m", "start in the world's frame; without x and y: where the world file says", anyNumber());
-    v.field("yaw", yaw, "rad", "start in the world's frame; without x, y and yaw: as the world file says", anyNumber());
+    v.field("x", x, "m", "start in the world's frame; without x and y: the world's start, or 0", anyNumber());
+    v.field("y", y, "m", "start in the world's frame; without x and y: the world's start, or 0", anyNumber());
+    v.field("yaw", yaw, "rad", "start in the world's frame; without x, y and yaw: the world's start, or 0",
+            anyNumber());
     v.field("speed", speed, "", "simulated time over real time; 0: as fast as possible", between(0.0, 1e4));
     v.field("seed", seed, "", "seed of all noise; the same seed and commands give the same output, byte by byte",
             atLeast(0));

@@ -6,8 +6,8 @@
 
 namespace frontier_pilot::sim {
 
-/// Paces a simulation by real time: tells how many steps are due. A backlog of more than 250 ms is dropped, so that the
-/// simulation never races to catch up. [SIM-4]
+/// Paces a simulation by real time: tells how many steps are due. A backlog of up to 250 ms of real time is caught up;
+/// a larger one is dropped. [SIM-4]
 class RealTimePacer {
  public:
   /// `speed` is simulated time over real time, 0 for as fast as possible. `step` is simulated time.
@@ -17,7 +17,7 @@ class RealTimePacer {
   std::int64_t due(SteadyTime now);
   /// To be called after each step of the simulation.
   void stepped() { ++made_; }
-  /// The time until the next call of `due` does not count.
+  /// The simulation is paused until the next call of `due`.
   void rest() { resting_ = true; }
   /// How often a backlog was dropped.
   std::int64_t timesBehind() const { return times_behind_; }

@@ -40,7 +40,7 @@ enum class Placement {
 const char* toString(Placement placement);
 
 /// A kinematic simulation of robots of the same model with scanners, in fixed steps of simulated time. Poses are in the
-/// world's frame. The same world, parameters and sequence of calls give the same output, bit by bit. [SIM-2]
+/// world's frame. The same world, parameters and sequence of calls give the same output, byte by byte. [SIM-2]
 class Simulator {
  public:
   static constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -80,13 +80,13 @@ class Simulator {
   /// How often it came into contact with something.
   int contactCount(std::size_t robot) const;
 
-  /// Puts a robot somewhere else; its odometry does not change.
+  /// Puts a robot somewhere else, at rest; its odometry does not change.
   Placement setPose(const std::string& robot, const Pose2& pose);
   /// A round obstacle; it may reach into walls but not onto a robot.
   Placement spawnObstacle(const std::string& name, const Pose2& pose, double radius);
   Placement removeObstacle(const std::string& name);
-  /// Puts all robots back to their starts, at rest and with zero odometry. A robot whose start is taken by an obstacle,
-  /// or by a robot that stays, stays where it is; the names of those are returned.
+  /// Stops all robots and puts them back to their starts, with zero odometry. A robot whose start is taken by an
+  /// obstacle, or by a robot that stays, stays where it is; the names of those are returned.
   std::vector<std::string> resetPositions();
 
  private:

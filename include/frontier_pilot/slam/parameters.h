@@ -29,7 +29,7 @@ struct ScanTrackerParameters {
   int min_points = 25;        ///< a scan with fewer points is not matched
   double min_score = 0.4;     ///< mean likelihood that a match must reach
   double min_inliers = 0.5;   ///< share of the points that must lie on known surfaces
-  double new_inliers = 0.3;   ///< the same where nearly all beams are consistent with the map: the rest is new ground
+  double new_inliers = 0.3;   ///< enough if nearly no beam is inconsistent with the map and 30 points lie on surfaces
   double max_distance = 1.0;  ///< greatest half width of the search [m]
   double max_angle = 0.6;     ///< greatest half angle of the search [rad]
   double max_silence = 5.0;   ///< time without a match after which a scan that fits nowhere means `lost` [s]
@@ -76,7 +76,7 @@ struct SubmapDrift {
 struct PoseGraphParameters {
   int max_iterations = 50;
   double tolerance = 1e-6;   ///< an optimisation ends when a step lowers the cost by no more than this share
-  double outlier_chi2 = 16;  ///< squared Mahalanobis error at which the weight of a robust constraint is a quarter
+  double outlier_chi2 = 16;  ///< squared Mahalanobis error that quarters a closure's weight, and refuses new ones
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -105,8 +105,8 @@ struct LoopSearchParameters {
 
 /// Where loops are searched for, and which matches are accepted.
 struct LoopCloserParameters {
-  int min_gap = 3;                  ///< least number of submaps between the newest one and one that is recognised
-  double reach = 4.0;               ///< greatest distance to a submap's nearest keyframe, less half the window [m]
+  int min_gap = 3;                  ///< only submaps at least this many older than the newest are searched,
+  double reach = 4.0;               ///< and with a keyframe nearer than this plus the window's half width [m]
   double sigmas = 3.0;              ///< half width of the search window, in standard deviations
   double min_window = 0.4;          ///< least half width of the window [m]
   double max_window = 8.0;          ///< greatest half width of the window [m]
@@ -116,10 +116,10 @@ struct LoopCloserParameters {
   double known_yaw = 0.01;          ///< and that of the yaw is less [rad]
   int max_candidates = 2;           ///< greatest number of submaps searched for each keyframe
   int max_per_pair = 3;             ///< greatest number of closures between the same two submaps
-  int confirmations = 3;            ///< number of keyframes whose matches must agree
+  int confirmations = 3;            ///< number of keyframes whose matches must agree, the newest included
   double confirm_travel = 0.5;      ///< least distance from the keyframe to the farthest that agrees [m]
   double confirm_jump = 1.0;        ///< added to that distance for each metre that the robot would jump [m/m]
-  double confirm_share = 0.5;       ///< least share of the keyframes from the first of these on whose matches agree
+  double confirm_share = 0.5;       ///< least share that agrees of the keyframes from the oldest of these to the newest
   int confirm_within = 40;          ///< age beyond which a match is dropped [keyframes]
   double verify_jump = 0.1;         ///< keyframes that closures move farther are checked against the map [m]
   double max_inconsistency = 0.03;  ///< greatest mean increase of the share of beams that are inconsistent with the map
@@ -139,10 +139,10 @@ struct LoopCloserParameters {
 
 /// When the map is rendered again.
 struct RenderingParameters {
-  double min_distance = 0.025;    ///< the map is rendered again when a keyframe moved this far [m]
-  double min_angle = 0.005;       ///< or turned this far [rad]
-  double urgent_distance = 0.05;  ///< and at once when one moved this far [m],
-  double share = 0.02;            ///< otherwise after this many new keyframes, as a share of all
+  double min_distance = 0.025;    ///< a map with a keyframe that moved this far [m] is out of date,
+  double min_angle = 0.005;       ///< and so is one with a keyframe that turned this far [rad]
+  double urgent_distance = 0.05;  ///< one that moved this far [m] has the map rendered again at once;
+  double share = 0.02;            ///< otherwise this share of all keyframes has to be new
 
   template <class Visitor>
   void describe(Visitor& v) {

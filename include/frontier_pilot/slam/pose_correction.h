@@ -63,8 +63,8 @@ struct CorrectedScan {
 
 /// Changes to past poses and to the map: the result of RevisionWork.
 struct MapRevision {
-  std::uint64_t epoch = 0;       ///< of the mapper when the work was taken: if it has another map since, this is void
-  std::uint64_t generation = 0;  ///< of the corrector when the work was taken: if it was reset since, this is void
+  std::uint64_t epoch = 0;  ///< number of the mapper's corrector when the work was taken; void if there is another now
+  std::uint64_t generation = 0;  ///< number of its resets and abandoned works then; void if there are more now
   Pose2 T_new_old;               ///< left-multiplies `T_map_odom` and the poses of scans inserted meanwhile
   std::optional<occupancy::OccupancyMap> map;  ///< the map, rendered again; none if no pose moved enough
   std::vector<LoopClosure> closures;           ///< new ones. Without any, `T_new_old` is the identity.

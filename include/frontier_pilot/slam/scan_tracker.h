@@ -46,8 +46,9 @@ const char* describe(const Track& track);
 
 /// Tracks a robot from scan to scan. Odometry predicts the pose and its uncertainty, the match with the map determines
 /// the pose, and odometry decides where the scan leaves it open. Where scan and odometry contradict each other, the
-/// scan is believed: wheels slip and encoders freeze, walls do not. After a long time without a match it must fit well
-/// for that, because the scanner may have been carried away. Where a scan fits nowhere, odometry carries the pose on.
+/// scan is believed: wheels slip and encoders freeze, walls do not. After a long time without a match it must fit
+/// very well for that, because half of the points may lie on surfaces by chance then. Where a scan fits nowhere,
+/// odometry carries the pose on.
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParameters& parameters = {}) : parameters_(parameters) {}
@@ -56,7 +57,7 @@ class ScanTracker {
   Track track(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
               const std::optional<MatchTarget>& target);
 
-  /// The search window after a usual time between matches, to choose the top level of a pyramid by.
+  /// The window to expect normally; determines how many levels a pyramid needs.
   scan_matching::SearchWindow usualWindow() const;
   const Pose2& T_local_odom() const { return T_local_odom_; }
   /// Sets the pose of the odometry frame, and forgets everything else.

@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include <string>
-
 /// The names of all topics, services, actions and frames. They are relative, so that a second robot needs only a
 /// namespace; /clock and TF are shared.
 namespace frontier_pilot::names {

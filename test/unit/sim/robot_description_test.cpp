@@ -7,7 +7,7 @@
 namespace frontier_pilot::sim {
 namespace {
 
-// [ROB-1] one description; the names of the last release are answered with the new ones
+// [ROB-1] one description; the names of an earlier version are answered with the new ones
 TEST(SimulatorParameters, NameTheNewParameterForEachOldOne_ROB_1) {
   SimulatorParameters parameters;
   EXPECT_EQ(
