@@ -34,8 +34,8 @@ const Outline& CollisionCheck::footprint() const { return impl_->footprint; }
 LookAhead CollisionCheck::lookAhead(double max_age, Time now) const {
   const auto stamp = impl_->costmap.stamp();
   if (!stamp || std::abs(toSeconds(now - *stamp)) > max_age) return {};
-  return [this](const Pose2& T_odom_base, const AxisMotion& motion) {
-    return sweep(grid(), footprint(), T_odom_base, motion);
+  return [impl = impl_.get()](const Pose2& T_odom_base, const AxisMotion& motion) {
+    return sweep(impl->costmap.grid(), impl->footprint, T_odom_base, motion);
   };
 }
 

@@ -46,7 +46,7 @@ class Explorer::Impl {
       kEveryDecision,  ///< judges the same map by other rules; also tried while the robot drives to a goal
       kWithoutGoal,    ///< changes the basis of the next decision or sends a goal of its own; only without a goal
     };
-    const char* name;
+    const char* name;  ///< ends the text of a goal that a fall-back of kEveryDecision has found
     Scope scope;
     bool (Impl::*attempt)(Time now);  ///< returns whether it helped
   };

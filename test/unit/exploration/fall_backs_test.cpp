@@ -4,6 +4,7 @@
 #include <string>
 
 #include "explorer_fixture.h"
+#include "narrow_door.h"
 
 namespace frontier_pilot {
 namespace {
@@ -23,27 +24,10 @@ class FallBacks : public test::ExplorerTest {
   static bool ends(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
   }
-
-  /// A gap of 0.25 m, which only just lets a Burger through.
-  static constexpr const char* kNarrowDoor = R"(
-    ##############################################
-    #..............#.............................?
-    #..............#.............................?
-    #..............#.............................?
-    #............................................?
-    #.....r......................................?
-    #............................................?
-    #............................................?
-    #............................................?
-    #..............#.............................?
-    #..............#.............................?
-    #..............#.............................?
-    ##############################################
-  )";
 };
 
 TEST_F(FallBacks, AGapThatOnlyJustFitsIsTakenWhenNothingElseIsLeftAndTheTextSaysSo) {
-  show(kNarrowDoor);
+  show(test::kNarrowDoor);
   const exploration::ExplorerOutput output = tick();
   ASSERT_EQ(output.status.state, State::kNavigating);
   EXPECT_GT(sent.goal.x, 0.8);

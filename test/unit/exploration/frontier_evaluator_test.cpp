@@ -6,6 +6,7 @@
 
 #include "exploration/view_gain.h"
 #include "frontier_pilot/core/robot_model.h"
+#include "narrow_door.h"
 #include "support/ascii_world.h"
 #include "support/shipped_robot.h"
 
@@ -233,24 +234,9 @@ TEST_F(FrontierJudgement, AWayThroughAGapThatIsNotYetSeenCountsOnlyWhenNothingEl
 TEST_F(FrontierJudgement, WaysAreAsWideAsTheRobotNeedsThem_ROB_1) {
   EXPECT_EQ(robot.drivenOutline().halfWidth() + exploration::FrontierParameters().clearance_margin, 0.15)
       << "what it was before a Burger's size was known";
-  const char* door = R"(
-    ##############################################
-    #..............#.............................?
-    #..............#.............................?
-    #..............#.............................?
-    #............................................?
-    #.....r......................................?
-    #............................................?
-    #............................................?
-    #............................................?
-    #..............#.............................?
-    #..............#.............................?
-    #..............#.............................?
-    ##############################################
-  )";
-  EXPECT_EQ(judge(door).rejection, exploration::Rejection::kNone);
+  EXPECT_EQ(judge(test::kNarrowDoor).rejection, exploration::Rejection::kNone);
   robot = test::shippedRobot("waffle");
-  EXPECT_EQ(judge(door).rejection, exploration::Rejection::kUnreachable)
+  EXPECT_EQ(judge(test::kNarrowDoor).rejection, exploration::Rejection::kUnreachable)
       << "a Waffle is 0.306 m wide, and the door 0.25 m";
 }
 
