@@ -31,6 +31,7 @@ constexpr const char* kUsage =
     "  --seeds A-B        seeds to run (1-5)\n"
     "  --robot NAME       one of config/robots/ (burger), or the path of a file like those\n"
     "  --limits NAME      instead of the robot's own: burger (0.22 m/s) or fast (0.5 m/s)\n"
+    "  --strategy NAME    tour (default), greedy or nearest\n"
     "  --start X Y YAW    start pose in the world [m, m, rad]; the world's own otherwise\n"
     "  --until SHARE      stop at this explored share instead of DONE\n"
     "  --limit SECONDS    of simulated time, 7200\n"
@@ -46,6 +47,7 @@ struct Options {
   std::vector<std::string> worlds;
   std::vector<int> seeds = {1, 2, 3, 4, 5};
   std::string robot = "burger";
+  std::string strategy = "tour";
   std::string limits;  ///< empty: the robot's own
   std::optional<Pose2> start;
   double until = 2.0;
@@ -65,6 +67,7 @@ void takeWord(const std::string& word, tools::Arguments& arguments, Options& o) 
   if (word == "--seeds") return void(o.seeds = arguments.range());
   if (word == "--robot") return void(o.robot = arguments.text());
   if (word == "--limits") return void(o.limits = arguments.text());
+  if (word == "--strategy") return void(o.strategy = arguments.text());
   if (word == "--start") return void(o.start = poseOf(arguments));
   if (word == "--until") return void(o.until = arguments.number());
   if (word == "--limit") return void(o.limit = arguments.number());
@@ -125,6 +128,7 @@ system::ClosedLoopParameters parametersFor(const Options& options, const std::st
   // What is seen from the start anchors the map: the mapper observes it for a while before the robot leaves.
   constexpr double kLook = 2.0;  // [s]
   if (options.odom_noise) parameters.head_start = kLook;
+  parameters.explorer.strategy = options.strategy;
   parameters.latency = options.latency;
   if (options.start) {
     parameters.simulator.x = options.start->x;

@@ -53,7 +53,8 @@ const std::optional<Pose2>& Explorer::goal() const { return impl_->goal(); }
 Explorer::Impl::Impl(const ExplorerParameters& parameters)
     : parameters_(parameters),
       evaluator_(parameters.frontier, parameters.robot.drivenOutline()),
-      history_(parameters.blacklist, parameters.max_goal_retries) {}
+      history_(parameters.blacklist, parameters.max_goal_retries),
+      strategy_(makeStrategy(parameters)) {}
 
 void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
   const bool new_geometry = map.geometry() != evaluator_.map().geometry();
@@ -102,6 +103,7 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
 
 void Explorer::Impl::reset(Time now) {
   history_.reset();
+  strategy_->reset();
   step_backs_ = 0;
   nothing_left_since_.reset();
   done_reason_.reset();

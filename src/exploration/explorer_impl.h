@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +11,7 @@
 
 #include "exploration/frontier_evaluator.h"
 #include "exploration/goal_history.h"
-#include "exploration/goal_score.h"
+#include "exploration/goal_strategy.h"
 #include "frontier_pilot/exploration/explorer.h"
 
 namespace frontier_pilot::exploration {
@@ -71,10 +72,11 @@ class Explorer::Impl {
   void stayDone(Time now);
 
   bool decide(ExplorerReason reason, Time now);
-  std::optional<GoalCandidate> judgeAndChoose(bool keep_present, Time now);
+  std::optional<ChosenGoal> judgeAndChoose(bool keep_present, Time now);
   std::size_t countRejected(Rejection rejection) const;
   bool informationGone();
   FrontierEvaluator::Context context() const;
+  Situation situation(bool keep_present) const;
 
   const FallBack* fallBack(FallBack::Scope scope, Time now);
   bool judgeTightWays(Time now);
@@ -97,6 +99,7 @@ class Explorer::Impl {
   ExplorerParameters parameters_;
   FrontierEvaluator evaluator_;
   GoalHistory history_;
+  std::unique_ptr<GoalStrategy> strategy_;
 
   ExplorerOutput out_;
   ExplorerProgress status_;

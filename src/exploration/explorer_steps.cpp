@@ -8,11 +8,11 @@ namespace {
 
 bool passed(Time since, double seconds, Time now) { return now - since >= fromSeconds(seconds); }
 
-std::string describeGoal(const char* what, const Frontier& frontier) {
+std::string describeGoal(const char* what, const ChosenGoal& goal) {
   char text[160];
-  std::snprintf(text, sizeof text, "%s, now to (%.2f, %.2f), %.1f m away, %.2f m2 to see, score %.2f", what,
-                frontier.goal.x(), frontier.goal.y(), frontier.distance, frontier.info.area, frontier.score);
-  return text;
+  std::snprintf(text, sizeof text, "%s, now to (%.2f, %.2f), %.1f m away, %.2f m2 to see, ", what, goal.position.x(),
+                goal.position.y(), goal.distance, goal.area);
+  return text + goal.why;
 }
 
 }  // namespace
@@ -100,7 +100,8 @@ void Explorer::Impl::navigate(Time now) {
     cancelGoal();
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
   }
-  if (passed(last_decision_, parameters_.decision_period, now)) decide(ExplorerReason::kBetterGoal, now);
+  const double period = strategy_->decisionPeriods() * parameters_.decision_period;
+  if (passed(last_decision_, period, now)) decide(ExplorerReason::kBetterGoal, now);
 }
 
 /// Whether most of the area expected at the goal has been seen from a distance on the way. [EXP-6]
@@ -123,7 +124,10 @@ void Explorer::Impl::evaluateArrival(Time now) {
     const double left = evaluator_.infoAt(arrived_->position).area;
     const bool promising = left >= evaluator_.leastInfo() && left > arrived_->info_area / 2;
     if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
-    if (promising) history_.stayedUnknown(arrived_->position, evaluator_.map());
+    if (promising) {
+      history_.stayedUnknown(arrived_->position, evaluator_.map());
+      strategy_->stayedUnknown();
+    }
   }
   arrived_.reset();
   goal_pose_.reset();
@@ -144,22 +148,30 @@ void Explorer::Impl::stayDone(Time now) {
 bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   constexpr double kSameGoal = 0.3;  // [m]
   if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
-  const std::optional<GoalCandidate> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
+  const std::optional<ChosenGoal> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
   if (!chosen) return false;
-  if (goal_ && (goal_->position - chosen->goal).norm() < kSameGoal) return true;
-  const Frontier& frontier = evaluator_.frontiers()[chosen->frontier];
+  if (goal_ && (goal_->position - chosen->position).norm() < kSameGoal) return true;
   step_backs_ = 0;
   Goal goal;
-  goal.position = frontier.goal;
-  goal.info_area = frontier.info.area;
+  goal.position = chosen->position;
+  goal.info_area = chosen->area;
   const std::string found_by = judged_by_ != nullptr ? std::string(", by ") + judged_by_->name : "";
-  send(goal, frontier.heading, reason, describeGoal(toString(reason), frontier) + found_by, now);
+  send(goal, chosen->yaw, reason, describeGoal(toString(reason), *chosen) + found_by, now);
   return true;
 }
 
 FrontierEvaluator::Context Explorer::Impl::context() const {
   const bool rich = status_.phase == ExplorerPhase::kRich;
   return {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0};
+}
+
+Situation Explorer::Impl::situation(bool keep_present) const {
+  Situation situation;
+  situation.T_map_robot = *T_map_base_;
+  if (goal_) situation.current = goal_->position;
+  situation.keep_current = keep_present;
+  if (parameters_.return_to_start) situation.home = start_->position();
+  return situation;
 }
 
 /// Whether a frontier with an information density of at least kRichDensity can be selected or is being driven to.
@@ -173,7 +185,7 @@ bool Explorer::Impl::anyRich() {
 
 /// With `keep_present` the goal being driven to competes too, even if it fails a filter by now: a robot that has come
 /// nearer to its goal than min_distance must not turn away from it.
-std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
+std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
   history_.expire(evaluator_.map());
   judged_by_ = nullptr;
   if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
@@ -183,14 +195,7 @@ std::optional<GoalCandidate> Explorer::Impl::judgeAndChoose(bool keep_present, T
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;
-  std::vector<GoalCandidate> all = evaluator_.candidates(T_map_base_->position());
-  if (goal_ && keep_present) {
-    const auto present = evaluator_.candidateAt(goal_->position, T_map_base_->position());
-    if (present) all.push_back(*present);
-  }
-  const auto current = goal_ ? std::optional<Vec2>(goal_->position) : std::nullopt;
-  const auto index = chooseBestScore(all, current, parameters_.frontier.score);
-  return index ? std::optional<GoalCandidate>(all[*index]) : std::nullopt;
+  return strategy_->choose(evaluator_, situation(keep_present));
 }
 
 }  // namespace frontier_pilot::exploration

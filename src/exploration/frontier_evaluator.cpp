@@ -47,7 +47,7 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   }
   if (differing.empty() && !is_new) return false;
   search_.update(map_.grid(), differing);
-  space_.update(map_.grid(), differing);
+  space_changes_.include(space_.update(map_.grid(), differing));
   tight_changes_.include(is_new ? map_.geometry().rect() : differing);
   return !differing.empty();
 }
@@ -65,7 +65,7 @@ bool FrontierEvaluator::evaluate(const Context& context) {
 }
 
 bool FrontierEvaluator::evaluateTightWays(const Context& context) {
-  tight_space_.update(map_.grid(), tight_changes_);
+  space_changes_.include(tight_space_.update(map_.grid(), tight_changes_));
   tight_changes_ = {};
   return judgeAll(tight_space_, context.robot, context);
 }
@@ -77,6 +77,7 @@ bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
 
 /// Returns whether any frontier can be selected.
 bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context) {
+  judged_space_ = &space;
   travel_.compute(space, map_.grid(), map_.geometry().cellAt(from), parameters_.escape_radius);
   frontiers_.clear();
   frontiers_.reserve(clusters_.clusters.size());
@@ -273,6 +274,12 @@ ViewGain FrontierEvaluator::cachedView(Cell cell) {
   const bool usable = view.changes > 0 && changed_area <= kTolerance * view.gain.area;
   if (!usable) view = {changes, viewGain(map_.grid(), from, parameters_.view)};
   return view.gain;
+}
+
+void FrontierEvaluator::rejectAll(Rejection reason) {
+  for (Frontier& frontier : frontiers_) {
+    if (frontier.selectable()) frontier.rejection = reason;
+  }
 }
 
 void FrontierEvaluator::listCells() {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "exploration/frontier_search.h"
@@ -63,12 +64,24 @@ class FrontierEvaluator {
   /// The nearest place with a travel distance above 1.5 min_distance, from which frontiers that are too near now are
   /// not.
   std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
+  /// The space through which the last evaluation found the goals.
+  const TraversableSpace& space() const { return *judged_space_; }
+  /// The block of cells of `space()` that may have changed since the last call; of no meaning if it is another one.
+  CellRect takeSpaceChanges() { return std::exchange(space_changes_, {}); }
   /// Least unknown area that a goal has to show [m^2]; it grows with the free area of the map.
   double leastInfo() const;
   /// What a view from `goal` is expected to show now. [EXP-6]
   ViewGain infoAt(const Vec2& goal);
   const ObservedMap& map() const { return map_; }
+  /// Travel distances from the robot, or from a fall-back's start, as of the last evaluation.
+  const TravelField& travel() const { return travel_; }
+  /// The cells of frontiers(), in the same order.
+  const FrontierClusters& clusters() const { return clusters_; }
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
+  /// Sets Frontier::place.
+  void setPlace(std::size_t frontier, int place) { frontiers_[frontier].place = place; }
+  /// Rejects every frontier that could be selected.
+  void rejectAll(Rejection reason);
   /// Fills in the cells of every frontier of the last evaluation, for display.
   void listCells();
 
@@ -102,6 +115,8 @@ class FrontierEvaluator {
   TraversableSpace space_;        ///< clear of unknown cells
   TraversableSpace tight_space_;  ///< clear of obstacles only; updated when it is needed
   CellRect tight_changes_;        ///< not yet applied to tight_space_
+  const TraversableSpace* judged_space_ = &space_;
+  CellRect space_changes_;  ///< of both spaces since takeSpaceChanges()
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;

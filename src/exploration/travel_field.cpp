@@ -43,20 +43,36 @@ constexpr SuccessorTable kSuccessors;
 }  // namespace
 
 void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius) {
-  if (units_.geometry() != map.geometry()) {
-    units_ = Grid<std::uint32_t>(map.geometry(), kUnreached);
+  restart(map.geometry());
+  if (!map.contains(start)) return;
+  seed(space, map, start, escape_radius);
+  spread(space.neighbours());
+}
+
+void TravelField::compute(const Grid<std::uint8_t>& neighbours, Cell start) {
+  restart(neighbours.geometry());
+  if (neighbours.get(start, 0) == 0) return;
+  push(neighbours.geometry().index(start), kNoDirection, 0);
+  spread(neighbours);
+}
+
+void TravelField::restart(const GridGeometry& geometry) {
+  if (units_.geometry() != geometry) {
+    units_ = Grid<std::uint32_t>(geometry, kUnreached);
   } else {
     std::fill(units_.cells().begin(), units_.cells().end(), kUnreached);
   }
   reached_count_ = 0;
-  offsets_ = grids::neighbourOffsets(map.width());
+  offsets_ = grids::neighbourOffsets(geometry.width);
   queue_.reset(0);
-  if (!map.contains(start)) return;
-  seed(space, map, start, escape_radius);
+}
+
+void TravelField::spread(const Grid<std::uint8_t>& neighbours) {
+  const std::uint8_t* open = neighbours.cells().data();
   while (!queue_.empty()) {
     queue_.popLeast([&](std::uint32_t entry, std::uint32_t units) {
       const std::size_t index = entry >> 4U;
-      if (units_[index] == units) expandCell(index, entry & 15U, units, space);  // else a shorter path was found since
+      if (units_[index] == units) expandCell(index, entry & 15U, units, open);  // else a shorter path was found since
     });
   }
 }
@@ -103,9 +119,7 @@ void TravelField::seed(const TraversableSpace& space, const OccupancyGrid& map, 
           });
 }
 
-void TravelField::expandCell(std::size_t index, unsigned direction, std::uint32_t units,
-                             const TraversableSpace& space) {
-  const std::uint8_t* open = space.neighbours().cells().data();
+void TravelField::expandCell(std::size_t index, unsigned direction, std::uint32_t units, const std::uint8_t* open) {
   for (unsigned left = kSuccessors(direction, open[index]); left != 0; left &= left - 1) {
     const auto d = static_cast<unsigned>(__builtin_ctz(left));
     if ((d & 1U) == 0) {

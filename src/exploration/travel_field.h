@@ -25,7 +25,8 @@ class TraversableSpace {
       : clearance_(clearance), obstacles_(obstacles) {}
 
   /// Recomputes the cells that a change of `map` within `changed` can affect; all cells if the geometry is new.
-  void update(const OccupancyGrid& map, const CellRect& changed);
+  /// Returns the block of these cells.
+  CellRect update(const OccupancyGrid& map, const CellRect& changed);
 
   bool traversable(Cell c) const { return passable_.get(c, 0) != 0; }
   /// Bit i: the neighbour in direction i (0 east, then counter-clockwise by 45 degrees) is traversable. 0 where the
@@ -59,6 +60,10 @@ class TravelField {
   /// for up to `escape_radius` [m]. Nothing is reached if there is no traversable cell within that.
   void compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
 
+  /// The same from a traversable cell, over cells given by the masks of their traversable neighbours, which must be
+  /// symmetric. Nothing is reached if `start` has no neighbour.
+  void compute(const Grid<std::uint8_t>& neighbours, Cell start);
+
   bool reached(Cell c) const { return units_.get(c, kUnreached) != kUnreached; }
   /// Whether any cell of `rect` is reached.
   bool anyReached(const CellRect& rect) const;
@@ -74,10 +79,12 @@ class TravelField {
   static constexpr std::uint32_t kDiagonal = 7;
   static constexpr std::uint32_t kRun = 16;  ///< straight steps at once: the cells of a cache line
 
+  void restart(const GridGeometry& geometry);
+  void spread(const Grid<std::uint8_t>& neighbours);
   void seed(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
   void label(std::size_t index, std::uint32_t units);
   void push(std::size_t index, unsigned direction, std::uint32_t units);
-  void expandCell(std::size_t index, unsigned direction, std::uint32_t units, const TraversableSpace& space);
+  void expandCell(std::size_t index, unsigned direction, std::uint32_t units, const std::uint8_t* open);
   void goStraight(std::size_t index, unsigned direction, std::uint32_t units, const std::uint8_t* open);
 
   Grid<std::uint32_t> units_;

@@ -44,7 +44,7 @@ bool readObstacles(const std::int8_t* from, int n, KeepClearOf obstacles, Row& r
 
 }  // namespace
 
-void TraversableSpace::update(const OccupancyGrid& map, const CellRect& changed) {
+CellRect TraversableSpace::update(const OccupancyGrid& map, const CellRect& changed) {
   CellRect area = changed;
   if (passable_.geometry() != map.geometry() || passable_.empty()) {
     passable_ = Grid<std::uint8_t>(map.geometry());
@@ -54,10 +54,11 @@ void TraversableSpace::update(const OccupancyGrid& map, const CellRect& changed)
     area = map.geometry().rect();
   }
   const CellRect window = area.grown(static_cast<int>(half_widths_.size())).intersection(map.geometry().rect());
-  if (window.empty()) return;
+  if (window.empty()) return window;
   markNearObstacles(map, window);
   keepFree(map, window);
   linkNeighbours(window.grown(1).intersection(map.geometry().rect()));
+  return window;
 }
 
 /// Writes 0xFF to the cells of `window` that are too near to a cell to keep clear of, 0 to the others.

@@ -41,6 +41,7 @@ struct Frontier {
   double obstacle_density = 0.0;  ///< occupied share of the known cells around the goal
   int visits = 0;                 ///< goals reached earlier within visit_radius
   double score = 0.0;             ///< set if selectable
+  int place = 0;                  ///< in the tour over the selectable frontiers, from 1; 0 if it is not on it
 
   bool selectable() const { return rejection == Rejection::kNone; }
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 
@@ -43,6 +45,17 @@ struct ScoreParameters {
     v.field("distance_by_travel", distance_by_travel, "",
             "score by the travel distance to the goal; false: by the Euclidean distance");
   }
+};
+
+/// How strategy `tour` decides.
+struct TourParameters {
+  double exit_depth = 2.0;      ///< how far the unknown behind an open frontier is expected to lead [m]
+  double open_area = 5.0;       ///< unknown area around a frontier from which on it counts as open [m^2]
+  double switch_margin = 3.0;   ///< a tour with another first goal has to be this much shorter [s]
+  double sliver_area = 0.2;     ///< a frontier with less connected unknown area around it is a sliver [m^2]
+  double least_area = 0.05;     ///< so is one behind which less is in sight from the best viewpoint [m^2]
+  double sliver_share = 0.004;  ///< slivers may be left while together they are a smaller share of the known floor
+  double sliver_detour = 2.0;   ///< slivers are looked at on the way if that takes less [s]
 };
 
 /// Which frontiers can be chosen. [EXP-2] [EXP-3]
@@ -104,6 +117,7 @@ struct BlacklistParameters {
 /// Parameters of the explorer.
 struct ExplorerParameters {
   RobotModel robot;
+  std::string strategy = "tour";  ///< `tour`, `greedy` or `nearest`
   double rich_min_density = 0.0;
   double goal_timeout = 120.0;
   int max_goal_retries = 1;
@@ -118,10 +132,15 @@ struct ExplorerParameters {
   bool return_to_start = false;
   FrontierParameters frontier;
   BlacklistParameters blacklist;
+  TourParameters tour;
 
   template <class V>
   void describe(V& v) {
     describeRobot(v, robot);
+    v.field(
+        "strategy", strategy, "",
+        "which goal comes next: tour, the first one of a tour over all of them; greedy, the one with the best score; "
+        "nearest, the one with the shortest way");
     v.field(
         "rich_min_density", rich_min_density, "",
         "least information density of the frontiers that phase RICH selects; 0: the score alone decides in both phases",

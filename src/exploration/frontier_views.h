@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "exploration/observed_map.h"
+#include "frontier_pilot/exploration/parameters.h"
+
+namespace frontier_pilot::exploration {
+
+/// What a viewpoint is expected to show of the unknown behind one frontier cell.
+struct Glimpse {
+  std::uint32_t cell = 0;  ///< index of the frontier cell
+  float area = 0.0F;       ///< [m^2]
+};
+
+/// Views from single cells by ray casting, sorted by the frontier cells that the rays leave the known floor through.
+/// Known cells behind the first unknown one count for nothing, in contrast to `viewGain`. Kept until enough of the map
+/// around the viewpoint has changed.
+class FrontierViews {
+ public:
+  explicit FrontierViews(const ViewParameters& parameters) : parameters_(parameters) {}
+
+  /// Valid until the next call.
+  const std::vector<Glimpse>& from(Cell viewpoint, const ObservedMap& map);
+  void clear() { views_.clear(); }
+
+ private:
+  struct View {
+    std::uint64_t changes = 0;
+    double area = 0.0;
+    std::vector<Glimpse> glimpses;
+  };
+  void look(Cell viewpoint, const ObservedMap& map, View& view) const;
+
+  ViewParameters parameters_;
+  std::unordered_map<std::size_t, View> views_;
+};
+
+}  // namespace frontier_pilot::exploration

@@ -1,0 +1,84 @@
+#include "exploration/goal_strategy.h"
+
+#include <cstdio>
+#include <stdexcept>
+#include <vector>
+
+#include "exploration/goal_score.h"
+#include "exploration/tour_strategy.h"
+
+namespace frontier_pilot::exploration {
+namespace {
+
+/// Takes one of the frontiers' goals.
+class CandidateStrategy : public GoalStrategy {
+ public:
+  std::optional<ChosenGoal> choose(FrontierEvaluator& evaluator, const Situation& situation) override {
+    const Vec2 robot = situation.T_map_robot.position();
+    std::vector<GoalCandidate> all = evaluator.candidates(robot);
+    if (situation.current && situation.keep_current) {
+      if (const auto present = evaluator.candidateAt(*situation.current, robot)) all.push_back(*present);
+    }
+    const std::optional<std::size_t> best = bestOf(all, situation.current);
+    if (!best) return std::nullopt;
+    const GoalCandidate& chosen = all[*best];
+    ChosenGoal goal;
+    goal.position = chosen.goal;
+    const bool has_frontier = chosen.frontier < evaluator.frontiers().size();
+    if (has_frontier) goal.yaw = evaluator.frontiers()[chosen.frontier].heading;
+    goal.distance = chosen.travel_distance;
+    goal.area = chosen.info.area;
+    char text[40];
+    std::snprintf(text, sizeof text, "score %.2f", chosen.score);
+    goal.why = text;
+    return goal;
+  }
+
+ private:
+  virtual std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
+                                            const std::optional<Vec2>& current) const = 0;
+};
+
+/// The goal with the best score. [EXP-4]
+class GreedyStrategy : public CandidateStrategy {
+ public:
+  explicit GreedyStrategy(const ScoreParameters& parameters) : parameters_(parameters) {}
+
+ private:
+  std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
+                                    const std::optional<Vec2>& current) const override {
+    return chooseBestScore(candidates, current, parameters_);
+  }
+
+  ScoreParameters parameters_;
+};
+
+/// The goal with the shortest way. The present goal is kept unless another one is nearer by a fifth.
+class NearestStrategy : public CandidateStrategy {
+  std::optional<std::size_t> bestOf(const std::vector<GoalCandidate>& candidates,
+                                    const std::optional<Vec2>& current) const override {
+    constexpr double kAdvantage = 0.8;
+    constexpr double kSamePlace = 0.5;  // [m]
+    std::optional<std::size_t> best;
+    double least = 0.0;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const bool is_current = current && (candidates[i].goal - *current).norm() < kSamePlace;
+      const double distance = candidates[i].travel_distance * (is_current ? kAdvantage : 1.0);
+      if (best && distance >= least) continue;
+      best = i;
+      least = distance;
+    }
+    return best;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<GoalStrategy> makeStrategy(const ExplorerParameters& parameters) {
+  if (parameters.strategy == "greedy") return std::make_unique<GreedyStrategy>(parameters.frontier.score);
+  if (parameters.strategy == "nearest") return std::make_unique<NearestStrategy>();
+  if (parameters.strategy == "tour") return std::make_unique<TourStrategy>(parameters);
+  throw std::invalid_argument("strategy must be tour, greedy or nearest, not '" + parameters.strategy + "'");
+}
+
+}  // namespace frontier_pilot::exploration

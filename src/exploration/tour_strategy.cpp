@@ -1,0 +1,268 @@
+#include "exploration/tour_strategy.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "exploration/unknown_region.h"
+
+namespace frontier_pilot::exploration {
+
+TourStrategy::TourStrategy(const ExplorerParameters& parameters)
+    : parameters_(parameters.tour), limits_(parameters.robot.limits), search_(parameters.frontier) {}
+
+std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
+  evaluator_ = &evaluator;
+  distances_.follow(evaluator);
+  viewpoints_ = search_.find(evaluator, trusted(), situation.current);
+  distances_.restart(viewpoints_, evaluator.map().geometry());
+  measureOpenAreas();
+  findSlivers();
+  const Plan plan = choosePlan(situation);
+  if (!plan.stops.empty()) return goalOf(plan, situation);
+  evaluator.rejectAll(Rejection::kNothingToSee);
+  return std::nullopt;
+}
+
+void TourStrategy::stayedUnknown() { distrusted_.insert(distrusted_.end(), aimed_at_.begin(), aimed_at_.end()); }
+
+/// Frontiers that were not seen from a viewpoint although they should have been are looked at from their own goals.
+std::vector<bool> TourStrategy::trusted() const {
+  constexpr double kSamePlace = 0.4;  // [m]
+  std::vector<bool> trusted;
+  for (const Frontier& frontier : evaluator_->frontiers()) {
+    const Vec2 anchor = evaluator_->map().geometry().centre(frontier.anchor);
+    trusted.push_back(std::none_of(distrusted_.begin(), distrusted_.end(),
+                                   [&](const Vec2& place) { return (place - anchor).norm() < kSamePlace; }));
+  }
+  return trusted;
+}
+
+void TourStrategy::measureOpenAreas() {
+  constexpr double kRadius = 2.5;  // [m]
+  open_areas_.clear();
+  for (const Frontier& frontier : evaluator_->frontiers()) {
+    const OccupancyGrid& map = evaluator_->map().grid();
+    open_areas_.push_back(frontier.selectable() ? unknownAreaBehind(map, frontier.anchor, kRadius) : 0.0);
+  }
+}
+
+/// A sliver is a frontier around which little unknown area is connected, or behind which next to nothing is in sight
+/// from anywhere. Slivers are left behind as long as all of them together are a small share of the known floor;
+/// otherwise none is one.
+void TourStrategy::findSlivers() {
+  const std::vector<Frontier>& frontiers = evaluator_->frontiers();
+  slivers_.assign(frontiers.size(), false);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < frontiers.size(); ++i) {
+    if (!frontiers[i].selectable()) continue;
+    slivers_[i] = open_areas_[i] < parameters_.sliver_area || search_.mostOf(i) < parameters_.least_area;
+    if (slivers_[i]) sum += std::min(open_areas_[i], parameters_.sliver_area);
+  }
+  if (sum > parameters_.sliver_share * evaluator_->map().freeArea()) slivers_.assign(frontiers.size(), false);
+}
+
+/// The viewpoint being driven to, if it still shows a frontier whole.
+std::optional<std::size_t> TourStrategy::presentViewpoint(const Situation& situation) const {
+  if (!situation.current) return std::nullopt;
+  const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
+  for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
+    if (viewpoints_[v].cell == cell) return v;
+  }
+  return std::nullopt;
+}
+
+/// The best plan, or the one that goes on to the present viewpoint unless the best is shorter by the margin.
+TourStrategy::Plan TourStrategy::choosePlan(const Situation& situation) {
+  Plan best = plan(situation, std::nullopt);
+  const auto present = presentViewpoint(situation);
+  if (best.stops.empty() || !present || best.stops.front().viewpoint == *present) return best;
+  Plan kept = plan(situation, present);
+  return kept.cost < best.cost + parameters_.switch_margin ? kept : best;
+}
+
+/// With `first` given, that viewpoint comes first.
+TourStrategy::Plan TourStrategy::plan(const Situation& situation, std::optional<std::size_t> first) {
+  const std::vector<Stop> stops = cover(first);
+  if (stops.empty()) return {};
+  const TourCosts costs = price(stops, situation);
+  const Tour tour = first ? solveOpenTour(costs, 0) : solveOpenTour(costs);
+  Plan plan;
+  plan.cost = costOf(tour, costs);
+  for (const std::size_t stop : tour) plan.stops.push_back(stops[stop]);
+  if (first) return plan;
+  shorten(plan);
+  takeNearSliver(plan);
+  return plan;
+}
+
+/// Chooses viewpoints that together show every frontier but slivers: `first`, then always the one that shows most of
+/// what is not yet shown by others for the way to it. Chvatal, "A Greedy Heuristic for the Set-Covering Problem",
+/// Mathematics of Operations Research 4(3), 1979.
+std::vector<TourStrategy::Stop> TourStrategy::cover(std::optional<std::size_t> first) const {
+  constexpr std::size_t kMostStops = 40;
+  std::vector<bool> shown(evaluator_->frontiers().size(), false);
+  std::vector<Stop> stops;
+  if (first) stops.push_back(stopAt(*first, shown));
+  while (stops.size() < kMostStops) {
+    double most = 0.0;
+    std::size_t best = viewpoints_.size();
+    for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
+      const double worth = worthOf(v, shown);
+      if (worth <= most) continue;
+      most = worth;
+      best = v;
+    }
+    if (best == viewpoints_.size()) break;
+    stops.push_back(stopAt(best, shown));
+  }
+  return stops;
+}
+
+/// What a viewpoint shows of the frontiers not yet shown, per metre of the way to it.
+double TourStrategy::worthOf(std::size_t viewpoint, const std::vector<bool>& shown) const {
+  constexpr double kAreaOfOneMore = 20.0;  // [m^2]: counts as much as another frontier
+  constexpr double kNear = 3.0;            // [m], added to the way
+  double worth = 0.0;
+  for (const Sight& sight : viewpoints_[viewpoint].sights) {
+    if (!shown[sight.frontier] && !slivers_[sight.frontier]) worth += 1.0 + sight.area / kAreaOfOneMore;
+  }
+  return worth / (kNear + wayTo(viewpoint));
+}
+
+TourStrategy::Stop TourStrategy::stopAt(std::size_t viewpoint, std::vector<bool>& shown) const {
+  Stop stop;
+  stop.viewpoint = viewpoint;
+  for (const Sight& sight : viewpoints_[viewpoint].sights) {
+    if (shown[sight.frontier]) continue;
+    shown[sight.frontier] = true;
+    stop.frontiers.push_back(sight.frontier);
+    stop.area += sight.area;
+    stop.open_area = std::max(stop.open_area, open_areas_[sight.frontier]);
+  }
+  return stop;
+}
+
+double TourStrategy::secondsFor(double distance) const {
+  constexpr double kShareOfMaximum = 0.9;  // mean speed on the way
+  return distance / (kShareOfMaximum * limits_.max_linear);
+}
+
+double TourStrategy::wayTo(std::size_t viewpoint) const {
+  return evaluator_->travel().distance(viewpoints_[viewpoint].cell);
+}
+
+/// How far beyond the stop the robot is expected to be when it has seen what the unknown behind leads to [m].
+double TourStrategy::exitOf(const Stop& stop) const {
+  return parameters_.exit_depth * std::min(1.0, stop.open_area / parameters_.open_area);
+}
+
+TourCosts TourStrategy::price(const std::vector<Stop>& stops, const Situation& situation) {
+  constexpr double kShareOfTurn = 0.7;  // of a turn on the spot: the robot turns while it drives
+  TourCosts costs(stops.size());
+  const std::vector<double> turns = distances_.turnsFrom(situation.T_map_robot);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const std::size_t viewpoint = stops[i].viewpoint;
+    costs.first[i] = secondsFor(wayTo(viewpoint)) + kShareOfTurn * turns[viewpoint] / limits_.max_angular;
+    const std::vector<double>& row = distances_.from(viewpoint);
+    for (std::size_t j = 0; j < stops.size(); ++j) {
+      costs.leg(i, j) = secondsFor(row[stops[j].viewpoint] + exitOf(stops[i]));
+    }
+  }
+  if (!situation.home) return costs;
+  const std::vector<double> home = distances_.to(*situation.home);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const double way = home[stops[i].viewpoint];
+    if (way >= 0.0) costs.last[i] = secondsFor(way + exitOf(stops[i]));
+  }
+  return costs;
+}
+
+bool TourStrategy::shows(std::size_t viewpoint, const std::vector<std::size_t>& frontiers) const {
+  const std::vector<Sight>& sights = viewpoints_[viewpoint].sights;
+  return std::all_of(frontiers.begin(), frontiers.end(), [&](std::size_t frontier) {
+    return std::any_of(sights.begin(), sights.end(), [&](const Sight& s) { return s.frontier == frontier; });
+  });
+}
+
+/// Moves the first stop to the viewpoint that shows the same frontiers with the shortest way over it to the second one.
+/// The more there is to see, the less is known about the second one, and the less the way to it counts.
+void TourStrategy::shorten(Plan& plan) {
+  constexpr double kWorthIt = 0.1;       // [m]
+  constexpr double kAllOthersNew = 6.0;  // [m^2]: after seeing this much the next stop will be another one
+  Stop& first = plan.stops.front();
+  const std::vector<double>* onwards = plan.stops.size() > 1 ? &distances_.from(plan.stops[1].viewpoint) : nullptr;
+  const double certainty = 1.0 - std::min(1.0, first.area / kAllOthersNew);
+  const auto length = [&](std::size_t v) { return wayTo(v) + (onwards != nullptr ? certainty * (*onwards)[v] : 0.0); };
+  double least = length(first.viewpoint) - kWorthIt;
+  for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
+    if (length(v) >= least || !shows(v, first.frontiers)) continue;
+    least = length(v);
+    first.viewpoint = v;
+  }
+}
+
+/// Puts the viewpoint of a sliver first if the detour over it is short enough.
+void TourStrategy::takeNearSliver(Plan& plan) {
+  std::vector<bool> shown(evaluator_->frontiers().size(), false);
+  for (const Stop& stop : plan.stops) {
+    for (const Sight& sight : viewpoints_[stop.viewpoint].sights) shown[sight.frontier] = true;
+  }
+  const std::size_t first = plan.stops.front().viewpoint;
+  const std::vector<double>& from_first = distances_.from(first);
+  double least = parameters_.sliver_detour;
+  std::optional<std::size_t> best;
+  for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
+    const auto isNews = [&](const Sight& sight) { return slivers_[sight.frontier] && !shown[sight.frontier]; };
+    const std::vector<Sight>& sights = viewpoints_[v].sights;
+    if (std::none_of(sights.begin(), sights.end(), isNews)) continue;
+    const double detour = secondsFor(wayTo(v) + from_first[v] - wayTo(first));
+    if (detour >= least) continue;
+    least = detour;
+    best = v;
+  }
+  if (!best) return;
+  plan.cost += least;
+  plan.stops.insert(plan.stops.begin(), stopAt(*best, shown));
+}
+
+ChosenGoal TourStrategy::goalOf(const Plan& plan, const Situation& situation) {
+  const Viewpoint& viewpoint = viewpoints_[plan.stops.front().viewpoint];
+  const GridGeometry& geometry = evaluator_->map().geometry();
+  ChosenGoal goal;
+  goal.position = geometry.centre(viewpoint.cell);
+  goal.yaw = arrivalYaw(viewpoint.cell, situation);
+  goal.distance = evaluator_->travel().distance(viewpoint.cell);
+  goal.area = evaluator_->infoAt(goal.position).area;
+  aimed_at_.clear();
+  for (const Sight& sight : viewpoint.sights) {
+    aimed_at_.push_back(geometry.centre(evaluator_->frontiers()[sight.frontier].anchor));
+  }
+  std::size_t frontiers = 0;
+  for (std::size_t place = 0; place < plan.stops.size(); ++place) {
+    for (const std::size_t frontier : plan.stops[place].frontiers) {
+      evaluator_->setPlace(frontier, static_cast<int>(place) + 1);
+    }
+    frontiers += plan.stops[place].frontiers.size();
+  }
+  char text[120];
+  std::snprintf(text, sizeof text, "first of %zu stops that show %zu frontiers in about %.0f s", plan.stops.size(),
+                frontiers, plan.cost);
+  goal.why = text;
+  return goal;
+}
+
+/// The direction in which the way arrives at a viewpoint, so that the robot need not turn there [rad].
+double TourStrategy::arrivalYaw(Cell goal, const Situation& situation) const {
+  constexpr double kLookBack = 0.5;  // [m]
+  const TravelField& travel = evaluator_->travel();
+  const GridGeometry& geometry = travel.geometry();
+  Cell at = goal;
+  while ((geometry.centre(at) - geometry.centre(goal)).norm() < kLookBack) {
+    const Cell next = nextTowardsOrigin(travel, at);
+    if (next == at) break;
+    at = next;
+  }
+  return at == goal ? situation.T_map_robot.yaw : bearing(geometry.centre(goal) - geometry.centre(at));
+}
+
+}  // namespace frontier_pilot::exploration

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "exploration/goal_strategy.h"
+#include "exploration/open_tour.h"
+#include "exploration/viewpoint_distances.h"
+#include "exploration/viewpoints.h"
+
+namespace frontier_pilot::exploration {
+
+/// The first stop of a short tour that sees every frontier, priced in seconds. Viewpoints are chosen so that each
+/// frontier is seen whole from one of them; the stops are ordered as an open travelling salesman's tour; the first one
+/// is moved to where the detour is least. Slivers, behind which next to nothing is left to see, are only looked at in
+/// passing. [EXP-9]
+/// The order of decisions follows Kulich, Faigl & Preucil, "On Distance Utility in the Exploration Task", ICRA 2011,
+/// who plan a travelling salesman's tour over representatives of the frontiers.
+class TourStrategy : public GoalStrategy {
+ public:
+  explicit TourStrategy(const ExplorerParameters& parameters);
+
+  std::optional<ChosenGoal> choose(FrontierEvaluator& evaluator, const Situation& situation) override;
+  void stayedUnknown() override;
+  void reset() override { distrusted_.clear(); }
+  /// A tour changes with what is seen on the way, so that it is planned twice as often as other goals are compared.
+  double decisionPeriods() const override { return 0.5; }
+
+ private:
+  /// A viewpoint of the tour and those of its frontiers that no earlier stop has shown.
+  struct Stop {
+    std::size_t viewpoint = 0;
+    std::vector<std::size_t> frontiers;
+    double area = 0.0;       ///< that it shows of these [m^2]
+    double open_area = 0.0;  ///< greatest unknown area around one of these [m^2]
+  };
+  /// Stops in the order of their visits, and how long that takes [s].
+  struct Plan {
+    std::vector<Stop> stops;
+    double cost = 0.0;
+  };
+
+  std::vector<bool> trusted() const;
+  void measureOpenAreas();
+  void findSlivers();
+  std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
+  Plan choosePlan(const Situation& situation);
+  Plan plan(const Situation& situation, std::optional<std::size_t> first);
+  std::vector<Stop> cover(std::optional<std::size_t> first) const;
+  Stop stopAt(std::size_t viewpoint, std::vector<bool>& shown) const;
+  double worthOf(std::size_t viewpoint, const std::vector<bool>& shown) const;
+  TourCosts price(const std::vector<Stop>& stops, const Situation& situation);
+  double exitOf(const Stop& stop) const;
+  double secondsFor(double distance) const;
+  double wayTo(std::size_t viewpoint) const;
+  void shorten(Plan& plan);
+  void takeNearSliver(Plan& plan);
+  bool shows(std::size_t viewpoint, const std::vector<std::size_t>& frontiers) const;
+  ChosenGoal goalOf(const Plan& plan, const Situation& situation);
+  double arrivalYaw(Cell goal, const Situation& situation) const;
+
+  TourParameters parameters_;
+  RobotLimits limits_;
+  ViewpointSearch search_;
+  ViewpointDistances distances_;
+  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next three
+  std::vector<Viewpoint> viewpoints_;
+  std::vector<double> open_areas_;  ///< unknown area around each frontier [m^2]
+  std::vector<bool> slivers_;       ///< by frontier
+  std::vector<Vec2> aimed_at_;      ///< anchors of the frontiers that the last goal should show
+  std::vector<Vec2> distrusted_;    ///< anchors of frontiers that stayed unknown when seen from a viewpoint
+};
+
+}  // namespace frontier_pilot::exploration

@@ -1,0 +1,77 @@
+#include "exploration/viewpoint_distances.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frontier_pilot/grids/cell_search.h"
+
+namespace frontier_pilot::exploration {
+
+void ViewpointDistances::follow(FrontierEvaluator& evaluator) {
+  const CellRect changed = evaluator.takeSpaceChanges();
+  const bool is_new = &evaluator.space() != space_;
+  space_ = &evaluator.space();
+  coarse_.update(*space_, is_new ? space_->geometry().rect() : changed);
+}
+
+void ViewpointDistances::restart(const std::vector<Viewpoint>& viewpoints, const GridGeometry& map) {
+  places_.clear();
+  cells_.clear();
+  for (const Viewpoint& viewpoint : viewpoints) {
+    places_.push_back(map.centre(viewpoint.cell));
+    cells_.push_back(coarse_.geometry().cellAt(places_.back()));
+  }
+  rows_.assign(viewpoints.size(), {});
+}
+
+const std::vector<double>& ViewpointDistances::from(std::size_t viewpoint) {
+  std::vector<double>& row = rows_[viewpoint];
+  if (!row.empty()) return row;
+  field_.compute(coarse_.neighbours(), cells_[viewpoint]);
+  for (std::size_t other = 0; other < cells_.size(); ++other) {
+    const double distance = field_.distance(cells_[other]);
+    row.push_back(std::isfinite(distance) ? distance : 2.0 * (places_[other] - places_[viewpoint]).norm());
+  }
+  return row;
+}
+
+std::vector<double> ViewpointDistances::to(const Vec2& place) {
+  field_.compute(coarse_.neighbours(), coarse_.geometry().cellAt(place));
+  std::vector<double> distances;
+  for (const Cell cell : cells_) distances.push_back(field_.reached(cell) ? field_.distance(cell) : -1.0);
+  return distances;
+}
+
+std::vector<double> ViewpointDistances::turnsFrom(const Pose2& T_map_robot) {
+  field_.compute(coarse_.neighbours(), coarse_.geometry().cellAt(T_map_robot.position()));
+  std::vector<double> turns;
+  for (const Cell cell : cells_) turns.push_back(turnTowards(cell, T_map_robot));
+  return turns;
+}
+
+/// By the wavefront of the robot's own cell in `field_`.
+double ViewpointDistances::turnTowards(Cell goal, const Pose2& T_map_robot) const {
+  constexpr int kAhead = 5;  // [cells]: where the way is looked at
+  const Cell robot = coarse_.geometry().cellAt(T_map_robot.position());
+  if (!field_.reached(goal)) return 0.0;
+  Cell at = goal;
+  while (std::max(std::abs(at.x - robot.x), std::abs(at.y - robot.y)) > kAhead) {
+    const Cell next = nextTowardsOrigin(field_, at);
+    if (next == at) break;
+    at = next;
+  }
+  const Vec2 ahead = coarse_.geometry().centre(at) - T_map_robot.position();
+  if (ahead.norm() < coarse_.geometry().resolution) return 0.0;
+  return std::abs(angleDifference(bearing(ahead), T_map_robot.yaw));
+}
+
+Cell nextTowardsOrigin(const TravelField& field, Cell cell) {
+  Cell next = cell;
+  for (const Cell step : grids::kNeighbourSteps) {
+    const Cell neighbour{cell.x + step.x, cell.y + step.y};
+    if (field.distance(neighbour) < field.distance(next)) next = neighbour;
+  }
+  return next;
+}
+
+}  // namespace frontier_pilot::exploration

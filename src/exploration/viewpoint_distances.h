@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "exploration/coarse_space.h"
+#include "exploration/frontier_evaluator.h"
+#include "exploration/viewpoints.h"
+
+namespace frontier_pilot::exploration {
+
+/// Travel distances between the viewpoints of one decision, by one wavefront over coarse cells for each viewpoint that
+/// they are asked for.
+class ViewpointDistances {
+ public:
+  /// Takes over what has changed in the evaluator's space.
+  void follow(FrontierEvaluator& evaluator);
+  /// Forgets the distances between the viewpoints of the last decision.
+  void restart(const std::vector<Viewpoint>& viewpoints, const GridGeometry& map);
+
+  /// From a viewpoint to all others [m], twice the Euclidean distance to those that no way leads to. Valid until
+  /// `restart`.
+  const std::vector<double>& from(std::size_t viewpoint);
+  /// From every viewpoint to `place` [m]; negative where no way leads.
+  std::vector<double> to(const Vec2& place);
+  /// The angle between the yaw of the robot and the direction in which the way to each viewpoint begins [rad], 0 to pi.
+  std::vector<double> turnsFrom(const Pose2& T_map_robot);
+
+ private:
+  double turnTowards(Cell goal, const Pose2& T_map_robot) const;
+
+  const TraversableSpace* space_ = nullptr;
+  CoarseSpace coarse_;
+  TravelField field_;
+  std::vector<Vec2> places_;
+  std::vector<Cell> cells_;
+  std::vector<std::vector<double>> rows_;  ///< empty until asked for
+};
+
+/// The neighbour of `cell` that is nearest to where the wavefront began; `cell` itself if none is nearer.
+Cell nextTowardsOrigin(const TravelField& field, Cell cell);
+
+}  // namespace frontier_pilot::exploration

@@ -1,0 +1,150 @@
+#include "exploration/viewpoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+#include "exploration/view_gain.h"
+
+namespace frontier_pilot::exploration {
+namespace {
+
+constexpr double kWhole = 0.5;             ///< share of the area seen from the best viewpoint
+constexpr double kWholeFromPresent = 0.3;  ///< the same for the viewpoint being driven to
+constexpr double kLatticeStep = 0.6;       // [m]
+constexpr double kLatticeRadius = 3.5;     // [m]: how far from a frontier viewpoints are looked for
+
+/// The reached cell nearest to `node` within a square; `node` itself if there is none.
+Cell reachedNear(Cell node, int reach, const TravelField& travel) {
+  Cell best = node;
+  int least = std::numeric_limits<int>::max();
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const int distance = dx * dx + dy * dy;
+      if (distance >= least || !travel.reached({node.x + dx, node.y + dy})) continue;
+      least = distance;
+      best = {node.x + dx, node.y + dy};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator, const std::vector<bool>& trusted,
+                                             const std::optional<Vec2>& present) {
+  label(evaluator);
+  const GridGeometry& geometry = evaluator.map().geometry();
+  const std::vector<Frontier>& frontiers = evaluator.frontiers();
+  const auto present_cell = present ? std::optional<Cell>(geometry.cellAt(*present)) : std::nullopt;
+  std::vector<Viewpoint> all;
+  most_.assign(frontiers.size(), 0.0);
+  for (const Cell cell : sample(evaluator, trusted, present_cell)) {
+    std::vector<Sight> sights = sightsFrom(cell, evaluator);
+    for (const Sight& sight : sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
+    if (!sights.empty()) all.push_back({cell, std::move(sights)});
+  }
+  for (Viewpoint& viewpoint : all) {
+    const double share = viewpoint.cell == present_cell ? kWholeFromPresent : kWhole;
+    const auto seenInPart = [&](const Sight& sight) {
+      if (geometry.cellAt(frontiers[sight.frontier].goal) == viewpoint.cell) return false;
+      return !trusted[sight.frontier] || sight.area < share * most_[sight.frontier];
+    };
+    auto& sights = viewpoint.sights;
+    sights.erase(std::remove_if(sights.begin(), sights.end(), seenInPart), sights.end());
+  }
+  all.erase(std::remove_if(all.begin(), all.end(), [](const Viewpoint& v) { return v.sights.empty(); }), all.end());
+  addUnseen(evaluator, all);
+  return all;
+}
+
+/// A frontier that no ray happens to hit is seen from its own goal.
+void ViewpointSearch::addUnseen(const FrontierEvaluator& evaluator, std::vector<Viewpoint>& all) {
+  const std::vector<Frontier>& frontiers = evaluator.frontiers();
+  std::vector<bool> seen(frontiers.size(), false);
+  for (const Viewpoint& viewpoint : all) {
+    for (const Sight& sight : viewpoint.sights) seen[sight.frontier] = true;
+  }
+  for (std::size_t i = 0; i < frontiers.size(); ++i) {
+    if (seen[i] || !frontiers[i].selectable()) continue;
+    const Cell goal = evaluator.map().geometry().cellAt(frontiers[i].goal);
+    all.push_back({goal, {{i, frontiers[i].info.area}}});
+  }
+}
+
+void ViewpointSearch::label(const FrontierEvaluator& evaluator) {
+  const GridGeometry& geometry = evaluator.map().geometry();
+  if (labels_.geometry() != geometry) {
+    labels_ = Grid<std::uint16_t>(geometry, 0);
+    views_.clear();
+  } else {
+    for (const std::size_t index : labelled_) labels_[index] = 0;
+  }
+  labelled_.clear();
+  const std::vector<Frontier>& frontiers = evaluator.frontiers();
+  const FrontierClusters& clusters = evaluator.clusters();
+  const std::size_t most = std::min(frontiers.size(), std::size_t{65535});  // labels that there are
+  for (std::size_t i = 0; i < most; ++i) {
+    if (!frontiers[i].selectable()) continue;
+    const FrontierCluster& cluster = clusters.clusters[i];
+    for (std::size_t r = cluster.first_run; r < cluster.first_run + cluster.run_count; ++r) {
+      const FrontierRun& run = clusters.runs[r];
+      for (int x = run.begin; x < run.end; ++x) {
+        labelled_.push_back(geometry.index({x, run.y}));
+        labels_[labelled_.back()] = static_cast<std::uint16_t>(i + 1);
+      }
+    }
+  }
+}
+
+std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, const std::vector<bool>& trusted,
+                                          const std::optional<Cell>& present) const {
+  const GridGeometry& geometry = evaluator.map().geometry();
+  const TravelField& travel = evaluator.travel();
+  const int step = std::max(1, static_cast<int>(std::lround(kLatticeStep / geometry.resolution)));
+  const int radius = static_cast<int>(kLatticeRadius / geometry.resolution);
+  std::vector<Cell> cells;
+  std::unordered_set<std::size_t> known;
+  const auto add = [&](Cell cell) {
+    if (known.insert(geometry.index(cell)).second) cells.push_back(cell);
+  };
+  if (present && travel.reached(*present)) add(*present);
+  std::unordered_set<std::size_t> nodes;
+  for (std::size_t i = 0; i < evaluator.frontiers().size(); ++i) {
+    const Frontier& frontier = evaluator.frontiers()[i];
+    if (!frontier.selectable()) continue;
+    add(geometry.cellAt(frontier.goal));
+    if (!trusted[i]) continue;
+    const CellRect box =
+        CellRect{frontier.anchor.x, frontier.anchor.y, 1, 1}.grown(radius).intersection(geometry.rect());
+    for (int y = (box.y + step - 1) / step * step; y < box.y + box.height; y += step) {
+      for (int x = (box.x + step - 1) / step * step; x < box.x + box.width; x += step) {
+        if (!nodes.insert(geometry.index({x, y})).second) continue;
+        const Cell cell = reachedNear({x, y}, step / 3, travel);
+        if (!travel.reached(cell) || travel.distance(cell) < min_distance_) continue;
+        add(cell);
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<Sight> ViewpointSearch::sightsFrom(Cell viewpoint, const FrontierEvaluator& evaluator) {
+  std::vector<Sight> sights;
+  for (const Glimpse& glimpse : views_.from(viewpoint, evaluator.map())) {
+    const std::uint16_t label = labels_[glimpse.cell];
+    if (label == 0) continue;
+    const std::size_t frontier = label - 1U;
+    const auto known =
+        std::find_if(sights.begin(), sights.end(), [&](const Sight& sight) { return sight.frontier == frontier; });
+    if (known == sights.end()) {
+      sights.push_back({frontier, glimpse.area});
+    } else {
+      known->area += glimpse.area;
+    }
+  }
+  return sights;
+}
+
+}  // namespace frontier_pilot::exploration
