@@ -92,6 +92,22 @@ void lengthCounters(benchmark::State& state, const std::vector<double>& lengths)
   state.counters["length_ratio_max"] = worst;
 }
 
+struct Clearances {
+  double mean = 0.0;   ///< along the path [m]
+  double least = 1e9;  ///< [m]
+};
+
+Clearances clearancesAlong(const planning::ClearanceMap& map, const planning::Path& path) {
+  Clearances clearances;
+  const std::vector<Vec2> samples = path.sampled(0.02);
+  for (const Vec2& sample : samples) {
+    const double here = map.clearance(sample);
+    clearances.mean += here / static_cast<double>(samples.size());
+    clearances.least = std::min(clearances.least, here);
+  }
+  return clearances;
+}
+
 void planWillow(benchmark::State& state) {
   const planning::ClearanceMap map = clearanceMap(planning::ClearanceParams());
   planning::GlobalPlanner planner;
@@ -122,6 +138,38 @@ void planWillow(benchmark::State& state) {
   lengthCounters(state, lengths);
 }
 BENCHMARK(planWillow)->Unit(benchmark::kMillisecond)->Iterations(3);
+
+/// Each of the first 100 pairs planned once by a new planner, as a robot does: mean and greatest time, mean length, and
+/// the clearance that the paths keep.
+void planEachPairOnce(benchmark::State& state) {
+  constexpr std::size_t kOnce = 100;
+  const planning::ClearanceMap map = clearanceMap(planning::ClearanceParams());
+  double sum = 0.0;
+  double worst = 0.0;
+  double length = 0.0;
+  double clearance = 0.0;
+  double least = 0.0;
+  for (auto _ : state) {
+    planning::GlobalPlanner planner;
+    for (std::size_t i = 0; i < kOnce; ++i) {
+      const std::clock_t before = std::clock();
+      const planning::PlanResult result = planner.plan(map, willow().requests[i]);
+      const double took = 1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+      sum += took / kOnce;
+      worst = std::max(worst, took);
+      length += result.path.length() / kOnce;
+      const Clearances kept = clearancesAlong(map, result.path);
+      clearance += kept.mean / kOnce;
+      least += kept.least / kOnce;
+    }
+  }
+  state.counters["mean_ms"] = sum;
+  state.counters["max_ms"] = worst;
+  state.counters["length_mean_m"] = length;
+  state.counters["clearance_mean_m"] = clearance;
+  state.counters["clearance_least_mean_m"] = least;
+}
+BENCHMARK(planEachPairOnce)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 /// Updating the clearance map after a scan: a small change in a window of the scanner's range.
 void updateMap(benchmark::State& state) {

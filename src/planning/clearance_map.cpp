@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "frontier_pilot/core/grid_traversal.h"
 
@@ -23,15 +24,59 @@ GridGeometry tileGeometry(const GridGeometry& cells, int tile) {
   return tiles;
 }
 
-/// The part [first, last] of 0...1 in which the segment lies between `low` and `high` along one axis.
-void clip(double from, double to, double low, double high, double& first, double& last) {
-  const double step = to - from;
-  if (std::abs(step) < 1e-12) return;
-  const double a = (low - from) / step;
-  const double b = (high - from) / step;
-  first = std::max(first, std::min(a, b));
-  last = std::min(last, std::max(a, b));
+/// The interpolated field at a point given in cells, (0, 0) at the centre of the first one, and within its cells.
+double interpolated(const Grid<float>& field, double x, double y) {
+  const int x0 = static_cast<int>(x);
+  const int y0 = static_cast<int>(y);
+  const int x1 = std::min(x0 + 1, field.width() - 1);
+  const float* low = field.row(y0);
+  const float* high = field.row(std::min(y0 + 1, field.height() - 1));
+  const double u = x - x0;
+  const double v = y - y0;
+  const double below = (1.0 - u) * static_cast<double>(low[x0]) + u * static_cast<double>(low[x1]);
+  const double above = (1.0 - u) * static_cast<double>(high[x0]) + u * static_cast<double>(high[x1]);
+  return (1.0 - v) * below + v * above;
 }
+
+/// A segment in units of cells, (0, 0) at the centre of the first one, for looking at the field along it.
+class FieldAlong {
+ public:
+  FieldAlong(const grids::DistanceField& field, const Vec2& from, const Vec2& to)
+      : field_(field.grid()),
+        limit_(field.geometry().width - 1.0, field.geometry().height - 1.0),
+        from_((from - field.geometry().origin) / field.geometry().resolution - Vec2(0.5, 0.5)),
+        step_((to - from) / field.geometry().resolution),
+        per_step_(inverse(step_.x()), inverse(step_.y())) {}
+
+  /// The least distance in `cell` [m]. Within one cell it varies too smoothly for a dip between the three points
+  /// checked.
+  double least(Cell cell) const {
+    double first = 0.0;
+    double last = 1.0;
+    clip((cell.x - from_.x()) * per_step_.x(), 0.5 * std::abs(per_step_.x()), first, last);
+    clip((cell.y - from_.y()) * per_step_.y(), 0.5 * std::abs(per_step_.y()), first, last);
+    return std::min({at(first), at(0.5 * (first + last)), at(last)});
+  }
+
+ private:
+  /// 0 if the segment does not move along the axis: then it lies in the cells of one row or column from end to end.
+  static double inverse(double step) { return std::abs(step) < 1e-9 ? 0.0 : 1.0 / step; }
+  static void clip(double middle, double half, double& first, double& last) {
+    if (half == 0.0) return;
+    first = std::max(first, middle - half);
+    last = std::min(last, middle + half);
+  }
+  double at(double part) const {
+    return interpolated(field_, std::clamp(from_.x() + part * step_.x(), 0.0, limit_.x()),
+                        std::clamp(from_.y() + part * step_.y(), 0.0, limit_.y()));
+  }
+
+  const Grid<float>& field_;
+  Vec2 limit_;
+  Vec2 from_;
+  Vec2 step_;
+  Vec2 per_step_;
+};
 
 }  // namespace
 
@@ -172,16 +217,7 @@ double ClearanceMap::clearance(const Vec2& point) const {
   const double limit_y = g.height - 1.0;
   const double x = std::clamp((point.x() - g.origin.x()) / g.resolution - 0.5, 0.0, limit_x);
   const double y = std::clamp((point.y() - g.origin.y()) / g.resolution - 0.5, 0.0, limit_y);
-  const int x0 = static_cast<int>(x);
-  const int y0 = static_cast<int>(y);
-  const int x1 = std::min(x0 + 1, g.width - 1);
-  const float* low = field_.grid().row(y0);
-  const float* high = field_.grid().row(std::min(y0 + 1, g.height - 1));
-  const double u = x - x0;
-  const double v = y - y0;
-  const double below = (1.0 - u) * static_cast<double>(low[x0]) + u * static_cast<double>(low[x1]);
-  const double above = (1.0 - u) * static_cast<double>(high[x0]) + u * static_cast<double>(high[x1]);
-  return (1.0 - v) * below + v * above;
+  return interpolated(field_.grid(), x, y);
 }
 
 bool ClearanceMap::isValid(const Vec2& point) const {
@@ -191,36 +227,29 @@ bool ClearanceMap::isValid(const Vec2& point) const {
   return clearance(point) >= least_ - kRounding;
 }
 
-double ClearanceMap::leastAlong(Cell cell, const Vec2& from, const Vec2& to) const {
-  const GridGeometry& g = geometry();
-  const Vec2 low = g.origin + g.resolution * Vec2(cell.x, cell.y);
-  double first = 0.0;
-  double last = 1.0;
-  clip(from.x(), to.x(), low.x(), low.x() + g.resolution, first, last);
-  clip(from.y(), to.y(), low.y(), low.y() + g.resolution, first, last);
-  // Within one cell the distance varies too smoothly for a dip between the three points checked.
-  const Vec2 step = to - from;
-  return std::min(
-      {clearance(from + first * step), clearance(from + 0.5 * (first + last) * step), clearance(from + last * step)});
-}
-
-double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to) const {
-  double sum = 0.0;
-  int count = 0;
-  const bool free = visitCells(geometry(), from, to, [&](Cell cell) {
-    std::uint8_t cost = cost_.get(cell, 0);
+double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to, double limit) const {
+  const Cell first = geometry().cellAt(from);
+  const Cell last = geometry().cellAt(to);
+  if (!geometry().contains(first) || !geometry().contains(last)) return -1.0;
+  const int count = 1 + std::abs(last.x - first.x) + std::abs(last.y - first.y);
+  const double length = (to - from).norm();
+  // What all cells together may cost more than the least, which is 1 each, and what those visited do.
+  const double most_extra = length > 0.0 ? (limit / length - 1.0) * count : std::numeric_limits<double>::infinity();
+  const FieldAlong along(field_, from, to);
+  double extra = 0.0;
+  bool valid = true;
+  visitCells(geometry(), from, to, [&](Cell cell) {
+    std::uint8_t cost = cost_[cell];
     if ((cost & kRoomy) == 0) {
       // A segment may still cross the corner of a cell whose centre is too near an obstacle.
-      if (cost == 0 && !isKnownFree(cell)) return false;
-      const double distance = leastAlong(cell, from, to);
-      if (distance < least_ - kRounding) return false;
+      const double distance = cost == 0 && !isKnownFree(cell) ? -1.0 : along.least(cell);
+      valid = distance >= least_ - kRounding;
       if (distance < required_ - kRounding) cost = kTightClass;
     }
-    sum += weights_[std::max(1, cost & kClassMask)];
-    ++count;
-    return true;
+    extra += weights_[std::max(1, cost & kClassMask)] - 1.0;
+    return valid && extra <= most_extra;
   });
-  return free ? (to - from).norm() * sum / count : -1.0;
+  return valid ? length * (1.0 + extra / count) : -1.0;
 }
 
 }  // namespace frontier_pilot::planning

@@ -136,6 +136,7 @@ PlanResult finish(const ClearanceMap& map, const PlanRequest& request, const std
 struct GlobalPlanner::Impl {
   GlobalPlannerParams params;
   OutlineCheck outline;
+  Corridor corridor;
   GridSearch search;
 
   PlanResult plan(const ClearanceMap& map, const PlanRequest& request, const std::vector<InflationExit>& escapes,
@@ -191,7 +192,7 @@ struct GlobalPlanner::Impl {
       ob::IterationTerminationCondition iterations(static_cast<unsigned>(params.max_iterations));
       return planner.solve(iterations) == ob::PlannerStatus::EXACT_SOLUTION;
     }
-    AnyAngleGridPlanner planner(si, map, search);
+    AnyAngleGridPlanner planner(si, map, corridor, search);
     planner.setProblemDefinition(problem);
     const bool solved = planner.solve(ob::plannerNonTerminatingCondition()) == ob::PlannerStatus::EXACT_SOLUTION;
     expanded = planner.expanded();

@@ -7,9 +7,22 @@
 namespace frontier_pilot::planning {
 namespace {
 
-// 99/70 is the square root of two to a relative error of 5e-5.
-constexpr std::uint32_t kStraight = 70;
-constexpr std::uint32_t kDiagonal = 99;
+constexpr std::uint32_t kEveryDirection = 0xFF;
+
+/// The directions in which the best path continues from a cell whose neighbours cost the same, for each set of
+/// directions in which it may have come: straight on, and after a diagonal step also in its two components.
+constexpr std::array<std::uint8_t, 256> continuedDirections() {
+  std::array<std::uint8_t, 256> sets{};
+  for (unsigned arrivals = 0; arrivals < sets.size(); ++arrivals) {
+    unsigned continued = arrivals;
+    for (unsigned i = 1; i < 8; i += 2) {
+      if ((arrivals >> i & 1U) != 0) continued |= 1U << (i - 1) | 1U << (i + 1) % 8;
+    }
+    sets[arrivals] = static_cast<std::uint8_t>(continued);
+  }
+  return sets;
+}
+constexpr std::array<std::uint8_t, 256> kContinued = continuedDirections();
 
 }  // namespace
 
@@ -23,17 +36,8 @@ void GridSearch::prepare(const ClearanceMap& map) {
     std::fill(nodes_.begin(), nodes_.end(), Node{0, 0});
     number_ = 1;
   }
-  for (int i = 1; i < ClearanceMap::kClasses; ++i) {
-    step_cost_[static_cast<std::size_t>(i)] = {static_cast<std::uint32_t>(std::lround(kStraight * map.weight(i))),
-                                               static_cast<std::uint32_t>(std::lround(kDiagonal * map.weight(i)))};
-  }
+  step_cost_ = stepCosts(map);
   offsets_ = grids::neighbourOffsets(geometry_.width);
-}
-
-std::uint32_t GridSearch::heuristic(Cell cell) const {
-  const auto dx = static_cast<std::uint32_t>(std::abs(cell.x - goal_.x));
-  const auto dy = static_cast<std::uint32_t>(std::abs(cell.y - goal_.y));
-  return kStraight * std::max(dx, dy) + (kDiagonal - kStraight) * std::min(dx, dy);
 }
 
 void GridSearch::begin(Cell start, Cell goal) {
@@ -41,57 +45,85 @@ void GridSearch::begin(Cell start, Cell goal) {
   goal_ = goal;
   expanded_ = 0;
   const auto index = static_cast<std::uint32_t>(geometry_.index(start));
-  nodes_[index] = {0, number_ << kNumberShift};
-  queue_.reset(heuristic(start));
-  queue_.push(index, heuristic(start));
+  nodes_[index] = {0, number_ << kNumberShift | kEveryDirection << kArrivalShift | kPending};
+  queue_.reset(octileCost(start, goal));
+  queue_.push(index, octileCost(start, goal));
 }
 
-bool GridSearch::search(const ClearanceMap& map, Cell start, Cell goal) {
-  prepare(map);
-  begin(start, goal);
-  const auto goal_index = static_cast<std::uint32_t>(geometry_.index(goal));
-  while (!queue_.empty()) {
-    const std::uint32_t index = queue_.pop();
-    if ((nodes_[index].label & kClosed) != 0) continue;
-    nodes_[index].label |= kClosed;
-    ++expanded_;
-    if (index == goal_index) return true;
-    expand(map, index);
+inline void GridSearch::relax(std::uint32_t index, std::uint32_t cost, std::uint32_t direction, Cell cell) {
+  Node& node = nodes_[index];
+  const std::uint32_t arrival = 1U << (kArrivalShift + direction);
+  if (!written(node) || node.cost > cost) {
+    node = {cost, number_ << kNumberShift | arrival | kPending | direction};
+  } else if (node.cost == cost && (node.label & arrival) == 0) {
+    const bool waits = (node.label & kPending) != 0;
+    node.label |= arrival | kPending;
+    if (waits) return;
+  } else {
+    return;
   }
-  return false;
+  queue_.push(index, cost + octileCost(cell, goal_));
 }
 
-void GridSearch::expand(const ClearanceMap& map, std::uint32_t index) {
-  const Cell cell = geometry_.cell(index);
-  const std::uint8_t* costs = map.costs().cells().data();
-  const std::uint32_t cost = nodes_[index].cost;
+inline void GridSearch::expand(std::uint32_t index, std::uint32_t cost, std::uint32_t label) {
+  const auto width = static_cast<std::uint32_t>(geometry_.width);
+  const auto y = static_cast<int>(index / width);
+  const Cell cell{static_cast<int>(index) - y * geometry_.width, y};
+  const bool again = (label & kClosed) != 0;
   const bool inside = cell.x > 0 && cell.y > 0 && cell.x + 1 < geometry_.width && cell.y + 1 < geometry_.height;
+  const std::uint8_t own = costs_[index] & ClearanceMap::kClassMask;
   std::array<std::uint8_t, 8> around{};
+  bool uniform = true;
   for (std::size_t i = 0; i < 8; ++i) {
     const Cell step = grids::kNeighbourSteps[i];
     const bool there = inside || geometry_.contains({cell.x + step.x, cell.y + step.y});
     around[i] =
-        there ? static_cast<std::uint8_t>(costs[index + offsets_[i]] & ClearanceMap::kClassMask) : std::uint8_t{0};
+        there ? static_cast<std::uint8_t>(costs_[index + offsets_[i]] & ClearanceMap::kClassMask) : std::uint8_t{0};
+    uniform = uniform && around[i] == own;
   }
-  for (std::size_t i = 0; i < 8; ++i) {
+  // A cell whose neighbours differ has been expanded in every direction.
+  if (again && !uniform) return;
+  if (uniform) {
+    std::uint32_t left = kContinued[(label >> kArrivalShift) & kEveryDirection];
+    for (std::uint32_t i = 0; left != 0; ++i, left >>= 1U) {
+      if ((left & 1U) == 0) continue;
+      const Cell step = grids::kNeighbourSteps[i];
+      relax(static_cast<std::uint32_t>(index + offsets_[i]), cost + step_cost_[own][i % 2], i,
+            {cell.x + step.x, cell.y + step.y});
+    }
+    return;
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) {
     const bool diagonal = i % 2 == 1;
     if (around[i] == 0 || (diagonal && (around[i - 1] == 0 || around[(i + 1) % 8] == 0))) continue;
-    const auto next = static_cast<std::uint32_t>(index + offsets_[i]);
-    relax(next, cost + step_cost_[around[i]][diagonal ? 1 : 0], static_cast<std::uint32_t>(i));
+    const Cell step = grids::kNeighbourSteps[i];
+    relax(static_cast<std::uint32_t>(index + offsets_[i]), cost + step_cost_[around[i]][i % 2], i,
+          {cell.x + step.x, cell.y + step.y});
   }
 }
 
-void GridSearch::relax(std::uint32_t index, std::uint32_t cost, std::uint32_t direction) {
-  Node& node = nodes_[index];
-  if (written(index) && ((node.label & kClosed) != 0 || node.cost <= cost)) return;
-  node = {cost, number_ << kNumberShift | direction};
-  queue_.push(index, cost + heuristic(geometry_.cell(index)));
+bool GridSearch::search(const ClearanceMap& map, const Grid<std::uint8_t>& classes, Cell start, Cell goal) {
+  prepare(map);
+  costs_ = classes.cells().data();
+  begin(start, goal);
+  const auto goal_index = static_cast<std::uint32_t>(geometry_.index(goal));
+  while (!queue_.empty()) {
+    const std::uint32_t index = queue_.pop();
+    Node& node = nodes_[index];
+    const std::uint32_t label = node.label;
+    if ((label & kPending) == 0) continue;
+    if ((label & kClosed) == 0) ++expanded_;
+    node.label = (label & ~kPending) | kClosed;
+    if (index == goal_index) return true;
+    expand(index, node.cost, label);
+  }
+  return false;
 }
 
 bool GridSearch::reached(Cell cell) const {
   if (!geometry_.contains(cell)) return false;
-  const auto index = static_cast<std::uint32_t>(geometry_.index(cell));
-  return written(index) && (nodes_[index].label & kClosed) != 0;
+  const Node& node = nodes_[geometry_.index(cell)];
+  return written(node) && (node.label & kClosed) != 0;
 }
 
 std::vector<Cell> GridSearch::pathTo(Cell cell) const {

@@ -13,6 +13,9 @@ namespace {
 
 namespace ob = ompl::base;
 
+/// A path may cost this part (1/50, 2 %) more than the blocks promised before another one is looked for.
+constexpr std::uint32_t kToleratedPart = 50;
+
 class ClearanceChecker : public ob::StateValidityChecker {
  public:
   ClearanceChecker(const ob::SpaceInformationPtr& si, const ClearanceMap& map)
@@ -83,8 +86,9 @@ ob::SpaceInformationPtr makeSpaceInformation(const ClearanceMap& map) {
   return si;
 }
 
-AnyAngleGridPlanner::AnyAngleGridPlanner(const ob::SpaceInformationPtr& si, const ClearanceMap& map, GridSearch& search)
-    : ob::Planner(si, "AnyAngleGrid"), map_(map), search_(search) {
+AnyAngleGridPlanner::AnyAngleGridPlanner(const ob::SpaceInformationPtr& si, const ClearanceMap& map, Corridor& corridor,
+                                         GridSearch& search)
+    : ob::Planner(si, "AnyAngleGrid"), map_(map), corridor_(corridor), search_(search) {
   specs_.approximateSolutions = false;
   specs_.recognizedGoal = ob::GOAL_STATES;
 }
@@ -111,18 +115,34 @@ ob::PlannerStatus AnyAngleGridPlanner::solve(const ob::PlannerTerminationConditi
 }
 
 bool AnyAngleGridPlanner::searchFrom(Cell start, const std::vector<Cell>& goals) {
-  const bool first_found = search_.search(map_, start, goals.front());
-  expanded_ += search_.expanded();
-  if (first_found) {
+  if (searchCorridor(start, goals.front())) {
     addSolution(goals.front());
     return true;
   }
+  // Only a search of the whole map can tell that there is no path, and which goals can be reached.
+  search_.search(map_, start, goals.front());
+  expanded_ += search_.expanded();
   for (const Cell goal : goals) {
     if (!search_.reached(goal)) continue;
     addSolution(goal);
     return true;
   }
   return false;
+}
+
+bool AnyAngleGridPlanner::searchCorridor(Cell start, Cell goal) {
+  // Where the path costs clearly more than the blocks promised, as in a gap whose cells are tight, another one may be
+  // cheaper: the corridor is widened once to all paths that the blocks promise to be.
+  std::uint32_t least_bound = 0;
+  for (int i = 0; i < 2; ++i) {
+    if (!corridor_.find(map_, start, goal, least_bound)) return false;
+    const bool found = search_.search(map_, corridor_.classes(), start, goal);
+    expanded_ += search_.expanded();
+    if (!found) return false;
+    least_bound = search_.costTo(goal);
+    if (least_bound <= corridor_.bound() + corridor_.bound() / kToleratedPart) break;
+  }
+  return true;
 }
 
 void AnyAngleGridPlanner::addSolution(Cell goal) {

@@ -6,6 +6,7 @@
 #include <ompl/base/StateValidityChecker.h>
 
 #include "frontier_pilot/planning/clearance_map.h"
+#include "planning/corridor.h"
 #include "planning/grid_search.h"
 
 namespace frontier_pilot::planning {
@@ -19,10 +20,12 @@ Vec2 pointOf(const ompl::base::State* state);
 void setPoint(ompl::base::State* state, const Vec2& point);
 
 /// An OMPL planner that is complete on the grid: A* from the first start state from which a goal state can be reached,
-/// to the first goal state that can. `expanded` counts the cells of all searches.
+/// to the first goal state that can: in the corridor between them, and over the whole map if there is no path in it.
+/// `expanded` counts the cells of all searches.
 class AnyAngleGridPlanner : public ompl::base::Planner {
  public:
-  AnyAngleGridPlanner(const ompl::base::SpaceInformationPtr& si, const ClearanceMap& map, GridSearch& search);
+  AnyAngleGridPlanner(const ompl::base::SpaceInformationPtr& si, const ClearanceMap& map, Corridor& corridor,
+                      GridSearch& search);
 
   /// Ignores the termination condition: the search is bounded by the cells of the map, and a time limit would make it
   /// non-deterministic.
@@ -31,9 +34,11 @@ class AnyAngleGridPlanner : public ompl::base::Planner {
 
  private:
   bool searchFrom(Cell start, const std::vector<Cell>& goals);
+  bool searchCorridor(Cell start, Cell goal);
   void addSolution(Cell goal);
 
   const ClearanceMap& map_;
+  Corridor& corridor_;
   GridSearch& search_;
   std::size_t expanded_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "planning/path_smoothing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -11,15 +12,16 @@ namespace {
 constexpr int kMaxBlocked = 12;
 constexpr double kMargin = 1e-9;
 
-/// Cheapest polylines from the first sample to each of the others.
+/// Cheapest polylines from the first sample to each of the others, by lines to at most `ahead` samples on.
 class Chain {
  public:
-  Chain(const ClearanceMap& map, const std::vector<Vec2>& samples)
-      : map_(map),
-        samples_(samples),
-        cost_(samples.size(), std::numeric_limits<double>::infinity()),
-        parent_(samples.size(), 0) {
-    cost_[0] = 0.0;
+  Chain(const ClearanceMap& map, const std::vector<Vec2>& samples, std::size_t ahead)
+      : map_(map), samples_(samples), ahead_(ahead), along_(samples.size(), 0.0), parent_(samples.size(), 0) {
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+      along_[i + 1] = along_[i] + neighbourCost(i);
+      parent_[i + 1] = i;
+    }
+    cost_ = along_;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) extend(i);
   }
 
@@ -32,16 +34,24 @@ class Chain {
  private:
   /// Tries the straight lines from sample `i` to those after it.
   void extend(std::size_t i) {
+    improve(i, i + 1, cost_[i] + along_[i + 1] - along_[i]);
+    const std::size_t end = i + 1 + std::min(samples_.size() - i - 1, ahead_);
     int blocked = 0;
-    for (std::size_t k = i + 1; k < samples_.size() && blocked < kMaxBlocked; ++k) {
-      // No line is cheaper than its length; the margin keeps rounding from choosing between equals.
-      if (cost_[i] + (samples_[k] - samples_[i]).norm() >= cost_[k] - kMargin) continue;
-      const double line = k == i + 1 ? neighbourCost(i) : map_.segmentCost(samples_[i], samples_[k]);
+    for (std::size_t k = i + 2; k < end && blocked < kMaxBlocked; ++k) {
+      // A line is worth its price only if it is cheaper than the samples' own way, and no line is cheaper than its
+      // length; the margin keeps rounding from choosing between equals.
+      const double limit = std::min(cost_[k] - cost_[i], along_[k] - along_[i]) - kMargin;
+      if ((samples_[k] - samples_[i]).norm() >= limit) continue;
+      const double line = map_.segmentCost(samples_[i], samples_[k], limit);
       blocked = line < 0.0 ? blocked + 1 : 0;
-      if (line < 0.0 || cost_[i] + line >= cost_[k] - kMargin) continue;
-      cost_[k] = cost_[i] + line;
-      parent_[k] = i;
+      if (line >= 0.0 && line < limit) improve(i, k, cost_[i] + line);
     }
+  }
+
+  void improve(std::size_t i, std::size_t k, double cost) {
+    if (cost >= cost_[k] - kMargin) return;
+    cost_[k] = cost;
+    parent_[k] = i;
   }
 
   /// The path's own piece is valid by contract; a rounding error must not make it invalid and break the chain.
@@ -52,17 +62,39 @@ class Chain {
 
   const ClearanceMap& map_;
   const std::vector<Vec2>& samples_;
-  std::vector<double> cost_;
+  std::size_t ahead_;
+  std::vector<double> along_;  ///< cost of the way through all samples up to each
+  std::vector<double> cost_;   ///< of the cheapest polyline to each
   std::vector<std::size_t> parent_;
 };
 
-/// Drops points of a dense path that a valid line of at most `spacing` [m] can replace.
+/// Drops the points at which the path does not turn.
+std::vector<Vec2> withoutStraightPoints(const ClearanceMap& map, const std::vector<Vec2>& points) {
+  std::vector<Vec2> kept{points.front()};
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec2 before = points[i] - kept.back();
+    const Vec2 after = points[i + 1] - points[i];
+    const bool turns = before.dot(after) < (1.0 - kMargin) * before.norm() * after.norm();
+    if (turns || !map.isValid(kept.back(), points[i + 1])) kept.push_back(points[i]);
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
+/// Drops points of a dense path that a line of at most `spacing` [m] can replace without costing more.
 std::vector<Vec2> thinned(const ClearanceMap& map, const Path& path, double spacing) {
   const std::vector<Vec2>& points = path.points();
   std::vector<Vec2> kept{points.front()};
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const bool near = (points[i + 1] - kept.back()).norm() <= spacing;
-    if (!near || !map.isValid(kept.back(), points[i + 1])) kept.push_back(points[i]);
+  double cost = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double step = std::max(0.0, map.segmentCost(points[i - 1], points[i]));
+    const Vec2& from = kept.back();
+    const double line = (points[i] - from).norm() <= spacing ? map.segmentCost(from, points[i]) : -1.0;
+    if (i > 1 && (line < 0.0 || line > cost + step + kMargin)) {
+      kept.push_back(points[i - 1]);
+      cost = 0.0;
+    }
+    cost += step;
   }
   kept.push_back(points.back());
   return kept;
@@ -84,17 +116,18 @@ std::vector<Vec2> sampledAtCorners(const Path& path, double spacing, double reac
 
 }  // namespace
 
-Path pullString(const ClearanceMap& map, const std::vector<Vec2>& samples) {
+Path pullString(const ClearanceMap& map, const std::vector<Vec2>& samples, std::size_t ahead) {
   if (samples.size() < 3) return Path(samples);
-  return Path(Chain(map, samples).points());
+  return Path(withoutStraightPoints(map, Chain(map, samples, ahead).points()));
 }
 
 Path smoothPath(const ClearanceMap& map, const Path& path) {
   if (path.points().size() < 3) return path;
   const double cell = map.geometry().resolution;
-  Path pulled = pullString(map, thinned(map, path, 5.0 * cell));
-  pulled = pullString(map, sampledAtCorners(pulled, 3.0 * cell, 20.0 * cell));
-  return pullString(map, sampledAtCorners(pulled, 2.0 * cell, 10.0 * cell));
+  // The lines tried are at most 10 m long at first, over the whole path, and then reach from corner to corner.
+  Path pulled = pullString(map, thinned(map, path, 5.0 * cell), 40);
+  pulled = pullString(map, sampledAtCorners(pulled, 3.0 * cell, 20.0 * cell), 16);
+  return pullString(map, sampledAtCorners(pulled, 2.0 * cell, 10.0 * cell), 12);
 }
 
 }  // namespace frontier_pilot::planning

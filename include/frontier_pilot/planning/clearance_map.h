@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
@@ -76,8 +77,10 @@ class ClearanceMap {
   bool isValid(const Vec2& point) const;
   /// Whether a path may lead straight from `from` to `to`, both ends included.
   bool isValid(const Vec2& from, const Vec2& to) const { return segmentCost(from, to) >= 0.0; }
-  /// The length of a valid segment, weighted by the nearness of walls [m]; negative if it is not valid.
-  double segmentCost(const Vec2& from, const Vec2& to) const;
+  /// The length of a valid segment, weighted by the nearness of walls [m]; negative if it is not valid. Of a segment
+  /// that costs more than `limit` [m] it is enough to know that: the result may then be anything above, whether the
+  /// segment is valid or not.
+  double segmentCost(const Vec2& from, const Vec2& to, double limit = std::numeric_limits<double>::infinity()) const;
 
   /// Classes of cells: 0 is not passable, else `weight(class)` is the cost of a metre.
   static constexpr int kClasses = 33;
@@ -100,7 +103,6 @@ class ClearanceMap {
   void rateCells(const CellRect& cells);
   std::uint8_t rate(Cell cell) const;
   bool isRoomy(Cell cell) const;
-  double leastAlong(Cell cell, const Vec2& from, const Vec2& to) const;
   int fieldReach() const;
 
   ClearanceParams params_;

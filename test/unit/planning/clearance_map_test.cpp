@@ -109,6 +109,25 @@ TEST(ClearanceMap, UpdatedPieceByPieceIsTheSameAsMadeAnew_NAV_2) {
   }
 }
 
+TEST(ClearanceMap, PricesASegmentExactlyUpToTheLimit) {
+  std::mt19937 random(5);
+  OccupancyGrid grid(GridGeometry{0.05, Vec2(-1.0, 1.0), 50, 50}, kFree);
+  for (int i = 0; i < 20; ++i) grid[random() % grid.size()] = kOccupied;
+  planning::ClearanceMap map;
+  map.setMap(grid, grid.geometry().rect());
+  int valid = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 from = grid.geometry().centre(grid.geometry().cell(random() % grid.size()));
+    const Vec2 to = grid.geometry().centre(grid.geometry().cell(random() % grid.size()));
+    const double cost = map.segmentCost(from, to);
+    if (cost < 0.0) continue;
+    EXPECT_DOUBLE_EQ(map.segmentCost(from, to, cost + 1e-6), cost);
+    EXPECT_GT(map.segmentCost(from, to, 0.9 * cost), 0.9 * cost);
+    ++valid;
+  }
+  EXPECT_GT(valid, 50);
+}
+
 TEST(ClearanceMap, LeadsNoPathThroughUnknownCellsUnlessTold_NAV_2) {
   const auto world = test::drawWorld(std::string(20, '.') + "\n" + std::string(20, '?') + "\n" + std::string(20, '.'));
   planning::ClearanceMap strict;
