@@ -12,8 +12,8 @@
 namespace frontier_pilot::bench {
 namespace {
 
-constexpr double kSpacing = 0.5;      ///< of waypoints [m]
-constexpr double kDenseArea = 500.0;  ///< on a greater floor there are as many waypoints as on this one [m^2]
+constexpr double kSpacing = 0.4;      ///< of waypoints [m]
+constexpr double kDenseArea = 300.0;  ///< on a greater floor there are as many waypoints as on this one [m^2]
 constexpr double kMargin = 0.001;     ///< of the share, because the search reckons with larger cells
 constexpr int kAttempts = 5;
 

@@ -12,7 +12,7 @@ struct TourTask {
   double radius = 0.15;  ///< of the disc that reaches the floor which counts, as of test::ExplorationMeter [m]
   double range = 8.0;    ///< of the scanner [m]
   double share = 0.99;   ///< of the reachable floor that must be seen
-  int rounds = 1500;     ///< of the search; more may find a shorter tour
+  int rounds = 400;      ///< of the search; more may find a shorter tour
 };
 
 /// A path from which nearly all of a floor is seen, for one who knows the floor.

@@ -14,7 +14,14 @@ Grid<std::uint8_t> notFree(const OccupancyGrid& truth) {
   return solid;
 }
 
-int bitsIn(std::uint64_t word) { return __builtin_popcountll(word); }
+/// The number of bits that are set, by sums of ever larger groups: there is no instruction for it that every processor
+/// of the platform has, and the compiler's function for such processors is slower.
+int bitsIn(std::uint64_t word) {
+  word -= (word >> 1) & 0x5555555555555555U;
+  word = (word & 0x3333333333333333U) + ((word >> 2) & 0x3333333333333333U);
+  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fU;
+  return static_cast<int>((word * 0x0101010101010101U) >> 56);
+}
 
 }  // namespace
 

@@ -67,10 +67,6 @@ bool orOpt(const WaypointGraph& graph, std::vector<int>& stops) {
 
 }  // namespace
 
-double detour(const WaypointGraph& graph, const std::vector<int>& stops, int node, std::size_t before) {
-  return insertionCost(graph, stops, before, node, node);
-}
-
 void improveOrder(const WaypointGraph& graph, std::vector<int>& stops) {
   while (twoOpt(graph, stops) || orOpt(graph, stops)) {
   }

@@ -38,23 +38,31 @@ FloorBits::Bits TourSearch::missing(const Stops& stops) const {
 
 int TourSearch::lack(const FloorBits::Bits& missing) const { return needed_ - (floor_.count() - countOf(missing)); }
 
+/// The cheapest place for `node` on the way. `legs[i]`: the length from stop i to the next one [m].
+TourSearch::Insertion TourSearch::cheapest(const Stops& stops, const std::vector<double>& legs, int node) const {
+  Insertion best{node, stops.size(), graph_.distance(node, stops.back())};
+  double before = graph_.distance(node, stops.front());
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const double after = graph_.distance(node, stops[i + 1]);
+    const double detour = before + after - legs[i];
+    if (detour < best.detour) best = {node, i + 1, detour};
+    before = after;
+  }
+  return best;
+}
+
 TourSearch::Insertion TourSearch::bestInsertion(const Stops& stops, const FloorBits::Bits& missing, int lack) {
   const double power = 0.01 * random_.between(50, 100);
+  std::vector<double> legs;
+  for (std::size_t i = 1; i < stops.size(); ++i) legs.push_back(graph_.distance(stops[i - 1], stops[i]));
   Insertion best;
   double best_score = 0.0;
   for (int node = 0; node < graph_.size(); ++node) {
     const int shown = std::min(lack, common(views_[static_cast<std::size_t>(node)], missing));
     if (shown == 0) continue;
-    Insertion insertion{node, 1};
-    double least = detour(graph_, stops, node, 1);
-    for (std::size_t before = 2; before <= stops.size(); ++before) {
-      const double cost = detour(graph_, stops, node, before);
-      if (cost >= least) continue;
-      least = cost;
-      insertion.before = before;
-    }
+    const Insertion insertion = cheapest(stops, legs, node);
     const double noise = 1.0 + 0.004 * random_.between(0, 100);
-    const double score = noise * std::pow(shown, power) / (std::max(0.0, least) + kLeastDetour);
+    const double score = noise * std::pow(shown, power) / (std::max(0.0, insertion.detour) + kLeastDetour);
     if (score <= best_score) continue;
     best_score = score;
     best = insertion;

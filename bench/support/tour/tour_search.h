@@ -33,8 +33,10 @@ class TourSearch {
 
   struct Insertion {
     int node = -1;
-    std::size_t before = 0;
+    std::size_t before = 0;  ///< the number of the stop
+    double detour = 0.0;     ///< [m]
   };
+  Insertion cheapest(const Stops& stops, const std::vector<double>& legs, int node) const;
   Insertion bestInsertion(const Stops& stops, const FloorBits::Bits& missing, int lack);
   void repair(Stops& stops);
   Stops destroyed(const Stops& stops);
