@@ -71,7 +71,8 @@ class Orientation {
   bool transposed_ = false, mirrored_x_ = false, mirrored_y_ = false;
 };
 
-/// A pose in one of the corridors, in one of the four directions of the walls.
+/// A pose in one of the corridors, in one of the four directions of the walls. It is at a corner of a cell, so that the
+/// cells of a robot's own map coincide with those of the plan: otherwise it would show a part of the floor as wall.
 Pose2 drawStart(const OccupancyGrid& map, const std::vector<CellRect>& corridors, PlanRandom& random) {
   Grid<std::uint8_t> solid(map.geometry());
   for (std::size_t i = 0; i < map.size(); ++i) solid[i] = map[i] != kFree ? 1 : 0;
@@ -85,8 +86,8 @@ Pose2 drawStart(const OccupancyGrid& map, const std::vector<CellRect>& corridors
     }
   }
   if (places.empty()) throw std::logic_error("a floor plan without room for a start");
-  const Vec2 place = map.geometry().centre(random.oneOf(places));
-  return {place, random.oneOf({0.0, 1.5708, 3.1416, -1.5708})};
+  const Cell cell = random.oneOf(places);
+  return {Vec2(cell.x, cell.y) * map.resolution(), random.oneOf({0.0, 1.5708, 3.1416, -1.5708})};
 }
 
 }  // namespace

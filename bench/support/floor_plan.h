@@ -16,7 +16,7 @@ struct FloorPlan {
   int number = 0;
   BuildingKind kind = BuildingKind::kApartment;
   OccupancyGrid map;            ///< cells of 5 cm, surrounded by unknown ones
-  Pose2 start;                  ///< with at least 0.3 m of free floor around it
+  Pose2 start;                  ///< at a corner of a cell, with at least 0.3 m of free floor around it
   std::vector<CellRect> rooms;  ///< without corridors, in cells of the map
 };
 

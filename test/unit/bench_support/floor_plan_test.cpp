@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -69,6 +70,10 @@ TEST(FloorPlans, LeaveRoomAroundTheStart) {
     Grid<std::uint8_t> solid(plan.map.geometry());
     for (std::size_t i = 0; i < solid.size(); ++i) solid[i] = plan.map[i] != kFree ? 1 : 0;
     EXPECT_GE(grids::DistanceField(solid, 1.0).at(plan.start.position()), 0.3) << plan.number;
+    for (const double value : {plan.start.x, plan.start.y}) {
+      const double cells = value / plan.map.resolution();
+      EXPECT_NEAR(cells, std::round(cells), 1e-6) << plan.number << ": the start is not at a cell's corner";
+    }
   }
 }
 
