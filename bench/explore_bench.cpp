@@ -19,6 +19,7 @@
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
 #include "support/explore_report.h"
+#include "support/omniscient_tour.h"
 #include "support/shipped_robot.h"
 #include "support/svg.h"
 #include "tools/arguments.h"
@@ -41,6 +42,8 @@ constexpr const char* kUsage =
     "  --log              every transition of the explorer, end of a goal and contact\n"
     "  --twice            run each seed twice and compare the hashes\n"
     "  --svg DIRECTORY    draw each trajectory over the map it made\n"
+    "  --omniscient       beside each distance, that of a tour which knows the world; takes seconds to minutes a "
+    "world\n"
     "Exit status 0: every run ended DONE with no reachable frontier left (or at --until) and without contact.\n";
 
 struct Options {
@@ -53,7 +56,7 @@ struct Options {
   double until = 2.0;
   double limit = 7200.0;
   double latency = 0.0;
-  bool odom_noise = false, curve = false, log = false, twice = false;
+  bool odom_noise = false, curve = false, log = false, twice = false, omniscient = false;
   std::string svg;
 };
 
@@ -76,6 +79,7 @@ void takeWord(const std::string& word, tools::Arguments& arguments, Options& o) 
   if (word == "--curve") return void(o.curve = true);
   if (word == "--log") return void(o.log = true);
   if (word == "--twice") return void(o.twice = true);
+  if (word == "--omniscient") return void(o.omniscient = true);
   if (word == "--svg") return void(o.svg = arguments.text());
   if (tools::Arguments::isOption(word)) throw std::invalid_argument("unknown option " + word);
   o.worlds.push_back(word);
@@ -138,14 +142,26 @@ system::ClosedLoopParameters parametersFor(const Options& options, const std::st
   return parameters;
 }
 
+/// The radius of the disc that reaches the floor which counts [m].
+double floorRadius(const RobotModel& robot) { return robot.drivenOutline().halfWidth() + kRoomBeside; }
+
+/// The length of a tour that sees the floor of `world` and knows it beforehand [m].
+double omniscientLength(const Options& options, const std::string& world) {
+  const sim::Simulator simulator(sim::loadWorld(world), parametersFor(options, world, 1).simulator);
+  const RobotModel robot = robotOf(options);
+  TourTask task;
+  task.radius = floorRadius(robot);
+  task.range = robot.scanner.range_max;
+  return omniscientTour(simulator.map(), simulator.startPose(0).position(), task).length;
+}
+
 /// One exploration from start to end.
 class Run {
  public:
   Run(const Options& options, const std::string& world, int seed)
       : options_(options),
         loop_(sim::loadWorld(world), parametersFor(options, world, seed), threadSeconds),
-        meter_(loop_.simulator().map(), loop_.simulator().startPose(0),
-               robotOf(options).drivenOutline().halfWidth() + kRoomBeside),
+        meter_(loop_.simulator().map(), loop_.simulator().startPose(0), floorRadius(robotOf(options))),
         svg_(options.svg.empty() ? "" : svgPath(options.svg, world, seed)) {
     report_.world = std::filesystem::path(world).stem().string();
     report_.seed = seed;
@@ -251,10 +267,13 @@ class Run {
 
 int runAll(const Options& options) {
   bool good = true;
-  std::printf("%s\n", ExploreReport::header().c_str());
+  std::printf("%s\n", ExploreReport::header(options.omniscient).c_str());
   for (const std::string& world : options.worlds) {
+    std::optional<double> tour;
+    if (options.omniscient) tour = omniscientLength(options, world);
     for (const int seed : options.seeds) {
-      const ExploreReport report = Run(options, world, seed).toTheEnd();
+      ExploreReport report = Run(options, world, seed).toTheEnd();
+      report.tour = tour;
       std::printf("%s\n", report.text().c_str());
       std::fflush(stdout);
       good = good && report.ended_well && report.contacts == 0;

@@ -28,10 +28,12 @@ void ExploreReport::reach(double share, double t) {
   while (reached_.size() < levels().size() && share >= levels()[reached_.size()]) reached_.push_back(t);
 }
 
-std::string ExploreReport::header() {
-  return "world         seed explored  wrong    T50    T80    T90    T95    T97    T99    end [s]   dist contacts "
-         "goals "
-         "  x real | cpu per simulated s [ms]: sim  map  nav  expl  arb | hash             end";
+std::string ExploreReport::header(bool with_tour) {
+  const std::string columns =
+      "world         seed explored  wrong    T50    T80    T90    T95    T97    T99    end [s]   dist contacts "
+      "goals "
+      "  x real | cpu per simulated s [ms]: sim  map  nav  expl  arb | hash             end";
+  return columns + (with_tour ? "                            tour dist/tour" : "");
 }
 
 std::string ExploreReport::text() const {
@@ -43,7 +45,8 @@ std::string ExploreReport::text() const {
   out += format("  %8.1f %6.1f %8d %5d %8.1f |", simulated, distance, contacts, decisions, simulated / cpu);
   out += format("                   %8.2f %4.2f %4.2f %5.2f %4.2f |", ms * times.simulator, ms * times.mapper,
                 ms * times.navigator, ms * times.explorer, ms * times.arbiter);
-  return out + format(" %016llx %s", static_cast<unsigned long long>(hash), end.c_str());
+  out += format(" %016llx ", static_cast<unsigned long long>(hash));
+  return out + (tour ? format("%-27s %7.1f %9.2f", end.c_str(), *tour, distance / *tour) : end);
 }
 
 }  // namespace frontier_pilot::bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,13 @@ struct ExploreReport {
   double cpu = 0.0;  ///< of the whole loop [s]
   system::ModuleTimes times;
   std::uint64_t hash = 0;
+  std::optional<double> tour;  ///< length of a tour that knows the world [m]; without one its columns are left out
 
   /// Notes that `share` was explored at `t` [s].
   void reach(double share, double t);
   /// A line of the table, and the table's first line.
   std::string text() const;
-  static std::string header();
+  static std::string header(bool with_tour);
 
  private:
   static const std::vector<double>& levels();
