@@ -14,6 +14,10 @@ from frontier_pilot.msg import ExplorerStatus
 from frontier_pilot.srv import SaveMap
 
 
+# The ends that the stopping rules of the explorer have asked for.
+ASKED_FOR = (ExplorerStatus.UNTIL_AREA, ExplorerStatus.UNTIL_TIME, ExplorerStatus.UNTIL_DISTANCE)
+
+
 class Watcher:
     """Keeps the explorer's latest status and prints it as progress lines."""
 
@@ -102,7 +106,7 @@ def main():
     print('Exploration %s: %s' % ('complete' if complete else 'ended', status.reason_text))
     print('Explored %.1f m2 in %.0f s of the robot\'s time (%.0f s here), driving %.1f m to %d goals.' % (
         status.explored_area, watcher.elapsed(), time.monotonic() - began, status.distance_travelled, status.goals_sent))
-    return 0 if save_map(arguments.map) and complete else 1
+    return 0 if save_map(arguments.map) and (complete or status.reason in ASKED_FOR) else 1
 
 
 if __name__ == '__main__':

@@ -24,18 +24,6 @@ double signedArea(const std::vector<Vec2>& corners) {
   return area;
 }
 
-/// Whether the horizontal ray from `point` to the right crosses the polygon's sides an odd number of times.
-bool inside(const std::vector<Vec2>& corners, const Vec2& point) {
-  bool in = false;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec2& a = corners[i];
-    const Vec2& b = next(corners, i);
-    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-    if (point.x() < a.x() + (point.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) in = !in;
-  }
-  return in;
-}
-
 /// Whether the segments a-b and c-d cross or touch.
 bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const auto side = [](const Vec2& from, const Vec2& to, const Vec2& point) { return cross(to - from, point - from); };
@@ -90,6 +78,34 @@ std::vector<Vec2> mitred(const std::vector<Vec2>& corners, double margin) {
 
 }  // namespace
 
+std::vector<Vec2> cornersOf(const std::vector<double>& numbers) {
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) corners.emplace_back(numbers[i], numbers[i + 1]);
+  return corners;
+}
+
+const char* polygonProblem(const std::vector<Vec2>& corners) {
+  if (corners.size() < 3) return "must have at least three corners";
+  if (corners.size() > kMostCorners) return "must have at most 1000 corners";
+  if (crossesItself(corners)) return "crosses or touches itself";
+  if (std::abs(signedArea(corners)) < kLeastArea) return "has no area";
+  return "";
+}
+
+double polygonArea(const std::vector<Vec2>& corners) { return std::abs(signedArea(corners)); }
+
+/// Whether the horizontal ray from `point` to the right crosses the polygon's sides an odd number of times.
+bool polygonContains(const std::vector<Vec2>& corners, const Vec2& point) {
+  bool in = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2& a = corners[i];
+    const Vec2& b = next(corners, i);
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    if (point.x() < a.x() + (point.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) in = !in;
+  }
+  return in;
+}
+
 Outline::Outline(std::vector<Vec2> corners, bool is_disc, double radius)
     : corners_(std::move(corners)), is_disc_(is_disc), inscribed_(radius), circumscribed_(radius) {
   if (is_disc_) {
@@ -113,12 +129,9 @@ Outline Outline::disc(double radius) {
 }
 
 const char* Outline::problem(const std::vector<Vec2>& corners) {
-  if (corners.size() < 3) return "must have at least three corners";
-  if (corners.size() > kMostCorners) return "must have at most 1000 corners";
-  if (crossesItself(corners)) return "crosses or touches itself";
-  if (std::abs(signedArea(corners)) < kLeastArea) return "has no area";
-  if (!inside(corners, Vec2::Zero())) return "the base's origin must lie inside";
-  return "";
+  const char* wrong = polygonProblem(corners);
+  if (*wrong != '\0') return wrong;
+  return polygonContains(corners, Vec2::Zero()) ? "" : "the base's origin must lie inside";
 }
 
 Outline Outline::polygon(std::vector<Vec2> corners) {
@@ -136,7 +149,7 @@ Outline Outline::padded(double margin) const {
 double Outline::distance(const Vec2& point) const {
   if (is_disc_) return point.norm() - inscribed_;
   const double to_sides = distanceToSides(corners_, point);
-  return inside(corners_, point) ? -to_sides : to_sides;
+  return polygonContains(corners_, point) ? -to_sides : to_sides;
 }
 
 double Outline::distanceToEdge(const Vec2& from, const Vec2& unit) const {
@@ -145,7 +158,7 @@ double Outline::distanceToEdge(const Vec2& from, const Vec2& unit) const {
     const double room = inscribed_ * inscribed_ - from.squaredNorm();
     return room > 0.0 ? std::sqrt(along * along + room) - along : 0.0;
   }
-  if (!inside(corners_, from)) return 0.0;
+  if (!polygonContains(corners_, from)) return 0.0;
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const Vec2 to = corners_[i] - from;
@@ -177,7 +190,7 @@ void Outline::cellsAt(const Pose2& T_grid_base, const GridGeometry& geometry, st
   }
   for (int y = box.y; y < box.y + box.height; ++y) {
     for (int x = box.x; x < box.x + box.width; ++x) {
-      if (inside(placed, geometry.centre({x, y}))) cells.push_back({x, y});
+      if (polygonContains(placed, geometry.centre({x, y}))) cells.push_back({x, y});
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
 
 namespace frontier_pilot {
 namespace {
@@ -29,10 +30,33 @@ std::string complaint(double value, const Bounds& bounds) {
   return {};
 }
 
-std::string joined(const std::vector<double>& values) {
+template <class T>
+std::string joined(const std::vector<T>& values) {
   std::string out = "[";
-  for (std::size_t i = 0; i < values.size(); ++i) out += (i > 0 ? ", " : "") + text(values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if constexpr (std::is_same_v<T, double>) {
+      out += (i > 0 ? ", " : "") + text(values[i]);
+    } else {
+      out += (i > 0 ? ", " : "") + joined(values[i]);
+    }
+  }
   return out + "]";
+}
+
+/// Reads a list of numbers into `read`. Returns what is wrong with it; empty if nothing is.
+std::string readNumbers(const ParameterValue& value, const Bounds& bounds, std::vector<double>& read) {
+  const auto* items = std::get_if<ParameterList>(&value.value);
+  if (items == nullptr) return "must be a list of numbers";
+  read.clear();
+  for (const ParameterValue& item : *items) {
+    double storage = 0.0;
+    const double* one = number(item, storage);
+    if (one == nullptr) return "must be a list of numbers";
+    const std::string bad = complaint(*one, bounds);
+    if (!bad.empty()) return bad;
+    read.push_back(*one);
+  }
+  return {};
 }
 
 }  // namespace
@@ -150,16 +174,22 @@ void Loader::field(const char* name, std::string& field, const char* unit, const
 void Loader::field(const char* name, std::vector<double>& field, const char*, const char*, const Bounds& bounds) {
   const ParameterValue* value = find(name);
   if (value == nullptr) return;
-  const auto* items = std::get_if<ParameterList>(&value->value);
-  if (items == nullptr) return problem(name, "must be a list of numbers");
   std::vector<double> read;
+  const std::string bad = readNumbers(*value, bounds, read);
+  if (!bad.empty()) return problem(name, bad);
+  field = read;
+}
+
+void Loader::field(const char* name, std::vector<std::vector<double>>& field, const char*, const char*,
+                   const Bounds& bounds) {
+  const ParameterValue* value = find(name);
+  if (value == nullptr) return;
+  const auto* items = std::get_if<ParameterList>(&value->value);
+  if (items == nullptr) return problem(name, "must be a list of lists of numbers");
+  std::vector<std::vector<double>> read;
   for (const ParameterValue& item : *items) {
-    double storage = 0.0;
-    const double* one = number(item, storage);
-    if (one == nullptr) return problem(name, "must be a list of numbers");
-    const std::string bad = complaint(*one, bounds);
-    if (!bad.empty()) return problem(name, bad);
-    read.push_back(*one);
+    const std::string bad = readNumbers(item, bounds, read.emplace_back());
+    if (!bad.empty()) return problem(name + ("[" + std::to_string(read.size() - 1) + "]"), bad);
   }
   field = read;
 }
@@ -188,6 +218,11 @@ void Describer::field(const char* name, std::string& field, const char* unit, co
 void Describer::field(const char* name, std::vector<double>& field, const char* unit, const char* doc,
                       const Bounds& bounds) {
   rows.push_back({prefix_ + name, "list of double", unit, joined(field), bounds.text(), doc});
+}
+
+void Describer::field(const char* name, std::vector<std::vector<double>>& field, const char* unit, const char* doc,
+                      const Bounds& bounds) {
+  rows.push_back({prefix_ + name, "list of lists of double", unit, joined(field), bounds.text(), doc});
 }
 
 }  // namespace detail

@@ -8,12 +8,6 @@ namespace {
 
 double approach(double target, double from, double step) { return std::clamp(target, from - step, from + step); }
 
-std::vector<Vec2> cornersOf(const std::vector<double>& numbers) {
-  std::vector<Vec2> corners;
-  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) corners.emplace_back(numbers[i], numbers[i + 1]);
-  return corners;
-}
-
 }  // namespace
 
 Twist2 clamp(const Twist2& twist, const RobotLimits& limits) {

@@ -38,6 +38,8 @@ Explorer::Explorer(Explorer&&) noexcept = default;
 Explorer& Explorer::operator=(Explorer&&) noexcept = default;
 
 void Explorer::setMap(const OccupancyGrid& map, const CellRect& changed) { impl_->setMap(map, changed); }
+void Explorer::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map) { impl_->setBounds(bounds, map); }
+const ExplorationBounds& Explorer::bounds() const { return impl_->evaluator().map().bounds(); }
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
 ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) { return impl_->update(inputs, now); }
 
@@ -54,7 +56,10 @@ Explorer::Impl::Impl(const ExplorerParameters& parameters)
     : parameters_(parameters),
       evaluator_(parameters.frontier, parameters.robot.drivenOutline()),
       history_(parameters.blacklist, parameters.max_goal_retries),
-      strategy_(makeStrategy(parameters)) {}
+      strategy_(makeStrategy(parameters)),
+      rules_(parameters.until) {
+  evaluator_.setBounds(parameters.bounds.polygons());
+}
 
 void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
   const bool new_geometry = map.geometry() != evaluator_.map().geometry();
@@ -65,14 +70,17 @@ void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {
 ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   out_ = {};
   if (clockJumped(now)) forgetTime(now);
+  const double before = status_.distance_travelled;
   trackMotion(inputs);
+  countExploring(status_.distance_travelled - before, now);
   if (inputs.reset) reset(now);
+  if (inputs.start) startAgain(now);
   if (ready(inputs, now)) {
     if (status_.state == ExplorerState::kIdle) {
       enter(ExplorerState::kSelectGoal, ExplorerReason::kInputsComplete, "", now);
     }
     for (const GoalEvent& event : inputs.goal_events) handleEvent(event, now);
-    step(now);
+    if (withinLimits(now)) step(now);
   }
   countFrontiers();
   last_update_ = now;
@@ -104,6 +112,8 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
 void Explorer::Impl::reset(Time now) {
   history_.reset();
   strategy_->reset();
+  rules_.startOver(evaluator_.map().freeArea());
+  ended_by_rule_ = false;
   step_backs_ = 0;
   nothing_left_since_.reset();
   done_reason_.reset();
@@ -122,7 +132,7 @@ bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
   const std::vector<ExplorerReason> missing = missingInputs(inputs, now);
   if (missing.empty()) {
     last_report_.reset();
-    return true;
+    return !yield(inputs, now);
   }
   if (status_.state != ExplorerState::kDone) stopFor(missing, now);
   return false;
@@ -230,6 +240,8 @@ void Explorer::Impl::countFrontiers() {
   status_.frontiers_selectable = static_cast<std::uint32_t>(countRejected(Rejection::kNone));
   status_.frontiers_blacklisted = static_cast<std::uint32_t>(countRejected(Rejection::kBlacklisted));
   status_.explored_area = evaluator_.map().freeArea();
+  status_.exploring_time = rules_.time();
+  status_.exploring_distance = rules_.distance();
 }
 
 std::size_t Explorer::Impl::countRejected(Rejection rejection) const {

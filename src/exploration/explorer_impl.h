@@ -12,17 +12,20 @@
 #include "exploration/frontier_evaluator.h"
 #include "exploration/goal_history.h"
 #include "exploration/goal_strategy.h"
+#include "exploration/limits/stopping_rules.h"
 #include "frontier_pilot/exploration/explorer.h"
 
 namespace frontier_pilot::exploration {
 
 /// The explorer's state machine: inputs, events and transitions in explorer.cpp, the actions in each state in
-/// explorer_steps.cpp, and the fall-backs for when no frontier can be selected in fall_backs.cpp.
+/// explorer_steps.cpp, the fall-backs for when no frontier can be selected in fall_backs.cpp, and what bounds and ends
+/// an exploration in limits/explorer_limits.cpp.
 class Explorer::Impl {
  public:
   explicit Impl(const ExplorerParameters& parameters);
 
   void setMap(const OccupancyGrid& map, const CellRect& changed);
+  void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
   FrontierEvaluator& evaluator() { return evaluator_; }
@@ -86,6 +89,14 @@ class Explorer::Impl {
   bool stepBack(Time now);
   bool retryBlacklisted(Time now);
 
+  void countExploring(double driven, Time now);
+  void startAgain(Time now);
+  bool yield(const ExplorerInputs& inputs, Time now);
+  bool withinLimits(Time now);
+  bool keepWithinBounds(Time now);
+  void endBy(ExplorerReason rule, Time now);
+  bool mayReturn() const;
+
   void finish(Time now);
   ExplorerReason whyNothingIsLeft() const;
   void returnToStart(Time now);
@@ -100,6 +111,7 @@ class Explorer::Impl {
   FrontierEvaluator evaluator_;
   GoalHistory history_;
   std::unique_ptr<GoalStrategy> strategy_;
+  StoppingRules rules_;
 
   ExplorerOutput out_;
   ExplorerProgress status_;
@@ -117,6 +129,8 @@ class Explorer::Impl {
   std::uint32_t next_goal_id_ = 1;
   std::uint64_t judged_changes_ = 0;  ///< changes() of the map at the last decision
   bool was_running_ = false;
+  bool ended_by_rule_ = false;   ///< until started again
+  bool bounds_changed_ = false;  ///< since the last tick
   int step_backs_ = 0;
   const FallBack* judged_by_ = nullptr;        ///< fall-back of the last decision; null if none was needed
   std::optional<ExplorerReason> done_reason_;  ///< kept while the robot returns to the start

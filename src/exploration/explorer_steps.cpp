@@ -78,6 +78,7 @@ ExplorerReason Explorer::Impl::whyNothingIsLeft() const {
 }
 
 void Explorer::Impl::returnToStart(Time now) {
+  if (!mayReturn()) return enter(ExplorerState::kDone, *done_reason_, "", now);
   Goal goal;
   goal.position = start_->position();
   goal.returning = true;

@@ -1,7 +1,50 @@
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
 
+#include <array>
+#include <cstddef>
+
 namespace frontier_pilot::exploration {
+namespace {
+
+/// By the number of the reason.
+constexpr std::array kReasonTexts = {
+    "none",
+    "waiting for inputs",
+    "paused",
+    "navigation gone",
+    "map gone",
+    "pose gone",
+    "odometry gone",
+    "all inputs are there",
+    "goal sent",
+    "goal reached",
+    "goal failed",
+    "goal timed out",
+    "goal preempted by another client",
+    "nothing left to see at the goal",
+    "a better goal",
+    "no rich frontier left",
+    "all that is left is blacklisted, trying once more",
+    "no reachable frontier left",
+    "all that is left is blacklisted",
+    "the map changed",
+    "returning to the start",
+    "no known free ground around the robot",
+    "reset",
+    "the clock jumped",
+    "too many frontiers: the map is noise, or larger than can be explored",
+    "the area asked for is explored",
+    "the time asked for has passed",
+    "the distance asked for is driven",
+    "the robot stands outside of the bounds",
+    "the bounds have changed",
+    "waiting for your goal",
+    "started again",
+};
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kStartedAgain) + 1);
+
+}  // namespace
 
 const char* toString(Rejection rejection) {
   switch (rejection) {
@@ -48,59 +91,8 @@ const char* toString(ExplorerState state) {
 const char* toString(ExplorerPhase phase) { return phase == ExplorerPhase::kRich ? "RICH" : "COVERAGE"; }
 
 const char* toString(ExplorerReason reason) {
-  switch (reason) {
-    case ExplorerReason::kNone:
-      return "none";
-    case ExplorerReason::kWaitingForInputs:
-      return "waiting for inputs";
-    case ExplorerReason::kPaused:
-      return "paused";
-    case ExplorerReason::kNavigationGone:
-      return "navigation gone";
-    case ExplorerReason::kMapGone:
-      return "map gone";
-    case ExplorerReason::kPoseGone:
-      return "pose gone";
-    case ExplorerReason::kOdometryGone:
-      return "odometry gone";
-    case ExplorerReason::kInputsComplete:
-      return "all inputs are there";
-    case ExplorerReason::kGoalSent:
-      return "goal sent";
-    case ExplorerReason::kGoalReached:
-      return "goal reached";
-    case ExplorerReason::kGoalFailed:
-      return "goal failed";
-    case ExplorerReason::kGoalTimedOut:
-      return "goal timed out";
-    case ExplorerReason::kGoalPreempted:
-      return "goal preempted by another client";
-    case ExplorerReason::kInformationGone:
-      return "nothing left to see at the goal";
-    case ExplorerReason::kBetterGoal:
-      return "a better goal";
-    case ExplorerReason::kRichFrontiersExhausted:
-      return "no rich frontier left";
-    case ExplorerReason::kBlacklistSaturated:
-      return "all that is left is blacklisted, trying once more";
-    case ExplorerReason::kNoReachableFrontier:
-      return "no reachable frontier left";
-    case ExplorerReason::kAllBlacklisted:
-      return "all that is left is blacklisted";
-    case ExplorerReason::kMapChanged:
-      return "the map changed";
-    case ExplorerReason::kReturningToStart:
-      return "returning to the start";
-    case ExplorerReason::kRobotOffKnownGround:
-      return "no known free ground around the robot";
-    case ExplorerReason::kReset:
-      return "reset";
-    case ExplorerReason::kClockJumpedBack:
-      return "the clock jumped";
-    case ExplorerReason::kTooManyFrontiers:
-      return "too many frontiers: the map is noise, or larger than can be explored";
-  }
-  return "?";
+  const auto number = static_cast<std::size_t>(reason);
+  return number < kReasonTexts.size() ? kReasonTexts[number] : "?";
 }
 
 }  // namespace frontier_pilot::exploration

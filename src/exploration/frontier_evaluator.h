@@ -26,6 +26,8 @@ class FrontierEvaluator {
 
   /// Takes over a map that may differ from the last one within `changed`. Returns whether any cell changed class.
   bool setMap(const OccupancyGrid& map, const CellRect& changed);
+  /// Takes effect with the next map, of which all cells may differ.
+  void setBounds(const ExplorationBounds& bounds) { map_.setBounds(bounds); }
   void setPlan(PlanFn plan) { plan_ = std::move(plan); }
 
   /// What the judgement depends on besides the map.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exploration/goal_score.h"
-#include "exploration/tour_strategy.h"
+#include "exploration/tour/tour_strategy.h"
 
 namespace frontier_pilot::exploration {
 namespace {

@@ -21,16 +21,22 @@ CellRect ObservedMap::update(const OccupancyGrid& map, const CellRect& changed) 
   return differing;
 }
 
+void ObservedMap::setBounds(const ExplorationBounds& bounds) {
+  allowed_.setBounds(bounds);
+  allowed_.cover(map_.geometry());
+}
+
 void ObservedMap::restart(const GridGeometry& geometry) {
   map_ = OccupancyGrid(geometry, kUnknown);
   const auto tiles = [](int cells) { return static_cast<std::size_t>(cells / kTile) + 1; };
   tiles_per_row_ = tiles(geometry.width);
   tiles_.assign(tiles_per_row_ * tiles(geometry.height), 0);
   free_cells_ = 0;
+  allowed_.cover(geometry);
 }
 
 void ObservedMap::updateRow(const OccupancyGrid& map, int y, int begin, int end, CellRect& differing) {
-  const std::int8_t* theirs = map.row(y);
+  const std::int8_t* theirs = allowed_.shown(map.row(y), y, begin, end);
   std::int8_t* ours = map_.row(y);
   for (int x = begin; x < end;) {
     const int n = std::min(64, end - x);

@@ -3,22 +3,28 @@
 #include <cstdint>
 #include <vector>
 
+#include "exploration/limits/allowed_cells.h"
 #include "frontier_pilot/core/grid.h"
 
 namespace frontier_pilot::exploration {
 
-/// The explorer's own copy of the map. Counts the cells that change class (unknown, free, occupied) by place, and the
-/// known free area. The cost of an update depends on the size of the changed block only.
+/// The explorer's own copy of the map, on which cells outside of the bounds are occupied: no goal, frontier or path
+/// lies there. Counts the cells that change class (unknown, free, occupied) by place, and the known free area. The cost
+/// of an update depends on the size of the changed block only.
 class ObservedMap {
  public:
   /// Takes over the differences within `changed`, or the whole map if the geometry is new. Returns the block that holds
   /// every cell whose class changed; empty if none did. The counts by place restart with a new geometry.
   CellRect update(const OccupancyGrid& map, const CellRect& changed);
 
+  /// Takes effect with an update of the whole map, which is to follow.
+  void setBounds(const ExplorationBounds& bounds);
+  const ExplorationBounds& bounds() const { return allowed_.bounds(); }
+
   const OccupancyGrid& grid() const { return map_; }
   const GridGeometry& geometry() const { return map_.geometry(); }
   bool empty() const { return map_.empty(); }
-  /// Known free floor [m^2].
+  /// Known free floor within the bounds [m^2].
   double freeArea() const;
   /// Number of changes of class so far within a square of half side `radius` [m] around `point`, in whole tiles. Only
   /// the difference between two calls is meaningful.
@@ -37,6 +43,7 @@ class ObservedMap {
   }
 
   OccupancyGrid map_;
+  AllowedCells allowed_;
   std::vector<std::uint32_t> tiles_;  ///< changes of class per tile
   std::size_t tiles_per_row_ = 0;
   std::uint64_t free_cells_ = 0;

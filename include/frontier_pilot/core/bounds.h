@@ -49,6 +49,9 @@ constexpr std::size_t kMostFrontierCells = 2'000'000;
 constexpr std::size_t kMostFrontiers = 100'000;
 /// Reachable frontiers for which the explorer looks for a goal at each decision; each costs a quarter of a millisecond.
 constexpr std::size_t kMostJudgedFrontiers = 4000;
+/// Corners of all polygons together that bound an exploration. Each is looked at once for each row of a map, and all of
+/// them stand in the explorer's status.
+constexpr std::size_t kMostBoundsCorners = 2000;
 
 /// Poses of a path.
 constexpr std::size_t kMostPathPoses = 100'000;

@@ -7,6 +7,16 @@
 
 namespace frontier_pilot {
 
+/// The corners in a flat list x1, y1, x2, y2, ...; a number left over at its end is ignored.
+std::vector<Vec2> cornersOf(const std::vector<double>& numbers);
+/// Why these corners make no simple polygon: at least three and at most 1000 of them, sides that do not cross, an area.
+/// Empty if they do.
+const char* polygonProblem(const std::vector<Vec2>& corners);
+/// Area of a simple polygon [m^2], its corners in either sense of rotation.
+double polygonArea(const std::vector<Vec2>& corners);
+/// Whether `point` lies inside a simple polygon.
+bool polygonContains(const std::vector<Vec2>& corners, const Vec2& point);
+
 /// The outline (footprint) of a robot in its base frame: a disc around the frame's origin, or a simple polygon that
 /// contains it. The origin lies between the wheels; the robot turns in place about it. Lengths in [m].
 class Outline {

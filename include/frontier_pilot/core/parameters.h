@@ -68,6 +68,8 @@ class Loader {
   void field(const char* name, std::string& field, const char* unit, const char* doc);
   void field(const char* name, std::string& field, const char* unit, const char* doc, FrameName rule);
   void field(const char* name, std::vector<double>& field, const char* unit, const char* doc, const Bounds& bounds);
+  void field(const char* name, std::vector<std::vector<double>>& field, const char* unit, const char* doc,
+             const Bounds& bounds);
   template <class P>
   void group(const char* name, P& group, const char* doc);
   template <class P>
@@ -109,6 +111,8 @@ class Describer {
   void field(const char* name, std::string& field, const char* unit, const char* doc);
   void field(const char* name, std::string& field, const char* unit, const char* doc, FrameName rule);
   void field(const char* name, std::vector<double>& field, const char* unit, const char* doc, const Bounds& bounds);
+  void field(const char* name, std::vector<std::vector<double>>& field, const char* unit, const char* doc,
+             const Bounds& bounds);
   template <class P>
   void group(const char* name, P& group, const char* doc);
   template <class P>

@@ -12,7 +12,7 @@
 namespace frontier_pilot::exploration {
 
 /// Frontier exploration as a state machine: chooses goals until no reachable frontier is left; the caller passes them
-/// to its navigation. Deterministic. [EXP-1] to [EXP-8]
+/// to its navigation. Deterministic. [EXP-1] to [EXP-8], [EXP-10], [EXP-11]
 /// Yamauchi, "A Frontier-Based Approach for Autonomous Exploration", CIRA 1997.
 class Explorer {
  public:
@@ -25,6 +25,10 @@ class Explorer {
 
   /// To be called whenever the map changes; `changed` covers every cell that may differ from the previous map.
   void setMap(const OccupancyGrid& map, const CellRect& changed);
+  /// Replaces the bounds, which at first are those of the parameters. They have to be free of problems. `map` is the
+  /// present map; it may be empty if there is none yet. [EXP-10]
+  void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
+  const ExplorationBounds& bounds() const;
   /// `plan` gives the distance of each goal that the explorer's wavefront has found reachable; without a path the goal
   /// is unreachable.
   void setPlan(PlanFn plan);

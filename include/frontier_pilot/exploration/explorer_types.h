@@ -43,6 +43,13 @@ enum class ExplorerReason : std::uint8_t {
   kReset,
   kClockJumpedBack,
   kTooManyFrontiers,
+  kUntilArea,
+  kUntilTime,
+  kUntilDistance,
+  kRobotOutOfBounds,
+  kBoundsChanged,
+  kOthersGoal,
+  kStartedAgain,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -72,8 +79,10 @@ struct GoalEvent {
 struct ExplorerInputs {
   bool enabled = true;               ///< false pauses
   bool reset = false;                ///< forget blacklist, fruitless places, failures and visits; return to RICH
+  bool start = false;                ///< go on after a stopping rule has ended the exploration
   bool map_available = true;         ///< the map has a publisher
   bool navigation_available = true;  ///< the move_base server is there
+  bool others_goal = false;          ///< the move_base server pursues a goal of another client
   std::optional<StampedPose2> T_map_base;
   std::optional<Time> odometry_stamp;  ///< of the latest odometry
   std::vector<GoalEvent> goal_events;  ///< since the last tick
@@ -98,8 +107,10 @@ struct ExplorerProgress {
   std::uint32_t goals_sent = 0;
   std::uint32_t goals_reached = 0;
   std::uint32_t goals_failed = 0;
-  double explored_area = 0.0;       ///< known free cells of the map [m^2]
+  double explored_area = 0.0;       ///< known free cells of the map within the bounds [m^2]
   double distance_travelled = 0.0;  ///< [m]
+  double exploring_time = 0.0;      ///< what until/time limits: without pauses and waiting [s]
+  double exploring_distance = 0.0;  ///< what until/distance limits: driven in that time [m]
 };
 
 /// A line for the log.

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 
@@ -114,6 +117,53 @@ struct BlacklistParameters {
   }
 };
 
+/// Where an exploration takes place: simple polygons in the map's frame [m]. [EXP-10]
+struct ExplorationBounds {
+  std::vector<Vec2> stay_within;            ///< empty: everywhere
+  std::vector<std::vector<Vec2>> keep_out;  ///< areas to stay out of
+
+  bool empty() const { return stay_within.empty() && keep_out.empty(); }
+  bool contain(const Vec2& point) const;
+  /// What is wrong with them, naming the polygon; empty if nothing is.
+  std::string problem() const;
+  /// For a log or an answer: the number of corners and the areas.
+  std::string describe() const;
+};
+
+/// The bounds as lists of numbers. [EXP-10]
+struct BoundsParameters {
+  std::vector<double> stay_within;
+  std::vector<std::vector<double>> keep_out;
+
+  ExplorationBounds polygons() const;
+
+  template <class V>
+  void describe(V& v) {
+    const Bounds coordinate = between(-bounds::kMostCoordinate, bounds::kMostCoordinate);
+    v.field("stay_within", stay_within, "m",
+            "corners x1, y1, x2, y2, ... of the area to explore, in map_frame; empty: everywhere", coordinate);
+    v.field("keep_out", keep_out, "m", "areas to stay out of, a list of corners like stay_within for each", coordinate);
+  }
+  void check(Problems& problems) const;
+};
+
+/// When an exploration ends although frontiers are left; 0: no such rule. [EXP-10]
+struct UntilParameters {
+  double area = 0.0;
+  double time = 0.0;
+  double distance = 0.0;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("area", area, "m^2", "end the exploration when this much floor is known to be free; 0: no such end",
+            atLeast(0.0));
+    v.field("time", time, "s",
+            "end the exploration after this long, without pauses and waiting for inputs; 0: no such end",
+            timeSpanOrNone());
+    v.field("distance", distance, "m", "end the exploration after this much driving; 0: no such end", atLeast(0.0));
+  }
+};
+
 /// Parameters of the explorer.
 struct ExplorerParameters {
   RobotModel robot;
@@ -133,6 +183,8 @@ struct ExplorerParameters {
   FrontierParameters frontier;
   BlacklistParameters blacklist;
   TourParameters tour;
+  BoundsParameters bounds;
+  UntilParameters until;
 
   template <class V>
   void describe(V& v) {
@@ -163,6 +215,8 @@ struct ExplorerParameters {
     v.field("return_to_start", return_to_start, "", "drive back to the start before DONE");
     v.group("frontier", frontier, "frontiers and their goals");
     v.group("blacklist", blacklist, "places that are not to be tried");
+    v.group("bounds", bounds, "where to explore");
+    v.group("until", until, "when to end");
   }
 };
 

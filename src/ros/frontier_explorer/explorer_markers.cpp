@@ -63,6 +63,18 @@ class MarkerWriter {
       array_.markers[points_[ns]].points.push_back(point);
     }
   }
+  /// A closed line along the sides of a polygon.
+  void polygon(const std::string& ns, const std::vector<Vec2>& corners, const Colour& colour) {
+    Marker& marker = add(ns, Marker::LINE_STRIP, Vec2::Zero(), colour);
+    marker.scale.x = 0.05;
+    for (std::size_t i = 0; i <= corners.size(); ++i) {
+      geometry_msgs::Point point;
+      point.x = corners[i % corners.size()].x();
+      point.y = corners[i % corners.size()].y();
+      point.z = 0.02;
+      marker.points.push_back(point);
+    }
+  }
   visualization_msgs::MarkerArray take() { return std::move(array_); }
 
  private:
@@ -105,6 +117,7 @@ void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, 
 
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
                                                     const std::vector<exploration::BlacklistedPlace>& blacklist,
+                                                    const exploration::ExplorationBounds& bounds,
                                                     const GridGeometry& geometry, const std::string& frame,
                                                     Time stamp) {
   MarkerWriter writer(frame, stamp);
@@ -119,6 +132,8 @@ visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploratio
     writer.sphere("blacklist", entry.position, 0.4, kRed);
     writer.text("blacklist reasons", entry.position, entry.reason, kRed);
   }
+  if (!bounds.stay_within.empty()) writer.polygon("bounds", bounds.stay_within, kGreen);
+  for (const std::vector<Vec2>& area : bounds.keep_out) writer.polygon("keep out", area, kRed);
   return writer.take();
 }
 

@@ -8,15 +8,18 @@
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
+#include "frontier_pilot/exploration/parameters.h"
 
 namespace frontier_pilot {
 
 /// The markers of an exploration for rviz, each kind in a namespace of its own: the `cells` and `centroids` of
 /// selectable frontiers (spheres that grow with the expected information), their `scores`, blacklisted places in red,
 /// and the rejected frontiers in grey, with the reason in the namespace (`rejected: too near`) and as text. Frontiers
-/// that are too small or left out, of which there can be thousands, have no text.
+/// that are too small or left out, of which there can be thousands, have no text. `bounds` and `keep out` are the sides
+/// of the polygons.
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
                                                     const std::vector<exploration::BlacklistedPlace>& blacklist,
+                                                    const exploration::ExplorationBounds& bounds,
                                                     const GridGeometry& geometry, const std::string& frame, Time stamp);
 
 }  // namespace frontier_pilot

@@ -1,5 +1,10 @@
 #include "ros/frontier_explorer/explorer_status.h"
+
+#include <algorithm>
+
 #include "ros/common/clock.h"
+#include "ros/common/throttled_log.h"
+#include "ros/frontier_explorer/explorer_bounds.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
 namespace frontier_pilot {
@@ -15,7 +20,11 @@ static_assert(static_cast<int>(exploration::ExplorerReason::kAllBlacklisted) == 
 static_assert(static_cast<int>(exploration::ExplorerReason::kClockJumpedBack) == ExplorerStatus::CLOCK_JUMPED_BACK);
 static_assert(static_cast<int>(exploration::ExplorerReason::kTooManyFrontiers) == ExplorerStatus::TOO_MANY_FRONTIERS);
 
-ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const std::string& frame, Time stamp) {
+static_assert(static_cast<int>(exploration::ExplorerReason::kUntilDistance) == ExplorerStatus::UNTIL_DISTANCE);
+static_assert(static_cast<int>(exploration::ExplorerReason::kStartedAgain) == ExplorerStatus::STARTED_AGAIN);
+
+ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const exploration::ExplorationBounds& bounds,
+                           const std::string& map_saved, const std::string& frame, Time stamp) {
   ExplorerStatus msg;
   msg.header.frame_id = frame;
   msg.header.stamp = toRosTime(stamp);
@@ -33,24 +42,51 @@ ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const 
   msg.goals_failed = progress.goals_failed;
   msg.explored_area = progress.explored_area;
   msg.distance_travelled = progress.distance_travelled;
+  msg.exploring_time = progress.exploring_time;
+  msg.exploring_distance = progress.exploring_distance;
+  msg.stay_within = toPolygonMsg(bounds.stay_within);
+  for (const std::vector<Vec2>& area : bounds.keep_out) msg.keep_out.push_back(toPolygonMsg(area));
+  msg.map_saved = map_saved;
   return msg;
 }
 
 void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
-  const bool waits =
-      status_.state == exploration::ExplorerState::kIdle && status_.reason != exploration::ExplorerReason::kPaused;
-  const bool gave_up = status_.reason == exploration::ExplorerReason::kTooManyFrontiers;
-  status.summary(waits || gave_up ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+  using Reason = exploration::ExplorerReason;
+  const bool asked_to_wait = status_.reason == Reason::kPaused || status_.reason == Reason::kOthersGoal;
+  const bool waits = status_.state == exploration::ExplorerState::kIdle && !asked_to_wait;
+  const bool stuck = status_.reason == Reason::kTooManyFrontiers || status_.reason == Reason::kRobotOutOfBounds;
+  status.summary(waits || stuck || map_lost_ ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                  std::string(toString(status_.state)) + ": " + status_.reason_text);
   status.add("frontiers", status_.frontiers_found);
   status.add("selectable", status_.frontiers_selectable);
   status.add("goals sent", status_.goals_sent);
   status.add("explored [m2]", status_.explored_area);
+  if (!explorer_.bounds().empty()) status.add("bounds", explorer_.bounds().describe());
+  if (!map_saved_.empty()) status.add("map at the end", map_saved_);
   map_.rejections().report(status);
   bad_odometry_.report(status);
   tf_.report(status);
   navigation_.report(status);
+}
+
+/// Saves the map whenever the exploration has ended, and takes up how that went. [EXP-10]
+void FrontierExplorerAdapter::saveMap(const exploration::ExplorerOutput& output) {
+  const std::string& path = parameters_.save_map_at_end;
+  const auto ended = [](const exploration::ExplorerProgress& p) {
+    return p.state == exploration::ExplorerState::kDone;
+  };
+  if (!path.empty() && std::any_of(output.transitions.begin(), output.transitions.end(), ended)) {
+    map_saved_ = "saving " + path;
+    map_saver_.save(path);
+  }
+  const auto end = map_saver_.take();
+  if (!end) return;
+  map_lost_ = !end->success;
+  map_saved_ = (map_lost_ ? "not saved: " : "saved: ") + end->message;
+  if (map_lost_) THROTTLED_WARN("the map at the end was " << map_saved_);
+  if (!map_lost_) THROTTLED_INFO("the map at the end was " << map_saved_);
+  last_status_.reset();
 }
 
 }  // namespace frontier_pilot

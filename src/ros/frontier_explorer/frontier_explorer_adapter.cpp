@@ -17,6 +17,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
       base_frame_(parameters_.explorer.robot.baseFrameOr(parameters_.base_frame)),
       explorer_(parameters_.explorer),
       navigation_(node),
+      map_saver_(node),
       diagnostics_(node, private_node),
       enabled_(parameters_.autostart),
       connections_(node) {
@@ -32,6 +33,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
   connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
+  connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
   connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
@@ -47,12 +49,13 @@ void FrontierExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 
 bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   const bool before = enabled_;
-  enabled_ = request.data != 0;
+  enabled_ = start_ = request.data != 0;
   const std::string problem = paused_->set(!enabled_);
+  const exploration::ExplorerState state_before = status_.state;
   tick();  // so that a pause cancels the goal before the call is answered
   response.success = 1U;
   response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
-                     (before == enabled_ ? " already: nothing changed" : "") + problem;
+                     (before == enabled_ && status_.state == state_before ? " already: nothing changed" : "") + problem;
   return true;
 }
 
@@ -69,6 +72,7 @@ void FrontierExplorerAdapter::update(Time now) {
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
   const exploration::ExplorerOutput output = explorer_.update(gather(now), now);
   status_ = output.status;
+  saveMap(output);
   obey(output.command, now);
   report(output);
   for (const exploration::ExplorerProgress& transition : output.transitions) publishStatus(transition, now);
@@ -80,8 +84,10 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   exploration::ExplorerInputs inputs;
   inputs.enabled = enabled_;
   inputs.reset = std::exchange(reset_, false);
+  inputs.start = std::exchange(start_, false);
   inputs.map_available = map_.ready() && map_.published();
   inputs.navigation_available = navigation_.available();
+  inputs.others_goal = navigation_.servesOthers();
   inputs.odometry_stamp = odometry_stamp_;
   inputs.goal_events = navigation_.takeEvents();
   if (const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_)) {
@@ -101,7 +107,7 @@ void FrontierExplorerAdapter::obey(const exploration::GoalCommand& command, Time
 }
 
 void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress& status, Time now) {
-  status_publisher_.publish(toStatusMsg(status, parameters_.map_frame, now));
+  status_publisher_.publish(toStatusMsg(status, explorer_.bounds(), map_saved_, parameters_.map_frame, now));
   last_status_ = now;
 }
 
@@ -125,7 +131,7 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
   if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
   markers_due_ = false;
   markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist(),
-                                                 explorer_.geometry(), parameters_.map_frame, now));
+                                                 explorer_.bounds(), explorer_.geometry(), parameters_.map_frame, now));
 }
 
 /// Warns while ROS time stands still: ticks are on ROS time, so no tick could report it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <frontier_pilot/SetBounds.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 #include <std_srvs/SetBool.h>
@@ -16,6 +17,7 @@
 #include "ros/common/safe_switch.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/frontier_explorer/move_base_client.h"
+#include "ros/frontier_explorer/save_map_caller.h"
 
 namespace frontier_pilot {
 
@@ -23,7 +25,8 @@ struct ExplorerNodeParameters {
   bool autostart = false;
   double rate = 10.0;
   std::string map_frame = names::kMapFrame;
-  std::string base_frame;  ///< empty: the robot's
+  std::string base_frame;       ///< empty: the robot's
+  std::string save_map_at_end;  ///< path; empty: no
   exploration::ExplorerParameters explorer;
 
   template <class V>
@@ -33,6 +36,8 @@ struct ExplorerNodeParameters {
     v.field("rate", rate, "Hz", "ticks of the explorer", tickRate());
     v.field("map_frame", map_frame, "", "frame of the map and of the goals", FrameName::kGiven);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
+    v.field("save_map_at_end", save_map_at_end, "",
+            "when the exploration has ended, have the mapper save the map here (as mapper/save_map); empty: no");
     explorer.describe(v);
   }
 };
@@ -48,6 +53,7 @@ class FrontierExplorerAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool handleSetBounds(SetBounds::Request& request, SetBounds::Response& response);
   void tick() {
     if (const auto now = connections_.clock().now()) update(*now);
   }
@@ -57,6 +63,7 @@ class FrontierExplorerAdapter {
   void publishStatus(const exploration::ExplorerProgress& status, Time now);
   void report(const exploration::ExplorerOutput& output) const;
   void showFrontiers(bool news, Time now);
+  void saveMap(const exploration::ExplorerOutput& output);
   void watchClock();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
@@ -66,11 +73,15 @@ class FrontierExplorerAdapter {
   MapMirror map_;
   TfBridge tf_;
   MoveBaseClient navigation_;
+  SaveMapCaller map_saver_;
   NodeDiagnostics diagnostics_;
   Rejections bad_odometry_{"odometry"};
   exploration::ExplorerProgress status_;
   bool enabled_;
   bool reset_ = false;
+  bool start_ = false;
+  bool map_lost_ = false;  ///< the last map at the end was not saved
+  std::string map_saved_;
   bool markers_due_ = false;
   std::optional<Time> odometry_stamp_;
   std::optional<Time> last_status_;

@@ -19,6 +19,8 @@ class MoveBaseClient {
 
   /// Whether a server is connected now.
   bool available() { return client_.isServerConnected(); }
+  /// Whether the server pursues a goal of another client. [EXP-11]
+  bool servesOthers() const { return client_.servesOthers(); }
   /// Sends a goal, which replaces the present one if there is one; the end of the old one is not reported.
   void send(std::uint32_t goal_id, const Pose2& goal, const std::string& frame, Time now);
   /// Cancels the goal that was sent last; goals of other clients are not affected.

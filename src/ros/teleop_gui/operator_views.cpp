@@ -77,6 +77,7 @@ teleop::Severity severityOf(const ExplorerStatus& msg) {
     case ExplorerStatus::POSE_GONE:
     case ExplorerStatus::ODOMETRY_GONE:
     case ExplorerStatus::ROBOT_OFF_KNOWN_GROUND:
+    case ExplorerStatus::ROBOT_OUT_OF_BOUNDS:
       return teleop::Severity::kError;
     case ExplorerStatus::WAITING_FOR_INPUTS:
     case ExplorerStatus::ALL_BLACKLISTED:

@@ -22,6 +22,7 @@ struct Sample {
   double rate = 10.0;
   std::string name = "burger";
   std::vector<double> polygon = {0.1, 0.2};
+  std::vector<std::vector<double>> polygons;
   Wheel wheel;
   std::vector<Wheel> spares;
 
@@ -32,6 +33,7 @@ struct Sample {
     v.field("rate", rate, "Hz", "how often", positive());
     v.field("name", name, "", "what it is called");
     v.field("polygon", polygon, "m", "corners", anyNumber());
+    v.field("polygons", polygons, "m", "corners of each", between(-10.0, 10.0));
     v.group("wheel", wheel, "the wheel");
     v.list("spares", spares, "more wheels");
   }
@@ -48,6 +50,18 @@ Problems problemsOf(const std::string& yaml) {
 bool anyMentions(const Problems& problems, const std::string& key) {
   return std::any_of(problems.begin(), problems.end(),
                      [&](const std::string& line) { return line.rfind(key + ":", 0) == 0; });
+}
+
+TEST(Parameters, AListOfListsIsReadWholeOrNotAtAll) {
+  Sample sample;
+  EXPECT_TRUE(loadParameters(parseYaml("polygons: [[1, 2.5], []]"), sample).empty());
+  EXPECT_EQ(sample.polygons, (std::vector<std::vector<double>>{{1.0, 2.5}, {}}));
+  EXPECT_EQ(loadParameters(parseYaml("polygons: [[1], [2, 11]]"), sample),
+            Problems{"polygons[1]: must be >= -10 and <= 10, is 11"});
+  EXPECT_EQ(loadParameters(parseYaml("polygons: [[1], 2]"), sample),
+            Problems{"polygons[1]: must be a list of numbers"});
+  EXPECT_EQ(loadParameters(parseYaml("polygons: 2"), sample), Problems{"polygons: must be a list of lists of numbers"});
+  EXPECT_EQ(sample.polygons.size(), 2U) << "as it was";
 }
 
 TEST(Parameters, WhatIsGivenReplacesTheDefaultAndTheRestStays) {
@@ -133,11 +147,11 @@ TEST(Parameters, FLT_1_YamlWhoseAliasesMakeACycleOrABombIsAnError) {
 
 TEST(Parameters, TheDescriptionHasARowPerFieldWithUnitsAndDefaults) {
   const auto rows = describeParameters(Sample{});
-  ASSERT_EQ(rows.size(), 6U);
+  ASSERT_EQ(rows.size(), 7U);
   EXPECT_EQ(rows[2].name, "rate");
   EXPECT_EQ(rows[2].unit, "Hz");
   EXPECT_EQ(rows[2].value, "10");
-  EXPECT_EQ(rows[5].name, "wheel/radius");
+  EXPECT_EQ(rows[6].name, "wheel/radius");
   EXPECT_NE(tabulateRows(rows).find("| `wheel/radius` | double | 0.033 | m | > 0 | of the wheel |"), std::string::npos);
   EXPECT_NE(printRows(rows).find("rate: 10 Hz\n"), std::string::npos);
 }

@@ -130,8 +130,10 @@ std::string allTables() {
          table<NavigatorNodeParameters>(
              "navigator", {"clearance/preferred_clearance", "clearance/unknown_is_traversable", "goal_tolerance",
                            "yaw_tolerance", "use_goal_yaw"}) +
-         table<ExplorerNodeParameters>("frontier_explorer", {"autostart", "goal_timeout", "return_to_start",
-                                                             "frontier/min_frontier_cells", "frontier/min_distance"}) +
+         table<ExplorerNodeParameters>("frontier_explorer",
+                                       {"autostart", "goal_timeout", "return_to_start", "save_map_at_end",
+                                        "bounds/stay_within", "bounds/keep_out", "until/area", "until/time",
+                                        "until/distance", "frontier/min_frontier_cells", "frontier/min_distance"}) +
          table<teleop::TeleopParameters>("teleop_gui", {"linear_step", "angular_step", "hold_to_run", "palette"});
 }
 

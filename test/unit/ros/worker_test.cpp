@@ -1,4 +1,4 @@
-#include "ros/mapper/worker.h"
+#include "ros/common/worker.h"
 
 #include <gtest/gtest.h>
 

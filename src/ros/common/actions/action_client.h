@@ -86,6 +86,8 @@ class ActionClient {
   void cancel() {
     if (!handle_.isExpired()) handle_.cancel();
   }
+  /// Whether the server's latest status shows a goal of another client that has not ended.
+  bool servesOthers() const { return serves_others_; }
   /// From now on nothing is reported about that goal.
   void forget() { handle_.reset(); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
@@ -127,7 +129,10 @@ class ActionClient {
   void goalTakerWent(const Connection& connection) {
     const auto taker = takers_.find(connection.getSubscriberName());
     if (taker != takers_.end()) takers_.erase(taker);
-    if (takers_.count(server_) == 0) server_heard_.reset();
+    if (takers_.count(server_) == 0) {
+      server_heard_.reset();
+      serves_others_ = false;
+    }
     monitor_.goalDisconnectCallback(connection);
   }
   void cancelTakerCame(const Connection& connection) { monitor_.cancelConnectCallback(connection); }
@@ -142,6 +147,7 @@ class ActionClient {
     manager_.updateStatuses(event.getConstMessage());
     endWithoutResult(*event.getConstMessage());
     cancelPredecessors(*event.getConstMessage());
+    lookForOthers(*event.getConstMessage());
   }
   /// Whether a status comes from the server: a node that takes this client's goals, and of several the one that was
   /// heard first, until it has been silent for a while. A status of another node would end goals that are still
@@ -154,15 +160,25 @@ class ActionClient {
     server_heard_ = now;
     return true;
   }
+  bool wasSent(const std::string& id) const { return std::find(sent_.begin(), sent_.end(), id) != sent_.end(); }
+  /// Whether a goal is of this node or of an earlier one of its name: actionlib begins the ids with the name.
+  static bool isOwn(const std::string& id) { return id.rfind(ros::this_node::getName() + "-", 0) == 0; }
+  void lookForOthers(const actionlib_msgs::GoalStatusArray& statuses) {
+    using Status = actionlib_msgs::GoalStatus;
+    const auto of_others = [this](const Status& status) {
+      const bool pursued = status.status == Status::PENDING || status.status == Status::ACTIVE ||
+                           status.status == Status::PREEMPTING || status.status == Status::RECALLING;
+      return pursued && !wasSent(status.goal_id.id) && !isOwn(status.goal_id.id);
+    };
+    serves_others_ = std::any_of(statuses.status_list.begin(), statuses.status_list.end(), of_others);
+  }
   /// Cancels goals that are still active and were sent by an earlier process of the same name, which was killed before
   /// it could cancel them itself. [FLT-2]
   void cancelPredecessors(const actionlib_msgs::GoalStatusArray& statuses) {
     using Status = actionlib_msgs::GoalStatus;
-    const std::string own = ros::this_node::getName() + "-";  // how actionlib begins the ids of a node's goals
     for (const Status& status : statuses.status_list) {
       const bool pursued = status.status == Status::PENDING || status.status == Status::ACTIVE;
-      const bool sent = std::find(sent_.begin(), sent_.end(), status.goal_id.id) != sent_.end();
-      if (!pursued || sent || status.goal_id.id.rfind(own, 0) != 0) continue;
+      if (!pursued || wasSent(status.goal_id.id) || !isOwn(status.goal_id.id)) continue;
       GoalID goal;  // without a stamp, which would cancel every goal that is older
       goal.id = status.goal_id.id;
       cancel_.publish(goal);
@@ -191,6 +207,7 @@ class ActionClient {
   std::multiset<std::string> takers_;  ///< the nodes that subscribe to the goals, once for each connection
   std::string server_;                 ///< the node whose statuses are believed
   std::optional<SteadyTime> server_heard_;
+  bool serves_others_ = false;
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::deque<std::string> sent_;        ///< the ids of the last goals, the newest last

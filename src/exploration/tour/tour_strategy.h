@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "exploration/goal_strategy.h"
-#include "exploration/open_tour.h"
-#include "exploration/viewpoint_distances.h"
-#include "exploration/viewpoints.h"
+#include "exploration/tour/open_tour.h"
+#include "exploration/tour/viewpoint_distances.h"
+#include "exploration/tour/viewpoints.h"
 
 namespace frontier_pilot::exploration {
 

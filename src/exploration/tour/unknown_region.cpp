@@ -1,4 +1,4 @@
-#include "exploration/unknown_region.h"
+#include "exploration/tour/unknown_region.h"
 
 #include <cstdint>
 #include <vector>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exploration/frontier_evaluator.h"
-#include "exploration/frontier_views.h"
+#include "exploration/tour/frontier_views.h"
 
 namespace frontier_pilot::exploration {
 

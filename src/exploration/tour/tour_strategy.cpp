@@ -1,9 +1,9 @@
-#include "exploration/tour_strategy.h"
+#include "exploration/tour/tour_strategy.h"
 
 #include <algorithm>
 #include <cstdio>
 
-#include "exploration/unknown_region.h"
+#include "exploration/tour/unknown_region.h"
 
 namespace frontier_pilot::exploration {
 

@@ -1,4 +1,4 @@
-#include "exploration/open_tour.h"
+#include "exploration/tour/open_tour.h"
 
 #include <algorithm>
 #include <cstdint>

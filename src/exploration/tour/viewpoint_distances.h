@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "exploration/coarse_space.h"
 #include "exploration/frontier_evaluator.h"
-#include "exploration/viewpoints.h"
+#include "exploration/tour/coarse_space.h"
+#include "exploration/tour/viewpoints.h"
 
 namespace frontier_pilot::exploration {
 

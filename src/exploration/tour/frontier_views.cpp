@@ -1,4 +1,4 @@
-#include "exploration/frontier_views.h"
+#include "exploration/tour/frontier_views.h"
 
 #include <algorithm>
 

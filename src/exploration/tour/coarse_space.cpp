@@ -1,4 +1,4 @@
-#include "exploration/coarse_space.h"
+#include "exploration/tour/coarse_space.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "exploration/viewpoint_distances.h"
+#include "exploration/tour/viewpoint_distances.h"
 
 #include <algorithm>
 #include <cmath>

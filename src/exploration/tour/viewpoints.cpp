@@ -1,4 +1,4 @@
-#include "exploration/viewpoints.h"
+#include "exploration/tour/viewpoints.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,89 @@
+#include <utility>
+
+#include "exploration/explorer_impl.h"
+
+namespace frontier_pilot::exploration {
+
+void Explorer::Impl::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map) {
+  evaluator_.setBounds(bounds);
+  bounds_changed_ = true;
+  if (!map.empty()) setMap(map, map.geometry().rect());
+}
+
+/// Counts what has passed since the last tick, if the robot was exploring then. [EXP-10]
+void Explorer::Impl::countExploring(double driven, Time now) {
+  constexpr Duration kJump = std::chrono::seconds(1);  // longer ticks are jumps of the clock
+  const bool explores = status_.state != ExplorerState::kIdle && status_.state != ExplorerState::kDone;
+  if (!explores || !last_update_) return;
+  const Duration passed = now - *last_update_;
+  rules_.count(passed < kJump ? passed : Duration::zero(), driven);
+}
+
+/// Lets an exploration go on that a stopping rule has ended; nothing if none has.
+void Explorer::Impl::startAgain(Time now) {
+  if (!ended_by_rule_) return;
+  ended_by_rule_ = false;
+  done_reason_.reset();
+  rules_.startOver(evaluator_.map().freeArea());
+  cancelGoal();
+  if (status_.state != ExplorerState::kIdle) enter(ExplorerState::kSelectGoal, ExplorerReason::kStartedAgain, "", now);
+}
+
+/// Whether the explorer has to leave the robot to another client of the navigation, until that goal has ended: no goal
+/// is sent meanwhile, because it would replace the other one. [EXP-11]
+bool Explorer::Impl::yield(const ExplorerInputs& inputs, Time now) {
+  if (!inputs.others_goal) return false;
+  if (status_.state == ExplorerState::kDone) return true;
+  cancelGoal();
+  nothing_left_since_.reset();
+  if (status_.reason != ExplorerReason::kOthersGoal) {
+    enter(ExplorerState::kIdle, ExplorerReason::kOthersGoal, "", now);
+  }
+  return true;
+}
+
+/// Whether the state's action may be taken: the robot is within the bounds, or drives to a goal that is, and no
+/// stopping rule has ended the exploration. [EXP-10]
+bool Explorer::Impl::withinLimits(Time now) {
+  const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
+  if (status_.state == ExplorerState::kDone) return !ended_by_rule_;
+  const auto rule = returning ? std::nullopt : rules_.met(evaluator_.map().freeArea());
+  if (rule) endBy(*rule, now);
+  return status_.state != ExplorerState::kDone && keepWithinBounds(now);
+}
+
+/// A robot that stands outside is not driven back: only a person can tell whether the bounds or the place are wrong.
+bool Explorer::Impl::keepWithinBounds(Time now) {
+  const ExplorationBounds& bounds = evaluator_.map().bounds();
+  const bool changed = std::exchange(bounds_changed_, false);
+  if (bounds.empty()) return true;
+  const bool robot_inside = bounds.contain(T_map_base_->position());
+  if (changed && goal_ && !(robot_inside && bounds.contain(goal_->position))) {
+    cancelGoal();
+    enter(ExplorerState::kSelectGoal, ExplorerReason::kBoundsChanged, "", now);
+  }
+  if (robot_inside || status_.state != ExplorerState::kSelectGoal) return true;
+  nothing_left_since_.reset();
+  if (status_.reason != ExplorerReason::kRobotOutOfBounds) {
+    enter(ExplorerState::kSelectGoal, ExplorerReason::kRobotOutOfBounds, "", now);
+    note(true, toString(ExplorerReason::kRobotOutOfBounds));
+  }
+  return false;
+}
+
+void Explorer::Impl::endBy(ExplorerReason rule, Time now) {
+  cancelGoal();
+  nothing_left_since_.reset();
+  done_reason_ = rule;
+  ended_by_rule_ = true;
+  if (parameters_.return_to_start) return returnToStart(now);
+  enter(ExplorerState::kDone, rule, "", now);
+}
+
+/// Whether the way to the start begins and ends within the bounds.
+bool Explorer::Impl::mayReturn() const {
+  const ExplorationBounds& bounds = evaluator_.map().bounds();
+  return bounds.contain(T_map_base_->position()) && bounds.contain(start_->position());
+}
+
+}  // namespace frontier_pilot::exploration

@@ -1,0 +1,44 @@
+#include "ros/frontier_explorer/save_map_caller.h"
+
+#include <frontier_pilot/SaveMap.h>
+
+#include "ros/common/names.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr const char* kNoAnswer = ": no such service, or it died";
+
+}  // namespace
+
+SaveMapCaller::~SaveMapCaller() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ending_ = true;
+  client_.shutdown();
+}
+
+void SaveMapCaller::save(const std::string& path) {
+  if (worker_.idle()) worker_.start([this, path] { return call(path); });
+}
+
+std::optional<SaveMapCaller::End> SaveMapCaller::take() {
+  if (std::optional<std::string> failure = worker_.takeFailure()) return End{false, *failure};
+  return worker_.take();
+}
+
+SaveMapCaller::End SaveMapCaller::call(const std::string& path) {
+  // Persistent, because only such a client can be shut down in the middle of a call.
+  ros::ServiceClient client = node_.serviceClient<SaveMap>(names::kSaveMap, true);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (ending_) return {};
+    client_ = client;
+  }
+  SaveMap service;
+  service.request.path = path;
+  const bool answered = client.isValid() && client.call(service);
+  if (!answered) return {false, client.getService() + kNoAnswer};
+  return {service.response.success != 0, service.response.message};
+}
+
+}  // namespace frontier_pilot

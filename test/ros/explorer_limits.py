@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""What bounds and ends an exploration, and goals of others, against a move_base and a map that are not ours."""
+import threading
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from frontier_pilot.msg import ExplorerStatus as Status
+from frontier_pilot.srv import SaveMap, SaveMapResponse, SetBounds
+from geometry_msgs.msg import Point32, Polygon
+from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+from std_srvs.srv import SetBool, Trigger
+from visualization_msgs.msg import MarkerArray
+
+from foreign_robot import ForeignRobot, hall
+from wire import Node, Record, call, wait_for
+
+START = (-0.5, 0.0)  # the left end is nearer
+RIGHT = [-0.9, -2.0, 5.0, -2.0, 5.0, 2.0, -0.9, 2.0]  # without the left end
+
+
+def rectangle(left, right):
+    return Polygon([Point32(left, -2.0, 0.0), Point32(right, -2.0, 0.0), Point32(right, 2.0, 0.0),
+                    Point32(left, 2.0, 0.0)])
+
+
+class ExplorerLimits(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('explorer_limits')
+        cls.robot = ForeignRobot(*START)
+        cls.robot.show(hall())
+        cls.status = Record('frontier_explorer/status', Status)
+        cls.markers = Record('frontier_explorer/frontiers', MarkerArray)
+        cls.client = actionlib.SimpleActionClient('move_base', MoveBaseAction)
+
+    def explore(self, **parameters):
+        """Starts an explorer at the robot's start."""
+        self.robot.position = START
+        self.robot.show(hall())
+        self.robot.goals.clear()
+        self.status.items.clear()
+        self.markers.items.clear()
+        parameters.update({'autostart': True, 'done_settle_time': 0.5, 'settle_time': 0.2,
+                           'frontier': {'view': {'sensor_range': 1.0}}})
+        rospy.set_param('frontier_explorer', parameters)
+        node = Node('frontier_explorer', '__name:=frontier_explorer')
+        self.addCleanup(rospy.delete_param, 'frontier_explorer')
+        self.addCleanup(node.end)
+
+    def comes(self, condition, timeout=10.0):
+        """Whether a status comes, or has come, for which the condition holds."""
+        return wait_for(lambda: any(condition(status) for _, status in list(self.status.items)), timeout)
+
+    def expect_reason(self, reason):
+        self.assertTrue(self.comes(lambda status: status.reason == reason),
+                        [(s.state_text, s.reason_text) for _, s in self.status.items])
+
+    def expect_done(self, reason):
+        self.assertTrue(self.comes(lambda status: status.state == Status.DONE),
+                        [(s.state_text, s.reason_text) for _, s in self.status.items])
+        self.assertEqual(reason, self.status.last.reason, self.status.last.reason_text)
+
+    def is_at_start(self):
+        return max(abs(a - b) for a, b in zip(self.robot.position, START)) < 0.05
+
+    # [EXP-10]
+    def test_stays_within_the_bounds_of_its_parameters_and_shows_them(self):
+        self.explore(bounds={'stay_within': RIGHT})
+        self.assertTrue(wait_for(lambda: self.robot.goals))
+        self.assertGreater(self.robot.goals[0][0], 0.0)
+        self.assertEqual(4, len(self.status.last.stay_within.points))
+        self.assertTrue(wait_for(lambda: self.markers.last and any(m.ns == 'bounds' for m in self.markers.last.markers)))
+        self.expect_done(Status.NO_REACHABLE_FRONTIER)
+        self.assertTrue(all(x > -0.9 for x, _ in self.robot.goals), self.robot.goals)
+
+    # [EXP-10]
+    def test_takes_bounds_by_a_service_and_refuses_broken_ones(self):
+        self.explore()
+        self.assertTrue(wait_for(lambda: self.robot.goals and self.robot.goals[0][0] < 0.0), self.robot.goals)
+        answer = call('frontier_explorer/set_bounds', SetBounds, Polygon(), [rectangle(-5.0, -0.9)])
+        self.assertTrue(answer.success, answer.message)
+        self.assertTrue(self.comes(lambda status: len(status.keep_out) == 1))
+        twisted = rectangle(0.0, 1.0)
+        twisted.points[1], twisted.points[2] = twisted.points[2], twisted.points[1]
+        answer = call('frontier_explorer/set_bounds', SetBounds, twisted, [])
+        self.assertFalse(answer.success)
+        self.assertIn('stay_within: crosses or touches itself', answer.message)
+        self.assertEqual(1, len(self.status.last.keep_out))
+
+    # [EXP-10]
+    def test_a_robot_outside_is_told_so_and_not_driven(self):
+        self.explore(bounds={'stay_within': RIGHT, 'keep_out': [[-0.9, -2.0, 0.5, -2.0, 0.5, 2.0, -0.9, 2.0]]})
+        self.expect_reason(Status.ROBOT_OUT_OF_BOUNDS)
+        self.assertEqual([], self.robot.goals)
+        answer = call('frontier_explorer/set_bounds', SetBounds, Polygon(), [])
+        self.assertTrue(answer.success, answer.message)
+        self.assertTrue(wait_for(lambda: self.robot.goals))
+
+    # [EXP-10]
+    def test_ends_after_a_time_and_goes_on_when_started_again(self):
+        self.explore(until={'time': 1.0})
+        self.expect_done(Status.UNTIL_TIME)
+        self.status.items.clear()
+        self.assertTrue(call('set_exploration_enabled', SetBool, True).success)
+        self.expect_reason(Status.STARTED_AGAIN)
+        self.expect_reason(Status.UNTIL_TIME)
+
+    # [EXP-10]
+    def test_ends_after_a_distance_and_goes_on_after_a_reset(self):
+        self.explore(until={'distance': 0.8})
+        self.expect_done(Status.UNTIL_DISTANCE)
+        self.assertGreaterEqual(self.status.last.exploring_distance, 0.8)
+        self.status.items.clear()
+        self.assertTrue(call('frontier_explorer/reset', Trigger).success)
+        self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING))
+
+    # [EXP-10]
+    def test_returns_to_the_start_and_has_the_map_saved_without_waiting_for_it(self):
+        asked, may_answer = [], threading.Event()
+
+        def save(request):
+            asked.append(request.path)
+            may_answer.wait(10.0)
+            return SaveMapResponse(True, 'written')
+        service = rospy.Service('mapper/save_map', SaveMap, save)
+        self.addCleanup(service.shutdown, 'the test is over')
+        self.addCleanup(may_answer.set)
+        self.explore(until={'area': 9.8}, return_to_start=True, save_map_at_end='end_of_it')
+        self.assertTrue(wait_for(lambda: not self.is_at_start()))
+        self.robot.show(hall(known_to=2.8))
+        self.expect_reason(Status.RETURNING_TO_START)
+        self.expect_done(Status.UNTIL_AREA)
+        self.assertTrue(self.is_at_start(), self.robot.position)
+        self.assertTrue(wait_for(lambda: asked == ['end_of_it']), asked)
+        seen = len(self.status.items)
+        self.assertTrue(wait_for(lambda: len(self.status.items) > seen + 1), 'it goes on while the mapper saves')
+        self.assertEqual('saving end_of_it', self.status.last.map_saved)
+        may_answer.set()
+        self.assertTrue(self.comes(lambda status: status.map_saved == 'saved: written'))
+        self.assertEqual(1, len(asked))
+
+    # [EXP-10]
+    def test_says_that_the_map_was_not_saved(self):
+        self.explore(until={'time': 0.5}, save_map_at_end='end_of_it')
+        self.assertTrue(self.comes(lambda status: status.map_saved.startswith('not saved: ')), self.status.last)
+        self.assertIn('/mapper/save_map: no such service', self.status.last.map_saved)
+
+    # [EXP-11]
+    def test_does_not_take_back_a_goal_of_somebody_else(self):
+        self.explore()
+        self.assertTrue(wait_for(lambda: len(self.robot.goals) == 1))
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        goal = MoveBaseGoal()
+        goal.target_pose.header.frame_id = 'map'
+        goal.target_pose.pose.position.x, goal.target_pose.pose.orientation.w = 1.0, 1.0
+        self.client.send_goal(goal)
+        self.expect_reason(Status.OTHERS_GOAL)
+        waiting = len(self.status.items)
+        self.assertTrue(wait_for(lambda: len(self.status.items) > waiting + 7, 20.0))
+        self.assertEqual('waiting for your goal', self.status.last.reason_text)
+        self.assertEqual((1.0, 0.0), self.robot.goals[-1])
+        self.robot.held.clear()
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(10.0)))
+        self.assertEqual(GoalStatus.SUCCEEDED, self.client.get_state())
+        self.assertTrue(wait_for(lambda: len(self.robot.goals) == 3), 'then the explorer goes on')
+
+
+if __name__ == '__main__':
+    rostest.rosrun('frontier_pilot', 'explorer_limits', ExplorerLimits)
