@@ -41,6 +41,7 @@ class Explorer::Impl {
     Time sent;
     bool returning = false;      ///< to the start
     bool stepping_back = false;  ///< from a frontier that is too near
+    bool on_the_way = false;     ///< sent to a stop on the way, around what is out of bounds
   };
 
   /// An alternative that is tried when the ordinary judgement leaves no selectable frontier.
