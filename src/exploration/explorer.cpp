@@ -50,6 +50,8 @@ const std::vector<Frontier>& Explorer::frontiersWithCells() {
 }
 const GridGeometry& Explorer::geometry() const { return impl_->evaluator().map().geometry(); }
 const std::vector<BlacklistedPlace>& Explorer::blacklist() const { return impl_->history().blacklist(); }
+const std::vector<Vec2>& Explorer::tour() const { return impl_->tour(); }
+std::string Explorer::explain() const { return impl_->explain(); }
 const std::optional<Pose2>& Explorer::goal() const { return impl_->goal(); }
 
 Explorer::Impl::Impl(const ExplorerParameters& parameters)
@@ -174,6 +176,9 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
   if (!goal_ || goal_->id != event.goal_id) return;  // the event belongs to a goal that has been replaced
   const Goal goal = *goal_;
   goal_.reset();
+  if (event.kind == GoalEvent::Kind::kReached && goal.on_the_way) {
+    return enter(ExplorerState::kSelectGoal, ExplorerReason::kGoalReached, "reached a stop on the way", now);
+  }
   switch (event.kind) {
     case GoalEvent::Kind::kReached:
       ++status_.goals_reached;
@@ -217,9 +222,12 @@ void Explorer::Impl::cancelGoal() {
 void Explorer::Impl::send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now) {
   goal.id = next_goal_id_++;
   goal.sent = now;
+  const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
+  goal.on_the_way = stop != goal.position;
+  if (goal.on_the_way) yaw = bearing(goal.position - stop);
   if (!goal.returning) done_reason_.reset();
   goal_ = goal;
-  goal_pose_ = Pose2(goal.position, yaw);
+  goal_pose_ = Pose2(stop, yaw);
   out_.command = {GoalCommand::Kind::kSend, goal.id, *goal_pose_};
   ++status_.goals_sent;
   enter(ExplorerState::kNavigating, reason, text, now);

@@ -32,6 +32,8 @@ class Explorer::Impl {
   const FrontierEvaluator& evaluator() const { return evaluator_; }
   const GoalHistory& history() const { return history_; }
   const std::optional<Pose2>& goal() const { return goal_pose_; }
+  const std::vector<Vec2>& tour() const { return chosen_.tour; }
+  std::string explain() const;
 
  private:
   /// A goal sent to the navigation.
@@ -42,6 +44,7 @@ class Explorer::Impl {
     Time sent;
     bool returning = false;      ///< to the start
     bool stepping_back = false;  ///< from a frontier that is too near
+    bool on_the_way = false;     ///< sent to a stop on the way, around what is out of bounds
   };
 
   /// An alternative that is tried when the ordinary judgement leaves no selectable frontier.
@@ -118,6 +121,7 @@ class Explorer::Impl {
   std::optional<Goal> goal_;     ///< being driven to
   std::optional<Goal> arrived_;  ///< reached and not yet evaluated
   std::optional<Pose2> goal_pose_;
+  ChosenGoal chosen_;  ///< at the last decision; without a goal its members are empty
   std::optional<Pose2> start_;
   std::optional<Pose2> T_map_base_;
   std::optional<Time> last_update_;

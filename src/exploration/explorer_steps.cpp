@@ -196,7 +196,9 @@ std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time
   judged_changes_ = evaluator_.map().changes();
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;
-  return strategy_->choose(evaluator_, situation(keep_present));
+  std::optional<ChosenGoal> chosen = strategy_->choose(evaluator_, situation(keep_present));
+  chosen_ = chosen.value_or(ChosenGoal{});
+  return chosen;
 }
 
 }  // namespace frontier_pilot::exploration

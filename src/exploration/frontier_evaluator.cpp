@@ -33,6 +33,7 @@ double roomyClearance(const FrontierParameters& parameters, const Outline& drive
 
 FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven)
     : parameters_(parameters),
+      half_width_(driven.halfWidth()),
       space_(roomyClearance(parameters, driven), KeepClearOf::kObstaclesAndUnknown),
       tight_space_(driven.halfWidth() + parameters.clearance_margin) {}
 

@@ -8,6 +8,7 @@
 #include "exploration/frontier_search.h"
 #include "exploration/goal_history.h"
 #include "exploration/goal_score.h"
+#include "exploration/limits/way_inside.h"
 #include "exploration/observed_map.h"
 #include "exploration/travel_field.h"
 #include "frontier_pilot/core/outline.h"
@@ -70,6 +71,10 @@ class FrontierEvaluator {
   const TraversableSpace& space() const { return *judged_space_; }
   /// The block of cells of `space()` that may have changed since the last call; of no meaning if it is another one.
   CellRect takeSpaceChanges() { return std::exchange(space_changes_, {}); }
+  /// Where to send the robot first on its way to `goal`, see limits/way_inside.h; by the last evaluation.
+  Vec2 stopOnTheWay(const Vec2& robot, const Vec2& goal) const {
+    return exploration::stopOnTheWay(travel_, map_, robot, goal, half_width_);
+  }
   /// Least unknown area that a goal has to show [m^2]; it grows with the free area of the map.
   double leastInfo() const;
   /// What a view from `goal` is expected to show now. [EXP-6]
@@ -111,6 +116,7 @@ class FrontierEvaluator {
   ViewGain cachedView(Cell cell);
 
   FrontierParameters parameters_;
+  double half_width_;  ///< of the robot's lane [m]
   PlanFn plan_;
   ObservedMap map_;
   FrontierSearch search_;

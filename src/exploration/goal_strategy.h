@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "exploration/frontier_evaluator.h"
 #include "frontier_pilot/core/geometry.h"
@@ -25,6 +26,7 @@ struct ChosenGoal {
   double distance = 0.0;         ///< travel distance [m]
   double area = 0.0;             ///< unknown area that it is expected to show [m^2]
   std::string why;               ///< what speaks for it
+  std::vector<Vec2> tour;        ///< this and the goals planned to follow [m]; empty if the strategy plans none
 };
 
 /// Decides which goal comes next.

@@ -21,6 +21,8 @@ class ObservedMap {
   void setBounds(const ExplorationBounds& bounds);
   const ExplorationBounds& bounds() const { return allowed_.bounds(); }
 
+  bool allowed(Cell c) const { return allowed_.allowed(c); }
+
   const OccupancyGrid& grid() const { return map_; }
   const GridGeometry& geometry() const { return map_.geometry(); }
   bool empty() const { return map_.empty(); }

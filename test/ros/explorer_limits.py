@@ -41,6 +41,7 @@ class ExplorerLimits(unittest.TestCase):
         self.robot.position = START
         self.robot.show(hall())
         self.robot.goals.clear()
+        self.robot.track.clear()
         self.status.items.clear()
         self.markers.items.clear()
         parameters.update({'autostart': True, 'done_settle_time': 0.5, 'settle_time': 0.2,
@@ -75,6 +76,15 @@ class ExplorerLimits(unittest.TestCase):
         self.assertTrue(wait_for(lambda: self.markers.last and any(m.ns == 'bounds' for m in self.markers.last.markers)))
         self.expect_done(Status.NO_REACHABLE_FRONTIER)
         self.assertTrue(all(x > -0.9 for x, _ in self.robot.goals), self.robot.goals)
+
+    # [EXP-10]
+    def test_leads_a_navigation_that_drives_straight_around_a_keep_out_area(self):
+        block = (0.5, 1.5, 0.2)  # from x, to x, up to y
+        corners = [block[0], -2.0, block[1], -2.0, block[1], block[2], block[0], block[2]]
+        self.explore(bounds={'stay_within': RIGHT, 'keep_out': [corners]})
+        self.assertTrue(wait_for(lambda: self.robot.track and self.robot.track[-1][0] > block[1]), self.robot.goals)
+        inside = [(x, y) for x, y in self.robot.track if block[0] < x < block[1] and y < block[2]]
+        self.assertEqual([], inside)
 
     # [EXP-10]
     def test_takes_bounds_by_a_service_and_refuses_broken_ones(self):

@@ -39,6 +39,7 @@ class ForeignRobot:
     def __init__(self, x, y):
         self.position = (x, y)
         self.goals = []
+        self.track = []
         self.held = threading.Event()
         self._odom = rospy.Publisher('odom', Odometry, queue_size=10)
         self._tf = tf2_ros.TransformBroadcaster()
@@ -77,4 +78,5 @@ class ForeignRobot:
         dx, dy = x - self.position[0], y - self.position[1]
         share = min(1.0, SPEED * PERIOD / max(math.hypot(dx, dy), 1e-6))
         self.position = (self.position[0] + share * dx, self.position[1] + share * dy)
+        self.track.append(self.position)
         return share == 1.0

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
@@ -42,6 +43,11 @@ class Explorer {
   /// Geometry of the map that `Frontier::cells` refer to.
   const GridGeometry& geometry() const;
   const std::vector<BlacklistedPlace>& blacklist() const;
+  /// The goals that strategy `tour` planned at the last decision, in their order [m]; the first one is the present goal
+  /// or the one that will replace it. Empty without a tour.
+  const std::vector<Vec2>& tour() const;
+  /// In words: why this goal and not another, what comes next, and why other frontiers are left out.
+  std::string explain() const;
   /// The last goal sent, until it is cancelled or its outcome has been evaluated; in the map frame.
   const std::optional<Pose2>& goal() const;
 

@@ -218,6 +218,10 @@ struct ExplorerParameters {
     v.group("bounds", bounds, "where to explore");
     v.group("until", until, "when to end");
   }
+  void check(Problems& problems) const {
+    if (strategy == "tour" || strategy == "greedy" || strategy == "nearest") return;
+    problems.push_back("strategy: must be tour, greedy or nearest, not '" + strategy + "'");
+  }
 };
 
 }  // namespace frontier_pilot::exploration

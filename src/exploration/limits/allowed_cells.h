@@ -18,6 +18,8 @@ class AllowedCells {
 
   const ExplorationBounds& bounds() const { return bounds_; }
   bool all() const { return outside_.empty(); }
+  /// No cell outside of the grid is allowed if there are bounds.
+  bool allowed(Cell c) const { return all() || outside_.get(c, 1) == 0; }
   /// Cells [begin, end) of a row of the map, those that are not allowed occupied. Returns `row` itself if all are
   /// allowed, otherwise a buffer that is as long and valid until the next call; only these cells of it are filled in.
   const std::int8_t* shown(const std::int8_t* row, int y, int begin, int end);

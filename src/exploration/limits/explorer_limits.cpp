@@ -45,8 +45,12 @@ bool Explorer::Impl::yield(const ExplorerInputs& inputs, Time now) {
 /// Whether the state's action may be taken: the robot is within the bounds, or drives to a goal that is, and no
 /// stopping rule has ended the exploration. [EXP-10]
 bool Explorer::Impl::withinLimits(Time now) {
-  const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
+  if (std::exchange(bounds_changed_, false) && goal_) {
+    cancelGoal();
+    enter(ExplorerState::kSelectGoal, ExplorerReason::kBoundsChanged, "", now);
+  }
   if (status_.state == ExplorerState::kDone) return !ended_by_rule_;
+  const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
   const auto rule = returning ? std::nullopt : rules_.met(evaluator_.map().freeArea());
   if (rule) endBy(*rule, now);
   return status_.state != ExplorerState::kDone && keepWithinBounds(now);
@@ -54,15 +58,8 @@ bool Explorer::Impl::withinLimits(Time now) {
 
 /// A robot that stands outside is not driven back: only a person can tell whether the bounds or the place are wrong.
 bool Explorer::Impl::keepWithinBounds(Time now) {
-  const ExplorationBounds& bounds = evaluator_.map().bounds();
-  const bool changed = std::exchange(bounds_changed_, false);
-  if (bounds.empty()) return true;
-  const bool robot_inside = bounds.contain(T_map_base_->position());
-  if (changed && goal_ && !(robot_inside && bounds.contain(goal_->position))) {
-    cancelGoal();
-    enter(ExplorerState::kSelectGoal, ExplorerReason::kBoundsChanged, "", now);
-  }
-  if (robot_inside || status_.state != ExplorerState::kSelectGoal) return true;
+  if (status_.state != ExplorerState::kSelectGoal) return true;
+  if (evaluator_.map().bounds().contain(T_map_base_->position())) return true;
   nothing_left_since_.reset();
   if (status_.reason != ExplorerReason::kRobotOutOfBounds) {
     enter(ExplorerState::kSelectGoal, ExplorerReason::kRobotOutOfBounds, "", now);
@@ -76,6 +73,7 @@ void Explorer::Impl::endBy(ExplorerReason rule, Time now) {
   nothing_left_since_.reset();
   done_reason_ = rule;
   ended_by_rule_ = true;
+  if (parameters_.return_to_start && !evaluator_.map().bounds().empty()) evaluator_.evaluate(context());  // for the way
   if (parameters_.return_to_start) return returnToStart(now);
   enter(ExplorerState::kDone, rule, "", now);
 }

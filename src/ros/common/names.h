@@ -72,6 +72,7 @@ constexpr const char* kNavigatorStatus = "navigator/status";
 constexpr const char* kExplorerStatus = "frontier_explorer/status";
 constexpr const char* kFrontiers = "frontier_explorer/frontiers";
 constexpr const char* kExplorerGoal = "frontier_explorer/goal";
+constexpr const char* kExplainExplorer = "frontier_explorer/explain";
 constexpr const char* kResetExplorer = "frontier_explorer/reset";
 constexpr const char* kSetExplorationBounds = "frontier_explorer/set_bounds";
 constexpr const char* kSetExplorationEnabled = "set_exploration_enabled";

@@ -63,17 +63,23 @@ class MarkerWriter {
       array_.markers[points_[ns]].points.push_back(point);
     }
   }
-  /// A closed line along the sides of a polygon.
-  void polygon(const std::string& ns, const std::vector<Vec2>& corners, const Colour& colour) {
+  /// An open line.
+  void line(const std::string& ns, const std::vector<Vec2>& points, const Colour& colour) {
+    if (points.size() < 2) return;
     Marker& marker = add(ns, Marker::LINE_STRIP, Vec2::Zero(), colour);
-    marker.scale.x = 0.05;
-    for (std::size_t i = 0; i <= corners.size(); ++i) {
+    marker.scale.x = 0.04;
+    for (const Vec2& at : points) {
       geometry_msgs::Point point;
-      point.x = corners[i % corners.size()].x();
-      point.y = corners[i % corners.size()].y();
-      point.z = 0.02;
+      point.x = at.x();
+      point.y = at.y();
+      point.z = 0.03;
       marker.points.push_back(point);
     }
+  }
+  /// A closed line along the sides of a polygon.
+  void polygon(const std::string& ns, std::vector<Vec2> corners, const Colour& colour) {
+    corners.push_back(corners.front());
+    line(ns, corners, colour);
   }
   visualization_msgs::MarkerArray take() { return std::move(array_); }
 
@@ -102,7 +108,9 @@ class MarkerWriter {
 void writeSelectable(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {
   writer.cells("cells", frontier.cells, geometry, kGreen);
   writer.sphere("centroids", frontier.centroid, 0.15 + 0.2 * std::sqrt(frontier.info.area), kBlue);
-  writer.text("scores", frontier.centroid, text("%.2f", frontier.score), kInk);
+  const bool on_tour = frontier.place > 0;
+  const std::string words = on_tour ? std::to_string(frontier.place) + "." : text("%.2f", frontier.score);
+  writer.text(on_tour ? "places" : "scores", frontier.centroid, words, kInk);
 }
 
 void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {
@@ -118,8 +126,8 @@ void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, 
 visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
                                                     const std::vector<exploration::BlacklistedPlace>& blacklist,
                                                     const exploration::ExplorationBounds& bounds,
-                                                    const GridGeometry& geometry, const std::string& frame,
-                                                    Time stamp) {
+                                                    const std::vector<Vec2>& tour, const GridGeometry& geometry,
+                                                    const std::string& frame, Time stamp) {
   MarkerWriter writer(frame, stamp);
   for (const exploration::Frontier& frontier : frontiers) {
     if (frontier.selectable()) {
@@ -132,6 +140,7 @@ visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploratio
     writer.sphere("blacklist", entry.position, 0.4, kRed);
     writer.text("blacklist reasons", entry.position, entry.reason, kRed);
   }
+  writer.line("tour", tour, kBlue);
   if (!bounds.stay_within.empty()) writer.polygon("bounds", bounds.stay_within, kGreen);
   for (const std::vector<Vec2>& area : bounds.keep_out) writer.polygon("keep out", area, kRed);
   return writer.take();

@@ -35,6 +35,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
   connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
   connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
+  connections_.serve(names::kExplainExplorer, &FrontierExplorerAdapter::handleExplain, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
   connections_.clock().onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });
@@ -64,6 +65,12 @@ bool FrontierExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs:
   tick();
   response.success = 1U;
   response.message = "blacklist, visits and phase forgotten";
+  return true;
+}
+
+bool FrontierExplorerAdapter::handleExplain(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  response.success = 1U;
+  response.message = explorer_.explain();
   return true;
 }
 
@@ -131,7 +138,8 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
   if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
   markers_due_ = false;
   markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist(),
-                                                 explorer_.bounds(), explorer_.geometry(), parameters_.map_frame, now));
+                                                 explorer_.bounds(), explorer_.tour(), explorer_.geometry(),
+                                                 parameters_.map_frame, now));
 }
 
 /// Warns while ROS time stands still: ticks are on ROS time, so no tick could report it.

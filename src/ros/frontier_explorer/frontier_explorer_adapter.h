@@ -40,6 +40,7 @@ struct ExplorerNodeParameters {
             "when the exploration has ended, have the mapper save the map here (as mapper/save_map); empty: no");
     explorer.describe(v);
   }
+  void check(Problems& problems) const { explorer.check(problems); }
 };
 
 /// The node `frontier_explorer`: takes map, odometry and TF, and sends goals to any `move_base`.
@@ -52,6 +53,7 @@ class FrontierExplorerAdapter {
  private:
   void handleOdometry(const nav_msgs::Odometry& msg);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool handleExplain(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleSetBounds(SetBounds::Request& request, SetBounds::Response& response);
   void tick() {

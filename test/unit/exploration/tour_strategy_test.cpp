@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "exploration/goal_strategy.h"
+#include "exploration/tour/unknown_region.h"
+#include "exploration/view_gain.h"
+#include "support/ascii_world.h"
+
+namespace frontier_pilot {
+namespace {
+
+exploration::ExplorerParameters tour() {
+  exploration::ExplorerParameters parameters;
+  parameters.robot.limits.max_linear = 0.5;
+  return parameters;
+}
+
+/// One decision of a strategy on a drawing.
+class Strategies : public ::testing::Test {
+ protected:
+  std::optional<exploration::ChosenGoal> choose(const std::string& drawing,
+                                                const exploration::ExplorerParameters& parameters = tour()) {
+    if (strategy == nullptr || parameters.strategy != "tour") strategy = exploration::makeStrategy(parameters);
+    world = test::drawWorld(drawing, 0.1);
+    evaluator.setMap(world.map, world.map.geometry().rect());
+    return chooseAgain();
+  }
+  std::optional<exploration::ChosenGoal> chooseAgain() {
+    evaluator.evaluate({world.point('r'), world.point('r'), &history, 0.0});
+    situation.T_map_robot = Pose2(world.point('r'), 0.0);
+    return strategy->choose(evaluator, situation);
+  }
+  double distanceTo(const exploration::ChosenGoal& goal, char mark) {
+    return (goal.position - world.point(mark)).norm();
+  }
+
+  exploration::FrontierEvaluator evaluator{exploration::FrontierParameters{}, RobotModel{}.drivenOutline()};
+  exploration::GoalHistory history{exploration::BlacklistParameters{}, 1};
+  std::unique_ptr<exploration::GoalStrategy> strategy;
+  exploration::Situation situation;
+  test::AsciiWorld world;
+};
+
+/// A corridor that goes on to the right; a niche of unknown ground on the left, nearer to the robot than the right end.
+constexpr const char* kNicheBehind = R"(
+  ##########################################################################
+  #........................................................................?
+  #........................................................................?
+  #.n.....................................................................w?
+  #...............................r........................................?
+  #........................................................................?
+  #........................................................................?
+  #........................................................................?
+  ##??????##################################################################
+  ##??????##
+  ##??????##
+  ##########
+)";
+
+// [EXP-9]
+TEST_F(Strategies, ATourTakesTheNicheBehindFirstBecauseComingBackIsPriced_EXP_9) {
+  const auto goal = choose(kNicheBehind);
+  ASSERT_TRUE(goal);
+  EXPECT_LT(distanceTo(*goal, 'n'), distanceTo(*goal, 'w'));
+  EXPECT_NE(goal->why.find("2 stops"), std::string::npos) << goal->why;
+}
+
+// [EXP-9]
+TEST_F(Strategies, ATourNumbersTheFrontiersInTheOrderInWhichTheyAreSeen_EXP_9) {
+  ASSERT_TRUE(choose(kNicheBehind));
+  std::vector<int> places;
+  for (const exploration::Frontier& frontier : evaluator.frontiers()) {
+    if (frontier.selectable()) places.push_back(frontier.place);
+  }
+  std::sort(places.begin(), places.end());
+  ASSERT_FALSE(places.empty());
+  EXPECT_EQ(places.front(), 1);
+  EXPECT_EQ(places.back(), 2);
+}
+
+// [EXP-9]
+TEST_F(Strategies, AStopShowsEveryFrontierThatIsNumberedForIt_EXP_9) {
+  const auto goal = choose(kNicheBehind);
+  ASSERT_TRUE(goal);
+  const Cell from = world.map.geometry().cellAt(goal->position);
+  for (const exploration::Frontier& frontier : evaluator.frontiers()) {
+    if (frontier.place == 1) EXPECT_TRUE(exploration::inSight(world.map, from, frontier.anchor));
+  }
+}
+
+// [EXP-9]
+TEST_F(Strategies, ATourIsKeptUnlessAnotherOneIsClearlyShorter_EXP_9) {
+  const auto goal = choose(kNicheBehind);
+  ASSERT_TRUE(goal);
+  situation.current = goal->position;
+  const auto again = chooseAgain();
+  ASSERT_TRUE(again);
+  EXPECT_LT((again->position - goal->position).norm(), 0.3);
+}
+
+/// A closed room with unknown cells behind a pillar: 0.03 m^2.
+constexpr const char* kSliver = R"(
+  #########################
+  #.......................#
+  #.......................#
+  #...r...................#
+  #................#######.#
+  #................#???...#
+  #.......................#
+  #.......................#
+  #########################
+)";
+
+// [EXP-9] [EXP-7]
+TEST_F(Strategies, SliversAreNotWorthATripButAreNamed_EXP_9_EXP_7) {
+  exploration::ExplorerParameters parameters = tour();
+  parameters.tour.sliver_share = 1.0;
+  EXPECT_FALSE(choose(kSliver, parameters));
+  for (const exploration::Frontier& frontier : evaluator.frontiers()) EXPECT_FALSE(frontier.selectable());
+}
+
+// [EXP-9]
+TEST_F(Strategies, SliversThatTogetherAreMoreThanTheAllowedShareAreExplored_EXP_9) {
+  exploration::ExplorerParameters parameters = tour();
+  parameters.tour.sliver_share = 0.0;
+  EXPECT_TRUE(choose(kSliver, parameters));
+}
+
+// [EXP-9]
+TEST_F(Strategies, GreedyTakesTheBestScoreAndNearestTheShortestWay_EXP_9) {
+  exploration::ExplorerParameters parameters = tour();
+  parameters.strategy = "nearest";
+  const auto nearest = choose(kNicheBehind, parameters);
+  ASSERT_TRUE(nearest);
+  double least = 1e9;
+  for (const exploration::Frontier& frontier : evaluator.frontiers()) {
+    if (frontier.selectable()) least = std::min(least, frontier.distance);
+  }
+  EXPECT_DOUBLE_EQ(nearest->distance, least);
+  parameters.strategy = "greedy";
+  const auto greedy = choose(kNicheBehind, parameters);
+  ASSERT_TRUE(greedy);
+  const auto best = std::max_element(
+      evaluator.frontiers().begin(), evaluator.frontiers().end(),
+      [](const auto& a, const auto& b) { return !a.selectable() || (b.selectable() && a.score < b.score); });
+  EXPECT_EQ(greedy->position, best->goal);
+}
+
+TEST(StrategyNames, AnUnknownOneIsRefusedWithTheNamesThatThereAre) {
+  exploration::ExplorerParameters parameters;
+  parameters.strategy = "boldest";
+  EXPECT_THROW(exploration::makeStrategy(parameters), std::invalid_argument);
+  exploration::ExplorerParameters loaded;
+  EXPECT_FALSE(loadParameters(parseYaml("strategy: boldest"), loaded).empty());
+  EXPECT_TRUE(loadParameters(parseYaml("strategy: nearest"), loaded).empty());
+}
+
+// [EXP-9]
+TEST(UnknownArea, BehindAFrontierEndsAtWallsAndAtTheRadius_EXP_9) {
+  const test::AsciiWorld pocket = test::drawWorld(R"(
+    ##########
+    #...f??###
+    #...#######
+    ??????????
+  )",
+                                                  0.1);
+  EXPECT_NEAR(exploration::unknownAreaBehind(pocket.map, pocket.cell('f'), 2.5), 0.02, 1e-9);
+  const test::AsciiWorld open = test::drawWorld("f" + std::string(100, '?'), 0.1);
+  EXPECT_NEAR(exploration::unknownAreaBehind(open.map, open.cell('f'), 2.5), 0.25, 1e-9);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
