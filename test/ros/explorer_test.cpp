@@ -191,6 +191,11 @@ TEST_F(ExplorerOnTheWire, E_AVanishedMoveBaseStopsItAndItResumes_EXP_8) {
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros::service::call(names::kResetExplorer, reset));
   ASSERT_TRUE(reaches(ExplorerStatus::NAVIGATING));
+  std_srvs::Trigger explain;
+  ASSERT_TRUE(ros::service::call(names::kExplainExplorer, explain));
+  EXPECT_NE(explain.response.message.find("The goal is ("), std::string::npos)
+      << explain.response.message << " [EXP-9]";
+  EXPECT_NE(explain.response.message.find("first of 1 stops"), std::string::npos) << explain.response.message;
   world->move_base.reset();
   ASSERT_TRUE(reaches(ExplorerStatus::IDLE));
   EXPECT_EQ(world->latest.reason, ExplorerStatus::NAVIGATION_GONE);

@@ -108,9 +108,10 @@ class MarkerWriter {
 void writeSelectable(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {
   writer.cells("cells", frontier.cells, geometry, kGreen);
   writer.sphere("centroids", frontier.centroid, 0.15 + 0.2 * std::sqrt(frontier.info.area), kBlue);
-  const bool on_tour = frontier.place > 0;
-  const std::string words = on_tour ? std::to_string(frontier.place) + "." : text("%.2f", frontier.score);
-  writer.text(on_tour ? "places" : "scores", frontier.centroid, words, kInk);
+  // On a tour the place in it and the expected area say more than the score, which then decides nothing.
+  const std::string place = frontier.place > 0 ? std::to_string(frontier.place) + ": " : "";
+  const std::string words = place.empty() ? text("%.2f", frontier.score) : place + text("%.1f m2", frontier.info.area);
+  writer.text("scores", frontier.centroid, words, kInk);
 }
 
 void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {

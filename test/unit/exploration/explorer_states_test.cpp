@@ -220,5 +220,18 @@ TEST_F(ExplorerStates, ABackwardClockJumpCancelsTheGoalAndStartsOver) {
   EXPECT_EQ(output.command.kind, exploration::GoalCommand::Kind::kSend);
 }
 
+// [EXP-9]
+TEST_F(ExplorerStates, SaysInWordsWhyThisGoalAndWhatComesNext_EXP_9) {
+  EXPECT_EQ(explorer.explain(), "IDLE: waiting for inputs.");
+  show(kTwoEnds);
+  tick();
+  const std::string words = explorer.explain();
+  EXPECT_NE(words.find("The goal is ("), std::string::npos) << words;
+  EXPECT_NE(words.find("first of 2 stops"), std::string::npos) << words;
+  EXPECT_NE(words.find("Then: ("), std::string::npos) << words;
+  ASSERT_EQ(explorer.tour().size(), 2U);
+  EXPECT_EQ(explorer.tour().front(), explorer.goal()->position());
+}
+
 }  // namespace
 }  // namespace frontier_pilot

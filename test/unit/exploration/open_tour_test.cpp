@@ -16,7 +16,11 @@ namespace {
 exploration::TourCosts randomStops(std::size_t count, unsigned seed, double skew = 0.0) {
   std::mt19937 random(seed);
   std::vector<std::pair<double, double>> places;
-  for (std::size_t i = 0; i < count; ++i) places.emplace_back(random() % 1000 / 100.0, random() % 1000 / 100.0);
+  const auto coordinate = [&] { return static_cast<double>(random() % 1000) / 100.0; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = coordinate();
+    places.emplace_back(x, coordinate());
+  }
   exploration::TourCosts costs(count);
   for (std::size_t i = 0; i < count; ++i) {
     costs.first[i] = std::hypot(places[i].first, places[i].second);
