@@ -19,6 +19,7 @@
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
 #include "support/explore_report.h"
+#include "support/named_limits.h"
 #include "support/omniscient_tour.h"
 #include "support/shipped_robot.h"
 #include "support/svg.h"
@@ -101,15 +102,6 @@ double threadSeconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-RobotLimits limitsNamed(const std::string& name) {
-  RobotLimits limits;
-  if (name == "burger") return limits;
-  if (name != "fast") throw std::invalid_argument("--limits: burger or fast");
-  limits.max_linear = 0.5;
-  limits.max_angular = 1.5;
-  return limits;
 }
 
 RobotModel robotOf(const Options& options) {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "exploration/frontier_search.h"
-#include "exploration/travel_field.h"
+#include "exploration/travel/travel_field.h"
 #include "frontier_pilot/core/grid_traversal.h"
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/simulator.h"

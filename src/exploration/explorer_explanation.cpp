@@ -41,9 +41,10 @@ std::string listRejected(const std::vector<Frontier>& frontiers) {
 
 std::string Explorer::Impl::explain() const {
   const std::string others = listRejected(evaluator_.frontiers());
-  const std::string state = std::string(toString(status_.state)) + ": " + status_.reason_text + ".";
-  if (!goal_) return state + others;
-  const std::string to = " The goal is " + place(goal_->position);
+  const std::string state = std::string(toString(status_.state)) + ": ";
+  if (!goal_)
+    return state + (status_.reason_text.empty() ? toString(status_.reason) : status_.reason_text) + "." + others;
+  const std::string to = std::string(toString(status_.reason)) + ". The goal is " + place(goal_->position);
   if (goal_->returning) return state + to + ", the start." + others;
   if (goal_->stepping_back) return state + to + ", to get away from a frontier that is too near." + others;
   return state + to + (chosen_.why.empty() ? "" : ", " + chosen_.why) + "." + listNext(chosen_.tour) + others;

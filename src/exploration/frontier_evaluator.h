@@ -10,7 +10,7 @@
 #include "exploration/goal_score.h"
 #include "exploration/limits/way_inside.h"
 #include "exploration/observed_map.h"
-#include "exploration/travel_field.h"
+#include "exploration/travel/travel_field.h"
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"

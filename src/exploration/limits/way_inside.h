@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exploration/observed_map.h"
-#include "exploration/travel_field.h"
+#include "exploration/travel/travel_field.h"
 #include "frontier_pilot/core/geometry.h"
 
 namespace frontier_pilot::exploration {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "exploration/frontier_evaluator.h"
-#include "exploration/tour/coarse_space.h"
 #include "exploration/tour/viewpoints.h"
+#include "exploration/travel/coarse_space.h"
 
 namespace frontier_pilot::exploration {
 

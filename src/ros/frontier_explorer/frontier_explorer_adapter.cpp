@@ -126,11 +126,6 @@ void FrontierExplorerAdapter::report(const exploration::ExplorerOutput& output) 
     if (note.warning) THROTTLED_WARN(note.text);
     if (!note.warning) THROTTLED_INFO(note.text);
   }
-  if (!output.frontiers_judged) return;
-  for (const exploration::Frontier& f : explorer_.frontiers()) {
-    ROS_DEBUG_STREAM("frontier of " << f.cell_count << " cells at (" << f.centroid.x() << ", " << f.centroid.y()
-                                    << "): " << toString(f.rejection) << ", score " << f.score);
-  }
 }
 
 void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {

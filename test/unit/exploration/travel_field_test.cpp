@@ -1,4 +1,4 @@
-#include "exploration/travel_field.h"
+#include "exploration/travel/travel_field.h"
 
 #include <gtest/gtest.h>
 

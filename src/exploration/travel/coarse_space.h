@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "exploration/travel_field.h"
+#include "exploration/travel/travel_field.h"
 #include "frontier_pilot/core/grid.h"
 
 namespace frontier_pilot::exploration {

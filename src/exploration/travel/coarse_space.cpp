@@ -1,4 +1,4 @@
-#include "exploration/tour/coarse_space.h"
+#include "exploration/travel/coarse_space.h"
 
 #include <algorithm>
 

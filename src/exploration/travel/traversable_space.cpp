@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exploration/travel_field.h"
+#include "exploration/travel/travel_field.h"
 
 namespace frontier_pilot::exploration {
 namespace {
