@@ -76,6 +76,31 @@ TEST(Exploration, GoesOnToTheEndWhenTheNavigatorsSourceIsSwitchedOffAndOnAgainAn
   EXPECT_GE(exploredShare(loop), 0.99);
 }
 
+class BoundedWorld : public testing::TestWithParam<const char*> {};
+
+// The bounds are relative to the start, where the map's frame has its origin: 6 m x 6 m with a block to keep out of.
+// [EXP-10] [NAV-4]
+TEST_P(BoundedWorld, IsExploredInsideAndTheRobotNeverLeaves_EXP_10) {
+  system::ClosedLoopParameters parameters = seeded(1);
+  parameters.explorer.bounds.stay_within = {-3.0, -3.0, 3.0, -3.0, 3.0, 3.0, -3.0, 3.0};
+  parameters.explorer.bounds.keep_out = {{1.0, -0.6, 1.8, -0.6, 1.8, 0.6, 1.0, 0.6}};
+  const exploration::ExplorationBounds bounds = parameters.explorer.bounds.polygons();
+  system::ClosedLoop loop(load(GetParam()), parameters);
+  const Pose2 T_start_world = loop.simulator().startPose(0).inverse();
+  int steps_outside = 0;
+  while (!loop.done() && toSeconds(loop.now()) < 1200.0) {
+    loop.step();
+    steps_outside += static_cast<int>(!bounds.contain((T_start_world * loop.simulator().pose(0)).position()));
+  }
+  EXPECT_EQ(loop.status().reason, exploration::ExplorerReason::kNoReachableFrontier) << loop.status().reason_text;
+  EXPECT_EQ(steps_outside, 0);
+  EXPECT_GT(loop.status().goals_sent, 0U);
+  EXPECT_GT(loop.status().explored_area, 9.0);
+  EXPECT_LE(loop.status().explored_area, 36.0);
+  EXPECT_EQ(loop.simulator().contactCount(0), 0);
+}
+INSTANTIATE_TEST_SUITE_P(Worlds, BoundedWorld, testing::Values("flat", "office", "cave", "loop"));
+
 // [SIM-2]
 TEST(Exploration, TheSameSeedGivesTheSameHashAndAnotherSeedAnotherOne) {
   std::uint64_t hashes[3];
