@@ -14,9 +14,11 @@
 #include "exploration/frontier_search.h"
 #include "exploration/travel/travel_field.h"
 #include "frontier_pilot/core/grid_traversal.h"
+#include "frontier_pilot/exploration/explorer.h"
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "support/buildings.h"
+#include "support/cpu_stopwatch.h"
 
 namespace frontier_pilot {
 namespace {
@@ -131,6 +133,33 @@ void searchAndWavefront(benchmark::State& state) {
   state.counters["floor_MB"] = static_cast<double>(map.size()) * (1.0 + 1.0 + 1.0 + 4.0) * 1e-6;
 }
 
+/// A whole decision on the building: frontiers, their judgement, views and tour. The views are kept from the decision
+/// before it, as they are where the map has not changed; `cold_ms` is the first decision, which has none.
+void decide(benchmark::State& state) {
+  const OccupancyGrid& map = mapOf(state);
+  exploration::ExplorerParameters parameters;
+  parameters.strategy = state.range(2) != 0 ? "tour" : "greedy";
+  exploration::TraversableSpace space(2.0 * kClearance, exploration::KeepClearOf::kObstaclesAndUnknown);
+  space.update(map, map.geometry().rect());
+  exploration::Explorer explorer(parameters);
+  explorer.setMap(map, map.geometry().rect());
+  exploration::ExplorerInputs inputs;
+  Time now{};
+  const auto decideOnce = [&] {
+    now += std::chrono::seconds(1);
+    inputs.T_map_base = StampedPose2{now, Pose2(map.geometry().centre(someFreeCell(space)), 0.0)};
+    inputs.odometry_stamp = now;
+    inputs.reset = true;
+    benchmark::DoNotOptimize(explorer.update(inputs, now));
+  };
+  const double start = bench::cpuMicros();
+  decideOnce();
+  state.counters["cold_ms"] = (bench::cpuMicros() - start) / 1e3;
+  for (auto _ : state) decideOnce();
+  state.counters["frontiers"] = static_cast<double>(explorer.frontiers().size());
+  state.counters["stops"] = static_cast<double>(explorer.tour().size());
+}
+
 void arguments(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"size", "noise"})->Args({1000, 0})->Args({1000, 1})->Args({4000, 0})->Args({4000, 1});
   bench->Unit(benchmark::kMillisecond);
@@ -138,6 +167,13 @@ void arguments(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK(search)->Apply(arguments);
 BENCHMARK(searchAndWavefront)->Apply(arguments);
+BENCHMARK(decide)
+    ->ArgNames({"size", "noise", "tour"})
+    ->Args({1000, 0, 0})
+    ->Args({1000, 0, 1})
+    ->Args({4000, 0, 0})
+    ->Args({4000, 0, 1})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace frontier_pilot

@@ -13,8 +13,9 @@ TourStrategy::TourStrategy(const ExplorerParameters& parameters)
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
   evaluator_ = &evaluator;
   distances_.follow(evaluator);
-  viewpoints_ = search_.find(evaluator, trusted(), situation.current);
-  distances_.restart(viewpoints_, evaluator.map().geometry());
+  seek();
+  viewpoints_ = search_.find(evaluator, sought_, situation.current);
+  distances_.restart(viewpoints_, evaluator);
   measureOpenAreas();
   findSlivers();
   const Plan plan = choosePlan(situation);
@@ -25,24 +26,35 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
 
 void TourStrategy::stayedUnknown() { distrusted_.insert(distrusted_.end(), aimed_at_.begin(), aimed_at_.end()); }
 
-/// Frontiers that were not seen from a viewpoint although they should have been are looked at from their own goals.
-std::vector<bool> TourStrategy::trusted() const {
+/// Takes the nearest frontiers: farther ones will have changed when the robot gets there. Those that were not seen from
+/// a viewpoint although they should have been are looked at from their own goals.
+void TourStrategy::seek() {
+  constexpr std::size_t kMostFrontiers = 100;
   constexpr double kSamePlace = 0.4;  // [m]
-  std::vector<bool> trusted;
-  for (const Frontier& frontier : evaluator_->frontiers()) {
-    const Vec2 anchor = evaluator_->map().geometry().centre(frontier.anchor);
-    trusted.push_back(std::none_of(distrusted_.begin(), distrusted_.end(),
-                                   [&](const Vec2& place) { return (place - anchor).norm() < kSamePlace; }));
+  const std::vector<Frontier>& all = evaluator_->frontiers();
+  std::vector<std::size_t> nearest;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].selectable()) nearest.push_back(i);
   }
-  return trusted;
+  std::stable_sort(nearest.begin(), nearest.end(),
+                   [&](std::size_t a, std::size_t b) { return all[a].distance < all[b].distance; });
+  all_sought_ = nearest.size() <= kMostFrontiers;
+  nearest.resize(std::min(nearest.size(), kMostFrontiers));
+  sought_.clear();
+  for (const std::size_t i : nearest) {
+    const Vec2 anchor = evaluator_->map().geometry().centre(all[i].anchor);
+    const bool trusted = std::none_of(distrusted_.begin(), distrusted_.end(),
+                                      [&](const Vec2& place) { return (place - anchor).norm() < kSamePlace; });
+    sought_.push_back({i, trusted});
+  }
 }
 
 void TourStrategy::measureOpenAreas() {
   constexpr double kRadius = 2.5;  // [m]
-  open_areas_.clear();
-  for (const Frontier& frontier : evaluator_->frontiers()) {
-    const OccupancyGrid& map = evaluator_->map().grid();
-    open_areas_.push_back(frontier.selectable() ? unknownAreaBehind(map, frontier.anchor, kRadius) : 0.0);
+  const std::vector<Frontier>& all = evaluator_->frontiers();
+  open_areas_.assign(all.size(), 0.0);
+  for (const SoughtFrontier& each : sought_) {
+    open_areas_[each.index] = unknownAreaBehind(evaluator_->map().grid(), all[each.index].anchor, kRadius);
   }
 }
 
@@ -50,15 +62,16 @@ void TourStrategy::measureOpenAreas() {
 /// from anywhere. Slivers are left behind as long as all of them together are a small share of the known floor;
 /// otherwise none is one.
 void TourStrategy::findSlivers() {
-  const std::vector<Frontier>& frontiers = evaluator_->frontiers();
-  slivers_.assign(frontiers.size(), false);
+  slivers_.assign(evaluator_->frontiers().size(), false);
   double sum = 0.0;
-  for (std::size_t i = 0; i < frontiers.size(); ++i) {
-    if (!frontiers[i].selectable()) continue;
-    slivers_[i] = open_areas_[i] < parameters_.sliver_area || search_.mostOf(i) < parameters_.least_area;
-    if (slivers_[i]) sum += std::min(open_areas_[i], parameters_.sliver_area);
+  for (const SoughtFrontier& each : sought_) {
+    const double open_area = open_areas_[each.index];
+    if (open_area >= parameters_.sliver_area && search_.mostOf(each.index) >= parameters_.least_area) continue;
+    slivers_[each.index] = true;
+    sum += std::min(open_area, parameters_.sliver_area);
   }
-  if (sum > parameters_.sliver_share * evaluator_->map().freeArea()) slivers_.assign(frontiers.size(), false);
+  const bool too_many = !all_sought_ || sum > parameters_.sliver_share * evaluator_->map().freeArea();
+  if (too_many) slivers_.assign(slivers_.size(), false);
 }
 
 /// The viewpoint being driven to, if it still shows a frontier whole.

@@ -40,7 +40,7 @@ class TourStrategy : public GoalStrategy {
     double cost = 0.0;
   };
 
-  std::vector<bool> trusted() const;
+  void seek();
   void measureOpenAreas();
   void findSlivers();
   std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
@@ -63,7 +63,9 @@ class TourStrategy : public GoalStrategy {
   RobotLimits limits_;
   ViewpointSearch search_;
   ViewpointDistances distances_;
-  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next three
+  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next five
+  std::vector<SoughtFrontier> sought_;
+  bool all_sought_ = true;  ///< false: farther frontiers are left out of the tour
   std::vector<Viewpoint> viewpoints_;
   std::vector<double> open_areas_;  ///< unknown area around each frontier [m^2]
   std::vector<bool> slivers_;       ///< by frontier

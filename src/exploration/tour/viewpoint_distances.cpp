@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::exploration {
+namespace {
+
+constexpr double kSlack = 1.2;  // paths over coarse cells may be longer than those over the map's
+
+}  // namespace
 
 void ViewpointDistances::follow(FrontierEvaluator& evaluator) {
   const CellRect changed = evaluator.takeSpaceChanges();
@@ -14,20 +20,24 @@ void ViewpointDistances::follow(FrontierEvaluator& evaluator) {
   coarse_.update(*space_, is_new ? space_->geometry().rect() : changed);
 }
 
-void ViewpointDistances::restart(const std::vector<Viewpoint>& viewpoints, const GridGeometry& map) {
+void ViewpointDistances::restart(const std::vector<Viewpoint>& viewpoints, const FrontierEvaluator& evaluator) {
   places_.clear();
   cells_.clear();
+  ways_.clear();
   for (const Viewpoint& viewpoint : viewpoints) {
-    places_.push_back(map.centre(viewpoint.cell));
+    places_.push_back(evaluator.map().geometry().centre(viewpoint.cell));
     cells_.push_back(coarse_.geometry().cellAt(places_.back()));
+    ways_.push_back(evaluator.travel().distance(viewpoint.cell));
   }
+  longest_way_ = ways_.empty() ? 0.0 : *std::max_element(ways_.begin(), ways_.end());
   rows_.assign(viewpoints.size(), {});
 }
 
+/// No way between two viewpoints is longer than that over the robot, but for the larger cells.
 const std::vector<double>& ViewpointDistances::from(std::size_t viewpoint) {
   std::vector<double>& row = rows_[viewpoint];
   if (!row.empty()) return row;
-  field_.compute(coarse_.neighbours(), cells_[viewpoint]);
+  field_.compute(coarse_.neighbours(), cells_[viewpoint], kSlack * (ways_[viewpoint] + longest_way_) + kSlack);
   for (std::size_t other = 0; other < cells_.size(); ++other) {
     const double distance = field_.distance(cells_[other]);
     row.push_back(std::isfinite(distance) ? distance : 2.0 * (places_[other] - places_[viewpoint]).norm());
@@ -36,14 +46,15 @@ const std::vector<double>& ViewpointDistances::from(std::size_t viewpoint) {
 }
 
 std::vector<double> ViewpointDistances::to(const Vec2& place) {
-  field_.compute(coarse_.neighbours(), coarse_.geometry().cellAt(place));
+  field_.compute(coarse_.neighbours(), coarse_.geometry().cellAt(place), std::numeric_limits<double>::infinity());
   std::vector<double> distances;
   for (const Cell cell : cells_) distances.push_back(field_.reached(cell) ? field_.distance(cell) : -1.0);
   return distances;
 }
 
 std::vector<double> ViewpointDistances::turnsFrom(const Pose2& T_map_robot) {
-  field_.compute(coarse_.neighbours(), coarse_.geometry().cellAt(T_map_robot.position()));
+  field_.compute(coarse_.neighbours(), coarse_.geometry().cellAt(T_map_robot.position()),
+                 kSlack * (longest_way_ + 1.0));
   std::vector<double> turns;
   for (const Cell cell : cells_) turns.push_back(turnTowards(cell, T_map_robot));
   return turns;

@@ -15,8 +15,9 @@ class ViewpointDistances {
  public:
   /// Takes over what has changed in the evaluator's space.
   void follow(FrontierEvaluator& evaluator);
-  /// Forgets the distances between the viewpoints of the last decision.
-  void restart(const std::vector<Viewpoint>& viewpoints, const GridGeometry& map);
+  /// Forgets the distances between the viewpoints of the last decision. By the evaluator's travel distances from the
+  /// robot it is known how far the wavefronts have to go.
+  void restart(const std::vector<Viewpoint>& viewpoints, const FrontierEvaluator& evaluator);
 
   /// From a viewpoint to all others [m], twice the Euclidean distance to those that no way leads to. Valid until
   /// `restart`.
@@ -34,6 +35,8 @@ class ViewpointDistances {
   TravelField field_;
   std::vector<Vec2> places_;
   std::vector<Cell> cells_;
+  std::vector<double> ways_;               ///< from the robot [m]
+  double longest_way_ = 0.0;               ///< from the robot to a viewpoint [m]
   std::vector<std::vector<double>> rows_;  ///< empty until asked for
 };
 

@@ -32,15 +32,18 @@ Cell reachedNear(Cell node, int reach, const TravelField& travel) {
 
 }  // namespace
 
-std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator, const std::vector<bool>& trusted,
+std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
+                                             const std::vector<SoughtFrontier>& sought,
                                              const std::optional<Vec2>& present) {
-  label(evaluator);
+  label(evaluator, sought);
   const GridGeometry& geometry = evaluator.map().geometry();
   const std::vector<Frontier>& frontiers = evaluator.frontiers();
   const auto present_cell = present ? std::optional<Cell>(geometry.cellAt(*present)) : std::nullopt;
   std::vector<Viewpoint> all;
   most_.assign(frontiers.size(), 0.0);
-  for (const Cell cell : sample(evaluator, trusted, present_cell)) {
+  std::vector<bool> trusted(frontiers.size(), true);
+  for (const SoughtFrontier& each : sought) trusted[each.index] = each.trusted;
+  for (const Cell cell : sample(evaluator, sought, present_cell)) {
     std::vector<Sight> sights = sightsFrom(cell, evaluator);
     for (const Sight& sight : sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
     if (!sights.empty()) all.push_back({cell, std::move(sights)});
@@ -55,25 +58,26 @@ std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
     sights.erase(std::remove_if(sights.begin(), sights.end(), seenInPart), sights.end());
   }
   all.erase(std::remove_if(all.begin(), all.end(), [](const Viewpoint& v) { return v.sights.empty(); }), all.end());
-  addUnseen(evaluator, all);
+  addUnseen(evaluator, sought, all);
   return all;
 }
 
 /// A frontier that no ray happens to hit is seen from its own goal.
-void ViewpointSearch::addUnseen(const FrontierEvaluator& evaluator, std::vector<Viewpoint>& all) {
+void ViewpointSearch::addUnseen(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
+                                std::vector<Viewpoint>& all) {
   const std::vector<Frontier>& frontiers = evaluator.frontiers();
   std::vector<bool> seen(frontiers.size(), false);
   for (const Viewpoint& viewpoint : all) {
     for (const Sight& sight : viewpoint.sights) seen[sight.frontier] = true;
   }
-  for (std::size_t i = 0; i < frontiers.size(); ++i) {
-    if (seen[i] || !frontiers[i].selectable()) continue;
-    const Cell goal = evaluator.map().geometry().cellAt(frontiers[i].goal);
-    all.push_back({goal, {{i, frontiers[i].info.area}}});
+  for (const SoughtFrontier& each : sought) {
+    if (seen[each.index]) continue;
+    const Frontier& frontier = frontiers[each.index];
+    all.push_back({evaluator.map().geometry().cellAt(frontier.goal), {{each.index, frontier.info.area}}});
   }
 }
 
-void ViewpointSearch::label(const FrontierEvaluator& evaluator) {
+void ViewpointSearch::label(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought) {
   const GridGeometry& geometry = evaluator.map().geometry();
   if (labels_.geometry() != geometry) {
     labels_ = Grid<std::uint16_t>(geometry, 0);
@@ -82,23 +86,22 @@ void ViewpointSearch::label(const FrontierEvaluator& evaluator) {
     for (const std::size_t index : labelled_) labels_[index] = 0;
   }
   labelled_.clear();
-  const std::vector<Frontier>& frontiers = evaluator.frontiers();
   const FrontierClusters& clusters = evaluator.clusters();
-  const std::size_t most = std::min(frontiers.size(), std::size_t{65535});  // labels that there are
-  for (std::size_t i = 0; i < most; ++i) {
-    if (!frontiers[i].selectable()) continue;
-    const FrontierCluster& cluster = clusters.clusters[i];
+  sought_.clear();
+  for (const SoughtFrontier& each : sought) {
+    sought_.push_back(each.index);
+    const FrontierCluster& cluster = clusters.clusters[each.index];
     for (std::size_t r = cluster.first_run; r < cluster.first_run + cluster.run_count; ++r) {
       const FrontierRun& run = clusters.runs[r];
       for (int x = run.begin; x < run.end; ++x) {
         labelled_.push_back(geometry.index({x, run.y}));
-        labels_[labelled_.back()] = static_cast<std::uint16_t>(i + 1);
+        labels_[labelled_.back()] = static_cast<std::uint16_t>(sought_.size());
       }
     }
   }
 }
 
-std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, const std::vector<bool>& trusted,
+std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                                           const std::optional<Cell>& present) const {
   const GridGeometry& geometry = evaluator.map().geometry();
   const TravelField& travel = evaluator.travel();
@@ -111,11 +114,10 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
   };
   if (present && travel.reached(*present)) add(*present);
   std::unordered_set<std::size_t> nodes;
-  for (std::size_t i = 0; i < evaluator.frontiers().size(); ++i) {
-    const Frontier& frontier = evaluator.frontiers()[i];
-    if (!frontier.selectable()) continue;
+  for (const SoughtFrontier& each : sought) {
+    const Frontier& frontier = evaluator.frontiers()[each.index];
     add(geometry.cellAt(frontier.goal));
-    if (!trusted[i]) continue;
+    if (!each.trusted) continue;
     const CellRect box =
         CellRect{frontier.anchor.x, frontier.anchor.y, 1, 1}.grown(radius).intersection(geometry.rect());
     for (int y = (box.y + step - 1) / step * step; y < box.y + box.height; y += step) {
@@ -135,7 +137,7 @@ std::vector<Sight> ViewpointSearch::sightsFrom(Cell viewpoint, const FrontierEva
   for (const Glimpse& glimpse : views_.from(viewpoint, evaluator.map())) {
     const std::uint16_t label = labels_[glimpse.cell];
     if (label == 0) continue;
-    const std::size_t frontier = label - 1U;
+    const std::size_t frontier = sought_[label - 1U];
     const auto known =
         std::find_if(sights.begin(), sights.end(), [&](const Sight& sight) { return sight.frontier == frontier; });
     if (known == sights.end()) {

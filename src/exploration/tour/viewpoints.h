@@ -21,31 +21,38 @@ struct Viewpoint {
   std::vector<Sight> sights;  ///< of the frontiers that it shows whole
 };
 
-/// Finds the viewpoints of the selectable frontiers: their own goals and the nodes of a lattice around them. A frontier
+/// A frontier that viewpoints are looked for.
+struct SoughtFrontier {
+  std::size_t index = 0;  ///< in FrontierEvaluator::frontiers()
+  bool trusted = true;    ///< whether it may be seen from other places than its own goal
+};
+
+/// Finds the viewpoints of frontiers: their own goals and the nodes of a lattice around them. A frontier
 /// is seen whole from a viewpoint that shows at least half of the area that the best viewpoint shows.
 class ViewpointSearch {
  public:
   explicit ViewpointSearch(const FrontierParameters& parameters)
       : min_distance_(parameters.min_distance), views_(parameters.view) {}
 
-  /// `trusted[i]`: whether frontier i may be seen from other places than its own goal. `present`, the goal being driven
-  /// to [m], stays a viewpoint until it shows clearly less than others.
-  std::vector<Viewpoint> find(const FrontierEvaluator& evaluator, const std::vector<bool>& trusted,
+  /// `present`, the goal being driven to [m], stays a viewpoint until it shows clearly less than others.
+  std::vector<Viewpoint> find(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                               const std::optional<Vec2>& present);
   /// The greatest area that any viewpoint of the last search shows of a frontier [m^2].
   double mostOf(std::size_t frontier) const { return most_[frontier]; }
 
  private:
-  void label(const FrontierEvaluator& evaluator);
-  std::vector<Cell> sample(const FrontierEvaluator& evaluator, const std::vector<bool>& trusted,
+  void label(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought);
+  std::vector<Cell> sample(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                            const std::optional<Cell>& present) const;
   std::vector<Sight> sightsFrom(Cell viewpoint, const FrontierEvaluator& evaluator);
-  static void addUnseen(const FrontierEvaluator& evaluator, std::vector<Viewpoint>& all);
+  static void addUnseen(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
+                        std::vector<Viewpoint>& all);
 
   double min_distance_;
   FrontierViews views_;
   std::vector<double> most_;           ///< by frontier [m^2]
-  Grid<std::uint16_t> labels_;         ///< 1 + the index of the selectable frontier that a cell belongs to; 0: none
+  Grid<std::uint16_t> labels_;         ///< 1 + the place in the list of sought frontiers of a cell's; 0: none
+  std::vector<std::size_t> sought_;    ///< the frontiers that are sought, at most 65535
   std::vector<std::size_t> labelled_;  ///< indices of the cells with a label
 };
 

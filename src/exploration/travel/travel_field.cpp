@@ -1,6 +1,7 @@
 #include "exploration/travel/travel_field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "frontier_pilot/grids/cell_search.h"
@@ -43,36 +44,45 @@ constexpr SuccessorTable kSuccessors;
 }  // namespace
 
 void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius) {
-  restart(map.geometry());
+  restart(map.geometry(), map.geometry().rect());
   if (!map.contains(start)) return;
   seed(space, map, start, escape_radius);
-  spread(space.neighbours());
+  spread(space.neighbours(), kUnreached);
 }
 
-void TravelField::compute(const Grid<std::uint8_t>& neighbours, Cell start) {
-  restart(neighbours.geometry());
+void TravelField::compute(const Grid<std::uint8_t>& neighbours, Cell start, double farthest) {
+  const GridGeometry& geometry = neighbours.geometry();
+  constexpr double kMostCells = 5e8;  // more than a path on any map has
+  const double cells = std::min(std::ceil(farthest / geometry.resolution), kMostCells);
+  const int reach = static_cast<int>(cells) + static_cast<int>(kRun) + 1;
+  restart(geometry, CellRect{start.x, start.y, 1, 1}.grown(reach).intersection(geometry.rect()));
   if (neighbours.get(start, 0) == 0) return;
-  push(neighbours.geometry().index(start), kNoDirection, 0);
-  spread(neighbours);
+  push(geometry.index(start), kNoDirection, 0);
+  spread(neighbours, static_cast<std::uint32_t>(kStraight * cells));
 }
 
-void TravelField::restart(const GridGeometry& geometry) {
+/// `window` will hold all cells that are reached.
+void TravelField::restart(const GridGeometry& geometry, const CellRect& window) {
   if (units_.geometry() != geometry) {
     units_ = Grid<std::uint32_t>(geometry, kUnreached);
   } else {
-    std::fill(units_.cells().begin(), units_.cells().end(), kUnreached);
+    for (int y = labelled_.y; y < labelled_.y + labelled_.height; ++y) {
+      std::fill_n(units_.row(y) + labelled_.x, labelled_.width, kUnreached);
+    }
   }
+  labelled_ = window;
   reached_count_ = 0;
   offsets_ = grids::neighbourOffsets(geometry.width);
   queue_.reset(0);
 }
 
-void TravelField::spread(const Grid<std::uint8_t>& neighbours) {
+void TravelField::spread(const Grid<std::uint8_t>& neighbours, std::uint32_t farthest) {
   const std::uint8_t* open = neighbours.cells().data();
   while (!queue_.empty()) {
     queue_.popLeast([&](std::uint32_t entry, std::uint32_t units) {
       const std::size_t index = entry >> 4U;
-      if (units_[index] == units) expandCell(index, entry & 15U, units, open);  // else a shorter path was found since
+      // A label that differs belongs to a shorter path that was found since.
+      if (units <= farthest && units_[index] == units) expandCell(index, entry & 15U, units, open);
     });
   }
 }

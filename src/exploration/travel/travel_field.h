@@ -61,8 +61,9 @@ class TravelField {
   void compute(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
 
   /// The same from a traversable cell, over cells given by the masks of their traversable neighbours, which must be
-  /// symmetric. Nothing is reached if `start` has no neighbour.
-  void compute(const Grid<std::uint8_t>& neighbours, Cell start);
+  /// symmetric, as far as `farthest` [m]; cells beyond it need not be reached. Nothing is reached if `start` has no
+  /// neighbour. Costs what lies within that distance, not what the grid holds.
+  void compute(const Grid<std::uint8_t>& neighbours, Cell start, double farthest);
 
   bool reached(Cell c) const { return units_.get(c, kUnreached) != kUnreached; }
   /// Whether any cell of `rect` is reached.
@@ -79,8 +80,8 @@ class TravelField {
   static constexpr std::uint32_t kDiagonal = 7;
   static constexpr std::uint32_t kRun = 16;  ///< straight steps at once: the cells of a cache line
 
-  void restart(const GridGeometry& geometry);
-  void spread(const Grid<std::uint8_t>& neighbours);
+  void restart(const GridGeometry& geometry, const CellRect& window);
+  void spread(const Grid<std::uint8_t>& neighbours, std::uint32_t farthest);
   void seed(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
   void label(std::size_t index, std::uint32_t units);
   void push(std::size_t index, unsigned direction, std::uint32_t units);
@@ -88,6 +89,7 @@ class TravelField {
   void goStraight(std::size_t index, unsigned direction, std::uint32_t units, const std::uint8_t* open);
 
   Grid<std::uint32_t> units_;
+  CellRect labelled_;                     ///< holds all cells that are reached
   std::array<std::size_t, 8> offsets_{};  ///< of the neighbours' indices
   grids::BucketQueue<kBuckets> queue_;
   std::size_t reached_count_ = 0;

@@ -162,5 +162,35 @@ TEST(TravelField, ARobotOutsideOfTheMapReachesNothing) {
   EXPECT_TRUE(std::isinf(field.distance({1, 1})));
 }
 
+// [EXP-9]
+TEST(TravelFieldOverMasks, IsExactWithinTheDistanceAskedForAndForgetsTheOneBefore_EXP_9) {
+  std::mt19937 random(7);
+  GridGeometry geometry;
+  geometry.width = 80;
+  geometry.height = 60;
+  OccupancyGrid map(geometry, kFree);
+  for (auto& cell : map.cells()) cell = random() % 5 == 0 ? kOccupied : kFree;
+  exploration::TraversableSpace space(0.0);
+  space.update(map, map.geometry().rect());
+  exploration::TravelField whole;
+  exploration::TravelField bounded;
+  constexpr double kFarthest = 1.5;
+  for (const Cell start : {Cell{5, 5}, Cell{40, 30}, Cell{79, 59}}) {
+    map[start] = kFree;
+    space.update(map, CellRect{start.x, start.y, 1, 1});
+    whole.compute(space, map, start, 0.0);
+    bounded.compute(space.neighbours(), start, kFarthest);
+    for (std::size_t i = 0; i < map.size(); ++i) {
+      const Cell cell = geometry.cell(i);
+      if (whole.distance(cell) <= kFarthest && cell != start) {
+        EXPECT_DOUBLE_EQ(bounded.distance(cell), whole.distance(cell)) << cell.x << ", " << cell.y;
+      }
+      if (!whole.reached(cell)) {
+        EXPECT_FALSE(bounded.reached(cell));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace frontier_pilot
