@@ -234,6 +234,7 @@ class Run {
   }
 
   void conclude(double cpu) {
+    if (options_.log) std::printf("    %s\n", loop_.explorer().explain().c_str());
     report_.simulated = toSeconds(loop_.now());
     report_.cpu = cpu;
     report_.times = loop_.times();

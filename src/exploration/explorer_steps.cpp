@@ -197,6 +197,11 @@ std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time
   last_decision_ = last_check_ = now;
   out_.frontiers_judged = true;
   std::optional<ChosenGoal> chosen = strategy_->choose(evaluator_, situation(keep_present));
+  // A strategy may leave all that can be selected; another way of judging may find what it does not leave.
+  if (!chosen && judged_by_ == nullptr) {
+    judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
+    if (judged_by_ != nullptr) chosen = strategy_->choose(evaluator_, situation(keep_present));
+  }
   chosen_ = chosen.value_or(ChosenGoal{});
   return chosen;
 }

@@ -139,13 +139,15 @@ void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster
   }
 }
 
-/// If no suitable cell sees the anchor, for example in a corner, a few other cells of the cluster are tried as targets.
+/// If no suitable cell sees the anchor, for example in a corner, a few other cells of the cluster are tried as targets,
+/// the first and the last of them too: a strip seen through a door can only be seen better from the door.
 FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& cluster, Cell anchor) {
   constexpr int kOtherTargets = 3;
   if (const std::optional<GoalCell> known = recallGoal(anchor)) return *known;
   GoalCell best = findGoalFor(anchor);
-  for (int k = 0; k < kOtherTargets && best.rejection != Rejection::kNone; ++k) {
-    const GoalCell other = findGoalFor(cellOf(clusters_, cluster, cluster.cells * k / kOtherTargets));
+  for (int k = 0; k <= kOtherTargets && best.rejection != Rejection::kNone; ++k) {
+    const int cell = std::min(cluster.cells * k / kOtherTargets, cluster.cells - 1);
+    const GoalCell other = findGoalFor(cellOf(clusters_, cluster, cell));
     if (best.rejection == Rejection::kUnreachable || other.rejection == Rejection::kNone) best = other;
   }
   if (best.rejection == Rejection::kNone) goals_[map_.geometry().index(anchor)] = best.cell;

@@ -56,7 +56,8 @@ struct TourParameters {
   double open_area = 5.0;       ///< unknown area around a frontier from which on it counts as open [m^2]
   double switch_margin = 3.0;   ///< a tour with another first goal has to be this much shorter [s]
   double sliver_area = 0.2;     ///< a frontier with less connected unknown area around it is a sliver [m^2]
-  double least_area = 0.05;     ///< so is one behind which less is in sight from the best viewpoint [m^2]
+  double hidden_area = 1.5;     ///< so is one with less than this of which even the best viewpoint shows [m^2] ...
+  double least_area = 0.05;     ///< ... less than this [m^2]
   double sliver_share = 0.004;  ///< slivers may be left while together they are a smaller share of the known floor
   double sliver_detour = 2.0;   ///< slivers are looked at on the way if that takes less [s]
 };

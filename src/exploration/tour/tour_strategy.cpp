@@ -1,6 +1,7 @@
 #include "exploration/tour/tour_strategy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "exploration/tour/unknown_region.h"
@@ -58,15 +59,17 @@ void TourStrategy::measureOpenAreas() {
   }
 }
 
-/// A sliver is a frontier around which little unknown area is connected, or behind which next to nothing is in sight
-/// from anywhere. Slivers are left behind as long as all of them together are a small share of the known floor;
-/// otherwise none is one.
+/// A sliver is a frontier around which little unknown area is connected, or no more than the inside of a piece of
+/// furniture of which next to nothing is in sight from anywhere. Slivers are left behind as long as all of them
+/// together are a small share of the known floor; otherwise none is one.
 void TourStrategy::findSlivers() {
   slivers_.assign(evaluator_->frontiers().size(), false);
   double sum = 0.0;
   for (const SoughtFrontier& each : sought_) {
     const double open_area = open_areas_[each.index];
-    if (open_area >= parameters_.sliver_area && search_.mostOf(each.index) >= parameters_.least_area) continue;
+    const bool pocket = open_area < parameters_.sliver_area;
+    const bool hidden = open_area < parameters_.hidden_area && search_.mostOf(each.index) < parameters_.least_area;
+    if (!pocket && !hidden) continue;
     slivers_[each.index] = true;
     sum += std::min(open_area, parameters_.sliver_area);
   }
@@ -84,13 +87,20 @@ std::optional<std::size_t> TourStrategy::presentViewpoint(const Situation& situa
   return std::nullopt;
 }
 
-/// The best plan, or the one that goes on to the present viewpoint unless the best is shorter by the margin.
+/// The best plan, or the one that goes on to the present viewpoint unless the best is shorter by the margin. The margin
+/// doubles each time that a goal is left for a better one, until one has been seen: long tours are not solved exactly,
+/// and the robot could otherwise turn back and forth between two that look alike.
 TourStrategy::Plan TourStrategy::choosePlan(const Situation& situation) {
   Plan best = plan(situation, std::nullopt);
   const auto present = presentViewpoint(situation);
+  if (!present) changes_of_mind_ = 0;
   if (best.stops.empty() || !present || best.stops.front().viewpoint == *present) return best;
+  constexpr int kMostDoublings = 8;
+  const double margin = std::ldexp(parameters_.switch_margin, std::min(changes_of_mind_, kMostDoublings));
   Plan kept = plan(situation, present);
-  return kept.cost < best.cost + parameters_.switch_margin ? kept : best;
+  if (kept.cost < best.cost + margin) return kept;
+  ++changes_of_mind_;
+  return best;
 }
 
 /// With `first` given, that viewpoint comes first.

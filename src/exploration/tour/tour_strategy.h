@@ -22,7 +22,10 @@ class TourStrategy : public GoalStrategy {
 
   std::optional<ChosenGoal> choose(FrontierEvaluator& evaluator, const Situation& situation) override;
   void stayedUnknown() override;
-  void reset() override { distrusted_.clear(); }
+  void reset() override {
+    distrusted_.clear();
+    changes_of_mind_ = 0;
+  }
   /// A tour changes with what is seen on the way, so that it is planned twice as often as other goals are compared.
   double decisionPeriods() const override { return 0.5; }
 
@@ -69,6 +72,7 @@ class TourStrategy : public GoalStrategy {
   std::vector<Viewpoint> viewpoints_;
   std::vector<double> open_areas_;  ///< unknown area around each frontier [m^2]
   std::vector<bool> slivers_;       ///< by frontier
+  int changes_of_mind_ = 0;         ///< goals in a row that were left while they still had something to show
   std::vector<Vec2> aimed_at_;      ///< anchors of the frontiers that the last goal should show
   std::vector<Vec2> distrusted_;    ///< anchors of frontiers that stayed unknown when seen from a viewpoint
 };

@@ -246,5 +246,26 @@ TEST(FrontierParameters, NameWhatTheRadiusIsCalledNow) {
             (Problems{"inscribed_radius: is called clearance_margin (on top of half the robot's width) now"}));
 }
 
+/// What a look through a door from the side shows of the room behind: a strip that is too narrow to be entered.
+TEST_F(FrontierJudgement, AStripSeenThroughADoorHasAGoalAtTheDoor_EXP_2) {
+  std::string drawing = R"(
+##############################
+#............................#
+#............................#
+#....r.......................#
+#............................#
+#............................#
+#............................#
+#............................#
+#............................#
+#............................#
+#............................#
+##############??..??##########
+)";
+  for (int row = 0; row < 57; ++row) drawing += "????????????????..????????????\n";
+  const exploration::Frontier& f = judge(drawing);
+  EXPECT_EQ(f.rejection, exploration::Rejection::kNone) << toString(f.rejection) << " [EXP-2]";
+}
+
 }  // namespace
 }  // namespace frontier_pilot
