@@ -260,7 +260,7 @@ TEST_F(FrontierJudgement, AStripSeenThroughADoorHasAGoalAtTheDoor_EXP_2) {
 #............................#
 #............................#
 #............................#
-##############??..??##########
+################..############
 )";
   for (int row = 0; row < 57; ++row) drawing += "????????????????..????????????\n";
   const exploration::Frontier& f = judge(drawing);
