@@ -79,6 +79,7 @@ bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
 /// Returns whether any frontier can be selected.
 bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context) {
   judged_space_ = &space;
+  history_ = context.history;
   travel_.compute(space, map_.grid(), map_.geometry().cellAt(from), parameters_.escape_radius);
   frontiers_.clear();
   frontiers_.reserve(clusters_.clusters.size());
@@ -196,6 +197,11 @@ FrontierEvaluator::GoalCell FrontierEvaluator::judgeGoal(Cell cell) const {
   return goal;
 }
 
+bool FrontierEvaluator::allowsGoal(Cell cell) const {
+  if (!travel_.reached(cell) || judgeGoal(cell).rejection != Rejection::kNone) return false;
+  return history_ == nullptr || history_->judge(map_.geometry().centre(cell)) == Rejection::kNone;
+}
+
 void FrontierEvaluator::adoptGoal(Frontier& frontier, const GoalCell& goal, const Context& context) {
   frontier.goal = map_.geometry().centre(goal.cell);
   const Vec2 towards = map_.geometry().centre(frontier.anchor) - frontier.goal;
@@ -277,12 +283,6 @@ ViewGain FrontierEvaluator::cachedView(Cell cell) {
   const bool usable = view.changes > 0 && changed_area <= kTolerance * view.gain.area;
   if (!usable) view = {changes, viewGain(map_.grid(), from, parameters_.view)};
   return view.gain;
-}
-
-void FrontierEvaluator::rejectAll(Rejection reason) {
-  for (Frontier& frontier : frontiers_) {
-    if (frontier.selectable()) frontier.rejection = reason;
-  }
 }
 
 void FrontierEvaluator::listCells() {

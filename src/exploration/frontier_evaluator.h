@@ -85,10 +85,16 @@ class FrontierEvaluator {
   /// The cells of frontiers(), in the same order.
   const FrontierClusters& clusters() const { return clusters_; }
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
+  /// Whether a goal at `cell` can be reached and passes every filter. [EXP-3] [EXP-5]
+  bool allowsGoal(Cell cell) const;
   /// Sets Frontier::place.
   void setPlace(std::size_t frontier, int place) { frontiers_[frontier].place = place; }
   /// Rejects every frontier that could be selected.
-  void rejectAll(Rejection reason);
+  void rejectAll(Rejection reason) {
+    for (Frontier& frontier : frontiers_) {
+      if (frontier.selectable()) frontier.rejection = reason;
+    }
+  }
   /// Fills in the cells of every frontier of the last evaluation, for display.
   void listCells();
 
@@ -124,7 +130,8 @@ class FrontierEvaluator {
   TraversableSpace tight_space_;  ///< clear of obstacles only; updated when it is needed
   CellRect tight_changes_;        ///< not yet applied to tight_space_
   const TraversableSpace* judged_space_ = &space_;
-  CellRect space_changes_;  ///< of both spaces since takeSpaceChanges()
+  const GoalHistory* history_ = nullptr;  ///< of the last evaluation
+  CellRect space_changes_;                ///< of both spaces since takeSpaceChanges()
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;

@@ -9,7 +9,7 @@
 namespace frontier_pilot::exploration {
 
 TourStrategy::TourStrategy(const ExplorerParameters& parameters)
-    : parameters_(parameters.tour), limits_(parameters.robot.limits), search_(parameters.frontier) {}
+    : parameters_(parameters.tour), limits_(parameters.robot.limits), search_(parameters.frontier.view) {}
 
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
   evaluator_ = &evaluator;

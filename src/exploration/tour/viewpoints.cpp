@@ -124,8 +124,7 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
       for (int x = (box.x + step - 1) / step * step; x < box.x + box.width; x += step) {
         if (!nodes.insert(geometry.index({x, y})).second) continue;
         const Cell cell = reachedNear({x, y}, step / 3, travel);
-        if (!travel.reached(cell) || travel.distance(cell) < min_distance_) continue;
-        add(cell);
+        if (evaluator.allowsGoal(cell)) add(cell);
       }
     }
   }

@@ -31,8 +31,7 @@ struct SoughtFrontier {
 /// is seen whole from a viewpoint that shows at least half of the area that the best viewpoint shows.
 class ViewpointSearch {
  public:
-  explicit ViewpointSearch(const FrontierParameters& parameters)
-      : min_distance_(parameters.min_distance), views_(parameters.view) {}
+  explicit ViewpointSearch(const ViewParameters& parameters) : views_(parameters) {}
 
   /// `present`, the goal being driven to [m], stays a viewpoint until it shows clearly less than others.
   std::vector<Viewpoint> find(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
@@ -48,7 +47,6 @@ class ViewpointSearch {
   static void addUnseen(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                         std::vector<Viewpoint>& all);
 
-  double min_distance_;
   FrontierViews views_;
   std::vector<double> most_;           ///< by frontier [m^2]
   Grid<std::uint16_t> labels_;         ///< 1 + the place in the list of sought frontiers of a cell's; 0: none

@@ -101,6 +101,36 @@ TEST_F(Strategies, ATourIsKeptUnlessAnotherOneIsClearlyShorter_EXP_9) {
   EXPECT_LT((again->position - goal->position).norm(), 0.3);
 }
 
+// [EXP-5]
+TEST_F(Strategies, NoStopOfATourLiesNearABlacklistedGoal_EXP_5) {
+  for (int k = 0; k < 4; ++k) {
+    const auto goal = k == 0 ? choose(kNicheBehind) : chooseAgain();
+    if (!goal) break;
+    for (const exploration::BlacklistedPlace& entry : history.blacklist()) {
+      EXPECT_GT((goal->position - entry.position).norm(), 0.6) << k;
+    }
+    history.timedOut(goal->position, evaluator.map());
+  }
+  EXPECT_GE(history.blacklist().size(), 2U);
+}
+
+// [EXP-3]
+TEST_F(Strategies, AGoalOfATourIsNotClutteredEither_EXP_3) {
+  const auto goal = choose(R"(
+    ############################################################
+    #...................................#..#..#..#..#..#..#..#.??
+    #..........................................................??
+    #..r................................#..#..#..#..#..#..#..#.??
+    #..........................................................??
+    #...................................#..#..#..#..#..#..#..#.??
+    #..........................................................??
+    ############################################################
+  )");
+  if (!goal) return;
+  const Cell cell = world.map.geometry().cellAt(goal->position);
+  EXPECT_LE(exploration::obstacleDensity(world.map, cell, 6), 0.3);
+}
+
 /// A closed room with unknown cells behind a pillar: 0.03 m^2.
 constexpr const char* kSliver = R"(
   #########################
