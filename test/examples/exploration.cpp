@@ -18,6 +18,6 @@ bool examples::exploration() {
   inputs.T_map_base = fp::StampedPose2{now, fp::Pose2(-2.0, 0.0, 0.0)};
   inputs.odometry_stamp = now;
   const fp::exploration::GoalCommand command = explorer.update(inputs, now).command;  // for the navigation
-  return command.kind == fp::exploration::GoalCommand::Kind::kSend && command.goal.x > -1.0;
+  return command.kind == fp::exploration::GoalCommand::Kind::kSend && command.goal.x > -2.0;
   //! [example]
 }
