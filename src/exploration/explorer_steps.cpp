@@ -96,8 +96,13 @@ void Explorer::Impl::navigate(Time now) {
   if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
   last_check_ = now;
   if (informationGone()) {
-    history_.vanished(goal_->position, evaluator_.map());
-    if (decide(ExplorerReason::kInformationGone, now)) return;
+    const Goal before = *goal_;
+    history_.vanished(before.position, evaluator_.map());
+    if (decide(ExplorerReason::kInformationGone, now)) {
+      // The best choice may still be this goal, for the little that is left: then that is what is expected of it.
+      if (goal_->id == before.id) goal_->info_area = evaluator_.infoAt(goal_->position).area;
+      return;
+    }
     cancelGoal();
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
   }

@@ -9,13 +9,17 @@
 namespace frontier_pilot::exploration {
 
 TourStrategy::TourStrategy(const ExplorerParameters& parameters)
-    : parameters_(parameters.tour), limits_(parameters.robot.limits), search_(parameters.frontier.view) {}
+    : parameters_(parameters.tour),
+      min_distance_(parameters.frontier.min_distance),
+      limits_(parameters.robot.limits),
+      search_(parameters.frontier.view) {}
 
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
   evaluator_ = &evaluator;
   distances_.follow(evaluator);
   seek();
   viewpoints_ = search_.find(evaluator, sought_, situation.current);
+  if (isNearlyThere(situation)) return goalAt(*situation.current, situation);
   distances_.restart(viewpoints_, evaluator);
   measureOpenAreas();
   findSlivers();
@@ -25,13 +29,22 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   return std::nullopt;
 }
 
-void TourStrategy::stayedUnknown() { distrusted_.insert(distrusted_.end(), aimed_at_.begin(), aimed_at_.end()); }
+void TourStrategy::stayedUnknown() {
+  for (const Vec2& place : aimed_at_) {
+    if (!isDistrusted(place)) distrusted_.push_back(place);
+  }
+}
+
+bool TourStrategy::isDistrusted(const Vec2& anchor) const {
+  constexpr double kSamePlace = 0.4;  // [m]
+  return std::any_of(distrusted_.begin(), distrusted_.end(),
+                     [&](const Vec2& place) { return (place - anchor).norm() < kSamePlace; });
+}
 
 /// Takes the nearest frontiers: farther ones will have changed when the robot gets there. Those that were not seen from
 /// a viewpoint although they should have been are looked at from their own goals.
 void TourStrategy::seek() {
   constexpr std::size_t kMostFrontiers = 100;
-  constexpr double kSamePlace = 0.4;  // [m]
   const std::vector<Frontier>& all = evaluator_->frontiers();
   std::vector<std::size_t> nearest;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -44,9 +57,7 @@ void TourStrategy::seek() {
   sought_.clear();
   for (const std::size_t i : nearest) {
     const Vec2 anchor = evaluator_->map().geometry().centre(all[i].anchor);
-    const bool trusted = std::none_of(distrusted_.begin(), distrusted_.end(),
-                                      [&](const Vec2& place) { return (place - anchor).norm() < kSamePlace; });
-    sought_.push_back({i, trusted});
+    sought_.push_back({i, !isDistrusted(anchor)});
   }
 }
 
@@ -77,7 +88,17 @@ void TourStrategy::findSlivers() {
   if (too_many) slivers_.assign(slivers_.size(), false);
 }
 
-/// The viewpoint being driven to, if it still shows a frontier whole.
+/// Whether the robot is about to arrive where something is left to see, although the frontier to be seen there is too
+/// near to be chosen by now. A robot that turned away would choose it again as soon as it is a little farther away.
+bool TourStrategy::isNearlyThere(const Situation& situation) const {
+  constexpr double kNearly = 0.3;  // [m] above min_distance
+  if (!situation.current || !situation.keep_current || presentViewpoint(situation)) return false;
+  const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
+  return evaluator_->travel().distance(cell) < min_distance_ + kNearly &&
+         evaluator_->infoAt(*situation.current).area >= evaluator_->leastInfo();
+}
+
+/// The viewpoint being driven to, if it still shows enough of a frontier.
 std::optional<std::size_t> TourStrategy::presentViewpoint(const Situation& situation) const {
   if (!situation.current) return std::nullopt;
   const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
@@ -248,14 +269,21 @@ void TourStrategy::takeNearSliver(Plan& plan) {
   plan.stops.insert(plan.stops.begin(), stopAt(*best, shown));
 }
 
+ChosenGoal TourStrategy::goalAt(const Vec2& position, const Situation& situation) const {
+  const Cell cell = evaluator_->map().geometry().cellAt(position);
+  ChosenGoal goal;
+  goal.position = position;
+  goal.yaw = arrivalYaw(cell, situation);
+  goal.distance = evaluator_->travel().distance(cell);
+  goal.area = evaluator_->infoAt(position).area;
+  goal.why = "nearly reached";
+  return goal;
+}
+
 ChosenGoal TourStrategy::goalOf(const Plan& plan, const Situation& situation) {
   const Viewpoint& viewpoint = viewpoints_[plan.stops.front().viewpoint];
   const GridGeometry& geometry = evaluator_->map().geometry();
-  ChosenGoal goal;
-  goal.position = geometry.centre(viewpoint.cell);
-  goal.yaw = arrivalYaw(viewpoint.cell, situation);
-  goal.distance = evaluator_->travel().distance(viewpoint.cell);
-  goal.area = evaluator_->infoAt(goal.position).area;
+  ChosenGoal goal = goalAt(geometry.centre(viewpoint.cell), situation);
   aimed_at_.clear();
   for (const Sight& sight : viewpoint.sights) {
     aimed_at_.push_back(geometry.centre(evaluator_->frontiers()[sight.frontier].anchor));

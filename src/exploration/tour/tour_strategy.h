@@ -43,6 +43,8 @@ class TourStrategy : public GoalStrategy {
     double cost = 0.0;
   };
 
+  bool isNearlyThere(const Situation& situation) const;
+  bool isDistrusted(const Vec2& anchor) const;
   void seek();
   void measureOpenAreas();
   void findSlivers();
@@ -59,10 +61,12 @@ class TourStrategy : public GoalStrategy {
   void shorten(Plan& plan);
   void takeNearSliver(Plan& plan);
   bool shows(std::size_t viewpoint, const std::vector<std::size_t>& frontiers) const;
+  ChosenGoal goalAt(const Vec2& position, const Situation& situation) const;
   ChosenGoal goalOf(const Plan& plan, const Situation& situation);
   double arrivalYaw(Cell goal, const Situation& situation) const;
 
   TourParameters parameters_;
+  double min_distance_;  ///< [m]
   RobotLimits limits_;
   ViewpointSearch search_;
   ViewpointDistances distances_;
