@@ -96,13 +96,11 @@ void Explorer::Impl::navigate(Time now) {
   if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
   last_check_ = now;
   if (informationGone()) {
+    // If the best choice is still this goal, for the little that is left, it has not been given up.
     const Goal before = *goal_;
-    history_.vanished(before.position, evaluator_.map());
-    if (decide(ExplorerReason::kInformationGone, now)) {
-      // The best choice may still be this goal, for the little that is left: then that is what is expected of it.
-      if (goal_->id == before.id) goal_->info_area = evaluator_.infoAt(goal_->position).area;
-      return;
-    }
+    const bool decided = decide(ExplorerReason::kInformationGone, now);
+    if (!decided || goal_->id != before.id) history_.vanished(before.position, evaluator_.map());
+    if (decided) return;
     cancelGoal();
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
   }

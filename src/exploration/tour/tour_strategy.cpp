@@ -91,7 +91,7 @@ void TourStrategy::findSlivers() {
 /// Whether the robot is about to arrive where something is left to see, although the frontier to be seen there is too
 /// near to be chosen by now. A robot that turned away would choose it again as soon as it is a little farther away.
 bool TourStrategy::isNearlyThere(const Situation& situation) const {
-  constexpr double kNearly = 0.3;  // [m] above min_distance
+  constexpr double kNearly = 0.05;  // [m] above min_distance
   if (!situation.current || !situation.keep_current || presentViewpoint(situation)) return false;
   const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
   return evaluator_->travel().distance(cell) < min_distance_ + kNearly &&
