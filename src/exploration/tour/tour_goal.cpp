@@ -1,0 +1,55 @@
+#include <cstdio>
+
+#include "exploration/tour/tour_strategy.h"
+
+namespace frontier_pilot::exploration {
+
+ChosenGoal TourStrategy::goalAt(const Vec2& position, const Situation& situation) const {
+  const Cell cell = evaluator_->map().geometry().cellAt(position);
+  ChosenGoal goal;
+  goal.position = position;
+  goal.yaw = arrivalYaw(cell, situation);
+  goal.distance = evaluator_->travel().distance(cell);
+  goal.area = evaluator_->infoAt(position).area;
+  goal.why = "nearly reached";
+  return goal;
+}
+
+ChosenGoal TourStrategy::goalOf(const Plan& plan, const Situation& situation) {
+  const Viewpoint& viewpoint = viewpoints_[plan.stops.front().viewpoint];
+  const GridGeometry& geometry = evaluator_->map().geometry();
+  ChosenGoal goal = goalAt(geometry.centre(viewpoint.cell), situation);
+  aimed_at_.clear();
+  for (const Sight& sight : viewpoint.sights) {
+    aimed_at_.push_back(geometry.centre(evaluator_->frontiers()[sight.frontier].anchor));
+  }
+  std::size_t frontiers = 0;
+  for (std::size_t place = 0; place < plan.stops.size(); ++place) {
+    goal.tour.push_back(geometry.centre(viewpoints_[plan.stops[place].viewpoint].cell));
+    for (const std::size_t frontier : plan.stops[place].frontiers) {
+      evaluator_->setPlace(frontier, static_cast<int>(place) + 1);
+    }
+    frontiers += plan.stops[place].frontiers.size();
+  }
+  char text[120];
+  std::snprintf(text, sizeof text, "first of %zu stops that show %zu frontiers in about %.0f s", plan.stops.size(),
+                frontiers, plan.cost);
+  goal.why = text;
+  return goal;
+}
+
+/// The direction in which the way arrives at a viewpoint, so that the robot need not turn there [rad].
+double TourStrategy::arrivalYaw(Cell goal, const Situation& situation) const {
+  constexpr double kLookBack = 0.5;  // [m]
+  const TravelField& travel = evaluator_->travel();
+  const GridGeometry& geometry = travel.geometry();
+  Cell at = goal;
+  while ((geometry.centre(at) - geometry.centre(goal)).norm() < kLookBack) {
+    const Cell next = nextTowardsOrigin(travel, at);
+    if (next == at) break;
+    at = next;
+  }
+  return at == goal ? situation.T_map_robot.yaw : bearing(geometry.centre(goal) - geometry.centre(at));
+}
+
+}  // namespace frontier_pilot::exploration
