@@ -52,7 +52,7 @@ std::string readNumbers(const ParameterValue& value, const Bounds& bounds, std::
     double storage = 0.0;
     const double* one = number(item, storage);
     if (one == nullptr) return "must be a list of numbers";
-    const std::string bad = complaint(*one, bounds);
+    std::string bad = complaint(*one, bounds);
     if (!bad.empty()) return bad;
     read.push_back(*one);
   }

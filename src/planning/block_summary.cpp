@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cstddef>
 #include <cstring>
 
 namespace frontier_pilot::planning {
@@ -33,14 +34,14 @@ std::uint16_t largestPart(unsigned passable) {
 }
 
 /// The classes of a block's cells, row by row; 0 beyond the map's border.
-using Classes = std::array<std::uint8_t, kBlockSide * kBlockSide>;
+using Classes = std::array<std::uint8_t, std::size_t{kBlockSide} * kBlockSide>;
 
 Classes classesOf(const ClearanceMap& map, Cell block) {
   Classes classes{};
   const CellRect cells =
       CellRect{block.x * kBlockSide, block.y * kBlockSide, kBlockSide, kBlockSide}.intersection(map.geometry().rect());
   for (int y = 0; y < cells.height; ++y) {
-    std::memcpy(classes.data() + kBlockSide * y, map.costs().row(cells.y + y) + cells.x,
+    std::memcpy(classes.data() + std::ptrdiff_t{kBlockSide} * y, map.costs().row(cells.y + y) + cells.x,
                 static_cast<std::size_t>(cells.width));
   }
   for (std::uint8_t& cost_class : classes) cost_class &= ClearanceMap::kClassMask;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 
@@ -12,7 +13,8 @@ class PlanRandom {
 
   /// An integer of [low, high], which must not be empty. The bias of the remainder is less than 1e-12 here.
   int between(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+    const auto count = static_cast<std::uint64_t>(std::max(high - low + 1, 1));
+    return low + static_cast<int>(engine_() % count);
   }
   /// True in `percent` of all cases.
   bool chance(int percent) { return between(1, 100) <= percent; }

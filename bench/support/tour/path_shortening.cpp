@@ -40,7 +40,7 @@ std::vector<Vec2> SeeingPath::places(std::size_t from, std::size_t to) const {
   for (std::size_t i = from; i < to; ++i) {
     const Vec2 step = corners_[i + 1] - corners_[i];
     const int count = std::max(1, static_cast<int>(std::ceil(step.norm() / kStep)));
-    for (int k = 1; k <= count; ++k) result.push_back(corners_[i] + step * k / count);
+    for (int k = 1; k <= count; ++k) result.emplace_back(corners_[i] + step * k / count);
   }
   return result;
 }

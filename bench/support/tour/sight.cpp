@@ -46,7 +46,7 @@ FloorBits::FloorBits(const Grid<std::uint8_t>& floor) : cells_(floor.geometry())
       const int parts = floor.get(c, 0) + floor.get({c.x + 1, c.y}, 0) + floor.get({c.x, c.y + 1}, 0) +
                         floor.get({c.x + 1, c.y + 1}, 0);
       if (parts < 2) continue;
-      all_[static_cast<std::size_t>(y * words_per_row_ + x / 64)] |= std::uint64_t{1} << (x % 64);
+      all_[wordOf({x, y})] |= std::uint64_t{1} << (x % 64);
       ++count_;
     }
   }
@@ -57,7 +57,7 @@ View FloorBits::viewFrom(const Vec2& from, const Sight& sight) const {
   sight.look(from, cells_.resolution, [&](const Vec2& point) {
     const Cell c = cells_.cellAt(point);
     if (!cells_.contains(c)) return;
-    bits[static_cast<std::size_t>(c.y * words_per_row_ + c.x / 64)] |= std::uint64_t{1} << (c.x % 64);
+    bits[wordOf(c)] |= std::uint64_t{1} << (c.x % 64);
   });
   View view;
   for (std::size_t i = 0; i < bits.size(); ++i) {

@@ -56,6 +56,12 @@ class FloorBits {
   int count() const { return count_; }
 
  private:
+  /// The index of the word that holds a cell's bit.
+  std::size_t wordOf(Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(words_per_row_) +
+           static_cast<std::size_t>(cell.x / 64);
+  }
+
   GridGeometry cells_;
   int words_per_row_;
   Bits all_;

@@ -39,11 +39,11 @@ std::string ExplorationBounds::problem() const {
   for (const std::vector<Vec2>& area : keep_out) corners += area.size();
   if (corners > bounds::kMostBoundsCorners) return "the bounds must have at most 2000 corners together";
   if (!stay_within.empty()) {
-    const std::string wrong = problemOf("stay_within", stay_within);
+    std::string wrong = problemOf("stay_within", stay_within);
     if (!wrong.empty()) return wrong;
   }
   for (std::size_t i = 0; i < keep_out.size(); ++i) {
-    const std::string wrong = problemOf(nameOf(i), keep_out[i]);
+    std::string wrong = problemOf(nameOf(i), keep_out[i]);
     if (!wrong.empty()) return wrong;
   }
   return {};

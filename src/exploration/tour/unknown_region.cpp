@@ -18,8 +18,8 @@ double unknownAreaBehind(const OccupancyGrid& map, Cell frontier, double radius)
     open.push_back(c);
   };
   for (const Cell step : grids::kNeighbourSteps) visit({frontier.x + step.x, frontier.y + step.y});
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const Cell c = open[i];
+  for (std::size_t next = 0; next != open.size();) {
+    const Cell c = open[next++];
     visit({c.x + 1, c.y});
     visit({c.x - 1, c.y});
     visit({c.x, c.y + 1});
