@@ -18,6 +18,7 @@
 #include "frontier_pilot/sim/simulator.h"
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
+#include "support/driving_meter.h"
 #include "support/explore_report.h"
 #include "support/named_limits.h"
 #include "support/omniscient_tour.h"
@@ -40,6 +41,8 @@ constexpr const char* kUsage =
     "  --odom-noise       the simulator's odometry noise; the mapper then matches scans and closes loops\n"
     "  --latency SECONDS  from a measurement to those who use it, 0\n"
     "  --curve            explored share and the mapper's error every 10 s of simulated time\n"
+    "  --driving          where the time goes that driving at full speed would not take, and the distances to "
+    "obstacles\n"
     "  --log              every transition of the explorer, end of a goal and contact\n"
     "  --twice            run each seed twice and compare the hashes\n"
     "  --svg DIRECTORY    draw each trajectory over the map it made\n"
@@ -57,7 +60,7 @@ struct Options {
   double until = 2.0;
   double limit = 7200.0;
   double latency = 0.0;
-  bool odom_noise = false, curve = false, log = false, twice = false, omniscient = false;
+  bool odom_noise = false, curve = false, log = false, twice = false, omniscient = false, driving = false;
   std::string svg;
 };
 
@@ -78,6 +81,7 @@ void takeWord(const std::string& word, tools::Arguments& arguments, Options& o) 
   if (word == "--latency") return void(o.latency = arguments.number());
   if (word == "--odom-noise") return void(o.odom_noise = true);
   if (word == "--curve") return void(o.curve = true);
+  if (word == "--driving") return void(o.driving = true);
   if (word == "--log") return void(o.log = true);
   if (word == "--twice") return void(o.twice = true);
   if (word == "--omniscient") return void(o.omniscient = true);
@@ -154,11 +158,14 @@ class Run {
       : options_(options),
         loop_(sim::loadWorld(world), parametersFor(options, world, seed), threadSeconds),
         meter_(loop_.simulator().map(), loop_.simulator().startPose(0), floorRadius(robotOf(options))),
+        driving_(robotOf(options), loop_.simulator().map()),
         svg_(options.svg.empty() ? "" : svgPath(options.svg, world, seed)) {
     report_.world = std::filesystem::path(world).stem().string();
     report_.seed = seed;
     report_.area = meter_.area();
   }
+
+  const DrivingReport& driving() const { return driving_.report(); }
 
   const ExploreReport& toTheEnd() {
     const double begin = threadSeconds();
@@ -186,6 +193,10 @@ class Run {
 
   void follow() {
     const Vec2 position = loop_.simulator().pose(0).position();
+    if (options_.driving) {
+      driving_.observe(loop_.simulator().pose(0), loop_.simulator().velocity(0), loop_.navigator(), loop_.navigation(),
+                       toSeconds(sim::Simulator::kStep));
+    }
     if (last_) report_.distance += (position - *last_).norm();
     last_ = position;
     const int contacts = loop_.simulator().contactCount(0);
@@ -250,6 +261,7 @@ class Run {
   const Options& options_;
   system::ClosedLoop loop_;
   test::ExplorationMeter meter_;
+  DrivingMeter driving_;
   std::string svg_;
   ExploreReport report_;
   SvgTrack track_;
@@ -260,14 +272,18 @@ class Run {
 
 int runAll(const Options& options) {
   bool good = true;
+  DrivingReport driving;
   std::printf("%s\n", ExploreReport::header(options.omniscient).c_str());
   for (const std::string& world : options.worlds) {
     std::optional<double> tour;
     if (options.omniscient) tour = omniscientLength(options, world);
     for (const int seed : options.seeds) {
-      ExploreReport report = Run(options, world, seed).toTheEnd();
+      Run run(options, world, seed);
+      ExploreReport report = run.toTheEnd();
       report.tour = tour;
       std::printf("%s\n", report.text().c_str());
+      if (options.driving) std::printf("%s", run.driving().text().c_str());
+      driving.add(run.driving());
       std::fflush(stdout);
       good = good && report.ended_well && report.contacts == 0;
       if (options.twice && Run(options, world, seed).toTheEnd().hash != report.hash) {
@@ -276,6 +292,7 @@ int runAll(const Options& options) {
       }
     }
   }
+  if (options.driving) std::printf("all runs\n%s", driving.text().c_str());
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   std::printf("peak memory %.0f MiB\n", static_cast<double>(usage.ru_maxrss) / 1024.0);

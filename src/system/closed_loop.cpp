@@ -131,7 +131,6 @@ void ClosedLoop::explore() {
 }
 
 void ClosedLoop::navigate() {
-  std::optional<Twist2> command;
   {
     const Stopwatch watch(wall_clock_, times_.navigator);
     navigation::NavigatorInputs inputs;
@@ -142,13 +141,12 @@ void ClosedLoop::navigate() {
       inputs.new_goal = navigation::NavGoal{pending_.goal_id, pending_.goal, false};
     inputs.cancel = pending_.kind == exploration::GoalCommand::Kind::kCancel;
     pending_ = {};
-    const navigation::NavigatorOutput output = navigator_.update(inputs, now());
-    noteGoals(output);
-    command = output.command;
+    navigation_ = navigator_.update(inputs, now());
+    noteGoals(navigation_);
   }
-  if (!command) return;
+  if (!navigation_.command) return;
   const Stopwatch watch(wall_clock_, times_.arbiter);
-  if (const auto twist = arbiter_.onCommand(nav_source_, *command, instant())) {
+  if (const auto twist = arbiter_.onCommand(nav_source_, *navigation_.command, instant())) {
     simulator_.setCommand(0, *twist);
     mix(twist->linear);
     mix(twist->angular);

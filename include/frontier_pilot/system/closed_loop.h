@@ -65,6 +65,8 @@ class ClosedLoop {
   sim::Simulator& simulator() { return simulator_; }
   const mapping::Mapper& mapper() const { return mapper_; }
   const navigation::Navigator& navigator() const { return navigator_; }
+  /// What the navigator said in its last cycle.
+  const navigation::NavigatorOutput& navigation() const { return navigation_; }
   const exploration::Explorer& explorer() const { return explorer_; }
   const exploration::ExplorerProgress& status() const { return status_; }
   bool done() const { return status_.state == exploration::ExplorerState::kDone; }
@@ -108,6 +110,7 @@ class ClosedLoop {
   Sensed sensed_;  ///< the latest that has arrived
   LaserScan2 scan_;
   exploration::GoalCommand pending_;
+  navigation::NavigatorOutput navigation_;
   std::uint32_t goal_id_ = 0;
   std::vector<exploration::GoalEvent> goal_events_;
   exploration::ExplorerProgress status_;

@@ -1,0 +1,95 @@
+// The navigator on known maps: how long a fixed list of goals takes, where the time goes that full speed would not
+// take, and how near the robot comes to obstacles. The list depends on the world alone, so that two versions of the
+// navigator can be compared, which explorations do not allow: there, a robot that drives differently sees other goals.
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/grids/distance_field.h"
+#include "frontier_pilot/sim/simulator.h"
+#include "sim/random.h"
+#include "sim/reachable_floor.h"
+#include "support/driving_meter.h"
+#include "support/floors/driven_robot.h"
+
+namespace frontier_pilot::bench {
+namespace {
+
+constexpr std::size_t kGoals = 60;
+constexpr double kRadius = 0.2;      ///< of the disc that fits at every goal [m]
+constexpr double kLeastAway = 1.0;   ///< from one goal to the next [m]
+constexpr double kMostAway = 6.0;    ///< [m]
+constexpr double kPatience = 120.0;  ///< for a goal [s]
+constexpr double kTick = 0.05;       ///< of test::DrivenRobot [s]
+
+/// Random places that the robot can reach from `start`, each some metres from the one before.
+std::vector<Vec2> goalsOn(const OccupancyGrid& map, const Vec2& start) {
+  const int cells = static_cast<int>(std::ceil(kRadius / map.resolution()));
+  const Grid<std::uint8_t> floor = sim::reachableFloor(map, map.geometry().cellAt(start), cells);
+  Grid<std::uint8_t> outside(map.geometry());
+  for (std::size_t i = 0; i < map.size(); ++i) outside[i] = floor[i] == 0 ? 1 : 0;
+  const grids::DistanceField field(outside, 2.0 * kRadius);
+  sim::Random random(1);
+  std::vector<Vec2> goals;
+  Vec2 last = start;
+  while (goals.size() < kGoals) {
+    const Cell cell{static_cast<int>(random.uniform() * map.width()),
+                    static_cast<int>(random.uniform() * map.height())};
+    const Vec2 goal = map.geometry().centre(cell);
+    const double away = (goal - last).norm();
+    if (static_cast<double>(field[cell]) < kRadius || away < kLeastAway || away > kMostAway) continue;
+    goals.push_back(goal);
+    last = goal;
+  }
+  return goals;
+}
+
+/// Drives to every goal in turn; to every other one only half of the way, as an explorer does that changes its mind.
+DrivingReport drive(const sim::World& world, int& contacts) {
+  const navigation::NavigatorParams params = test::DrivenRobot::fast();
+  test::DrivenRobot robot(world.map, *world.start, params);
+  DrivingMeter meter(params.robot, robot.simulator().map());
+  bool half = false;
+  for (const Vec2& goal : goalsOn(world.map, world.start->position())) {
+    robot.send(goal);
+    half = !half;
+    for (double t = 0.0; t < kPatience; t += kTick) {
+      robot.tick();
+      meter.observe(robot.pose(), robot.simulator().velocity(0), robot.navigator(), robot.output(), kTick);
+      if (!robot.navigator().hasGoal()) break;
+      if (half && robot.navigator().progress() > 0.5 * robot.navigator().path().length()) break;
+    }
+  }
+  contacts += robot.contacts();
+  return meter.report();
+}
+
+int driveAll(const std::vector<std::string>& paths) {
+  DrivingReport all;
+  int contacts = 0;
+  for (const std::string& path : paths) {
+    const DrivingReport report = drive(sim::loadWorld(path), contacts);
+    std::printf("%s\n%s", std::filesystem::path(path).stem().c_str(), report.text().c_str());
+    std::fflush(stdout);
+    all.add(report);
+  }
+  std::printf("all worlds, %d contacts\n%s", contacts, all.text().c_str());
+  return contacts == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace frontier_pilot::bench
+
+int main(int argc, char** argv) {
+  try {
+    return frontier_pilot::bench::driveAll({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "driving_bench: " << error.what() << "\nusage: driving_bench WORLD.yaml ...\n";
+    return 2;
+  }
+}
