@@ -1,0 +1,27 @@
+#pragma once
+
+namespace frontier_pilot::bench {
+
+/// What explore_bench prints when it is called wrongly.
+constexpr const char* kUsage =
+    "usage: explore_bench [options] WORLD.yaml ...\n"
+    "  --seeds A-B        seeds to run (1-5)\n"
+    "  --robot NAME       one of config/robots/ (burger), or the path of a file like those\n"
+    "  --limits NAME      instead of the robot's own: burger (0.22 m/s) or fast (0.5 m/s)\n"
+    "  --strategy NAME    tour (default), greedy or nearest\n"
+    "  --start X Y YAW    start pose in the world [m, m, rad]; the world's own otherwise\n"
+    "  --until SHARE      stop at this explored share instead of DONE\n"
+    "  --limit SECONDS    of simulated time, 7200\n"
+    "  --odom-noise       the simulator's odometry noise; the mapper then matches scans and closes loops\n"
+    "  --latency SECONDS  from a measurement to those who use it, 0\n"
+    "  --curve            explored share and the mapper's error every 10 s of simulated time\n"
+    "  --driving          where the time goes that driving at full speed would not take, and the distances to "
+    "obstacles\n"
+    "  --log              every transition of the explorer, end of a goal and contact\n"
+    "  --twice            run each seed twice and compare the hashes\n"
+    "  --svg DIRECTORY    draw each trajectory over the map it made\n"
+    "  --omniscient       beside each distance, that of a tour which knows the world; takes seconds to minutes a "
+    "world\n"
+    "Exit status 0: every run ended DONE with no reachable frontier left (or at --until) and without contact.\n";
+
+}  // namespace frontier_pilot::bench
