@@ -56,24 +56,14 @@ std::size_t freeChoice(const ObservedMap& map, const std::vector<Cell>& path) {
   return path.size();
 }
 
-/// The neighbour nearest to where the paths begin; `cell` itself if none is nearer.
-Cell stepBack(const TravelField& travel, Cell cell) {
-  Cell best = cell;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const Cell next{cell.x + dx, cell.y + dy};
-      if (travel.distance(next) < travel.distance(best)) best = next;
-    }
-  }
-  return best;
-}
-
 /// The cells of the shortest path, beginning at the goal.
 std::vector<Cell> pathFrom(const TravelField& travel, Cell goal) {
   std::vector<Cell> path;
   if (!travel.reached(goal)) return path;
   path.push_back(goal);
-  for (Cell next = stepBack(travel, goal); next != path.back(); next = stepBack(travel, next)) path.push_back(next);
+  for (Cell next = nextTowardsOrigin(travel, goal); next != path.back(); next = nextTowardsOrigin(travel, next)) {
+    path.push_back(next);
+  }
   return path;
 }
 

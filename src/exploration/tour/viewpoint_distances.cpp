@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "frontier_pilot/grids/cell_search.h"
-
 namespace frontier_pilot::exploration {
 namespace {
 
@@ -74,15 +72,6 @@ double ViewpointDistances::turnTowards(Cell goal, const Pose2& T_map_robot) cons
   const Vec2 ahead = coarse_.geometry().centre(at) - T_map_robot.position();
   if (ahead.norm() < coarse_.geometry().resolution) return 0.0;
   return std::abs(angleDifference(bearing(ahead), T_map_robot.yaw));
-}
-
-Cell nextTowardsOrigin(const TravelField& field, Cell cell) {
-  Cell next = cell;
-  for (const Cell step : grids::kNeighbourSteps) {
-    const Cell neighbour{cell.x + step.x, cell.y + step.y};
-    if (field.distance(neighbour) < field.distance(next)) next = neighbour;
-  }
-  return next;
 }
 
 }  // namespace frontier_pilot::exploration

@@ -40,7 +40,4 @@ class ViewpointDistances {
   std::vector<std::vector<double>> rows_;  ///< empty until asked for
 };
 
-/// The neighbour of `cell` that is nearest to where the wavefront began; `cell` itself if none is nearer.
-Cell nextTowardsOrigin(const TravelField& field, Cell cell);
-
 }  // namespace frontier_pilot::exploration

@@ -1,8 +1,6 @@
 #include "exploration/travel/coarse_space.h"
 
-#include <algorithm>
-
-#include "frontier_pilot/grids/cell_search.h"
+#include "exploration/travel/neighbour_links.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -36,7 +34,7 @@ void CoarseSpace::update(const TraversableSpace& space, const CellRect& changed)
   if (area.empty()) return;
   const CellRect window = coarser(area).intersection(geometry.rect());
   mark(space, window);
-  link(window.grown(1).intersection(geometry.rect()));
+  linkNeighbours(passable_, window.grown(1).intersection(geometry.rect()), neighbours_);
 }
 
 void CoarseSpace::mark(const TraversableSpace& space, const CellRect& window) {
@@ -50,20 +48,7 @@ void CoarseSpace::mark(const TraversableSpace& space, const CellRect& window) {
           any = any || space.traversable({column, row});
         }
       }
-      passable_[Cell{x, y}] = any ? 1 : 0;
-    }
-  }
-}
-
-void CoarseSpace::link(const CellRect& window) {
-  for (int y = window.y; y < window.y + window.height; ++y) {
-    for (int x = window.x; x < window.x + window.width; ++x) {
-      unsigned open = 0;
-      for (unsigned d = 0; passable_[Cell{x, y}] != 0 && d < grids::kNeighbourSteps.size(); ++d) {
-        const Cell step = grids::kNeighbourSteps[d];
-        if (passable_.get({x + step.x, y + step.y}, 0) != 0) open |= 1U << d;
-      }
-      neighbours_[Cell{x, y}] = static_cast<std::uint8_t>(open);
+      passable_[Cell{x, y}] = any ? 0xFF : 0;
     }
   }
 }

@@ -23,9 +23,8 @@ class CoarseSpace {
 
  private:
   void mark(const TraversableSpace& space, const CellRect& window);
-  void link(const CellRect& window);
 
-  Grid<std::uint8_t> passable_;  ///< 1 or 0
+  Grid<std::uint8_t> passable_;  ///< 0xFF or 0
   Grid<std::uint8_t> neighbours_;
 };
 
