@@ -176,9 +176,7 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
   if (!goal_ || goal_->id != event.goal_id) return;  // the event belongs to a goal that has been replaced
   const Goal goal = *goal_;
   goal_.reset();
-  if (event.kind == GoalEvent::Kind::kReached && goal.on_the_way) {
-    return enter(ExplorerState::kSelectGoal, ExplorerReason::kGoalReached, "reached a stop on the way", now);
-  }
+  if (event.kind == GoalEvent::Kind::kReached && goal.on_the_way) return stopReached(goal, now);
   switch (event.kind) {
     case GoalEvent::Kind::kReached:
       ++status_.goals_reached;
@@ -192,6 +190,18 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
       goalFailed(goal, event.text);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, event.text, now);
   }
+}
+
+/// A navigation with a large tolerance may call a stop reached where the robot stands. The same stop would be sent for
+/// ever, so that the goal behind it counts as failed.
+void Explorer::Impl::stopReached(const Goal& goal, Time now) {
+  constexpr double kLeast = 0.1;  // [m]: what a robot has to move for a stop on the way
+  if ((T_map_base_->position() - goal.sent_from).norm() >= kLeast) {
+    return enter(ExplorerState::kSelectGoal, ExplorerReason::kGoalReached, "reached a stop on the way", now);
+  }
+  const std::string what = "the navigation calls a stop on the way reached without driving there";
+  goalFailed(goal, what);
+  enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, what, now);
 }
 
 /// Goals for stepping back or returning to the start belong to no frontier and are never blacklisted.
@@ -222,6 +232,7 @@ void Explorer::Impl::cancelGoal() {
 void Explorer::Impl::send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now) {
   goal.id = next_goal_id_++;
   goal.sent = now;
+  goal.sent_from = T_map_base_->position();
   const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
   goal.on_the_way = stop != goal.position;
   if (goal.on_the_way) yaw = bearing(goal.position - stop);

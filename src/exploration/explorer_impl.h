@@ -42,9 +42,10 @@ class Explorer::Impl {
     Vec2 position = Vec2::Zero();
     double info_area = 0.0;  ///< expected area when it was chosen [m^2]
     Time sent;
-    bool returning = false;      ///< to the start
-    bool stepping_back = false;  ///< from a frontier that is too near
-    bool on_the_way = false;     ///< sent to a stop on the way, around what is out of bounds
+    Vec2 sent_from = Vec2::Zero();  ///< where the robot was then [m]
+    bool returning = false;         ///< to the start
+    bool stepping_back = false;     ///< from a frontier that is too near
+    bool on_the_way = false;        ///< sent to a stop on the way, around what is out of bounds
   };
 
   /// An alternative that is tried when the ordinary judgement leaves no selectable frontier.
@@ -68,6 +69,7 @@ class Explorer::Impl {
   void stopFor(const std::vector<ExplorerReason>& missing, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
   void handleEvent(const GoalEvent& event, Time now);
+  void stopReached(const Goal& goal, Time now);
   void goalFailed(const Goal& goal, const std::string& what);
   void goalTimedOut(const Goal& goal);
 

@@ -79,6 +79,7 @@ ExplorerReason Explorer::Impl::whyNothingIsLeft() const {
 
 void Explorer::Impl::returnToStart(Time now) {
   if (!mayReturn()) return enter(ExplorerState::kDone, *done_reason_, "", now);
+  if (!evaluator_.map().bounds().empty()) evaluator_.findWays(T_map_base_->position(), start_->position());
   Goal goal;
   goal.position = start_->position();
   goal.returning = true;

@@ -33,7 +33,7 @@ double roomyClearance(const FrontierParameters& parameters, const Outline& drive
 
 FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven)
     : parameters_(parameters),
-      half_width_(driven.halfWidth()),
+      lane_{driven.halfWidth() + parameters.clearance_margin, driven.halfWidth()},
       space_(roomyClearance(parameters, driven), KeepClearOf::kObstaclesAndUnknown),
       tight_space_(driven.halfWidth() + parameters.clearance_margin) {}
 
@@ -66,14 +66,28 @@ bool FrontierEvaluator::evaluate(const Context& context) {
 }
 
 bool FrontierEvaluator::evaluateTightWays(const Context& context) {
-  space_changes_.include(tight_space_.update(map_.grid(), tight_changes_));
-  tight_changes_ = {};
+  updateTightSpace();
   return judgeAll(tight_space_, context.robot, context);
 }
 
 bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
   const bool cut_off = robotHasGround() && !travel_.reached(map_.geometry().cellAt(context.start));
-  return cut_off && judgeAll(tight_space_, context.start, context);
+  if (!cut_off || boundsSeparate(map_, context.robot, context.start)) return false;
+  return judgeAll(tight_space_, context.start, context);
+}
+
+void FrontierEvaluator::findWays(const Vec2& robot, const Vec2& place) {
+  if (map_.empty()) return;
+  const Cell from = map_.geometry().cellAt(robot);
+  travel_.compute(space_, map_.grid(), from, parameters_.escape_radius);
+  if (travel_.reached(map_.geometry().cellAt(place))) return;
+  updateTightSpace();
+  travel_.compute(tight_space_, map_.grid(), from, parameters_.escape_radius);
+}
+
+void FrontierEvaluator::updateTightSpace() {
+  space_changes_.include(tight_space_.update(map_.grid(), tight_changes_));
+  tight_changes_ = {};
 }
 
 /// Returns whether any frontier can be selected.

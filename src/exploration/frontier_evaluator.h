@@ -44,7 +44,8 @@ class FrontierEvaluator {
   bool evaluate(const Context& context);
   /// Judges the same frontiers again and also allows paths through gaps that the robot only just fits through.
   bool evaluateTightWays(const Context& context);
-  /// The same with paths from `context.start`, if the last evaluation found no path from there to the robot.
+  /// The same with paths from `context.start`, if the last evaluation found no path from there to the robot and it is
+  /// not the bounds that separate them.
   bool evaluateWaysFromStart(const Context& context);
 
   /// The selectable frontiers of the last evaluation as scored candidates.
@@ -73,8 +74,11 @@ class FrontierEvaluator {
   CellRect takeSpaceChanges() { return std::exchange(space_changes_, {}); }
   /// Where to send the robot first on its way to `goal`, see limits/way_inside.h; by the last evaluation.
   Vec2 stopOnTheWay(const Vec2& robot, const Vec2& goal) const {
-    return exploration::stopOnTheWay(travel_, map_, robot, goal, half_width_);
+    return exploration::stopOnTheWay(travel_, map_, robot, goal, lane_);
   }
+  /// Computes the ways from the robot anew, through tight gaps if none leads to `place` otherwise, for `stopOnTheWay`.
+  /// The judgement of the frontiers stays as it is.
+  void findWays(const Vec2& robot, const Vec2& place);
   /// Least unknown area that a goal has to show [m^2]; it grows with the free area of the map.
   double leastInfo() const;
   /// What a view from `goal` is expected to show now. [EXP-6]
@@ -109,6 +113,7 @@ class FrontierEvaluator {
     ViewGain gain;
   };
 
+  void updateTightSpace();
   bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
   Frontier outline(const FrontierCluster& cluster) const;
   void leaveOutAllBut(std::size_t most, const Vec2& robot);
@@ -122,7 +127,7 @@ class FrontierEvaluator {
   ViewGain cachedView(Cell cell);
 
   FrontierParameters parameters_;
-  double half_width_;  ///< of the robot's lane [m]
+  LaneWidth lane_;
   PlanFn plan_;
   ObservedMap map_;
   FrontierSearch search_;
