@@ -86,8 +86,8 @@ void FrontierEvaluator::findWays(const Vec2& robot, const Vec2& place) {
 }
 
 void FrontierEvaluator::updateTightSpace() {
-  space_changes_.include(tight_space_.update(map_.grid(), tight_changes_));
-  tight_changes_ = {};
+  if (tight_changes_.empty()) return;
+  tight_space_changes_.include(tight_space_.update(map_.grid(), std::exchange(tight_changes_, {})));
 }
 
 /// Returns whether any frontier can be selected.

@@ -70,8 +70,10 @@ class FrontierEvaluator {
   std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
   /// The space through which the last evaluation found the goals.
   const TraversableSpace& space() const { return *judged_space_; }
-  /// The block of cells of `space()` that may have changed since the last call; of no meaning if it is another one.
-  CellRect takeSpaceChanges() { return std::exchange(space_changes_, {}); }
+  /// The block of cells of `space()` that may have changed since the last call for the same space.
+  CellRect takeSpaceChanges() {
+    return std::exchange(judged_space_ == &space_ ? space_changes_ : tight_space_changes_, {});
+  }
   /// Where to send the robot first on its way to `goal`, see limits/way_inside.h; by the last evaluation.
   Vec2 stopOnTheWay(const Vec2& robot, const Vec2& goal) const {
     return exploration::stopOnTheWay(travel_, map_, robot, goal, lane_);
@@ -136,7 +138,8 @@ class FrontierEvaluator {
   CellRect tight_changes_;        ///< not yet applied to tight_space_
   const TraversableSpace* judged_space_ = &space_;
   const GoalHistory* history_ = nullptr;  ///< of the last evaluation
-  CellRect space_changes_;                ///< of both spaces since takeSpaceChanges()
+  CellRect space_changes_;                ///< since takeSpaceChanges()
+  CellRect tight_space_changes_;          ///< the same of tight_space_
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;

@@ -10,17 +10,25 @@ namespace {
 
 constexpr double kNoWay = -1.0;  // as ViewpointDistances::to
 
+/// Frontiers nearer than this to one that stayed unknown are the same one [m].
+BlacklistParameters distrustParameters(BlacklistParameters parameters) {
+  parameters.radius = 0.4;
+  return parameters;
+}
+
 }  // namespace
 
 TourStrategy::TourStrategy(const ExplorerParameters& parameters)
     : parameters_(parameters.tour),
       min_distance_(parameters.frontier.min_distance),
       limits_(parameters.robot.limits),
-      search_(parameters.frontier.view) {}
+      search_(parameters.frontier.view),
+      distrusted_(distrustParameters(parameters.blacklist)) {}
 
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
   evaluator_ = &evaluator;
   distances_.follow(evaluator);
+  expireDistrust();
   seek();
   viewpoints_ = search_.find(evaluator, sought_, situation.current);
   if (isNearlyThere(situation)) return goalAt(*situation.current, situation);
@@ -37,14 +45,16 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
 
 void TourStrategy::stayedUnknown() {
   for (const Vec2& place : aimed_at_) {
-    if (!isDistrusted(place)) distrusted_.push_back(place);
+    if (distrusted_.find(place) == nullptr) distrusted_.add(place, "stayed unknown", evaluator_->map());
   }
 }
 
-bool TourStrategy::isDistrusted(const Vec2& anchor) const {
-  constexpr double kSamePlace = 0.4;  // [m]
-  return std::any_of(distrusted_.begin(), distrusted_.end(),
-                     [&](const Vec2& place) { return (place - anchor).norm() < kSamePlace; });
+/// A frontier around which the map has changed may be seen from elsewhere again.
+void TourStrategy::expireDistrust() {
+  const ObservedMap& map = evaluator_->map();
+  if (map.geometry() != geometry_) distrusted_.rebase(map);
+  geometry_ = map.geometry();
+  distrusted_.expire(map);
 }
 
 /// Takes the nearest frontiers: farther ones will have changed when the robot gets there. Those that were not seen from
@@ -63,7 +73,7 @@ void TourStrategy::seek() {
   sought_.clear();
   for (const std::size_t i : nearest) {
     const Vec2 anchor = evaluator_->map().geometry().centre(all[i].anchor);
-    sought_.push_back({i, !isDistrusted(anchor)});
+    sought_.push_back({i, distrusted_.find(anchor) == nullptr});
   }
 }
 

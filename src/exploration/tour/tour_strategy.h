@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "exploration/blacklist.h"
 #include "exploration/goal_strategy.h"
 #include "exploration/tour/open_tour.h"
 #include "exploration/tour/viewpoint_distances.h"
@@ -23,7 +24,7 @@ class TourStrategy : public GoalStrategy {
   std::optional<ChosenGoal> choose(FrontierEvaluator& evaluator, const Situation& situation) override;
   void stayedUnknown() override;
   void reset() override {
-    distrusted_.clear();
+    distrusted_.reset();
     changes_of_mind_ = 0;
   }
   /// A tour changes with what is seen on the way, so that it is planned twice as often as other goals are compared.
@@ -44,7 +45,7 @@ class TourStrategy : public GoalStrategy {
   };
 
   bool isNearlyThere(const Situation& situation) const;
-  bool isDistrusted(const Vec2& anchor) const;
+  void expireDistrust();
   void seek();
   void measureOpenAreas();
   void findSlivers();
@@ -80,7 +81,8 @@ class TourStrategy : public GoalStrategy {
   std::vector<bool> slivers_;       ///< by frontier
   int changes_of_mind_ = 0;         ///< goals in a row that were left while they still had something to show
   std::vector<Vec2> aimed_at_;      ///< anchors of the frontiers that the last goal should show
-  std::vector<Vec2> distrusted_;    ///< anchors of frontiers that stayed unknown when seen from a viewpoint
+  Blacklist distrusted_;            ///< anchors of frontiers that stayed unknown when seen from a viewpoint
+  GridGeometry geometry_;           ///< of the map at the last decision
 };
 
 }  // namespace frontier_pilot::exploration

@@ -33,6 +33,7 @@ class TraversableSpace {
   /// cell itself is not.
   const Grid<std::uint8_t>& neighbours() const { return neighbours_; }
   const GridGeometry& geometry() const { return passable_.geometry(); }
+  double clearance() const { return clearance_; }
 
  private:
   void markNearObstacles(const OccupancyGrid& map, const CellRect& window);
