@@ -1,4 +1,3 @@
-#include <frontier_pilot/ExplorerStatus.h>
 #include <geometry_msgs/PoseStamped.h>
 
 #include "ros/common/clock.h"
@@ -29,11 +28,15 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   map_.subscribe(connections_, parameters_.map_frame);
   followOdometry(connections_, tf_, parameters_.explorer.robot, base_frame_, 20,
                  &FrontierExplorerAdapter::handleOdometry, this);
+  connections_.subscribe(names::kBatteryState, 1, &FrontierExplorerAdapter::handleBattery, this);
+  connections_.subscribe(names::kClickedPoint, 20, &FrontierExplorerAdapter::handleClick, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
   connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
   connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
+  connections_.serve(names::kClearExplorationBounds, &FrontierExplorerAdapter::handleClearBounds, this);
+  connections_.serve(names::kSetReturnToStart, &FrontierExplorerAdapter::handleReturnToStart, this);
   connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
   connections_.serve(names::kExplainExplorer, &FrontierExplorerAdapter::handleExplain, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
@@ -60,6 +63,19 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   return true;
 }
 
+bool FrontierExplorerAdapter::handleReturnToStart(std_srvs::SetBool::Request& request,
+                                                  std_srvs::SetBool::Response& response) {
+  const bool before = explorer_.returnsToStart();
+  explorer_.setReturnToStart(request.data != 0);
+  last_status_.reset();
+  tick();  // so that the status is as the answer says
+  response.success = 1U;
+  response.message =
+      std::string(explorer_.returnsToStart() ? "returns to the start at the end" : "stays where the exploration ends") +
+      (before == explorer_.returnsToStart() ? " already: nothing changed" : "");
+  return true;
+}
+
 bool FrontierExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   reset_ = true;
   tick();
@@ -75,6 +91,7 @@ bool FrontierExplorerAdapter::handleExplain(std_srvs::Trigger::Request&, std_srv
 }
 
 void FrontierExplorerAdapter::update(Time now) {
+  expireClicks();
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
   const exploration::ExplorerOutput output = explorer_.update(gather(now), now);
@@ -96,6 +113,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   inputs.navigation_available = navigation_.available();
   inputs.others_goal = navigation_.servesOthers();
   inputs.odometry_stamp = odometry_stamp_;
+  inputs.battery = battery();
   inputs.goal_events = navigation_.takeEvents();
   if (const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_)) {
     // A chain of static transforms alone has no stamp: it holds now.
@@ -114,7 +132,9 @@ void FrontierExplorerAdapter::obey(const exploration::GoalCommand& command, Time
 }
 
 void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress& status, Time now) {
-  status_publisher_.publish(toStatusMsg(status, explorer_.bounds(), map_saved_, parameters_.map_frame, now));
+  ExplorerStatus msg = toStatusMsg(status, parameters_.map_frame, now);
+  addLimits(msg);
+  status_publisher_.publish(msg);
   last_status_ = now;
 }
 
@@ -132,9 +152,13 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
   markers_due_ = markers_due_ || news;
   if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
   markers_due_ = false;
-  markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist(),
-                                                 explorer_.bounds(), explorer_.tour(), explorer_.geometry(),
-                                                 parameters_.map_frame, now));
+  const ExplorerScene scene{explorer_.frontiersWithCells(),
+                            explorer_.geometry(),
+                            explorer_.blacklist(),
+                            explorer_.bounds(),
+                            explorer_.tour(),
+                            clicked_.corners()};
+  markers_publisher_.publish(makeExplorerMarkers(scene, parameters_.map_frame, now));
 }
 
 /// Warns while ROS time stands still: ticks are on ROS time, so no tick could report it.
