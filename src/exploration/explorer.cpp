@@ -40,6 +40,8 @@ Explorer& Explorer::operator=(Explorer&&) noexcept = default;
 void Explorer::setMap(const OccupancyGrid& map, const CellRect& changed) { impl_->setMap(map, changed); }
 void Explorer::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map) { impl_->setBounds(bounds, map); }
 const ExplorationBounds& Explorer::bounds() const { return impl_->evaluator().map().bounds(); }
+void Explorer::setReturnToStart(bool on) { impl_->setReturnToStart(on); }
+bool Explorer::returnsToStart() const { return impl_->returnsToStart(); }
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
 ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) { return impl_->update(inputs, now); }
 
@@ -74,6 +76,7 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   if (clockJumped(now)) forgetTime(now);
   const double before = status_.distance_travelled;
   trackMotion(inputs);
+  battery_ = inputs.battery;
   countExploring(status_.distance_travelled - before, now);
   if (inputs.reset) reset(now);
   if (inputs.start) startAgain(now);

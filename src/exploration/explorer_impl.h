@@ -26,6 +26,8 @@ class Explorer::Impl {
 
   void setMap(const OccupancyGrid& map, const CellRect& changed);
   void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
+  void setReturnToStart(bool on) { parameters_.return_to_start = on; }
+  bool returnsToStart() const { return parameters_.return_to_start; }
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
   FrontierEvaluator& evaluator() { return evaluator_; }
@@ -126,6 +128,7 @@ class Explorer::Impl {
   ChosenGoal chosen_;  ///< at the last decision; without a goal its members are empty
   std::optional<Pose2> start_;
   std::optional<Pose2> T_map_base_;
+  std::optional<double> battery_;
   std::optional<Time> last_update_;
   std::optional<Time> last_report_;
   std::optional<Time> nothing_left_since_;

@@ -39,10 +39,12 @@ constexpr std::array kReasonTexts = {
     "the distance asked for is driven",
     "the robot stands outside of the bounds",
     "the bounds have changed",
-    "waiting for your goal",
+    "waiting for your goal to end",
     "started again",
+    "the share asked for is explored",
+    "the battery is down to the limit",
 };
-static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kStartedAgain) + 1);
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kUntilBattery) + 1);
 
 }  // namespace
 

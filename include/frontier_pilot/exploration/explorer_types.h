@@ -50,6 +50,8 @@ enum class ExplorerReason : std::uint8_t {
   kBoundsChanged,
   kOthersGoal,
   kStartedAgain,
+  kUntilShare,
+  kUntilBattery,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -85,6 +87,7 @@ struct ExplorerInputs {
   bool others_goal = false;          ///< the move_base server pursues a goal of another client
   std::optional<StampedPose2> T_map_base;
   std::optional<Time> odometry_stamp;  ///< of the latest odometry
+  std::optional<double> battery;       ///< charge as a share, 0 to 1; nothing while it is not known
   std::vector<GoalEvent> goal_events;  ///< since the last tick
 };
 

@@ -153,6 +153,10 @@ struct UntilParameters {
   double area = 0.0;
   double time = 0.0;
   double distance = 0.0;
+  double battery = 0.0;
+
+  /// The rules that are set, for a status: "400 m2 are known or 600 s have passed"; empty if none is.
+  std::string inWords() const;
 
   template <class V>
   void describe(V& v) {
@@ -162,6 +166,9 @@ struct UntilParameters {
             "end the exploration after this long, without pauses and waiting for inputs; 0: no such end",
             timeSpanOrNone());
     v.field("distance", distance, "m", "end the exploration after this much driving; 0: no such end", atLeast(0.0));
+    v.field("battery", battery, "",
+            "end the exploration when battery_state reports this share of the charge or less; 0: no such end",
+            between(0.0, 1.0));
   }
 };
 

@@ -51,7 +51,7 @@ bool Explorer::Impl::withinLimits(Time now) {
   }
   if (status_.state == ExplorerState::kDone) return !ended_by_rule_;
   const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
-  const auto rule = returning ? std::nullopt : rules_.met(evaluator_.map().freeArea());
+  const auto rule = returning ? std::nullopt : rules_.met(evaluator_.map().freeArea(), battery_);
   if (rule) endBy(*rule, now);
   return status_.state != ExplorerState::kDone && keepWithinBounds(now);
 }

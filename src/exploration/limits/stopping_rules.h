@@ -19,8 +19,9 @@ class StoppingRules {
     time_ += passed;
     distance_ += driven;
   }
-  /// The rule that is met first in the order area, time, distance; nothing if none is.
-  std::optional<ExplorerReason> met(double explored_area) const;
+  /// The rule that is met first in the order area, time, distance, battery; nothing if none is. `battery` is the
+  /// charge, 0 to 1; while it is not known, its rule is not met.
+  std::optional<ExplorerReason> met(double explored_area, const std::optional<double>& battery) const;
   /// Time and distance are counted from here on, and until/area more than `explored_area` [m^2] is to be explored.
   void startOver(double explored_area);
 

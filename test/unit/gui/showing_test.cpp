@@ -140,6 +140,44 @@ TEST_F(Showing, TheAvoiderAndTheExplorerAreSwitchedAndShown) {
   EXPECT_TRUE(text("explorer_state").contains("NAVIGATING"));
 }
 
+// [GUI-2] [EXP-10]
+TEST_F(Showing, BoundsAreShownAndCleared) {
+  EXPECT_EQ(find("explorer_bounds")->toolTip().isEmpty() ? text("explorer_bounds") : find("explorer_bounds")->toolTip(),
+            "within 640 m², 1 area left out");
+  click("clear_bounds");
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].kind, Kind::kClearBounds);
+  state_.explorer->bounded = false;
+  widget_->setState(state_);
+  EXPECT_FALSE(find("clear_bounds")->isEnabled()) << "there is nothing to clear";
+}
+
+// [GUI-2] [EXP-10]
+TEST_F(Showing, TheReturnToTheStartIsASwitchThatShowsTheStatusAlone) {
+  auto* toggle = find<QAbstractButton>("return_to_start");
+  EXPECT_FALSE(toggle->isChecked());
+  toggle->click();
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].kind, Kind::kReturnToStart);
+  EXPECT_TRUE(requests_[0].on);
+  EXPECT_FALSE(toggle->isChecked());
+  state_.explorer->return_to_start = true;
+  widget_->setState(state_);
+  EXPECT_TRUE(toggle->isChecked());
+}
+
+// [GUI-2] [EXP-10]
+TEST_F(Showing, WhenItEndsAndWhatBecomesOfTheMapIsShown) {
+  state_.explorer->end_text = "when 9 m2 are known";
+  state_.explorer->map_text = "saved: hall";
+  widget_->setState(state_);
+  EXPECT_EQ(text("explorer_end"), "when 9 m2 are known");
+  EXPECT_EQ(text("explorer_map"), "saved: hall");
+  state_.explorer->status_age = 60.0;
+  widget_->setState(state_);
+  EXPECT_EQ(text("explorer_map"), "–") << "a silent explorer may have changed its mind";
+}
+
 // [GUI-1]
 TEST_F(Showing, ThePatrolButtonsAskForTheirShapeWithSideAndLaps) {
   find<QDoubleSpinBox>("patrol_side")->setValue(1.5);
@@ -238,12 +276,14 @@ TEST_F(Showing, TheLogIsBoundedAndTakesNoMarkupFromOutside) {
 // [GUI-3]
 TEST_F(Showing, ServicesThatAreDownGreyTheirButtonsAndSaySo) {
   state_.clear_service_up = state_.avoider_service_up = state_.explorer_service_up = state_.explorer_reset_up = false;
+  state_.explorer_bounds_up = state_.explorer_return_up = false;
   state_.patrol.server_up = state_.spin.server_up = false;
   state_.emergency_stop = true;
   for (teleop::SourceView& source : state_.arbiter->sources) source.service_up = false;
   widget_->setState(state_);
-  for (const char* name : {"clear_emergency_stop", "enable_nav", "enable_avoid", "obstacle_avoider", "explore_start",
-                           "explore_pause", "explore_reset", "patrol(sqr)", "patrol(tri)", "patrol(cir)", "spin"}) {
+  for (const char* name :
+       {"clear_emergency_stop", "enable_nav", "enable_avoid", "obstacle_avoider", "explore_start", "explore_pause",
+        "explore_reset", "clear_bounds", "return_to_start", "patrol(sqr)", "patrol(tri)", "patrol(cir)", "spin"}) {
     EXPECT_FALSE(find(name)->isEnabled()) << name;
     EXPECT_TRUE(find(name)->toolTip().contains("down")) << name;
   }
