@@ -21,6 +21,7 @@
 #include "support/explore_report.h"
 #include "support/named_limits.h"
 #include "support/omniscient_tour.h"
+#include "support/progress_track.h"
 #include "support/shipped_robot.h"
 #include "support/svg.h"
 #include "tools/arguments.h"
@@ -39,7 +40,8 @@ constexpr const char* kUsage =
     "  --limit SECONDS    of simulated time, 7200\n"
     "  --odom-noise       the simulator's odometry noise; the mapper then matches scans and closes loops\n"
     "  --latency SECONDS  from a measurement to those who use it, 0\n"
-    "  --curve            explored share and the mapper's error every 10 s of simulated time\n"
+    "  --curve            explored share and the mapper's error every 10 s of simulated time; how good the\n"
+    "                     explorer's estimate of the whole was\n"
     "  --log              every transition of the explorer, end of a goal and contact\n"
     "  --twice            run each seed twice and compare the hashes\n"
     "  --svg DIRECTORY    draw each trajectory over the map it made\n"
@@ -205,6 +207,7 @@ class Run {
       if (options_.log) std::printf("    %s\n", line.c_str());
     }
     if (options_.log) logMapper();
+    progress_.add(t, loop_.status());
     if (options_.curve && static_cast<int>(t) % 10 == 0) {
       const Pose2 error = mapperError();
       std::printf("    t %6.0f s  explored %.4f  distance %7.1f m  off by %.3f m, %.2f deg\n", t, report_.explored,
@@ -234,6 +237,7 @@ class Run {
   }
 
   void conclude(double cpu) {
+    if (options_.curve) std::printf("%s\n", progress_.text().c_str());
     if (options_.log) std::printf("    %s\n", loop_.explorer().explain().c_str());
     report_.simulated = toSeconds(loop_.now());
     report_.cpu = cpu;
@@ -253,6 +257,7 @@ class Run {
   std::string svg_;
   ExploreReport report_;
   SvgTrack track_;
+  ProgressTrack progress_;
   std::optional<Vec2> last_;
   std::string last_remark_;
   double metering_ = 0.0;

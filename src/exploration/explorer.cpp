@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "exploration/explorer_impl.h"
+#include "exploration/progress/whole_estimate.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -117,7 +118,8 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
 void Explorer::Impl::reset(Time now) {
   history_.reset();
   strategy_->reset();
-  rules_.startOver(evaluator_.map().freeArea());
+  status_.whole.reset();
+  rules_.startOver(rulesState());
   ended_by_rule_ = false;
   step_backs_ = 0;
   nothing_left_since_.reset();
@@ -264,6 +266,27 @@ void Explorer::Impl::countFrontiers() {
   status_.explored_area = evaluator_.map().freeArea();
   status_.exploring_time = rules_.time();
   status_.exploring_distance = rules_.distance();
+}
+
+/// By the decision that has just been made for a goal. [EXP-12]
+void Explorer::Impl::estimateWhole() {
+  ExplorationRecord record;
+  record.explored_area = evaluator_.map().freeArea();
+  record.time = rules_.time();
+  record.distance = rules_.distance();
+  for (const Frontier& frontier : evaluator_.frontiers()) {
+    if (frontier.selectable()) record.area_in_sight += frontier.info.area;
+  }
+  for (std::size_t i = 1; i < chosen_.tour.size(); ++i) {
+    record.tour_length += (chosen_.tour[i] - chosen_.tour[i - 1]).norm();
+  }
+  const auto whole = exploration::estimateWhole(record);
+  if (whole) status_.whole = whole;
+}
+
+/// Nothing is left that could be chosen: what is explored is the whole.
+void Explorer::Impl::setWholeExplored() {
+  if (status_.whole) status_.whole = WholeEstimate{evaluator_.map().freeArea(), 0.0, 0.0};
 }
 
 std::size_t Explorer::Impl::countRejected(Rejection rejection) const {

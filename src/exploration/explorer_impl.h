@@ -97,6 +97,7 @@ class Explorer::Impl {
   bool retryBlacklisted(Time now);
 
   void countExploring(double driven, Time now);
+  StoppingRules::State rulesState() const;
   void startAgain(Time now);
   bool yield(const ExplorerInputs& inputs, Time now);
   bool withinLimits(Time now);
@@ -113,6 +114,8 @@ class Explorer::Impl {
   void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
   void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }
   void countFrontiers();
+  void estimateWhole();
+  void setWholeExplored();
 
   ExplorerParameters parameters_;
   FrontierEvaluator evaluator_;

@@ -1,6 +1,7 @@
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -88,6 +89,11 @@ const char* toString(ExplorerState state) {
       return "DONE";
   }
   return "?";
+}
+
+std::optional<double> ExplorerProgress::shareExplored() const {
+  if (!whole || whole->area <= 0.0) return std::nullopt;
+  return std::min(1.0, explored_area / whole->area);
 }
 
 const char* toString(ExplorerPhase phase) { return phase == ExplorerPhase::kRich ? "RICH" : "COVERAGE"; }

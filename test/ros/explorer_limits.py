@@ -95,6 +95,21 @@ class ExplorerLimits(ExplorerCase):
         self.expect_reason(Status.STARTED_AGAIN)
         self.expect_reason(Status.UNTIL_TIME)
 
+    # [EXP-10] [EXP-12]
+    def test_ends_at_a_share_of_the_estimate_and_tells_the_estimate(self):
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.explore(until={'share': 0.05})
+        self.assertTrue(self.comes(lambda status: math.isnan(status.estimated_area)))
+        self.assertTrue(self.comes(lambda status: status.exploring_time > 10.5, 30.0), 'too early to tell until then')
+        self.robot.show(hall(-2.4, 2.4))  # so that the explorer decides again
+        self.expect_done(Status.UNTIL_SHARE)
+        last = self.status.last
+        self.assertGreaterEqual(last.share_explored, 0.05)
+        self.assertGreaterEqual(last.estimated_area, last.explored_area)
+        self.assertGreater(last.estimated_area_deviation, 0.0)
+        self.assertGreater(last.time_left, 0.0)
+
     # [EXP-10]
     def test_ends_after_a_distance_and_goes_on_after_a_reset(self):
         self.explore(until={'distance': 0.8})

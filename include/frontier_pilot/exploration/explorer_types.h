@@ -99,6 +99,13 @@ struct GoalCommand {
   Pose2 goal;  ///< in the map's frame
 };
 
+/// How large the whole floor may be, and how long it may take to explore the rest. [EXP-12]
+struct WholeEstimate {
+  double area = 0.0;       ///< [m^2]
+  double deviation = 0.0;  ///< of the area, one standard deviation [m^2]
+  double time_left = 0.0;  ///< [s]
+};
+
 struct ExplorerProgress {
   ExplorerState state = ExplorerState::kIdle;
   ExplorerPhase phase = ExplorerPhase::kRich;
@@ -110,10 +117,14 @@ struct ExplorerProgress {
   std::uint32_t goals_sent = 0;
   std::uint32_t goals_reached = 0;
   std::uint32_t goals_failed = 0;
-  double explored_area = 0.0;       ///< known free cells of the map within the bounds [m^2]
-  double distance_travelled = 0.0;  ///< [m]
-  double exploring_time = 0.0;      ///< what until/time limits: without pauses and waiting [s]
-  double exploring_distance = 0.0;  ///< what until/distance limits: driven in that time [m]
+  double explored_area = 0.0;          ///< known free cells of the map within the bounds [m^2]
+  double distance_travelled = 0.0;     ///< [m]
+  double exploring_time = 0.0;         ///< what until/time limits: without pauses and waiting [s]
+  double exploring_distance = 0.0;     ///< what until/distance limits: driven in that time [m]
+  std::optional<WholeEstimate> whole;  ///< as of the last decision for a goal; nothing until it can be told
+
+  /// The share of the estimated whole that is explored, 0 to 1; nothing until it can be told.
+  std::optional<double> shareExplored() const;
 };
 
 /// A line for the log.

@@ -154,6 +154,7 @@ struct UntilParameters {
   double time = 0.0;
   double distance = 0.0;
   double battery = 0.0;
+  double share = 0.0;
 
   /// The rules that are set, for a status: "400 m2 are known or 600 s have passed"; empty if none is.
   std::string inWords() const;
@@ -168,6 +169,9 @@ struct UntilParameters {
     v.field("distance", distance, "m", "end the exploration after this much driving; 0: no such end", atLeast(0.0));
     v.field("battery", battery, "",
             "end the exploration when battery_state reports this share of the charge or less; 0: no such end",
+            between(0.0, 1.0));
+    v.field("share", share, "",
+            "end the exploration when this share of the estimate of the whole floor is explored; 0: no such end",
             between(0.0, 1.0));
   }
 };

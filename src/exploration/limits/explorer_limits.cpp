@@ -19,12 +19,16 @@ void Explorer::Impl::countExploring(double driven, Time now) {
   rules_.count(passed < kJump ? passed : Duration::zero(), driven);
 }
 
+StoppingRules::State Explorer::Impl::rulesState() const {
+  return {evaluator_.map().freeArea(), status_.shareExplored(), battery_};
+}
+
 /// Lets an exploration go on that a stopping rule has ended; nothing if none has.
 void Explorer::Impl::startAgain(Time now) {
   if (!ended_by_rule_) return;
   ended_by_rule_ = false;
   done_reason_.reset();
-  rules_.startOver(evaluator_.map().freeArea());
+  rules_.startOver(rulesState());
   cancelGoal();
   if (status_.state != ExplorerState::kIdle) enter(ExplorerState::kSelectGoal, ExplorerReason::kStartedAgain, "", now);
 }
@@ -51,7 +55,7 @@ bool Explorer::Impl::withinLimits(Time now) {
   }
   if (status_.state == ExplorerState::kDone) return !ended_by_rule_;
   const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
-  const auto rule = returning ? std::nullopt : rules_.met(evaluator_.map().freeArea(), battery_);
+  const auto rule = returning ? std::nullopt : rules_.met(rulesState());
   if (rule) endBy(*rule, now);
   return status_.state != ExplorerState::kDone && keepWithinBounds(now);
 }

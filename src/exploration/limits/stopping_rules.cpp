@@ -22,6 +22,7 @@ std::string UntilParameters::inWords() const {
   addRule(rules, "%g s have passed", time);
   addRule(rules, "%g m are driven", distance);
   addRule(rules, "the battery is at %g %%", 100.0 * battery);
+  addRule(rules, "%g %% of the estimate are known", 100.0 * share);
   std::string text;
   for (std::size_t i = 0; i < rules.size(); ++i) {
     if (i > 0) text += i + 1 == rules.size() ? " or " : ", ";
@@ -30,18 +31,21 @@ std::string UntilParameters::inWords() const {
   return text;
 }
 
-std::optional<ExplorerReason> StoppingRules::met(double explored_area, const std::optional<double>& battery) const {
-  if (until_.area > 0.0 && explored_area - area_before_ >= until_.area) return ExplorerReason::kUntilArea;
+std::optional<ExplorerReason> StoppingRules::met(const State& state) const {
+  if (until_.area > 0.0 && state.explored_area - area_before_ >= until_.area) return ExplorerReason::kUntilArea;
   if (until_.time > 0.0 && time() >= until_.time) return ExplorerReason::kUntilTime;
   if (until_.distance > 0.0 && distance_ >= until_.distance) return ExplorerReason::kUntilDistance;
-  if (until_.battery > 0.0 && battery && *battery <= until_.battery) return ExplorerReason::kUntilBattery;
+  if (until_.battery > 0.0 && state.battery && *state.battery <= until_.battery) return ExplorerReason::kUntilBattery;
+  const bool share_counts = until_.share > 0.0 && share_counts_;
+  if (share_counts && state.share && *state.share >= until_.share) return ExplorerReason::kUntilShare;
   return std::nullopt;
 }
 
-void StoppingRules::startOver(double explored_area) {
+void StoppingRules::startOver(const State& state) {
   time_ = {};
   distance_ = 0.0;
-  area_before_ = explored_area;
+  area_before_ = state.explored_area;
+  share_counts_ = !state.share || *state.share < until_.share;
 }
 
 }  // namespace frontier_pilot::exploration

@@ -54,6 +54,11 @@ ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const 
   msg.distance_travelled = progress.distance_travelled;
   msg.exploring_time = progress.exploring_time;
   msg.exploring_distance = progress.exploring_distance;
+  constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+  msg.estimated_area = progress.whole ? progress.whole->area : kNotKnown;
+  msg.estimated_area_deviation = progress.whole ? progress.whole->deviation : kNotKnown;
+  msg.share_explored = progress.shareExplored().value_or(kNotKnown);
+  msg.time_left = progress.whole ? progress.whole->time_left : kNotKnown;
   return msg;
 }
 
@@ -103,6 +108,10 @@ void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapp
   status.add("selectable", status_.frontiers_selectable);
   status.add("goals sent", status_.goals_sent);
   status.add("explored [m2]", status_.explored_area);
+  if (status_.whole) {
+    status.addf("estimate of the whole [m2]", "%.0f +- %.0f", status_.whole->area, status_.whole->deviation);
+    status.addf("time left [s]", "%.0f", status_.whole->time_left);
+  }
   if (!explorer_.bounds().empty()) status.add("bounds", explorer_.bounds().describe());
   if (!map_saved_.empty()) status.add("map at the end", map_saved_);
   if (battery()) status.add("battery", *battery());
