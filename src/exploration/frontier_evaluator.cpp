@@ -239,41 +239,6 @@ Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& contex
   return frontier.distance < parameters_.min_distance ? Rejection::kTooNear : Rejection::kNone;
 }
 
-std::vector<GoalCandidate> FrontierEvaluator::candidates(const Vec2& robot) {
-  std::vector<GoalCandidate> all;
-  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
-    Frontier& f = frontiers_[i];
-    if (!f.selectable()) continue;
-    const double density = f.obstacle_density / std::max(parameters_.max_obstacle_density, 1e-3);
-    all.push_back({i, f.goal, f.distance, (f.goal - robot).norm(), f.info, density, f.visits, 0.0});
-    f.score = all.back().score = goalScore(all.back(), parameters_.score);
-  }
-  return all;
-}
-
-std::optional<GoalCandidate> FrontierEvaluator::candidateAt(const Vec2& goal, const Vec2& robot) {
-  const Cell cell = map_.geometry().cellAt(goal);
-  if (!travel_.reached(cell)) return std::nullopt;
-  const double density = obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells);
-  const double relative = std::min(1.0, density / std::max(parameters_.max_obstacle_density, 1e-3));
-  GoalCandidate candidate{
-      frontiers_.size(), goal, travel_.distance(cell), (goal - robot).norm(), infoAt(goal), relative, 0, 0.0};
-  candidate.score = goalScore(candidate, parameters_.score);
-  return candidate;
-}
-
-std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {
-  if (map_.empty()) return std::nullopt;
-  const Cell here = map_.geometry().cellAt(robot);
-  for (const Cell offset : rings_) {
-    const Cell cell{here.x + offset.x, here.y + offset.y};
-    if (travel_.reached(cell) && travel_.distance(cell) > 1.5 * parameters_.min_distance) {
-      return map_.geometry().centre(cell);
-    }
-  }
-  return std::nullopt;
-}
-
 double FrontierEvaluator::leastInfo() const {
   return std::max(parameters_.min_info_area, parameters_.min_info_share * map_.freeArea());
 }
