@@ -95,7 +95,7 @@ Vec2 stopOnTheWay(const TravelField& travel, const ObservedMap& map, const Vec2&
   std::size_t step = 0;  // the end of a short step along the path
   for (const double half_width : {lane.wanted, lane.least}) {
     for (step = 0; step < path.size() && travel.distance(path[step]) > kShortest; ++step) {
-      const Vec2 place = step == 0 ? goal : geometry.centre(path[step]);
+      Vec2 place = step == 0 ? goal : geometry.centre(path[step]);
       if (step >= free_from || laneIsFree(map, robot, place, half_width)) return place;
     }
   }
