@@ -44,9 +44,9 @@ std::vector<Viewpoint> ViewpointSearch::find(FrontierEvaluator& evaluator, const
   for (const SoughtFrontier& each : sought) trusted[each.index] = each.trusted;
   for (const Cell cell : sample(evaluator, sought, present_cell)) {
     std::vector<Sight> sights = sightsFrom(cell, evaluator);
-    if (cell != present_cell && !promisesEnough(cell, sights, evaluator)) continue;
     for (const Sight& sight : sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
-    if (!sights.empty()) all.push_back({cell, std::move(sights)});
+    const bool enough = cell == present_cell || promisesEnough(cell, sights, evaluator);
+    if (!sights.empty() && enough) all.push_back({cell, std::move(sights)});
   }
   for (Viewpoint& viewpoint : all) {
     const double share = viewpoint.cell == present_cell ? kWholeFromPresent : kWhole;
