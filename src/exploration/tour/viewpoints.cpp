@@ -32,7 +32,8 @@ Cell reachedNear(Cell node, int reach, const TravelField& travel) {
 
 }  // namespace
 
-std::vector<Viewpoint> ViewpointSearch::find(FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
+std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
+                                             const std::vector<SoughtFrontier>& sought,
                                              const std::optional<Vec2>& present) {
   label(evaluator, sought);
   const GridGeometry& geometry = evaluator.map().geometry();
@@ -45,8 +46,7 @@ std::vector<Viewpoint> ViewpointSearch::find(FrontierEvaluator& evaluator, const
   for (const Cell cell : sample(evaluator, sought, present_cell)) {
     std::vector<Sight> sights = sightsFrom(cell, evaluator);
     for (const Sight& sight : sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
-    const bool enough = cell == present_cell || promisesEnough(cell, sights, evaluator);
-    if (!sights.empty() && enough) all.push_back({cell, std::move(sights)});
+    if (!sights.empty()) all.push_back({cell, std::move(sights)});
   }
   for (Viewpoint& viewpoint : all) {
     const double share = viewpoint.cell == present_cell ? kWholeFromPresent : kWhole;
@@ -60,15 +60,6 @@ std::vector<Viewpoint> ViewpointSearch::find(FrontierEvaluator& evaluator, const
   all.erase(std::remove_if(all.begin(), all.end(), [](const Viewpoint& v) { return v.sights.empty(); }), all.end());
   addUnseen(evaluator, sought, all);
   return all;
-}
-
-/// Whether a goal there would not be given up at once. What is far above the least needs no second view.
-bool ViewpointSearch::promisesEnough(Cell cell, const std::vector<Sight>& sights, FrontierEvaluator& evaluator) {
-  constexpr double kFarAbove = 2.0;
-  double area = 0.0;
-  for (const Sight& sight : sights) area += sight.area;
-  if (area >= kFarAbove * evaluator.leastInfo()) return true;
-  return evaluator.infoAt(evaluator.map().geometry().centre(cell)).area >= evaluator.leastInfo();
 }
 
 /// A frontier that no ray happens to hit is seen from its own goal.

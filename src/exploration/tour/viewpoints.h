@@ -34,7 +34,7 @@ class ViewpointSearch {
   explicit ViewpointSearch(const ViewParameters& parameters) : views_(parameters) {}
 
   /// `present`, the goal being driven to [m], stays a viewpoint until it shows clearly less than others.
-  std::vector<Viewpoint> find(FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
+  std::vector<Viewpoint> find(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                               const std::optional<Vec2>& present);
   /// The greatest area that any viewpoint of the last search shows of a frontier [m^2].
   double mostOf(std::size_t frontier) const { return most_[frontier]; }
@@ -44,7 +44,6 @@ class ViewpointSearch {
   std::vector<Cell> sample(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                            const std::optional<Cell>& present) const;
   std::vector<Sight> sightsFrom(Cell viewpoint, const FrontierEvaluator& evaluator);
-  static bool promisesEnough(Cell cell, const std::vector<Sight>& sights, FrontierEvaluator& evaluator);
   static void addUnseen(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                         std::vector<Viewpoint>& all);
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "exploration/tour/viewpoints.h"
 #include "strategy_fixture.h"
 
 namespace frontier_pilot {
@@ -78,27 +77,6 @@ TEST_F(TourMemory, AFrontierThatStayedUnknownIsSeenFromElsewhereAgainWhenTheMapA
     evaluator.setMap(world.map, world.map.geometry().rect());
   }
   EXPECT_FALSE(isOwnGoal(chooseAgain()->position));
-}
-
-// [EXP-3]
-TEST_F(TourMemory, EveryViewpointPromisesWhatAGoalHasToShow_EXP_3) {
-  exploration::FrontierParameters parameters;
-  parameters.min_info_area = 0.155;
-  exploration::FrontierEvaluator demanding(parameters, RobotModel{}.drivenOutline());
-  world = test::drawWorld(corridor('#', '?'), 0.1);
-  demanding.setMap(world.map, world.map.geometry().rect());
-  demanding.evaluate({world.point('r'), world.point('r'), &history, 0.0});
-  std::vector<exploration::SoughtFrontier> sought;
-  for (std::size_t i = 0; i < demanding.frontiers().size(); ++i) {
-    if (demanding.frontiers()[i].selectable()) sought.push_back({i, true});
-  }
-  ASSERT_FALSE(sought.empty());
-  exploration::ViewpointSearch search(parameters.view);
-  const auto viewpoints = search.find(demanding, sought, std::nullopt);
-  EXPECT_GT(viewpoints.size(), 1U);
-  for (const exploration::Viewpoint& viewpoint : viewpoints) {
-    EXPECT_GE(demanding.infoAt(world.map.geometry().centre(viewpoint.cell)).area, demanding.leastInfo());
-  }
 }
 
 }  // namespace
