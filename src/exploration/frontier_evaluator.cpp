@@ -59,6 +59,7 @@ bool FrontierEvaluator::evaluate(const Context& context) {
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
   const bool any = judgeAll(space_, context.robot, context);
+  has_ground_ = travel_.reachedCount() > 0;
   blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
     return frontier.rejection == Rejection::kBlacklisted;
   });
@@ -68,7 +69,9 @@ bool FrontierEvaluator::evaluate(const Context& context) {
 bool FrontierEvaluator::evaluateTightWays(const Context& context) {
   space_changes_.include(tight_space_.update(map_.grid(), tight_changes_));
   tight_changes_ = {};
-  return judgeAll(tight_space_, context.robot, context);
+  const bool any = judgeAll(tight_space_, context.robot, context);
+  has_ground_ = travel_.reachedCount() > 0;
+  return any;
 }
 
 bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {

@@ -63,7 +63,7 @@ class FrontierEvaluator {
   /// Whether neither of these two limits was exceeded.
   bool allJudged() const { return left_out_ == 0 && !clusters_.too_many; }
   /// Whether the last evaluation found ground for the robot to move on.
-  bool robotHasGround() const { return travel_.reachedCount() > 0; }
+  bool robotHasGround() const { return has_ground_; }
   /// The nearest place with a travel distance above 1.5 min_distance, from which frontiers that are too near now are
   /// not.
   std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
@@ -137,6 +137,7 @@ class FrontierEvaluator {
   std::vector<Frontier> frontiers_;
   std::size_t left_out_ = 0;
   bool blacklisted_in_the_open_ = false;
+  bool has_ground_ = false;  ///< the robot, in the space judged last; the ways from the start say nothing of it
   std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;
   std::unordered_map<std::size_t, Cell> goals_;  ///< the last goal found, by the index of the frontier's anchor
