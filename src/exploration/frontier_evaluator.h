@@ -110,6 +110,11 @@ class FrontierEvaluator {
   };
 
   bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
+  bool judgeFromRobot(const TraversableSpace& space, const Context& context) {
+    const bool any = judgeAll(space, context.robot, context);
+    has_ground_ = travel_.reachedCount() > 0;
+    return any;
+  }
   Frontier outline(const FrontierCluster& cluster) const;
   void leaveOutAllBut(std::size_t most, const Vec2& robot);
   void judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context);
