@@ -82,6 +82,7 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   if (inputs.reset) reset(now);
   if (inputs.start) startAgain(now);
   if (ready(inputs, now)) {
+    if (!start_) start_ = T_map_base_;
     if (status_.state == ExplorerState::kIdle) {
       enter(ExplorerState::kSelectGoal, ExplorerReason::kInputsComplete, "", now);
     }
@@ -112,7 +113,6 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
   const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;
   if (moved < kJump) status_.distance_travelled += moved;
   T_map_base_ = pose;
-  if (!start_) start_ = pose;
 }
 
 void Explorer::Impl::reset(Time now) {

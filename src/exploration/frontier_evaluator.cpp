@@ -58,7 +58,7 @@ bool FrontierEvaluator::evaluate(const Context& context) {
   if (map_.empty()) return false;
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
-  const bool any = judgeAll(space_, context.robot, context);
+  const bool any = judgeFromRobot(space_, context);
   blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
     return frontier.rejection == Rejection::kBlacklisted;
   });
@@ -67,7 +67,7 @@ bool FrontierEvaluator::evaluate(const Context& context) {
 
 bool FrontierEvaluator::evaluateTightWays(const Context& context) {
   updateTightSpace();
-  return judgeAll(tight_space_, context.robot, context);
+  return judgeFromRobot(tight_space_, context);
 }
 
 bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {

@@ -64,7 +64,7 @@ class FrontierEvaluator {
   /// Whether neither of these two limits was exceeded.
   bool allJudged() const { return left_out_ == 0 && !clusters_.too_many; }
   /// Whether the last evaluation found ground for the robot to move on.
-  bool robotHasGround() const { return travel_.reachedCount() > 0; }
+  bool robotHasGround() const { return has_ground_; }
   /// The nearest place with a travel distance above 1.5 min_distance, from which frontiers that are too near now are
   /// not.
   std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
@@ -117,6 +117,11 @@ class FrontierEvaluator {
 
   void updateTightSpace();
   bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
+  bool judgeFromRobot(const TraversableSpace& space, const Context& context) {
+    const bool any = judgeAll(space, context.robot, context);
+    has_ground_ = travel_.reachedCount() > 0;
+    return any;
+  }
   Frontier outline(const FrontierCluster& cluster) const;
   void leaveOutAllBut(std::size_t most, const Vec2& robot);
   void judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context);
@@ -145,6 +150,7 @@ class FrontierEvaluator {
   std::vector<Frontier> frontiers_;
   std::size_t left_out_ = 0;
   bool blacklisted_in_the_open_ = false;
+  bool has_ground_ = false;  ///< the robot, in the space judged last; the ways from the start say nothing of it
   std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;
   std::unordered_map<std::size_t, Cell> goals_;  ///< the last goal found, by the index of the frontier's anchor

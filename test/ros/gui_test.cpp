@@ -147,14 +147,12 @@ TEST_F(GuiOnTheWire, BoundsAndTheReturnToTheStartAreShownAndChanged) {
   test::BoundedExplorer explorer;
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "within 6.0 m²"; }));
   EXPECT_TRUE(window.text("explorer_end").startsWith("when 9 m2"));
-  ASSERT_TRUE(waitFor([&] {
-    return explorer.speaks() && window.find("clear_bounds")->isEnabled() && window.find("return_to_start")->isEnabled();
-  }));
+  ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find("return_to_start")->isEnabled(); }));
+  ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find("clear_bounds")->isEnabled(); }));
   window.click("return_to_start");
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.checked("return_to_start"); }));
   window.click("clear_bounds");
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "none"; }));
-  EXPECT_FALSE(window.find("clear_bounds")->isEnabled());
 }
 
 // [FLT-1]

@@ -25,6 +25,7 @@ from frontier_pilot.srv import LoadMap  # noqa: E402
 START = (1.2, 0.9, 1.0)  # of the robot in the world, as in the launch file [m, rad]
 GUESS = (1.35, 0.8, 0.85)  # what the operator says
 WALL = (2.9, 3.1)  # between the rooms: the left one is known [m]
+WAY = 8.0  # to the other room and through it is about half of this [m]
 UNKNOWN = 205  # in a picture of a map
 IN_WORLD = (0.0, 0.0, 0.0)  # the frame of the loaded map is that of the world
 
@@ -91,6 +92,7 @@ class ResumedMap(unittest.TestCase):
             path, known = self.half_a_map(folder)
             answer = rospy.ServiceProxy('mapper/load_map', LoadMap)(path)
             self.assertTrue(answer.success, answer.message)
+        self.assertTrue(wait_until(lambda: self.initial_pose.get_num_connections() > 0, 10.0))
         self.say_where()
         self.assertTrue(wait_until(self.is_found, 60.0), self.pose())
         self.assertTrue(rospy.ServiceProxy('set_exploration_enabled', SetBool)(True).success)
@@ -100,7 +102,7 @@ class ResumedMap(unittest.TestCase):
         self.assertGreater(self.known_at_start, 0.95 * known, 'the floor of the loaded map counts as explored')
         elsewhere = [f for found in self.frontiers for f in found if f[0] < WALL[0] - 0.1]
         self.assertEqual([], elsewhere, 'frontiers where the loaded map has none')
-        self.assertTrue(all(x > WALL[0] - 1.0 for x, _ in self.goals), self.goals)
+        self.assertLess(self.watch.distance, WAY, 'it goes to the other room and not through its own first')
         world = World(rospy.get_param('simulator/world'))
         share = explored_share(world.reachable_floor(START, radius=0.15), IN_WORLD, self.watch.map)
         print('explored %.2f %% after driving %.1f m to %d goals' % (100 * share, self.watch.distance, len(self.goals)))

@@ -105,7 +105,7 @@ std::string boundsText(const ExplorerStatus& msg) {
   for (const geometry_msgs::Point32& point : msg.stay_within.points) corners.emplace_back(point.x, point.y);
   const std::size_t areas = msg.keep_out.size();
   if (corners.empty() && areas == 0) return "none";
-  const std::string out = areas == 0 ? "" : std::to_string(areas) + (areas == 1 ? " area left out" : " areas left out");
+  std::string out = areas == 0 ? "" : std::to_string(areas) + (areas == 1 ? " area left out" : " areas left out");
   if (corners.empty()) return out;
   const double area = polygonArea(corners);
   return number(area < 100.0 ? "within %.1f m²" : "within %.0f m²", area) + (out.empty() ? "" : ", " + out);

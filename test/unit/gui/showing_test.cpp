@@ -86,15 +86,6 @@ TEST_F(Showing, WhatHappensIsInTheLog) {
   EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains("emergency stop"));
 }
 
-TEST_F(Showing, EnterAfterStartPausesAndDoesNotReset) {
-  state_.explorer->running = false;
-  widget_->setState(state_);
-  find("explore_start")->setFocus();
-  state_.explorer->running = true;
-  widget_->setState(state_);
-  EXPECT_TRUE(find("explore_pause")->hasFocus());
-}
-
 // [GUI-2]
 TEST_F(Showing, EverySourceHasASwitchThatAsksAndShowsTheStatusAlone) {
   for (const teleop::SourceView& source : state_.arbiter->sources) {
@@ -138,44 +129,6 @@ TEST_F(Showing, TheAvoiderAndTheExplorerAreSwitchedAndShown) {
   EXPECT_TRUE(requests_[3].on);
   EXPECT_EQ(text("explored_area"), "387.4 m²");
   EXPECT_TRUE(text("explorer_state").contains("NAVIGATING"));
-}
-
-// [GUI-2] [EXP-10]
-TEST_F(Showing, BoundsAreShownAndCleared) {
-  EXPECT_EQ(find("explorer_bounds")->toolTip().isEmpty() ? text("explorer_bounds") : find("explorer_bounds")->toolTip(),
-            "within 640 m², 1 area left out");
-  click("clear_bounds");
-  ASSERT_EQ(requests_.size(), 1U);
-  EXPECT_EQ(requests_[0].kind, Kind::kClearBounds);
-  state_.explorer->bounded = false;
-  widget_->setState(state_);
-  EXPECT_FALSE(find("clear_bounds")->isEnabled()) << "there is nothing to clear";
-}
-
-// [GUI-2] [EXP-10]
-TEST_F(Showing, TheReturnToTheStartIsASwitchThatShowsTheStatusAlone) {
-  auto* toggle = find<QAbstractButton>("return_to_start");
-  EXPECT_FALSE(toggle->isChecked());
-  toggle->click();
-  ASSERT_EQ(requests_.size(), 1U);
-  EXPECT_EQ(requests_[0].kind, Kind::kReturnToStart);
-  EXPECT_TRUE(requests_[0].on);
-  EXPECT_FALSE(toggle->isChecked());
-  state_.explorer->return_to_start = true;
-  widget_->setState(state_);
-  EXPECT_TRUE(toggle->isChecked());
-}
-
-// [GUI-2] [EXP-10]
-TEST_F(Showing, WhenItEndsAndWhatBecomesOfTheMapIsShown) {
-  state_.explorer->end_text = "when 9 m2 are known";
-  state_.explorer->map_text = "saved: hall";
-  widget_->setState(state_);
-  EXPECT_EQ(text("explorer_end"), "when 9 m2 are known");
-  EXPECT_EQ(text("explorer_map"), "saved: hall");
-  state_.explorer->status_age = 60.0;
-  widget_->setState(state_);
-  EXPECT_EQ(text("explorer_map"), "–") << "a silent explorer may have changed its mind";
 }
 
 // [GUI-1]
