@@ -23,6 +23,7 @@
 #include "support/explore_usage.h"
 #include "support/named_limits.h"
 #include "support/omniscient_tour.h"
+#include "support/progress_track.h"
 #include "support/shipped_robot.h"
 #include "support/svg.h"
 #include "tools/arguments.h"
@@ -196,6 +197,7 @@ class Run {
       if (options_.log) std::printf("    %s\n", line.c_str());
     }
     if (options_.log) logMapper();
+    progress_.add(t, loop_.status());
     if (options_.curve && static_cast<int>(t) % 10 == 0) {
       const Pose2 error = mapperError();
       std::printf("    t %6.0f s  explored %.4f  distance %7.1f m  off by %.3f m, %.2f deg\n", t, report_.explored,
@@ -225,6 +227,7 @@ class Run {
   }
 
   void conclude(double cpu) {
+    if (options_.curve) std::printf("%s\n", progress_.text().c_str());
     if (options_.log) std::printf("    %s\n", loop_.explorer().explain().c_str());
     report_.simulated = toSeconds(loop_.now());
     report_.cpu = cpu;
@@ -245,6 +248,7 @@ class Run {
   std::string svg_;
   ExploreReport report_;
   SvgTrack track_;
+  ProgressTrack progress_;
   std::optional<Vec2> last_;
   std::string last_remark_;
   double metering_ = 0.0;

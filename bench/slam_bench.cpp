@@ -8,7 +8,9 @@
 #include <ctime>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,9 +35,15 @@ constexpr const char* kUsage =
     "  --fault NAME     none, kidnap, dropout, person, odom-frozen or odom-missing, for a while every 30 s\n"
     "  --odom-noise S   deviation of odometry's scale errors, and of its noise after a metre or radian (0.05)\n"
     "  --odom-drift D   deviation of odometry's constant turn [rad/m] (0.005)\n"
+    "  --step M         map only scans that are this far apart (0: all)\n"
+    "  --turn RAD       or that the robot has turned this far between (0: all)\n"
+    "  --beams N        beams of the scanner (360)\n"
+    "  --fov DEG        its field of view (360)\n"
     "  --details        what became of scans and of attempts to close loops\n"
     "  --png PREFIX     write a picture of each map: corrected trajectory blue\n"
     "Exit status 0: every seed within 0.10 m and 1 degree, no closure false.\n";
+
+constexpr double kDegrees = 180.0 / kPi;
 
 struct Options {
   std::string world = "config/worlds/loop.yaml";
@@ -44,6 +52,10 @@ struct Options {
   test::SensorFault fault = test::SensorFault::kNone;
   double odom_noise = 0.05;
   double odom_drift = 0.005;
+  double step = 0.0;
+  double turn = 0.0;
+  int beams = 0;             ///< 0: the default robot's
+  double field_of_view = 0;  ///< [rad]; 0: the default robot's
   std::string png;
   bool details = false;
 };
@@ -55,6 +67,10 @@ void takeOption(const std::string& word, tools::Arguments& arguments, Options& o
   if (word == "--fault") return void(o.fault = test::sensorFaultNamed(arguments.text()));
   if (word == "--odom-noise") return void(o.odom_noise = arguments.number());
   if (word == "--odom-drift") return void(o.odom_drift = arguments.number());
+  if (word == "--step") return void(o.step = arguments.number());
+  if (word == "--turn") return void(o.turn = arguments.number());
+  if (word == "--beams") return void(o.beams = static_cast<int>(arguments.number()));
+  if (word == "--fov") return void(o.field_of_view = arguments.number() / kDegrees);
   if (word == "--details") return void(o.details = true);
   if (word == "--png") return void(o.png = arguments.text());
   throw std::invalid_argument("unknown option " + word);
@@ -87,6 +103,8 @@ sim::SimulatorParameters simulatorFor(const Options& options, int seed) {
   parameters.seed = seed;
   parameters.robot.limits.max_linear = 0.5;
   parameters.robot.limits.max_angular = 1.5;
+  if (options.beams > 0) parameters.robot.scanner.beams = options.beams;
+  if (options.field_of_view > 0.0) parameters.robot.scanner.field_of_view = options.field_of_view;
   parameters.odom_noise = true;
   sim::OdometryParameters& odometry = parameters.odometry;
   odometry.alpha1 = odometry.alpha3 = options.odom_noise * options.odom_noise;
@@ -95,7 +113,6 @@ sim::SimulatorParameters simulatorFor(const Options& options, int seed) {
   return parameters;
 }
 
-constexpr double kDegrees = 180.0 / kPi;
 constexpr double kFalseDistance = 0.3;          // [m]
 constexpr double kFalseAngle = 3.0 / kDegrees;  // [rad]
 constexpr double kWantedPosition = 0.10;        // [m]
@@ -142,11 +159,23 @@ class Run {
  private:
   void take(const LaserScan2& scan) {
     const std::optional<Pose2> odometry = drive_.T_odom_base();
+    if (!isFarEnough()) return;
     insertions_.measure([&] { mapper_.insert(scan, odometry, scan.stamp); });
     revisions_.measure([&] { mapper_.reviseNow(); });
     if (!odometry) return;
     recorder_.note(mapper_, scan.stamp, *odometry);
     truth_.push_back(drive_.T_map_base());
+  }
+
+  /// Whether the robot has moved far enough, in truth, since the last scan that was mapped.
+  bool isFarEnough() {
+    const Pose2 at = drive_.T_map_base();
+    const bool thinned = options_.step > 0.0 || options_.turn > 0.0;
+    const double turn = options_.turn > 0.0 ? options_.turn : 2.0 * kPi;
+    const double step = options_.step > 0.0 ? options_.step : std::numeric_limits<double>::infinity();
+    if (thinned && mapped_ && !isJump(*mapped_, at, step, turn)) return false;
+    mapped_ = at;
+    return true;
   }
 
   std::size_t falseClosures(const tools::MappedDrive& mapped) const {
@@ -208,6 +237,7 @@ class Run {
   Costs insertions_;
   Costs revisions_;
   std::vector<Pose2> truth_;
+  std::optional<Pose2> mapped_;  ///< the true pose at the last scan that was mapped
 };
 
 int runAll(const Options& options) {

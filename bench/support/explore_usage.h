@@ -14,7 +14,7 @@ constexpr const char* kUsage =
     "  --limit SECONDS    of simulated time, 7200\n"
     "  --odom-noise       the simulator's odometry noise; the mapper then matches scans and closes loops\n"
     "  --latency SECONDS  from a measurement to those who use it, 0\n"
-    "  --curve            explored share and the mapper's error every 10 s of simulated time\n"
+    "  --curve            explored share and the mapper's error every 10 s, and how good its estimates were\n"
     "  --driving          where the time goes that driving at full speed would not take, and the distances to "
     "obstacles\n"
     "  --log              every transition of the explorer, end of a goal and contact\n"

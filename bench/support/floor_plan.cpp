@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "frontier_pilot/grids/distance_field.h"
+#include "sim/reachable_floor.h"
 #include "support/floor_plans/building.h"
 
 namespace frontier_pilot::bench {
@@ -74,9 +75,7 @@ class Orientation {
 /// A pose in one of the corridors, in one of the four directions of the walls. It is at a corner of a cell, so that the
 /// cells of a robot's own map coincide with those of the plan: otherwise it would show a part of the floor as wall.
 Pose2 drawStart(const OccupancyGrid& map, const std::vector<CellRect>& corridors, PlanRandom& random) {
-  Grid<std::uint8_t> solid(map.geometry());
-  for (std::size_t i = 0; i < map.size(); ++i) solid[i] = map[i] != kFree ? 1 : 0;
-  const grids::DistanceField clearance(solid, 2.0 * kRoomAtStart);
+  const grids::DistanceField clearance(sim::notFree(map), 2.0 * kRoomAtStart);
   std::vector<Cell> places;
   for (std::size_t i = 0; i < map.size(); ++i) {
     const Cell cell = map.geometry().cell(i);

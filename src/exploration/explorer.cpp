@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "exploration/explorer_impl.h"
+#include "exploration/progress/whole_estimate.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -40,6 +41,8 @@ Explorer& Explorer::operator=(Explorer&&) noexcept = default;
 void Explorer::setMap(const OccupancyGrid& map, const CellRect& changed) { impl_->setMap(map, changed); }
 void Explorer::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map) { impl_->setBounds(bounds, map); }
 const ExplorationBounds& Explorer::bounds() const { return impl_->evaluator().map().bounds(); }
+void Explorer::setReturnToStart(bool on) { impl_->setReturnToStart(on); }
+bool Explorer::returnsToStart() const { return impl_->returnsToStart(); }
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
 ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) { return impl_->update(inputs, now); }
 
@@ -74,10 +77,12 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   if (clockJumped(now)) forgetTime(now);
   const double before = status_.distance_travelled;
   trackMotion(inputs);
+  battery_ = inputs.battery;
   countExploring(status_.distance_travelled - before, now);
   if (inputs.reset) reset(now);
   if (inputs.start) startAgain(now);
   if (ready(inputs, now)) {
+    if (!start_) start_ = T_map_base_;
     if (status_.state == ExplorerState::kIdle) {
       enter(ExplorerState::kSelectGoal, ExplorerReason::kInputsComplete, "", now);
     }
@@ -108,13 +113,13 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
   const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;
   if (moved < kJump) status_.distance_travelled += moved;
   T_map_base_ = pose;
-  if (!start_) start_ = pose;
 }
 
 void Explorer::Impl::reset(Time now) {
   history_.reset();
   strategy_->reset();
-  rules_.startOver(evaluator_.map().freeArea());
+  status_.whole.reset();
+  rules_.startOver(rulesState());
   ended_by_rule_ = false;
   step_backs_ = 0;
   nothing_left_since_.reset();
@@ -176,9 +181,7 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
   if (!goal_ || goal_->id != event.goal_id) return;  // the event belongs to a goal that has been replaced
   const Goal goal = *goal_;
   goal_.reset();
-  if (event.kind == GoalEvent::Kind::kReached && goal.on_the_way) {
-    return enter(ExplorerState::kSelectGoal, ExplorerReason::kGoalReached, "reached a stop on the way", now);
-  }
+  if (event.kind == GoalEvent::Kind::kReached && goal.on_the_way) return stopReached(goal, now);
   switch (event.kind) {
     case GoalEvent::Kind::kReached:
       ++status_.goals_reached;
@@ -192,6 +195,18 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
       goalFailed(goal, event.text);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, event.text, now);
   }
+}
+
+/// A navigation with a large tolerance may call a stop reached where the robot stands. The same stop would be sent for
+/// ever, so that the goal behind it counts as failed.
+void Explorer::Impl::stopReached(const Goal& goal, Time now) {
+  constexpr double kLeast = 0.1;  // [m]: what a robot has to move for a stop on the way
+  if ((T_map_base_->position() - goal.sent_from).norm() >= kLeast) {
+    return enter(ExplorerState::kSelectGoal, ExplorerReason::kGoalReached, "reached a stop on the way", now);
+  }
+  const std::string what = "the navigation calls a stop on the way reached without driving there";
+  goalFailed(goal, what);
+  enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, what, now);
 }
 
 /// Goals for stepping back or returning to the start belong to no frontier and are never blacklisted.
@@ -222,6 +237,7 @@ void Explorer::Impl::cancelGoal() {
 void Explorer::Impl::send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now) {
   goal.id = next_goal_id_++;
   goal.sent = now;
+  goal.sent_from = T_map_base_->position();
   const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
   goal.on_the_way = stop != goal.position;
   if (goal.on_the_way) yaw = bearing(goal.position - stop);
@@ -250,6 +266,27 @@ void Explorer::Impl::countFrontiers() {
   status_.explored_area = evaluator_.map().freeArea();
   status_.exploring_time = rules_.time();
   status_.exploring_distance = rules_.distance();
+}
+
+/// By the decision that has just been made for a goal. [EXP-12]
+void Explorer::Impl::estimateWhole() {
+  ExplorationRecord record;
+  record.explored_area = evaluator_.map().freeArea();
+  record.time = rules_.time();
+  record.distance = rules_.distance();
+  for (const Frontier& frontier : evaluator_.frontiers()) {
+    if (frontier.selectable()) record.area_in_sight += frontier.info.area;
+  }
+  for (std::size_t i = 1; i < chosen_.tour.size(); ++i) {
+    record.tour_length += (chosen_.tour[i] - chosen_.tour[i - 1]).norm();
+  }
+  const auto whole = exploration::estimateWhole(record);
+  if (whole) status_.whole = whole;
+}
+
+/// Nothing is left that could be chosen: what is explored is the whole.
+void Explorer::Impl::setWholeExplored() {
+  if (status_.whole) status_.whole = WholeEstimate{evaluator_.map().freeArea(), 0.0, 0.0};
 }
 
 std::size_t Explorer::Impl::countRejected(Rejection rejection) const {

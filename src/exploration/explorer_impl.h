@@ -26,6 +26,8 @@ class Explorer::Impl {
 
   void setMap(const OccupancyGrid& map, const CellRect& changed);
   void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
+  void setReturnToStart(bool on) { parameters_.return_to_start = on; }
+  bool returnsToStart() const { return parameters_.return_to_start; }
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
   FrontierEvaluator& evaluator() { return evaluator_; }
@@ -42,9 +44,10 @@ class Explorer::Impl {
     Vec2 position = Vec2::Zero();
     double info_area = 0.0;  ///< expected area when it was chosen [m^2]
     Time sent;
-    bool returning = false;      ///< to the start
-    bool stepping_back = false;  ///< from a frontier that is too near
-    bool on_the_way = false;     ///< sent to a stop on the way, around what is out of bounds
+    Vec2 sent_from = Vec2::Zero();  ///< where the robot was then [m]
+    bool returning = false;         ///< to the start
+    bool stepping_back = false;     ///< from a frontier that is too near
+    bool on_the_way = false;        ///< sent to a stop on the way, around what is out of bounds
   };
 
   /// An alternative that is tried when the ordinary judgement leaves no selectable frontier.
@@ -68,6 +71,7 @@ class Explorer::Impl {
   void stopFor(const std::vector<ExplorerReason>& missing, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
   void handleEvent(const GoalEvent& event, Time now);
+  void stopReached(const Goal& goal, Time now);
   void goalFailed(const Goal& goal, const std::string& what);
   void goalTimedOut(const Goal& goal);
 
@@ -93,6 +97,7 @@ class Explorer::Impl {
   bool retryBlacklisted(Time now);
 
   void countExploring(double driven, Time now);
+  StoppingRules::State rulesState() const;
   void startAgain(Time now);
   bool yield(const ExplorerInputs& inputs, Time now);
   bool withinLimits(Time now);
@@ -109,6 +114,8 @@ class Explorer::Impl {
   void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
   void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }
   void countFrontiers();
+  void estimateWhole();
+  void setWholeExplored();
 
   ExplorerParameters parameters_;
   FrontierEvaluator evaluator_;
@@ -124,6 +131,7 @@ class Explorer::Impl {
   ChosenGoal chosen_;  ///< at the last decision; without a goal its members are empty
   std::optional<Pose2> start_;
   std::optional<Pose2> T_map_base_;
+  std::optional<double> battery_;
   std::optional<Time> last_update_;
   std::optional<Time> last_report_;
   std::optional<Time> nothing_left_since_;

@@ -67,6 +67,7 @@ void Explorer::Impl::selectGoal(Time now) {
 void Explorer::Impl::finish(Time now) {
   nothing_left_since_.reset();
   done_reason_ = whyNothingIsLeft();
+  setWholeExplored();
   if (done_reason_ == ExplorerReason::kTooManyFrontiers) note(true, toString(*done_reason_));
   if (parameters_.return_to_start) return returnToStart(now);
   enter(ExplorerState::kDone, *done_reason_, "", now);
@@ -79,6 +80,7 @@ ExplorerReason Explorer::Impl::whyNothingIsLeft() const {
 
 void Explorer::Impl::returnToStart(Time now) {
   if (!mayReturn()) return enter(ExplorerState::kDone, *done_reason_, "", now);
+  if (!evaluator_.map().bounds().empty()) evaluator_.findWays(T_map_base_->position(), start_->position());
   Goal goal;
   goal.position = start_->position();
   goal.returning = true;
@@ -206,6 +208,7 @@ std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time
     if (judged_by_ != nullptr) chosen = strategy_->choose(evaluator_, situation(keep_present));
   }
   chosen_ = chosen.value_or(ChosenGoal{});
+  if (chosen) estimateWhole();
   return chosen;
 }
 

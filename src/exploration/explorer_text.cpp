@@ -1,6 +1,7 @@
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -39,10 +40,12 @@ constexpr std::array kReasonTexts = {
     "the distance asked for is driven",
     "the robot stands outside of the bounds",
     "the bounds have changed",
-    "waiting for your goal",
+    "waiting for your goal to end",
     "started again",
+    "the share asked for is explored",
+    "the battery is down to the limit",
 };
-static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kStartedAgain) + 1);
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kUntilBattery) + 1);
 
 }  // namespace
 
@@ -86,6 +89,11 @@ const char* toString(ExplorerState state) {
       return "DONE";
   }
   return "?";
+}
+
+std::optional<double> ExplorerProgress::shareExplored() const {
+  if (!whole || whole->area <= 0.0) return std::nullopt;
+  return std::min(1.0, explored_area / whole->area);
 }
 
 const char* toString(ExplorerPhase phase) { return phase == ExplorerPhase::kRich ? "RICH" : "COVERAGE"; }

@@ -33,7 +33,7 @@ double roomyClearance(const FrontierParameters& parameters, const Outline& drive
 
 FrontierEvaluator::FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven)
     : parameters_(parameters),
-      half_width_(driven.halfWidth()),
+      lane_{driven.halfWidth() + parameters.clearance_margin, driven.halfWidth()},
       space_(roomyClearance(parameters, driven), KeepClearOf::kObstaclesAndUnknown),
       tight_space_(driven.halfWidth() + parameters.clearance_margin) {}
 
@@ -58,7 +58,7 @@ bool FrontierEvaluator::evaluate(const Context& context) {
   if (map_.empty()) return false;
   const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
   clusters_ = search_.clusters(1, max_extent);
-  const bool any = judgeAll(space_, context.robot, context);
+  const bool any = judgeFromRobot(space_, context);
   blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
     return frontier.rejection == Rejection::kBlacklisted;
   });
@@ -66,14 +66,28 @@ bool FrontierEvaluator::evaluate(const Context& context) {
 }
 
 bool FrontierEvaluator::evaluateTightWays(const Context& context) {
-  space_changes_.include(tight_space_.update(map_.grid(), tight_changes_));
-  tight_changes_ = {};
-  return judgeAll(tight_space_, context.robot, context);
+  updateTightSpace();
+  return judgeFromRobot(tight_space_, context);
 }
 
 bool FrontierEvaluator::evaluateWaysFromStart(const Context& context) {
   const bool cut_off = robotHasGround() && !travel_.reached(map_.geometry().cellAt(context.start));
-  return cut_off && judgeAll(tight_space_, context.start, context);
+  if (!cut_off || boundsSeparate(map_, context.robot, context.start)) return false;
+  return judgeAll(tight_space_, context.start, context);
+}
+
+void FrontierEvaluator::findWays(const Vec2& robot, const Vec2& place) {
+  if (map_.empty()) return;
+  const Cell from = map_.geometry().cellAt(robot);
+  travel_.compute(space_, map_.grid(), from, parameters_.escape_radius);
+  if (travel_.reached(map_.geometry().cellAt(place))) return;
+  updateTightSpace();
+  travel_.compute(tight_space_, map_.grid(), from, parameters_.escape_radius);
+}
+
+void FrontierEvaluator::updateTightSpace() {
+  if (tight_changes_.empty()) return;
+  tight_space_changes_.include(tight_space_.update(map_.grid(), std::exchange(tight_changes_, {})));
 }
 
 /// Returns whether any frontier can be selected.
@@ -223,41 +237,6 @@ Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& contex
   if (!planned) return Rejection::kUnreachable;
   frontier.distance = *planned;
   return frontier.distance < parameters_.min_distance ? Rejection::kTooNear : Rejection::kNone;
-}
-
-std::vector<GoalCandidate> FrontierEvaluator::candidates(const Vec2& robot) {
-  std::vector<GoalCandidate> all;
-  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
-    Frontier& f = frontiers_[i];
-    if (!f.selectable()) continue;
-    const double density = f.obstacle_density / std::max(parameters_.max_obstacle_density, 1e-3);
-    all.push_back({i, f.goal, f.distance, (f.goal - robot).norm(), f.info, density, f.visits, 0.0});
-    f.score = all.back().score = goalScore(all.back(), parameters_.score);
-  }
-  return all;
-}
-
-std::optional<GoalCandidate> FrontierEvaluator::candidateAt(const Vec2& goal, const Vec2& robot) {
-  const Cell cell = map_.geometry().cellAt(goal);
-  if (!travel_.reached(cell)) return std::nullopt;
-  const double density = obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells);
-  const double relative = std::min(1.0, density / std::max(parameters_.max_obstacle_density, 1e-3));
-  GoalCandidate candidate{
-      frontiers_.size(), goal, travel_.distance(cell), (goal - robot).norm(), infoAt(goal), relative, 0, 0.0};
-  candidate.score = goalScore(candidate, parameters_.score);
-  return candidate;
-}
-
-std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {
-  if (map_.empty()) return std::nullopt;
-  const Cell here = map_.geometry().cellAt(robot);
-  for (const Cell offset : rings_) {
-    const Cell cell{here.x + offset.x, here.y + offset.y};
-    if (travel_.reached(cell) && travel_.distance(cell) > 1.5 * parameters_.min_distance) {
-      return map_.geometry().centre(cell);
-    }
-  }
-  return std::nullopt;
 }
 
 double FrontierEvaluator::leastInfo() const {

@@ -44,7 +44,8 @@ class FrontierEvaluator {
   bool evaluate(const Context& context);
   /// Judges the same frontiers again and also allows paths through gaps that the robot only just fits through.
   bool evaluateTightWays(const Context& context);
-  /// The same with paths from `context.start`, if the last evaluation found no path from there to the robot.
+  /// The same with paths from `context.start`, if the last evaluation found no path from there to the robot and it is
+  /// not the bounds that separate them.
   bool evaluateWaysFromStart(const Context& context);
 
   /// The selectable frontiers of the last evaluation as scored candidates.
@@ -63,18 +64,23 @@ class FrontierEvaluator {
   /// Whether neither of these two limits was exceeded.
   bool allJudged() const { return left_out_ == 0 && !clusters_.too_many; }
   /// Whether the last evaluation found ground for the robot to move on.
-  bool robotHasGround() const { return travel_.reachedCount() > 0; }
+  bool robotHasGround() const { return has_ground_; }
   /// The nearest place with a travel distance above 1.5 min_distance, from which frontiers that are too near now are
   /// not.
   std::optional<Vec2> placeToStepBackTo(const Vec2& robot) const;
   /// The space through which the last evaluation found the goals.
   const TraversableSpace& space() const { return *judged_space_; }
-  /// The block of cells of `space()` that may have changed since the last call; of no meaning if it is another one.
-  CellRect takeSpaceChanges() { return std::exchange(space_changes_, {}); }
+  /// The block of cells of `space()` that may have changed since the last call for the same space.
+  CellRect takeSpaceChanges() {
+    return std::exchange(judged_space_ == &space_ ? space_changes_ : tight_space_changes_, {});
+  }
   /// Where to send the robot first on its way to `goal`, see limits/way_inside.h; by the last evaluation.
   Vec2 stopOnTheWay(const Vec2& robot, const Vec2& goal) const {
-    return exploration::stopOnTheWay(travel_, map_, robot, goal, half_width_);
+    return exploration::stopOnTheWay(travel_, map_, robot, goal, lane_);
   }
+  /// Computes the ways from the robot anew, through tight gaps if none leads to `place` otherwise, for `stopOnTheWay`.
+  /// The judgement of the frontiers stays as it is.
+  void findWays(const Vec2& robot, const Vec2& place);
   /// Least unknown area that a goal has to show [m^2]; it grows with the free area of the map.
   double leastInfo() const;
   /// What a view from `goal` is expected to show now. [EXP-6]
@@ -109,7 +115,13 @@ class FrontierEvaluator {
     ViewGain gain;
   };
 
+  void updateTightSpace();
   bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
+  bool judgeFromRobot(const TraversableSpace& space, const Context& context) {
+    const bool any = judgeAll(space, context.robot, context);
+    has_ground_ = travel_.reachedCount() > 0;
+    return any;
+  }
   Frontier outline(const FrontierCluster& cluster) const;
   void leaveOutAllBut(std::size_t most, const Vec2& robot);
   void judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context);
@@ -122,7 +134,7 @@ class FrontierEvaluator {
   ViewGain cachedView(Cell cell);
 
   FrontierParameters parameters_;
-  double half_width_;  ///< of the robot's lane [m]
+  LaneWidth lane_;
   PlanFn plan_;
   ObservedMap map_;
   FrontierSearch search_;
@@ -131,12 +143,14 @@ class FrontierEvaluator {
   CellRect tight_changes_;        ///< not yet applied to tight_space_
   const TraversableSpace* judged_space_ = &space_;
   const GoalHistory* history_ = nullptr;  ///< of the last evaluation
-  CellRect space_changes_;                ///< of both spaces since takeSpaceChanges()
+  CellRect space_changes_;                ///< since takeSpaceChanges()
+  CellRect tight_space_changes_;          ///< the same of tight_space_
   TravelField travel_;
   FrontierClusters clusters_;
   std::vector<Frontier> frontiers_;
   std::size_t left_out_ = 0;
   bool blacklisted_in_the_open_ = false;
+  bool has_ground_ = false;  ///< the robot, in the space judged last; the ways from the start say nothing of it
   std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;
   std::unordered_map<std::size_t, Cell> goals_;  ///< the last goal found, by the index of the frontier's anchor

@@ -28,6 +28,7 @@ QPushButton:focus { border-color: %7; }
 QPushButton:disabled { color: %6; background: transparent; border-style: dashed; }
 QPushButton[role="primary"] { background: %7; color: %8; border-color: %7; font-weight: 600; }
 QPushButton[role="primary"]:disabled { background: transparent; color: %6; border-color: %4; font-weight: 400; }
+QPushButton[role="small"] { padding: 0 $P; }
 QPushButton[role="stop"] { color: %9; border-color: %9; font-weight: 700; }
 QPushButton[role="stop"]:pressed { background: %9; color: white; }
 QCheckBox { color: %5; }

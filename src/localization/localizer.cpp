@@ -16,6 +16,9 @@ constexpr double kPenalty = 0.0035;   // loss of score at a deviation of one sta
 /// Without a time limit: a known map is not given up, however long nothing matches.
 slam::ScanTrackerParameters withoutEnd(slam::ScanTrackerParameters parameters) {
   parameters.max_silence = std::numeric_limits<double>::infinity();
+  // A known map is not extended.
+  parameters.sparse_distance = std::numeric_limits<double>::infinity();
+  parameters.sparse_angle = std::numeric_limits<double>::infinity();
   return parameters;
 }
 

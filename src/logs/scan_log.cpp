@@ -25,8 +25,8 @@ LogFormat formatOf(std::istream& file) {
 
 namespace {
 
-/// What sizes the map that is made of a log has the bounds that it has in messages.
-ScanLog bounded(ScanLog log, const std::string& name) {
+/// What determines the size of the map that is made of a log has the bounds that it has in messages.
+ScanLog checked(ScanLog log, const std::string& name, const LogScanner& scanner) {
   for (LogRecord& record : log.records) {
     const Pose2& base = record.T_odom_base;
     if (!bounds::isWithin(base.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate))
@@ -35,6 +35,7 @@ ScanLog bounded(ScanLog log, const std::string& name) {
       throw LogError(name + ": the laser is farther than 10 m from the robot");
     record.scan.range_max = std::min(record.scan.range_max, bounds::kUsedRange);  // what is longer is no return
   }
+  if (!scanner.range_max) recogniseMissingReturns(log);
   return log;
 }
 
@@ -43,9 +44,9 @@ ScanLog bounded(ScanLog log, const std::string& name) {
 ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanner& scanner) {
   switch (formatOf(file)) {
     case LogFormat::kCsv:
-      return bounded(readCsvLog(file, name, scanner), name);
+      return checked(readCsvLog(file, name, scanner), name, scanner);
     case LogFormat::kCarmen:
-      return bounded(readCarmenLog(file, name, scanner), name);
+      return checked(readCarmenLog(file, name, scanner), name, scanner);
     case LogFormat::kRosbag:
       break;
   }

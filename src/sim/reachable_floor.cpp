@@ -43,7 +43,15 @@ Grid<std::uint8_t> dilate(const Grid<std::uint8_t>& mask, int radius) {
   return grown;
 }
 
-Grid<std::uint8_t> flood(const Grid<std::uint8_t>& blocked, Cell start) {
+}  // namespace
+
+Grid<std::uint8_t> notFree(const OccupancyGrid& truth) {
+  Grid<std::uint8_t> solid(truth.geometry());
+  for (std::size_t i = 0; i < truth.size(); ++i) solid[i] = truth[i] != kFree ? 1 : 0;
+  return solid;
+}
+
+Grid<std::uint8_t> connectedCells(const Grid<std::uint8_t>& blocked, Cell start) {
   Grid<std::uint8_t> reached(blocked.geometry());
   std::vector<Cell> open;
   const auto reach = [&](Cell cell) {
@@ -63,12 +71,9 @@ Grid<std::uint8_t> flood(const Grid<std::uint8_t>& blocked, Cell start) {
   return reached;
 }
 
-}  // namespace
-
 Grid<std::uint8_t> reachableFloor(const OccupancyGrid& truth, Cell start, int radius_cells) {
-  Grid<std::uint8_t> not_free(truth.geometry());
-  for (std::size_t i = 0; i < truth.size(); ++i) not_free[i] = truth[i] != kFree ? 1 : 0;
-  Grid<std::uint8_t> floor = dilate(flood(dilate(not_free, radius_cells), start), radius_cells);
+  const Grid<std::uint8_t> not_free = notFree(truth);
+  Grid<std::uint8_t> floor = dilate(connectedCells(dilate(not_free, radius_cells), start), radius_cells);
   for (std::size_t i = 0; i < floor.size(); ++i) {
     if (not_free[i] != 0) floor[i] = 0;
   }

@@ -17,7 +17,9 @@ struct OperatorRequest {
     kEnableAvoider,  ///< `on`
     kExplore,        ///< `on`: explore, or pause
     kResetExplorer,
-    kPatrol,  ///< `shape`, `side` [m], `laps`
+    kClearBounds,
+    kReturnToStart,  ///< `on`
+    kPatrol,         ///< `shape`, `side` [m], `laps`
     kStopPatrol,
     kSpin,  ///< `angle`
     kStopSpin,

@@ -69,6 +69,9 @@ struct ExplorerView {
   unsigned goals_sent = 0, goals_reached = 0, goals_failed = 0;
   double explored_area = 0.0;       ///< [m^2]
   double distance_travelled = 0.0;  ///< [m]
+  bool bounded = false;             ///< bounds are in force, or are being drawn
+  bool return_to_start = false;     ///< it drives back at the end
+  std::string bounds_text, end_text, map_text;
 };
 
 /// A patrol or a spin.
@@ -94,6 +97,7 @@ struct OperatorState {
   std::optional<AvoiderView> avoider;
   AvoiderSectors sectors;
   bool explorer_service_up = false, explorer_reset_up = false;
+  bool explorer_bounds_up = false, explorer_return_up = false;
   std::optional<ExplorerView> explorer;
   ActionView patrol, spin;
   std::optional<ScanView> scan;

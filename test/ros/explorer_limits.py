@@ -1,23 +1,24 @@
 #!/usr/bin/env python3
 """What bounds and ends an exploration, and goals of others, against a move_base and a map that are not ours."""
+import math
 import threading
-import unittest
 
 import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
+from diagnostic_msgs.msg import DiagnosticArray
 from frontier_pilot.msg import ExplorerStatus as Status
 from frontier_pilot.srv import SaveMap, SaveMapResponse, SetBounds
 from geometry_msgs.msg import Point32, Polygon
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+from sensor_msgs.msg import BatteryState
 from std_srvs.srv import SetBool, Trigger
-from visualization_msgs.msg import MarkerArray
 
-from foreign_robot import ForeignRobot, hall
-from wire import Node, Record, call, wait_for
+from explorer_case import ExplorerCase
+from foreign_robot import hall
+from wire import Record, call, wait_for
 
-START = (-0.5, 0.0)  # the left end is nearer
 RIGHT = [-0.9, -2.0, 5.0, -2.0, 5.0, 2.0, -0.9, 2.0]  # without the left end
 
 
@@ -26,46 +27,22 @@ def rectangle(left, right):
                     Point32(left, 2.0, 0.0)])
 
 
-class ExplorerLimits(unittest.TestCase):
+class ExplorerLimits(ExplorerCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('explorer_limits')
-        cls.robot = ForeignRobot(*START)
-        cls.robot.show(hall())
-        cls.status = Record('frontier_explorer/status', Status)
-        cls.markers = Record('frontier_explorer/frontiers', MarkerArray)
+        super().setUpClass()
         cls.client = actionlib.SimpleActionClient('move_base', MoveBaseAction)
+        cls.battery = rospy.Publisher('battery_state', BatteryState, queue_size=1)
 
-    def explore(self, **parameters):
-        """Starts an explorer at the robot's start."""
-        self.robot.position = START
-        self.robot.show(hall())
-        self.robot.goals.clear()
-        self.robot.track.clear()
-        self.status.items.clear()
-        self.markers.items.clear()
-        parameters.update({'autostart': True, 'done_settle_time': 0.5, 'settle_time': 0.2,
-                           'frontier': {'view': {'sensor_range': 1.0}}})
-        rospy.set_param('frontier_explorer', parameters)
-        node = Node('frontier_explorer', '__name:=frontier_explorer')
-        self.addCleanup(rospy.delete_param, 'frontier_explorer')
-        self.addCleanup(node.end)
-
-    def comes(self, condition, timeout=10.0):
-        """Whether a status comes, or has come, for which the condition holds."""
-        return wait_for(lambda: any(condition(status) for _, status in list(self.status.items)), timeout)
-
-    def expect_reason(self, reason):
-        self.assertTrue(self.comes(lambda status: status.reason == reason),
-                        [(s.state_text, s.reason_text) for _, s in self.status.items])
-
-    def expect_done(self, reason):
-        self.assertTrue(self.comes(lambda status: status.state == Status.DONE),
-                        [(s.state_text, s.reason_text) for _, s in self.status.items])
-        self.assertEqual(reason, self.status.last.reason, self.status.last.reason_text)
-
-    def is_at_start(self):
-        return max(abs(a - b) for a, b in zip(self.robot.position, START)) < 0.05
+    def charge(self, percentage):
+        """Tells the charge until it is in the status, in which nothing is NaN."""
+        def told():
+            self.battery.publish(BatteryState(percentage=percentage))
+            last = self.status.last
+            return last is not None and (math.isnan(last.battery) if math.isnan(percentage)
+                                         else abs(last.battery - percentage) < 1e-6)
+        self.assertTrue(wait_for(told), self.status.last)
 
     # [EXP-10]
     def test_stays_within_the_bounds_of_its_parameters_and_shows_them(self):
@@ -118,6 +95,21 @@ class ExplorerLimits(unittest.TestCase):
         self.expect_reason(Status.STARTED_AGAIN)
         self.expect_reason(Status.UNTIL_TIME)
 
+    # [EXP-10] [EXP-12]
+    def test_ends_at_a_share_of_the_estimate_and_tells_the_estimate(self):
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.explore(until={'share': 0.05})
+        self.assertTrue(self.comes(lambda status: math.isnan(status.estimated_area)))
+        self.assertTrue(self.comes(lambda status: status.exploring_time > 10.5, 30.0), 'too early to tell until then')
+        self.robot.show(hall(-2.4, 2.4))  # so that the explorer decides again
+        self.expect_done(Status.UNTIL_SHARE)
+        last = self.status.last
+        self.assertGreaterEqual(last.share_explored, 0.05)
+        self.assertGreaterEqual(last.estimated_area, last.explored_area)
+        self.assertGreater(last.estimated_area_deviation, 0.0)
+        self.assertGreater(last.time_left, 0.0)
+
     # [EXP-10]
     def test_ends_after_a_distance_and_goes_on_after_a_reset(self):
         self.explore(until={'distance': 0.8})
@@ -126,6 +118,52 @@ class ExplorerLimits(unittest.TestCase):
         self.status.items.clear()
         self.assertTrue(call('frontier_explorer/reset', Trigger).success)
         self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING))
+
+    # [EXP-10]
+    def test_ends_at_a_charge_and_returns_and_says_so_while_no_battery_is_heard(self):
+        diagnostics = Record('/diagnostics', DiagnosticArray)
+        self.addCleanup(diagnostics.subscriber.unregister)
+        self.explore(until={'battery': 0.3}, return_to_start=True)
+        self.assertTrue(wait_for(lambda: not self.is_at_start()))
+        self.assertTrue(math.isnan(self.status.last.battery))
+        self.assertEqual('the battery is at 30 % (no battery is heard)', self.status.last.until)
+        self.assertTrue(wait_for(lambda: any('no battery is heard' in status.message for _, array in diagnostics.items
+                                             for status in array.status)))
+        self.charge(0.5)
+        self.charge(float('nan'))
+        self.charge(0.4)
+        self.assertEqual('the battery is at 30 %', self.status.last.until)
+        self.assertNotEqual(Status.DONE, self.status.last.state)
+        self.battery.publish(BatteryState(percentage=29.0))  # of a driver that sends percent
+        self.expect_reason(Status.RETURNING_TO_START)
+        self.expect_done(Status.UNTIL_BATTERY)
+        self.assertAlmostEqual(0.29, self.status.last.battery, 6)
+        self.assertTrue(self.is_at_start(), self.robot.position)
+
+    # [EXP-10]
+    def test_returns_to_the_start_when_asked_to_in_the_middle_of_it(self):
+        self.explore(until={'distance': 0.8})
+        self.assertTrue(wait_for(lambda: not self.is_at_start()))
+        self.assertFalse(self.status.last.return_to_start)
+        answer = call('frontier_explorer/set_return_to_start', SetBool, True)
+        self.assertEqual((True, 'returns to the start at the end'), (answer.success, answer.message))
+        self.assertTrue(self.comes(lambda status: status.return_to_start))
+        self.expect_done(Status.UNTIL_DISTANCE)
+        self.assertTrue(self.is_at_start(), self.robot.position)
+
+    # [EXP-8]
+    def test_stands_while_it_is_paused_and_goes_on_where_it_was(self):
+        self.explore()
+        self.assertTrue(wait_for(lambda: not self.is_at_start()))
+        self.assertTrue(call('set_exploration_enabled', SetBool, False).success)
+        self.expect_reason(Status.PAUSED)
+        goals, position = len(self.robot.goals), self.robot.position
+        heard, time = len(self.status.items), self.status.last.exploring_time
+        self.assertTrue(wait_for(lambda: len(self.status.items) > heard + 2))
+        self.assertEqual((goals, position), (len(self.robot.goals), self.robot.position))
+        self.assertEqual(time, self.status.last.exploring_time)
+        self.assertTrue(call('set_exploration_enabled', SetBool, True).success)
+        self.assertTrue(wait_for(lambda: self.robot.position != position))
 
     # [EXP-10]
     def test_returns_to_the_start_and_has_the_map_saved_without_waiting_for_it(self):
@@ -171,7 +209,7 @@ class ExplorerLimits(unittest.TestCase):
         self.expect_reason(Status.OTHERS_GOAL)
         waiting = len(self.status.items)
         self.assertTrue(wait_for(lambda: len(self.status.items) > waiting + 7, 20.0))
-        self.assertEqual('waiting for your goal', self.status.last.reason_text)
+        self.assertEqual('waiting for your goal to end', self.status.last.reason_text)
         self.assertEqual((1.0, 0.0), self.robot.goals[-1])
         self.robot.held.clear()
         self.assertTrue(self.client.wait_for_result(rospy.Duration(10.0)))

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <frontier_pilot/ArbiterStatus.h>
+#include <frontier_pilot/ExplorerStatus.h>
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
 #include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <atomic>
 #include <cmath>
+#include <mutex>
+#include <utility>
 
 #include "ros/common/names.h"
 #include "ros/gui_window.h"
@@ -61,6 +65,48 @@ class NamelessSources {
 
  private:
   ros::Publisher publisher_;
+};
+
+/// An explorer with bounds that can be cleared and a return to the start that can be switched.
+class BoundedExplorer {
+ public:
+  BoundedExplorer() {
+    publisher_ = node_.advertise<ExplorerStatus>(names::kExplorerStatus, 1);
+    for (const auto& [x, y] :
+         {std::pair(0.0F, 0.0F), std::pair(3.0F, 0.0F), std::pair(3.0F, 2.0F), std::pair(0.0F, 2.0F)}) {
+      geometry_msgs::Point32& corner = status_.stay_within.points.emplace_back();
+      corner.x = x;
+      corner.y = y;
+    }
+    status_.until = "9 m2 are known";
+    clear_ = node_.advertiseService(names::kClearExplorationBounds, &BoundedExplorer::clear, this);
+    return_ = node_.advertiseService(names::kSetReturnToStart, &BoundedExplorer::setReturn, this);
+  }
+  bool speaks() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    publisher_.publish(status_);
+    return true;
+  }
+
+ private:
+  bool clear(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status_.stay_within.points.clear();
+    response.success = 1;
+    return true;
+  }
+  bool setReturn(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status_.return_to_start = request.data;
+    response.success = 1;
+    return true;
+  }
+
+  std::mutex mutex_;
+  ExplorerStatus status_;
+  ros::NodeHandle node_;
+  ros::Publisher publisher_;
+  ros::ServiceServer clear_, return_;
 };
 
 class GuiOnTheWire : public ::testing::Test {

@@ -140,6 +140,21 @@ TEST_F(GuiOnTheWire, ServicesThatComeAndGoAreShown) {
   }
 }
 
+// [GUI-2] [EXP-10]
+TEST_F(GuiOnTheWire, BoundsAndTheReturnToTheStartAreShownAndChanged) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  test::BoundedExplorer explorer;
+  EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "within 6.0 m²"; }));
+  EXPECT_TRUE(window.text("explorer_end").startsWith("when 9 m2"));
+  ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find("return_to_start")->isEnabled(); }));
+  ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find("clear_bounds")->isEnabled(); }));
+  window.click("return_to_start");
+  EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.checked("return_to_start"); }));
+  window.click("clear_bounds");
+  EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "none"; }));
+}
+
 // [FLT-1]
 TEST_F(GuiOnTheWire, SourcesThatNoServiceCanBeNamedAfterAreShownAndDoNotEndTheWindow) {
   Window window;

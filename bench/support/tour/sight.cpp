@@ -3,16 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/reachable_floor.h"
+
 namespace frontier_pilot::bench {
 namespace {
 
 constexpr std::int32_t kNotAsked = std::numeric_limits<std::int32_t>::min();
-
-Grid<std::uint8_t> notFree(const OccupancyGrid& truth) {
-  Grid<std::uint8_t> solid(truth.geometry());
-  for (std::size_t i = 0; i < truth.size(); ++i) solid[i] = truth[i] != kFree ? 1 : 0;
-  return solid;
-}
 
 /// The number of bits that are set, by sums of ever larger groups: there is no instruction for it that every processor
 /// of the platform has, and the compiler's function for such processors is slower.
@@ -25,7 +21,7 @@ int bitsIn(std::uint64_t word) {
 
 }  // namespace
 
-Sight::Sight(const OccupancyGrid& truth, double range) : range_(range), caster_(notFree(truth)) {}
+Sight::Sight(const OccupancyGrid& truth, double range) : range_(range), caster_(sim::notFree(truth)) {}
 
 std::vector<Vec2> Sight::directions(double step) const {
   const int count = static_cast<int>(std::ceil(2.0 * kPi * range_ / step));

@@ -8,45 +8,23 @@
 #include <stdexcept>
 
 #include "frontier_pilot/core/grid_traversal.h"
-#include "frontier_pilot/grids/cell_search.h"
 #include "frontier_pilot/grids/distance_field.h"
+#include "sim/reachable_floor.h"
 
 namespace frontier_pilot::bench {
 namespace {
 
 constexpr double kMostClearance = 2.0;  // [m]
 
-/// The cells of `fits` that can be reached from `start` by steps to 4-neighbours.
-Grid<std::uint8_t> reachable(const Grid<std::uint8_t>& fits, Cell start) {
-  Grid<std::uint8_t> reached(fits.geometry());
-  std::vector<Cell> open;
-  const auto reach = [&](Cell cell) {
-    if (fits.get(cell, 0) == 0 || reached[cell] != 0) return;
-    reached[cell] = 1;
-    open.push_back(cell);
-  };
-  reach(start);
-  while (!open.empty()) {
-    const Cell cell = open.back();
-    open.pop_back();
-    for (std::size_t i = 0; i < grids::kNeighbourSteps.size(); i += 2) {
-      reach({cell.x + grids::kNeighbourSteps[i].x, cell.y + grids::kNeighbourSteps[i].y});
-    }
-  }
-  return reached;
-}
-
 }  // namespace
 
 Terrain::Terrain(const OccupancyGrid& truth, const Vec2& start, double radius) {
-  Grid<std::uint8_t> solid(truth.geometry());
-  for (std::size_t i = 0; i < truth.size(); ++i) solid[i] = truth[i] != kFree ? 1 : 0;
-  clearance_ = grids::DistanceField(solid, kMostClearance).grid();
+  clearance_ = grids::DistanceField(sim::notFree(truth), kMostClearance).grid();
   const double least = std::ceil(radius / truth.resolution()) * truth.resolution() + 1e-6;
-  Grid<std::uint8_t> fits(truth.geometry());
-  for (std::size_t i = 0; i < fits.size(); ++i) fits[i] = clearance_[i] > least ? 1 : 0;
+  Grid<std::uint8_t> blocked(truth.geometry());
+  for (std::size_t i = 0; i < blocked.size(); ++i) blocked[i] = clearance_[i] > least ? 0 : 1;
   const Cell at = truth.geometry().cellAt(start);
-  passable_ = reachable(fits, at);
+  passable_ = sim::connectedCells(blocked, at);
   if (!isPassable(at)) throw std::invalid_argument("the start of the tour is in or too near a wall");
 }
 

@@ -30,6 +30,10 @@ class Explorer {
   /// present map; it may be empty if there is none yet. [EXP-10]
   void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
   const ExplorationBounds& bounds() const;
+  /// Whether the robot is driven back to the start at the end, which at first is as the parameters say. A robot that is
+  /// on its way back already is not stopped. [EXP-10]
+  void setReturnToStart(bool on);
+  bool returnsToStart() const;
   /// `plan` gives the distance of each goal that the explorer's wavefront has found reachable; without a path the goal
   /// is unreachable.
   void setPlan(PlanFn plan);

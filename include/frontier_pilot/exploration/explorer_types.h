@@ -50,6 +50,8 @@ enum class ExplorerReason : std::uint8_t {
   kBoundsChanged,
   kOthersGoal,
   kStartedAgain,
+  kUntilShare,
+  kUntilBattery,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -85,6 +87,7 @@ struct ExplorerInputs {
   bool others_goal = false;          ///< the move_base server pursues a goal of another client
   std::optional<StampedPose2> T_map_base;
   std::optional<Time> odometry_stamp;  ///< of the latest odometry
+  std::optional<double> battery;       ///< charge as a share, 0 to 1; nothing while it is not known
   std::vector<GoalEvent> goal_events;  ///< since the last tick
 };
 
@@ -94,6 +97,13 @@ struct GoalCommand {
   Kind kind = Kind::kNone;
   std::uint32_t goal_id = 0;
   Pose2 goal;  ///< in the map's frame
+};
+
+/// How large the whole floor may be, and how long it may take to explore the rest. [EXP-12]
+struct WholeEstimate {
+  double area = 0.0;       ///< [m^2]
+  double deviation = 0.0;  ///< of the area, one standard deviation [m^2]
+  double time_left = 0.0;  ///< [s]
 };
 
 struct ExplorerProgress {
@@ -107,10 +117,14 @@ struct ExplorerProgress {
   std::uint32_t goals_sent = 0;
   std::uint32_t goals_reached = 0;
   std::uint32_t goals_failed = 0;
-  double explored_area = 0.0;       ///< known free cells of the map within the bounds [m^2]
-  double distance_travelled = 0.0;  ///< [m]
-  double exploring_time = 0.0;      ///< what until/time limits: without pauses and waiting [s]
-  double exploring_distance = 0.0;  ///< what until/distance limits: driven in that time [m]
+  double explored_area = 0.0;          ///< known free cells of the map within the bounds [m^2]
+  double distance_travelled = 0.0;     ///< [m]
+  double exploring_time = 0.0;         ///< what until/time limits: without pauses and waiting [s]
+  double exploring_distance = 0.0;     ///< what until/distance limits: driven in that time [m]
+  std::optional<WholeEstimate> whole;  ///< as of the last decision for a goal; nothing until it can be told
+
+  /// The share of the estimated whole that is explored, 0 to 1; nothing until it can be told.
+  std::optional<double> shareExplored() const;
 };
 
 /// A line for the log.

@@ -153,6 +153,11 @@ struct UntilParameters {
   double area = 0.0;
   double time = 0.0;
   double distance = 0.0;
+  double battery = 0.0;
+  double share = 0.0;
+
+  /// The rules that are set, for a status: "400 m2 are known or 600 s have passed"; empty if none is.
+  std::string inWords() const;
 
   template <class V>
   void describe(V& v) {
@@ -162,6 +167,12 @@ struct UntilParameters {
             "end the exploration after this long, without pauses and waiting for inputs; 0: no such end",
             timeSpanOrNone());
     v.field("distance", distance, "m", "end the exploration after this much driving; 0: no such end", atLeast(0.0));
+    v.field("battery", battery, "",
+            "end the exploration when battery_state reports this share of the charge or less; 0: no such end",
+            between(0.0, 1.0));
+    v.field("share", share, "",
+            "end the exploration when this share of the estimate of the whole floor is explored; 0: no such end",
+            between(0.0, 1.0));
   }
 };
 

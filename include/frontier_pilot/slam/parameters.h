@@ -10,6 +10,7 @@ namespace frontier_pilot::slam {
 /// odometry is read.
 struct OdometryTrust {
   double distance = 0.06;         ///< standard deviation of the position after a metre [m]
+  double distance_turn = 0.05;    ///< of the position after a turn of a radian [m]
   double yaw_distance = 0.04;     ///< of the yaw after a metre [rad]
   double yaw_turn = 0.06;         ///< of the yaw after a radian [rad]
   double unmeasured_speed = 0.6;  ///< greatest speed that odometry may fail to measure, such as slip [m/s]
@@ -20,7 +21,7 @@ struct OdometryTrust {
     v.field("distance", distance, "m", "standard deviation of the position after a metre of odometry", positive());
     v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre of odometry", positive());
     v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a turn of a radian", positive());
-    v.fixed({"unseen_speed", "unseen_turn"});
+    v.fixed({"distance_turn", "unseen_speed", "unseen_turn"});
   }
 };
 
@@ -33,12 +34,15 @@ struct ScanTrackerParameters {
   double max_distance = 1.0;  ///< greatest half width of the search [m]
   double max_angle = 0.6;     ///< greatest half angle of the search [rad]
   double max_silence = 5.0;   ///< time without a match after which a scan that fits nowhere means `lost` [s]
+  double sparse_distance = 0.3;  ///< a scan that is farther than this from the last one [m],
+  double sparse_angle = 0.25;    ///< or turned farther [rad], may extend the map without a match
   OdometryTrust odometry;
   scan_matching::RefinementParameters refinement;
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.fixed({"min_points", "min_score", "min_inliers", "new_inliers", "max_distance", "max_angle", "max_silence"});
+    v.fixed({"min_points", "min_score", "min_inliers", "new_inliers", "max_distance", "max_angle", "max_silence",
+             "sparse_distance", "sparse_angle"});
     v.group("odometry", odometry, "the motion model of odometry");
     v.group("refinement", refinement, "the sub-cell refinement of a match");
   }
@@ -49,13 +53,14 @@ struct LocalSlamParameters {
   double keyframe_distance = 0.2;  ///< a keyframe is made after moving this far [m]
   double keyframe_angle = 0.2;     ///< or turning this far [rad]
   double keyframe_inliers = 0.8;   ///< with a smaller share of inliers a tenth of either is enough
-  int submap_keyframes = 80;       ///< number of keyframes in a finished submap; the next one begins at half of it
+  int submap_keyframes = 80;       ///< number of keyframes in a finished submap; the next one begins at half of it,
+  double submap_length = 12.0;     ///< or at half of this length of the way through a submap [m]
   scan_matching::LikelihoodParameters likelihood;
   ScanTrackerParameters tracker;
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.fixed({"keyframe_distance", "keyframe_angle", "keyframe_inliers", "submap_keyframes"});
+    v.fixed({"keyframe_distance", "keyframe_angle", "keyframe_inliers", "submap_keyframes", "submap_length"});
     v.group("likelihood", likelihood, "the likelihood field that is searched");
     v.group("tracker", tracker, "how the robot is tracked");
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "frontier_pilot/core/time.h"
@@ -14,6 +15,7 @@ enum class MatchVerdict {
   kFirst,        ///< there was nothing to match it with
   kMatched,      ///< scan and odometry agree
   kContradicts,  ///< matched well, but not where odometry says: the scan is believed
+  kExtended,     ///< it shows mostly new ground: odometry's pose, corrected by what overlaps with the map
   kTooFew,       ///< too few returns: odometry only
   kPoor,         ///< it fits nowhere in the window, or not well enough to overrule odometry: odometry only
   kAmbiguous,    ///< it fits in several places, and not where odometry says: odometry only
@@ -25,6 +27,9 @@ const char* toString(MatchVerdict verdict);
 inline bool isMatched(MatchVerdict verdict) {
   return verdict == MatchVerdict::kMatched || verdict == MatchVerdict::kContradicts;
 }
+
+/// Whether the pose is good enough for the scan to become part of the map.
+inline bool isPlaced(MatchVerdict verdict) { return isMatched(verdict) || verdict == MatchVerdict::kExtended; }
 
 /// What scans are matched with: a map, its pyramid, and the pose of its frame.
 struct MatchTarget {
@@ -48,10 +53,16 @@ const char* describe(const Track& track);
 /// the pose, and odometry decides where the scan leaves it open. Where scan and odometry contradict each other, the
 /// scan is believed: wheels slip and encoders freeze, walls do not. After a long time without a match it must fit
 /// very well for that, because half of the points may lie on surfaces by chance then. Where a scan fits nowhere,
-/// odometry carries the pose on.
+/// odometry carries the pose on. If scans come so far apart that one may show mostly new ground, it then extends the
+/// map at that pose. Systematic errors of odometry are learnt from the matches and taken into account.
 class ScanTracker {
  public:
-  explicit ScanTracker(const ScanTrackerParameters& parameters = {}) : parameters_(parameters) {}
+  explicit ScanTracker(const ScanTrackerParameters& parameters = {});
+  ~ScanTracker();
+  ScanTracker(ScanTracker&&) noexcept;
+  ScanTracker& operator=(ScanTracker&&) noexcept;
+  ScanTracker(const ScanTracker&) = delete;
+  ScanTracker& operator=(const ScanTracker&) = delete;
 
   /// `points` are those of the scan at `stamp`, taken at `T_odom_base`; no target: there is no map yet.
   Track track(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
@@ -59,47 +70,13 @@ class ScanTracker {
 
   /// The window to expect normally; determines how many levels a pyramid needs.
   scan_matching::SearchWindow usualWindow() const;
-  const Pose2& T_local_odom() const { return T_local_odom_; }
-  /// Sets the pose of the odometry frame, and forgets everything else.
+  const Pose2& T_local_odom() const;
+  /// Sets the pose of the odometry frame, and forgets the last scan; what was learnt of odometry is kept.
   void reset(const Pose2& T_local_odom = {});
 
  private:
-  /// Standard deviations, the same in all directions.
-  struct Sigma {
-    double position = 0.0;  ///< [m]
-    double yaw = 0.0;       ///< [rad]
-  };
-  struct Prediction {
-    Pose2 T_map_base;
-    Sigma odometry;  ///< if odometry works correctly
-    Sigma unseen;    ///< if it may have missed motion, such as slip
-  };
-  struct Last {
-    Time stamp;
-    Pose2 T_odom_base;
-    Time matched;  ///< when a scan was matched last
-    Sigma sigma;   ///< the uncertainty that odometry has added since then
-  };
-
-  Sigma grown(const Sigma& sigma, const Pose2& motion) const;
-  Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
-  bool fits(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
-            const scan_matching::SurfaceMap& map) const;
-  /// Whether a match is reliable enough to be believed although it contradicts odometry.
-  bool overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
-                         const MatchTarget& target, const Prediction& prediction) const;
-  Track match(const surfaces::SurfacePoints& points, const MatchTarget& target, const Prediction& prediction) const;
-  std::optional<scan_matching::SearchResult> find(const surfaces::SurfacePoints& points,
-                                                  const scan_matching::MaxPyramid& pyramid,
-                                                  const Prediction& prediction) const;
-  bool hasRival(const surfaces::SurfacePoints& points, const scan_matching::MaxPyramid& pyramid,
-                const Prediction& prediction, const scan_matching::SearchResult& found) const;
-  scan_matching::SearchRequest request(const Prediction& prediction, double resolution) const;
-  void remember(Time stamp, const Pose2& T_odom_base, const Track& track);
-
-  ScanTrackerParameters parameters_;
-  Pose2 T_local_odom_;
-  std::optional<Last> last_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace frontier_pilot::slam

@@ -19,12 +19,16 @@ void Explorer::Impl::countExploring(double driven, Time now) {
   rules_.count(passed < kJump ? passed : Duration::zero(), driven);
 }
 
+StoppingRules::State Explorer::Impl::rulesState() const {
+  return {evaluator_.map().freeArea(), status_.shareExplored(), battery_};
+}
+
 /// Lets an exploration go on that a stopping rule has ended; nothing if none has.
 void Explorer::Impl::startAgain(Time now) {
   if (!ended_by_rule_) return;
   ended_by_rule_ = false;
   done_reason_.reset();
-  rules_.startOver(evaluator_.map().freeArea());
+  rules_.startOver(rulesState());
   cancelGoal();
   if (status_.state != ExplorerState::kIdle) enter(ExplorerState::kSelectGoal, ExplorerReason::kStartedAgain, "", now);
 }
@@ -51,15 +55,17 @@ bool Explorer::Impl::withinLimits(Time now) {
   }
   if (status_.state == ExplorerState::kDone) return !ended_by_rule_;
   const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
-  const auto rule = returning ? std::nullopt : rules_.met(evaluator_.map().freeArea());
+  const auto rule = returning ? std::nullopt : rules_.met(rulesState());
   if (rule) endBy(*rule, now);
   return status_.state != ExplorerState::kDone && keepWithinBounds(now);
 }
 
-/// A robot that stands outside is not driven back: only a person can tell whether the bounds or the place are wrong.
+/// A robot that stands outside, or gets there on its way, is not driven back: only a person can tell whether the bounds
+/// or the place are wrong.
 bool Explorer::Impl::keepWithinBounds(Time now) {
-  if (status_.state != ExplorerState::kSelectGoal) return true;
+  if (status_.state != ExplorerState::kSelectGoal && status_.state != ExplorerState::kNavigating) return true;
   if (evaluator_.map().bounds().contain(T_map_base_->position())) return true;
+  cancelGoal();
   nothing_left_since_.reset();
   if (status_.reason != ExplorerReason::kRobotOutOfBounds) {
     enter(ExplorerState::kSelectGoal, ExplorerReason::kRobotOutOfBounds, "", now);
@@ -73,15 +79,15 @@ void Explorer::Impl::endBy(ExplorerReason rule, Time now) {
   nothing_left_since_.reset();
   done_reason_ = rule;
   ended_by_rule_ = true;
-  if (parameters_.return_to_start && !evaluator_.map().bounds().empty()) evaluator_.evaluate(context());  // for the way
   if (parameters_.return_to_start) return returnToStart(now);
   enter(ExplorerState::kDone, rule, "", now);
 }
 
-/// Whether the way to the start begins and ends within the bounds.
+/// Whether the way to the start begins and ends within the bounds and does not have to lead out of them.
 bool Explorer::Impl::mayReturn() const {
-  const ExplorationBounds& bounds = evaluator_.map().bounds();
-  return bounds.contain(T_map_base_->position()) && bounds.contain(start_->position());
+  const ObservedMap& map = evaluator_.map();
+  const Vec2 here = T_map_base_->position(), start = start_->position();
+  return map.bounds().contain(here) && map.bounds().contain(start) && !boundsSeparate(map, here, start);
 }
 
 }  // namespace frontier_pilot::exploration

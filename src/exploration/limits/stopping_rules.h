@@ -19,10 +19,17 @@ class StoppingRules {
     time_ += passed;
     distance_ += driven;
   }
-  /// The rule that is met first in the order area, time, distance; nothing if none is.
-  std::optional<ExplorerReason> met(double explored_area) const;
-  /// Time and distance are counted from here on, and until/area more than `explored_area` [m^2] is to be explored.
-  void startOver(double explored_area);
+  /// What the rules look at besides time and distance.
+  struct State {
+    double explored_area = 0.0;     ///< [m^2]
+    std::optional<double> share;    ///< explored of the estimated whole; while it is not known, its rule is not met
+    std::optional<double> battery;  ///< charge, 0 to 1; likewise
+  };
+  /// The rule that is met first in the order area, time, distance, battery, share; nothing if none is.
+  std::optional<ExplorerReason> met(const State& state) const;
+  /// Time and distance are counted from here on, until/area more than is explored now has to be explored, and a share
+  /// that is explored already ends nothing.
+  void startOver(const State& state);
 
   double time() const { return toSeconds(time_); }
   double distance() const { return distance_; }
@@ -32,6 +39,7 @@ class StoppingRules {
   Duration time_{};
   double distance_ = 0.0;
   double area_before_ = 0.0;  ///< at the beginning of the round [m^2]; 0 in the first one
+  bool share_counts_ = true;
 };
 
 }  // namespace frontier_pilot::exploration

@@ -1,13 +1,18 @@
 #include "exploration/limits/way_inside.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "frontier_pilot/core/grid_traversal.h"
+#include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::exploration {
 namespace {
 
-constexpr double kMargin = 0.5;    ///< around a path, within which a navigation that takes another one stays [m]
+constexpr double kMargin = 0.5;    ///< by which the navigation's way may be longer than the shortest path [m]
+constexpr double kLongest = 10.0;  ///< farther places on the path have to be in sight [m]
 constexpr double kShortest = 0.6;  ///< steps along the path are not shorter, even if a corner is in the way [m]
 
 /// Whether the line leads over known free cells within the bounds; on the explorer's map all others are not free.
@@ -18,54 +23,34 @@ bool lineIsFree(const ObservedMap& map, const Vec2& from, const Vec2& to) {
 bool laneIsFree(const ObservedMap& map, const Vec2& from, const Vec2& to, double half_width) {
   const Vec2 along = to - from;
   if (along.isZero()) return true;
-  const Vec2 side = half_width * Vec2(-along.y(), along.x()).normalized();
-  return lineIsFree(map, from, to) && lineIsFree(map, from + side, to + side) &&
-         lineIsFree(map, from - side, to - side);
-}
-
-bool rowIsAllowed(const ObservedMap& map, int y, int begin, int end) {
-  for (int x = begin; x < end; ++x) {
-    if (!map.allowed({x, y})) return false;
+  const Vec2 across = Vec2(-along.y(), along.x()).normalized();
+  const int lines = static_cast<int>(std::ceil(half_width / map.geometry().resolution));
+  for (int i = -lines; i <= lines; ++i) {
+    const Vec2 side = half_width * i / std::max(lines, 1) * across;
+    if (!lineIsFree(map, from + side, to + side)) return false;
   }
   return true;
 }
 
-/// Whether all cells of `now` are allowed that do not lie in `before`, a block inside of it.
-bool growthIsAllowed(const ObservedMap& map, const CellRect& before, const CellRect& now) {
-  for (int y = now.y; y < now.y + now.height; ++y) {
-    const bool old = !before.empty() && y >= before.y && y < before.y + before.height;
-    const int left = old ? before.x : now.x + now.width;
-    const int right = old ? before.x + before.width : now.x + now.width;
-    if (!rowIsAllowed(map, y, now.x, left) || !rowIsAllowed(map, y, right, now.x + now.width)) return false;
-  }
-  return true;
-}
-
-/// How many cells at the path's end, where the robot is, lie together in a block without anything out of bounds: there
-/// the navigation may choose its own way.
-std::size_t freeChoice(const ObservedMap& map, const std::vector<Cell>& path) {
-  const int margin = static_cast<int>(kMargin / map.geometry().resolution);
-  CellRect block;
-  for (std::size_t k = 0; k < path.size(); ++k) {
-    const Cell cell = path[path.size() - 1 - k];
-    CellRect grown = block;
-    grown.include(CellRect{cell.x, cell.y, 1, 1}.grown(margin).intersection(map.geometry().rect()));
-    if (!(grown == block) && !growthIsAllowed(map, block, grown)) return k;
-    block = grown;
-  }
-  return path.size();
-}
-
-/// The neighbour nearest to where the paths begin; `cell` itself if none is nearer.
-Cell stepBack(const TravelField& travel, Cell cell) {
-  Cell best = cell;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const Cell next{cell.x + dx, cell.y + dy};
-      if (travel.distance(next) < travel.distance(best)) best = next;
+/// Whether a robot with this half width cannot touch anything out of bounds on a way from one place to the other of
+/// this length [m]: all such ways lie in an ellipse with the two as its focal points.
+bool noWayLeadsOutside(const ObservedMap& map, const Vec2& from, const Vec2& to, double length, double half_width) {
+  const double sum = length + 2.0 * half_width;
+  const Vec2 middle = (from + to) / 2.0;
+  const Vec2 half(sum / 2.0, sum / 2.0);
+  const GridGeometry& geometry = map.geometry();
+  CellRect box;
+  box.include(geometry.cellAt(middle - half));
+  box.include(geometry.cellAt(middle + half));
+  box = box.intersection(geometry.rect());
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    for (int x = box.x; x < box.x + box.width; ++x) {
+      if (map.allowed({x, y})) continue;
+      const Vec2 cell = geometry.centre({x, y});
+      if ((cell - from).norm() + (cell - to).norm() <= sum) return false;
     }
   }
-  return best;
+  return true;
 }
 
 /// The cells of the shortest path, beginning at the goal.
@@ -73,27 +58,68 @@ std::vector<Cell> pathFrom(const TravelField& travel, Cell goal) {
   std::vector<Cell> path;
   if (!travel.reached(goal)) return path;
   path.push_back(goal);
-  for (Cell next = stepBack(travel, goal); next != path.back(); next = stepBack(travel, next)) path.push_back(next);
+  for (Cell next = nextTowardsOrigin(travel, goal); next != path.back(); next = nextTowardsOrigin(travel, next)) {
+    path.push_back(next);
+  }
   return path;
+}
+
+/// The first place of the path up to which the navigation may choose its own way; the path's size if there is none.
+/// The ellipses of nearer places lie in those of farther ones.
+std::size_t freeChoice(const TravelField& travel, const ObservedMap& map, const Vec2& robot,
+                       const std::vector<Cell>& path, double half_width) {
+  std::size_t outside = 0, inside = path.size();
+  while (outside < inside) {
+    const std::size_t i = (outside + inside) / 2;
+    const double length = travel.distance(path[i]) + kMargin;
+    const Vec2 place = map.geometry().centre(path[i]);
+    if (length <= kLongest && noWayLeadsOutside(map, robot, place, length, half_width)) {
+      inside = i;
+    } else {
+      outside = i + 1;
+    }
+  }
+  return inside;
 }
 
 }  // namespace
 
 Vec2 stopOnTheWay(const TravelField& travel, const ObservedMap& map, const Vec2& robot, const Vec2& goal,
-                  double half_width) {
+                  const LaneWidth& lane) {
   constexpr double kNear = 1.0;  // [m]: a path of a robot too near to an obstacle begins at some distance from it
-  if (map.bounds().empty() || map.empty() || laneIsFree(map, robot, goal, half_width)) return goal;
+  if (map.bounds().empty() || map.empty() || laneIsFree(map, robot, goal, lane.wanted)) return goal;
   const GridGeometry& geometry = map.geometry();
   const std::vector<Cell> path = pathFrom(travel, geometry.cellAt(goal));
   if (path.empty() || (geometry.centre(path.back()) - robot).norm() > kNear) return goal;
-  const std::size_t free_from = path.size() - freeChoice(map, path);
-  if (free_from == 0) return goal;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const Vec2 place = geometry.centre(path[i]);
-    const bool near = travel.distance(path[i]) <= kShortest;
-    if (near || i >= free_from || laneIsFree(map, robot, place, half_width)) return i == 0 ? goal : place;
+  const std::size_t free_from = freeChoice(travel, map, robot, path, lane.least);
+  std::size_t step = 0;  // the end of a short step along the path
+  for (const double half_width : {lane.wanted, lane.least}) {
+    for (step = 0; step < path.size() && travel.distance(path[step]) > kShortest; ++step) {
+      Vec2 place = step == 0 ? goal : geometry.centre(path[step]);
+      if (step >= free_from || laneIsFree(map, robot, place, half_width)) return place;
+    }
   }
-  return goal;
+  return step == 0 ? goal : geometry.centre(path[std::min(step, path.size() - 1)]);
+}
+
+bool boundsSeparate(const ObservedMap& map, const Vec2& robot, const Vec2& place) {
+  if (map.bounds().empty() || map.empty()) return false;
+  const Cell goal = map.geometry().cellAt(place);
+  Grid<std::uint8_t> seen(map.geometry(), 0);
+  std::vector<Cell> open{map.geometry().cellAt(robot)};
+  while (!open.empty()) {
+    const Cell cell = open.back();
+    open.pop_back();
+    if (cell == goal) return false;
+    for (const Cell step : grids::kNeighbourSteps) {
+      const Cell next{cell.x + step.x, cell.y + step.y};
+      const bool passable = next == goal || !isOccupied(map.grid().get(next, kOccupied));
+      if (!passable || !seen.contains(next) || seen[next] != 0) continue;
+      seen[next] = 1;
+      open.push_back(next);
+    }
+  }
+  return true;
 }
 
 }  // namespace frontier_pilot::exploration

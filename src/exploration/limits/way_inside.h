@@ -6,12 +6,22 @@
 
 namespace frontier_pilot::exploration {
 
+/// The room that a robot needs on either side of a straight way [m].
+struct LaneWidth {
+  double wanted = 0.0;  ///< with the margin that paths to goals leave
+  double least = 0.0;   ///< half the robot's width
+};
+
 /// Where to send a robot on its way to `goal`, so that it stays within the bounds of `map` although the navigation does
 /// not know them. That is the goal itself, or else the last place on the shortest path of `travel` up to which the
-/// navigation has no reason to leave the bounds: a straight lane of `half_width` [m] on either side is free, or nothing
-/// around the path is out of bounds. If the path does not begin at the robot, or the goal is not reached, the goal is
-/// returned. Positions in the map's frame [m]. [EXP-10]
+/// navigation has no reason to leave the bounds: a straight lane is free, or no way through something out of bounds is
+/// as short as the path. A lane of the wanted width is preferred to a narrower one. If the path does not begin at the
+/// robot, or the goal is not reached, the goal is returned. Positions in the map's frame [m]. [EXP-10]
 Vec2 stopOnTheWay(const TravelField& travel, const ObservedMap& map, const Vec2& robot, const Vec2& goal,
-                  double half_width);
+                  const LaneWidth& lane);
+
+/// Whether the bounds, together with the walls of the map, separate the robot from `place`: then every way to it leads
+/// through what is out of bounds. False without bounds. Positions in the map's frame [m]. [EXP-10]
+bool boundsSeparate(const ObservedMap& map, const Vec2& robot, const Vec2& place);
 
 }  // namespace frontier_pilot::exploration

@@ -1,7 +1,6 @@
 #include "exploration/tour/open_tour.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 
 namespace frontier_pilot::exploration {

@@ -6,20 +6,35 @@
 #include "exploration/tour/unknown_region.h"
 
 namespace frontier_pilot::exploration {
+namespace {
+
+constexpr double kNoWay = -1.0;  // as ViewpointDistances::to
+
+/// Frontiers nearer than this to one that stayed unknown are the same one [m].
+BlacklistParameters distrustParameters(BlacklistParameters parameters) {
+  parameters.radius = 0.4;
+  return parameters;
+}
+
+}  // namespace
 
 TourStrategy::TourStrategy(const ExplorerParameters& parameters)
     : parameters_(parameters.tour),
       min_distance_(parameters.frontier.min_distance),
       limits_(parameters.robot.limits),
-      search_(parameters.frontier.view) {}
+      search_(parameters.frontier.view),
+      distrusted_(distrustParameters(parameters.blacklist)) {}
 
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
   evaluator_ = &evaluator;
   distances_.follow(evaluator);
+  expireDistrust();
   seek();
   viewpoints_ = search_.find(evaluator, sought_, situation.current);
   if (isNearlyThere(situation)) return goalAt(*situation.current, situation);
   distances_.restart(viewpoints_, evaluator);
+  turns_ = distances_.turnsFrom(situation.T_map_robot);
+  ways_home_ = situation.home ? distances_.to(*situation.home) : std::vector<double>(viewpoints_.size(), kNoWay);
   measureOpenAreas();
   findSlivers();
   const Plan plan = choosePlan(situation);
@@ -30,14 +45,16 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
 
 void TourStrategy::stayedUnknown() {
   for (const Vec2& place : aimed_at_) {
-    if (!isDistrusted(place)) distrusted_.push_back(place);
+    if (distrusted_.find(place) == nullptr) distrusted_.add(place, "stayed unknown", evaluator_->map());
   }
 }
 
-bool TourStrategy::isDistrusted(const Vec2& anchor) const {
-  constexpr double kSamePlace = 0.4;  // [m]
-  return std::any_of(distrusted_.begin(), distrusted_.end(),
-                     [&](const Vec2& place) { return (place - anchor).norm() < kSamePlace; });
+/// A frontier around which the map has changed may be seen from elsewhere again.
+void TourStrategy::expireDistrust() {
+  const ObservedMap& map = evaluator_->map();
+  if (map.geometry() != geometry_) distrusted_.rebase(map);
+  geometry_ = map.geometry();
+  distrusted_.expire(map);
 }
 
 /// Takes the nearest frontiers: farther ones will have changed when the robot gets there. Those that were not seen from
@@ -56,7 +73,7 @@ void TourStrategy::seek() {
   sought_.clear();
   for (const std::size_t i : nearest) {
     const Vec2 anchor = evaluator_->map().geometry().centre(all[i].anchor);
-    sought_.push_back({i, !isDistrusted(anchor)});
+    sought_.push_back({i, distrusted_.find(anchor) == nullptr});
   }
 }
 
@@ -111,23 +128,23 @@ std::optional<std::size_t> TourStrategy::presentViewpoint(const Situation& situa
 /// doubles each time that a goal is left for a better one, until one has been seen: long tours are not solved exactly,
 /// and the robot could otherwise turn back and forth between two that look alike.
 TourStrategy::Plan TourStrategy::choosePlan(const Situation& situation) {
-  Plan best = plan(situation, std::nullopt);
+  Plan best = plan(std::nullopt);
   const auto present = presentViewpoint(situation);
   if (!present) changes_of_mind_ = 0;
   if (best.stops.empty() || !present || best.stops.front().viewpoint == *present) return best;
   constexpr int kMostDoublings = 8;
   const double margin = std::ldexp(parameters_.switch_margin, std::min(changes_of_mind_, kMostDoublings));
-  Plan kept = plan(situation, present);
+  Plan kept = plan(present);
   if (kept.cost < best.cost + margin) return kept;
   ++changes_of_mind_;
   return best;
 }
 
 /// With `first` given, that viewpoint comes first.
-TourStrategy::Plan TourStrategy::plan(const Situation& situation, std::optional<std::size_t> first) {
+TourStrategy::Plan TourStrategy::plan(std::optional<std::size_t> first) {
   const std::vector<Stop> stops = cover(first);
   if (stops.empty()) return {};
-  const TourCosts costs = price(stops, situation);
+  const TourCosts costs = price(stops);
   const Tour tour = first ? solveOpenTour(costs, 0) : solveOpenTour(costs);
   Plan plan;
   plan.cost = costOf(tour, costs);
@@ -199,23 +216,18 @@ double TourStrategy::exitOf(const Stop& stop) const {
   return parameters_.exit_depth * std::min(1.0, stop.open_area / parameters_.open_area);
 }
 
-TourCosts TourStrategy::price(const std::vector<Stop>& stops, const Situation& situation) {
+TourCosts TourStrategy::price(const std::vector<Stop>& stops) {
   constexpr double kShareOfTurn = 0.7;  // of a turn on the spot: the robot turns while it drives
   TourCosts costs(stops.size());
-  const std::vector<double> turns = distances_.turnsFrom(situation.T_map_robot);
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const std::size_t viewpoint = stops[i].viewpoint;
-    costs.first[i] = secondsFor(wayTo(viewpoint)) + kShareOfTurn * turns[viewpoint] / limits_.max_angular;
+    costs.first[i] = secondsFor(wayTo(viewpoint)) + kShareOfTurn * turns_[viewpoint] / limits_.max_angular;
     const std::vector<double>& row = distances_.from(viewpoint);
     for (std::size_t j = 0; j < stops.size(); ++j) {
       costs.leg(i, j) = secondsFor(row[stops[j].viewpoint] + exitOf(stops[i]));
     }
-  }
-  if (!situation.home) return costs;
-  const std::vector<double> home = distances_.to(*situation.home);
-  for (std::size_t i = 0; i < stops.size(); ++i) {
-    const double way = home[stops[i].viewpoint];
-    if (way >= 0.0) costs.last[i] = secondsFor(way + exitOf(stops[i]));
+    const double way_home = ways_home_[viewpoint];
+    if (way_home >= 0.0) costs.last[i] = secondsFor(way_home + exitOf(stops[i]));
   }
   return costs;
 }

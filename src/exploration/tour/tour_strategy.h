@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "exploration/blacklist.h"
 #include "exploration/goal_strategy.h"
 #include "exploration/tour/open_tour.h"
 #include "exploration/tour/viewpoint_distances.h"
@@ -23,7 +24,7 @@ class TourStrategy : public GoalStrategy {
   std::optional<ChosenGoal> choose(FrontierEvaluator& evaluator, const Situation& situation) override;
   void stayedUnknown() override;
   void reset() override {
-    distrusted_.clear();
+    distrusted_.reset();
     changes_of_mind_ = 0;
   }
   /// A tour changes with what is seen on the way, so that it is planned twice as often as other goals are compared.
@@ -44,17 +45,17 @@ class TourStrategy : public GoalStrategy {
   };
 
   bool isNearlyThere(const Situation& situation) const;
-  bool isDistrusted(const Vec2& anchor) const;
+  void expireDistrust();
   void seek();
   void measureOpenAreas();
   void findSlivers();
   std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
   Plan choosePlan(const Situation& situation);
-  Plan plan(const Situation& situation, std::optional<std::size_t> first);
+  Plan plan(std::optional<std::size_t> first);
   std::vector<Stop> cover(std::optional<std::size_t> first) const;
   Stop stopAt(std::size_t viewpoint, std::vector<bool>& shown) const;
   double worthOf(std::size_t viewpoint, const std::vector<bool>& shown) const;
-  TourCosts price(const std::vector<Stop>& stops, const Situation& situation);
+  TourCosts price(const std::vector<Stop>& stops);
   double exitOf(const Stop& stop) const;
   double secondsFor(double distance) const;
   double wayTo(std::size_t viewpoint) const;
@@ -70,15 +71,18 @@ class TourStrategy : public GoalStrategy {
   RobotLimits limits_;
   ViewpointSearch search_;
   ViewpointDistances distances_;
-  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next five
+  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next seven
   std::vector<SoughtFrontier> sought_;
   bool all_sought_ = true;  ///< false: farther frontiers are left out of the tour
   std::vector<Viewpoint> viewpoints_;
+  std::vector<double> turns_;       ///< before the way to each viewpoint begins [rad]
+  std::vector<double> ways_home_;   ///< from each viewpoint [m]; negative where none leads or none is wanted
   std::vector<double> open_areas_;  ///< unknown area around each frontier [m^2]
   std::vector<bool> slivers_;       ///< by frontier
   int changes_of_mind_ = 0;         ///< goals in a row that were left while they still had something to show
   std::vector<Vec2> aimed_at_;      ///< anchors of the frontiers that the last goal should show
-  std::vector<Vec2> distrusted_;    ///< anchors of frontiers that stayed unknown when seen from a viewpoint
+  Blacklist distrusted_;            ///< anchors of frontiers that stayed unknown when seen from a viewpoint
+  GridGeometry geometry_;           ///< of the map at the last decision
 };
 
 }  // namespace frontier_pilot::exploration

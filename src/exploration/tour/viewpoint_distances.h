@@ -13,8 +13,9 @@ namespace frontier_pilot::exploration {
 /// they are asked for.
 class ViewpointDistances {
  public:
-  /// Takes over what has changed in the evaluator's space.
-  void follow(FrontierEvaluator& evaluator);
+  /// Takes over what has changed in the space by which the evaluator has judged. Returns the block of coarse cells that
+  /// has been computed.
+  CellRect follow(FrontierEvaluator& evaluator);
   /// Forgets the distances between the viewpoints of the last decision. By the evaluator's travel distances from the
   /// robot it is known how far the wavefronts have to go.
   void restart(const std::vector<Viewpoint>& viewpoints, const FrontierEvaluator& evaluator);
@@ -28,10 +29,17 @@ class ViewpointDistances {
   std::vector<double> turnsFrom(const Pose2& T_map_robot);
 
  private:
+  const CoarseSpace& coarse() const { return followed_[judged_].coarse; }
   double turnTowards(Cell goal, const Pose2& T_map_robot) const;
 
-  const TraversableSpace* space_ = nullptr;
-  CoarseSpace coarse_;
+  /// One of the evaluator's spaces in coarse cells.
+  struct Followed {
+    const TraversableSpace* space = nullptr;
+    CoarseSpace coarse;
+  };
+
+  std::vector<Followed> followed_;
+  std::size_t judged_ = 0;  ///< index of the space by which the evaluator has judged
   TravelField field_;
   std::vector<Vec2> places_;
   std::vector<Cell> cells_;
@@ -39,8 +47,5 @@ class ViewpointDistances {
   double longest_way_ = 0.0;               ///< from the robot to a viewpoint [m]
   std::vector<std::vector<double>> rows_;  ///< empty until asked for
 };
-
-/// The neighbour of `cell` that is nearest to where the wavefront began; `cell` itself if none is nearer.
-Cell nextTowardsOrigin(const TravelField& field, Cell cell);
 
 }  // namespace frontier_pilot::exploration

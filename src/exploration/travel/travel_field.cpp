@@ -155,4 +155,13 @@ void TravelField::goStraight(std::size_t index, unsigned direction, std::uint32_
   push(index, direction, units);
 }
 
+Cell nextTowardsOrigin(const TravelField& field, Cell cell) {
+  Cell next = cell;
+  for (const Cell step : grids::kNeighbourSteps) {
+    const Cell neighbour{cell.x + step.x, cell.y + step.y};
+    if (field.distance(neighbour) < field.distance(next)) next = neighbour;
+  }
+  return next;
+}
+
 }  // namespace frontier_pilot::exploration

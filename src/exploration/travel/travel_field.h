@@ -33,11 +33,11 @@ class TraversableSpace {
   /// cell itself is not.
   const Grid<std::uint8_t>& neighbours() const { return neighbours_; }
   const GridGeometry& geometry() const { return passable_.geometry(); }
+  double clearance() const { return clearance_; }
 
  private:
   void markNearObstacles(const OccupancyGrid& map, const CellRect& window);
   void keepFree(const OccupancyGrid& map, const CellRect& window);
-  void linkNeighbours(const CellRect& window);
 
   double clearance_;
   KeepClearOf obstacles_;
@@ -94,5 +94,8 @@ class TravelField {
   grids::BucketQueue<kBuckets> queue_;
   std::size_t reached_count_ = 0;
 };
+
+/// The neighbour of `cell` that is nearest to where the wavefront began; `cell` itself if none is nearer.
+Cell nextTowardsOrigin(const TravelField& field, Cell cell);
 
 }  // namespace frontier_pilot::exploration

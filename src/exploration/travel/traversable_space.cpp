@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exploration/travel/neighbour_links.h"
 #include "exploration/travel/travel_field.h"
 
 namespace frontier_pilot::exploration {
@@ -57,7 +58,7 @@ CellRect TraversableSpace::update(const OccupancyGrid& map, const CellRect& chan
   if (window.empty()) return window;
   markNearObstacles(map, window);
   keepFree(map, window);
-  linkNeighbours(window.grown(1).intersection(map.geometry().rect()));
+  linkNeighbours(passable_, window.grown(1).intersection(map.geometry().rect()), neighbours_);
   return window;
 }
 
@@ -94,27 +95,6 @@ void TraversableSpace::keepFree(const OccupancyGrid& map, const CellRect& window
           static_cast<int>(cells[x] >= 0) & static_cast<int>(cells[x] < 50) & static_cast<int>(out[x] == 0);
       out[x] = static_cast<std::uint8_t>(-good);
     }
-  }
-}
-
-void TraversableSpace::linkNeighbours(const CellRect& window) {
-  const int width = passable_.width();
-  const Row nothing(static_cast<std::size_t>(width), 0);
-  for (int y = window.y; y < window.y + window.height; ++y) {
-    const std::uint8_t* south = y > 0 ? passable_.row(y - 1) : nothing.data();
-    const std::uint8_t* here = passable_.row(y);
-    const std::uint8_t* north = y + 1 < passable_.height() ? passable_.row(y + 1) : nothing.data();
-    std::uint8_t* out = neighbours_.row(y);
-    const auto link = [&](int x, bool west, bool east) {
-      const int bits = (east ? (here[x + 1] & 1) | (north[x + 1] & 2) | (south[x + 1] & 128) : 0) | (north[x] & 4) |
-                       (west ? (north[x - 1] & 8) | (here[x - 1] & 16) | (south[x - 1] & 32) : 0) | (south[x] & 64);
-      out[x] = static_cast<std::uint8_t>(bits & here[x]);
-    };
-    const int begin = std::max(window.x, 1);
-    const int end = std::min(window.x + window.width, width - 1);
-    if (window.x == 0) link(0, false, width > 1);
-    for (int x = begin; x < end; ++x) link(x, true, true);
-    if (window.x + window.width == width && width > 1) link(width - 1, true, false);
   }
 }
 

@@ -134,9 +134,15 @@ class ExplorerCard : public Card {
  signals:
   void runAsked(bool on);
   void resetAsked();
+  void clearBoundsAsked();
+  void returnAsked(bool on);
 
  private:
   QLayout* makeFigures();
+  QLayout* makeLimits();
+  QLayout* makeButtons();
+  void showFigures(const teleop::ExplorerView& explorer);
+  void showLimits(const teleop::OperatorState& state, bool heard);
 
   Dot* dot_;
   ElidedLabel* state_;
@@ -148,6 +154,11 @@ class ExplorerCard : public Card {
   QPushButton* start_;
   QPushButton* pause_;
   QPushButton* reset_;
+  ElidedLabel* bounds_;
+  ElidedLabel* end_;
+  ElidedLabel* map_;
+  QPushButton* clear_bounds_;
+  Switch* return_;
 };
 
 /// The operator's log: the last few hundred lines.

@@ -32,7 +32,12 @@ ExplorerCard::ExplorerCard(QWidget* parent)
       goals_(makeLabel("", "figure")),
       start_(new QPushButton("Start")),
       pause_(new QPushButton("Pause")),
-      reset_(new QPushButton("Reset")) {
+      reset_(new QPushButton("Reset")),
+      bounds_(new ElidedLabel),
+      end_(new ElidedLabel),
+      map_(new ElidedLabel),
+      clear_bounds_(new QPushButton("Clear bounds")),
+      return_(new Switch("return_to_start")) {
   start_->setObjectName("explore_start");
   start_->setProperty("role", "primary");
   pause_->setObjectName("explore_pause");
@@ -49,13 +54,46 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   content()->addLayout(line);
   content()->addWidget(reason_);
   content()->addLayout(makeFigures());
+  content()->addLayout(makeLimits());
+  content()->addLayout(makeButtons());
+}
+
+QLayout* ExplorerCard::makeButtons() {
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(emOf(*this) / 3);
   for (QPushButton* button : {start_, pause_, reset_}) buttons->addWidget(button, 1);
-  content()->addLayout(buttons);
   connect(start_, &QPushButton::clicked, this, [this] { emit runAsked(true); });
   connect(pause_, &QPushButton::clicked, this, [this] { emit runAsked(false); });
   connect(reset_, &QPushButton::clicked, this, &ExplorerCard::resetAsked);
+  return buttons;
+}
+
+/// What bounds and ends the exploration, a line for each, so that the buttons below keep their place.
+QLayout* ExplorerCard::makeLimits() {
+  bounds_->setObjectName("explorer_bounds");
+  end_->setObjectName("explorer_end");
+  map_->setObjectName("explorer_map");
+  clear_bounds_->setObjectName("clear_bounds");
+  clear_bounds_->setProperty("role", "small");
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(emOf(*this) / 2);
+  grid->setVerticalSpacing(emOf(*this) / 6);
+  const std::array<std::pair<const char*, ElidedLabel*>, 3> lines{{{"Bounds", bounds_}, {"Ends", end_}, {"Map", map_}}};
+  for (int row = 0; row < 3; ++row) {
+    const auto& [name, label] = lines[static_cast<std::size_t>(row)];
+    grid->addWidget(makeLabel(name, "muted"), row, 0);
+    grid->addWidget(label, row, 1, 1, label == bounds_ ? 1 : 2);
+  }
+  grid->addWidget(clear_bounds_, 0, 2);
+  auto* back = new QHBoxLayout;
+  back->setSpacing(emOf(*this) / 2);
+  back->addWidget(return_);
+  back->addWidget(makeLabel("Return to start"), 1);
+  grid->addLayout(back, 3, 0, 1, 3);
+  grid->setColumnStretch(1, 1);
+  connect(clear_bounds_, &QPushButton::clicked, this, &ExplorerCard::clearBoundsAsked);
+  connect(return_, &Switch::asked, this, &ExplorerCard::returnAsked);
+  return grid;
 }
 
 QLayout* ExplorerCard::makeFigures() {
@@ -84,6 +122,7 @@ void ExplorerCard::setState(const teleop::OperatorState& state) {
   reset_->setEnabled(state.explorer_reset_up);
   reset_->setToolTip(state.explorer_reset_up ? "Forgets the blacklist, the visits and the phase"
                                              : "frontier_explorer/reset is down");
+  showLimits(state, heard);
   dot_->setSeverity(heard ? state.explorer->severity : teleop::Severity::kIdle);
   if (!state.explorer) {
     state_->setFullText("not heard of");
@@ -95,10 +134,29 @@ void ExplorerCard::setState(const teleop::OperatorState& state) {
   const QString now = QString::fromStdString(explorer.state_text) + (phase.isEmpty() ? "" : "  ·  " + phase);
   state_->setFullText(heard ? now : "silent for " + ageText(explorer.status_age));
   reason_->setText(heard ? QString::fromStdString(explorer.reason_text) : QString());
+  showFigures(explorer);
+}
+
+void ExplorerCard::showFigures(const teleop::ExplorerView& explorer) {
   area_->setText(QString("%1 m²").arg(explorer.explored_area, 0, 'f', 1));
   distance_->setText(QString("%1 m").arg(explorer.distance_travelled, 0, 'f', 1));
   frontiers_->setText(QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));
   goals_->setText(QString("%1 of %2").arg(explorer.goals_reached).arg(explorer.goals_sent));
+}
+
+void ExplorerCard::showLimits(const teleop::OperatorState& state, bool heard) {
+  const bool bounded = heard && state.explorer->bounded;
+  clear_bounds_->setEnabled(state.explorer_bounds_up && bounded);
+  clear_bounds_->setToolTip(!state.explorer_bounds_up ? "frontier_explorer/clear_bounds is down"
+                            : bounded ? "Explore everywhere; also takes back what is being drawn in rviz"
+                                      : "Draw bounds in rviz with Publish Point");
+  return_->setShown(heard ? std::optional<bool>(state.explorer->return_to_start) : std::nullopt,
+                    state.explorer_return_up, "frontier_explorer/set_return_to_start is down");
+  const auto text = [heard](const std::string& known) { return heard ? QString::fromStdString(known) : QString("–"); };
+  const teleop::ExplorerView explorer = state.explorer.value_or(teleop::ExplorerView{});
+  bounds_->setFullText(text(explorer.bounds_text));
+  end_->setFullText(text(explorer.end_text));
+  map_->setFullText(text(explorer.map_text));
 }
 
 }  // namespace frontier_pilot::gui

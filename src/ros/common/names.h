@@ -75,6 +75,10 @@ constexpr const char* kExplorerGoal = "frontier_explorer/goal";
 constexpr const char* kExplainExplorer = "frontier_explorer/explain";
 constexpr const char* kResetExplorer = "frontier_explorer/reset";
 constexpr const char* kSetExplorationBounds = "frontier_explorer/set_bounds";
+constexpr const char* kClearExplorationBounds = "frontier_explorer/clear_bounds";
+constexpr const char* kSetReturnToStart = "frontier_explorer/set_return_to_start";
+constexpr const char* kClickedPoint = "clicked_point";  // rviz' own name
+constexpr const char* kBatteryState = "battery_state";
 constexpr const char* kSetExplorationEnabled = "set_exploration_enabled";
 
 // Actions

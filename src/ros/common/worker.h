@@ -44,20 +44,31 @@ class Worker {
     }
     wake_.notify_all();
   }
+  /// Starts a job as soon as the present one has ended and its end has been taken; at once if there is none. A job that
+  /// is still waiting then is replaced.
+  void startNext(Job job) {
+    if (idle_) return start(std::move(job));
+    next_ = std::move(job);
+  }
   /// The result, once.
   std::optional<Result> take() {
     std::optional<Result> result = result_.take();
-    idle_ = idle_ || result;
+    if (result) ended();
     return result;
   }
   /// The text of the exception that the job threw, once.
   std::optional<std::string> takeFailure() {
     std::optional<std::string> failure = failure_.take();
-    idle_ = idle_ || failure;
+    if (failure) ended();
     return failure;
   }
 
  private:
+  void ended() {
+    idle_ = true;
+    if (next_) start(std::exchange(next_, nullptr));
+  }
+
   void run() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (true) {
@@ -85,7 +96,8 @@ class Worker {
   std::condition_variable wake_;
   Job job_;
   bool ending_ = false;
-  bool idle_ = true;  ///< used by the owner's thread alone
+  bool idle_ = true;  ///< used by the owner's thread alone, as is the next one
+  Job next_;
   Mailbox<Result> result_;
   Mailbox<std::string> failure_;
   std::thread thread_;  ///< the last member: it starts when all others are constructed

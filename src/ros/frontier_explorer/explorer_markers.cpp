@@ -16,6 +16,7 @@ struct Colour {
 constexpr Colour kGreen = {0.1F, 0.8F, 0.3F, 0.9F};
 constexpr Colour kBlue = {0.1F, 0.4F, 1.0F, 0.8F};
 constexpr Colour kRed = {1.0F, 0.1F, 0.1F, 0.8F};
+constexpr Colour kOrange = {1.0F, 0.55F, 0.1F, 0.9F};
 constexpr Colour kGrey = {0.55F, 0.55F, 0.55F, 0.8F};
 constexpr Colour kInk = {0.1F, 0.1F, 0.1F, 1.0F};
 
@@ -122,28 +123,32 @@ void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, 
   if (!one_of_many) writer.text("reasons", frontier.centroid, reason, kGrey);
 }
 
+/// The corners clicked so far; the larger first one is where a click closes the polygon.
+void writeClicked(MarkerWriter& writer, const std::vector<Vec2>& corners) {
+  for (const Vec2& corner : corners)
+    writer.sphere("new bounds", corner, &corner == &corners.front() ? 0.5 : 0.2, kOrange);
+  writer.line("new bounds", corners, kOrange);
+}
+
 }  // namespace
 
-visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
-                                                    const std::vector<exploration::BlacklistedPlace>& blacklist,
-                                                    const exploration::ExplorationBounds& bounds,
-                                                    const std::vector<Vec2>& tour, const GridGeometry& geometry,
-                                                    const std::string& frame, Time stamp) {
+visualization_msgs::MarkerArray makeExplorerMarkers(const ExplorerScene& scene, const std::string& frame, Time stamp) {
   MarkerWriter writer(frame, stamp);
-  for (const exploration::Frontier& frontier : frontiers) {
+  for (const exploration::Frontier& frontier : scene.frontiers) {
     if (frontier.selectable()) {
-      writeSelectable(writer, frontier, geometry);
+      writeSelectable(writer, frontier, scene.geometry);
     } else {
-      writeRejected(writer, frontier, geometry);
+      writeRejected(writer, frontier, scene.geometry);
     }
   }
-  for (const exploration::BlacklistedPlace& entry : blacklist) {
+  for (const exploration::BlacklistedPlace& entry : scene.blacklist) {
     writer.sphere("blacklist", entry.position, 0.4, kRed);
     writer.text("blacklist reasons", entry.position, entry.reason, kRed);
   }
-  writer.line("tour", tour, kBlue);
-  if (!bounds.stay_within.empty()) writer.polygon("bounds", bounds.stay_within, kGreen);
-  for (const std::vector<Vec2>& area : bounds.keep_out) writer.polygon("keep out", area, kRed);
+  writer.line("tour", scene.tour, kBlue);
+  if (!scene.bounds.stay_within.empty()) writer.polygon("bounds", scene.bounds.stay_within, kGreen);
+  for (const std::vector<Vec2>& area : scene.bounds.keep_out) writer.polygon("keep out", area, kRed);
+  writeClicked(writer, scene.clicked);
   return writer.take();
 }
 

@@ -12,15 +12,22 @@
 
 namespace frontier_pilot {
 
+/// What rviz is shown of an exploration.
+struct ExplorerScene {
+  const std::vector<exploration::Frontier>& frontiers;
+  const GridGeometry& geometry;  ///< what `Frontier::cells` refer to
+  const std::vector<exploration::BlacklistedPlace>& blacklist;
+  const exploration::ExplorationBounds& bounds;
+  const std::vector<Vec2>& tour;
+  const std::vector<Vec2>& clicked;  ///< corners of bounds that are being drawn
+};
+
 /// The markers of an exploration for rviz, each kind in a namespace of its own: the `cells` and `centroids` of
 /// selectable frontiers (spheres that grow with the expected information), their `scores` or their `places` in the
 /// tour, the `tour` as a line through its stops, blacklisted places in red, and the rejected frontiers in grey, with
 /// the reason in the namespace (`rejected: too near`) and as text. Frontiers that are too small or left out, of which
-/// there can be thousands, have no text. `bounds` and `keep out` are the sides of the polygons.
-visualization_msgs::MarkerArray makeExplorerMarkers(const std::vector<exploration::Frontier>& frontiers,
-                                                    const std::vector<exploration::BlacklistedPlace>& blacklist,
-                                                    const exploration::ExplorationBounds& bounds,
-                                                    const std::vector<Vec2>& tour, const GridGeometry& geometry,
-                                                    const std::string& frame, Time stamp);
+/// there can be thousands, have no text. `bounds` and `keep out` are the sides of the polygons,
+/// and `new bounds` the corners of a polygon that is being clicked.
+visualization_msgs::MarkerArray makeExplorerMarkers(const ExplorerScene& scene, const std::string& frame, Time stamp);
 
 }  // namespace frontier_pilot

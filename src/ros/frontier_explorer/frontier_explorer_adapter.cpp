@@ -1,4 +1,3 @@
-#include <frontier_pilot/ExplorerStatus.h>
 #include <geometry_msgs/PoseStamped.h>
 
 #include "ros/common/clock.h"
@@ -29,11 +28,15 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   map_.subscribe(connections_, parameters_.map_frame);
   followOdometry(connections_, tf_, parameters_.explorer.robot, base_frame_, 20,
                  &FrontierExplorerAdapter::handleOdometry, this);
+  connections_.subscribe(names::kBatteryState, 1, &FrontierExplorerAdapter::handleBattery, this);
+  connections_.subscribe(names::kClickedPoint, 20, &FrontierExplorerAdapter::handleClick, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
   connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
   connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
+  connections_.serve(names::kClearExplorationBounds, &FrontierExplorerAdapter::handleClearBounds, this);
+  connections_.serve(names::kSetReturnToStart, &FrontierExplorerAdapter::handleReturnToStart, this);
   connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
   connections_.serve(names::kExplainExplorer, &FrontierExplorerAdapter::handleExplain, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
@@ -48,33 +51,8 @@ void FrontierExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   odometry_stamp_ = odometry->stamp;
 }
 
-bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-  const bool before = enabled_;
-  enabled_ = start_ = request.data != 0;
-  const std::string problem = paused_->set(!enabled_);
-  const exploration::ExplorerState state_before = status_.state;
-  tick();  // so that a pause cancels the goal before the call is answered
-  response.success = 1U;
-  response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
-                     (before == enabled_ && status_.state == state_before ? " already: nothing changed" : "") + problem;
-  return true;
-}
-
-bool FrontierExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  reset_ = true;
-  tick();
-  response.success = 1U;
-  response.message = "blacklist, visits and phase forgotten";
-  return true;
-}
-
-bool FrontierExplorerAdapter::handleExplain(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  response.success = 1U;
-  response.message = explorer_.explain();
-  return true;
-}
-
 void FrontierExplorerAdapter::update(Time now) {
+  expireClicks();
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
   const exploration::ExplorerOutput output = explorer_.update(gather(now), now);
@@ -96,6 +74,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   inputs.navigation_available = navigation_.available();
   inputs.others_goal = navigation_.servesOthers();
   inputs.odometry_stamp = odometry_stamp_;
+  inputs.battery = battery();
   inputs.goal_events = navigation_.takeEvents();
   if (const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_)) {
     // A chain of static transforms alone has no stamp: it holds now.
@@ -114,7 +93,9 @@ void FrontierExplorerAdapter::obey(const exploration::GoalCommand& command, Time
 }
 
 void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress& status, Time now) {
-  status_publisher_.publish(toStatusMsg(status, explorer_.bounds(), map_saved_, parameters_.map_frame, now));
+  ExplorerStatus msg = toStatusMsg(status, parameters_.map_frame, now);
+  addLimits(msg);
+  status_publisher_.publish(msg);
   last_status_ = now;
 }
 
@@ -132,9 +113,13 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
   markers_due_ = markers_due_ || news;
   if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
   markers_due_ = false;
-  markers_publisher_.publish(makeExplorerMarkers(explorer_.frontiersWithCells(), explorer_.blacklist(),
-                                                 explorer_.bounds(), explorer_.tour(), explorer_.geometry(),
-                                                 parameters_.map_frame, now));
+  const ExplorerScene scene{explorer_.frontiersWithCells(),
+                            explorer_.geometry(),
+                            explorer_.blacklist(),
+                            explorer_.bounds(),
+                            explorer_.tour(),
+                            clicked_.corners()};
+  markers_publisher_.publish(makeExplorerMarkers(scene, parameters_.map_frame, now));
 }
 
 /// Warns while ROS time stands still: ticks are on ROS time, so no tick could report it.

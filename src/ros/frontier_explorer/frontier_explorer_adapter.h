@@ -1,8 +1,11 @@
 #pragma once
 
+#include <frontier_pilot/ExplorerStatus.h>
 #include <frontier_pilot/SetBounds.h>
+#include <geometry_msgs/PointStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
+#include <sensor_msgs/BatteryState.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -11,11 +14,13 @@
 
 #include "frontier_pilot/exploration/explorer.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/safe_switch.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/frontier_explorer/clicked_polygon.h"
 #include "ros/frontier_explorer/move_base_client.h"
 #include "ros/frontier_explorer/save_map_caller.h"
 
@@ -51,11 +56,25 @@ class FrontierExplorerAdapter {
   void sayLastWords() { navigation_.cancel(); }
 
  private:
+  /// What became of new bounds, in words.
+  struct BoundsAnswer {
+    bool taken = false;
+    std::string message;
+  };
+
   void handleOdometry(const nav_msgs::Odometry& msg);
+  void handleBattery(const sensor_msgs::BatteryState& msg);
+  void handleClick(const geometry_msgs::PointStamped& msg);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleExplain(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleSetBounds(SetBounds::Request& request, SetBounds::Response& response);
+  bool handleClearBounds(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool handleReturnToStart(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
+  void closePolygon();
+  void expireClicks();
+  std::optional<Vec2> inMapFrame(const geometry_msgs::PointStamped& msg, std::string& why) const;
   void tick() {
     if (const auto now = connections_.clock().now()) update(*now);
   }
@@ -63,6 +82,9 @@ class FrontierExplorerAdapter {
   exploration::ExplorerInputs gather(Time now);
   void obey(const exploration::GoalCommand& command, Time now);
   void publishStatus(const exploration::ExplorerProgress& status, Time now);
+  void addLimits(ExplorerStatus& msg) const;
+  std::optional<double> battery() const;
+  bool missesBattery() const;
   void report(const exploration::ExplorerOutput& output) const;
   void showFrontiers(bool news, Time now);
   void saveMap(const exploration::ExplorerOutput& output);
@@ -78,6 +100,10 @@ class FrontierExplorerAdapter {
   SaveMapCaller map_saver_;
   NodeDiagnostics diagnostics_;
   Rejections bad_odometry_{"odometry"};
+  Rejections bad_clicks_{"clicked point"};
+  Rejections bad_battery_{"battery state"};
+  ClickedPolygon clicked_;
+  Latest<double> battery_;
   exploration::ExplorerProgress status_;
   bool enabled_;
   bool reset_ = false;

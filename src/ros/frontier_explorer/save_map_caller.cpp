@@ -18,7 +18,7 @@ SaveMapCaller::~SaveMapCaller() {
 }
 
 void SaveMapCaller::save(const std::string& path) {
-  if (worker_.idle()) worker_.start([this, path] { return call(path); });
+  worker_.startNext([this, path] { return call(path); });
 }
 
 std::optional<SaveMapCaller::End> SaveMapCaller::take() {

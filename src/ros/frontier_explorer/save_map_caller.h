@@ -26,7 +26,8 @@ class SaveMapCaller {
   SaveMapCaller(const SaveMapCaller&) = delete;
   SaveMapCaller& operator=(const SaveMapCaller&) = delete;
 
-  /// `path` as in SaveMap.srv. Nothing happens while an earlier call is still waiting.
+  /// `path` as in SaveMap.srv. While an earlier call is still waiting, the map is saved after it: more has been
+  /// explored by then.
   void save(const std::string& path);
   /// How the call ended, once.
   std::optional<End> take();

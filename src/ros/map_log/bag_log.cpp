@@ -123,6 +123,7 @@ logs::ScanLog readBagLog(const std::string& path, const tools::BagTopics& topics
     reading.takeTransforms(transforms);
     reading.takeMessages(messages);
     logs::ScanLog log = reading.result();
+    logs::recogniseMissingReturns(log);
     if (!log.records.empty()) return log;
     throw logs::LogError(path + ": holds no usable scan on '" + topics.scan + "' with odometry on '" + topics.odom +
                          "'" + listed(log.notes));

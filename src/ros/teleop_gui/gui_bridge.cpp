@@ -60,8 +60,9 @@ GuiBridge::~GuiBridge() {
 }
 
 void GuiBridge::watchServices() {
-  for (const char* service : {names::kEmergencyStop, names::kSetEmergencyStop, names::kSetObstacleAvoidEnabled,
-                              names::kSetExplorationEnabled, names::kResetExplorer}) {
+  for (const char* service :
+       {names::kEmergencyStop, names::kSetEmergencyStop, names::kSetObstacleAvoidEnabled, names::kSetExplorationEnabled,
+        names::kResetExplorer, names::kClearExplorationBounds, names::kSetReturnToStart}) {
     watch_.watch(service);
   }
 }
@@ -118,6 +119,10 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
       return caller_.set(names::kSetExplorationEnabled, request.on);
     case Kind::kResetExplorer:
       return caller_.trigger(names::kResetExplorer);
+    case Kind::kClearBounds:
+      return caller_.trigger(names::kClearExplorationBounds);
+    case Kind::kReturnToStart:
+      return caller_.set(names::kSetReturnToStart, request.on);
     case Kind::kPatrol:
       return patrol_.start(toPatrolGoal(request));
     case Kind::kStopPatrol:

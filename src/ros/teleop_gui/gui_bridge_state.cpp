@@ -116,6 +116,8 @@ teleop::OperatorState GuiBridge::state() {
   state.avoider_service_up = watch_.up(names::kSetObstacleAvoidEnabled);
   state.explorer_service_up = watch_.up(names::kSetExplorationEnabled);
   state.explorer_reset_up = watch_.up(names::kResetExplorer);
+  state.explorer_bounds_up = watch_.up(names::kClearExplorationBounds);
+  state.explorer_return_up = watch_.up(names::kSetReturnToStart);
   state.patrol = patrol_.view();
   state.spin = spin_.view();
   const SteadyTime now = steadyNow();

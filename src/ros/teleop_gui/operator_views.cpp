@@ -1,6 +1,9 @@
 #include "ros/teleop_gui/operator_views.h"
 
 #include <cmath>
+#include <cstdio>
+
+#include "frontier_pilot/core/outline.h"
 
 namespace frontier_pilot {
 namespace {
@@ -89,6 +92,36 @@ teleop::Severity severityOf(const ExplorerStatus& msg) {
   return msg.state == ExplorerStatus::IDLE ? teleop::Severity::kIdle : teleop::Severity::kActive;
 }
 
+std::string number(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string boundsText(const ExplorerStatus& msg) {
+  const std::size_t clicked = msg.clicked_corners.points.size();
+  if (clicked > 0) return std::to_string(clicked) + (clicked == 1 ? " corner clicked" : " corners clicked");
+  std::vector<Vec2> corners;
+  for (const geometry_msgs::Point32& point : msg.stay_within.points) corners.emplace_back(point.x, point.y);
+  const std::size_t areas = msg.keep_out.size();
+  if (corners.empty() && areas == 0) return "none";
+  std::string out = areas == 0 ? "" : std::to_string(areas) + (areas == 1 ? " area left out" : " areas left out");
+  if (corners.empty()) return out;
+  const double area = polygonArea(corners);
+  return number(area < 100.0 ? "within %.1f m²" : "within %.0f m²", area) + (out.empty() ? "" : ", " + out);
+}
+
+/// When the exploration ends, and the charge if it is known.
+std::string endText(const ExplorerStatus& msg) {
+  const std::string when = "when " + (msg.until.empty() ? std::string("nothing is left") : msg.until);
+  return std::isnan(msg.battery) ? when : when + number("; battery %.0f %%", 100.0 * msg.battery);
+}
+
+std::string mapText(const ExplorerStatus& msg) {
+  if (!msg.map_saved.empty()) return msg.map_saved;
+  return msg.save_map_at_end.empty() ? "not saved at the end" : "saved at the end: " + msg.save_map_at_end;
+}
+
 teleop::SectorView toSectorView(const avoid::Sector& sector, double stop, double clear) {
   return {sector.from, sector.to, stop, clear};
 }
@@ -137,6 +170,11 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   view.goals_failed = msg.goals_failed;
   view.explored_area = msg.explored_area;
   view.distance_travelled = msg.distance_travelled;
+  view.return_to_start = msg.return_to_start != 0;
+  view.bounded = !msg.stay_within.points.empty() || !msg.keep_out.empty() || !msg.clicked_corners.points.empty();
+  view.bounds_text = boundsText(msg);
+  view.end_text = endText(msg);
+  view.map_text = mapText(msg);
   return view;
 }
 

@@ -65,7 +65,7 @@ void GraphSlam::Impl::keep(LocalSlamOutput& output) {
   PlacedKeyframe placed;
   placed.keyframe = std::move(*output.keyframe);
   output.keyframe.reset();
-  placed.drift = drift.step(placed.keyframe, output.track.verdict);
+  placed.drift = drift.step(placed.keyframe, output.track);
   placed.T_map_base = T_map_local * placed.keyframe.T_local_base;
   for (const auto& submap : output.finished) addPlace(submap, placed);
   for (const auto& submap : local.active()) addPlace(submap, placed);

@@ -19,7 +19,7 @@ Eigen::Matrix3d unknownShare(const Eigen::Matrix3d& known) {
 
 }  // namespace
 
-Eigen::Matrix3d DriftCovariance::step(const Keyframe& keyframe, MatchVerdict verdict) {
+Eigen::Matrix3d DriftCovariance::step(const Keyframe& keyframe, const Track& track) {
   const Pose2 motion = last_ ? last_->inverse() * keyframe.T_local_base : Pose2();
   const bool first = !last_;
   last_ = keyframe.T_local_base;
@@ -27,7 +27,8 @@ Eigen::Matrix3d DriftCovariance::step(const Keyframe& keyframe, MatchVerdict ver
   // No match connects the new submap to the earlier ones: only how far a robot may have been moved bounds the error.
   constexpr double kLostPosition = 1.5;  // [m]
   constexpr double kLostYaw = 0.5;       // [rad]
-  if (verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
+  if (track.verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
+  if (track.verdict == MatchVerdict::kExtended) return track.T_local_base.covariance;
   const Eigen::Matrix3d sigma = odometrySigma(motion).asDiagonal();
   const Eigen::Matrix3d known = sigma * surfaceInformation(keyframe.points) * sigma;
   const Eigen::Matrix3d open = sigma * unknownShare(known) * sigma;

@@ -15,8 +15,9 @@ class DriftCovariance {
  public:
   explicit DriftCovariance(const LocalSlamParameters& parameters) : parameters_(parameters) {}
 
-  /// The covariance of (x, y, yaw) of the step to `keyframe` from the last one, along the local frame's axes.
-  Eigen::Matrix3d step(const Keyframe& keyframe, MatchVerdict verdict);
+  /// The covariance of (x, y, yaw) of the step to `keyframe` from the last one, along the local frame's axes. `track`:
+  /// how its pose was found.
+  Eigen::Matrix3d step(const Keyframe& keyframe, const Track& track);
 
  private:
   Eigen::Vector3d odometrySigma(const Pose2& motion) const;

@@ -17,12 +17,11 @@ LocalSlamOutput LocalSlam::update(const surfaces::SurfaceScan& scan, const Pose2
     if (isMatched(output.track.verdict)) updateKnown(scan.points, output.track.T_local_base.pose);
     return output;
   }
-  if (output.track.verdict == MatchVerdict::kLost) output.finished = takeFinished(1);
+  if (output.track.verdict == MatchVerdict::kLost) output.finished = takeOldest(active_.size());
   output.keyframe = Keyframe{keyframes_++, scan, std::move(points), output.track.T_local_base.pose, T_odom_base};
   insert(*output.keyframe);
-  for (auto& submap : takeFinished(static_cast<std::size_t>(parameters_.submap_keyframes))) {
-    output.finished.push_back(std::move(submap));
-  }
+  const bool replaced = active_.size() > 1 && isHalfFull(*active_.back());
+  if (replaced) output.finished.push_back(takeOldest(1).front());
   return output;
 }
 
@@ -41,15 +40,17 @@ bool LocalSlam::isKeyframe(const Track& track) const {
   // A scan that shows new ground becomes a keyframe after a tenth of the usual distance or angle.
   constexpr double kSoon = 0.1;
   const double share = track.inliers < parameters_.keyframe_inliers ? kSoon : 1.0;
-  return isMatched(track.verdict) && isJump(*T_local_keyframe_, track.T_local_base.pose,
-                                            share * parameters_.keyframe_distance, share * parameters_.keyframe_angle);
+  return isPlaced(track.verdict) && isJump(*T_local_keyframe_, track.T_local_base.pose,
+                                           share * parameters_.keyframe_distance, share * parameters_.keyframe_angle);
 }
 
 void LocalSlam::insert(const Keyframe& keyframe) {
-  const auto half = static_cast<std::size_t>(parameters_.submap_keyframes / 2);
-  if (active_.empty() || active_.back()->keyframes.size() >= half) begin(keyframe.T_local_base);
+  if (active_.empty() || isHalfFull(*active_.back())) begin(keyframe.T_local_base);
+  const Pose2 T_local_last = T_local_keyframe_.value_or(keyframe.T_local_base);
+  const double driven = (keyframe.T_local_base.position() - T_local_last.position()).norm();
   const surfaces::SurfacePoints dense = surfaces::filled(keyframe.scan.points, surface_parameters_);
   for (const auto& submap : active_) {
+    if (!submap->keyframes.empty()) submap->length += driven;
     submap->map.add(dense, submap->T_local_submap.inverse() * keyframe.T_local_base);
     submap->keyframes.push_back(keyframe.id);
   }
@@ -62,13 +63,16 @@ void LocalSlam::updateKnown(const surfaces::SurfacePoints& surface, const Pose2&
   for (const auto& submap : active_) submap->map.updateKnown(dense, submap->T_local_submap.inverse() * T_local_base);
 }
 
-std::vector<std::shared_ptr<const Submap>> LocalSlam::takeFinished(std::size_t keyframes) {
-  std::vector<std::shared_ptr<const Submap>> finished;
-  while (!active_.empty() && active_.front()->keyframes.size() >= keyframes) {
-    finished.push_back(std::move(active_.front()));
-    active_.pop_front();
-  }
-  return finished;
+bool LocalSlam::isHalfFull(const Submap& submap) const {
+  return 2 * submap.keyframes.size() >= static_cast<std::size_t>(parameters_.submap_keyframes) ||
+         2.0 * submap.length >= parameters_.submap_length;
+}
+
+std::vector<std::shared_ptr<const Submap>> LocalSlam::takeOldest(std::size_t count) {
+  const auto end = active_.begin() + static_cast<std::ptrdiff_t>(count);
+  std::vector<std::shared_ptr<const Submap>> taken(active_.begin(), end);
+  active_.erase(active_.begin(), end);
+  return taken;
 }
 
 void LocalSlam::begin(const Pose2& T_local_submap) {

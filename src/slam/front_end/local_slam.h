@@ -28,6 +28,7 @@ struct Submap {
   std::size_t id = 0;  ///< 0, 1, 2 ...
   Pose2 T_local_submap;
   std::vector<std::size_t> keyframes;  ///< ids of the keyframes that were inserted
+  double length = 0.0;                 ///< of the way through them [m]
   scan_matching::SurfaceMap map;
 };
 
@@ -60,7 +61,8 @@ class LocalSlam {
   bool isKeyframe(const Track& track) const;
   void insert(const Keyframe& keyframe);
   void updateKnown(const surfaces::SurfacePoints& surface, const Pose2& T_local_base);
-  std::vector<std::shared_ptr<const Submap>> takeFinished(std::size_t keyframes);
+  bool isHalfFull(const Submap& submap) const;
+  std::vector<std::shared_ptr<const Submap>> takeOldest(std::size_t count);
   void begin(const Pose2& T_local_submap);
   std::optional<MatchTarget> target();
 

@@ -12,9 +12,7 @@ namespace {
 constexpr double kNearWall = 0.25;  // [m]
 
 Grid<std::uint8_t> nearWall(const OccupancyGrid& truth) {
-  Grid<std::uint8_t> solid(truth.geometry());
-  for (std::size_t i = 0; i < truth.size(); ++i) solid[i] = truth[i] != kFree ? 1 : 0;
-  const grids::DistanceField field(solid, 2.0 * kNearWall);
+  const grids::DistanceField field(sim::notFree(truth), 2.0 * kNearWall);
   Grid<std::uint8_t> near(truth.geometry());
   for (std::size_t i = 0; i < near.size(); ++i) near[i] = field.grid()[i] <= kNearWall + 1e-6 ? 1 : 0;
   return near;

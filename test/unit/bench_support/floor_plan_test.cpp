@@ -67,9 +67,7 @@ TEST(FloorPlans, AreClosedToTheOutside) {
 
 TEST(FloorPlans, LeaveRoomAroundTheStart) {
   for (const FloorPlan& plan : allPlans()) {
-    Grid<std::uint8_t> solid(plan.map.geometry());
-    for (std::size_t i = 0; i < solid.size(); ++i) solid[i] = plan.map[i] != kFree ? 1 : 0;
-    EXPECT_GE(grids::DistanceField(solid, 1.0).at(plan.start.position()), 0.3) << plan.number;
+    EXPECT_GE(grids::DistanceField(sim::notFree(plan.map), 1.0).at(plan.start.position()), 0.3) << plan.number;
     for (const double value : {plan.start.x, plan.start.y}) {
       const double cells = value / plan.map.resolution();
       EXPECT_NEAR(cells, std::round(cells), 1e-6) << plan.number << ": the start is not at a cell's corner";

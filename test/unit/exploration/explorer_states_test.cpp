@@ -202,6 +202,29 @@ TEST_F(ReturnToStart, DrivesBackBeforeItIsDone_EXP_7) {
   EXPECT_FALSE(explorer.goal()) << "the start is no goal any more";
 }
 
+// [EXP-10]
+TEST_F(ReturnToStart, TheStartIsWhereTheExplorationBeginsAndNotWhereTheRobotWasBefore_EXP_10) {
+  show(kClosedRoom);
+  inputs.enabled = false;
+  tick();  // as before it has been localised
+  pose = Pose2(1.1, pose.y, 0.0);
+  inputs.enabled = true;
+  EXPECT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  EXPECT_EQ(sent.goal, pose);
+}
+
+// [EXP-7]
+TEST_F(ExplorerStates, IsDoneAlsoWhereItsStartHasTurnedOutToBeAWall_EXP_7) {
+  show(kClosedRoom);
+  tick();
+  const Cell start = world.map.geometry().cellAt(pose.position());
+  pose = Pose2(1.1, pose.y, 0.0);
+  change(CellRect{start.x, start.y, 1, 1}.grown(3), kOccupied);
+  const exploration::ExplorerOutput output = tickFor(10.0);
+  EXPECT_EQ(output.status.state, State::kDone);
+  EXPECT_EQ(output.status.reason, Reason::kNoReachableFrontier);
+}
+
 TEST_F(ExplorerStates, ARobotOnUnknownGroundWaitsAndIsNotDone_EXP_7) {
   show("..............................??????????????????????????????");
   pose = Pose2(2.9, 0.02, 0.0);

@@ -54,8 +54,9 @@ TEST_F(FallBacks, ARobotThatIsCutOffIsSentToWhatItsStartCanReach) {
     ????.......................#...................#
     ????############################################
   )");
+  tick();  // it has begun at its start
   inputs.enabled = false;
-  tick();  // it has been seen at its start
+  tick();
   inputs.enabled = true;
   pose = Pose2(1.85, pose.y, 0.0);
   const exploration::ExplorerOutput output = tick();

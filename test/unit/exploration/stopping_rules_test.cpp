@@ -157,6 +157,67 @@ TEST_F(UntilTimeWithReturn, DoesNotReturnToAStartOutOfBounds_EXP_10) {
   EXPECT_FALSE(wentThrough(State::kNavigating, Reason::kReturningToStart));
 }
 
+class UntilBattery : public ExplorerTest {
+ protected:
+  static exploration::ExplorerParameters atTwentyPercent() {
+    exploration::ExplorerParameters parameters = endingAfter(0.0, 0.0, 0.0);
+    parameters.until.battery = 0.2;
+    return parameters;
+  }
+  UntilBattery() : ExplorerTest(atTwentyPercent()) {}
+};
+
+// [EXP-10]
+TEST_F(UntilBattery, EndsWhenTheChargeIsDownToTheLimit_EXP_10) {
+  show(kRoom);
+  inputs.battery = 0.21;
+  EXPECT_EQ(tickFor(1.0).status.state, State::kNavigating);
+  inputs.battery = 0.2;
+  const exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.command.kind, GoalCommand::Kind::kCancel);
+  EXPECT_EQ(output.status.state, State::kDone);
+  EXPECT_EQ(output.status.reason, Reason::kUntilBattery);
+}
+
+// [EXP-10]
+TEST_F(UntilBattery, AChargeThatIsNotKnownDoesNotEndIt_EXP_10) {
+  show(kRoom);
+  EXPECT_EQ(tickFor(5.0).status.state, State::kNavigating);
+}
+
+// [EXP-10]
+TEST_F(UntilBattery, GoesOnAfterAStartOnlyWhenItHasBeenCharged_EXP_10) {
+  show(kRoom);
+  inputs.battery = 0.1;
+  ASSERT_EQ(tick().status.reason, Reason::kUntilBattery);
+  inputs.start = true;
+  EXPECT_EQ(tick().status.reason, Reason::kUntilBattery);
+  inputs.battery = 0.9;
+  EXPECT_EQ(tick().status.state, State::kNavigating);
+}
+
+// [EXP-10]
+TEST_F(UntilBattery, TheReturnToTheStartCanBeAskedForMeanwhile_EXP_10) {
+  show(kRoom);
+  tick();
+  explorer.setReturnToStart(true);
+  inputs.battery = 0.1;
+  const exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.status.reason, Reason::kReturningToStart);
+  EXPECT_EQ(output.command.kind, GoalCommand::Kind::kSend);
+}
+
+// [EXP-10]
+TEST(UntilParameters, AreToldInWords_EXP_10) {
+  exploration::UntilParameters until;
+  EXPECT_EQ(until.inWords(), "");
+  until.area = 400.0;
+  EXPECT_EQ(until.inWords(), "400 m2 are known");
+  until.time = 90.0;
+  until.battery = 0.25;
+  EXPECT_EQ(until.inWords(), "400 m2 are known, 90 s have passed or the battery is at 25 %");
+}
+
 using OthersGoal = ExplorerTest;
 
 // [EXP-11]
@@ -169,7 +230,7 @@ TEST_F(OthersGoal, IsWaitedForAsLongAsItTakes_EXP_11) {
   exploration::ExplorerOutput output = tickFor(600.0);
   EXPECT_EQ(output.status.state, State::kIdle);
   EXPECT_EQ(output.status.reason, Reason::kOthersGoal);
-  EXPECT_EQ(output.status.reason_text, "waiting for your goal");
+  EXPECT_EQ(output.status.reason_text, "waiting for your goal to end");
   EXPECT_EQ(sent.goal_id, first) << "nothing was sent that would replace the goal";
   inputs.others_goal = false;
   EXPECT_EQ(tick().status.state, State::kNavigating);

@@ -1,47 +1,15 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <stdexcept>
 
-#include "exploration/goal_strategy.h"
 #include "exploration/tour/unknown_region.h"
 #include "exploration/view_gain.h"
-#include "support/ascii_world.h"
+#include "strategy_fixture.h"
 
 namespace frontier_pilot {
 namespace {
 
-exploration::ExplorerParameters tour() {
-  exploration::ExplorerParameters parameters;
-  parameters.robot.limits.max_linear = 0.5;
-  return parameters;
-}
-
-/// One decision of a strategy on a drawing.
-class Strategies : public ::testing::Test {
- protected:
-  std::optional<exploration::ChosenGoal> choose(const std::string& drawing,
-                                                const exploration::ExplorerParameters& parameters = tour()) {
-    if (strategy == nullptr || parameters.strategy != "tour") strategy = exploration::makeStrategy(parameters);
-    world = test::drawWorld(drawing, 0.1);
-    evaluator.setMap(world.map, world.map.geometry().rect());
-    return chooseAgain();
-  }
-  std::optional<exploration::ChosenGoal> chooseAgain() {
-    evaluator.evaluate({world.point('r'), world.point('r'), &history, 0.0});
-    situation.T_map_robot = Pose2(world.point('r'), 0.0);
-    return strategy->choose(evaluator, situation);
-  }
-  double distanceTo(const exploration::ChosenGoal& goal, char mark) {
-    return (goal.position - world.point(mark)).norm();
-  }
-
-  exploration::FrontierEvaluator evaluator{exploration::FrontierParameters{}, RobotModel{}.drivenOutline()};
-  exploration::GoalHistory history{exploration::BlacklistParameters{}, 1};
-  std::unique_ptr<exploration::GoalStrategy> strategy;
-  exploration::Situation situation;
-  test::AsciiWorld world;
-};
+using test::Strategies;
+using test::touring;
 
 /// A corridor that goes on to the right; a niche of unknown ground on the left, nearer to the robot than the right end.
 constexpr const char* kNicheBehind = R"(
@@ -146,7 +114,7 @@ constexpr const char* kSliver = R"(
 
 // [EXP-9] [EXP-7]
 TEST_F(Strategies, SliversAreNotWorthATripButAreNamed_EXP_9_EXP_7) {
-  exploration::ExplorerParameters parameters = tour();
+  exploration::ExplorerParameters parameters = touring();
   parameters.tour.sliver_share = 1.0;
   EXPECT_FALSE(choose(kSliver, parameters));
   for (const exploration::Frontier& frontier : evaluator.frontiers()) EXPECT_FALSE(frontier.selectable());
@@ -154,14 +122,14 @@ TEST_F(Strategies, SliversAreNotWorthATripButAreNamed_EXP_9_EXP_7) {
 
 // [EXP-9]
 TEST_F(Strategies, SliversThatTogetherAreMoreThanTheAllowedShareAreExplored_EXP_9) {
-  exploration::ExplorerParameters parameters = tour();
+  exploration::ExplorerParameters parameters = touring();
   parameters.tour.sliver_share = 0.0;
   EXPECT_TRUE(choose(kSliver, parameters));
 }
 
 // [EXP-9]
 TEST_F(Strategies, GreedyTakesTheBestScoreAndNearestTheShortestWay_EXP_9) {
-  exploration::ExplorerParameters parameters = tour();
+  exploration::ExplorerParameters parameters = touring();
   parameters.strategy = "nearest";
   const auto nearest = choose(kNicheBehind, parameters);
   ASSERT_TRUE(nearest);

@@ -1,3 +1,5 @@
+#include "exploration/limits/way_inside.h"
+
 #include "explorer_fixture.h"
 
 namespace frontier_pilot {
@@ -71,6 +73,113 @@ TEST_F(WayInside, AStopThatCannotBeReachedCountsAgainstTheGoalBehindIt_EXP_10) {
   }
   tick();
   EXPECT_EQ(notesWith("goal blacklisted: no path"), 1U);
+}
+
+// [EXP-10]
+TEST_F(WayInside, AStopThatIsCalledReachedWhereTheRobotStandsIsNotSentForEver_EXP_10) {
+  show(hall());
+  explorer.setBounds(barrier(), world.map);
+  for (int i = 0; i < 4 && notesWith("goal blacklisted") == 0; ++i) {
+    tickFor(0.3);
+    goalEnds(exploration::GoalEvent::Kind::kReached);  // by a navigation with a tolerance of metres
+    tick();
+  }
+  EXPECT_EQ(notesWith("goal blacklisted: the navigation calls a stop on the way reached"), 1U);
+}
+
+// [EXP-10]
+TEST_F(WayInside, ARobotThatLeavesTheBoundsOnItsWayIsStopped_EXP_10) {
+  show(hall());
+  exploration::ExplorationBounds bounds;
+  bounds.stay_within = {{0.3, 0.5}, {4.9, 0.5}, {4.9, 2.5}, {0.3, 2.5}};
+  explorer.setBounds(bounds, world.map);
+  ASSERT_EQ(tick().status.state, State::kNavigating);
+  pose.y = 0.4;
+  const exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.command.kind, exploration::GoalCommand::Kind::kCancel);
+  EXPECT_EQ(output.status.state, State::kSelectGoal);
+  EXPECT_EQ(output.status.reason, exploration::ExplorerReason::kRobotOutOfBounds);
+  tickFor(2.0);
+  EXPECT_EQ(notesWith("outside of the bounds"), 1U);
+  pose.y = 1.5;
+  EXPECT_EQ(tickFor(0.5).status.state, State::kNavigating);
+}
+
+/// Two halls of free floor that a keep-out area across the whole building separates.
+class SeparatedByBounds : public WayInside {
+ protected:
+  static exploration::ExplorationBounds across() {
+    exploration::ExplorationBounds bounds;
+    bounds.keep_out = {{{2.0, -1.0}, {2.5, -1.0}, {2.5, 4.0}, {2.0, 4.0}}};
+    return bounds;
+  }
+};
+
+// [EXP-10]
+TEST_F(SeparatedByBounds, TheWaysFromTheStartAreNotTriedAcross_EXP_10) {
+  std::string drawing = hall();
+  std::reverse(drawing.begin(), drawing.end() - 1);  // unknown at the left end, where the robot will not be
+  show(drawing);
+  pose = Pose2(1.5, 1.5, 0.0);  // the start, beside the unknown end
+  inputs.enabled = false;
+  tick();
+  pose = Pose2(4.0, 1.5, 0.0);
+  explorer.setBounds(across(), world.map);
+  inputs.enabled = true;
+  EXPECT_EQ(tickFor(5.0).status.state, State::kDone);
+  EXPECT_EQ(history.back().goals_sent, 0U);
+}
+
+// [EXP-10]
+TEST_F(WayInside, ALaneBesideTheBoundsLeavesTheRobotItsMargin_EXP_10) {
+  const test::AsciiWorld room = test::drawWorld(hall());
+  exploration::ObservedMap map;
+  exploration::ExplorationBounds bounds;
+  bounds.keep_out = {{{2.0, 1.62}, {3.0, 1.62}, {3.0, 2.8}, {2.0, 2.8}}};  // less than 0.134 m beside the line
+  map.setBounds(bounds);
+  map.update(room.map, room.map.geometry().rect());
+  exploration::TraversableSpace space(0.134);
+  space.update(map.grid(), map.geometry().rect());
+  const Vec2 robot(1.0, 1.5), goal(4.0, 1.5);
+  exploration::TravelField travel;
+  travel.compute(space, map.grid(), map.geometry().cellAt(robot), 0.6);
+  const Vec2 stop = exploration::stopOnTheWay(travel, map, robot, goal, {0.134, 0.089});
+  EXPECT_NE(stop, goal);
+  EXPECT_GT((stop - robot).norm(), 0.5);
+}
+
+/// A hall with baffles, so that the way through it is long, and a straight passage beside it. 4 m x 2.5 m.
+std::string baffles() {
+  std::vector<std::string> rows(50, "#" + std::string(78, '.') + "#");
+  rows.front() = rows.back() = std::string(80, '#');
+  for (int row = 18; row < 28; ++row) rows[static_cast<std::size_t>(row)].replace(15, 50, 50, '#');
+  for (int baffle = 0; baffle < 5; ++baffle) {
+    const int top = baffle % 2 == 0 ? 28 : 35;
+    for (int row = top; row < top + 15 && row < 50; ++row) {
+      rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(20 + 10 * baffle)] = '#';
+    }
+  }
+  std::string drawing;
+  for (const std::string& row : rows) drawing += row + "\n";
+  return drawing;
+}
+
+// [EXP-10]
+TEST(StopOnTheWay, LeavesTheNavigationNoShorterWayThroughWhatIsOutOfBounds_EXP_10) {
+  const test::AsciiWorld world = test::drawWorld(baffles());
+  exploration::ObservedMap map;
+  exploration::ExplorationBounds bounds;
+  bounds.keep_out = {{{1.5, 1.65}, {2.5, 1.65}, {2.5, 2.5}, {1.5, 2.5}}};  // in the passage
+  map.setBounds(bounds);
+  map.update(world.map, world.map.geometry().rect());
+  exploration::TraversableSpace space(0.134);
+  space.update(map.grid(), map.geometry().rect());
+  const Vec2 robot(0.5, 0.6), goal(3.5, 0.6);
+  exploration::TravelField travel;
+  travel.compute(space, map.grid(), map.geometry().cellAt(robot), 0.6);
+  ASSERT_TRUE(travel.reached(map.geometry().cellAt(goal)));
+  const Vec2 stop = exploration::stopOnTheWay(travel, map, robot, goal, {0.134, 0.089});
+  EXPECT_NE(stop, goal) << "the passage is shorter than the way between the baffles";
 }
 
 }  // namespace

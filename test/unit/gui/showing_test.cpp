@@ -86,15 +86,6 @@ TEST_F(Showing, WhatHappensIsInTheLog) {
   EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains("emergency stop"));
 }
 
-TEST_F(Showing, EnterAfterStartPausesAndDoesNotReset) {
-  state_.explorer->running = false;
-  widget_->setState(state_);
-  find("explore_start")->setFocus();
-  state_.explorer->running = true;
-  widget_->setState(state_);
-  EXPECT_TRUE(find("explore_pause")->hasFocus());
-}
-
 // [GUI-2]
 TEST_F(Showing, EverySourceHasASwitchThatAsksAndShowsTheStatusAlone) {
   for (const teleop::SourceView& source : state_.arbiter->sources) {
@@ -238,12 +229,14 @@ TEST_F(Showing, TheLogIsBoundedAndTakesNoMarkupFromOutside) {
 // [GUI-3]
 TEST_F(Showing, ServicesThatAreDownGreyTheirButtonsAndSaySo) {
   state_.clear_service_up = state_.avoider_service_up = state_.explorer_service_up = state_.explorer_reset_up = false;
+  state_.explorer_bounds_up = state_.explorer_return_up = false;
   state_.patrol.server_up = state_.spin.server_up = false;
   state_.emergency_stop = true;
   for (teleop::SourceView& source : state_.arbiter->sources) source.service_up = false;
   widget_->setState(state_);
-  for (const char* name : {"clear_emergency_stop", "enable_nav", "enable_avoid", "obstacle_avoider", "explore_start",
-                           "explore_pause", "explore_reset", "patrol(sqr)", "patrol(tri)", "patrol(cir)", "spin"}) {
+  for (const char* name :
+       {"clear_emergency_stop", "enable_nav", "enable_avoid", "obstacle_avoider", "explore_start", "explore_pause",
+        "explore_reset", "clear_bounds", "return_to_start", "patrol(sqr)", "patrol(tri)", "patrol(cir)", "spin"}) {
     EXPECT_FALSE(find(name)->isEnabled()) << name;
     EXPECT_TRUE(find(name)->toolTip().contains("down")) << name;
   }

@@ -65,6 +65,21 @@ TEST(Conversions, ATwistWithOneFieldNotFiniteIsNoTwist) {
   }
 }
 
+// [EXP-10]
+TEST(Conversions, AChargeIsAShareWhetherItsDriverSendsSharesOrPercent_EXP_10) {
+  sensor_msgs::BatteryState msg;
+  const auto charge = [&msg](float percentage) {
+    msg.percentage = percentage;
+    return toCharge(msg);
+  };
+  EXPECT_FLOAT_EQ(static_cast<float>(charge(0.0F).value()), 0.0F);
+  EXPECT_FLOAT_EQ(static_cast<float>(charge(0.3F).value()), 0.3F);
+  EXPECT_FLOAT_EQ(static_cast<float>(charge(1.12F).value()), 1.12F) << "a TurtleBot3 that is charged";
+  EXPECT_FLOAT_EQ(static_cast<float>(charge(30.0F).value()), 0.3F);
+  EXPECT_FLOAT_EQ(static_cast<float>(charge(100.0F).value()), 1.0F);
+  for (const float wrong : {-0.1F, 101.0F, static_cast<float>(kNaN)}) EXPECT_FALSE(charge(wrong)) << wrong;
+}
+
 TEST(Conversions, ATwistLosesTheAxesThatADifferentialDriveLacks) {
   geometry_msgs::Twist msg;
   msg.linear.x = 0.2;

@@ -36,5 +36,14 @@ TEST(Worker, TellsWhatAJobThrewAndDoesTheNextOne) {
   EXPECT_TRUE(worker.idle());
 }
 
+TEST(Worker, DoesTheJobThatCameLastWhenThePresentOneHasEnded) {
+  Worker<int> worker;
+  for (int job = 1; job <= 3; ++job) worker.startNext([job] { return job; });
+  EXPECT_EQ(soon([&] { return worker.take(); }), 1);
+  EXPECT_FALSE(worker.idle());
+  EXPECT_EQ(soon([&] { return worker.take(); }), 3);
+  EXPECT_TRUE(worker.idle());
+}
+
 }  // namespace
 }  // namespace frontier_pilot

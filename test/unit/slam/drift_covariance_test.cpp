@@ -37,11 +37,18 @@ slam::Keyframe keyframeAt(const Pose2& T_local_base, surfaces::SurfacePoints poi
   return keyframe;
 }
 
+slam::Track trackOf(slam::MatchVerdict verdict) {
+  slam::Track track;
+  track.verdict = verdict;
+  return track;
+}
+
 /// The standard deviations of the position after a step of 0.2 m with a turn: the least and the greatest.
 Eigen::Vector2d sigmasOf(const surfaces::SurfacePoints& points) {
   slam::DriftCovariance drift((slam::LocalSlamParameters()));
-  drift.step(keyframeAt(Pose2(), points), slam::MatchVerdict::kFirst);
-  const Eigen::Matrix3d covariance = drift.step(keyframeAt(Pose2(0.2, 0.0, 0.2), points), slam::MatchVerdict::kMatched);
+  drift.step(keyframeAt(Pose2(), points), trackOf(slam::MatchVerdict::kFirst));
+  const Eigen::Matrix3d covariance =
+      drift.step(keyframeAt(Pose2(0.2, 0.0, 0.2), points), trackOf(slam::MatchVerdict::kMatched));
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()))
       .eigenvalues()
       .cwiseMax(0.0)
@@ -64,10 +71,18 @@ TEST(DriftCovariance, MAP_1_IsNextToNothingWhereWallsAreOnAllSides) {
 
 TEST(DriftCovariance, MAP_1_IsThatOfARobotPickedUpWhereTheMapIsBegunAnew) {
   slam::DriftCovariance drift((slam::LocalSlamParameters()));
-  EXPECT_TRUE(drift.step(keyframeAt(Pose2(), room()), slam::MatchVerdict::kFirst).isZero());
-  const Eigen::Matrix3d lost = drift.step(keyframeAt(Pose2(0.2, 0.0, 0.0), room()), slam::MatchVerdict::kLost);
+  EXPECT_TRUE(drift.step(keyframeAt(Pose2(), room()), trackOf(slam::MatchVerdict::kFirst)).isZero());
+  const Eigen::Matrix3d lost = drift.step(keyframeAt(Pose2(0.2, 0.0, 0.0), room()), trackOf(slam::MatchVerdict::kLost));
   EXPECT_GT(lost(0, 0), 1.0);
   EXPECT_GT(lost(2, 2), 0.2);
+}
+
+TEST(DriftCovariance, MAP_1_IsThatOfThePoseWhereAScanExtendsTheMap) {
+  slam::DriftCovariance drift((slam::LocalSlamParameters()));
+  drift.step(keyframeAt(Pose2(), room()), trackOf(slam::MatchVerdict::kFirst));
+  slam::Track extended = trackOf(slam::MatchVerdict::kExtended);
+  extended.T_local_base.covariance = Eigen::Vector3d(0.01, 0.02, 0.003).asDiagonal();
+  EXPECT_EQ(drift.step(keyframeAt(Pose2(1.0, 0.0, 0.0), room()), extended), extended.T_local_base.covariance);
 }
 
 }  // namespace

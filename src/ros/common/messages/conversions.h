@@ -9,6 +9,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
+#include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/LaserScan.h>
 
 #include <Eigen/Geometry>
@@ -47,6 +48,11 @@ geometry_msgs::Twist toTwistMsg(const Twist2& twist);
 std::optional<MotionSample> toOdometry(const nav_msgs::Odometry& msg, std::string* why = nullptr);
 nav_msgs::Odometry toOdometryMsg(const MotionSample& odometry, const std::string& frame,
                                  const std::string& child_frame);
+
+/// The charge as a share. Drivers disagree about `percentage`: values up to 1.5 are taken as shares (that of a
+/// TurtleBot3 is its voltage divided by 11.1 V, which exceeds 1 when it is charged), larger ones up to 100 as percent.
+/// Nothing if it is unmeasured (NaN) or beyond that.
+std::optional<double> toCharge(const sensor_msgs::BatteryState& msg, std::string* why = nullptr);
 
 /// Nothing if it is empty, an angle or range limit is not finite or out of bounds, the increment is zero, the number of
 /// ranges does not match the angles, or the scanner is tilted (its z axis more than 10 degrees off the base's).

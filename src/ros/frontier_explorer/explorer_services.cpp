@@ -1,0 +1,45 @@
+#include "ros/frontier_explorer/frontier_explorer_adapter.h"
+
+/// The switches of the explorer. Those of its bounds are in explorer_bounds.cpp.
+namespace frontier_pilot {
+
+bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  const bool before = enabled_;
+  enabled_ = start_ = request.data != 0;
+  const std::string problem = paused_->set(!enabled_);
+  const exploration::ExplorerState state_before = status_.state;
+  tick();  // so that a pause cancels the goal before the call is answered
+  response.success = 1U;
+  response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
+                     (before == enabled_ && status_.state == state_before ? " already: nothing changed" : "") + problem;
+  return true;
+}
+
+bool FrontierExplorerAdapter::handleReturnToStart(std_srvs::SetBool::Request& request,
+                                                  std_srvs::SetBool::Response& response) {
+  const bool before = explorer_.returnsToStart();
+  explorer_.setReturnToStart(request.data != 0);
+  last_status_.reset();
+  tick();  // so that the status is as the answer says
+  response.success = 1U;
+  response.message =
+      std::string(explorer_.returnsToStart() ? "returns to the start at the end" : "stays where the exploration ends") +
+      (before == explorer_.returnsToStart() ? " already: nothing changed" : "");
+  return true;
+}
+
+bool FrontierExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  reset_ = true;
+  tick();
+  response.success = 1U;
+  response.message = "blacklist, visits and phase forgotten";
+  return true;
+}
+
+bool FrontierExplorerAdapter::handleExplain(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  response.success = 1U;
+  response.message = explorer_.explain();
+  return true;
+}
+
+}  // namespace frontier_pilot

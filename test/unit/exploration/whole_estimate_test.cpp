@@ -1,0 +1,104 @@
+#include "exploration/progress/whole_estimate.h"
+
+#include "explorer_fixture.h"
+
+namespace frontier_pilot {
+namespace {
+
+using exploration::ExplorationRecord;
+using test::ExplorerTest;
+using State = exploration::ExplorerState;
+using Reason = exploration::ExplorerReason;
+
+ExplorationRecord halfWay() {
+  ExplorationRecord record;
+  record.explored_area = 100.0;
+  record.area_in_sight = 20.0;
+  record.time = 60.0;
+  record.distance = 25.0;
+  record.tour_length = 20.0;
+  return record;
+}
+
+// [EXP-12]
+TEST(WholeEstimate, IsNotMadeBeforeThereIsSomethingToGoBy_EXP_12) {
+  ExplorationRecord record = halfWay();
+  record.time = 9.0;
+  EXPECT_FALSE(exploration::estimateWhole(record));
+  record = halfWay();
+  record.explored_area = 0.0;
+  EXPECT_FALSE(exploration::estimateWhole(record));
+}
+
+// [EXP-12]
+TEST(WholeEstimate, GrowsWithWhatIsInSightAndSoDoesItsUncertainty_EXP_12) {
+  ExplorationRecord record = halfWay();
+  const auto some = exploration::estimateWhole(record);
+  record.area_in_sight *= 2.0;
+  const auto more = exploration::estimateWhole(record);
+  ASSERT_TRUE(some && more);
+  EXPECT_GT(some->area, record.explored_area);
+  EXPECT_GT(more->area, some->area);
+  EXPECT_GT(more->deviation, some->deviation);
+  EXPECT_GT(more->time_left, some->time_left);
+}
+
+// [EXP-12]
+TEST(WholeEstimate, IsWhatIsKnownWhenNearlyNothingIsInSight_EXP_12) {
+  ExplorationRecord record = halfWay();
+  record.area_in_sight = 0.0;
+  const auto whole = exploration::estimateWhole(record);
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(whole->area, record.explored_area, 0.5);
+  EXPECT_LT(whole->deviation, 0.5);
+}
+
+exploration::ExplorerParameters endingAtShare(double share) {
+  exploration::ExplorerParameters parameters;
+  parameters.frontier.view.sensor_range = 1.0;
+  parameters.until.share = share;
+  return parameters;
+}
+
+class UntilShare : public ExplorerTest {
+ protected:
+  UntilShare() : ExplorerTest(endingAtShare(0.05)) {}
+};
+
+// [EXP-10] [EXP-12]
+TEST_F(UntilShare, EndsAsSoonAsTheEstimateSaysSoAndGoesOnWhenStartedAgain_EXP_10_EXP_12) {
+  show(kRoom);
+  EXPECT_EQ(tickFor(9.0).status.state, State::kNavigating);
+  EXPECT_FALSE(history.back().whole) << "too early to tell";
+  change({31, 4, 1, 1}, kFree);  // so that it decides again
+  tickFor(3.0);
+  change({31, 5, 1, 1}, kFree);
+  const exploration::ExplorerOutput output = tickFor(3.0);
+  EXPECT_EQ(output.status.state, State::kDone);
+  EXPECT_EQ(output.status.reason, Reason::kUntilShare);
+  ASSERT_TRUE(output.status.shareExplored());
+  EXPECT_GE(*output.status.shareExplored(), 0.05);
+  inputs.start = true;
+  tick();
+  inputs.start = false;
+  EXPECT_EQ(tickFor(5.0).status.state, State::kNavigating) << "the same share does not end it at once";
+}
+
+// [EXP-12]
+TEST_F(ExplorerTest, WhenNothingIsLeftTheWholeIsWhatIsExplored_EXP_12) {
+  show(kRoom);
+  tickFor(9.0);
+  change({31, 4, 1, 1}, kFree);
+  tickFor(3.0);
+  change({31, 5, 1, 1}, kFree);
+  ASSERT_TRUE(tickFor(3.0).status.whole);
+  show(kClosedRoom);
+  const exploration::ExplorerOutput output = tickFor(10.0);
+  ASSERT_EQ(output.status.state, State::kDone);
+  EXPECT_EQ(output.status.shareExplored(), 1.0);
+  EXPECT_EQ(output.status.whole->deviation, 0.0);
+  EXPECT_EQ(output.status.whole->time_left, 0.0);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
