@@ -16,8 +16,6 @@ constexpr double kMinSideGap = 0.01;      ///< and a straight side, which is clo
 constexpr double kMapSlack = 0.02;        ///< a follower may be this much nearer to walls than a path [m]
 constexpr double kCreep = 0.02;           ///< speed at the end of a path [m/s]
 constexpr double kBehind = 2.6;           ///< beyond this bearing a target is neither left nor right [rad]
-constexpr double kAhead = 0.5;            ///< up to this bearing of the pursued point pursuit suffices [rad]
-constexpr double kTurningRoom = 0.1;      ///< clearance beyond the required one for turning while driving [m]
 constexpr double kContactPenalty = 0.2;   ///< [m of progress]
 constexpr double kDeviationWeight = 0.5;  ///< [m of progress per m off the path]
 constexpr double kGoodEnough = 0.9;       ///< share of full-speed progress; then no other variant is tried
@@ -36,18 +34,13 @@ PathFollower::PathFollower(const FollowerParams& params, const RobotModel& robot
       limits_(robot.limits),
       outline_(robot.drivenOutline()),
       outline_on_map_(planning::OutlineCheck(outline_).inTightPlaces()),
-      radius_(outline_.isDisc() ? outline_.inscribedRadius() : 0.0),
-      sees_behind_(robot.scanner.field_of_view > 2.0 * kPi - 0.01) {}
+      radius_(outline_.isDisc() ? outline_.inscribedRadius() : 0.0) {}
 
 bool PathFollower::Vicinity::isFree(const Pose2& pose, double speed) const {
   if (least_clearance > 0.0 && map.clearance(pose.position()) < least_clearance) return false;
   if (corners_count && !follower.outline_on_map_.fits(map, pose, kMapSlack)) return false;
   const auto more = static_cast<float>(kSpeedMargin * std::max(0.0, speed - kNarrowSpeed));
   return follower.outline_.isDisc() ? isDiscFreeOfPoints(pose.position(), more) : isFreeOfPoints(pose, more);
-}
-
-bool PathFollower::Vicinity::isRoomy(const Vec2& position) const {
-  return map.isKnownFree(map.geometry().cellAt(position)) && map.clearance(position) >= roomy_clearance;
 }
 
 bool PathFollower::Vicinity::isDiscFreeOfPoints(const Vec2& position, float more) const {
@@ -91,7 +84,7 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
   const Pose2& pose = inputs.T_map_base;
   const double reach =
       limits_.max_linear * params_.horizon + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
-  Vicinity around{inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false, 0.0};
+  Vicinity around{inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false};
   around.least_distances.reserve(around.points.size());
   for (std::size_t i = 0; i < around.points.size(); ++i) {
     const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));
@@ -100,9 +93,6 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
   // Inside the map's inflation only the scan is checked, for the map would not let the robot out.
   const double needed = inputs.map.leastClearance() - kMapSlack;
   if (inputs.map.clearance(pose.position()) >= needed) around.least_clearance = needed;
-  // Turning while driving leaves the path, which keeps its distance: it must not lead nearer to anything.
-  around.roomy_clearance =
-      std::min(inputs.map.requiredClearance() + kTurningRoom, inputs.map.clearance(pose.position()));
   around.corners_count = !outline_on_map_.isTrivial() && outline_on_map_.fits(inputs.map, pose, kMapSlack);
   return around;
 }
@@ -127,20 +117,12 @@ Twist2 PathFollower::pursue(const Policy& policy, const Pose2& pose, const Twist
   const Vec2 ahead = pose.inverse() * path_.at(along + policy.lookahead);
   const double angle = bearing(ahead);
   const double distance = std::max(ahead.norm(), 1e-3);
-  const double left = path_.length() - along;
-  const double most = kCreep + std::sqrt(limits_.max_linear_acc * std::max(0.0, left));
-  if (policy.turns_driving && std::abs(angle) > kAhead) return turnDriving(angle, policy.speed, most, twist);
   if (std::abs(angle) > policy.turn_angle) return {0.0, turnRate(angle, twist)};
   const double curvature = 2.0 * std::sin(angle) / distance;
-  double speed = std::min(policy.turns_driving ? limits_.max_linear : policy.speed, most);
+  const double left = path_.length() - along;
+  double speed = std::min(policy.speed, kCreep + std::sqrt(limits_.max_linear_acc * std::max(0.0, left)));
   if (std::abs(curvature) * speed > limits_.max_angular) speed = limits_.max_angular / std::abs(curvature);
   return {speed, speed * curvature};
-}
-
-Twist2 PathFollower::turnDriving(double angle, double speed, double most, const Twist2& twist) const {
-  const bool behind = std::abs(angle) > 0.5 * kPi;
-  const double fast = std::min({limits_.max_linear, most, speed / std::abs(std::sin(angle))});
-  return {behind ? (sees_behind_ ? -fast : 0.0) : fast, turnRate(angle, twist)};
 }
 
 PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInputs& inputs,
@@ -157,7 +139,6 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
     twist = limitAcceleration(command, twist, limits_, kStep);
     pose = integrate(pose, twist, kStep);
     if (!around.isFree(pose, std::abs(twist.linear))) break;
-    if (policy.turns_driving && !around.isRoomy(pose.position())) break;
     along = path_.project(pose.position(), along, along + 0.3);
     trial.free_time += kStep;
     trial.points.push_back(pose.position());
@@ -170,8 +151,8 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
 
 bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs) const {
   // A disc sweeps no new ground when it turns on the spot.
-  if (outline_.isDisc() && trial.command.linear == 0.0 && std::abs(inputs.twist.linear) < kCreep) return true;
-  const double speed = std::max(std::abs(inputs.twist.linear), std::abs(trial.command.linear));
+  if (outline_.isDisc() && trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
+  const double speed = std::max(inputs.twist.linear, trial.command.linear);
   double braking = speed / limits_.max_linear_acc;
   if (!outline_.isDisc()) {
     const double rate = std::max(std::abs(inputs.twist.angular), std::abs(trial.command.angular));
@@ -199,16 +180,14 @@ FollowerOutput PathFollower::update(const FollowerInputs& inputs) {
   const double far = std::max(params_.min_lookahead, params_.lookahead_time * full);
   const double near = std::max(0.75 * params_.min_lookahead, 0.5 * far);
   const double turn = params_.turn_in_place_angle;
-  const std::array<Policy, 10> policies{{{far, full, turn},
-                                         {far, full, turn, true},
-                                         {far, 0.4 * full, turn, true},
-                                         {near, full, turn},
-                                         {near, 0.6 * full, turn},
-                                         {far, 0.6 * full, turn},
-                                         {near, 0.3 * full, turn},
-                                         {near, 0.5 * full, 0.3},
-                                         {near, 0.12 * full, turn},
-                                         {0.5 * near, 0.2 * full, 0.3}}};
+  const std::array<Policy, 8> policies{{{far, full, turn},
+                                        {near, full, turn},
+                                        {near, 0.6 * full, turn},
+                                        {far, 0.6 * full, turn},
+                                        {near, 0.3 * full, turn},
+                                        {near, 0.5 * full, 0.3},
+                                        {near, 0.12 * full, turn},
+                                        {0.5 * near, 0.2 * full, 0.3}}};
   const double possible = std::min(full * params_.horizon, remaining());
   Trial best;
   bool found = false;

@@ -31,10 +31,6 @@ struct FollowerOutput {
 /// simulated over the horizon with the acceleration limits, as the Dynamic Window Approach does with constant twists
 /// (Fox, Burgard & Thrun, IEEE RAM 4(1), 1997); of those that can still brake before any contact, the one that gets
 /// farthest along the path wins.
-///
-/// Where there is room, the robot need not stand while it turns towards a path that leads sideways or back: as long as
-/// the path is behind, it reverses, if its scanner sees what is there, and then drives on forward, turning as fast as
-/// it can all the while. Half a turn at v and w so gains up to 2 v / w of the path.
 class PathFollower {
  public:
   explicit PathFollower(const FollowerParams& params = {}, const RobotModel& robot = {});
@@ -53,12 +49,11 @@ class PathFollower {
   const std::vector<Vec2>& prediction() const { return prediction_; }
 
  private:
-  /// A variant of pure pursuit, or a turn while driving.
+  /// A variant of pure pursuit.
   struct Policy {
-    double lookahead;            ///< [m]
-    double speed;                ///< [m/s]; of a turn while driving: across the direction to the pursued point
-    double turn_angle;           ///< [rad]
-    bool turns_driving = false;  ///< instead of on the spot; needs room
+    double lookahead;   ///< [m]
+    double speed;       ///< [m/s]
+    double turn_angle;  ///< [rad]
   };
   /// The simulated outcome of a policy.
   struct Trial {
@@ -80,10 +75,8 @@ class PathFollower {
     std::vector<float> least_distances;
     double least_clearance;  ///< in the map [m]; 0: not checked
     bool corners_count;      ///< whether corners are checked in the map
-    double roomy_clearance;  ///< what a turn while driving keeps in the map [m]
 
     bool isFree(const Pose2& pose, double speed) const;
-    bool isRoomy(const Vec2& position) const;
     bool isFreeOfPoints(const Pose2& pose, float more) const;
     bool isDiscFreeOfPoints(const Vec2& position, float more) const;
   };
@@ -94,9 +87,6 @@ class PathFollower {
   /// How near a point may come [m] whose present distance is `now` [m].
   double leastDistance(double now) const;
   Twist2 pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const;
-  /// Turns towards the pursued point, which lies at `angle` [rad], while driving at up to `speed` [m/s] across the
-  /// direction to it, and at up to `most` [m/s] in all.
-  Twist2 turnDriving(double angle, double speed, double most, const Twist2& twist) const;
   double turnRate(double angle, const Twist2& twist) const;
   Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Vicinity& around) const;
   bool isSafe(const Trial& trial, const FollowerInputs& inputs) const;
@@ -105,8 +95,7 @@ class PathFollower {
   RobotLimits limits_;
   Outline outline_;
   planning::OutlineCheck outline_on_map_;
-  double radius_;     ///< of an outline that is a disc, else 0 [m]
-  bool sees_behind_;  ///< whether the scanner looks all around
+  double radius_;  ///< of an outline that is a disc, else 0 [m]
   planning::Path path_;
   double progress_ = 0.0;
   std::vector<Vec2> prediction_;

@@ -44,9 +44,9 @@ struct LogScanner {
   std::optional<double> field_of_view;  ///< [rad]; the format's own default if not given
 };
 
-/// Lowers `range_max` where the log's greatest range marks beams without a return: a value that occurs at least 20 times
-/// and ten times as often as the next smaller one is a limit of the scanner, not a wall. Adds a note then. Does nothing
-/// if the log has infinite ranges or some beyond `range_max`, which mark such beams already.
+/// Lowers `range_max` where the log's greatest range marks beams without a return: a value that occurs at least 20
+/// times and ten times as often as the next smaller one is a limit of the scanner, not a wall. Adds a note then. Does
+/// nothing if the log has infinite ranges or some beyond `range_max`, which mark such beams already.
 void recogniseMissingReturns(ScanLog& log);
 
 /// Reads a CSV or CARMEN log. Throws a LogError where it is broken or holds no scan.

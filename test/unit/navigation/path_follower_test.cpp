@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "frontier_pilot/sim/simulator.h"
@@ -85,48 +84,6 @@ TEST(PathFollower, IsFreeToLeaveWhatItIsTooNearTo_NAV_4) {
     EXPECT_FALSE(output.blocked) << i;
     EXPECT_GT(output.command.linear, 0.1) << i;
   }
-}
-
-/// Ground of 10 m by 10 m, free but for two walls along the x axis, each `half` [m] from the line y = 5 m.
-planning::ClearanceMap corridor(double half) {
-  OccupancyGrid cells(GridGeometry{0.05, Vec2::Zero(), 200, 200}, kFree);
-  for (int x = 0; x < 200; ++x) {
-    cells[cells.geometry().cellAt({0.05 * x + 0.02, 5.0 + half})] = kOccupied;
-    cells[cells.geometry().cellAt({0.05 * x + 0.02, 5.0 - half})] = kOccupied;
-  }
-  planning::ClearanceMap map;
-  map.setMap(cells, {0, 0, 200, 200});
-  map.refresh();
-  return map;
-}
-
-/// The first command of a robot in the corridor that drives along it when its path leads back.
-Twist2 commandForAPathBack(const RobotModel& robot, const planning::ClearanceMap& map) {
-  const Vec2 position(5.0, 5.0);
-  navigation::PathFollower follower({}, robot);
-  follower.setPath(planning::Path({position, position - Vec2(3.0, 0.5)}));
-  return follower.update({Pose2(position, 0.0), {0.5, 0.0}, 0.05, {}, map}).command;
-}
-
-TEST(PathFollower, TurnsToAPathThatLeadsBackWhileItReverses) {
-  const Twist2 command = commandForAPathBack(fastRobot(), corridor(2.0));
-  EXPECT_LT(command.linear, -0.1);
-  EXPECT_GT(std::abs(command.angular), 1.0);
-}
-
-// [NAV-4]
-TEST(PathFollower, DoesNotReverseWithoutLookingThere_NAV_4) {
-  RobotModel robot = fastRobot();
-  robot.scanner.angle_min = -0.5 * kPi;
-  robot.scanner.field_of_view = kPi;
-  EXPECT_GE(commandForAPathBack(robot, corridor(2.0)).linear, 0.0);
-}
-
-// [NAV-4]
-TEST(PathFollower, TurnsOnTheSpotWhereThereIsNoRoomBesideIt_NAV_4) {
-  const Twist2 command = commandForAPathBack(fastRobot(), corridor(0.2));
-  EXPECT_EQ(command.linear, 0.0);
-  EXPECT_GT(std::abs(command.angular), 1.0);
 }
 
 }  // namespace
