@@ -69,7 +69,7 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose, const PoseSigma& s
 
 Track ScanPlacement::place(const surfaces::SurfacePoints& points, const MatchTarget& target,
                            const Prediction& prediction) const {
-  const Track matched = match(points, target, prediction);
+  Track matched = match(points, target, prediction);
   if (!prediction.sparse || matched.verdict == MatchVerdict::kMatched || points.empty()) return matched;
   const Track extension = extend(points, target, prediction);
   return isPreferred(matched, extension, target, prediction) ? matched : extension;
