@@ -120,7 +120,7 @@ void Explorer::Impl::reset(Time now) {
   strategy_->reset();
   status_.whole.reset();
   rules_.startOver(rulesState());
-  ended_by_rule_ = false;
+  ended_by_.reset();
   step_backs_ = 0;
   nothing_left_since_.reset();
   done_reason_.reset();
@@ -202,6 +202,7 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
 void Explorer::Impl::stopReached(const Goal& goal, Time now) {
   constexpr double kLeast = 0.1;  // [m]: what a robot has to move for a stop on the way
   if ((T_map_base_->position() - goal.sent_from).norm() >= kLeast) {
+    if (goal.returning) return returnToStart(now);
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kGoalReached, "reached a stop on the way", now);
   }
   const std::string what = "the navigation calls a stop on the way reached without driving there";

@@ -102,7 +102,7 @@ class Explorer::Impl {
   bool yield(const ExplorerInputs& inputs, Time now);
   bool withinLimits(Time now);
   bool keepWithinBounds(Time now);
-  void endBy(ExplorerReason rule, Time now);
+  void endByRule(Time now);
   bool mayReturn() const;
 
   void finish(Time now);
@@ -141,10 +141,10 @@ class Explorer::Impl {
   std::uint32_t next_goal_id_ = 1;
   std::uint64_t judged_changes_ = 0;  ///< changes() of the map at the last decision
   bool was_running_ = false;
-  bool ended_by_rule_ = false;   ///< until started again
   bool bounds_changed_ = false;  ///< since the last tick
   int step_backs_ = 0;
   const FallBack* judged_by_ = nullptr;        ///< fall-back of the last decision; null if none was needed
+  std::optional<ExplorerReason> ended_by_;     ///< the stopping rule, until started again
   std::optional<ExplorerReason> done_reason_;  ///< kept while the robot returns to the start
 };
 

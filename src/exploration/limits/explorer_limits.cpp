@@ -25,8 +25,8 @@ StoppingRules::State Explorer::Impl::rulesState() const {
 
 /// Lets an exploration go on that a stopping rule has ended; nothing if none has.
 void Explorer::Impl::startAgain(Time now) {
-  if (!ended_by_rule_) return;
-  ended_by_rule_ = false;
+  if (!ended_by_) return;
+  ended_by_.reset();
   done_reason_.reset();
   rules_.startOver(rulesState());
   cancelGoal();
@@ -47,16 +47,17 @@ bool Explorer::Impl::yield(const ExplorerInputs& inputs, Time now) {
 }
 
 /// Whether the state's action may be taken: the robot is within the bounds, or drives to a goal that is, and no
-/// stopping rule has ended the exploration. [EXP-10]
+/// stopping rule has ended the exploration. A rule that has ended it counts as met until it is started again, although a
+/// charge may recover; one that is met after nothing was left to explore does not change why it ended. [EXP-10]
 bool Explorer::Impl::withinLimits(Time now) {
   if (std::exchange(bounds_changed_, false) && goal_) {
     cancelGoal();
     enter(ExplorerState::kSelectGoal, ExplorerReason::kBoundsChanged, "", now);
   }
-  if (status_.state == ExplorerState::kDone) return !ended_by_rule_;
+  if (status_.state == ExplorerState::kDone) return !ended_by_;
   const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
-  const auto rule = returning ? std::nullopt : rules_.met(rulesState());
-  if (rule) endBy(*rule, now);
+  if (!ended_by_ && !done_reason_) ended_by_ = rules_.met(rulesState());
+  if (ended_by_ && !returning) endByRule(now);
   return status_.state != ExplorerState::kDone && keepWithinBounds(now);
 }
 
@@ -74,13 +75,12 @@ bool Explorer::Impl::keepWithinBounds(Time now) {
   return false;
 }
 
-void Explorer::Impl::endBy(ExplorerReason rule, Time now) {
+void Explorer::Impl::endByRule(Time now) {
   cancelGoal();
   nothing_left_since_.reset();
-  done_reason_ = rule;
-  ended_by_rule_ = true;
+  done_reason_ = ended_by_;
   if (parameters_.return_to_start) return returnToStart(now);
-  enter(ExplorerState::kDone, rule, "", now);
+  enter(ExplorerState::kDone, *ended_by_, "", now);
 }
 
 /// Whether the way to the start begins and ends within the bounds and does not have to lead out of them.

@@ -7,10 +7,12 @@ namespace {
 
 using test::ExplorerTest;
 using State = exploration::ExplorerState;
+using Reason = exploration::ExplorerReason;
 
 /// A hall of 5 m x 3 m that is unknown at its right end; the robot is at the left.
 class WayInside : public ExplorerTest {
  protected:
+  explicit WayInside(const exploration::ExplorerParameters& parameters = shortSighted()) : ExplorerTest(parameters) {}
   static std::string hall() {
     std::string drawing = std::string(100, '#') + "\n";
     for (int row = 0; row < 58; ++row) {
@@ -105,6 +107,76 @@ TEST_F(WayInside, ARobotThatLeavesTheBoundsOnItsWayIsStopped_EXP_10) {
   EXPECT_EQ(tickFor(0.5).status.state, State::kNavigating);
 }
 
+/// An exploration that ends at a fifth of the charge, with the robot on the other side of the barrier from its start.
+class WayBack : public WayInside {
+ protected:
+  static exploration::ExplorerParameters returning() {
+    exploration::ExplorerParameters parameters = shortSighted();
+    parameters.until.battery = 0.2;
+    parameters.return_to_start = true;
+    return parameters;
+  }
+  WayBack() : WayInside(returning()) {
+    show(hall());
+    start = pose;
+    explorer.setBounds(barrier(), world.map);
+    inputs.battery = 0.5;
+    tick();
+    pose = Pose2(4.0, 1.5, 0.0);
+    tick();
+  }
+  /// The battery's limit is reached.
+  exploration::ExplorerOutput end() {
+    inputs.battery = 0.2;
+    return tick();
+  }
+  exploration::ExplorerOutput reachStop() {
+    pose = sent.goal;
+    goalEnds(exploration::GoalEvent::Kind::kReached);
+    return tick();
+  }
+  void expectTheRestOfTheWay() {
+    exploration::ExplorerOutput output;
+    for (int leg = 0; leg < 10 && output.status.state != State::kDone; ++leg) {
+      output = reachStop();
+      const bool at_home = output.status.state == State::kDone;
+      ASSERT_EQ(output.status.reason, at_home ? Reason::kUntilBattery : Reason::kReturningToStart);
+    }
+    EXPECT_EQ(output.status.reason, Reason::kUntilBattery);
+    EXPECT_EQ(pose.position(), start.position());
+  }
+
+  Pose2 start;
+};
+
+// [EXP-10]
+TEST_F(WayBack, GoesOnAtAStopAlthoughTheChargeHasRecovered_EXP_10) {
+  ASSERT_EQ(end().status.reason, Reason::kReturningToStart);
+  ASSERT_NE(sent.goal.position(), start.position()) << "it takes several legs";
+  inputs.battery = 0.21;
+  expectTheRestOfTheWay();
+}
+
+// [EXP-10]
+TEST_F(WayBack, GoesOnAfterAGoalOfSomebodyElseAlthoughTheChargeIsUnknownByThen_EXP_10) {
+  end();
+  inputs.others_goal = true;
+  ASSERT_EQ(tick().status.reason, Reason::kOthersGoal);
+  inputs.others_goal = false;
+  inputs.battery.reset();
+  EXPECT_EQ(tick().status.reason, Reason::kReturningToStart);
+  expectTheRestOfTheWay();
+  change({90, 1, 9, 58}, kFree);
+  EXPECT_EQ(tickFor(10.0).status.state, State::kDone);
+}
+
+// [EXP-10]
+TEST_F(WayBack, IsFinishedAlthoughTheReturnIsSwitchedOffMeanwhile_EXP_10) {
+  end();
+  explorer.setReturnToStart(false);
+  expectTheRestOfTheWay();
+}
+
 /// Two halls of free floor that a keep-out area across the whole building separates.
 class SeparatedByBounds : public WayInside {
  protected:
@@ -121,13 +193,15 @@ TEST_F(SeparatedByBounds, TheWaysFromTheStartAreNotTriedAcross_EXP_10) {
   std::reverse(drawing.begin(), drawing.end() - 1);  // unknown at the left end, where the robot will not be
   show(drawing);
   pose = Pose2(1.5, 1.5, 0.0);  // the start, beside the unknown end
+  tick();                       // it begins there
   inputs.enabled = false;
   tick();
+  const std::uint32_t before = history.back().goals_sent;
   pose = Pose2(4.0, 1.5, 0.0);
   explorer.setBounds(across(), world.map);
   inputs.enabled = true;
   EXPECT_EQ(tickFor(5.0).status.state, State::kDone);
-  EXPECT_EQ(history.back().goals_sent, 0U);
+  EXPECT_EQ(history.back().goals_sent, before);
 }
 
 // [EXP-10]
