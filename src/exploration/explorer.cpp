@@ -118,8 +118,8 @@ void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
 void Explorer::Impl::reset(Time now) {
   history_.reset();
   strategy_->reset();
+  rules_.startOver(rulesState());  // with the share that may have ended the exploration
   status_.whole.reset();
-  rules_.startOver(rulesState());
   ended_by_.reset();
   step_backs_ = 0;
   nothing_left_since_.reset();
@@ -273,6 +273,7 @@ void Explorer::Impl::countFrontiers() {
 void Explorer::Impl::estimateWhole() {
   ExplorationRecord record;
   record.explored_area = evaluator_.map().freeArea();
+  record.explored_before = rules_.areaBefore();
   record.time = rules_.time();
   record.distance = rules_.distance();
   for (const Frontier& frontier : evaluator_.frontiers()) {
@@ -287,7 +288,8 @@ void Explorer::Impl::estimateWhole() {
 
 /// Nothing is left that could be chosen: what is explored is the whole.
 void Explorer::Impl::setWholeExplored() {
-  if (status_.whole) status_.whole = WholeEstimate{evaluator_.map().freeArea(), 0.0, 0.0};
+  const double area = evaluator_.map().freeArea();
+  if (status_.whole) status_.whole = WholeEstimate{area, 0.0, 0.0, area};
 }
 
 std::size_t Explorer::Impl::countRejected(Rejection rejection) const {

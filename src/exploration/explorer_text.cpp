@@ -93,7 +93,7 @@ const char* toString(ExplorerState state) {
 
 std::optional<double> ExplorerProgress::shareExplored() const {
   if (!whole || whole->area <= 0.0) return std::nullopt;
-  return std::min(1.0, explored_area / whole->area);
+  return std::min(1.0, whole->explored / whole->area);
 }
 
 const char* toString(ExplorerPhase phase) { return phase == ExplorerPhase::kRich ? "RICH" : "COVERAGE"; }

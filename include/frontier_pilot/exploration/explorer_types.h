@@ -87,7 +87,7 @@ struct ExplorerInputs {
   bool others_goal = false;          ///< the move_base server pursues a goal of another client
   std::optional<StampedPose2> T_map_base;
   std::optional<Time> odometry_stamp;  ///< of the latest odometry
-  std::optional<double> battery;       ///< charge as a share, 0 to 1; nothing while it is not known
+  std::optional<double> battery;       ///< charge as a share, may be a little above 1; nothing while it is not known
   std::vector<GoalEvent> goal_events;  ///< since the last tick
 };
 
@@ -103,7 +103,8 @@ struct GoalCommand {
 struct WholeEstimate {
   double area = 0.0;       ///< [m^2]
   double deviation = 0.0;  ///< of the area, one standard deviation [m^2]
-  double time_left = 0.0;  ///< [s]
+  double time_left = 0.0;  ///< [s]; NaN while nothing has been explored since the exploration was started again
+  double explored = 0.0;   ///< what was explored when the estimate was made [m^2]
 };
 
 struct ExplorerProgress {
@@ -123,7 +124,8 @@ struct ExplorerProgress {
   double exploring_distance = 0.0;     ///< what until/distance limits: driven in that time [m]
   std::optional<WholeEstimate> whole;  ///< as of the last decision for a goal; nothing until it can be told
 
-  /// The share of the estimated whole that is explored, 0 to 1; nothing until it can be told.
+  /// The share of the estimated whole that was explored when the estimate was made, 0 to 1; nothing until it can be
+  /// told.
   std::optional<double> shareExplored() const;
 };
 

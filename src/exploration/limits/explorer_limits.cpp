@@ -7,6 +7,7 @@ namespace frontier_pilot::exploration {
 void Explorer::Impl::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map) {
   evaluator_.setBounds(bounds);
   bounds_changed_ = true;
+  status_.whole.reset();  // it was the whole of what the old bounds enclose
   if (!map.empty()) setMap(map, map.geometry().rect());
 }
 

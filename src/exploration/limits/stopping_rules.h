@@ -23,7 +23,7 @@ class StoppingRules {
   struct State {
     double explored_area = 0.0;     ///< [m^2]
     std::optional<double> share;    ///< explored of the estimated whole; while it is not known, its rule is not met
-    std::optional<double> battery;  ///< charge, 0 to 1; likewise
+    std::optional<double> battery;  ///< charge, may be a little above 1; likewise
   };
   /// The rule that is met first in the order area, time, distance, battery, share; nothing if none is.
   std::optional<ExplorerReason> met(const State& state) const;
@@ -33,6 +33,8 @@ class StoppingRules {
 
   double time() const { return toSeconds(time_); }
   double distance() const { return distance_; }
+  /// What was explored when the round began [m^2]; 0 in the first one.
+  double areaBefore() const { return area_before_; }
 
  private:
   UntilParameters until_;

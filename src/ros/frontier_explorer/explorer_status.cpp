@@ -110,7 +110,7 @@ void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapp
   status.add("explored [m2]", status_.explored_area);
   if (status_.whole) {
     status.addf("estimate of the whole [m2]", "%.0f +- %.0f", status_.whole->area, status_.whole->deviation);
-    status.addf("time left [s]", "%.0f", status_.whole->time_left);
+    if (std::isfinite(status_.whole->time_left)) status.addf("time left [s]", "%.0f", status_.whole->time_left);
   }
   if (!explorer_.bounds().empty()) status.add("bounds", explorer_.bounds().describe());
   if (!map_saved_.empty()) status.add("map at the end", map_saved_);

@@ -1,5 +1,7 @@
 #include "exploration/progress/whole_estimate.h"
 
+#include <cmath>
+
 #include "explorer_fixture.h"
 
 namespace frontier_pilot {
@@ -82,6 +84,65 @@ TEST_F(UntilShare, EndsAsSoonAsTheEstimateSaysSoAndGoesOnWhenStartedAgain_EXP_10
   tick();
   inputs.start = false;
   EXPECT_EQ(tickFor(5.0).status.state, State::kNavigating) << "the same share does not end it at once";
+}
+
+// [EXP-10]
+TEST_F(UntilShare, AResetLetsItGoOnForLongerThanTheEstimateTakes_EXP_10) {
+  show(kRoom);
+  tickFor(9.0);
+  change({31, 4, 1, 1}, kFree);
+  tickFor(3.0);
+  change({31, 5, 1, 1}, kFree);
+  ASSERT_EQ(tickFor(3.0).status.reason, Reason::kUntilShare);
+  inputs.reset = true;
+  tickFor(11.0);
+  change({31, 6, 1, 1}, kFree);
+  tickFor(3.0);
+  change({31, 7, 1, 1}, kFree);
+  const exploration::ExplorerOutput output = tickFor(3.0);
+  EXPECT_EQ(output.status.state, State::kNavigating);
+  ASSERT_TRUE(output.status.whole) << "the share is known again";
+  EXPECT_GE(*output.status.shareExplored(), 0.05);
+}
+
+// [EXP-12]
+TEST_F(ExplorerTest, TheTimeLeftIsUnknownUntilSomethingHasBeenExploredSinceTheReset_EXP_12) {
+  show(kRoom);
+  tickFor(1.0);
+  inputs.reset = true;
+  tickFor(11.0);
+  change({31, 4, 1, 1}, kOccupied);
+  exploration::ExplorerOutput output = tickFor(3.0);
+  ASSERT_TRUE(output.status.whole);
+  EXPECT_TRUE(std::isnan(output.status.whole->time_left));
+  change({31, 5, 1, 1}, kFree);
+  output = tickFor(3.0);
+  EXPECT_GT(output.status.whole->time_left, 0.0);
+}
+
+class UntilTheWhole : public ExplorerTest {
+ protected:
+  UntilTheWhole() : ExplorerTest(endingAtShare(1.0)) {}
+};
+
+// [EXP-10] [EXP-12]
+TEST_F(UntilTheWhole, WiderBoundsAreNotMeasuredByTheEstimateOfTheNarrowOnes_EXP_10_EXP_12) {
+  std::string hall = std::string(110, '#') + "\n";
+  for (int row = 0; row < 58; ++row) hall += "#" + std::string(79, '.') + std::string(30, '?') + "\n";
+  show(hall + std::string(110, '#') + "\n");
+  pose = Pose2(3.0, 1.5, 0.0);
+  exploration::ExplorationBounds narrow;
+  narrow.stay_within = {{2.5, -1.0}, {9.0, -1.0}, {9.0, 4.0}, {2.5, 4.0}};
+  explorer.setBounds(narrow, world.map);
+  tickFor(9.0);
+  change({80, 20, 1, 1}, kFree);
+  tickFor(3.0);
+  change({80, 21, 1, 1}, kFree);
+  ASSERT_TRUE(tickFor(3.0).status.whole);
+  explorer.setBounds({}, world.map);
+  const exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.status.state, State::kNavigating);
+  EXPECT_LT(output.status.shareExplored().value_or(0.0), 1.0);
 }
 
 // [EXP-12]
