@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exploration/limits/separation.h"
 #include "exploration/view_gain.h"
 #include "frontier_pilot/core/bounds.h"
 

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "exploration/explorer_impl.h"
+#include "exploration/limits/separation.h"
 
 namespace frontier_pilot::exploration {
 
@@ -48,8 +49,8 @@ bool Explorer::Impl::yield(const ExplorerInputs& inputs, Time now) {
 }
 
 /// Whether the state's action may be taken: the robot is within the bounds, or drives to a goal that is, and no
-/// stopping rule has ended the exploration. A rule that has ended it counts as met until it is started again, although a
-/// charge may recover; one that is met after nothing was left to explore does not change why it ended. [EXP-10]
+/// stopping rule has ended the exploration. A rule that has ended it counts as met until it is started again, although
+/// a charge may recover; one that is met after nothing was left to explore does not change why it ended. [EXP-10]
 bool Explorer::Impl::withinLimits(Time now) {
   if (std::exchange(bounds_changed_, false) && goal_) {
     cancelGoal();

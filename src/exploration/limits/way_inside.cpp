@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "frontier_pilot/core/grid_traversal.h"
@@ -100,26 +99,6 @@ Vec2 stopOnTheWay(const TravelField& travel, const ObservedMap& map, const Vec2&
     }
   }
   return step == 0 ? goal : geometry.centre(path[std::min(step, path.size() - 1)]);
-}
-
-bool boundsSeparate(const ObservedMap& map, const Vec2& robot, const Vec2& place) {
-  if (map.bounds().empty() || map.empty()) return false;
-  const Cell goal = map.geometry().cellAt(place);
-  Grid<std::uint8_t> seen(map.geometry(), 0);
-  std::vector<Cell> open{map.geometry().cellAt(robot)};
-  while (!open.empty()) {
-    const Cell cell = open.back();
-    open.pop_back();
-    if (cell == goal) return false;
-    for (const Cell step : grids::kNeighbourSteps) {
-      const Cell next{cell.x + step.x, cell.y + step.y};
-      const bool passable = next == goal || !isOccupied(map.grid().get(next, kOccupied));
-      if (!passable || !seen.contains(next) || seen[next] != 0) continue;
-      seen[next] = 1;
-      open.push_back(next);
-    }
-  }
-  return true;
 }
 
 }  // namespace frontier_pilot::exploration

@@ -20,8 +20,4 @@ struct LaneWidth {
 Vec2 stopOnTheWay(const TravelField& travel, const ObservedMap& map, const Vec2& robot, const Vec2& goal,
                   const LaneWidth& lane);
 
-/// Whether the bounds, together with the walls of the map, separate the robot from `place`: then every way to it leads
-/// through what is out of bounds. False without bounds. Positions in the map's frame [m]. [EXP-10]
-bool boundsSeparate(const ObservedMap& map, const Vec2& robot, const Vec2& place);
-
 }  // namespace frontier_pilot::exploration

@@ -15,6 +15,20 @@ using Event = exploration::GoalEvent::Kind;
 
 class FallBacks : public test::ExplorerTest {
  protected:
+  /// A room whose left end is unknown, with the robot, and a closed one beside it.
+  static constexpr const char* kCutOff = R"(
+    ????############################################
+    ????.......................#...................#
+    ????.......................#...................#
+    ????.......................#...................#
+    ????.......................#...................#
+    ????................r......#...................#
+    ????.......................#...................#
+    ????.......................#...................#
+    ????.......................#...................#
+    ????.......................#...................#
+    ????############################################
+  )";
   /// Where in the history the first transition with this reason is; its end if there is none.
   std::ptrdiff_t firstWith(Reason reason) const {
     return std::find_if(history.begin(), history.end(),
@@ -41,19 +55,7 @@ TEST_F(FallBacks, AnOrdinaryGoalNeedsNone) {
 }
 
 TEST_F(FallBacks, ARobotThatIsCutOffIsSentToWhatItsStartCanReach) {
-  show(R"(
-    ????############################################
-    ????.......................#...................#
-    ????.......................#...................#
-    ????.......................#...................#
-    ????.......................#...................#
-    ????................r......#...................#
-    ????.......................#...................#
-    ????.......................#...................#
-    ????.......................#...................#
-    ????.......................#...................#
-    ????############################################
-  )");
+  show(kCutOff);
   tick();  // it has begun at its start
   inputs.enabled = false;
   tick();
@@ -62,6 +64,22 @@ TEST_F(FallBacks, ARobotThatIsCutOffIsSentToWhatItsStartCanReach) {
   const exploration::ExplorerOutput output = tick();
   ASSERT_EQ(output.status.state, State::kNavigating);
   EXPECT_LT(sent.goal.x, 1.3);
+  EXPECT_TRUE(ends(output.status.reason_text, ", by ways from the start")) << output.status.reason_text;
+}
+
+// [EXP-10]
+TEST_F(FallBacks, ARobotThatWallsCutOffIsSentThereAlsoIfThereAreBoundsElsewhere_EXP_10) {
+  show(kCutOff);
+  exploration::ExplorationBounds bounds;
+  bounds.keep_out = {{{2.1, 0.3}, {2.3, 0.3}, {2.3, 0.4}, {2.1, 0.4}}};
+  explorer.setBounds(bounds, world.map);
+  tick();
+  inputs.enabled = false;
+  tick();
+  inputs.enabled = true;
+  pose = Pose2(1.85, pose.y, 0.0);
+  const exploration::ExplorerOutput output = tick();
+  ASSERT_EQ(output.status.state, State::kNavigating);
   EXPECT_TRUE(ends(output.status.reason_text, ", by ways from the start")) << output.status.reason_text;
 }
 
