@@ -69,8 +69,9 @@ TEST(Conversions, ATwistWithOneFieldNotFiniteIsNoTwist) {
 TEST(Conversions, AChargeIsAShareWhetherItsDriverSendsSharesOrPercent_EXP_10) {
   sensor_msgs::BatteryState msg;
   const auto charge = [&msg](float percentage) {
+    bool in_percent = false;
     msg.percentage = percentage;
-    return toCharge(msg);
+    return toCharge(msg, in_percent);
   };
   EXPECT_FLOAT_EQ(static_cast<float>(charge(0.0F).value()), 0.0F);
   EXPECT_FLOAT_EQ(static_cast<float>(charge(0.3F).value()), 0.3F);
@@ -78,6 +79,16 @@ TEST(Conversions, AChargeIsAShareWhetherItsDriverSendsSharesOrPercent_EXP_10) {
   EXPECT_FLOAT_EQ(static_cast<float>(charge(30.0F).value()), 0.3F);
   EXPECT_FLOAT_EQ(static_cast<float>(charge(100.0F).value()), 1.0F);
   for (const float wrong : {-0.1F, 101.0F, static_cast<float>(kNaN)}) EXPECT_FALSE(charge(wrong)) << wrong;
+}
+
+// [EXP-10]
+TEST(Conversions, AfterAChargeInPercentAnEmptyBatteryIsNotTakenForAFullOne_EXP_10) {
+  sensor_msgs::BatteryState msg;
+  bool in_percent = false;
+  msg.percentage = 40.0F;
+  EXPECT_NEAR(toCharge(msg, in_percent).value(), 0.4, 1e-6);
+  msg.percentage = 1.0F;
+  EXPECT_NEAR(toCharge(msg, in_percent).value(), 0.01, 1e-6);
 }
 
 TEST(Conversions, ATwistLosesTheAxesThatADifferentialDriveLacks) {

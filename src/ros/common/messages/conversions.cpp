@@ -119,12 +119,13 @@ geometry_msgs::PolygonStamped toPolygonStampedMsg(const std::vector<Vec2>& corne
   return msg;
 }
 
-std::optional<double> toCharge(const sensor_msgs::BatteryState& msg, std::string* why) {
+std::optional<double> toCharge(const sensor_msgs::BatteryState& msg, bool& in_percent, std::string* why) {
   constexpr double kMostShare = 1.5;
   const double value = static_cast<double>(msg.percentage);
   if (!std::isfinite(value)) return malformed(why, "percentage is not finite");
   if (value < 0.0 || value > 100.0) return malformed(why, "percentage is not between 0 and 100");
-  return value <= kMostShare ? value : value / 100.0;
+  in_percent = in_percent || value > kMostShare;
+  return in_percent ? value / 100.0 : value;
 }
 
 std::optional<Twist2> toTwist(const geometry_msgs::Twist& msg, std::string* why) {

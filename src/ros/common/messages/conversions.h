@@ -51,8 +51,9 @@ nav_msgs::Odometry toOdometryMsg(const MotionSample& odometry, const std::string
 
 /// The charge as a share. Drivers disagree about `percentage`: values up to 1.5 are taken as shares (that of a
 /// TurtleBot3 is its voltage divided by 11.1 V, which exceeds 1 when it is charged), larger ones up to 100 as percent.
-/// Nothing if it is unmeasured (NaN) or beyond that.
-std::optional<double> toCharge(const sensor_msgs::BatteryState& msg, std::string* why = nullptr);
+/// After the first of these `in_percent` is true, and then all values are taken as percent: an empty battery's 1.0 is
+/// not a full one's. Nothing if it is unmeasured (NaN) or beyond that.
+std::optional<double> toCharge(const sensor_msgs::BatteryState& msg, bool& in_percent, std::string* why = nullptr);
 
 /// Nothing if it is empty, an angle or range limit is not finite or out of bounds, the increment is zero, the number of
 /// ranges does not match the angles, or the scanner is tilted (its z axis more than 10 degrees off the base's).
