@@ -34,7 +34,7 @@ class FrontierEvaluator {
   /// What the judgement depends on besides the map.
   struct Context {
     Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
-    Vec2 start = Vec2::Zero();  ///< the robot's first known position [m]
+    Vec2 start = Vec2::Zero();  ///< where the exploration began [m]
     const GoalHistory* history = nullptr;
     double least_density = 0.0;  ///< least information density of a selectable frontier; 0: any
   };

@@ -120,14 +120,14 @@ class ExplorerLimits(ExplorerCase):
         self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING))
 
     # [EXP-10]
-    def test_ends_at_a_charge_and_returns_and_says_so_while_no_battery_is_heard(self):
+    def test_ends_at_a_charge_and_returns_and_says_so_while_no_battery_state_is_received(self):
         diagnostics = Record('/diagnostics', DiagnosticArray)
         self.addCleanup(diagnostics.subscriber.unregister)
         self.explore(until={'battery': 0.3}, return_to_start=True)
         self.assertTrue(wait_for(lambda: not self.is_at_start()))
         self.assertTrue(math.isnan(self.status.last.battery))
-        self.assertEqual('the battery is at 30 % (no battery is heard)', self.status.last.until)
-        self.assertTrue(wait_for(lambda: any('no battery is heard' in status.message for _, array in diagnostics.items
+        self.assertEqual('the battery is at 30 % (no battery state is received)', self.status.last.until)
+        self.assertTrue(wait_for(lambda: any('no battery state is received' in status.message for _, array in diagnostics.items
                                              for status in array.status)))
         self.charge(0.5)
         self.charge(float('nan'))

@@ -119,6 +119,7 @@ struct ExplorerProgress {
   std::uint32_t goals_reached = 0;
   std::uint32_t goals_failed = 0;
   double explored_area = 0.0;          ///< known free cells of the map within the bounds [m^2]
+  double explored_before = 0.0;        ///< of that, what until/area does not count since it was started again [m^2]
   double distance_travelled = 0.0;     ///< [m]
   double exploring_time = 0.0;         ///< what until/time limits: without pauses and waiting [s]
   double exploring_distance = 0.0;     ///< what until/distance limits: driven in that time [m]

@@ -156,8 +156,9 @@ struct UntilParameters {
   double battery = 0.0;
   double share = 0.0;
 
-  /// The rules that are set, for a status: "400 m2 are known or 600 s have passed"; empty if none is.
-  std::string inWords() const;
+  /// The rules that are set, for a status: "400 m2 are known or 600 s have passed"; empty if none is. `area` is counted
+  /// from `explored_before` [m^2] on, see ExplorerProgress.
+  std::string inWords(double explored_before = 0.0) const;
 
   template <class V>
   void describe(V& v) {

@@ -1,5 +1,6 @@
 #include "exploration/limits/stopping_rules.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -16,13 +17,14 @@ void addRule(std::vector<std::string>& rules, const char* format, double value) 
 
 }  // namespace
 
-std::string UntilParameters::inWords() const {
+std::string UntilParameters::inWords(double explored_before) const {
   std::vector<std::string> rules;
-  addRule(rules, "%g m2 are known", area);
+  const double rounded = std::round(10.0 * explored_before) / 10.0;
+  if (area > 0.0) addRule(rules, "%g m2 are known", area + rounded);
   addRule(rules, "%g s have passed", time);
   addRule(rules, "%g m are driven", distance);
   addRule(rules, "the battery is at %g %%", 100.0 * battery);
-  addRule(rules, "%g %% of the estimate are known", 100.0 * share);
+  addRule(rules, "%g %% of the estimated floor is explored", 100.0 * share);
   std::string text;
   for (std::size_t i = 0; i < rules.size(); ++i) {
     if (i > 0) text += i + 1 == rules.size() ? " or " : ", ";

@@ -14,7 +14,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kBatteryLifetime = std::chrono::minutes(1);  // some drivers report it only twice a minute
-constexpr const char* kNoBattery = "no battery is heard";
+constexpr const char* kNoBattery = "no battery state is received";
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void FrontierExplorerAdapter::addLimits(ExplorerStatus& msg) const {
   msg.stay_within = toPolygonMsg(bounds.stay_within);
   for (const std::vector<Vec2>& area : bounds.keep_out) msg.keep_out.push_back(toPolygonMsg(area));
   msg.clicked_corners = toPolygonMsg(clicked_.corners());
-  msg.until = parameters_.explorer.until.inWords();
+  msg.until = parameters_.explorer.until.inWords(status_.explored_before);
   if (missesBattery()) msg.until += std::string(" (") + kNoBattery + ")";
   msg.battery = battery().value_or(std::numeric_limits<double>::quiet_NaN());
   msg.return_to_start = static_cast<std::uint8_t>(explorer_.returnsToStart());
@@ -81,7 +81,7 @@ void FrontierExplorerAdapter::handleBattery(const sensor_msgs::BatteryState& msg
   std::string why;
   battery_.clear();
   if (std::isnan(msg.percentage)) return;
-  if (const auto charge = toCharge(msg, &why)) {
+  if (const auto charge = toCharge(msg, battery_in_percent_, &why)) {
     battery_.put(*charge, steadyNow());
   } else {
     bad_battery_.add(why);

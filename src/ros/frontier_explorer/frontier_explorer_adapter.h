@@ -104,6 +104,7 @@ class FrontierExplorerAdapter {
   Rejections bad_battery_{"battery state"};
   ClickedPolygon clicked_;
   Latest<double> battery_;
+  bool battery_in_percent_ = false;  ///< its driver sends percent, not shares
   exploration::ExplorerProgress status_;
   bool enabled_;
   bool reset_ = false;

@@ -216,6 +216,16 @@ TEST(UntilParameters, AreToldInWords_EXP_10) {
   until.time = 90.0;
   until.battery = 0.25;
   EXPECT_EQ(until.inWords(), "400 m2 are known, 90 s have passed or the battery is at 25 %");
+  until = {};
+  until.share = 0.9;
+  EXPECT_EQ(until.inWords(), "90 % of the estimated floor is explored");
+}
+
+// [EXP-10]
+TEST(UntilParameters, TellTheAreaThatHasToBeKnownAfterARestart_EXP_10) {
+  exploration::UntilParameters until;
+  until.area = 400.0;
+  EXPECT_EQ(until.inWords(412.34), "812.3 m2 are known");
 }
 
 using OthersGoal = ExplorerTest;
