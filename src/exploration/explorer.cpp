@@ -1,10 +1,8 @@
 #include "frontier_pilot/exploration/explorer.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "exploration/explorer_impl.h"
-#include "exploration/progress/whole_estimate.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -258,45 +256,6 @@ void Explorer::Impl::enter(ExplorerState state, ExplorerReason reason, const std
   status_.reason_text = text.empty() ? toString(reason) : text;
   countFrontiers();
   out_.transitions.push_back(status_);
-}
-
-void Explorer::Impl::countFrontiers() {
-  status_.frontiers_found = static_cast<std::uint32_t>(evaluator_.frontiers().size());
-  status_.frontiers_selectable = static_cast<std::uint32_t>(countRejected(Rejection::kNone));
-  status_.frontiers_blacklisted = static_cast<std::uint32_t>(countRejected(Rejection::kBlacklisted));
-  status_.explored_area = evaluator_.map().freeArea();
-  status_.explored_before = rules_.areaBefore();
-  status_.exploring_time = rules_.time();
-  status_.exploring_distance = rules_.distance();
-}
-
-/// By the decision that has just been made for a goal. [EXP-12]
-void Explorer::Impl::estimateWhole() {
-  ExplorationRecord record;
-  record.explored_area = evaluator_.map().freeArea();
-  record.explored_before = rules_.areaBefore();
-  record.time = rules_.time();
-  record.distance = rules_.distance();
-  for (const Frontier& frontier : evaluator_.frontiers()) {
-    if (frontier.selectable()) record.area_in_sight += frontier.info.area;
-  }
-  for (std::size_t i = 1; i < chosen_.tour.size(); ++i) {
-    record.tour_length += (chosen_.tour[i] - chosen_.tour[i - 1]).norm();
-  }
-  const auto whole = exploration::estimateWhole(record);
-  if (whole) status_.whole = whole;
-}
-
-/// Nothing is left that could be chosen: what is explored is the whole.
-void Explorer::Impl::setWholeExplored() {
-  const double area = evaluator_.map().freeArea();
-  if (status_.whole) status_.whole = WholeEstimate{area, 0.0, 0.0, area};
-}
-
-std::size_t Explorer::Impl::countRejected(Rejection rejection) const {
-  const auto& all = evaluator_.frontiers();
-  return static_cast<std::size_t>(
-      std::count_if(all.begin(), all.end(), [&](const Frontier& f) { return f.rejection == rejection; }));
 }
 
 }  // namespace frontier_pilot::exploration

@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "exploration/frontier_evaluator.h"
-#include "exploration/goal_history.h"
 #include "exploration/goal_strategy.h"
+#include "exploration/history/goal_history.h"
 #include "exploration/limits/stopping_rules.h"
 #include "frontier_pilot/exploration/explorer.h"
 
 namespace frontier_pilot::exploration {
 
 /// The explorer's state machine: inputs, events and transitions in explorer.cpp, the actions in each state in
-/// explorer_steps.cpp, the fall-backs for when no frontier can be selected in fall_backs.cpp, and what bounds and ends
-/// an exploration in limits/explorer_limits.cpp.
+/// explorer_steps.cpp, the fall-backs for when no frontier can be selected in fall_backs.cpp, what bounds and ends an
+/// exploration in limits/explorer_limits.cpp, and how far it has come in progress/explorer_progress.cpp.
 class Explorer::Impl {
  public:
   explicit Impl(const ExplorerParameters& parameters);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "exploration/frontier_search.h"
-#include "exploration/goal_history.h"
 #include "exploration/goal_score.h"
+#include "exploration/history/goal_history.h"
 #include "exploration/limits/way_inside.h"
 #include "exploration/observed_map.h"
 #include "exploration/travel/travel_field.h"

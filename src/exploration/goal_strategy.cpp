@@ -1,13 +1,11 @@
 #include "exploration/goal_strategy.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 #include <vector>
 
 #include "exploration/goal_score.h"
 #include "exploration/tour/tour_strategy.h"
-#include "exploration/view_gain.h"
 
 namespace frontier_pilot::exploration {
 namespace {
@@ -75,41 +73,6 @@ class NearestStrategy : public CandidateStrategy {
 };
 
 }  // namespace
-
-std::vector<GoalCandidate> FrontierEvaluator::candidates(const Vec2& robot) {
-  std::vector<GoalCandidate> all;
-  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
-    Frontier& f = frontiers_[i];
-    if (!f.selectable()) continue;
-    const double density = f.obstacle_density / std::max(parameters_.max_obstacle_density, 1e-3);
-    all.push_back({i, f.goal, f.distance, (f.goal - robot).norm(), f.info, density, f.visits, 0.0});
-    f.score = all.back().score = goalScore(all.back(), parameters_.score);
-  }
-  return all;
-}
-
-std::optional<GoalCandidate> FrontierEvaluator::candidateAt(const Vec2& goal, const Vec2& robot) {
-  const Cell cell = map_.geometry().cellAt(goal);
-  if (!travel_.reached(cell)) return std::nullopt;
-  const double density = obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells);
-  const double relative = std::min(1.0, density / std::max(parameters_.max_obstacle_density, 1e-3));
-  GoalCandidate candidate{
-      frontiers_.size(), goal, travel_.distance(cell), (goal - robot).norm(), infoAt(goal), relative, 0, 0.0};
-  candidate.score = goalScore(candidate, parameters_.score);
-  return candidate;
-}
-
-std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {
-  if (map_.empty()) return std::nullopt;
-  const Cell here = map_.geometry().cellAt(robot);
-  for (const Cell offset : rings_) {
-    const Cell cell{here.x + offset.x, here.y + offset.y};
-    if (travel_.reached(cell) && travel_.distance(cell) > 1.5 * parameters_.min_distance) {
-      return map_.geometry().centre(cell);
-    }
-  }
-  return std::nullopt;
-}
 
 std::unique_ptr<GoalStrategy> makeStrategy(const ExplorerParameters& parameters) {
   if (parameters.strategy == "greedy") return std::make_unique<GreedyStrategy>(parameters.frontier.score);

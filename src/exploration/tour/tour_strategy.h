@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "exploration/blacklist.h"
 #include "exploration/goal_strategy.h"
+#include "exploration/history/blacklist.h"
 #include "exploration/tour/open_tour.h"
 #include "exploration/tour/viewpoint_distances.h"
 #include "exploration/tour/viewpoints.h"

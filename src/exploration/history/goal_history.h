@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "exploration/blacklist.h"
+#include "exploration/history/blacklist.h"
 #include "exploration/observed_map.h"
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/exploration/frontier.h"

@@ -1,4 +1,4 @@
-#include "exploration/goal_history.h"
+#include "exploration/history/goal_history.h"
 
 #include <algorithm>
 

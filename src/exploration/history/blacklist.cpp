@@ -1,4 +1,4 @@
-#include "exploration/blacklist.h"
+#include "exploration/history/blacklist.h"
 
 #include <algorithm>
 
