@@ -7,6 +7,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,9 @@ std::vector<Vec2> goalsOn(const OccupancyGrid& map, const Vec2& start) {
   sim::Random random(1);
   std::vector<Vec2> goals;
   Vec2 last = start;
-  while (goals.size() < kGoals) {
+  constexpr int kDraws = 1000000;
+  for (int draw = 0; goals.size() < kGoals; ++draw) {
+    if (draw == kDraws) throw std::invalid_argument("the world has no places that are far enough apart");
     const Cell cell{static_cast<int>(random.uniform() * map.width()),
                     static_cast<int>(random.uniform() * map.height())};
     const Vec2 goal = map.geometry().centre(cell);
@@ -51,6 +54,7 @@ std::vector<Vec2> goalsOn(const OccupancyGrid& map, const Vec2& start) {
 
 /// Drives to every goal in turn; to every other one only half of the way, as an explorer does that changes its mind.
 DrivingReport drive(const sim::World& world, int& contacts) {
+  if (!world.start) throw std::invalid_argument("the world has no start");
   const navigation::NavigatorParams params = test::DrivenRobot::fast();
   test::DrivenRobot robot(world.map, *world.start, params);
   DrivingMeter meter(params.robot, robot.simulator().map());
@@ -70,6 +74,7 @@ DrivingReport drive(const sim::World& world, int& contacts) {
 }
 
 int driveAll(const std::vector<std::string>& paths) {
+  if (paths.empty()) throw std::invalid_argument("no world is given");
   DrivingReport all;
   int contacts = 0;
   for (const std::string& path : paths) {

@@ -27,14 +27,15 @@ struct OdometryTrust {
 
 /// How the robot is tracked, see ScanTracker.
 struct ScanTrackerParameters {
-  int min_points = 25;        ///< a scan with fewer points is not matched
-  double min_score = 0.4;     ///< mean likelihood that a match must reach
-  double min_inliers = 0.5;   ///< share of the points that must lie on known surfaces
-  double new_inliers = 0.3;   ///< enough if nearly no beam is inconsistent with the map and 30 points lie on surfaces
-  double max_distance = 1.0;  ///< greatest half width of the search [m]
-  double max_angle = 0.6;     ///< greatest half angle of the search [rad]
-  double max_silence = 5.0;   ///< time without a match after which a scan that fits nowhere means `lost` [s]
-  double sparse_distance = 0.3;  ///< a scan that is farther than this from the last one [m],
+  int min_points = 25;         ///< a scan with fewer points is not matched
+  double min_score = 0.4;      ///< mean likelihood that a match must reach
+  double min_inliers = 0.5;    ///< share of the points that must lie on known surfaces
+  double new_inliers = 0.3;    ///< enough if nearly no beam is inconsistent with the map and 30 points lie on surfaces
+  double max_distance = 1.0;   ///< greatest half width of the search [m]
+  double max_angle = 0.6;      ///< greatest half angle of the search [rad]
+  double max_silence = 5.0;    ///< time without a match after which a scan that fits nowhere means `lost` [s]
+  double sparse_period = 0.4;  ///< a scan that comes later than this after the last one [s],
+  double sparse_distance = 0.3;  ///< and is farther from it than this [m]
   double sparse_angle = 0.25;    ///< or turned farther [rad], may extend the map without a match
   OdometryTrust odometry;
   scan_matching::RefinementParameters refinement;
@@ -42,7 +43,7 @@ struct ScanTrackerParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.fixed({"min_points", "min_score", "min_inliers", "new_inliers", "max_distance", "max_angle", "max_silence",
-             "sparse_distance", "sparse_angle"});
+             "sparse_period", "sparse_distance", "sparse_angle"});
     v.group("odometry", odometry, "the motion model of odometry");
     v.group("refinement", refinement, "the sub-cell refinement of a match");
   }

@@ -17,6 +17,9 @@ constexpr double kMostExcess = 9.0;
 
 Eigen::Vector2d drivenAndTurned(const Pose2& motion) { return {motion.x, motion.yaw}; }
 
+/// What moves a motion sideways: only a turn. A constant turn of odometry moves it too, but that follows from the yaw.
+Eigen::Vector2d turnedOnly(const Pose2& motion) { return {0.0, motion.yaw}; }
+
 double follow(double excess, double squared) {
   return std::clamp(excess * (1.0 + kPace * (std::min(squared, kOutlier) - 1.0)), 1.0, kMostExcess);
 }
@@ -31,10 +34,16 @@ OdometryModel::OdometryModel(const OdometryTrust& trust) : trust_(trust) {
   systematic_[2].covariance = yaw.array().square().matrix().asDiagonal();
 }
 
+Vec2 OdometryModel::bent(const Pose2& motion) const {
+  // The yaw that odometry misses on the way makes it a chord of half that angle.
+  return Rotation2(0.5 * systematic_[2].coefficients(0) * motion.x) * motion.position();
+}
+
 Pose2 OdometryModel::corrected(const Pose2& motion) const {
-  const Eigen::Vector2d of = drivenAndTurned(motion);
-  return {motion.x + systematic_[0].coefficients.dot(of), motion.y + systematic_[1].coefficients.dot(of),
-          normalizeAngle(motion.yaw + systematic_[2].coefficients.dot(of))};
+  const Vec2 position = bent(motion);
+  return {position.x() + systematic_[0].coefficients.dot(drivenAndTurned(motion)),
+          position.y() + systematic_[1].coefficients.dot(turnedOnly(motion)),
+          normalizeAngle(motion.yaw + systematic_[2].coefficients.dot(drivenAndTurned(motion)))};
 }
 
 PoseSigma OdometryModel::sigma(const Pose2& motion) const {
@@ -49,14 +58,15 @@ void OdometryModel::learn(const Pose2& motion, const Pose2& actual) {
   const PoseSigma random = sigma(motion);
   const double position = square(random.position) + square(kMatchPosition);
   const double yaw = square(random.yaw) + square(kMatchYaw);
-  const double along = learn(systematic_[0], motion, actual.x - motion.x, position);
-  const double across = learn(systematic_[1], motion, actual.y - motion.y, position);
+  const Vec2 error = actual.position() - bent(motion);
+  const double along = learn(systematic_[0], drivenAndTurned(motion), error.x(), position);
+  const double across = learn(systematic_[1], turnedOnly(motion), error.y(), position);
+  const double turn = angleDifference(actual.yaw, motion.yaw);
   position_excess_ = follow(position_excess_, 0.5 * (along + across));
-  yaw_excess_ = follow(yaw_excess_, learn(systematic_[2], motion, angleDifference(actual.yaw, motion.yaw), yaw));
+  yaw_excess_ = follow(yaw_excess_, learn(systematic_[2], drivenAndTurned(motion), turn, yaw));
 }
 
-double OdometryModel::learn(Systematic& systematic, const Pose2& motion, double error, double random) {
-  const Eigen::Vector2d of = drivenAndTurned(motion);
+double OdometryModel::learn(Systematic& systematic, const Eigen::Vector2d& of, double error, double random) {
   Eigen::Matrix2d& covariance = systematic.covariance;
   covariance.diagonal().array() += kWalk * of.norm();
   const Eigen::Vector2d spread = covariance * of;

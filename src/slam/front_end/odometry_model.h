@@ -38,9 +38,11 @@ class OdometryModel {
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   };
 
-  /// Learns from the error `error` of one coordinate, whose random variance is `random`. Returns the squared error in
-  /// proportion to what was expected.
-  static double learn(Systematic& systematic, const Pose2& motion, double error, double random);
+  /// The end of a motion that turns constantly as odometry does not see.
+  Vec2 bent(const Pose2& motion) const;
+  /// Learns from the error `error` of one coordinate, due to the distance and angle `of` and to random errors of the
+  /// variance `random`. Returns the squared error in proportion to what was expected.
+  static double learn(Systematic& systematic, const Eigen::Vector2d& of, double error, double random);
 
   OdometryTrust trust_;
   std::array<Systematic, 3> systematic_;  ///< of x, y and yaw

@@ -70,7 +70,8 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose, const PoseSigma& s
 Track ScanPlacement::place(const surfaces::SurfacePoints& points, const MatchTarget& target,
                            const Prediction& prediction) const {
   Track matched = match(points, target, prediction);
-  if (!prediction.sparse || matched.verdict == MatchVerdict::kMatched || points.empty()) return matched;
+  const bool placed = matched.verdict == MatchVerdict::kMatched;
+  if (!prediction.sparse || placed || matched.verdict == MatchVerdict::kTooFew) return matched;
   const Track extension = extend(points, target, prediction);
   return isPreferred(matched, extension, target, prediction) ? matched : extension;
 }

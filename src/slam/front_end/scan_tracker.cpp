@@ -106,7 +106,9 @@ Prediction ScanTracker::Impl::predict(Time stamp, const Pose2& T_odom_base, cons
   const double silence = std::max(0.0, toSeconds(stamp - last->matched));
   const PoseSigma unseen{sigma.position + parameters.odometry.unmeasured_speed * silence,
                          sigma.yaw + parameters.odometry.unmeasured_turn * silence};
-  const bool sparse = isJump(last->fix.T_odom_base, T_odom_base, parameters.sparse_distance, parameters.sparse_angle);
+  const bool late = toSeconds(stamp - last->stamp) > parameters.sparse_period;
+  const bool sparse =
+      late && isJump(last->fix.T_odom_base, T_odom_base, parameters.sparse_distance, parameters.sparse_angle);
   return {T_map_base, sigma, unseen, sparse};
 }
 

@@ -21,7 +21,8 @@ struct Encoders {
   Pose2 measured(const Pose2& actual) {
     const double distance = distance_scale + randomness * noise(random);
     const double turn = turn_scale + randomness * noise(random);
-    return {actual.x * distance, actual.y - shift * actual.yaw, actual.yaw * turn + drift * actual.x};
+    const Vec2 chord = Rotation2(0.5 * drift * actual.x) * actual.position();
+    return {chord.x() * distance, chord.y() - shift * actual.yaw, actual.yaw * turn + drift * actual.x};
   }
 
   std::mt19937 random{1};
@@ -53,6 +54,17 @@ TEST(OdometryModel, MAP_1_RemovesTheErrorsOfScaleAndDriftAndTheShiftOfAScannerTh
     EXPECT_LT((corrected.position() - actual.position()).norm(), 0.01);
     EXPECT_NEAR(corrected.yaw, actual.yaw, 0.01);
   }
+}
+
+TEST(OdometryModel, MAP_1_RemovesADriftFromManyShortMotionsAsFromOneLongMotion) {
+  slam::OdometryModel model;
+  Encoders encoders{1.0, 1.0, 0.06, 0.0, 0.0};
+  drive(model, encoders, 100);
+  Pose2 sum;
+  for (int i = 0; i < 100; ++i) sum = sum * model.corrected(encoders.measured(Pose2(0.01, 0.0, 0.0)));
+  EXPECT_NEAR(sum.y, 0.0, 0.003);
+  EXPECT_NEAR(sum.yaw, 0.0, 0.003);
+  EXPECT_FALSE(isJump(sum, model.corrected(encoders.measured(Pose2(1.0, 0.0, 0.0))), 0.003, 0.003));
 }
 
 TEST(OdometryModel, MAP_1_IsMoreUncertainWithEncodersOf15PercentThanWithThoseOf1Percent) {

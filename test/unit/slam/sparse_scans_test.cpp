@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "support/drives/tracked_drive.h"
@@ -108,6 +109,34 @@ TEST(SparseScans, MAP_1_AreInSubmapsOfSomeMetresRatherThanOfManyScans) {
   ASSERT_FALSE(drive.submaps.empty());
   const double most = slam::LocalSlamParameters().submap_length + 4.0 * kStep;
   for (const auto& submap : drive.submaps) EXPECT_LE(submap->length, most);
+}
+
+TEST(SparseScans, MAP_1_WithHardlyAnyReturnExtendNothing) {
+  test::Scanner scanner = halfView();
+  TrackedDrive drive;
+  drive.rate = 0.5;
+  drive.run({Pose2(1.75, 1.75, 0.0), Pose2(2.75, 1.75, 0.0)}, scanner, [](double now, LaserScan2& scan, test::Wheels&) {
+    if (now > 0.0) std::fill(scan.ranges.begin() + 5, scan.ranges.end(), std::numeric_limits<float>::infinity());
+    return true;
+  });
+  EXPECT_EQ(drive.count(slam::MatchVerdict::kTooFew), 1);
+  EXPECT_EQ(drive.keyframes.size(), 1U);
+}
+
+TEST(SparseScans, MAP_1_AreNotThoseOfAFastTurnBeforeASlowScanner) {
+  // Another place is shown for a second, at 5 Hz and 2.8 rad/s: it must not become part of the map.
+  test::Scanner scanner(test::rooms(), 0.01);
+  test::Scanner elsewhere(niches(), 0.01);
+  TrackedDrive drive;
+  drive.rate = 5.0;
+  std::vector<Pose2> poses;
+  for (int i = 0; i < 30; ++i) poses.emplace_back(2.0, 2.0, normalizeAngle(0.56 * i));
+  drive.run(poses, scanner, [&](double now, LaserScan2& scan, test::Wheels&) {
+    if (now > 2.9 && now < 3.9) scan = elsewhere.scan(Pose2(5.0, 1.5, 0.3 + now), scan.stamp);
+    return true;
+  });
+  EXPECT_EQ(drive.count(slam::MatchVerdict::kExtended), 0);
+  EXPECT_LT(drive.error.position().norm(), 0.05);
 }
 
 TEST(SparseScans, MAP_1_ThatLookLikeThePlaceBeforeDoNotHoldTheRobotThere) {
