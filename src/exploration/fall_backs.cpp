@@ -46,18 +46,6 @@ bool Explorer::Impl::goOnToCoverage(Time now) {
   return true;
 }
 
-std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {
-  if (map_.empty()) return std::nullopt;
-  const Cell here = map_.geometry().cellAt(robot);
-  for (const Cell offset : rings_) {
-    const Cell cell{here.x + offset.x, here.y + offset.y};
-    if (travel_.reached(cell) && travel_.distance(cell) > 1.5 * parameters_.min_distance) {
-      return map_.geometry().centre(cell);
-    }
-  }
-  return std::nullopt;
-}
-
 /// Drives a short distance away, so that frontiers that are too near become far enough to be goals.
 bool Explorer::Impl::stepBack(Time now) {
   constexpr int kMaxStepBacks = 3;  // in a row; frontiers that are then still too near are given up

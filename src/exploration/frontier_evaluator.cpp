@@ -276,4 +276,16 @@ void FrontierEvaluator::listCells() {
   }
 }
 
+std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {
+  if (map_.empty()) return std::nullopt;
+  const Cell here = map_.geometry().cellAt(robot);
+  for (const Cell offset : rings_) {
+    const Cell cell{here.x + offset.x, here.y + offset.y};
+    if (travel_.reached(cell) && travel_.distance(cell) > 1.5 * parameters_.min_distance) {
+      return map_.geometry().centre(cell);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace frontier_pilot::exploration

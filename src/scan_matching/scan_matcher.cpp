@@ -59,10 +59,6 @@ class Linearization {
   const RefinementParameters& parameters_;
 };
 
-Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
-  return {a.x - b.x, a.y - b.y, angleDifference(a.yaw, b.yaw)};
-}
-
 /// The Gauss-Newton step (x, y, yaw); nearly zero in directions that nothing determines.
 Eigen::Vector3d stepOf(const Linearization& equations, const Pose2& pose, const Pose2& start,
                        const std::optional<PoseWithCovariance>& prior) {
@@ -87,6 +83,10 @@ bool contradicts(const Grid<std::uint8_t>& field, const Vec2& origin, const Vec2
 }
 
 }  // namespace
+
+Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
+  return {a.x - b.x, a.y - b.y, angleDifference(a.yaw, b.yaw)};
+}
 
 Refinement refine(const SurfaceMap& map, const surfaces::SurfacePoints& points, const Pose2& start,
                   const std::optional<PoseWithCovariance>& prior, const RefinementParameters& parameters) {

@@ -16,6 +16,9 @@ struct PoseWithCovariance {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2, m rad, rad^2]
 };
 
+/// The errors (x, y, yaw) of `a` if `b` is the truth, as a PoseWithCovariance counts them.
+Eigen::Vector3d difference(const Pose2& a, const Pose2& b);
+
 struct Refinement {
   Pose2 pose;
   Eigen::Matrix3d information =

@@ -79,8 +79,7 @@ bool LoopSearch::isAmbiguous(const scan_matching::MaxPyramid& pyramid, const sur
   if (!rival) return false;
   // Poses along a bare corridor are no rivals: by its information the scan cannot tell them apart.
   constexpr double kSameRidge = 25.0;
-  const Eigen::Vector3d apart(rival->pose.x - best.pose.x, rival->pose.y - best.pose.y,
-                              angleDifference(rival->pose.yaw, best.pose.yaw));
+  const Eigen::Vector3d apart = scan_matching::difference(rival->pose, best.pose);
   return apart.dot(information * apart) > kSameRidge;
 }
 

@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 
 #include "frontier_pilot/core/motion.h"
 
@@ -25,21 +24,23 @@ constexpr double kRivalDistance = 4;         ///< poses nearer than this to a pe
 constexpr double kRivalAngle = 0.1;          ///< [rad]
 constexpr double kSlide = 0.01;              ///< greatest ratio of the information along a corridor to that across it
 
-Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
-  return {a.x - b.x, a.y - b.y, angleDifference(a.yaw, b.yaw)};
-}
-
 /// Whether two estimates contradict each other.
 bool contradict(const scan_matching::PoseWithCovariance& a, const scan_matching::PoseWithCovariance& b) {
-  const Eigen::Vector3d apart = difference(a.pose, b.pose);
+  const Eigen::Vector3d apart = scan_matching::difference(a.pose, b.pose);
   return apart.dot((a.covariance + b.covariance).ldlt().solve(apart)) > kContradiction;
+}
+
+/// The covariance of an estimate by the points and `prior` together.
+Eigen::Matrix3d posterior(const scan_matching::Refinement& refined, const scan_matching::PoseWithCovariance& prior) {
+  return (refined.information + prior.covariance.inverse()).inverse();
 }
 
 /// The estimate by the points and odometry together.
 scan_matching::PoseWithCovariance fused(const scan_matching::Refinement& refined,
                                         const scan_matching::PoseWithCovariance& odometry) {
-  const Eigen::Matrix3d covariance = (refined.information + odometry.covariance.inverse()).inverse();
-  const Eigen::Vector3d shift = covariance * refined.information * difference(refined.pose, odometry.pose);
+  const Eigen::Matrix3d covariance = posterior(refined, odometry);
+  const Eigen::Vector3d shift =
+      covariance * refined.information * scan_matching::difference(refined.pose, odometry.pose);
   const Pose2& pose = odometry.pose;
   return {Pose2(pose.x + shift.x(), pose.y + shift.y(), normalizeAngle(pose.yaw + shift.z())), covariance};
 }
@@ -93,8 +94,7 @@ Track ScanPlacement::match(const surfaces::SurfacePoints& points, const MatchTar
   track.inliers = refined.inliers;
   track.slides = slidesAlong(refined.information);
   if (!fits(refined, points, target.map)) return track;
-  const scan_matching::PoseWithCovariance seen{refined.pose,
-                                               (refined.information + loose.covariance.inverse()).inverse()};
+  const scan_matching::PoseWithCovariance seen{refined.pose, posterior(refined, loose)};
   const scan_matching::PoseWithCovariance odometry = beliefOf(prediction.T_map_base, prediction.odometry);
   if (!contradict(seen, odometry)) {
     track.verdict = MatchVerdict::kMatched;
@@ -120,8 +120,7 @@ Track ScanPlacement::extend(const surfaces::SurfacePoints& points, const MatchTa
   const scan_matching::Refinement refined =
       scan_matching::refine(target.map, points, start, odometry, parameters_.refinement);
   track.inliers = refined.inliers;
-  const Eigen::Matrix3d covariance = (refined.information + odometry.covariance.inverse()).inverse();
-  track.T_local_base = moved(target.T_local_map, {refined.pose, covariance});
+  track.T_local_base = moved(target.T_local_map, {refined.pose, posterior(refined, odometry)});
   return track;
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/scan_matching/scan_matcher.h"
 #include "frontier_pilot/slam/parameters.h"

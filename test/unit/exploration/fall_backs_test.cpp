@@ -29,6 +29,15 @@ class FallBacks : public test::ExplorerTest {
     ????.......................#...................#
     ????############################################
   )";
+  /// The robot begins at the start of `kCutOff`, is paused, and goes on in the closed room.
+  exploration::ExplorerOutput goOnBehindTheWall() {
+    tick();
+    inputs.enabled = false;
+    tick();
+    inputs.enabled = true;
+    pose = Pose2(1.85, pose.y, 0.0);
+    return tick();
+  }
   /// Where in the history the first transition with this reason is; its end if there is none.
   std::ptrdiff_t firstWith(Reason reason) const {
     return std::find_if(history.begin(), history.end(),
@@ -56,12 +65,7 @@ TEST_F(FallBacks, AnOrdinaryGoalNeedsNone) {
 
 TEST_F(FallBacks, ARobotThatIsCutOffIsSentToWhatItsStartCanReach) {
   show(kCutOff);
-  tick();  // it has begun at its start
-  inputs.enabled = false;
-  tick();
-  inputs.enabled = true;
-  pose = Pose2(1.85, pose.y, 0.0);
-  const exploration::ExplorerOutput output = tick();
+  const exploration::ExplorerOutput output = goOnBehindTheWall();
   ASSERT_EQ(output.status.state, State::kNavigating);
   EXPECT_LT(sent.goal.x, 1.3);
   EXPECT_TRUE(ends(output.status.reason_text, ", by ways from the start")) << output.status.reason_text;
@@ -73,12 +77,7 @@ TEST_F(FallBacks, ARobotThatWallsCutOffIsSentThereAlsoIfThereAreBoundsElsewhere_
   exploration::ExplorationBounds bounds;
   bounds.keep_out = {{{2.1, 0.3}, {2.3, 0.3}, {2.3, 0.4}, {2.1, 0.4}}};
   explorer.setBounds(bounds, world.map);
-  tick();
-  inputs.enabled = false;
-  tick();
-  inputs.enabled = true;
-  pose = Pose2(1.85, pose.y, 0.0);
-  const exploration::ExplorerOutput output = tick();
+  const exploration::ExplorerOutput output = goOnBehindTheWall();
   ASSERT_EQ(output.status.state, State::kNavigating);
   EXPECT_TRUE(ends(output.status.reason_text, ", by ways from the start")) << output.status.reason_text;
 }

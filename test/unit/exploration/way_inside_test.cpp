@@ -204,20 +204,28 @@ TEST_F(SeparatedByBounds, TheWaysFromTheStartAreNotTriedAcross_EXP_10) {
   EXPECT_EQ(history.back().goals_sent, before);
 }
 
+/// A floor that is bounded, and the ways over it from where the robot stands.
+struct BoundedFloor {
+  BoundedFloor(const OccupancyGrid& floor, const exploration::ExplorationBounds& bounds, const Vec2& robot) {
+    map.setBounds(bounds);
+    map.update(floor, floor.geometry().rect());
+    exploration::TraversableSpace space(0.134);
+    space.update(map.grid(), map.geometry().rect());
+    travel.compute(space, map.grid(), map.geometry().cellAt(robot), 0.6);
+  }
+
+  exploration::ObservedMap map;
+  exploration::TravelField travel;
+};
+
 // [EXP-10]
 TEST_F(WayInside, ALaneBesideTheBoundsLeavesTheRobotItsMargin_EXP_10) {
   const test::AsciiWorld room = test::drawWorld(hall());
-  exploration::ObservedMap map;
   exploration::ExplorationBounds bounds;
   bounds.keep_out = {{{2.0, 1.62}, {3.0, 1.62}, {3.0, 2.8}, {2.0, 2.8}}};  // less than 0.134 m beside the line
-  map.setBounds(bounds);
-  map.update(room.map, room.map.geometry().rect());
-  exploration::TraversableSpace space(0.134);
-  space.update(map.grid(), map.geometry().rect());
   const Vec2 robot(1.0, 1.5), goal(4.0, 1.5);
-  exploration::TravelField travel;
-  travel.compute(space, map.grid(), map.geometry().cellAt(robot), 0.6);
-  const Vec2 stop = exploration::stopOnTheWay(travel, map, robot, goal, {0.134, 0.089});
+  const BoundedFloor floor(room.map, bounds, robot);
+  const Vec2 stop = exploration::stopOnTheWay(floor.travel, floor.map, robot, goal, {0.134, 0.089});
   EXPECT_NE(stop, goal);
   EXPECT_GT((stop - robot).norm(), 0.5);
 }
@@ -241,18 +249,12 @@ std::string baffles() {
 // [EXP-10]
 TEST(StopOnTheWay, LeavesTheNavigationNoShorterWayThroughWhatIsOutOfBounds_EXP_10) {
   const test::AsciiWorld world = test::drawWorld(baffles());
-  exploration::ObservedMap map;
   exploration::ExplorationBounds bounds;
   bounds.keep_out = {{{1.5, 1.65}, {2.5, 1.65}, {2.5, 2.5}, {1.5, 2.5}}};  // in the passage
-  map.setBounds(bounds);
-  map.update(world.map, world.map.geometry().rect());
-  exploration::TraversableSpace space(0.134);
-  space.update(map.grid(), map.geometry().rect());
   const Vec2 robot(0.5, 0.6), goal(3.5, 0.6);
-  exploration::TravelField travel;
-  travel.compute(space, map.grid(), map.geometry().cellAt(robot), 0.6);
-  ASSERT_TRUE(travel.reached(map.geometry().cellAt(goal)));
-  const Vec2 stop = exploration::stopOnTheWay(travel, map, robot, goal, {0.134, 0.089});
+  const BoundedFloor floor(world.map, bounds, robot);
+  ASSERT_TRUE(floor.travel.reached(floor.map.geometry().cellAt(goal)));
+  const Vec2 stop = exploration::stopOnTheWay(floor.travel, floor.map, robot, goal, {0.134, 0.089});
   EXPECT_NE(stop, goal) << "the passage is shorter than the way between the baffles";
 }
 
