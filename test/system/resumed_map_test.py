@@ -37,15 +37,18 @@ class ResumedMap(unittest.TestCase):
         self.frontiers = []
         self.known_at_start = None
         rospy.Subscriber('frontier_explorer/goal', PoseStamped, self.on_goal)
+        rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self.on_status)
         rospy.Subscriber('frontier_explorer/frontiers', MarkerArray, self.on_frontiers)
         self.tf = tf2_ros.Buffer()
         self.listener = tf2_ros.TransformListener(self.tf)
         self.initial_pose = rospy.Publisher('initialpose', PoseWithCovarianceStamped, queue_size=1)
 
     def on_goal(self, msg):
-        if not self.goals:
-            self.known_at_start = self.watch.status.explored_area
         self.goals.append((msg.pose.position.x, msg.pose.position.y))
+
+    def on_status(self, msg):
+        if self.known_at_start is None and msg.state == ExplorerStatus.NAVIGATING:
+            self.known_at_start = msg.explored_area
 
     def on_frontiers(self, msg):
         found = [(m.pose.position.x, m.pose.position.y) for m in msg.markers if m.ns == 'centroids']

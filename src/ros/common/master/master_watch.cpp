@@ -13,6 +13,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kRemembered = std::chrono::seconds(10);  // how long a repaired registration stays in the diagnostics
+constexpr Duration kSecondLook = std::chrono::milliseconds(400);  // whether what is missing is still missing
 constexpr std::size_t kOften =
     5;  // looks within kRemembered in which a service is missing; a restart of the master causes two or three
 
@@ -88,7 +89,8 @@ void MasterWatch::run() {
     lock.unlock();
     guard_.run("the watch on the master", [this] { look(); });
     lock.lock();
-    wake_.wait_for(lock, period_, [this] { return ending_; });
+    const Duration pause = missing_.empty() ? period_ : std::min(period_, kSecondLook);
+    wake_.wait_for(lock, pause, [this] { return ending_; });
   }
 }
 
@@ -99,8 +101,8 @@ void MasterWatch::look() {
   MasterReport report;
   missing_before_ = std::exchange(missing_, {});
   report.rivals = findRivals(*state);
+  lookAtServices(*state, report.rivals);  // before the topics: a stop is a service, and each registration takes time
   lookAtTopics(*state);
-  lookAtServices(*state, report.rivals);
   lookAtAnAddress(*state);
   findTakers(report.rivals);
   sayWhatWasRenewed();

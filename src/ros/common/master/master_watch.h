@@ -35,7 +35,8 @@ struct MasterReport {
 /// for a node that no longer lives is taken back; if that node lives, it is reported as an error. [ARB-12] [FLT-1]
 class MasterWatch {
  public:
-  /// `period` is the time between two looks. A registration that is missing in two successive looks is made again.
+  /// `period` is the time between two looks; the next one comes sooner when a registration was missing. A registration
+  /// that is missing in two successive looks is made again.
   explicit MasterWatch(Duration period);
   ~MasterWatch();
   MasterWatch(const MasterWatch&) = delete;
