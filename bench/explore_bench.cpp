@@ -41,7 +41,8 @@ struct Options {
   double until = 2.0;
   double limit = 7200.0;
   double latency = 0.0;
-  bool odom_noise = false, curve = false, log = false, twice = false, omniscient = false, driving = false;
+  bool odom_noise = false, curve = false, log = false, twice = false, omniscient = false, driving = false,
+       decisions = false;
   std::string svg;
 };
 
@@ -63,6 +64,7 @@ void takeWord(const std::string& word, tools::Arguments& arguments, Options& o) 
   if (word == "--odom-noise") return void(o.odom_noise = true);
   if (word == "--curve") return void(o.curve = true);
   if (word == "--driving") return void(o.driving = true);
+  if (word == "--decisions") return void(o.decisions = true);
   if (word == "--log") return void(o.log = true);
   if (word == "--twice") return void(o.twice = true);
   if (word == "--omniscient") return void(o.omniscient = true);
@@ -267,6 +269,7 @@ int runAll(const Options& options) {
       report.tour = tour;
       std::printf("%s\n", report.text().c_str());
       if (options.driving) std::printf("%s", run.driving().text().c_str());
+      if (options.decisions) std::printf("    %s\n", report.decisionText().c_str());
       driving.add(run.driving());
       std::fflush(stdout);
       good = good && report.ended_well && report.contacts == 0;

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <random>
 #include <string>
 
@@ -133,10 +134,43 @@ void searchAndWavefront(benchmark::State& state) {
   state.counters["floor_MB"] = static_cast<double>(map.size()) * (1.0 + 1.0 + 1.0 + 4.0) * 1e-6;
 }
 
+/// The map of a robot that has seen almost all of the building: what is unknown is left in every sixteenth block of
+/// 12.5 m only, so that a map of 4000 x 4000 cells has about a thousand frontiers.
+const OccupancyGrid& almostSeen(int size) {
+  static std::map<int, OccupancyGrid> maps;
+  const auto [entry, is_new] = maps.try_emplace(size);
+  if (!is_new) return entry->second;
+  constexpr int kBlock = 250;  // [cells]
+  OccupancyGrid map = seenInPart(size);
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const bool keeps = (x / kBlock) % 4 == 1 && (y / kBlock) % 4 == 1;
+      if (!keeps && isUnknown(map[Cell{x, y}])) map[Cell{x, y}] = isCorridor(x, y) ? kFree : kOccupied;
+    }
+  }
+  return entry->second = std::move(map);
+}
+
+/// What a scan changes: the frontiers in a block as wide as the scanner's range is to both sides.
+void followScan(benchmark::State& state) {
+  OccupancyGrid map = almostSeen(static_cast<int>(state.range(0)));
+  exploration::FrontierSearch frontier;
+  frontier.update(map, map.geometry().rect());
+  constexpr int kRange = 160;  // [cells]: 8 m
+  const CellRect block{map.width() / 2 - kRange, map.height() / 2 - kRange, 2 * kRange, 2 * kRange};
+  std::size_t clusters = 0;
+  for (auto _ : state) {
+    frontier.update(map, block);
+    clusters = frontier.clusters(1, kExtent).clusters.size();
+  }
+  state.counters["clusters"] = static_cast<double>(clusters);
+}
+
 /// A whole decision on the building: frontiers, their judgement, views and tour. The views are kept from the decision
 /// before it, as they are where the map has not changed; `cold_ms` is the first decision, which has none.
 void decide(benchmark::State& state) {
-  const OccupancyGrid& map = mapOf(state);
+  const bool thousand = state.range(1) != 0;
+  const OccupancyGrid& map = thousand ? almostSeen(static_cast<int>(state.range(0))) : mapOf(state);
   exploration::ExplorerParameters parameters;
   parameters.strategy = state.range(2) != 0 ? "tour" : "greedy";
   exploration::TraversableSpace space(2.0 * kClearance, exploration::KeepClearOf::kObstaclesAndUnknown);
@@ -167,12 +201,15 @@ void arguments(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK(search)->Apply(arguments);
 BENCHMARK(searchAndWavefront)->Apply(arguments);
+BENCHMARK(followScan)->ArgNames({"size"})->Arg(4000)->Unit(benchmark::kMillisecond);
 BENCHMARK(decide)
-    ->ArgNames({"size", "noise", "tour"})
+    ->ArgNames({"size", "almost_seen", "tour"})
     ->Args({1000, 0, 0})
     ->Args({1000, 0, 1})
     ->Args({4000, 0, 0})
     ->Args({4000, 0, 1})
+    ->Args({4000, 1, 0})
+    ->Args({4000, 1, 1})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

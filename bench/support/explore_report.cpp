@@ -1,7 +1,9 @@
 #include "support/explore_report.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+#include <vector>
 
 namespace frontier_pilot::bench {
 namespace {
@@ -47,6 +49,17 @@ std::string ExploreReport::text() const {
                 ms * times.navigator, ms * times.explorer, ms * times.arbiter);
   out += format(" %016llx ", static_cast<unsigned long long>(hash));
   return out + (tour ? format("%-27s %7.1f %9.2f", end.c_str(), *tour, distance / *tour) : end);
+}
+
+std::string ExploreReport::decisionText() const {
+  std::vector<double> sorted = times.decisions;
+  if (sorted.empty()) return "no decision";
+  std::sort(sorted.begin(), sorted.end());
+  const auto ms = [&](double share) {
+    return 1e3 * sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  };
+  return format("%zu decisions: median %.2f ms, 99th percentile %.2f ms, longest %.2f ms", sorted.size(), ms(0.5),
+                ms(0.99), ms(1.0));
 }
 
 }  // namespace frontier_pilot::bench

@@ -31,6 +31,8 @@ struct ExploreReport {
   void reach(double share, double t);
   /// A line of the table, and the table's first line.
   std::string text() const;
+  /// How long the explorer's decisions took.
+  std::string decisionText() const;
   static std::string header(bool with_tour);
 
  private:

@@ -17,6 +17,7 @@ constexpr const char* kUsage =
     "  --curve            explored share and the mapper's error every 10 s, and how good its estimates were\n"
     "  --driving          where the time goes that driving at full speed would not take, and the distances to "
     "obstacles\n"
+    "  --decisions        the time that the explorer takes for a decision: median, 99th percentile and longest\n"
     "  --log              every transition of the explorer, end of a goal and contact\n"
     "  --twice            run each seed twice and compare the hashes\n"
     "  --svg DIRECTORY    draw each trajectory over the map it made\n"

@@ -42,6 +42,9 @@ const ExplorationBounds& Explorer::bounds() const { return impl_->evaluator().ma
 void Explorer::setReturnToStart(bool on) { impl_->setReturnToStart(on); }
 bool Explorer::returnsToStart() const { return impl_->returnsToStart(); }
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
+std::string Explorer::inspect(const Pose2& pose) { return impl_->inspect(pose); }
+void Explorer::clearInspections() { impl_->clearInspections(); }
+std::vector<Pose2> Explorer::inspections() const { return impl_->inspections(); }
 ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) { return impl_->update(inputs, now); }
 
 const std::vector<Frontier>& Explorer::frontiers() const { return impl_->evaluator().frontiers(); }
@@ -85,6 +88,7 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
       enter(ExplorerState::kSelectGoal, ExplorerReason::kInputsComplete, "", now);
     }
     for (const GoalEvent& event : inputs.goal_events) handleEvent(event, now);
+    obeyClearedInspections(now);
     if (withinLimits(now)) step(now);
   }
   countFrontiers();
@@ -184,6 +188,9 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
     case GoalEvent::Kind::kReached:
       ++status_.goals_reached;
       arrived_ = goal;
+      if (goal.purpose == Goal::Purpose::kInspection) {
+        return enter(ExplorerState::kEvaluate, ExplorerReason::kInspecting, "", now);
+      }
       history_.reached(goal.position);
       return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalReached, "", now);
     case GoalEvent::Kind::kPreempted:
@@ -200,7 +207,7 @@ void Explorer::Impl::handleEvent(const GoalEvent& event, Time now) {
 void Explorer::Impl::stopReached(const Goal& goal, Time now) {
   constexpr double kLeast = 0.1;  // [m]: what a robot has to move for a stop on the way
   if ((T_map_base_->position() - goal.sent_from).norm() >= kLeast) {
-    if (goal.returning) return returnToStart(now);
+    if (goal.purpose == Goal::Purpose::kReturn) return returnToStart(now);
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kGoalReached, "reached a stop on the way", now);
   }
   const std::string what = "the navigation calls a stop on the way reached without driving there";
@@ -208,16 +215,18 @@ void Explorer::Impl::stopReached(const Goal& goal, Time now) {
   enter(ExplorerState::kEvaluate, ExplorerReason::kGoalFailed, what, now);
 }
 
-/// Goals for stepping back or returning to the start belong to no frontier and are never blacklisted.
+/// Only the goals of frontiers are blacklisted.
 void Explorer::Impl::goalFailed(const Goal& goal, const std::string& what) {
   ++status_.goals_failed;
-  if (goal.returning || goal.stepping_back) return;
+  if (goal.purpose == Goal::Purpose::kInspection) inspectionFailed(goal, what);
+  if (goal.purpose != Goal::Purpose::kFrontier) return;
   if (history_.failed(goal.position, what, evaluator_.map())) note(true, "goal blacklisted: " + what);
 }
 
 void Explorer::Impl::goalTimedOut(const Goal& goal) {
   ++status_.goals_failed;
-  if (goal.returning || goal.stepping_back) return;
+  if (goal.purpose == Goal::Purpose::kInspection) inspectionFailed(goal, "timed out");
+  if (goal.purpose != Goal::Purpose::kFrontier) return;
   history_.timedOut(goal.position, evaluator_.map());
   note(true, "goal blacklisted: timed out");
 }
@@ -240,7 +249,7 @@ void Explorer::Impl::send(Goal goal, double yaw, ExplorerReason reason, const st
   const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
   goal.on_the_way = stop != goal.position;
   if (goal.on_the_way) yaw = bearing(goal.position - stop);
-  if (!goal.returning) done_reason_.reset();
+  if (goal.purpose != Goal::Purpose::kReturn) done_reason_.reset();
   goal_ = goal;
   goal_pose_ = Pose2(stop, yaw);
   out_.command = {GoalCommand::Kind::kSend, goal.id, *goal_pose_};

@@ -45,8 +45,16 @@ std::string Explorer::Impl::explain() const {
   if (!goal_)
     return state + (status_.reason_text.empty() ? toString(status_.reason) : status_.reason_text) + "." + others;
   const std::string to = std::string(toString(status_.reason)) + ". The goal is " + place(goal_->position);
-  if (goal_->returning) return state + to + ", the start." + others;
-  if (goal_->stepping_back) return state + to + ", to get away from a frontier that is too near." + others;
+  switch (goal_->purpose) {
+    case Goal::Purpose::kReturn:
+      return state + to + ", the start." + others;
+    case Goal::Purpose::kStepBack:
+      return state + to + ", to get away from a frontier that is too near." + others;
+    case Goal::Purpose::kInspection:
+      return state + to + ", which somebody wants inspected." + others;
+    case Goal::Purpose::kFrontier:
+      break;
+  }
   return state + to + (chosen_.why.empty() ? "" : ", " + chosen_.why) + "." + listNext(chosen_.tour) + others;
 }
 

@@ -12,6 +12,7 @@
 #include "exploration/frontier_evaluator.h"
 #include "exploration/goal_strategy.h"
 #include "exploration/history/goal_history.h"
+#include "exploration/inspection/inspection_list.h"
 #include "exploration/limits/stopping_rules.h"
 #include "frontier_pilot/exploration/explorer.h"
 
@@ -19,7 +20,8 @@ namespace frontier_pilot::exploration {
 
 /// The explorer's state machine: inputs, events and transitions in explorer.cpp, the actions in each state in
 /// explorer_steps.cpp, the fall-backs for when no frontier can be selected in fall_backs.cpp, what bounds and ends an
-/// exploration in limits/explorer_limits.cpp, and how far it has come in progress/explorer_progress.cpp.
+/// exploration in limits/explorer_limits.cpp, what is inspected meanwhile in inspection/inspections.cpp, and how far it
+/// has come in progress/explorer_progress.cpp.
 class Explorer::Impl {
  public:
   explicit Impl(const ExplorerParameters& parameters);
@@ -28,6 +30,9 @@ class Explorer::Impl {
   void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
   void setReturnToStart(bool on) { parameters_.return_to_start = on; }
   bool returnsToStart() const { return parameters_.return_to_start; }
+  std::string inspect(const Pose2& pose);
+  void clearInspections();
+  std::vector<Pose2> inspections() const;
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
   FrontierEvaluator& evaluator() { return evaluator_; }
@@ -40,14 +45,20 @@ class Explorer::Impl {
  private:
   /// A goal sent to the navigation.
   struct Goal {
+    enum class Purpose {
+      kFrontier,    ///< to see what is unknown
+      kStepBack,    ///< to get away from a frontier that is too near
+      kInspection,  ///< to take a pose that somebody asked for
+      kReturn,      ///< to be back at the start
+    };
     std::uint32_t id = 0;
     Vec2 position = Vec2::Zero();
     double info_area = 0.0;  ///< expected area when it was chosen [m^2]
     Time sent;
     Vec2 sent_from = Vec2::Zero();  ///< where the robot was then [m]
-    bool returning = false;         ///< to the start
-    bool stepping_back = false;     ///< from a frontier that is too near
-    bool on_the_way = false;        ///< sent to a stop on the way, around what is out of bounds
+    Purpose purpose = Purpose::kFrontier;
+    std::uint32_t inspection = 0;  ///< id of the pose to inspect
+    bool on_the_way = false;       ///< sent to a stop on the way, around what is out of bounds
   };
 
   /// An alternative that is tried when the ordinary judgement leaves no selectable frontier.
@@ -105,6 +116,19 @@ class Explorer::Impl {
   void endByRule(Time now);
   bool mayReturn() const;
 
+  struct ReachableInspection {
+    Inspection inspection;
+    Cell cell;              ///< where the robot can stand
+    double distance = 0.0;  ///< travel distance to it [m]
+  };
+  std::vector<ReachableInspection> reachableInspections() const;
+  bool inspectOnTheWay(const ChosenGoal& next, Time now);
+  bool inspectWhatIsLeft(Time now);
+  void sendToInspection(const ReachableInspection& place, Time now);
+  bool hasInspected(Time now);
+  void inspectionFailed(const Goal& goal, const std::string& what);
+  void obeyClearedInspections(Time now);
+
   void finish(Time now);
   ExplorerReason whyNothingIsLeft() const;
   void returnToStart(Time now);
@@ -122,6 +146,9 @@ class Explorer::Impl {
   GoalHistory history_;
   std::unique_ptr<GoalStrategy> strategy_;
   StoppingRules rules_;
+  InspectionList inspections_;
+  bool inspections_cleared_ = false;  ///< since the last tick
+  TravelField onwards_;               ///< from a pose to inspect to the goal behind it
 
   ExplorerOutput out_;
   ExplorerProgress status_;

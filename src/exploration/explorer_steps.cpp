@@ -66,6 +66,7 @@ void Explorer::Impl::selectGoal(Time now) {
 
 void Explorer::Impl::finish(Time now) {
   nothing_left_since_.reset();
+  if (inspectWhatIsLeft(now)) return;
   done_reason_ = whyNothingIsLeft();
   setWholeExplored();
   if (done_reason_ == ExplorerReason::kTooManyFrontiers) note(true, toString(*done_reason_));
@@ -83,7 +84,7 @@ void Explorer::Impl::returnToStart(Time now) {
   if (!evaluator_.map().bounds().empty()) evaluator_.findWays(T_map_base_->position(), start_->position());
   Goal goal;
   goal.position = start_->position();
-  goal.returning = true;
+  goal.purpose = Goal::Purpose::kReturn;
   send(goal, start_->yaw, ExplorerReason::kReturningToStart, "", now);
 }
 
@@ -95,7 +96,7 @@ void Explorer::Impl::navigate(Time now) {
     goalTimedOut(goal);
     return enter(ExplorerState::kEvaluate, ExplorerReason::kGoalTimedOut, "", now);
   }
-  if (goal_->returning || goal_->stepping_back || !passed(last_check_, parameters_.check_period, now)) return;
+  if (goal_->purpose != Goal::Purpose::kFrontier || !passed(last_check_, parameters_.check_period, now)) return;
   last_check_ = now;
   if (informationGone()) {
     // If the best choice is still this goal, for the little that is left, it has not been given up.
@@ -126,7 +127,8 @@ void Explorer::Impl::evaluateArrival(Time now) {
     return;
   }
   if (status_.reason == ExplorerReason::kGoalPreempted && !passed(state_since_, parameters_.yield_time, now)) return;
-  if (arrived_ && !arrived_->stepping_back) {
+  if (arrived_ && arrived_->purpose == Goal::Purpose::kInspection && !hasInspected(now)) return;
+  if (arrived_ && arrived_->purpose == Goal::Purpose::kFrontier) {
     const double left = evaluator_.infoAt(arrived_->position).area;
     const bool promising = left >= evaluator_.leastInfo() && left > arrived_->info_area / 2;
     if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
@@ -141,6 +143,7 @@ void Explorer::Impl::evaluateArrival(Time now) {
 }
 
 void Explorer::Impl::stayDone(Time now) {
+  if (!inspections_.waiting().empty()) return enter(ExplorerState::kSelectGoal, ExplorerReason::kInspecting, "", now);
   if (judged_changes_ == evaluator_.map().changes() || !passed(last_decision_, parameters_.decision_period, now))
     return;
   if (!judgeAndChoose(false, now)) return;
@@ -156,6 +159,7 @@ bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
   const std::optional<ChosenGoal> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
   if (!chosen) return false;
+  if (inspectOnTheWay(*chosen, now)) return true;
   if (goal_ && (goal_->position - chosen->position).norm() < kSameGoal) return true;
   step_backs_ = 0;
   Goal goal;

@@ -44,8 +44,10 @@ constexpr std::array kReasonTexts = {
     "started again",
     "the share asked for is explored",
     "the battery is down to the limit",
+    "inspecting a pose that was asked for",
+    "nothing is to be inspected any more",
 };
-static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kUntilBattery) + 1);
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kInspectionsCleared) + 1);
 
 }  // namespace
 

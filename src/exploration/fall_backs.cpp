@@ -55,7 +55,7 @@ bool Explorer::Impl::stepBack(Time now) {
   ++step_backs_;
   Goal goal;
   goal.position = *place;
-  goal.stepping_back = true;
+  goal.purpose = Goal::Purpose::kStepBack;
   send(goal, T_map_base_->yaw, ExplorerReason::kGoalSent, "stepping back from a frontier that is too near", now);
   return true;
 }

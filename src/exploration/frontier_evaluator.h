@@ -93,8 +93,11 @@ class FrontierEvaluator {
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
   /// Whether a goal at `cell` can be reached and passes every filter. [EXP-3] [EXP-5]
   bool allowsGoal(Cell cell) const;
-  /// Sets Frontier::place.
-  void setPlace(std::size_t frontier, int place) { frontiers_[frontier].place = place; }
+  /// Sets Frontier::place and Frontier::cost.
+  void setPlace(std::size_t frontier, int place, double cost) {
+    frontiers_[frontier].place = place;
+    frontiers_[frontier].cost = cost;
+  }
   /// Rejects every frontier that could be selected.
   void rejectAll(Rejection reason) {
     for (Frontier& frontier : frontiers_) {

@@ -113,6 +113,7 @@ void PilotWidget::connectCards() {
   connect(explorer_card_, &ExplorerCard::runAsked, this, [ask](bool on) { ask(Kind::kExplore, on); });
   connect(explorer_card_, &ExplorerCard::resetAsked, this, [ask] { ask(Kind::kResetExplorer); });
   connect(explorer_card_, &ExplorerCard::clearBoundsAsked, this, [ask] { ask(Kind::kClearBounds); });
+  connect(explorer_card_, &ExplorerCard::clearInspectionsAsked, this, [ask] { ask(Kind::kClearInspections); });
   connect(explorer_card_, &ExplorerCard::returnAsked, this, [ask](bool on) { ask(Kind::kReturnToStart, on); });
 }
 

@@ -120,7 +120,13 @@ void ClosedLoop::explore() {
   inputs.T_map_base = lastPose();
   inputs.odometry_stamp = sensed_.odometry.stamp;
   inputs.goal_events.swap(goal_events_);
-  exploration::ExplorerOutput output = explorer_.update(inputs, now());
+  exploration::ExplorerOutput output;
+  double took = 0.0;
+  {
+    const Stopwatch update(wall_clock_, took);
+    output = explorer_.update(inputs, now());
+  }
+  if (output.frontiers_judged) times_.decisions.push_back(took);
   if (output.command.kind != exploration::GoalCommand::Kind::kNone) pending_ = output.command;
   status_ = output.status;
   for (const exploration::ExplorerProgress& transition : output.transitions) {

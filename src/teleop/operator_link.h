@@ -18,6 +18,7 @@ struct OperatorRequest {
     kExplore,        ///< `on`: explore, or pause
     kResetExplorer,
     kClearBounds,
+    kClearInspections,
     kReturnToStart,  ///< `on`
     kPatrol,         ///< `shape`, `side` [m], `laps`
     kStopPatrol,

@@ -71,7 +71,8 @@ struct ExplorerView {
   double distance_travelled = 0.0;  ///< [m]
   bool bounded = false;             ///< bounds are in force, or are being drawn
   bool return_to_start = false;     ///< it drives back at the end
-  std::string bounds_text, end_text, map_text;
+  bool inspections_wait = false;    ///< poses wait to be inspected on the way
+  std::string bounds_text, inspect_text, end_text, map_text;
 };
 
 /// A patrol or a spin.
@@ -97,7 +98,7 @@ struct OperatorState {
   std::optional<AvoiderView> avoider;
   AvoiderSectors sectors;
   bool explorer_service_up = false, explorer_reset_up = false;
-  bool explorer_bounds_up = false, explorer_return_up = false;
+  bool explorer_bounds_up = false, explorer_inspections_up = false, explorer_return_up = false;
   std::optional<ExplorerView> explorer;
   ActionView patrol, spin;
   std::optional<ScanView> scan;

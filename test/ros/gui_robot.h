@@ -79,7 +79,9 @@ class BoundedExplorer {
       corner.y = y;
     }
     status_.until = "9 m2 are known";
+    status_.to_inspect.resize(2);
     clear_ = node_.advertiseService(names::kClearExplorationBounds, &BoundedExplorer::clear, this);
+    inspections_ = node_.advertiseService(names::kClearInspections, &BoundedExplorer::clearInspections, this);
     return_ = node_.advertiseService(names::kSetReturnToStart, &BoundedExplorer::setReturn, this);
   }
   bool speaks() {
@@ -95,6 +97,12 @@ class BoundedExplorer {
     response.success = 1;
     return true;
   }
+  bool clearInspections(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status_.to_inspect.clear();
+    response.success = 1;
+    return true;
+  }
   bool setReturn(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
     const std::lock_guard<std::mutex> lock(mutex_);
     status_.return_to_start = request.data;
@@ -106,7 +114,7 @@ class BoundedExplorer {
   ExplorerStatus status_;
   ros::NodeHandle node_;
   ros::Publisher publisher_;
-  ros::ServiceServer clear_, return_;
+  ros::ServiceServer clear_, inspections_, return_;
 };
 
 class GuiOnTheWire : public ::testing::Test {

@@ -141,18 +141,22 @@ TEST_F(GuiOnTheWire, ServicesThatComeAndGoAreShown) {
 }
 
 // [GUI-2] [EXP-10]
-TEST_F(GuiOnTheWire, BoundsAndTheReturnToTheStartAreShownAndChanged) {
+TEST_F(GuiOnTheWire, BoundsPosesToInspectAndTheReturnToTheStartAreShownAndChanged) {
   Window window;
   ASSERT_TRUE(ready(window));
   test::BoundedExplorer explorer;
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "within 6.0 m²"; }));
   EXPECT_TRUE(window.text("explorer_end").startsWith("when 9 m2"));
-  ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find("return_to_start")->isEnabled(); }));
-  ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find("clear_bounds")->isEnabled(); }));
+  EXPECT_EQ(window.text("explorer_inspect"), "2 to go, 0 done");
+  for (const char* control : {"return_to_start", "clear_bounds", "clear_inspections"}) {
+    ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find(control)->isEnabled(); })) << control;
+  }
   window.click("return_to_start");
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.checked("return_to_start"); }));
   window.click("clear_bounds");
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "none"; }));
+  window.click("clear_inspections");
+  EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_inspect") == "nothing"; }));
 }
 
 // [FLT-1]

@@ -15,7 +15,8 @@ import yaml
 
 CONFIG = {
     'Panels': [{'Class': 'frontier_pilot/PilotPanel', 'Name': 'Pilot'}],
-    'Visualization Manager': {'Class': '', 'Displays': [], 'Global Options': {'Fixed Frame': 'map'}, 'Name': 'root'},
+    'Visualization Manager': {'Class': '', 'Displays': [], 'Tools': [{'Class': 'frontier_pilot/Inspect'}],
+                              'Global Options': {'Fixed Frame': 'map'}, 'Name': 'root'},
     'Window Geometry': {'Width': 1000, 'Height': 700, 'X': 0, 'Y': 0},
 }
 NODE = '/rviz_with_panel'

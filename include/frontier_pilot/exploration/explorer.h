@@ -38,6 +38,14 @@ class Explorer {
   /// is unreachable.
   void setPlan(PlanFn plan);
 
+  /// Asks for a pose, in the map's frame, to be taken when the detour on the way to a frontier is small, or else when
+  /// nothing is left to explore. Returns why not, empty if it will be. [EXP-10]
+  std::string inspect(const Pose2& pose);
+  /// Takes all of that back.
+  void clearInspections();
+  /// The poses that wait to be inspected.
+  std::vector<Pose2> inspections() const;
+
   ExplorerOutput update(const ExplorerInputs& inputs, Time now);
 
   /// The frontiers as judged at the last decision.

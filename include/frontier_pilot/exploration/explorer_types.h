@@ -52,6 +52,8 @@ enum class ExplorerReason : std::uint8_t {
   kStartedAgain,
   kUntilShare,
   kUntilBattery,
+  kInspecting,
+  kInspectionsCleared,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -118,12 +120,14 @@ struct ExplorerProgress {
   std::uint32_t goals_sent = 0;
   std::uint32_t goals_reached = 0;
   std::uint32_t goals_failed = 0;
-  double explored_area = 0.0;          ///< known free cells of the map within the bounds [m^2]
-  double explored_before = 0.0;        ///< of that, what until/area does not count since it was started again [m^2]
-  double distance_travelled = 0.0;     ///< [m]
-  double exploring_time = 0.0;         ///< what until/time limits: without pauses and waiting [s]
-  double exploring_distance = 0.0;     ///< what until/distance limits: driven in that time [m]
-  std::optional<WholeEstimate> whole;  ///< as of the last decision for a goal; nothing until it can be told
+  std::uint32_t inspected = 0;           ///< poses that were to be inspected and have been
+  std::uint32_t inspections_failed = 0;  ///< those that were given up
+  double explored_area = 0.0;            ///< known free cells of the map within the bounds [m^2]
+  double explored_before = 0.0;          ///< of that, what until/area does not count since it was started again [m^2]
+  double distance_travelled = 0.0;       ///< [m]
+  double exploring_time = 0.0;           ///< what until/time limits: without pauses and waiting [s]
+  double exploring_distance = 0.0;       ///< what until/distance limits: driven in that time [m]
+  std::optional<WholeEstimate> whole;    ///< as of the last decision for a goal; nothing until it can be told
 
   /// The share of the estimated whole that was explored when the estimate was made, 0 to 1; nothing until it can be
   /// told.

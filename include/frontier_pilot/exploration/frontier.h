@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
@@ -29,6 +30,8 @@ struct ViewGain {
 
 /// One cluster of frontier cells as the explorer judges it.
 struct Frontier {
+  static constexpr double kNotOnTour = std::numeric_limits<double>::quiet_NaN();
+
   std::vector<Cell> cells;  ///< filled on request only
   int cell_count = 0;
   Vec2 centroid = Vec2::Zero();  ///< [m]; may lie in a wall
@@ -42,6 +45,7 @@ struct Frontier {
   int visits = 0;                 ///< goals reached earlier within visit_radius
   double score = 0.0;             ///< set if selectable
   int place = 0;                  ///< in the tour over the selectable frontiers, from 1; 0 if it is not on it
+  double cost = kNotOnTour;       ///< time that the tour takes until it is seen [s]
 
   bool selectable() const { return rejection == Rejection::kNone; }
 };

@@ -177,6 +177,19 @@ struct UntilParameters {
   }
 };
 
+/// Poses that somebody wants the robot to take during the exploration. [EXP-10]
+struct InspectParameters {
+  double detour = 4.0;
+  double stay = 3.0;
+
+  template <class V>
+  void describe(V& v) {
+    v.field("detour", detour, "m",
+            "a pose is inspected as soon as the way over it to the next goal is at most this longer", atLeast(0.0));
+    v.field("stay", stay, "s", "how long the robot stands at a pose that it inspects", timeSpanOrNone());
+  }
+};
+
 /// Parameters of the explorer.
 struct ExplorerParameters {
   RobotModel robot;
@@ -198,6 +211,7 @@ struct ExplorerParameters {
   TourParameters tour;
   BoundsParameters bounds;
   UntilParameters until;
+  InspectParameters inspect;
 
   template <class V>
   void describe(V& v) {
@@ -230,6 +244,7 @@ struct ExplorerParameters {
     v.group("blacklist", blacklist, "places that are not to be tried");
     v.group("bounds", bounds, "where to explore");
     v.group("until", until, "when to end");
+    v.group("inspect", inspect, "poses to take on the way");
   }
   void check(Problems& problems) const {
     if (strategy == "tour" || strategy == "greedy" || strategy == "nearest") return;

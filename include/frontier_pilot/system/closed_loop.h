@@ -44,6 +44,7 @@ struct ModuleTimes {
   double navigator = 0.0;
   double explorer = 0.0;
   double arbiter = 0.0;
+  std::vector<double> decisions;  ///< of each tick that judged the frontiers, which `explorer` includes too
 
   double sum() const { return simulator + mapper + navigator + explorer + arbiter; }
 };

@@ -57,7 +57,8 @@ bool Explorer::Impl::withinLimits(Time now) {
     enter(ExplorerState::kSelectGoal, ExplorerReason::kBoundsChanged, "", now);
   }
   if (status_.state == ExplorerState::kDone) return !ended_by_;
-  const bool returning = (goal_ && goal_->returning) || (status_.state == ExplorerState::kEvaluate && done_reason_);
+  const bool returning = (goal_ && goal_->purpose == Goal::Purpose::kReturn) ||
+                         (status_.state == ExplorerState::kEvaluate && done_reason_);
   if (!ended_by_ && !done_reason_) ended_by_ = rules_.met(rulesState());
   if (ended_by_ && !returning) endByRule(now);
   return status_.state != ExplorerState::kDone && keepWithinBounds(now);

@@ -10,6 +10,8 @@ void Explorer::Impl::countFrontiers() {
   status_.frontiers_selectable = static_cast<std::uint32_t>(countRejected(Rejection::kNone));
   status_.frontiers_blacklisted = static_cast<std::uint32_t>(countRejected(Rejection::kBlacklisted));
   status_.explored_area = evaluator_.map().freeArea();
+  status_.inspected = inspections_.doneCount();
+  status_.inspections_failed = inspections_.givenUpCount();
   status_.explored_before = rules_.areaBefore();
   status_.exploring_time = rules_.time();
   status_.exploring_distance = rules_.distance();

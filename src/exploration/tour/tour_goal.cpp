@@ -27,7 +27,7 @@ ChosenGoal TourStrategy::goalOf(const Plan& plan, const Situation& situation) {
   for (std::size_t place = 0; place < plan.stops.size(); ++place) {
     goal.tour.push_back(geometry.centre(viewpoints_[plan.stops[place].viewpoint].cell));
     for (const std::size_t frontier : plan.stops[place].frontiers) {
-      evaluator_->setPlace(frontier, static_cast<int>(place) + 1);
+      evaluator_->setPlace(frontier, static_cast<int>(place) + 1, plan.stops[place].arrival);
     }
     frontiers += plan.stops[place].frontiers.size();
   }

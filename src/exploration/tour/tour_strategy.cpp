@@ -148,7 +148,12 @@ TourStrategy::Plan TourStrategy::plan(std::optional<std::size_t> first) {
   const Tour tour = first ? solveOpenTour(costs, 0) : solveOpenTour(costs);
   Plan plan;
   plan.cost = costOf(tour, costs);
-  for (const std::size_t stop : tour) plan.stops.push_back(stops[stop]);
+  double arrival = 0.0;
+  for (std::size_t i = 0; i < tour.size(); ++i) {
+    arrival += i == 0 ? costs.first[tour[0]] : costs.leg(tour[i - 1], tour[i]);
+    plan.stops.push_back(stops[tour[i]]);
+    plan.stops.back().arrival = arrival;
+  }
   if (first) return plan;
   shorten(plan);
   takeNearSliver(plan);
@@ -277,7 +282,9 @@ void TourStrategy::takeNearSliver(Plan& plan) {
   }
   if (!best) return;
   plan.cost += least;
+  for (Stop& stop : plan.stops) stop.arrival += least;
   plan.stops.insert(plan.stops.begin(), stopAt(*best, shown));
+  plan.stops.front().arrival = secondsFor(wayTo(*best));
 }
 
 }  // namespace frontier_pilot::exploration

@@ -36,6 +36,7 @@ class TourStrategy : public GoalStrategy {
     std::size_t viewpoint = 0;
     std::vector<std::size_t> frontiers;
     double area = 0.0;       ///< that it shows of these [m^2]
+    double arrival = 0.0;    ///< from now, by the costs of the plan [s]
     double open_area = 0.0;  ///< greatest unknown area around one of these [m^2]
   };
   /// Stops in the order of their visits, and how long that takes [s].

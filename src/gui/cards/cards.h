@@ -135,6 +135,7 @@ class ExplorerCard : public Card {
   void runAsked(bool on);
   void resetAsked();
   void clearBoundsAsked();
+  void clearInspectionsAsked();
   void returnAsked(bool on);
 
  private:
@@ -155,9 +156,11 @@ class ExplorerCard : public Card {
   QPushButton* pause_;
   QPushButton* reset_;
   ElidedLabel* bounds_;
+  ElidedLabel* inspect_;
   ElidedLabel* end_;
   ElidedLabel* map_;
   QPushButton* clear_bounds_;
+  QPushButton* clear_inspections_;
   Switch* return_;
 };
 

@@ -34,9 +34,11 @@ ExplorerCard::ExplorerCard(QWidget* parent)
       pause_(new QPushButton("Pause")),
       reset_(new QPushButton("Reset")),
       bounds_(new ElidedLabel),
+      inspect_(new ElidedLabel),
       end_(new ElidedLabel),
       map_(new ElidedLabel),
       clear_bounds_(new QPushButton("Clear bounds")),
+      clear_inspections_(new QPushButton("Clear poses")),
       return_(new Switch("return_to_start")) {
   start_->setObjectName("explore_start");
   start_->setProperty("role", "primary");
@@ -44,7 +46,6 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   reset_->setObjectName("explore_reset");
   area_->setObjectName("explored_area");
   state_->setObjectName("explorer_state");
-  reason_->setTextFormat(Qt::PlainText);
   // Room for the longest reason, so that the buttons below keep their place.
   reason_->setMinimumHeight(emOf(*this) * 13 / 4);
   reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -71,27 +72,32 @@ QLayout* ExplorerCard::makeButtons() {
 /// What bounds and ends the exploration, a line for each, so that the buttons below keep their place.
 QLayout* ExplorerCard::makeLimits() {
   bounds_->setObjectName("explorer_bounds");
+  inspect_->setObjectName("explorer_inspect");
   end_->setObjectName("explorer_end");
   map_->setObjectName("explorer_map");
   clear_bounds_->setObjectName("clear_bounds");
-  clear_bounds_->setProperty("role", "small");
+  clear_inspections_->setObjectName("clear_inspections");
+  for (QPushButton* button : {clear_bounds_, clear_inspections_}) button->setProperty("role", "small");
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(emOf(*this) / 2);
   grid->setVerticalSpacing(emOf(*this) / 6);
-  const std::array<std::pair<const char*, ElidedLabel*>, 3> lines{{{"Bounds", bounds_}, {"Ends", end_}, {"Map", map_}}};
-  for (int row = 0; row < 3; ++row) {
+  const std::array<std::pair<const char*, ElidedLabel*>, 4> lines{
+      {{"Bounds", bounds_}, {"Inspect", inspect_}, {"Ends", end_}, {"Map", map_}}};
+  for (int row = 0; row < 4; ++row) {
     const auto& [name, label] = lines[static_cast<std::size_t>(row)];
     grid->addWidget(makeLabel(name, "muted"), row, 0);
-    grid->addWidget(label, row, 1, 1, label == bounds_ ? 1 : 2);
+    grid->addWidget(label, row, 1, 1, row < 2 ? 1 : 2);
   }
   grid->addWidget(clear_bounds_, 0, 2);
+  grid->addWidget(clear_inspections_, 1, 2);
   auto* back = new QHBoxLayout;
   back->setSpacing(emOf(*this) / 2);
   back->addWidget(return_);
   back->addWidget(makeLabel("Return to start"), 1);
-  grid->addLayout(back, 3, 0, 1, 3);
+  grid->addLayout(back, 4, 0, 1, 3);
   grid->setColumnStretch(1, 1);
   connect(clear_bounds_, &QPushButton::clicked, this, &ExplorerCard::clearBoundsAsked);
+  connect(clear_inspections_, &QPushButton::clicked, this, &ExplorerCard::clearInspectionsAsked);
   connect(return_, &Switch::asked, this, &ExplorerCard::returnAsked);
   return grid;
 }
@@ -150,11 +156,17 @@ void ExplorerCard::showLimits(const teleop::OperatorState& state, bool heard) {
   clear_bounds_->setToolTip(!state.explorer_bounds_up ? "frontier_explorer/clear_bounds is down"
                             : bounded ? "Explore everywhere; also takes back what is being drawn in rviz"
                                       : "Draw bounds in rviz with Publish Point");
+  const bool inspects = heard && state.explorer->inspections_wait;
+  clear_inspections_->setEnabled(state.explorer_inspections_up && inspects);
+  clear_inspections_->setToolTip(!state.explorer_inspections_up ? "frontier_explorer/clear_inspections is down"
+                                 : inspects                     ? "Take back the poses that wait to be inspected"
+                                                                : "Ask for poses in rviz with the tool Inspect");
   return_->setShown(heard ? std::optional<bool>(state.explorer->return_to_start) : std::nullopt,
                     state.explorer_return_up, "frontier_explorer/set_return_to_start is down");
   const auto text = [heard](const std::string& known) { return heard ? QString::fromStdString(known) : QString("–"); };
   const teleop::ExplorerView explorer = state.explorer.value_or(teleop::ExplorerView{});
   bounds_->setFullText(text(explorer.bounds_text));
+  inspect_->setFullText(text(explorer.inspect_text));
   end_->setFullText(text(explorer.end_text));
   map_->setFullText(text(explorer.map_text));
 }

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
 #include "ros/frontier_explorer/explorer_markers.h"
 
 namespace frontier_pilot {
@@ -77,6 +78,14 @@ class MarkerWriter {
       marker.points.push_back(point);
     }
   }
+  /// From the place in the direction of the yaw.
+  void arrow(const std::string& ns, const Pose2& at, const Colour& colour) {
+    Marker& marker = add(ns, Marker::ARROW, at.position(), colour);
+    marker.pose = toPoseMsg(at);
+    marker.pose.position.z = 0.1;
+    marker.scale.x = 0.6;
+    marker.scale.y = marker.scale.z = 0.12;
+  }
   /// A closed line along the sides of a polygon.
   void polygon(const std::string& ns, std::vector<Vec2> corners, const Colour& colour) {
     corners.push_back(corners.front());
@@ -106,12 +115,16 @@ class MarkerWriter {
   std::map<std::string, std::size_t> points_;
 };
 
-void writeSelectable(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {
-  writer.cells("cells", frontier.cells, geometry, kGreen);
+void writeSelectable(MarkerWriter& writer, const exploration::Frontier& frontier, const ExplorerScene& scene) {
+  writer.cells("cells", frontier.cells, scene.geometry, kGreen);
   writer.sphere("centroids", frontier.centroid, 0.15 + 0.2 * std::sqrt(frontier.info.area), kBlue);
-  // On a tour the place in it and the expected area say more than the score, which then decides nothing.
-  const std::string place = frontier.place > 0 ? std::to_string(frontier.place) + ": " : "";
-  const std::string words = place.empty() ? text("%.2f", frontier.score) : place + text("%.1f m2", frontier.info.area);
+  // On a tour the place in it, the expected area and the time until then say more than the score, which then decides
+  // nothing.
+  const std::string owner = scene.owner.size() > 1 ? scene.owner.substr(1) + " " : "";
+  const std::string words = frontier.place == 0
+                                ? text("%.2f", frontier.score)
+                                : owner + std::to_string(frontier.place) + ": " + text("%.1f m2", frontier.info.area) +
+                                      text(", %.0f s", frontier.cost);
   writer.text("scores", frontier.centroid, words, kInk);
 }
 
@@ -136,7 +149,7 @@ visualization_msgs::MarkerArray makeExplorerMarkers(const ExplorerScene& scene, 
   MarkerWriter writer(frame, stamp);
   for (const exploration::Frontier& frontier : scene.frontiers) {
     if (frontier.selectable()) {
-      writeSelectable(writer, frontier, scene.geometry);
+      writeSelectable(writer, frontier, scene);
     } else {
       writeRejected(writer, frontier, scene.geometry);
     }
@@ -149,6 +162,7 @@ visualization_msgs::MarkerArray makeExplorerMarkers(const ExplorerScene& scene, 
   if (!scene.bounds.stay_within.empty()) writer.polygon("bounds", scene.bounds.stay_within, kGreen);
   for (const std::vector<Vec2>& area : scene.bounds.keep_out) writer.polygon("keep out", area, kRed);
   writeClicked(writer, scene.clicked);
+  for (const Pose2& pose : scene.inspections) writer.arrow("to inspect", pose, kOrange);
   return writer.take();
 }
 

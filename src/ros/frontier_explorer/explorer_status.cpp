@@ -33,6 +33,8 @@ static_assert(static_cast<int>(exploration::ExplorerReason::kUntilDistance) == E
 static_assert(static_cast<int>(exploration::ExplorerReason::kStartedAgain) == ExplorerStatus::STARTED_AGAIN);
 static_assert(static_cast<int>(exploration::ExplorerReason::kUntilShare) == ExplorerStatus::UNTIL_SHARE);
 static_assert(static_cast<int>(exploration::ExplorerReason::kUntilBattery) == ExplorerStatus::UNTIL_BATTERY);
+static_assert(static_cast<int>(exploration::ExplorerReason::kInspectionsCleared) ==
+              ExplorerStatus::INSPECTIONS_CLEARED);
 
 ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const std::string& frame, Time stamp) {
   ExplorerStatus msg;
@@ -50,6 +52,8 @@ ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const 
   msg.goals_sent = progress.goals_sent;
   msg.goals_reached = progress.goals_reached;
   msg.goals_failed = progress.goals_failed;
+  msg.inspected = progress.inspected;
+  msg.inspections_failed = progress.inspections_failed;
   msg.explored_area = progress.explored_area;
   msg.distance_travelled = progress.distance_travelled;
   msg.exploring_time = progress.exploring_time;
@@ -119,6 +123,7 @@ void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapp
   bad_odometry_.report(status);
   bad_clicks_.report(status);
   bad_battery_.report(status);
+  bad_inspections_.report(status);
   tf_.report(status);
   navigation_.report(status);
 }

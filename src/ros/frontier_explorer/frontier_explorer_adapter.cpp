@@ -30,12 +30,14 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
                  &FrontierExplorerAdapter::handleOdometry, this);
   connections_.subscribe(names::kBatteryState, 1, &FrontierExplorerAdapter::handleBattery, this);
   connections_.subscribe(names::kClickedPoint, 20, &FrontierExplorerAdapter::handleClick, this);
+  connections_.subscribe(names::kInspect, 20, &FrontierExplorerAdapter::handleInspect, this);
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
   connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
   connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
   connections_.serve(names::kClearExplorationBounds, &FrontierExplorerAdapter::handleClearBounds, this);
+  connections_.serve(names::kClearInspections, &FrontierExplorerAdapter::handleClearInspections, this);
   connections_.serve(names::kSetReturnToStart, &FrontierExplorerAdapter::handleReturnToStart, this);
   connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
   connections_.serve(names::kExplainExplorer, &FrontierExplorerAdapter::handleExplain, this);
@@ -95,6 +97,8 @@ void FrontierExplorerAdapter::obey(const exploration::GoalCommand& command, Time
 void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress& status, Time now) {
   ExplorerStatus msg = toStatusMsg(status, parameters_.map_frame, now);
   addLimits(msg);
+  addInspections(msg);
+  addFrontiers(msg);
   status_publisher_.publish(msg);
   last_status_ = now;
 }
@@ -118,7 +122,9 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
                             explorer_.blacklist(),
                             explorer_.bounds(),
                             explorer_.tour(),
-                            clicked_.corners()};
+                            clicked_.corners(),
+                            explorer_.inspections(),
+                            ros::this_node::getNamespace()};
   markers_publisher_.publish(makeExplorerMarkers(scene, parameters_.map_frame, now));
 }
 

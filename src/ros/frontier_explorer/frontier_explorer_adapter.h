@@ -3,6 +3,7 @@
 #include <frontier_pilot/ExplorerStatus.h>
 #include <frontier_pilot/SetBounds.h>
 #include <geometry_msgs/PointStamped.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/BatteryState.h>
@@ -65,6 +66,8 @@ class FrontierExplorerAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   void handleBattery(const sensor_msgs::BatteryState& msg);
   void handleClick(const geometry_msgs::PointStamped& msg);
+  void handleInspect(const geometry_msgs::PoseStamped& msg);
+  bool handleClearInspections(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleExplain(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -83,6 +86,8 @@ class FrontierExplorerAdapter {
   void obey(const exploration::GoalCommand& command, Time now);
   void publishStatus(const exploration::ExplorerProgress& status, Time now);
   void addLimits(ExplorerStatus& msg) const;
+  void addInspections(ExplorerStatus& msg) const;
+  void addFrontiers(ExplorerStatus& msg) const;
   std::optional<double> battery() const;
   bool missesBattery() const;
   void report(const exploration::ExplorerOutput& output) const;
@@ -102,6 +107,7 @@ class FrontierExplorerAdapter {
   Rejections bad_odometry_{"odometry"};
   Rejections bad_clicks_{"clicked point"};
   Rejections bad_battery_{"battery state"};
+  Rejections bad_inspections_{"pose to inspect"};
   ClickedPolygon clicked_;
   Latest<double> battery_;
   bool battery_in_percent_ = false;  ///< its driver sends percent, not shares

@@ -4,6 +4,7 @@
 
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
+#include "ros/common/tf/pose_in_frame.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -21,12 +22,7 @@ void MoveBaseServer::subscribe(NodeConnections& connections) {
 }
 
 std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg, std::string& why) const {
-  const auto pose = toPose(msg.pose, &why);
-  if (!pose || msg.header.frame_id == map_frame_) return pose;
-  // The latest transform, because the goal's stamp is only the time when it was sent.
-  const auto T_map_frame = tf_.lookup(map_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
-  if (!T_map_frame) return std::nullopt;
-  return *T_map_frame * *pose;
+  return poseInFrame(msg, map_frame_, tf_, why);
 }
 
 std::uint64_t MoveBaseServer::submit(const Pose2& T_map_goal) {

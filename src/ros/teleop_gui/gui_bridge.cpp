@@ -62,7 +62,7 @@ GuiBridge::~GuiBridge() {
 void GuiBridge::watchServices() {
   for (const char* service :
        {names::kEmergencyStop, names::kSetEmergencyStop, names::kSetObstacleAvoidEnabled, names::kSetExplorationEnabled,
-        names::kResetExplorer, names::kClearExplorationBounds, names::kSetReturnToStart}) {
+        names::kResetExplorer, names::kClearExplorationBounds, names::kClearInspections, names::kSetReturnToStart}) {
     watch_.watch(service);
   }
 }
@@ -121,6 +121,8 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
       return caller_.trigger(names::kResetExplorer);
     case Kind::kClearBounds:
       return caller_.trigger(names::kClearExplorationBounds);
+    case Kind::kClearInspections:
+      return caller_.trigger(names::kClearInspections);
     case Kind::kReturnToStart:
       return caller_.set(names::kSetReturnToStart, request.on);
     case Kind::kPatrol:

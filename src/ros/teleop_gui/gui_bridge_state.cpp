@@ -117,6 +117,7 @@ teleop::OperatorState GuiBridge::state() {
   state.explorer_service_up = watch_.up(names::kSetExplorationEnabled);
   state.explorer_reset_up = watch_.up(names::kResetExplorer);
   state.explorer_bounds_up = watch_.up(names::kClearExplorationBounds);
+  state.explorer_inspections_up = watch_.up(names::kClearInspections);
   state.explorer_return_up = watch_.up(names::kSetReturnToStart);
   state.patrol = patrol_.view();
   state.spin = spin_.view();

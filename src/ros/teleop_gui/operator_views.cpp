@@ -111,6 +111,14 @@ std::string boundsText(const ExplorerStatus& msg) {
   return number(area < 100.0 ? "within %.1f m²" : "within %.0f m²", area) + (out.empty() ? "" : ", " + out);
 }
 
+std::string inspectText(const ExplorerStatus& msg) {
+  const std::size_t waiting = msg.to_inspect.size();
+  if (waiting == 0 && msg.inspected == 0 && msg.inspections_failed == 0) return "nothing";
+  std::string text = std::to_string(waiting) + " to go, " + std::to_string(msg.inspected) + " done";
+  if (msg.inspections_failed > 0) text += ", " + std::to_string(msg.inspections_failed) + " given up";
+  return text;
+}
+
 /// When the exploration ends, and the charge if it is known.
 std::string endText(const ExplorerStatus& msg) {
   const std::string when = "when " + (msg.until.empty() ? std::string("nothing is left") : msg.until);
@@ -173,6 +181,8 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   view.return_to_start = msg.return_to_start != 0;
   view.bounded = !msg.stay_within.points.empty() || !msg.keep_out.empty() || !msg.clicked_corners.points.empty();
   view.bounds_text = boundsText(msg);
+  view.inspections_wait = !msg.to_inspect.empty();
+  view.inspect_text = inspectText(msg);
   view.end_text = endText(msg);
   view.map_text = mapText(msg);
   return view;

@@ -62,7 +62,7 @@ inline teleop::OperatorState exampleState() {
   state.sectors = {teleop::SectorView{0.0, kPi / 3, 0.5, 0.65}, teleop::SectorView{-kPi / 3, 0.0, 0.5, 0.65},
                    teleop::SectorView{2 * kPi / 3, -2 * kPi / 3, 0.25, 0.25}};
   state.explorer_service_up = state.explorer_reset_up = true;
-  state.explorer_bounds_up = state.explorer_return_up = true;
+  state.explorer_bounds_up = state.explorer_inspections_up = state.explorer_return_up = true;
   teleop::ExplorerView explorer;
   explorer.severity = teleop::Severity::kActive;
   explorer.running = true;
@@ -77,6 +77,8 @@ inline teleop::OperatorState exampleState() {
   explorer.distance_travelled = 212.7;
   explorer.bounded = true;
   explorer.bounds_text = "within 640 m², 1 area left out";
+  explorer.inspections_wait = true;
+  explorer.inspect_text = "2 to go, 1 done";
   explorer.end_text = "when the battery is at 20 %; battery 57 %";
   explorer.map_text = "saved at the end: maps/hall";
   state.explorer = explorer;

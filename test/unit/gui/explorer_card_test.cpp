@@ -29,6 +29,17 @@ TEST_F(ExplorerCard, BoundsAreShownAndCleared) {
 }
 
 // [GUI-2] [EXP-10]
+TEST_F(ExplorerCard, PosesToInspectAreCountedAndTakenBack) {
+  EXPECT_EQ(text("explorer_inspect"), "2 to go, 1 done");
+  click("clear_inspections");
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].kind, Kind::kClearInspections);
+  state_.explorer->inspections_wait = false;
+  widget_->setState(state_);
+  EXPECT_FALSE(find("clear_inspections")->isEnabled()) << "nothing waits";
+}
+
+// [GUI-2] [EXP-10]
 TEST_F(ExplorerCard, TheReturnToTheStartIsASwitchThatShowsTheStatusAlone) {
   auto* toggle = find<QAbstractButton>("return_to_start");
   EXPECT_FALSE(toggle->isChecked());
