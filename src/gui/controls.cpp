@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QStyle>
+#include <QTextDocument>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <cmath>
@@ -40,10 +41,13 @@ void Card::setRemark(const QString& text, teleop::Severity severity) {
 
 QLabel* makeLabel(const QString& text, const char* role, bool wrap) {
   auto* label = new QLabel(text);
+  label->setTextFormat(Qt::PlainText);
   label->setProperty("role", QString(role));
   label->setWordWrap(wrap);
   return label;
 }
+
+QString toolTipOf(const QString& text) { return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text) : text; }
 
 ElidedLabel::ElidedLabel(const char* role, QWidget* parent) : QLabel(parent) {
   setProperty("role", QString(role));
@@ -54,7 +58,7 @@ ElidedLabel::ElidedLabel(const char* role, QWidget* parent) : QLabel(parent) {
 void ElidedLabel::setFullText(const QString& text) {
   if (text == full_) return;
   full_ = text;
-  setToolTip(text);
+  setToolTip(toolTipOf(text));
   elide();
 }
 
@@ -80,7 +84,7 @@ void Switch::setShown(std::optional<bool> on, bool available, const QString& why
   known_ = on.has_value();
   setChecked(on.value_or(false));
   setEnabled(available);
-  setToolTip(available ? objectName() : why_not);
+  setToolTip(toolTipOf(available ? objectName() : why_not));
   update();
 }
 

@@ -28,8 +28,12 @@ class Card : public QFrame {
   QLabel* remark_;
 };
 
-/// A label with a role of the style sheet; `wrap` allows line breaks.
+/// A label of plain text with a role of the style sheet; `wrap` allows line breaks. Texts may come from messages, and a
+/// rich one could have files read. [FLT-1]
 QLabel* makeLabel(const QString& text, const char* role = "", bool wrap = false);
+
+/// A tool tip that shows `text` as it is, whatever markup it holds. [FLT-1]
+QString toolTipOf(const QString& text);
 
 /// A single line of text that can shrink: text that does not fit is elided, and the tool tip shows all of it.
 class ElidedLabel : public QLabel {

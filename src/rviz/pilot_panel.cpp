@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <exception>
 
+#include "gui/controls.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
 
@@ -37,7 +38,7 @@ PilotPanel::PilotPanel(QWidget* parent) : rviz::Panel(parent) {
     fill(*layout);
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("PilotPanel: " << error.what());
-    layout->addWidget(new QLabel(QString("This panel could not be built: ") + error.what()));
+    layout->addWidget(gui::makeLabel(QString("This panel could not be built: ") + error.what()));
   }
 }
 

@@ -179,7 +179,6 @@ void HeaderCard::showDriver(const teleop::OperatorState& state) {
     }
   }
   problems_->setVisible(!lines.isEmpty());
-  problems_->setTextFormat(Qt::PlainText);
   problems_->setText(lines.join("\n"));
   problems_->setStyleSheet("color: " + Theme::current().warning.name());
 }

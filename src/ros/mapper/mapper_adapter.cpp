@@ -30,7 +30,6 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
       diagnostics_(node, private_node),
       connections_(node) {
   loadFirstMap(private_node);
-  restore();
   diagnostics_.add("mapping", [this](Status& status) { report(status); });
   diagnostics_.add("connections", [this](Status& status) { connections_.report(status); });
   diagnostics_.add("memory", [this](Status& status) {

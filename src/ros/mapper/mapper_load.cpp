@@ -24,10 +24,19 @@ std::optional<Eigen::Matrix3d> covarianceOf(const geometry_msgs::PoseWithCovaria
 
 }  // namespace
 
+/// Loads `map_file` and then the copy of the map that this mapper had when it died, which replaces it. With a copy, a
+/// file that cannot be read any more is no reason not to start. [FLT-2]
 void MapperAdapter::loadFirstMap(const ros::NodeHandle& private_node) {
-  if (parameters_.map_file.empty()) return;
-  const map_files::MapIoResult result = load(parameters_.map_file);
-  if (!result.ok()) throw ConfigurationError(private_node.getNamespace(), {"map_file: " + result.text});
+  std::string problem;
+  if (!parameters_.map_file.empty()) {
+    const map_files::MapIoResult result = load(parameters_.map_file);
+    if (!result.ok()) problem = "map_file: " + result.text;
+  }
+  restore();
+  if (problem.empty()) return;
+  if (!restored_) throw ConfigurationError(private_node.getNamespace(), {problem});
+  ROS_ERROR_STREAM("not loaded, " << problem
+                                  << "; the mapper goes on with the copy of the map that it had when it died");
 }
 
 map_files::MapIoResult MapperAdapter::load(const std::string& path) {
