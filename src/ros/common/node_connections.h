@@ -68,18 +68,21 @@ class NodeConnections {
 
   /// The same as `subscribe`, for a topic that the node needs and that only one node should publish, such as `scan` or
   /// `odom`: report() says whether messages arrive, how late their stamps are, and who publishes when there are
-  /// several. Messages of all of them are used, but not those of a second scanner in another frame. [ROB-2]
+  /// several. Messages of all of them are used, but not those of a second scanner in another frame; `usable(msg)`, if
+  /// given, says which of those could be used: the others are passed on, for the node to refuse them by itself. [ROB-2]
   template <class Msg, class F>
   ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, F handle,
-                                 const ros::TransportHints& hints = {}) {
+                                 const ros::TransportHints& hints = {},
+                                 const std::function<bool(const Msg&)>& usable = {}) {
     const auto input = std::make_shared<TopicInput>(topic, ros::message_traits::DataType<Msg>::value());
     one_[topic] = input;
     inputs_.need([input](const InputWatch::Topics& topics) { return input->missing(topics, steadyNow(), rosNow()); });
     return subscribeToEvents<Msg>(
         topic, queue_size,
-        [input, handle](const ros::MessageEvent<const Msg>& event) {
+        [input, handle, usable](const ros::MessageEvent<const Msg>& event) {
           const Msg& msg = *event.getConstMessage();
-          if (input->admit(arrivalOf(msg, event.getPublisherName()), steadyNow(), rosNow())) handle(msg);
+          const auto may_be_used = [&] { return !usable || usable(msg); };
+          if (input->admit(arrivalOf(msg, event.getPublisherName()), steadyNow(), rosNow(), may_be_used)) handle(msg);
         },
         hints);
   }
@@ -95,7 +98,9 @@ class NodeConnections {
   ros::Subscriber subscribeToScanner(const TfBridge& tf, const std::string& base_frame, std::uint32_t queue_size,
                                      void (Node::*handle)(const sensor_msgs::LaserScan&), Node* node,
                                      const ros::TransportHints& hints = {}) {
-    ros::Subscriber subscriber = subscribeToOne(names::kScan, queue_size, handle, node, hints);
+    ros::Subscriber subscriber = subscribeToOne<sensor_msgs::LaserScan>(
+        names::kScan, queue_size, [node, handle](const sensor_msgs::LaserScan& msg) { (node->*handle)(msg); }, hints,
+        scansThatCanBeUsed(tf, base_frame));
     inputs_.need(needMount(tf, base_frame, [input = one_.at(names::kScan)] { return input->frame(); }));
     return subscriber;
   }

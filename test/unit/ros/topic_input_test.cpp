@@ -42,6 +42,15 @@ TEST(TopicInput, ASecondScannerIsRefusedWithTheWayToMergeThem_ROB_2) {
       << status.message;
 }
 
+// [FLT-1]
+TEST(TopicInput, AScanThatCannotBeUsedIsLeftToTheNodeToRefuse_FLT_1) {
+  TopicInput input("scan", kScanType);
+  EXPECT_TRUE(input.admit({"/front", "front_laser", at(0.0)}, after(0.0), at(0.0)));
+  EXPECT_TRUE(input.admit({"/rear", "nowhere", at(0.1)}, after(0.1), at(0.1), [] { return false; }));
+  EXPECT_EQ(input.frame(), "front_laser");
+  EXPECT_FALSE(input.admit({"/rear", "rear_laser", at(0.2)}, after(0.2), at(0.2), [] { return true; }));
+}
+
 // [ROB-2]
 TEST(TopicInput, AScannerThatFellSilentIsReplacedByAnotherOne_ROB_2) {
   TopicInput input("scan", kScanType);

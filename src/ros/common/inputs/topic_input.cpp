@@ -22,9 +22,14 @@ constexpr const char* kScanType = "sensor_msgs/LaserScan";
 
 TopicInput::TopicInput(std::string topic, std::string type) : topic_(std::move(topic)), type_(std::move(type)) {}
 
-bool TopicInput::admit(const Arrival& arrival, SteadyTime now, Time ros_now) {
+bool TopicInput::admit(const Arrival& arrival, SteadyTime now, Time ros_now, const std::function<bool()>& usable) {
   publishers_.add(arrival.publisher, now);
-  if (isSecondScanner(arrival, now)) return false;
+  if (isSecondScanner(arrival, now)) {
+    if (usable && !usable()) return true;
+    second_ = arrival.frame + " of " + arrival.publisher;
+    second_heard_ = now;
+    return false;
+  }
   frame_ = arrival.frame;
   publisher_ = arrival.publisher;
   heard_ = now;
@@ -33,12 +38,9 @@ bool TopicInput::admit(const Arrival& arrival, SteadyTime now, Time ros_now) {
   return true;
 }
 
-bool TopicInput::isSecondScanner(const Arrival& arrival, SteadyTime now) {
-  if (type_ != kScanType || !heard_ || now - *heard_ > kAlive) return false;
-  if (arrival.frame == frame_ || arrival.publisher == publisher_) return false;
-  second_ = arrival.frame + " of " + arrival.publisher;
-  second_heard_ = now;
-  return true;
+bool TopicInput::isSecondScanner(const Arrival& arrival, SteadyTime now) const {
+  const bool first_lives = heard_ && now - *heard_ <= kAlive;
+  return type_ == kScanType && first_lives && arrival.frame != frame_ && arrival.publisher != publisher_;
 }
 
 void TopicInput::noteLag(const Arrival& arrival, SteadyTime now, Time ros_now) {

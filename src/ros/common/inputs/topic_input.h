@@ -3,6 +3,7 @@
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,9 @@ class TopicInput {
   TopicInput(std::string topic, std::string type);
 
   /// Notes a message. False: it must not be used, because it comes from a second scanner, while the first one lives.
-  bool admit(const Arrival& arrival, SteadyTime now, Time ros_now);
+  /// `usable()`, if given, says whether the message could be used otherwise; if not, the node is to refuse it by
+  /// itself, with the reason.
+  bool admit(const Arrival& arrival, SteadyTime now, Time ros_now, const std::function<bool()>& usable = {});
   /// What is missing, in words; empty while messages arrive, and while ROS time stands still or runs so slowly that the
   /// next one is not due. `topics` is what the master knows; may be empty.
   std::string missing(const std::vector<robot_check::Topic>& topics, SteadyTime now, Time ros_now) const;
@@ -41,7 +44,7 @@ class TopicInput {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status, SteadyTime now, bool simulated_time) const;
 
  private:
-  bool isSecondScanner(const Arrival& arrival, SteadyTime now);
+  bool isSecondScanner(const Arrival& arrival, SteadyTime now) const;
   void noteLag(const Arrival& arrival, SteadyTime now, Time ros_now);
   double period() const;
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "robot_check/other_names.h"
+#include "ros/common/messages/conversions.h"
 
 namespace frontier_pilot {
 namespace {
@@ -30,6 +31,13 @@ InputWatch::Missing needMount(const TfBridge& tf, std::string base_frame, std::f
   return [&tf, base_frame = std::move(base_frame), scan_frame = std::move(scan_frame)](const InputWatch::Topics&) {
     const std::string frame = scan_frame();
     return frame.empty() ? std::string() : sayMissing(tf, {base_frame, "base_frame"}, {frame, {}});
+  };
+}
+
+std::function<bool(const sensor_msgs::LaserScan&)> scansThatCanBeUsed(const TfBridge& tf, std::string base_frame) {
+  return [&tf, base_frame = std::move(base_frame)](const sensor_msgs::LaserScan& msg) {
+    const auto T_base_sensor = tf.lookup3d(base_frame, msg.header.frame_id, Time{});
+    return T_base_sensor && toLaserScan(msg, *T_base_sensor);
   };
 }
 

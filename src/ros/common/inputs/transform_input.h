@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sensor_msgs/LaserScan.h>
+
 #include <functional>
 #include <string>
 
@@ -20,5 +22,8 @@ InputWatch::Missing needTransform(const TfBridge& tf, NeededFrame target, Needed
 
 /// The same for the mount of a scanner whose frame `scan_frame()` gives; nothing is missing while that is empty.
 InputWatch::Missing needMount(const TfBridge& tf, std::string base_frame, std::function<std::string()> scan_frame);
+
+/// Says of a scan whether a node could use it: it is well-formed, and TF has its mount.
+std::function<bool(const sensor_msgs::LaserScan&)> scansThatCanBeUsed(const TfBridge& tf, std::string base_frame);
 
 }  // namespace frontier_pilot
