@@ -38,11 +38,11 @@ std::vector<const Topic*> othersOfType(const std::vector<Topic>& topics, const s
 
 std::string standInFor(const std::string& wanted, const std::set<std::string>& frames) {
   const std::string bare = withoutPrefix(wanted);
-  if (const std::string same = findByName(bare, frames); !same.empty()) return same;
+  if (std::string same = findByName(bare, frames); !same.empty()) return same;
   const auto& names = baseNames();
   if (std::find(names.begin(), names.end(), bare) == names.end()) return {};
   for (const std::string& name : names) {
-    if (const std::string frame = findByName(name, frames); !frame.empty()) return frame;
+    if (std::string frame = findByName(name, frames); !frame.empty()) return frame;
   }
   return {};
 }

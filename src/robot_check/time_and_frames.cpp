@@ -1,5 +1,6 @@
-#include <algorithm>
 #include <map>
+#include <set>
+#include <vector>
 
 #include "robot_check/checks.h"
 #include "robot_check/frame_tree.h"
@@ -17,11 +18,10 @@ void checkOneParent(const Observation& seen, Findings& findings) {
   std::map<std::string, std::vector<const FrameLink*>> by_child;
   for (const FrameLink& link : seen.links) by_child[link.child].push_back(&link);
   for (const auto& [child, links] : by_child) {
-    std::string parents;
-    for (const FrameLink* link : links)
-      parents += (parents.empty() ? "" : " and ") + link->parent + " (" + joined(link->stream.publishers) + ")";
+    std::vector<std::string> named;
+    for (const FrameLink* link : links) named.push_back(link->parent + " (" + joined(link->stream.publishers) + ")");
     if (links.size() > 1) {
-      problem(findings, "frame " + child + " has several parents: " + parents,
+      problem(findings, "frame " + child + " has several parents: " + joined(named),
               "end one of these nodes, or have it publish no transform: TF jumps between the two");
     } else if (links.front()->stream.publishers.size() > 1) {
       problem(findings,

@@ -157,7 +157,7 @@ class NodeConnections {
     guard_.report(status);
     unreadable_.report(status);
     for (const auto& [topic, input] : one_) input->report(status, steadyNow(), ros::Time::isSimTime());
-    inputs_.report(status, steadyNow());
+    inputs_.report(status);
   }
   /// What the node waits for. Topics of `subscribeToOne` are among it.
   InputWatch& inputs() { return inputs_; }

@@ -109,7 +109,7 @@ const std::vector<Mistake>& mistakes() {
        {"there is no transform from odom to base_link"}},
       {"TwoParentsOfTheBase",
        [](SeenRobot& r) { r.seen.links.push_back(link("odom_combined", "base_link", {}, 0.0, "/ekf", false)); },
-       {"base_link has several parents: odom (/base) and odom_combined (/ekf)"}},
+       {"base_link has several parents: odom (/base), odom_combined (/ekf)"}},
       {"TwoNodesThatPublishOdometrysTransform",
        [](SeenRobot& r) {
          r.seen.links[0].stream.publishers = {"/base", "/ekf"};

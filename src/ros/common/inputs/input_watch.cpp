@@ -30,11 +30,10 @@ void InputWatch::look(const Topics& topics, SteadyTime now) {
   THROTTLED_WARN("waiting: " << all);
 }
 
-void InputWatch::report(diagnostic_updater::DiagnosticStatusWrapper& status, SteadyTime now) const {
+void InputWatch::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   if (needs_.empty()) return;
   status.add("inputs", ready() ? "all there" : missing_);
-  if (since_ && now - *since_ >= kStarting)
-    status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "waiting: " + missing_);
+  if (said_) status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "waiting: " + missing_);
 }
 
 }  // namespace frontier_pilot

@@ -30,8 +30,8 @@ class InputWatch {
   /// What is missing as of the last look, in words; empty if nothing is, or if there was no look yet.
   const std::string& missing() const { return missing_; }
   bool ready() const { return looked_ && missing_.empty(); }
-  /// For /diagnostics: WARN while an input has been missing for two seconds.
-  void report(diagnostic_updater::DiagnosticStatusWrapper& status, SteadyTime now) const;
+  /// For /diagnostics: WARN from when the log has said what is missing, until nothing is.
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
   std::vector<Missing> needs_;
