@@ -33,6 +33,7 @@ MAY_INCLUDE = {
     'navigation': {'core', 'grids', 'planning'},
     'exploration': {'core', 'grids'},
     'system': {'core', 'sim', 'arbiter', 'behavior', 'mapping', 'occupancy', 'navigation', 'exploration'},
+    'robot_check': {'core'},
     'tools': {'core', 'logs', 'mapping', 'occupancy', 'slam', 'map_files'},
     'gui': {'core', 'teleop'},
     'ros': {'*'},
@@ -40,7 +41,7 @@ MAY_INCLUDE = {
     'rviz': {'*'},
 }
 # Programs: nobody builds upon them, so all their headers lie beside their sources; who may include those.
-PROGRAMS = {'tools': {'ros', 'nodes'}, 'teleop': {'gui', 'ros', 'rviz', 'nodes'}, 'gui': {'nodes', 'rviz'}, 'ros': {'nodes', 'rviz'}, 'nodes': set(), 'rviz': set()}
+PROGRAMS = {'tools': {'ros', 'nodes'}, 'robot_check': {'ros', 'nodes'}, 'teleop': {'gui', 'ros', 'rviz', 'nodes'}, 'gui': {'nodes', 'rviz'}, 'ros': {'nodes', 'rviz'}, 'nodes': set(), 'rviz': set()}
 SEES_ROS = {'ros', 'nodes', 'rviz'}
 MAY_PRINT = SEES_ROS | {'tools'}
 # Modules that other packages use and this one does not need to.

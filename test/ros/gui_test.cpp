@@ -147,10 +147,8 @@ TEST_F(GuiOnTheWire, BoundsPosesToInspectAndTheReturnToTheStartAreShownAndChange
   test::BoundedExplorer explorer;
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "within 6.0 m²"; }));
   EXPECT_TRUE(window.text("explorer_end").startsWith("when 9 m2"));
-  EXPECT_EQ(window.text("explorer_inspect"), "2 to go, 0 done");
-  for (const char* control : {"return_to_start", "clear_bounds", "clear_inspections"}) {
+  for (const char* control : {"return_to_start", "clear_bounds", "clear_inspections"})
     ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find(control)->isEnabled(); })) << control;
-  }
   window.click("return_to_start");
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.checked("return_to_start"); }));
   window.click("clear_bounds");

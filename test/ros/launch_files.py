@@ -12,7 +12,12 @@ import yaml
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 FILES = sorted(glob.glob(ROOT + '/launch/*.launch'))
 NEEDS_NOTHING = {'rviz'}  # all the others know the robot
-OBEYS_NO_LIMITS = {'rviz', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
+OWN_ROBOT = {'turtlebot2.launch', 'turtlebot3.launch'}  # their default need not be a Burger
+TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch', 'gui_turtlebot_system.launch',
+               'real_robot.launch', 'check_robot.launch'}
+NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
+NEEDS_ODOM_FRAME = {'mapper', 'behavior_server'}
+OBEYS_NO_LIMITS = {'rviz', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
 
 
 def flat(values, prefix=''):
@@ -29,12 +34,18 @@ def robot(name):
 
 
 class LaunchFilesTest(unittest.TestCase):
-    def load(self, file, **arguments):
-        """What each node of `file` is given, by its name."""
+    def config(self, file, **arguments):
         if os.path.basename(file) == 'robot.launch':
             arguments['name'] = 'robot1'
         words = ['%s:=%s' % item for item in arguments.items()]
-        config = roslaunch.config.load_config_default([(file, words)], None, verbose=False, assign_machines=False)
+        return roslaunch.config.load_config_default([(file, words)], None, verbose=False, assign_machines=False)
+
+    def remaps(self, name, **arguments):
+        return {node.name: dict(node.remap_args) for node in self.config(ROOT + '/launch/' + name, **arguments).nodes}
+
+    def load(self, file, **arguments):
+        """What each node of `file` is given, by its name."""
+        config = self.config(file, **arguments)
         given = {}
         for node in config.nodes:
             prefix = node.namespace + node.name + '/'
@@ -48,7 +59,11 @@ class LaunchFilesTest(unittest.TestCase):
             if type_name in NEEDS_NOTHING:
                 continue
             of_the_robot = {key[len('robot/'):]: value for key, value in given.items() if key.startswith('robot/')}
-            self.assertEqual(of_the_robot, expected, file + ' ' + name)
+            prefixed = {'base_frame': 'robot1/base_footprint', 'odom_frame': 'robot1/odom'}
+            if of_the_robot.get('odom_frame', '').startswith('robot2/'):
+                prefixed = {key: value.replace('robot1', 'robot2') for key, value in prefixed.items()}
+            has_a_prefix = os.path.basename(file) in ('robot.launch', 'robots.launch') and type_name != 'simulator'
+            self.assertEqual(of_the_robot, dict(expected, **prefixed) if has_a_prefix else expected, file + ' ' + name)
 
     def test_every_node_of_every_launch_file_is_given_the_robot(self):
         """[ROB-1]"""
@@ -63,7 +78,8 @@ class LaunchFilesTest(unittest.TestCase):
     def test_a_burger_is_the_default_and_needs_no_parameters(self):
         """[ROB-1]"""
         for file in FILES:
-            self.expect_robot(file, {})
+            if os.path.basename(file) not in OWN_ROBOT:
+                self.expect_robot(file, {})
 
     def test_a_robot_can_be_a_file_of_ones_own_also_relative_to_the_folder_one_stands_in(self):
         """[ROB-1]"""
@@ -82,6 +98,41 @@ class LaunchFilesTest(unittest.TestCase):
             for name, (type_name, given) in self.load(file, robot='waffle', limits='fast').items():
                 limits = {key[len('limits/'):]: value for key, value in given.items() if key.startswith('limits/')}
                 self.assertEqual(limits, {} if type_name in OBEYS_NO_LIMITS else expected, file + ' ' + name)
+
+    def test_names_of_a_foreign_robot_reach_every_node_that_needs_them(self):
+        """[ROB-2]"""
+        names = {'odom': 'tf', 'base_frame': 'base_link', 'odom_frame': 'wheels', 'map_frame': 'floor'}
+        for file in FILES:
+            if os.path.basename(file) not in TAKES_NAMES:
+                continue
+            for name, (type_name, given) in self.load(file, robot='waffle', **names).items():
+                if type_name in NEEDS_NOTHING:
+                    continue
+                self.assertEqual((given['robot/base_frame'], given['robot/odom_frame'], given['robot/odometry']),
+                                 ('base_link', 'wheels', 'tf'), file + ' ' + name)
+                self.assertEqual(given.get('map_frame'), 'floor' if type_name in NEEDS_MAP_FRAME else None, name)
+                self.assertEqual(given.get('odom_frame'), 'wheels' if type_name in NEEDS_ODOM_FRAME else None, name)
+
+    def test_topics_of_a_foreign_robot_replace_ours(self):
+        """[ROB-2]"""
+        remaps = self.remaps('real_robot.launch', scan='/base_scan', odom='/wheels/odom', cmd_vel='/drive')
+        for node in ('mapper', 'navigator', 'obstacle_avoider', 'teleop_gui', 'behavior_server'):
+            self.assertEqual(remaps[node]['scan'], '/base_scan', node)
+        for node in ('mapper', 'navigator', 'frontier_explorer', 'patrol_server'):
+            self.assertEqual(remaps[node]['odom'], '/wheels/odom', node)
+        for node in ('cmd_vel_arbiter', 'teleop_gui'):
+            self.assertEqual(remaps[node]['cmd_vel'], '/drive', node)
+
+    def test_a_turtlebot_is_driven_by_the_names_of_its_own_packages(self):
+        """[ROB-2]"""
+        for model, description in (('burger', 'burger'), ('waffle', 'waffle'), ('waffle_pi', 'waffle')):
+            self.expect_robot(ROOT + '/launch/turtlebot3.launch', robot(description), model=model)
+        self.expect_robot(ROOT + '/launch/turtlebot2.launch', robot('turtlebot2'))
+        self.assertEqual(self.remaps('turtlebot2.launch')['cmd_vel_arbiter']['cmd_vel'], 'cmd_vel_mux/input/navi')
+        for model in ('turtlebot2', 'turtlebot3'):
+            config = self.config(ROOT + '/launch/%s.launch' % model)
+            self.assertIs(config.params['/use_sim_time'].value, False)
+            self.assertNotIn('simulator', {node.type for node in config.nodes})
 
     def test_a_robot_that_is_not_there_is_named(self):
         """[ROB-1]"""

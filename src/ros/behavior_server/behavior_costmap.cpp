@@ -13,7 +13,9 @@ BehaviorCostmap::BehaviorCostmap(const behavior::CollisionCheckParameters& param
 }
 
 void BehaviorCostmap::subscribe(NodeConnections& connections) {
-  connections.subscribeToOne(names::kScan, 1, &BehaviorCostmap::handleScan, this, ros::TransportHints().tcpNoDelay());
+  connections.subscribeToScanner(tf_, frames_.base_frame, 1, &BehaviorCostmap::handleScan, this,
+                                 ros::TransportHints().tcpNoDelay());
+  connections.needPoseIn(frames_.odom_frame, "odom_frame", tf_, frames_.base_frame);
 }
 
 void BehaviorCostmap::handleScan(const sensor_msgs::LaserScan& msg) {

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <sensor_msgs/LaserScan.h>
 
 #include <map>
 #include <memory>
@@ -12,10 +13,13 @@
 #include "ros/common/callback_guard.h"
 #include "ros/common/clock.h"
 #include "ros/common/clock_monitor.h"
+#include "ros/common/inputs/input_watch.h"
+#include "ros/common/inputs/topic_input.h"
+#include "ros/common/inputs/transform_input.h"
 #include "ros/common/master/master_watch.h"
 #include "ros/common/memory_report.h"
 #include "ros/common/messages/checked_subscription.h"
-#include "ros/common/messages/heard_publishers.h"
+#include "ros/common/names.h"
 #include "ros/common/ros_timer.h"
 
 namespace frontier_pilot {
@@ -28,7 +32,12 @@ class NodeConnections {
  public:
   /// `master_period` is the time between two looks at what the master knows of this node.
   explicit NodeConnections(const ros::NodeHandle& node, Duration master_period = std::chrono::milliseconds(700))
-      : node_(node), clock_(node), master_(master_period) {}
+      : node_(node), clock_(node), master_(master_period) {
+    everySteady(ros::WallDuration(1.0), [this] {
+      master_.listTopics(inputs_.needsSomething() && !inputs_.ready());
+      if (inputs_.needsSomething()) inputs_.look(master_.topics(), steadyNow());
+    });
+  }
 
   /// `handle(const Msg&)` for each message of `topic`.
   template <class Msg, class F>
@@ -57,18 +66,23 @@ class NodeConnections {
     return subscribers_.back();
   }
 
-  /// The same as `subscribe`, for a topic that only one node should publish, such as `scan` or `odom`: report() names
-  /// the publishers when there are several. Messages of all of them are used.
+  /// The same as `subscribe`, for a topic that the node needs and that only one node should publish, such as `scan` or
+  /// `odom`: report() says whether messages arrive, how late their stamps are, and who publishes when there are
+  /// several. Messages of all of them are used, but not those of a second scanner in another frame; `usable(msg)`, if
+  /// given, says which of those could be used: the others are passed on, for the node to refuse them by itself. [ROB-2]
   template <class Msg, class F>
   ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, F handle,
-                                 const ros::TransportHints& hints = {}) {
-    const auto heard = std::make_shared<HeardPublishers>();
-    heard_[topic] = heard;
+                                 const ros::TransportHints& hints = {},
+                                 const std::function<bool(const Msg&)>& usable = {}) {
+    const auto input = std::make_shared<TopicInput>(topic, ros::message_traits::DataType<Msg>::value());
+    one_[topic] = input;
+    inputs_.need([input](const InputWatch::Topics& topics) { return input->missing(topics, steadyNow(), rosNow()); });
     return subscribeToEvents<Msg>(
         topic, queue_size,
-        [heard, handle](const ros::MessageEvent<const Msg>& event) {
-          heard->add(event.getPublisherName(), steadyNow());
-          handle(*event.getConstMessage());
+        [input, handle, usable](const ros::MessageEvent<const Msg>& event) {
+          const Msg& msg = *event.getConstMessage();
+          const auto may_be_used = [&] { return !usable || usable(msg); };
+          if (input->admit(arrivalOf(msg, event.getPublisherName()), steadyNow(), rosNow(), may_be_used)) handle(msg);
         },
         hints);
   }
@@ -77,6 +91,18 @@ class NodeConnections {
                                  Node* node, const ros::TransportHints& hints = {}) {
     return subscribeToOne<Msg>(
         topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
+  }
+
+  /// The same for `scan`; the node also waits for where the scanner is mounted on the base. `tf` must outlive it.
+  template <class Node>
+  ros::Subscriber subscribeToScanner(const TfBridge& tf, const std::string& base_frame, std::uint32_t queue_size,
+                                     void (Node::*handle)(const sensor_msgs::LaserScan&), Node* node,
+                                     const ros::TransportHints& hints = {}) {
+    ros::Subscriber subscriber = subscribeToOne<sensor_msgs::LaserScan>(
+        names::kScan, queue_size, [node, handle](const sensor_msgs::LaserScan& msg) { (node->*handle)(msg); }, hints,
+        scansThatCanBeUsed(tf, base_frame));
+    inputs_.need(needMount(tf, base_frame, [input = one_.at(names::kScan)] { return input->frame(); }));
+    return subscriber;
   }
 
   /// `handle(request, response)` answers calls of `service`; the call fails if it returns false or throws.
@@ -130,14 +156,27 @@ class NodeConnections {
     clock_.report(status);
     guard_.report(status);
     unreadable_.report(status);
-    for (const auto& [topic, heard] : heard_) {
-      const std::string names = heard->severalNames(steadyNow());
-      if (names.empty()) continue;
-      status.mergeSummaryf(DiagnosticStatus::WARN, "several nodes publish %s: %s", topic.c_str(), names.c_str());
-    }
+    for (const auto& [topic, input] : one_) input->report(status, steadyNow(), ros::Time::isSimTime());
+    inputs_.report(status);
+  }
+  /// What the node waits for. Topics of `subscribeToOne` are among it.
+  InputWatch& inputs() { return inputs_; }
+  const InputWatch& inputs() const { return inputs_; }
+  /// The node also waits for the pose of its base in `frame`, which the launch files' argument `argument` names.
+  void needPoseIn(const std::string& frame, const char* argument, const TfBridge& tf, const std::string& base_frame) {
+    inputs_.need(needTransform(tf, {frame, argument}, {base_frame, "base_frame"}));
   }
 
  private:
+  /// For messages with a header; for others only the publisher is known.
+  template <class Msg>
+  static Arrival arrivalOf(const Msg& msg, const std::string& publisher) {
+    Arrival arrival{publisher, {}, {}};
+    if (const std::string* frame = ros::message_traits::FrameId<Msg>::pointer(msg))
+      arrival.frame = frame->substr(!frame->empty() && frame->front() == '/' ? 1 : 0);
+    if (const ros::Time* stamp = ros::message_traits::TimeStamp<Msg>::pointer(msg)) arrival.stamp = toTime(*stamp);
+    return arrival;
+  }
   static std::string messageOf(const std::string& topic) { return "a message of " + topic; }
   static std::string requestTo(const std::string& service) { return "a request to " + service; }
 
@@ -145,7 +184,8 @@ class NodeConnections {
   CallbackGuard guard_;
   MemoryReport memory_;
   UnreadableMessages unreadable_;
-  std::map<std::string, std::shared_ptr<HeardPublishers>> heard_;  ///< by topic
+  std::map<std::string, std::shared_ptr<TopicInput>> one_;  ///< by topic
+  InputWatch inputs_;
   ClockMonitor clock_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

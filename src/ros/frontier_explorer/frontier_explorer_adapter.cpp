@@ -28,6 +28,10 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   map_.subscribe(connections_, parameters_.map_frame);
   followOdometry(connections_, tf_, parameters_.explorer.robot, base_frame_, 20,
                  &FrontierExplorerAdapter::handleOdometry, this);
+  connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
+  connections_.inputs().need([this](const auto&) {
+    return navigation_.available() ? "" : std::string("no move_base: start navigation.launch, or another navigation");
+  });
   connections_.subscribe(names::kBatteryState, 1, &FrontierExplorerAdapter::handleBattery, this);
   connections_.subscribe(names::kClickedPoint, 20, &FrontierExplorerAdapter::handleClick, this);
   connections_.subscribe(names::kInspect, 20, &FrontierExplorerAdapter::handleInspect, this);
@@ -99,6 +103,8 @@ void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress&
   addLimits(msg);
   addInspections(msg);
   addFrontiers(msg);
+  const std::string& missing = connections_.inputs().missing();
+  if (status.state == exploration::ExplorerState::kIdle && !missing.empty()) msg.reason_text += " (" + missing + ")";
   status_publisher_.publish(msg);
   last_status_ = now;
 }

@@ -62,7 +62,9 @@ void MapperAdapter::summarize(Status& status) const {
     status.summaryf(DiagnosticStatus::WARN, "%.0f %% of the last scans: %s", 100.0 * remark->share,
                     remark->text.c_str());
   } else if (!last_inserted_) {
-    status.summary(DiagnosticStatus::WARN, pairing_.hasOdometry() ? "no usable scan yet" : "no odometry yet");
+    const std::string& missing = connections_.inputs().missing();
+    const std::string text = pairing_.hasOdometry() ? "no usable scan yet" : "no odometry yet";
+    status.summary(DiagnosticStatus::WARN, missing.empty() ? text : text + ": " + missing);
   } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
   }

@@ -24,7 +24,8 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
   server_.subscribe(connections_);
-  connections_.subscribeToOne(names::kScan, 1, &NavigatorAdapter::handleScan, this);
+  connections_.subscribeToScanner(tf_, base_frame_, 1, &NavigatorAdapter::handleScan, this);
+  connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
   followOdometry(connections_, tf_, parameters_.robot, base_frame_, 1, &NavigatorAdapter::handleOdometry, this);
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
@@ -54,11 +55,9 @@ void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
 
 void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   std::string why;
-  if (const auto odometry = toOdometry(msg, &why)) {
-    twist_.put(odometry->twist, steadyNow());
-  } else {
-    bad_odometry_.add(why);
-  }
+  const auto odometry = toOdometry(msg, &why);
+  if (!odometry) return bad_odometry_.add(why);
+  twist_.put(odometry->twist, steadyNow());
 }
 
 std::optional<StampedPose2> NavigatorAdapter::pose() const {

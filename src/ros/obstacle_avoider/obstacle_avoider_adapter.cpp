@@ -36,8 +36,8 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
   switched_on_.emplace(kSafeState, names::kSetObstacleAvoidEnabled, connections_);
   if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderAdapter::handleEnable, this);
-  connections_.subscribeToOne(names::kScan, 1, &ObstacleAvoiderAdapter::handleScan, this,
-                              ros::TransportHints().tcpNoDelay());
+  connections_.subscribeToScanner(tf_, base_frame_, 1, &ObstacleAvoiderAdapter::handleScan, this,
+                                  ros::TransportHints().tcpNoDelay());
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
     rejections_.report(status);

@@ -8,6 +8,7 @@
 
 #include "frontier_pilot/core/parameters.h"
 #include "ros/behavior_server/behavior_server_adapter.h"
+#include "ros/check_robot/check_robot_adapter.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 #include "ros/mapper/mapper_adapter.h"
@@ -41,6 +42,7 @@ std::vector<Row> rowsOfAllNodes() {
   appendRows<NavigatorNodeParameters>("navigator", rows);
   appendRows<ExplorerNodeParameters>("frontier_explorer", rows);
   appendRows<teleop::TeleopParameters>("teleop_gui", rows);
+  appendRows<CheckRobotParameters>("check_robot", rows);
   return rows;
 }
 

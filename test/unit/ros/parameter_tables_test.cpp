@@ -13,6 +13,7 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/robot_model.h"
 #include "ros/behavior_server/behavior_server_adapter.h"
+#include "ros/check_robot/check_robot_adapter.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 #include "ros/mapper/mapper_adapter.h"
@@ -88,8 +89,9 @@ struct Frames {
 
 std::string frameTable() {
   return "\n## Frames\n\n"
-         "`map_frame` of mapper, navigator and frontier_explorer, `odom_frame` of mapper and behavior_server, "
-         "`base_frame` of\nthese and of obstacle_avoider.\n\n" +
+         "`map_frame` of mapper, navigator, frontier_explorer and check_robot, `odom_frame` of mapper and "
+         "behavior_server, "
+         "`base_frame`\nof the first three, behavior_server and obstacle_avoider.\n\n" +
          tabulateRows(describeParameters(Frames()));
 }
 
@@ -134,7 +136,8 @@ std::string allTables() {
                                        {"autostart", "goal_timeout", "return_to_start", "save_map_at_end",
                                         "bounds/stay_within", "bounds/keep_out", "until/area", "until/time",
                                         "until/distance", "frontier/min_frontier_cells", "frontier/min_distance"}) +
-         table<teleop::TeleopParameters>("teleop_gui", {"linear_step", "angular_step", "hold_to_run", "palette"});
+         table<teleop::TeleopParameters>("teleop_gui", {"linear_step", "angular_step", "hold_to_run", "palette"}) +
+         table<CheckRobotParameters>("check_robot", {"duration"});
 }
 
 TEST(ParameterTables, TheDocumentedOnesAreThoseOfTheStructs) {
@@ -225,6 +228,7 @@ TEST(RobotParameters, StandOnceInTheDocumentationAndAreTakenByEveryNode_ROB_1) {
   EXPECT_TRUE(takes(teleop::TeleopParameters()));
   EXPECT_TRUE(takes(SimulatorNodeParameters()));
   EXPECT_TRUE(takes(NavigatorNodeParameters()));
+  EXPECT_TRUE(takes(CheckRobotParameters()));
 }
 
 // It overrides the limits of any robot, so that it has to say what the defaults say.

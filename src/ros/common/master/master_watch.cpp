@@ -7,6 +7,7 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/master/registration.h"
+#include "ros/common/master/topic_list.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -107,6 +108,12 @@ void MasterWatch::look() {
   findTakers(report.rivals);
   sayWhatWasRenewed();
   setRivals(report.rivals);
+  if (lists_topics_) {
+    if (const auto types = askTopicTypes()) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      topics_ = frontier_pilot::listTopics(*state, *types);
+    }
+  }
   report.publishers = std::move(state->publishers);
   report_.put(std::move(report));
 }
@@ -207,6 +214,11 @@ void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   problems_ = std::move(problems);
+}
+
+std::vector<robot_check::Topic> MasterWatch::topics() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return topics_;
 }
 
 std::vector<std::string> MasterWatch::problems() const {

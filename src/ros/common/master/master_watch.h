@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/time.h"
+#include "robot_check/observation.h"
 #include "ros/common/callback_guard.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/own_parameters.h"
@@ -53,6 +54,10 @@ class MasterWatch {
   SteadyTime lastAnswer() const { return last_answer_; }
   /// The latest report, once; nothing if there was no new one since the last call.
   std::optional<MasterReport> take() { return report_.take(); }
+  /// Whether each look is also to list all topics with their types, which costs another call.
+  void listTopics(bool wanted) { lists_topics_ = wanted; }
+  /// The topics of the last look that listed them; empty before.
+  std::vector<robot_check::Topic> topics() const;
   /// ERROR while another node has a service or topic that belongs to this one alone, and for ten seconds after
   /// something was registered again.
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -86,11 +91,13 @@ class MasterWatch {
   Duration period_;
   CallbackGuard guard_;
   std::atomic<SteadyTime> last_answer_;
-  mutable std::mutex mutex_;  ///< guards the five that follow
+  std::atomic<bool> lists_topics_{false};
+  mutable std::mutex mutex_;  ///< guards the six that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
   std::vector<std::string> problems_;
+  std::vector<robot_check::Topic> topics_;
   std::vector<std::function<void()>> renewals_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow
   std::map<std::string, std::string> rivals_;

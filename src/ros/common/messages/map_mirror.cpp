@@ -1,9 +1,12 @@
 #include "ros/common/messages/map_mirror.h"
 
+#include <ros/names.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
+#include "robot_check/other_names.h"
 #include "ros/common/clock.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/names.h"
@@ -61,6 +64,13 @@ void MapMirror::subscribe(NodeConnections& connections, const std::string& frame
   connections.subscribeToEvents<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 100, [this](const auto& event) {
     handleUpdate(*event.getConstMessage(), event.getPublisherName());
   });
+  connections.inputs().need([this](const InputWatch::Topics& topics) { return missing(topics); });
+}
+
+std::string MapMirror::missing(const InputWatch::Topics& topics) const {
+  const std::string topic = ros::names::resolve(names::kMap);
+  if (!published()) return robot_check::sayMissingTopic(topics, topic, "nav_msgs/OccupancyGrid", names::kMap);
+  return ready() ? "" : topic + " is published, but no map has arrived yet";
 }
 
 bool MapMirror::rightFrame(const std::string& frame) {

@@ -71,6 +71,8 @@ class MapMirror {
   const Rejections& rejections() const { return rejections_; }
 
  private:
+  /// What is missing, in words; empty if there is a map and its publisher.
+  std::string missing(const InputWatch::Topics& topics) const;
   bool rightFrame(const std::string& frame);
   /// Before the first map there is no owner.
   bool mayBelongTo(const std::string& publisher) const { return !ready() || publisher == publisher_; }

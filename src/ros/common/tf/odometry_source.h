@@ -46,6 +46,7 @@ void followOdometry(NodeConnections& connections, const TfBridge& tf, const Robo
     return;
   }
   const auto source = std::make_shared<TransformOdometry>(tf, robot.odom_frame, base_frame);
+  connections.needPoseIn(robot.odom_frame, "odom_frame", tf, base_frame);
   connections.every(ros::Duration(kPeriod), [source, handle, node] {
     if (const auto msg = source->next()) (node->*handle)(*msg);
   });

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <exception>
 #include <thread>
+#include <vector>
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
@@ -58,6 +59,12 @@ std::optional<Eigen::Isometry3d> TfBridge::lookup3d(const std::string& target, c
 std::optional<Time> TfBridge::latestStamp(const std::string& target, const std::string& source) const {
   const auto msg = wait(buffer_, target, source, Time{}, Duration::zero(), nullptr);
   return msg ? std::optional<Time>(toTime(msg->header.stamp)) : std::nullopt;
+}
+
+std::set<std::string> TfBridge::frames() const {
+  std::vector<std::string> names;
+  buffer_._getFrameStrings(names);
+  return {names.begin(), names.end()};
 }
 
 void TfBridge::broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source,

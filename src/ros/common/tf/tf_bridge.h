@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "frontier_pilot/core/geometry.h"
@@ -29,6 +30,8 @@ class TfBridge {
                                             Duration timeout = Duration::zero(), std::string* why = nullptr) const;
   /// The stamp of the latest `T_target_source`, for judging its age.
   std::optional<Time> latestStamp(const std::string& target, const std::string& source) const;
+  /// All frames that are known.
+  std::set<std::string> frames() const;
 
   /// Publishes `T_target_source`: `target` becomes the parent of `source`. Only once for each stamp, because TF keeps
   /// the first and warns of others, and a timer that catches up with a simulated clock may tick several times at one

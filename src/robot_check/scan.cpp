@@ -1,0 +1,91 @@
+#include <algorithm>
+
+#include "robot_check/checks.h"
+#include "robot_check/other_names.h"
+
+namespace frontier_pilot::robot_check {
+namespace {
+
+constexpr const char* kType = "sensor_msgs/LaserScan";
+constexpr const char* kCloudType = "sensor_msgs/PointCloud2";
+constexpr double kLeastRate = 2.0;    // [Hz]; the navigator stands when the scan is older than 0.5 s
+constexpr double kTolerated = 0.1;    // [s] that a stamp may be behind, in addition to the time of a sweep
+constexpr double kLeastUsable = 0.1;  // share of the beams
+constexpr double kSweep = 1.2;        // a sweep cannot last longer than the time between two, plus jitter
+constexpr const char* kMerge =
+    "only one scan is used: merge them into one, for example with laserscan_multi_merger of ira_laser_tools, and set "
+    "scan:= to the topic of the merged scan";
+
+void checkMissing(const Observation& seen, const Expectation& expected, Findings& findings) {
+  std::string advice = "start the scanner's driver";
+  for (const Topic* cloud : othersOfType(seen.topics, {}, kCloudType)) {
+    advice += "; " + cloud->name + " is a point cloud: pointcloud_to_laserscan makes a scan of it";
+  }
+  const bool elsewhere = !othersOfType(seen.topics, expected.scan, kType).empty();
+  problem(findings, sayMissingTopic(seen.topics, expected.scan, kType, "scan"), elsewhere ? "" : advice);
+}
+
+void checkScanners(const Observation& seen, const Expectation& expected, const Topic& topic, Findings& findings) {
+  if (seen.scan.frames.size() > 1) {
+    problem(findings,
+            "several scanners publish " + expected.scan + ": frames " + joined(seen.scan.frames) + ", nodes " +
+                joined(topic.publishers),
+            kMerge);
+  } else if (topic.publishers.size() > 1) {
+    problem(findings, "several nodes publish " + expected.scan + ": " + joined(topic.publishers),
+            std::string("end one of them; if they are two scanners: ") + kMerge);
+  }
+  std::string others;
+  for (const Topic* other : othersOfType(seen.topics, expected.scan, kType))
+    others += (others.empty() ? "" : ", ") + other->name + " (" + joined(other->publishers) + ")";
+  if (!others.empty()) note(findings, "there are other scans, which are not used: " + others, kMerge);
+}
+
+void checkContents(const Observation& seen, const Expectation& expected, Findings& findings) {
+  const ScanStream& scan = seen.scan;
+  const std::string& name = expected.scan;
+  if (!scan.problem.empty()) problem(findings, name + " cannot be used: " + scan.problem, "look into its driver");
+  if (scan.usable_share < kLeastUsable) {
+    problem(findings,
+            "only " + number(100.0 * scan.usable_share) + " % of the beams of " + name +
+                " measure anything: the rest is " + "NaN or 0",
+            "is the scanner covered, or does its driver report nothing at all as 0 instead of inf?");
+  }
+  if (!scan.stamps_advance)
+    problem(findings, "all messages of " + name + " have the same stamp", "the driver has to stamp each one");
+  if (scan.rate < kLeastRate) {
+    problem(findings, name + " comes at " + number(scan.rate) + " Hz",
+            "the navigator stands when a scan is older than 0.5 s: at least " + number(kLeastRate) + " Hz");
+  }
+  const double sweep = static_cast<double>(scan.beams) * scan.time_increment;
+  if (scan.rate > 0.0 && (sweep < 0.0 || sweep > kSweep / scan.rate)) {
+    note(findings,
+         "time_increment of " + name + " is wrong: " + std::to_string(scan.beams) + " beams would take " +
+             number(sweep) + " s, but there is a scan every " + number(1.0 / scan.rate) + " s",
+         "correct it in the driver; 0 says that it is not known");
+  }
+  // A scan is stamped when its first beam is measured, and sent after the last one.
+  checkLag(seen, scan, name, kTolerated + (scan.rate > 0.0 ? 1.0 / scan.rate : 0.0), findings);
+}
+
+}  // namespace
+
+void checkScan(const Observation& seen, const Expectation& expected, Findings& findings) {
+  const Topic* topic = findTopic(seen.topics, expected.scan);
+  if (topic == nullptr || topic->publishers.empty() || topic->type != kType)
+    return checkMissing(seen, expected, findings);
+  if (seen.scan.count == 0) {
+    return problem(findings,
+                   expected.scan + " is published by " + joined(topic->publishers) + ", but nothing arrived in " +
+                       number(seen.seconds) + " s",
+                   "does the scanner turn, and does ROS_IP of its computer name an address that this one reaches?");
+  }
+  checkScanners(seen, expected, *topic, findings);
+  checkContents(seen, expected, findings);
+  if (seen.scan.rate >= kLeastRate) {
+    good(findings, expected.scan + ": " + number(seen.scan.rate) + " Hz, " + std::to_string(seen.scan.beams) +
+                       " beams, from " + joined(topic->publishers));
+  }
+}
+
+}  // namespace frontier_pilot::robot_check

@@ -1,0 +1,87 @@
+#include "ros/check_robot/robot_observer.h"
+
+#include <algorithm>
+
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/laser_scan.h"
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/messages/message_problems.h"
+#include "ros/common/names.h"
+
+namespace frontier_pilot {
+namespace {
+
+std::string withoutSlash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+double usableShare(const sensor_msgs::LaserScan& msg) {
+  if (msg.ranges.empty()) return 0.0;
+  const auto usable = std::count_if(msg.ranges.begin(), msg.ranges.end(), [&](float range) {
+    return readRange(range, static_cast<double>(msg.range_min), static_cast<double>(msg.range_max)).kind !=
+           RangeKind::kInvalid;
+  });
+  return static_cast<double>(usable) / static_cast<double>(msg.ranges.size());
+}
+
+}  // namespace
+
+template <class Msg>
+void RobotObserver::listen(ros::NodeHandle& node, const std::string& topic,
+                           std::function<void(const Event<Msg>&)> handle) {
+  constexpr std::uint32_t kQueue = 100;
+  ros::SubscribeOptions options = checkedSubscription<Msg>(
+      topic, kQueue, unreadable_,
+      [this, topic, handle](const Event<Msg>& event) { guard_.run(topic, [&] { handle(event); }); },
+      ros::TransportHints().tcpNoDelay());
+  subscribers_.push_back(node.subscribe(options));
+}
+
+RobotObserver::RobotObserver(ros::NodeHandle& node) {
+  listen<sensor_msgs::LaserScan>(node, names::kScan, [this](const auto& event) { takeScan(event); });
+  listen<nav_msgs::Odometry>(node, names::kOdom, [this](const auto& event) { takeOdometry(event); });
+  listen<tf2_msgs::TFMessage>(node, names::kTf, [this](const auto& event) { takeTransforms(event, false); });
+  listen<tf2_msgs::TFMessage>(node, names::kTfStatic, [this](const auto& event) { takeTransforms(event, true); });
+}
+
+void RobotObserver::takeScan(const Event<sensor_msgs::LaserScan>& event) {
+  const sensor_msgs::LaserScan& msg = *event.getConstMessage();
+  scan_.add(event.getPublisherName(), withoutSlash(msg.header.frame_id), msg.header.stamp, problemOf(msg));
+  last_scan_.usable_share = usableShare(msg);
+  last_scan_.beams = msg.ranges.size();
+  last_scan_.time_increment = static_cast<double>(msg.time_increment);
+}
+
+void RobotObserver::takeOdometry(const Event<nav_msgs::Odometry>& event) {
+  const nav_msgs::Odometry& msg = *event.getConstMessage();
+  std::string why;
+  if (toOdometry(msg, &why)) why.clear();
+  odometry_.add(event.getPublisherName(), withoutSlash(msg.header.frame_id), msg.header.stamp, why);
+}
+
+void RobotObserver::takeTransforms(const Event<tf2_msgs::TFMessage>& event, bool is_static) {
+  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
+    const auto key = std::make_pair(withoutSlash(transform.child_frame_id), withoutSlash(transform.header.frame_id));
+    if (links_.count(key) == 0 && links_.size() >= bounds::kMostFrames) continue;
+    Link& link = links_[key];
+    link.stream.add(event.getPublisherName(), {}, transform.header.stamp, {});
+    link.is_static = is_static;
+    if (const auto T_parent_child = toIsometry(transform.transform)) link.T_parent_child = *T_parent_child;
+  }
+}
+
+robot_check::Observation RobotObserver::observation() const {
+  robot_check::Observation seen;
+  static_cast<robot_check::Stream&>(seen.scan) = scan_.summary();
+  seen.scan.usable_share = last_scan_.usable_share;
+  seen.scan.beams = last_scan_.beams;
+  seen.scan.time_increment = last_scan_.time_increment;
+  seen.odometry = odometry_.summary();
+  for (const auto& [names, link] : links_) {
+    seen.links.push_back({names.second, names.first, link.T_parent_child, link.is_static, link.stream.summary()});
+  }
+  return seen;
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,226 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robot_check/findings.h"
+#include "seen_robot.h"
+
+namespace frontier_pilot::robot_check {
+namespace {
+
+struct Mistake {
+  const char* name;
+  std::function<void(SeenRobot&)> make;
+  std::vector<const char*> words;  ///< that have to occur in one finding and its advice
+  bool can_drive = false;
+};
+
+const std::vector<Mistake>& mistakes() {
+  static const std::vector<Mistake> kMistakes = {
+      {"NoScan", [](SeenRobot& r) { r.topic("/base_scan").publishers.clear(); }, {"nobody publishes /base_scan"}},
+      {"ScanUnderAnotherName",
+       [](SeenRobot& r) { r.topic("/base_scan").name = "/front/scan"; },
+       {"nobody publishes /base_scan", "/front/scan is a sensor_msgs/LaserScan of /lidar", "set scan:=/front/scan"}},
+      {"AnotherTypeUnderTheNameOfTheScan",
+       [](SeenRobot& r) { r.topic("/base_scan").type = "sensor_msgs/PointCloud2"; },
+       {"/base_scan is a sensor_msgs/PointCloud2", "pointcloud_to_laserscan"}},
+      {"ASilentScanner", [](SeenRobot& r) { r.seen.scan.count = 0; }, {"/base_scan", "nothing arrived in 5.00 s"}},
+      {"TwoScannersOnOneTopic",
+       [](SeenRobot& r) {
+         r.topic("/base_scan").publishers = {"/front", "/rear"};
+         r.seen.scan.frames = {"front_laser", "rear_laser"};
+       },
+       {"several scanners publish /base_scan", "/front, /rear", "laserscan_multi_merger"}},
+      {"TwoScannersOnTwoTopics",
+       [](SeenRobot& r) {
+         r.seen.topics.push_back({"/rear_scan", "sensor_msgs/LaserScan", {"/rear"}, {}});
+       },
+       {"/rear_scan (/rear)", "laserscan_multi_merger"},
+       true},
+      {"AScanWithoutAFrame", [](SeenRobot& r) { r.seen.scan.frames = {""}; }, {"frame_id is empty"}},
+      {"AScannerThatIsNotInTf",
+       [](SeenRobot& r) { r.seen.links.pop_back(); },
+       {"the frame laser of /base_scan is not connected to base_link", "static_transform_publisher"}},
+      {"AScanInTheFrameOfOdometry",
+       [](SeenRobot& r) { r.seen.scan.frames = {"odom"}; },
+       {"frame odom", "does not move with the robot"}},
+      {"ATiltedScanner",
+       [](SeenRobot& r) { r.seen.links[1].T_parent_child.rotate(Eigen::AngleAxisd(1.5, Eigen::Vector3d::UnitX())); },
+       {"tilted by 86 deg"}},
+      {"AScannerOutsideOfTheRobot",
+       [](SeenRobot& r) {
+         r.seen.links[1] = link("base_link", "laser", {0.5, 0.0, 0.0}, 0.2, "/s", true);
+       },
+       {"outside of the robot's outline", "robot:="},
+       true},
+      {"ASlowScanner",
+       [](SeenRobot& r) { r.seen.scan.rate = 0.8; },
+       {"/base_scan comes at 0.80 Hz", "at least 2.00 Hz"}},
+      {"LateScans", [](SeenRobot& r) { r.seen.scan.lag = 0.6; }, {"/base_scan are 0.60 s behind", "/lidar", "chrony"}},
+      {"ScansAheadOfTheClock",
+       [](SeenRobot& r) { r.seen.scan.lag = -0.3; },
+       {"/base_scan are 0.30 s ahead", "/lidar", "chrony"}},
+      {"AWrongTimeIncrement",
+       [](SeenRobot& r) { r.seen.scan.time_increment = 0.1; },
+       {"time_increment of /base_scan is wrong", "36.00 s"},
+       true},
+      {"ABlindScanner",
+       [](SeenRobot& r) { r.seen.scan.usable_share = 0.0; },
+       {"only 0.00 % of the beams of /base_scan measure anything"}},
+      {"AMalformedScan",
+       [](SeenRobot& r) { r.seen.scan.problem = "angle increment zero or not finite"; },
+       {"/base_scan cannot be used: angle increment zero"}},
+      {"NoOdometryAtAll",
+       [](SeenRobot& r) {
+         r.topic("/wheels/odom").publishers.clear();
+         r.seen.links.erase(r.seen.links.begin());
+       },
+       {"nobody publishes /wheels/odom"}},
+      {"OdometryUnderAnotherName",
+       [](SeenRobot& r) { r.topic("/wheels/odom").name = "/odometry/filtered"; },
+       {"/odometry/filtered is a nav_msgs/Odometry of /base", "set odom:=/odometry/filtered"}},
+      {"OdometryAsATransformAlone",
+       [](SeenRobot& r) { r.topic("/wheels/odom").publishers.clear(); },
+       {"as a transform alone", "set odom:=tf"}},
+      {"OdometryThatIsNotANumber",
+       [](SeenRobot& r) { r.seen.odometry.problem = "position not finite"; },
+       {"/wheels/odom cannot be used: position not finite"}},
+      {"OdometryWithAStampThatStandsStill",
+       [](SeenRobot& r) { r.seen.odometry.stamps_advance = false; },
+       {"all messages of /wheels/odom have the same stamp"}},
+      {"OdometryInAnotherFrame",
+       [](SeenRobot& r) { r.seen.odometry.frames = {"wheels"}; },
+       {"/wheels/odom is in the frame 'wheels', not in odom", "set odom_frame:=wheels"}},
+      {"LateOdometry", [](SeenRobot& r) { r.seen.odometry.lag = 0.4; }, {"/wheels/odom are 0.40 s behind"}},
+      {"ABaseFrameWithAnotherName",
+       [](SeenRobot& r) { r.expected.robot.base_frame = "base_footprint"; },
+       {"no frame base_footprint; base_link exists: set base_frame:=base_link"}},
+      {"FramesWithAPrefix",
+       [](SeenRobot& r) {
+         r.seen.links[0] = link("tb/odom", "tb/base_link", {}, 0.0, "/base", false);
+         r.seen.links[1] = link("tb/base_link", "tb/laser", {}, 0.2, "/s", true);
+       },
+       {"no frame base_link; tb/base_link exists: set base_frame:=tb/base_link"}},
+      {"NoTransformFromOdometryToTheBase",
+       [](SeenRobot& r) { r.seen.links[0] = link("odom", "dummy", {}, 0.0, "/base", false); },
+       {"there is no transform from odom to base_link"}},
+      {"TwoParentsOfTheBase",
+       [](SeenRobot& r) { r.seen.links.push_back(link("odom_combined", "base_link", {}, 0.0, "/ekf", false)); },
+       {"base_link has several parents: odom (/base), odom_combined (/ekf)"}},
+      {"TwoNodesThatPublishOdometrysTransform",
+       [](SeenRobot& r) {
+         r.seen.links[0].stream.publishers = {"/base", "/ekf"};
+       },
+       {"several nodes publish the transform odom -> base_link: /base, /ekf"}},
+      {"AnotherMapper",
+       [](SeenRobot& r) { r.seen.links.push_back(link("map", "odom", {}, 0.0, "/gmapping", false)); },
+       {"/gmapping publishes the transform map -> odom", "end that mapper"}},
+      {"TwoMaps",
+       [](SeenRobot& r) {
+         r.topic("/map") = {"/map", "nav_msgs/OccupancyGrid", {"/mapper", "/map_server"}, {}};
+       },
+       {"several nodes publish /map: /mapper, /map_server"}},
+      {"AnotherNodeThatDrives",
+       [](SeenRobot& r) { r.topic("/drive").publishers = {"/joystick"}; },
+       {"/joystick publishes /drive past the arbiter", "/drive_manual"}},
+      {"ABaseThatDoesNotListen",
+       [](SeenRobot& r) { r.topic("/drive").subscribers.clear(); },
+       {"nobody listens to /drive"}},
+      {"ABaseThatListensElsewhere",
+       [](SeenRobot& r) { r.topic("/drive").name = "/mobile_base/commands/velocity"; },
+       {"nobody listens to /drive; /base listens to", "set cmd_vel:=/mobile_base/commands/velocity"}},
+      {"TwoArbiters",
+       [](SeenRobot& r) {
+         r.topic("/cmd_vel_arbiter/status").publishers = {"/arbiter", "/other_arbiter"};
+       },
+       {"several arbiters: /arbiter, /other_arbiter"}},
+      {"SimulatedTimeWithoutAClock",
+       [](SeenRobot& r) { r.seen.use_sim_time = true; },
+       {"use_sim_time is true, but nobody publishes /clock", "rosparam set use_sim_time false"}},
+      {"AClockThatNobodyFollows",
+       [](SeenRobot& r) { r.topic("/clock").publishers = {"/gazebo"}; },
+       {"/gazebo publishes /clock, but use_sim_time is not true"}},
+      {"ALongWatchdog", [](SeenRobot& r) { r.expected.robot.watchdog = 5.0; }, {"goes on for 5.00 s"}},
+  };
+  return kMistakes;
+}
+
+bool names(const Finding& finding, const std::vector<const char*>& words) {
+  const std::string said = finding.text + ": " + finding.advice;
+  for (const char* word : words) {
+    if (said.find(word) == std::string::npos) return false;
+  }
+  return finding.mark != Mark::kGood;
+}
+
+// [ROB-3]
+class SeededMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(SeededMistake, IsNamed_ROB_3) {
+  SeenRobot robot;
+  GetParam().make(robot);
+  const Findings findings = judge(robot.seen, robot.expected);
+  bool named = false;
+  for (const Finding& finding : findings) named = named || names(finding, GetParam().words);
+  EXPECT_TRUE(named) << toText(findings);
+  EXPECT_EQ(couldDrive(findings), GetParam().can_drive) << toText(findings);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robot, SeededMistake, testing::ValuesIn(mistakes()),
+                         [](const auto& mistake) { return std::string(mistake.param.name); });
+
+// [ROB-3]
+TEST(RobotCheck, ARobotWithoutMistakesCouldDrive_ROB_3) {
+  const SeenRobot robot;
+  const Findings findings = judge(robot.seen, robot.expected);
+  EXPECT_TRUE(couldDrive(findings)) << toText(findings);
+  EXPECT_NE(toText(findings).find("The robot could drive."), std::string::npos);
+  EXPECT_NE(
+      toText(findings).find("0.05 m ahead of the base's origin, 0.02 m to the right, 0.20 m up, turned by 172 deg"),
+      std::string::npos)
+      << toText(findings);
+}
+
+// [ROB-2]
+TEST(RobotCheck, AScannerUpsideDownIsNoMistake_ROB_2) {
+  SeenRobot robot;
+  robot.seen.links[1].T_parent_child.rotate(Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()));
+  const Findings findings = judge(robot.seen, robot.expected);
+  EXPECT_TRUE(couldDrive(findings)) << toText(findings);
+  EXPECT_NE(toText(findings).find("upside down"), std::string::npos) << toText(findings);
+}
+
+// [ROB-2]
+TEST(RobotCheck, StampsATenthOfASecondAheadOrBehindAreNoMistake_ROB_2) {
+  for (const double lag : {-0.09, 0.09}) {
+    SeenRobot robot;
+    robot.seen.scan.lag = robot.seen.odometry.lag = robot.seen.links[0].stream.lag = lag;
+    EXPECT_TRUE(couldDrive(judge(robot.seen, robot.expected))) << lag;
+  }
+}
+
+// [ROB-3]
+TEST(RobotCheck, OurOwnMapperAndArbiterAreNoMistake_ROB_3) {
+  SeenRobot robot;
+  robot.seen.links.push_back(link("map", "odom", {}, 0.0, "/mapper", false));
+  robot.seen.providers["/mapper/save_map"] = "/mapper";
+  robot.topic("/cmd_vel_arbiter/status").publishers = {"/cmd_vel_arbiter"};
+  robot.topic("/drive").publishers = {"/cmd_vel_arbiter"};
+  robot.topic("/map").publishers = {"/mapper"};
+  const Findings findings = judge(robot.seen, robot.expected);
+  EXPECT_TRUE(couldDrive(findings)) << toText(findings);
+}
+
+// [ROB-3]
+TEST(RobotCheck, TheOperatorsWindowIsNoBase_ROB_3) {
+  SeenRobot robot;
+  robot.topic("/drive").subscribers = {"/teleop_gui"};
+  robot.topic("/drive_manual").publishers = {"/teleop_gui"};
+  EXPECT_FALSE(couldDrive(judge(robot.seen, robot.expected)));
+}
+
+}  // namespace
+}  // namespace frontier_pilot::robot_check
