@@ -25,7 +25,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   map_.subscribe(connections_, parameters_.map_frame);
   server_.subscribe(connections_);
   connections_.subscribeToOne(names::kScan, 1, &NavigatorAdapter::handleScan, this);
-  followOdometry(connections_, tf_, parameters_.robot, base_frame_, 1, &NavigatorAdapter::handleOdometry, this);
+  followOdometry(connections_, tf_, parameters_.robot, base_frame_, 20, &NavigatorAdapter::handleOdometry, this);
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
@@ -33,6 +33,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   });
   connections_.clock().onJump([this] {  // the goal stays
     scan_.reset();
+    placer_.clear();
     if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
   });
 }
@@ -45,20 +46,17 @@ void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
-  if (scan) {
-    scan_ = std::move(scan);
-  } else {
-    bad_scans_.add(why);
-  }
+  if (!scan) return bad_scans_.add(why);
+  scan_ = placer_.place(std::move(*scan), ScanReference::kEnd);
+  scan_motion_.note(placer_.timing(), placer_.uncovered() == scan_motion_.uncovered());
 }
 
 void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   std::string why;
-  if (const auto odometry = toOdometry(msg, &why)) {
-    twist_.put(odometry->twist, steadyNow());
-  } else {
-    bad_odometry_.add(why);
-  }
+  const auto odometry = toOdometry(msg, &why);
+  if (!odometry) return bad_odometry_.add(why);
+  twist_.put(odometry->twist, steadyNow());
+  placer_.addOdometry(odometry->stamp, odometry->T_odom_base);
 }
 
 std::optional<StampedPose2> NavigatorAdapter::pose() const {
@@ -140,6 +138,7 @@ void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& statu
   if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
   if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
   map_.rejections().report(status);
+  scan_motion_.report(status);
   bad_scans_.report(status);
   bad_odometry_.report(status);
   server_.report(status);
