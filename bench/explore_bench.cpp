@@ -22,9 +22,9 @@
 #include "support/explore_report.h"
 #include "support/explore_usage.h"
 #include "support/named_limits.h"
+#include "support/named_robot.h"
 #include "support/omniscient_tour.h"
 #include "support/progress_track.h"
-#include "support/shipped_robot.h"
 #include "support/svg.h"
 #include "tools/arguments.h"
 
@@ -34,15 +34,13 @@ namespace {
 struct Options {
   std::vector<std::string> worlds;
   std::vector<int> seeds = {1, 2, 3, 4, 5};
-  std::string robot = "burger";
+  std::string robot;  ///< empty: the default robot
   std::string strategy = "tour";
   std::string limits;  ///< empty: the robot's own
   std::optional<Pose2> start;
-  double until = 2.0;
-  double limit = 7200.0;
-  double latency = 0.0;
-  bool odom_noise = false, curve = false, log = false, twice = false, omniscient = false, driving = false,
-       decisions = false;
+  double until = 2.0, limit = 7200.0, latency = 0.0;
+  bool at_once = false, skewed = false, odom_noise = false, curve = false, log = false, twice = false,
+       omniscient = false, driving = false, decisions = false;
   std::string svg;
 };
 
@@ -61,6 +59,8 @@ void takeWord(const std::string& word, tools::Arguments& arguments, Options& o) 
   if (word == "--until") return void(o.until = arguments.number());
   if (word == "--limit") return void(o.limit = arguments.number());
   if (word == "--latency") return void(o.latency = arguments.number());
+  if (word == "--at-once") return void(o.at_once = true);
+  if (word == "--skewed") return void(o.skewed = true);
   if (word == "--odom-noise") return void(o.odom_noise = true);
   if (word == "--curve") return void(o.curve = true);
   if (word == "--driving") return void(o.driving = true);
@@ -92,9 +92,10 @@ double threadSeconds() {
 }
 
 RobotModel robotOf(const Options& options) {
-  RobotModel robot =
-      options.robot.find('/') == std::string::npos ? test::shippedRobot(options.robot) : loadRobot(options.robot);
+  RobotModel robot = robotNamed(options.robot);
   if (!options.limits.empty()) robot.limits = limitsNamed(options.limits);
+  if (options.at_once) robot.scanner.rolling = false;
+  if (options.skewed) robot.scanner.time_increment = 0.0;
   return robot;
 }
 

@@ -96,15 +96,22 @@ void stepToScan(Simulator& simulator) {
 }
 
 // Everything: robots that drive, and scan at 10 Hz with noise. `real time` is simulated time over wall time.
-void simulate(benchmark::State& state) {
-  Simulator simulator(world(), robots(state.range(0)));
+void simulate(benchmark::State& state, bool rolling) {
+  SimulatorParameters parameters = robots(state.range(0));
+  parameters.robot.scanner.rolling = rolling;
+  Simulator simulator(world(), parameters);
   for (auto _ : state) stepToScan(simulator);
   const auto scans = static_cast<double>(state.iterations());
   const double rays = scans * static_cast<double>(state.range(0)) * kBeams;
   state.counters["real time"] = benchmark::Counter(scans * 0.1, benchmark::Counter::kIsRate);
   state.counters["ns/ray"] = benchmark::Counter(rays * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
+void simulate(benchmark::State& state) { simulate(state, false); }
 BENCHMARK(simulate)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(benchmark::kMicrosecond);
+
+// The same with scanners that measure one beam after the other.
+void simulateRolling(benchmark::State& state) { simulate(state, true); }
+BENCHMARK(simulateRolling)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(benchmark::kMicrosecond);
 
 // CPU time of this thread [s].
 double cpuSeconds() {

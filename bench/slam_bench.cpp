@@ -39,6 +39,11 @@ constexpr const char* kUsage =
     "  --turn RAD       or that the robot has turned this far between (0: all)\n"
     "  --beams N        beams of the scanner (360)\n"
     "  --fov DEG        its field of view (360)\n"
+    "  --rolling        scans are measured beam after beam, 5 times a second, at up to 2.8 rad/s; odometry's noise is\n"
+    "                   that of wheels and a gyroscope, see --odom-walk, but its scale errors stay\n"
+    "  --odom-walk S    with --rolling: deviation of odometry's noise after a metre or radian (0.001)\n"
+    "  --at-once        with --rolling: the same drive, but all beams are measured at once\n"
+    "  --skewed         with --rolling: beams are not put where the robot was at their time\n"
     "  --details        what became of scans and of attempts to close loops\n"
     "  --png PREFIX     write a picture of each map: corrected trajectory blue\n"
     "Exit status 0: every seed within 0.10 m and 1 degree, no closure false.\n";
@@ -52,10 +57,12 @@ struct Options {
   test::SensorFault fault = test::SensorFault::kNone;
   double odom_noise = 0.05;
   double odom_drift = 0.005;
+  double odom_walk = 0.001;
   double step = 0.0;
   double turn = 0.0;
   int beams = 0;             ///< 0: the default robot's
   double field_of_view = 0;  ///< [rad]; 0: the default robot's
+  bool rolling = false, at_once = false, skewed = false;
   std::string png;
   bool details = false;
 };
@@ -67,10 +74,14 @@ void takeOption(const std::string& word, tools::Arguments& arguments, Options& o
   if (word == "--fault") return void(o.fault = test::sensorFaultNamed(arguments.text()));
   if (word == "--odom-noise") return void(o.odom_noise = arguments.number());
   if (word == "--odom-drift") return void(o.odom_drift = arguments.number());
+  if (word == "--odom-walk") return void(o.odom_walk = arguments.number());
   if (word == "--step") return void(o.step = arguments.number());
   if (word == "--turn") return void(o.turn = arguments.number());
   if (word == "--beams") return void(o.beams = static_cast<int>(arguments.number()));
   if (word == "--fov") return void(o.field_of_view = arguments.number() / kDegrees);
+  if (word == "--rolling") return void(o.rolling = true);
+  if (word == "--at-once") return void(o.at_once = true);
+  if (word == "--skewed") return void(o.skewed = true);
   if (word == "--details") return void(o.details = true);
   if (word == "--png") return void(o.png = arguments.text());
   throw std::invalid_argument("unknown option " + word);
@@ -105,11 +116,19 @@ sim::SimulatorParameters simulatorFor(const Options& options, int seed) {
   parameters.robot.limits.max_angular = 1.5;
   if (options.beams > 0) parameters.robot.scanner.beams = options.beams;
   if (options.field_of_view > 0.0) parameters.robot.scanner.field_of_view = options.field_of_view;
+  if (options.rolling) {
+    parameters.robot.limits.max_angular = 2.8;
+    parameters.robot.scanner.rate = 5.0;
+    parameters.robot.scanner.rolling = !options.at_once;
+    if (options.skewed) parameters.robot.scanner.time_increment = 0.0;
+  }
   parameters.odom_noise = true;
   sim::OdometryParameters& odometry = parameters.odometry;
   odometry.alpha1 = odometry.alpha3 = options.odom_noise * options.odom_noise;
   odometry.distance_scale = odometry.turn_scale = options.odom_noise;
   odometry.drift = options.odom_drift;
+  if (options.rolling)
+    odometry.alpha1 = odometry.alpha2 = odometry.alpha3 = odometry.alpha4 = square(options.odom_walk);
   return parameters;
 }
 
@@ -144,6 +163,7 @@ class Run {
   Run(const Options& options, int seed)
       : options_(options),
         seed_(seed),
+        timing_(simulatorFor(options, seed).robot.scanner),
         drive_(slamWorld(options.world), simulatorFor(options, seed), options.distance, options.fault),
         heap_before_(heapInUse()) {}
 
@@ -157,14 +177,16 @@ class Run {
   }
 
  private:
-  void take(const LaserScan2& scan) {
-    const std::optional<Pose2> odometry = drive_.T_odom_base();
+  void take(LaserScan2 scan) {
     if (!isFarEnough()) return;
+    timing_.apply(scan);
+    placeBeams(drive_.drive().odometry(), ScanReference::kMiddle, scan);
+    const std::optional<Pose2> odometry = drive_.T_odom_base(scan.stamp);
     insertions_.measure([&] { mapper_.insert(scan, odometry, scan.stamp); });
     revisions_.measure([&] { mapper_.reviseNow(); });
     if (!odometry) return;
     recorder_.note(mapper_, scan.stamp, *odometry);
-    truth_.push_back(drive_.T_map_base());
+    truth_.push_back(drive_.drive().truth().nearest(scan.stamp).value());
   }
 
   /// Whether the robot has moved far enough, in truth, since the last scan that was mapped.
@@ -230,6 +252,7 @@ class Run {
 
   const Options& options_;
   int seed_;
+  BeamTiming timing_;
   test::FaultyDrive drive_;
   double heap_before_;
   mapping::Mapper mapper_;

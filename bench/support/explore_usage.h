@@ -6,7 +6,11 @@ namespace frontier_pilot::bench {
 constexpr const char* kUsage =
     "usage: explore_bench [options] WORLD.yaml ...\n"
     "  --seeds A-B        seeds to run (1-5)\n"
-    "  --robot NAME       one of config/robots/ (burger), or the path of a file like those\n"
+    "  --robot NAME       one of config/robots/, or the path of a file like those; without it, a Burger with a "
+    "scanner\n"
+    "                     that measures 10 times a second all at once up to 8 m\n"
+    "  --at-once          the robot's scanner measures all beams at once\n"
+    "  --skewed           beams of rolling scans are not put where the robot was at their time\n"
     "  --limits NAME      instead of the robot's own: burger (0.22 m/s) or fast (0.5 m/s)\n"
     "  --strategy NAME    tour (default), greedy or nearest\n"
     "  --start X Y YAW    start pose in the world [m, m, rad]; the world's own otherwise\n"

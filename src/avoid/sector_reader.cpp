@@ -71,7 +71,7 @@ SectorDistances SectorReader::read(const LaserScan2& scan) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
     if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
-    add(sensor + reading.distance * directions[i], around);
+    add(scan.isMoving() ? scan.point(i, reading.distance) : Vec2(sensor + reading.distance * directions[i]), around);
   }
   return around;
 }

@@ -22,13 +22,16 @@ void LocalCostmap::clear() {
 
 void LocalCostmap::insert(const LaserScan2& scan, const Pose2& T_odom_base) {
   roll(T_odom_base.position());
-  const Pose2 T_odom_sensor = T_odom_base * scan.T_base_sensor;
+  const Pose2 T_odom_mount = T_odom_base * scan.T_base_sensor;
+  const auto T_odom_sensor = [&](std::size_t beam) {
+    return scan.isMoving() ? T_odom_base * scan.mount(beam) : T_odom_mount;
+  };
   clearBeams(scan, T_odom_sensor);
   // Hits are entered last, so that a beam that grazes the cell of another beam's hit does not clear it.
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
     if (!isHit(reading.kind)) continue;
-    const Cell cell = grid_.geometry().cellAt(T_odom_sensor * Vec2(reading.distance * direction(scan.angle(i))));
+    const Cell cell = grid_.geometry().cellAt(T_odom_sensor(i) * Vec2(reading.distance * direction(scan.angle(i))));
     if (grid_.contains(cell)) grid_[cell] = kOccupied;
   }
   clearUnder(T_odom_base);
@@ -59,14 +62,15 @@ void LocalCostmap::roll(const Vec2& robot) {
   grid_ = std::move(rolled);
 }
 
-void LocalCostmap::clearBeams(const LaserScan2& scan, const Pose2& T_odom_sensor) {
+void LocalCostmap::clearBeams(const LaserScan2& scan, const std::function<Pose2(std::size_t)>& T_odom_sensor) {
   // No beam needs to be followed farther than the window's diagonal.
   const double longest = 1.5 * parameters_.side;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
     if (reading.kind == RangeKind::kInvalid) continue;
     const double length = std::min(reading.distance, longest);
-    setFree(T_odom_sensor.position(), T_odom_sensor * Vec2(length * direction(scan.angle(i))));
+    const Pose2 from = T_odom_sensor(i);
+    setFree(from.position(), from * Vec2(length * direction(scan.angle(i))));
   }
 }
 

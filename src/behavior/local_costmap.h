@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,7 +32,8 @@ class LocalCostmap {
 
  private:
   void roll(const Vec2& robot);
-  void clearBeams(const LaserScan2& scan, const Pose2& T_odom_sensor);
+  /// `T_odom_sensor` gives the scanner's pose at the time of a beam.
+  void clearBeams(const LaserScan2& scan, const std::function<Pose2(std::size_t)>& T_odom_sensor);
   void clearUnder(const Pose2& T_odom_base);
   void setFree(const Vec2& from, const Vec2& to);
 

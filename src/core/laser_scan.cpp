@@ -13,12 +13,22 @@ RangeReading readRange(float range, double range_min, double range_max) {
   return {RangeKind::kHit, r};
 }
 
+Time LaserScan2::end() const {
+  if (isMoving() || ranges.empty()) return stamp;
+  return stamp + fromSeconds(time_increment * static_cast<double>(ranges.size() - 1));
+}
+
 LaserScan2 withAtMost(std::size_t most, LaserScan2 scan) {
   const std::size_t step = (scan.ranges.size() + most - 1) / most;
   if (step <= 1) return scan;
   std::size_t kept = 0;
-  for (std::size_t beam = 0; beam < scan.ranges.size(); beam += step) scan.ranges[kept++] = scan.ranges[beam];
+  for (std::size_t beam = 0; beam < scan.ranges.size(); beam += step) {
+    if (scan.isMoving()) scan.moving_mounts[kept] = scan.moving_mounts[beam];
+    scan.ranges[kept++] = scan.ranges[beam];
+  }
   scan.ranges.resize(kept);
+  if (scan.isMoving()) scan.moving_mounts.resize(kept);
+  scan.time_increment *= static_cast<double>(step);
   scan.angle_increment *= static_cast<double>(step);
   return scan;
 }

@@ -25,4 +25,12 @@ std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& para
   return std::make_unique<slam::GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
 }
 
+LaserScan2 withoutErrors(const slam::PoseCorrection& correction, LaserScan2 scan) {
+  const Pose2 T_sensor_base = scan.T_base_sensor.inverse();
+  for (Pose2& mount : scan.moving_mounts) {
+    mount = correction.withoutErrors(mount * T_sensor_base) * scan.T_base_sensor;
+  }
+  return scan;
+}
+
 }  // namespace frontier_pilot::mapping

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/mapping/parameters.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
 #include "frontier_pilot/scan_matching/scan_matcher.h"
@@ -20,5 +21,8 @@ std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameter
 
 /// The corrector that the parameters determine at the start, when `map` is still empty.
 std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map);
+
+/// `scan` with its beams placed by odometry without the systematic errors that `correction` knows of. [SCN-1]
+LaserScan2 withoutErrors(const slam::PoseCorrection& correction, LaserScan2 scan);
 
 }  // namespace frontier_pilot::mapping

@@ -17,7 +17,8 @@ namespace {
 bool isWellFormed(const LaserScan2& scan) {
   const bool finite = std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) &&
                       std::isfinite(scan.range_min) && std::isfinite(scan.range_max) && scan.T_base_sensor.isFinite();
-  return finite && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
+  const bool mounts = !scan.isMoving() || scan.moving_mounts.size() == scan.ranges.size();
+  return finite && mounts && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
          scan.range_max <= bounds::kUsedRange && !scan.ranges.empty() &&
          bounds::isWithin(scan.T_base_sensor.position().norm(), bounds::kMostMount);
 }
@@ -126,7 +127,7 @@ ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pos
 }
 
 ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base) {
-  const surfaces::SurfaceScan read = surfaces::readScan(scan, parameters.slam.surface);
+  const surfaces::SurfaceScan read = surfaces::readScan(withoutErrors(*correction, scan), parameters.slam.surface);
   usable_share = static_cast<double>(read.usableBeams()) / static_cast<double>(scan.ranges.size());
   return usable_share > 0.0 ? integrate(read, T_odom_base) : ScanVerdict::kAllInvalid;
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <deque>
-
 #include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/mapping/parameters.h"
 
@@ -17,18 +15,20 @@ enum class OdometryLookup {
 /// The recent odometry, which gives the pose at a stamp.
 class OdometryBuffer {
  public:
-  explicit OdometryBuffer(const OdometryBufferParameters& parameters = {}) : parameters_(parameters) {}
+  explicit OdometryBuffer(const OdometryBufferParameters& parameters = {})
+      : parameters_(parameters), track_(fromSeconds(parameters.length)) {}
 
-  /// A pose that is older than the last one restarts the buffer: the clock was set back. A repeated stamp is ignored.
-  void add(Time stamp, const Pose2& T_odom_base);
+  /// See PoseTrack::add.
+  void add(Time stamp, const Pose2& T_odom_base) { track_.add(stamp, T_odom_base); }
   /// The pose at `stamp`, interpolated between its neighbours. `T_odom_base` is written when found.
   OdometryLookup at(Time stamp, Pose2& T_odom_base) const;
-  void clear() { entries_.clear(); }
-  bool empty() const { return entries_.empty(); }
+  void clear() { track_.clear(); }
+  bool empty() const { return track_.empty(); }
+  const PoseTrack& track() const { return track_; }
 
  private:
   OdometryBufferParameters parameters_;
-  std::deque<StampedPose2> entries_;  ///< T_odom_base, oldest first
+  PoseTrack track_;  ///< T_odom_base
 };
 
 }  // namespace frontier_pilot::mapping

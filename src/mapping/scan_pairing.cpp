@@ -11,7 +11,7 @@ struct ScanPairing::Impl {
   explicit Impl(const ScanPairingParameters& given) : parameters(given), odometry(given.odometry) {}
 
   bool mayWait(const LaserScan2& scan, Time now) const {
-    const double waited = toSeconds(now - scan.stamp);
+    const double waited = toSeconds(now - scan.end());
     // A scan stamped more than a second ahead does not wait: the clock may have been set back.
     return waited < parameters.patience && waited > -1.0 &&
            waiting.size() <= static_cast<std::size_t>(parameters.max_waiting);
@@ -33,10 +33,12 @@ std::optional<PairedScan> ScanPairing::next(Time now) {
   std::deque<LaserScan2>& waiting = impl_->waiting;
   if (waiting.empty()) return std::nullopt;
   Pose2 T_odom_base;
-  const OdometryLookup lookup = impl_->odometry.at(waiting.front().stamp, T_odom_base);
+  OdometryLookup lookup = impl_->odometry.at(waiting.front().end(), T_odom_base);
   if (lookup == OdometryLookup::kTooNew && impl_->mayWait(waiting.front(), now)) return std::nullopt;
   PairedScan paired{std::move(waiting.front()), std::nullopt};
   waiting.pop_front();
+  paired.covered = placeBeams(impl_->odometry.track(), ScanReference::kMiddle, paired.scan);
+  lookup = impl_->odometry.at(paired.scan.stamp, T_odom_base);
   if (lookup == OdometryLookup::kFound) paired.T_odom_base = T_odom_base;
   return paired;
 }

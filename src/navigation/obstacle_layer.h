@@ -27,7 +27,7 @@ class ObstacleLayer {
 
  private:
   bool mark(const ScanPoints& points, const Vec2& robot, planning::ClearanceMap& map, Time now);
-  bool isGone(const LaserScan2& scan, const Pose2& T_map_sensor, const Vec2& obstacle) const;
+  bool isGone(const LaserScan2& scan, const Pose2& T_map_base, const Pose2& T_map_sensor, const Vec2& obstacle) const;
 
   ObstacleLayerParams params_;
   std::map<std::size_t, Time> seen_;  ///< index of the cell and when it was last hit

@@ -95,7 +95,7 @@ double ScanPoints::distance(const Outline& outline, const Pose2& T_map_base) con
 }
 
 ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline) {
-  const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
+  const Pose2 T_map_mount = T_map_base * scan.T_base_sensor;
   ScanPoints points;
   points.x.reserve(scan.ranges.size());
   points.y.reserve(scan.ranges.size());
@@ -107,6 +107,7 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Out
       const Vec2 unit = direction(scan.T_base_sensor.yaw + scan.angle(i));
       distance = std::min(distance, outline.distanceToEdge(scan.T_base_sensor.position(), unit));
     }
+    const Pose2 T_map_sensor = scan.isMoving() ? T_map_base * scan.mount(i) : T_map_mount;
     points.add(T_map_sensor.position() + distance * direction(T_map_sensor.yaw + scan.angle(i)));
   }
   return points;

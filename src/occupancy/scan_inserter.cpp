@@ -8,29 +8,31 @@
 namespace frontier_pilot::occupancy {
 
 Insertion ScanInserter::insert(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, OccupancyMap& map) {
-  const Vec2 sensor = T_map_base * scan.T_base_sensor.position();
   readRays(scan, T_map_base, map.parameters().resolution);
   if (rays_.empty()) return Insertion::kAllInvalid;
-  if (!reserve(T_map_base, sensor, map)) return Insertion::kOutOfBounds;
+  if (!reserve(T_map_base, map)) return Insertion::kOutOfBounds;
   map.beginScan();
   markHits(map);
-  clearRays(sensor, map);
+  clearRays(map);
   clearFootprint(T_map_base.position(), map);
   return Insertion::kInserted;
 }
 
 void ScanInserter::readRays(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, double resolution) {
   const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
-  const Vec2 sensor = T_map_sensor.position();
   rays_.clear();
-  for (const double angle : scan.free) {
-    const Vec2 unit = direction(T_map_sensor.yaw + angle);
-    rays_.push_back({sensor + std::min(scan.range_max, parameters_.max_clear_range) * unit, std::nullopt});
+  for (std::size_t i = 0; i < scan.free.size(); ++i) {
+    const Pose2 T_map_scanner = scan.free_mounts.empty() ? T_map_sensor : T_map_base * scan.free_mounts[i];
+    const Vec2 unit = direction(T_map_scanner.yaw + scan.free[i]);
+    const Vec2 sensor = T_map_scanner.position();
+    rays_.push_back({sensor, sensor + std::min(scan.range_max, parameters_.max_clear_range) * unit, std::nullopt});
   }
   const Rotation2 R_map_base(T_map_base.yaw);
-  for (const surfaces::SurfacePoint& point : scan.points) {
-    const Vec2 position = R_map_base.applied(point.position, T_map_base.position());
-    rays_.push_back(rayThatMet(position, R_map_base * point.normal, sensor, resolution));
+  const auto inMap = [&](const Vec2& point) { return R_map_base.applied(point, T_map_base.position()); };
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const surfaces::SurfacePoint& point = scan.points[i];
+    const Vec2 sensor = scan.point_origins.empty() ? T_map_sensor.position() : inMap(scan.point_origins[i]);
+    rays_.push_back(rayThatMet(inMap(point.position), R_map_base * point.normal, sensor, resolution));
   }
 }
 
@@ -42,17 +44,17 @@ ScanInserter::Ray ScanInserter::rayThatMet(const Vec2& point, const Vec2& normal
   const Vec2 unit = (point - sensor).normalized();
   const Vec2 behind = normal.isZero(0.0) ? unit : Vec2(-normal);
   const double margin = parameters_.clear_margin * resolution / std::max(kFlattest, unit.dot(behind));
-  return {sensor + std::max(0.0, range - margin) * unit, point + parameters_.hit_offset * resolution * behind};
+  return {sensor, sensor + std::max(0.0, range - margin) * unit, point + parameters_.hit_offset * resolution * behind};
 }
 
-bool ScanInserter::reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const {
+bool ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const {
   const Vec2 radius = Vec2::Constant(parameters_.robot_radius);
-  Vec2 low = sensor.cwiseMin(T_map_base.position() - radius);
-  Vec2 high = sensor.cwiseMax(T_map_base.position() + radius);
+  Vec2 low = T_map_base.position() - radius;
+  Vec2 high = T_map_base.position() + radius;
   for (const Ray& ray : rays_) {
     const Vec2 hit = ray.hit.value_or(ray.clear_to);
-    low = low.cwiseMin(ray.clear_to).cwiseMin(hit);
-    high = high.cwiseMax(ray.clear_to).cwiseMax(hit);
+    low = low.cwiseMin(ray.from).cwiseMin(ray.clear_to).cwiseMin(hit);
+    high = high.cwiseMax(ray.from).cwiseMax(ray.clear_to).cwiseMax(hit);
   }
   return map.reserve(low, high);
 }
@@ -63,10 +65,10 @@ void ScanInserter::markHits(OccupancyMap& map) const {
   }
 }
 
-void ScanInserter::clearRays(const Vec2& sensor, OccupancyMap& map) const {
+void ScanInserter::clearRays(OccupancyMap& map) const {
   const GridGeometry geometry = map.geometry();
   for (const Ray& ray : rays_) {
-    visitCells(geometry, sensor, ray.clear_to, [&](Cell cell) {
+    visitCells(geometry, ray.from, ray.clear_to, [&](Cell cell) {
       // A beam that a surface did not reflect looks like one that met nothing. It therefore ends at the first obstacle
       // on its way, whose cell it makes less likely; only when enough such beams have cleared that cell do others pass.
       const bool conflicting = !ray.hit && map.isOccupied(cell);

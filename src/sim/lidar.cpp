@@ -50,13 +50,65 @@ void Lidar::scan(const Pose2& T_world_base, const grids::RayCaster& walls, const
     const Vec2 to = disc.centre - from;
     if (id != own) meetDisc({ahead.dot(to), ahead.x() * to.y() - ahead.y() * to.x()}, disc.radius);
   });
+  describe(scan);
+  for (std::size_t i = 0; i < ranges_.size(); ++i) scan.ranges[i] = reading(ranges_[i], random);
+}
+
+void Lidar::describe(LaserScan2& scan) const {
   scan.angle_min = scanner_.angle_min;
   scan.angle_increment = increment_;
+  scan.time_increment = scanner_.rolling ? 1.0 / scanner_.rate / static_cast<double>(beams_.size()) : 0.0;
   scan.range_min = scanner_.range_min;
   scan.range_max = scanner_.range_max;
   scan.T_base_sensor = scanner_.T_base_sensor();
-  scan.ranges.resize(ranges_.size());
-  for (std::size_t i = 0; i < ranges_.size(); ++i) scan.ranges[i] = reading(ranges_[i], random);
+  scan.ranges.resize(beams_.size());
+}
+
+void Lidar::measure(const Sweep& sweep, const grids::RayCaster& walls, const DiscIndex& discs,
+                    std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan) {
+  aim(sweep);
+  swept_ranges_.assign(swept_.size(), scanner_.range_max);
+  walls.castEach(swept_from_, swept_, swept_ranges_);
+  discs.visitNear(swept_from_.front(), scanner_.range_max, [&](DiscIndex::Id id, const Disc& disc) {
+    if (id != own) meetMoving(disc);
+  });
+  for (std::size_t i = 0; i < swept_ranges_.size(); ++i)
+    scan.ranges[sweep.first + i] = reading(swept_ranges_[i], random);
+}
+
+void Lidar::aim(const Sweep& sweep) {
+  const Rotation2 turn(sweep.turn);
+  const Vec2 mount = scanner_.T_base_sensor().position();
+  Vec2 base = sweep.T_world_base.position();
+  // The headings of the base and of the scanner, turned on from beam to beam, which is cheaper than sine and cosine.
+  Vec2 heading = direction(sweep.T_world_base.yaw);
+  const Vec2 yaw = direction(scanner_.yaw);
+  swept_from_.resize(sweep.end - sweep.first);
+  swept_.resize(sweep.end - sweep.first);
+  const auto turnedBy = [](const Vec2& by, const Vec2& v) {
+    return Vec2(by.x() * v.x() - by.y() * v.y(), by.y() * v.x() + by.x() * v.y());
+  };
+  for (std::size_t i = 0; i < swept_.size(); ++i) {
+    swept_from_[i] = base + turnedBy(heading, mount);
+    swept_[i] = turnedBy(turnedBy(heading, yaw), beams_[sweep.first + i]);
+    base += sweep.step;
+    heading = turn * heading;
+  }
+}
+
+// Shortens the beams of the sweep that meet the disc.
+void Lidar::meetMoving(const Disc& disc) {
+  for (std::size_t i = 0; i < swept_.size(); ++i) {
+    const Vec2 centre = disc.centre - swept_from_[i];
+    const double along = swept_[i].dot(centre);
+    const double outside = centre.squaredNorm() - disc.radius * disc.radius;
+    const double square = along * along - outside;
+    if (outside <= 0.0) {
+      swept_ranges_[i] = 0.0;
+    } else if (square >= 0.0 && along >= 0.0) {
+      swept_ranges_[i] = std::min(swept_ranges_[i], along - std::sqrt(square));
+    }
+  }
 }
 
 void Lidar::turnBeams(double yaw) {

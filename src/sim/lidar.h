@@ -18,12 +18,28 @@ namespace frontier_pilot::sim {
 /// hardly anything if it is behind a wall.
 class Lidar {
  public:
+  /// Consecutive beams that are measured one after the other while the base moves evenly.
+  struct Sweep {
+    std::size_t first, end;
+    Pose2 T_world_base;        ///< at the time of the first of them
+    Vec2 step = Vec2::Zero();  ///< how far the base moves from one beam to the next [m]
+    double turn = 0.0;         ///< how far it turns meanwhile [rad]
+  };
+
   Lidar(const ScannerModel& scanner, const LidarNoise& noise);
 
   /// Fills `scan` as seen from a base at `T_world_base`, whose own disc `own` is not seen. By REP 117, +inf is no
   /// return and -inf is nearer than `range_min`; NaN is a drop-out.
   void scan(const Pose2& T_world_base, const grids::RayCaster& walls, const DiscIndex& discs,
             std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan);
+
+  /// Measures the beams from `sweep.first` up to, but not including, `sweep.end` and writes them into `scan`.
+  /// Discs are where they are now.
+  void measure(const Sweep& sweep, const grids::RayCaster& walls, const DiscIndex& discs,
+               std::optional<DiscIndex::Id> own, Random& random, LaserScan2& scan);
+  /// Sets everything of `scan` but its ranges and its stamp.
+  void describe(LaserScan2& scan) const;
+  std::size_t beamCount() const { return beams_.size(); }
 
  private:
   static constexpr std::size_t kSectors = 64;
@@ -36,6 +52,8 @@ class Lidar {
   void measureSight();
   void meetDisc(const Vec2& centre, double radius);
   void meetDisc(const Vec2& centre, double radius, double first_angle, double last_angle);
+  void aim(const Sweep& sweep);
+  void meetMoving(const Disc& disc);
   float reading(double range, Random& random) const;
 
   ScannerModel scanner_;
@@ -44,6 +62,9 @@ class Lidar {
   std::vector<Vec2> beams_;   ///< in the sensor's frame
   std::vector<Vec2> turned_;  ///< in the world's frame
   std::vector<double> ranges_;
+  // The beams of a sweep: where each begins and whither it points in the world's frame, and its range.
+  std::vector<Vec2> swept_from_, swept_;
+  std::vector<double> swept_ranges_;
   std::vector<Run> runs_;
   std::array<double, kSectors> sight_{};  ///< see `measureSight` [m]
 };

@@ -26,24 +26,18 @@ std::string quoted(const std::string& robot) { return robot.empty() ? "the robot
 
 }  // namespace
 
-std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const World& world) {
-  if (!parameters.robots.empty()) return parameters.robots;
-  const bool placed = !std::isnan(parameters.x) || !std::isnan(parameters.y);
-  const Pose2 fallback = placed ? Pose2{} : world.start.value_or(Pose2{});
-  const auto given = [](double value, double otherwise) { return std::isnan(value) ? otherwise : value; };
-  return {{"", given(parameters.x, fallback.x), given(parameters.y, fallback.y), given(parameters.yaw, fallback.yaw)}};
-}
-
 struct Simulator::Impl {
   struct Robot {
     std::string name;
     Pose2 start;
     Pose2 pose;
+    Pose2 before;  ///< the pose at the beginning of the last step
     DiffDrive drive;
     Odometry odometry;
     Random lidar_noise;
     DiscIndex::Id disc;
     LaserScan2 scan;
+    LaserScan2 unfinished;  ///< the beams of a rolling scan measured so far
     bool stalled = false;
     int contacts = 0;
   };
@@ -55,6 +49,8 @@ struct Simulator::Impl {
   void drive(Robot& robot);
   void put(Robot& robot, const Pose2& pose);
   void scanAll();
+  bool sweepAll();
+  void sweepAll(std::size_t beams);
   std::vector<bool> whoMustStay() const;
   bool startIsTaken(const Robot& robot, const std::vector<bool>& stays) const;
 
@@ -62,7 +58,11 @@ struct Simulator::Impl {
   CollisionScene scene;
   grids::RayCaster rays;
   Lidar lidar;
+  bool rolling;
   Duration scan_period;
+  Duration beam_period;  ///< from one beam to the next of a rolling scan
+  Time scan_start{};     ///< of the rolling scan that is being measured
+  std::size_t next_beam = 0;
   Time now;
   Time next_scan;
   bool scanned = false;
@@ -75,7 +75,9 @@ Simulator::Impl::Impl(World given, const SimulatorParameters& parameters)
       scene(world.map.geometry(), solidCells(world.map, parameters.unknown_is_free), parameters.robot.drivenOutline()),
       rays(solidCells(world.map, parameters.unknown_is_free)),
       lidar(parameters.robot.scanner, parameters.lidar),
+      rolling(parameters.robot.scanner.rolling),
       scan_period(fromSeconds(1.0 / parameters.robot.scanner.rate)),
+      beam_period(std::max(Duration(1), scan_period / parameters.robot.scanner.beams)),
       next_scan(Time{} + scan_period) {
   for (const RobotSpec& spec : robotsOf(parameters, world)) addRobot(spec, parameters);
 }
@@ -93,9 +95,11 @@ void Simulator::Impl::addRobot(const RobotSpec& spec, const SimulatorParameters&
   const auto seed = static_cast<std::uint64_t>(parameters.seed);
   const std::uint64_t stream = robots.size() * kNoiseStreams;
   const DiscIndex::Id disc = scene.addRobot(start.position());
-  robots.push_back({spec.name, start, start, DiffDrive(parameters.robot.limits, fromSeconds(parameters.robot.watchdog)),
+  robots.push_back({spec.name, start, start, start,
+                    DiffDrive(parameters.robot.limits, fromSeconds(parameters.robot.watchdog)),
                     Odometry(parameters.odometry, parameters.odom_noise, Random(seed, stream + kOdometryNoise)),
-                    Random(seed, stream + kLidarNoise), disc, LaserScan2{}});
+                    Random(seed, stream + kLidarNoise), disc, LaserScan2{}, LaserScan2{}});
+  lidar.describe(robots.back().unfinished);
 }
 
 void Simulator::Impl::scanAll() {
@@ -106,7 +110,42 @@ void Simulator::Impl::scanAll() {
   }
 }
 
+// Measures the beams of rolling scans whose time has come. Returns whether scans have been completed.
+bool Simulator::Impl::sweepAll() {
+  bool completed = false;
+  while (scan_start + static_cast<std::int64_t>(next_beam) * beam_period <= now) {
+    const auto due = static_cast<std::size_t>((now - scan_start) / beam_period) + 1;
+    sweepAll(std::min(due, lidar.beamCount()));
+    if (next_beam < lidar.beamCount()) break;
+    for (Robot& robot : robots) {
+      robot.unfinished.stamp = scan_start;
+      robot.scan = robot.unfinished;
+    }
+    scan_start += scan_period;
+    next_beam = 0;
+    completed = true;
+  }
+  return completed;
+}
+
+// The beams up to, but not including, `end`. During a step of the simulation a robot moves evenly from where it was to
+// where it is; everything else is where it is at the end of the step.
+void Simulator::Impl::sweepAll(std::size_t end) {
+  const double per_beam = toSeconds(beam_period) / toSeconds(kStep);
+  const Time first = scan_start + static_cast<std::int64_t>(next_beam) * beam_period;
+  const double begin = 1.0 - toSeconds(now - first) / toSeconds(kStep);
+  for (Robot& robot : robots) {
+    const Vec2 moved = robot.pose.position() - robot.before.position();
+    const double turned = angleDifference(robot.pose.yaw, robot.before.yaw);
+    const Lidar::Sweep sweep{next_beam, end, interpolate(robot.before, robot.pose, begin), per_beam * moved,
+                             per_beam * turned};
+    lidar.measure(sweep, rays, scene.discs(), robot.disc, robot.lidar_noise, robot.unfinished);
+  }
+  next_beam = end;
+}
+
 void Simulator::Impl::drive(Robot& robot) {
+  robot.before = robot.pose;
   const double seconds = toSeconds(kStep);
   const Twist2& velocity = robot.drive.update(now, seconds);
   const Twist2 arc{velocity.linear * seconds, velocity.angular * seconds};
@@ -199,8 +238,8 @@ std::optional<std::size_t> Simulator::find(const std::string& name) const {
 void Simulator::step() {
   for (Impl::Robot& robot : impl_->robots) impl_->drive(robot);
   impl_->now += kStep;
-  impl_->scanned = impl_->now >= impl_->next_scan;
-  if (impl_->scanned) impl_->scanAll();
+  impl_->scanned = impl_->rolling ? impl_->sweepAll() : impl_->now >= impl_->next_scan;
+  if (impl_->scanned && !impl_->rolling) impl_->scanAll();
 }
 
 Placement Simulator::setPose(const std::string& name, const Pose2& pose) {

@@ -31,18 +31,21 @@ class BeamReader {
       if (reading.kind != RangeKind::kFree) continue;
       open_ = true;
       free_.push_back(scan_.angle(beam));
+      if (scan_.isMoving()) free_mounts_.push_back(scan_.mount(beam));
     }
-    return {scan_.stamp, scan_.T_base_sensor, std::move(points_), std::move(free_), scan_.range_max};
+    return {scan_.stamp,     scan_.T_base_sensor,       std::move(points_),     std::move(free_),
+            scan_.range_max, std::move(point_origins_), std::move(free_mounts_)};
   }
 
  private:
   void add(std::size_t beam, double distance) {
-    const Vec2 point = scan_.T_base_sensor * Vec2(distance * direction(scan_.angle(beam)));
+    const Vec2 point = scan_.point(beam, distance);
     const auto apart = static_cast<double>(beam - last_beam_);
     const double spacing = apart * std::abs(scan_.angle_increment) * std::min(distance, last_distance_);
     const bool connected = !open_ && beam - last_beam_ <= kMostMissing + 1 &&
                            (point - points_.back().position).norm() <= kSteepest * spacing + kSlack;
     points_.push_back({point, Vec2::Zero(), connected});
+    if (scan_.isMoving()) point_origins_.push_back(scan_.mount(beam).position());
     last_beam_ = beam;
     last_distance_ = distance;
     open_ = false;
@@ -51,6 +54,8 @@ class BeamReader {
   const LaserScan2& scan_;
   SurfacePoints points_;
   std::vector<double> free_;
+  std::vector<Vec2> point_origins_;
+  std::vector<Pose2> free_mounts_;
   std::size_t last_beam_ = 0;
   double last_distance_ = 0.0;
   bool open_ = true;  ///< the next return is not connected to the last one
@@ -206,7 +211,7 @@ SurfaceScan readScan(const LaserScan2& scan, const SurfaceParameters& parameters
     // A corner is on both walls: which of them it is assigned to must not depend on the order of the beams.
     const auto line = corners[i] ? std::nullopt : fitter.line(span, parameters.fit_error);
     SurfacePoint& point = points[i];
-    const Vec2 beam = point.position - sensor;
+    const Vec2 beam = point.position - (read.point_origins.empty() ? sensor : read.point_origins[i]);
     if (line) point.normal = line->normal.dot(beam) > 0.0 ? Vec2(-line->normal) : line->normal;
     const double facing = facingOf(point, beam);
     point.noise = noiseOf(beam.norm(), facing, parameters);

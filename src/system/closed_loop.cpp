@@ -57,7 +57,8 @@ ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters,
       nav_source_(arbiter_.find("nav").value()),
       wall_clock_(wall_clock),
       head_start_(fromSeconds(parameters.head_start)),
-      latency_(fromSeconds(parameters.latency)) {}
+      latency_(fromSeconds(parameters.latency)),
+      placer_(parameters.mapper.robot.scanner) {}
 
 void ClosedLoop::step() {
   {
@@ -82,10 +83,12 @@ void ClosedLoop::sense() {
   while (!on_the_way_.empty() && now() - on_the_way_.front().odometry.stamp >= latency_) {
     sensed_ = std::move(on_the_way_.front());
     on_the_way_.pop_front();
+    placer_.addOdometry(sensed_.odometry.stamp, sensed_.odometry.T_odom_base);
     if (!sensed_.scan) continue;
-    scan_ = std::move(*sensed_.scan);
     const Stopwatch watch(wall_clock_, times_.mapper);
-    mapper_.insert(scan_, sensed_.odometry.T_odom_base, now());
+    const LaserScan2 mapped = placer_.place(*sensed_.scan, ScanReference::kMiddle);
+    mapper_.insert(mapped, placer_.track().nearest(mapped.stamp), now());
+    scan_ = placer_.place(std::move(*sensed_.scan), ScanReference::kEnd);
     mapper_.reviseNow();
   }
 }

@@ -75,11 +75,11 @@ class LaunchFilesTest(unittest.TestCase):
         for name in ('burger', 'turtlebot2', 'fast'):
             self.expect_robot(ROOT + '/launch/system.launch', robot(name), robot=name)
 
-    def test_a_burger_is_the_default_and_needs_no_parameters(self):
+    def test_a_burger_is_the_default(self):
         """[ROB-1]"""
         for file in FILES:
             if os.path.basename(file) not in OWN_ROBOT:
-                self.expect_robot(file, {})
+                self.expect_robot(file, robot('burger'))
 
     def test_a_robot_can_be_a_file_of_ones_own_also_relative_to_the_folder_one_stands_in(self):
         """[ROB-1]"""

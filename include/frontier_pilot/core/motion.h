@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <deque>
+#include <optional>
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/time.h"
@@ -11,6 +13,30 @@ namespace frontier_pilot {
 struct StampedPose2 {
   Time stamp;
   Pose2 pose;
+};
+
+/// The poses of the last seconds, in the order of their stamps.
+class PoseTrack {
+ public:
+  /// `kept`: for how long a pose is kept.
+  explicit PoseTrack(Duration kept = std::chrono::seconds(2)) : kept_(kept) {}
+
+  /// A pose that is older than the last one restarts the track: the clock was set back. A repeated stamp is ignored.
+  void add(Time stamp, const Pose2& pose);
+  void clear() { poses_.clear(); }
+  bool empty() const { return poses_.empty(); }
+  const std::deque<StampedPose2>& poses() const { return poses_; }
+  /// The pose at `stamp`, interpolated between its neighbours; before the first and after the last that one. Nothing if
+  /// there is none.
+  std::optional<Pose2> nearest(Time stamp) const;
+  /// How far `stamp` is from the nearest pose; zero between two of them that are less than `gap` apart.
+  Duration away(Time stamp, Duration gap) const;
+
+ private:
+  std::deque<StampedPose2>::const_iterator notBefore(Time stamp) const;
+
+  Duration kept_;
+  std::deque<StampedPose2> poses_;
 };
 
 /// Where the base was and how it moved at `stamp`, according to odometry.

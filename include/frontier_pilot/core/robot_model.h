@@ -44,6 +44,8 @@ struct ScannerModel {
   double field_of_view = 2.0 * kPi;  ///< [rad]; on a full turn the last beam is one step short of the first
   double range_min = 0.12;           ///< [m]
   double range_max = 8.0;            ///< [m]
+  bool rolling = false;              ///< it measures one beam after the other over the whole period of a scan
+  double time_increment = -1.0;      ///< from one beam to the next [s]; negative: as the driver says
 
   Pose2 T_base_sensor() const { return {x, y, yaw}; }
 
@@ -59,6 +61,10 @@ struct ScannerModel {
     v.field("field_of_view", field_of_view, "rad", "angle that the beams cover", {0.0, 2.0 * kPi, true});
     v.field("range_min", range_min, "m", "nearest distance it measures", between(0.0, bounds::kMostRange));
     v.field("range_max", range_max, "m", "farthest distance it measures", positiveUpTo(bounds::kMostRange));
+    v.field("rolling", rolling, "", "whether it measures one beam after the other, over the whole period of a scan");
+    v.field("time_increment", time_increment, "s",
+            "time from one beam to the next; 0: all beams are measured at once; -1: the one that the driver gives",
+            between(-1.0, 1.0));
   }
   void check(Problems& problems) const;
 };

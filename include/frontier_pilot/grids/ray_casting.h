@@ -30,6 +30,8 @@ class RayCaster {
   /// The same along many unit vectors at once, which is faster. `ranges` holds each ray's greatest range when called
   /// and its range afterwards; it must be as long as `units`.
   void castAll(const Vec2& from, const std::vector<Vec2>& units, std::vector<double>& ranges) const;
+  /// The same from a point of its own for each ray.
+  void castEach(const std::vector<Vec2>& from, const std::vector<Vec2>& units, std::vector<double>& ranges) const;
 
   const GridGeometry& geometry() const { return geometry_; }
 
@@ -40,6 +42,9 @@ class RayCaster {
   bool contains(const Vec2& from) const;
   Origin originAt(const Vec2& from) const;
   Ray rayAlong(const Origin& origin, const Vec2& unit, double max_cells) const;
+  /// Casts the rays in turns; `origin_of` gives the origin of the ray with that index.
+  template <class OriginOf>
+  void castInTurns(const OriginOf& origin_of, const std::vector<Vec2>& units, std::vector<double>& ranges) const;
   double walk(const Origin& origin, const Vec2& unit, double max_range) const;
   double castFromOutside(const Vec2& from, const Vec2& unit, double max_range) const;
 

@@ -10,11 +10,13 @@ namespace frontier_pilot::mapping {
 
 /// A scan with its odometry, or one for which there is none and will be none.
 struct PairedScan {
-  LaserScan2 scan;
+  LaserScan2 scan;                   ///< with its beams where the robot was at their times, see `placeBeams`
   std::optional<Pose2> T_odom_base;  ///< none: there is no odometry for the stamp
+  bool covered = true;               ///< whether odometry covers all beams of a rolling scan
 };
 
-/// Pairs scans with odometry by stamp [MAP-1], because they arrive on different topics in any order.
+/// Pairs scans with odometry by stamp [MAP-1], because they arrive on different topics in any order. A rolling scan
+/// waits for odometry up to its last beam, and is paired at the time of its middle.
 class ScanPairing {
  public:
   explicit ScanPairing(const ScanPairingParameters& parameters = {});

@@ -31,15 +31,16 @@ class ScanInserter {
 
  private:
   struct Ray {
+    Vec2 from;                ///< the sensor [m, map]
     Vec2 clear_to;            ///< cells are free from the sensor to here [m, map]
     std::optional<Vec2> hit;  ///< a point behind the surface [m, map]; a beam without a return has none
   };
 
   void readRays(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, double resolution);
   Ray rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor, double resolution) const;
-  bool reserve(const Pose2& T_map_base, const Vec2& sensor, OccupancyMap& map) const;
+  bool reserve(const Pose2& T_map_base, OccupancyMap& map) const;
   void markHits(OccupancyMap& map) const;
-  void clearRays(const Vec2& sensor, OccupancyMap& map) const;
+  void clearRays(OccupancyMap& map) const;
   void clearFootprint(const Vec2& robot, OccupancyMap& map) const;
 
   ScanInsertionParameters parameters_;

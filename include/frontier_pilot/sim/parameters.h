@@ -104,7 +104,8 @@ struct SimulatorParameters {
     v.field("unknown_is_free", unknown_is_free, "",
             "whether unknown cells of the world can be driven and seen through");
     describeRobot(v, robot);
-    v.group("lidar", lidar, "noise of the scanners");
+    LidarGroup scanners{lidar, robot.scanner.rolling};
+    v.group("lidar", scanners, "the simulated scanners");
     v.group("odometry", odometry, "odometry noise");
     v.list("robots", robots, "several robots, instead of one at x, y, yaw");
     v.moved("radius", "robot/disc_radius");
@@ -112,6 +113,20 @@ struct SimulatorParameters {
   }
 
   void check(Problems& problems) const;
+
+ private:
+  /// The group `lidar`: noise, and `rolling`, which overrides robot/scanner/rolling.
+  struct LidarGroup {
+    LidarNoise& noise;
+    bool& rolling;
+
+    template <class Visitor>
+    void describe(Visitor& v) {
+      noise.describe(v);
+      v.field("rolling", rolling, "",
+              "whether scanners measure one beam after the other; overrides robot/scanner/rolling");
+    }
+  };
 };
 
 }  // namespace frontier_pilot::sim

@@ -73,7 +73,9 @@ class Simulator {
   const Twist2& velocity(std::size_t robot) const;
   /// T_odom_base by wheel odometry: zero at the start.
   const Pose2& odometry(std::size_t robot) const;
-  /// The scan measured at the end of the last step; nullptr if none was due.
+  /// The scan measured at the end of the last step; nullptr if none was due. The beams of a rolling scan were measured
+  /// one after the other during the scan's period, each from where the robot was at that time. What else moves is
+  /// resolved to a step. [SCN-1]
   const LaserScan2* newScan(std::size_t robot) const;
   /// Whether the robot is in contact with something that it drove or turned into. [SIM-3]
   bool stalled(std::size_t robot) const;

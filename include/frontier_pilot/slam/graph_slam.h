@@ -25,6 +25,7 @@ class GraphSlam final : public PoseCorrection {
 
   CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                         const occupancy::OccupancyMap& map) override;
+  Pose2 withoutErrors(const Pose2& motion) const override;
   RevisionWork takeWork() override;
   bool accept(const MapRevision& revision) override;
   bool refuse(const MapRevision& revision) override;

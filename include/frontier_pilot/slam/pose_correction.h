@@ -83,6 +83,8 @@ class PoseCorrection {
   /// For a scan taken at `T_odom_base`; `map` is what is known so far, without this scan.
   virtual CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
                                 const occupancy::OccupancyMap& map) = 0;
+  /// A motion by odometry, in the base frame of its start, without the systematic errors that are known of odometry.
+  virtual Pose2 withoutErrors(const Pose2& motion) const { return motion; }
   /// The work to be done next, if any; none until the result of the last one was handed to `accept` or `refuse`, or the
   /// work was abandoned.
   virtual RevisionWork takeWork() { return {}; }

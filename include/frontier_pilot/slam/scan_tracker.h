@@ -71,6 +71,8 @@ class ScanTracker {
   /// The window to expect normally; determines how many levels a pyramid needs.
   scan_matching::SearchWindow usualWindow() const;
   const Pose2& T_local_odom() const;
+  /// A motion by odometry, in the base frame of its start, without the systematic errors learnt so far.
+  Pose2 withoutErrors(const Pose2& motion) const;
   /// Sets the pose of the odometry frame, and forgets the last scan; what was learnt of odometry is kept.
   void reset(const Pose2& T_local_odom = {});
 

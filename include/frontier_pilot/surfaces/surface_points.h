@@ -32,6 +32,9 @@ struct SurfaceScan {
   SurfacePoints points;      ///< the returns in the base frame, in the order of the beams
   std::vector<double> free;  ///< the directions, in the sensor's frame, in which nothing is up to `range_max` [rad]
   double range_max = 0.0;    ///< [m]
+  // Of a scan that was measured while the robot moved, where the scanner was, in the base frame; otherwise empty.
+  std::vector<Vec2> point_origins;  ///< when it measured each of `points` [m]
+  std::vector<Pose2> free_mounts;   ///< when it measured each of `free`
 
   /// The number of beams that show an obstacle or free space.
   std::size_t usableBeams() const { return points.size() + free.size(); }

@@ -109,6 +109,7 @@ class ClosedLoop {
   Duration latency_;
   std::deque<Sensed> on_the_way_;
   Sensed sensed_;  ///< the latest that has arrived
+  ScanPlacer placer_;
   LaserScan2 scan_;
   exploration::GoalCommand pending_;
   navigation::NavigatorOutput navigation_;

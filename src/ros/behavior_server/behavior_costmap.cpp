@@ -8,7 +8,7 @@ namespace frontier_pilot {
 
 BehaviorCostmap::BehaviorCostmap(const behavior::CollisionCheckParameters& parameters, const RobotModel& robot,
                                  BehaviorFrames frames, const TfBridge& tf)
-    : surroundings_(parameters, robot), frames_(std::move(frames)), tf_(tf) {
+    : surroundings_(parameters, robot), frames_(std::move(frames)), tf_(tf), timing_(robot.scanner) {
   frames_.base_frame = robot.baseFrameOr(frames_.base_frame);
 }
 
@@ -24,15 +24,33 @@ void BehaviorCostmap::handleScan(const sensor_msgs::LaserScan& msg) {
   const auto T_base_sensor = tf_.lookup3d(frames_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
   waiting_ = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
   if (!waiting_) return rejections_.add(why);
+  timing_.apply(*waiting_);
   takeIn();
 }
 
 void BehaviorCostmap::takeIn() {
   if (!waiting_) return;
-  const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->stamp);
+  const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->end());
   if (!T_odom_base) return;
+  scan_motion_.note(timing_, placeBeams(motionDuring(*waiting_), ScanReference::kEnd, *waiting_));
   surroundings_.insert(*waiting_, *T_odom_base);
   waiting_.reset();
+}
+
+PoseTrack BehaviorCostmap::motionDuring(const LaserScan2& scan) const {
+  constexpr Duration kStep = std::chrono::milliseconds(10);
+  PoseTrack track;
+  const Time end = scan.end();
+  for (Time time = scan.stamp; time < end; time += kStep) {
+    if (const auto pose = tf_.lookup(frames_.odom_frame, frames_.base_frame, time)) track.add(time, *pose);
+  }
+  if (const auto pose = tf_.lookup(frames_.odom_frame, frames_.base_frame, end)) track.add(end, *pose);
+  return track;
+}
+
+void BehaviorCostmap::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  scan_motion_.report(status);
+  rejections_.report(status);
 }
 
 void BehaviorCostmap::clear() {

@@ -7,6 +7,7 @@
 
 #include "frontier_pilot/behavior/collision_check.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/messages/scan_motion_report.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
@@ -43,16 +44,20 @@ class BehaviorCostmap {
   behavior::BehaviorInputs inputs(double max_age, Time now);
   /// Clears the costmap, after a jump of the clock.
   void clear();
-  const Rejections& rejections() const { return rejections_; }
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
   void handleScan(const sensor_msgs::LaserScan& msg);
   void takeIn();
+  /// The poses from the first to the last beam of `scan`, by TF.
+  PoseTrack motionDuring(const LaserScan2& scan) const;
 
   behavior::CollisionCheck surroundings_;
   BehaviorFrames frames_;
   const TfBridge& tf_;
-  std::optional<LaserScan2> waiting_;  ///< until TF has the robot's pose at its stamp
+  std::optional<LaserScan2> waiting_;  ///< until TF has the robot's pose at the time of its last beam
+  BeamTiming timing_;
+  ScanMotionReport scan_motion_;
   Rejections rejections_{"scan"};
 };
 

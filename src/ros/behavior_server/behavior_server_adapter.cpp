@@ -100,7 +100,7 @@ void BehaviorServerAdapter::fillDiagnostics(diagnostic_updater::DiagnosticStatus
   status.summary(emergency_stop_ ? Level::WARN : Level::OK,
                  emergency_stop_ ? "emergency stop" : (behavior_.active() ? toString(behavior_.goal().kind) : "ready"));
   status.add("last result", last_result_);
-  around_.rejections().report(status);
+  around_.report(status);
   for (const auto& port : ports_) port->report(status);
   tf_.report(status);
 }

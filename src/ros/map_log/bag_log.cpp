@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "frontier_pilot/core/robot_model.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
@@ -49,6 +50,7 @@ class BagReading {
     collect(Time::max());
   }
   logs::ScanLog result() {
+    if (!timing_.problem().empty()) log_.notes.push_back(timing_.problem());
     for (const auto& [problem, count] : problems_) log_.notes.push_back(std::to_string(count) + " x " + problem);
     return std::move(log_);
   }
@@ -73,6 +75,7 @@ class BagReading {
     const auto T_base_sensor = mountOf(msg->header.frame_id, why);
     auto scan = T_base_sensor ? toLaserScan(*msg, *T_base_sensor, &why) : std::nullopt;
     if (!scan) return reject("scan " + why);
+    timing_.apply(*scan);
     pairing_.addScan(std::move(*scan));
   }
   std::optional<Eigen::Isometry3d> mountOf(const std::string& frame, std::string& why) const {
@@ -97,6 +100,7 @@ class BagReading {
   tools::BagTopics topics_;
   tf2::BufferCore tf_;
   mapping::ScanPairing pairing_;
+  BeamTiming timing_{ScannerModel()};
   Time latest_{};  ///< stamp of the latest odometry so far
   logs::ScanLog log_;
   std::map<std::string, std::size_t> problems_;

@@ -50,6 +50,8 @@ class Packer {
     for (const double value : {scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max}) number(value);
     number(scan.ranges.size());
     for (const float range : scan.ranges) number(range);
+    number(scan.moving_mounts.size());
+    for (const Pose2& mount : scan.moving_mounts) pose(mount);
   }
 
  private:
@@ -88,6 +90,9 @@ class Unpacker {
     if (ranges > bytes_.size()) throw std::length_error("ranges");
     scan.ranges.resize(ranges);
     for (float& range : scan.ranges) range = number<float>();
+    const auto mounts = number<std::size_t>();
+    if (mounts != 0 && mounts != ranges) throw std::length_error("mounts");
+    for (std::size_t i = 0; i < mounts; ++i) scan.moving_mounts.push_back(pose());
     return record;
   }
 

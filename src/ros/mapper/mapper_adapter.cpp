@@ -93,13 +93,14 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
   if (!T_base_sensor) return reject(mapping::ScanVerdict::kNoTransform);
   auto scan = toLaserScan(msg, *T_base_sensor, &why);
   if (!scan) return reject(mapping::ScanVerdict::kMalformed);
+  timing_.apply(*scan);
   return scan;
 }
 
 void MapperAdapter::insertPaired() {
-  // The clock is read for each scan: scans that become stale while others are processed are dropped, not caught up
-  // with.
+  // The clock is read for each scan: those that become stale while others are processed are dropped.
   while (const auto paired = pairing_.next(rosNow())) {
+    scan_motion_.note(timing_, paired->covered);
     note(mapper_.insert(paired->scan, paired->T_odom_base, rosNow()), {});
   }
 }

@@ -18,6 +18,7 @@
 #include "frontier_pilot/mapping/odometry_anchor.h"
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/messages/scan_motion_report.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
@@ -130,14 +131,13 @@ class MapperAdapter {
   TfBridge tf_;
   MapperPublisher publisher_;
   NodeDiagnostics diagnostics_;
-  Rejections bad_scans_{"scan"};
-  Rejections bad_odometry_{"odometry"};
-  Rejections bad_initial_poses_{"initial pose"};
-  std::optional<SteadyTime> odometry_reset_;  ///< when the last reset of odometry was noticed
-  std::optional<SteadyTime> last_inserted_;   ///< when the last scan was accepted
-  std::string revision_failure_;              ///< the exception that ended loop closing, until a reset
-  double revision_seconds_ = 0.0;             ///< how long the last revision took [s]
-  std::shared_ptr<slam::MapRevision> old_;    ///< the map that the last revision replaced, to be freed by the worker
+  Rejections bad_scans_{"scan"}, bad_odometry_{"odometry"}, bad_initial_poses_{"initial pose"};
+  BeamTiming timing_{parameters_.mapper.robot.scanner};
+  ScanMotionReport scan_motion_;
+  std::optional<SteadyTime> odometry_reset_, last_inserted_;  ///< when it was reset, when a scan was accepted last
+  std::string revision_failure_;                              ///< the exception that ended loop closing, until a reset
+  double revision_seconds_ = 0.0;                             ///< how long the last revision took [s]
+  std::shared_ptr<slam::MapRevision> old_;  ///< the map that the last revision replaced, to be freed by the worker
   Worker<TimedRevision> worker_;
   MapSaver saver_;
   MapAutosave autosave_;

@@ -42,6 +42,7 @@ void reportRevisions(const mapping::RevisionReport& revisions, Status& status) {
 void MapperAdapter::report(Status& status) const {
   summarize(status);
   reportScans(mapper_, status);
+  scan_motion_.report(status);
   bad_scans_.report(status);
   bad_odometry_.report(status);
   tf_.report(status);

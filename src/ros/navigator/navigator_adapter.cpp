@@ -26,7 +26,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   server_.subscribe(connections_);
   connections_.subscribeToScanner(tf_, base_frame_, 1, &NavigatorAdapter::handleScan, this);
   connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
-  followOdometry(connections_, tf_, parameters_.robot, base_frame_, 1, &NavigatorAdapter::handleOdometry, this);
+  followOdometry(connections_, tf_, parameters_.robot, base_frame_, 20, &NavigatorAdapter::handleOdometry, this);
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
@@ -34,6 +34,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   });
   connections_.clock().onJump([this] {  // the goal stays
     scan_.reset();
+    placer_.clear();
     if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
   });
 }
@@ -46,11 +47,9 @@ void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
-  if (scan) {
-    scan_ = std::move(scan);
-  } else {
-    bad_scans_.add(why);
-  }
+  if (!scan) return bad_scans_.add(why);
+  scan_ = placer_.place(std::move(*scan), ScanReference::kEnd);
+  scan_motion_.note(placer_.timing(), placer_.uncovered() == scan_motion_.uncovered());
 }
 
 void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
@@ -58,6 +57,7 @@ void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   const auto odometry = toOdometry(msg, &why);
   if (!odometry) return bad_odometry_.add(why);
   twist_.put(odometry->twist, steadyNow());
+  placer_.addOdometry(odometry->stamp, odometry->T_odom_base);
 }
 
 std::optional<StampedPose2> NavigatorAdapter::pose() const {
@@ -139,6 +139,7 @@ void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& statu
   if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
   if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
   map_.rejections().report(status);
+  scan_motion_.report(status);
   bad_scans_.report(status);
   bad_odometry_.report(status);
   server_.report(status);

@@ -13,6 +13,7 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
+#include "ros/common/messages/scan_motion_report.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
@@ -71,6 +72,8 @@ class NavigatorAdapter {
   NodeDiagnostics diagnostics_;
   Rejections bad_scans_{"scan"};
   Rejections bad_odometry_{"odometry"};
+  ScanPlacer placer_{parameters_.robot.scanner};
+  ScanMotionReport scan_motion_;
   std::optional<LaserScan2> scan_;
   Latest<Twist2> twist_;
   navigation::NavState state_ = navigation::NavState::kIdle;

@@ -5,6 +5,7 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
+#include "ros/common/tf/odometry_source.h"
 #include "ros/common/throttled_log.h"
 #include "ros/obstacle_avoider/avoider_report.h"
 
@@ -38,9 +39,14 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderAdapter::handleEnable, this);
   connections_.subscribeToScanner(tf_, base_frame_, 1, &ObstacleAvoiderAdapter::handleScan, this,
                                   ros::TransportHints().tcpNoDelay());
+  followOdometry(connections_, tf_, parameters_.avoider.robot, base_frame_, 20, &ObstacleAvoiderAdapter::handleOdometry,
+                 this, ros::TransportHints().tcpNoDelay());
+  connections_.clock().onJump([this] { placer_.clear(); });
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
+    scan_motion_.report(status);
     rejections_.report(status);
+    bad_odometry_.report(status);
     tf_.report(status);
   });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
@@ -62,10 +68,21 @@ void ObstacleAvoiderAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   publishStatus(false);
 }
 
-std::optional<LaserScan2> ObstacleAvoiderAdapter::read(const sensor_msgs::LaserScan& msg, std::string* why) const {
+void ObstacleAvoiderAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
+  std::string why;
+  const auto odometry = toOdometry(msg, &why);
+  if (!odometry) return bad_odometry_.add(why);
+  placer_.addOdometry(odometry->stamp, odometry->T_odom_base);
+}
+
+std::optional<LaserScan2> ObstacleAvoiderAdapter::read(const sensor_msgs::LaserScan& msg, std::string* why) {
   // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), why);
-  return T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
+  auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
+  if (!scan) return std::nullopt;
+  scan = placer_.place(std::move(*scan), ScanReference::kEnd);
+  scan_motion_.note(placer_.timing(), placer_.uncovered() == scan_motion_.uncovered());
+  return scan;
 }
 
 bool ObstacleAvoiderAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {

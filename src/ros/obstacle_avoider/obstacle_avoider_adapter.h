@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/SetBool.h>
@@ -9,6 +10,7 @@
 
 #include "frontier_pilot/avoid/avoider.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/messages/scan_motion_report.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/safe_switch.h"
@@ -33,6 +35,7 @@ struct ObstacleAvoiderNodeParameters {
 };
 
 /// The node `obstacle_avoider`: hands each scan, with the scanner's mount, to the avoider and publishes its commands.
+/// Odometry only serves to put the beams of rolling scans where the robot was; without it scans are used as they are.
 class ObstacleAvoiderAdapter {
  public:
   ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
@@ -41,7 +44,8 @@ class ObstacleAvoiderAdapter {
 
  private:
   void handleScan(const sensor_msgs::LaserScan& msg);
-  std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg, std::string* why) const;
+  void handleOdometry(const nav_msgs::Odometry& msg);
+  std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg, std::string* why);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void tick();
   void publish(const std::optional<avoid::AvoiderCommand>& command);
@@ -53,6 +57,9 @@ class ObstacleAvoiderAdapter {
   avoid::Avoider avoider_;
   TfBridge tf_;
   Rejections rejections_{"scan"};
+  Rejections bad_odometry_{"odometry"};
+  ScanPlacer placer_{parameters_.avoider.robot.scanner};
+  ScanMotionReport scan_motion_;
   ros::Publisher cmd_vel_, status_;
   NodeDiagnostics diagnostics_;
   std::string last_summary_;

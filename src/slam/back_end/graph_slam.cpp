@@ -81,6 +81,8 @@ CorrectedScan GraphSlam::correct(const surfaces::SurfaceScan& scan, const Pose2&
           isSound(track)};
 }
 
+Pose2 GraphSlam::withoutErrors(const Pose2& motion) const { return impl_->local.withoutErrors(motion); }
+
 RevisionWork GraphSlam::takeWork() {
   if (impl_->working || impl_->inbox.empty()) return {};
   impl_->working = true;

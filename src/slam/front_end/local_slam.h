@@ -52,6 +52,8 @@ class LocalSlam {
   std::vector<std::shared_ptr<const Submap>> active() const { return {active_.begin(), active_.end()}; }
   /// The present pose of the odometry frame.
   const Pose2& T_local_odom() const { return tracker_.T_local_odom(); }
+  /// See ScanTracker::withoutErrors.
+  Pose2 withoutErrors(const Pose2& motion) const { return tracker_.withoutErrors(motion); }
   const LocalSlamParameters& parameters() const { return parameters_; }
 
   /// Forgets everything.

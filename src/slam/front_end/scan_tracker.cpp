@@ -167,6 +167,7 @@ void ScanTracker::Impl::remember(Time stamp, const Pose2& T_odom_base, const Tra
 }
 
 const Pose2& ScanTracker::T_local_odom() const { return impl_->T_local_odom; }
+Pose2 ScanTracker::withoutErrors(const Pose2& motion) const { return impl_->odometry.corrected(motion); }
 
 void ScanTracker::reset(const Pose2& T_local_odom) {
   impl_->T_local_odom = T_local_odom;

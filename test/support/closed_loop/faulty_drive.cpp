@@ -52,9 +52,11 @@ const LaserScan2* FaultyDrive::nextScan() {
   return fault_ == SensorFault::kKidnap && isFaulty(kKidnapped) ? seenElsewhere(*scan) : scan;
 }
 
-std::optional<Pose2> FaultyDrive::T_odom_base() const {
+std::optional<Pose2> FaultyDrive::T_odom_base(Time stamp) const {
   if (fault_ == SensorFault::kOdomMissing && isFaulty(kNoOdometry)) return std::nullopt;
-  return T_reported_odom_ * drive_.T_odom_base();
+  const std::optional<Pose2> T_odom_base = drive_.odometry().nearest(stamp);
+  if (!T_odom_base) return std::nullopt;
+  return T_reported_odom_ * *T_odom_base;
 }
 
 double FaultyDrive::sinceFault() const { return std::fmod(toSeconds(drive_.now()), kPeriod) - 0.5 * kPeriod; }

@@ -29,7 +29,9 @@ class FaultyDrive {
   /// Drives on until there is a new scan; nullptr at the end.
   const LaserScan2* nextScan();
   /// Odometry as it is reported; nothing while it is missing.
-  std::optional<Pose2> T_odom_base() const;
+  std::optional<Pose2> T_odom_base() const { return T_odom_base(drive_.now()); }
+  /// The same at the stamp of a scan of the last second.
+  std::optional<Pose2> T_odom_base(Time stamp) const;
   Pose2 T_map_base() const { return drive_.T_map_base(); }
   const GuidedDrive& drive() const { return drive_; }
 

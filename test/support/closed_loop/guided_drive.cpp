@@ -47,6 +47,8 @@ const LaserScan2* GuidedDrive::nextScan() {
       throw std::runtime_error("the drive is stuck: the ways are too narrow for its follower");
     if (steps_++ % kStepsPerControl == 0) steer();
     simulator_.step();
+    truth_.add(now(), T_map_base());
+    odometry_.add(now(), T_odom_base());
     const double moved = (simulator_.pose(0).position() - last_).norm();
     if (moved > 0.0) moved_ = steps_;
     distance_ += moved;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "frontier_pilot/core/motion.h"
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/global_planner.h"
 #include "frontier_pilot/sim/simulator.h"
@@ -26,6 +27,9 @@ class GuidedDrive {
   /// The true pose in the frame of the start pose, where odometry and the map begin.
   Pose2 T_map_base() const { return simulator_.startPose(0).inverse() * simulator_.pose(0); }
   const Pose2& T_odom_base() const { return simulator_.odometry(0); }
+  /// `T_map_base` and `T_odom_base` at the end of each of the last steps, for scans of earlier stamps.
+  const PoseTrack& truth() const { return truth_; }
+  const PoseTrack& odometry() const { return odometry_; }
   Time now() const { return simulator_.now(); }
   double distance() const { return distance_; }
 
@@ -39,6 +43,7 @@ class GuidedDrive {
   navigation::PathFollower follower_;
   std::vector<Cell> places_;  ///< possible destinations, away from walls
   sim::Random random_{1};
+  PoseTrack truth_, odometry_;
   double wanted_distance_;
   double distance_ = 0.0;
   Vec2 last_;

@@ -18,7 +18,8 @@ class DrivenRobot {
       : DrivenRobot(world.map, start, params) {}
   DrivenRobot(const OccupancyGrid& map, const Pose2& start, const navigation::NavigatorParams& params = {})
       : simulator_(sim::World{map, start}, simulation(start, params.robot)),
-        navigator_(params, system::behaviorLadder(params.recovery, params.robot, 20.0)) {
+        navigator_(params, system::behaviorLadder(params.recovery, params.robot, 20.0)),
+        placer_(params.robot.scanner) {
     navigator_.setMap(map, map.geometry().rect());
   }
 
@@ -89,12 +90,14 @@ class DrivenRobot {
 
   void step() {
     simulator_.step();
-    if (const LaserScan2* scan = simulator_.newScan(0)) scan_ = *scan;
+    placer_.addOdometry(simulator_.now(), simulator_.odometry(0));
+    if (const LaserScan2* scan = simulator_.newScan(0)) scan_ = placer_.place(*scan, ScanReference::kEnd);
     if (std::abs(speed()) < 0.01) standing_ += 0.01;
   }
 
   sim::Simulator simulator_;
   navigation::Navigator navigator_;
+  ScanPlacer placer_;
   navigation::NavigatorInputs event_;
   std::optional<LaserScan2> scan_;
   navigation::NavigatorOutput output_;

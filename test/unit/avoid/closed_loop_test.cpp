@@ -54,12 +54,16 @@ class BlindDrive {
       : simulator_({clutteredRoom(seed), std::nullopt}, simulation(seed, robot)),
         arbiter_(arbitration(robot)),
         avoider_(avoidance(robot)),
+        placer_(robot.scanner),
         forward_{robot.limits.max_linear, 0.0} {}
 
   void drive(int seconds) {
     for (int step = 1; step <= seconds * 100; ++step) {
       simulator_.step();
-      if (const LaserScan2* scan = simulator_.newScan(0)) avoid(avoider_.onScan(*scan, simulator_.now()));
+      placer_.addOdometry(simulator_.now(), simulator_.odometry(0));
+      if (const LaserScan2* scan = simulator_.newScan(0)) {
+        avoid(avoider_.onScan(placer_.place(*scan, ScanReference::kEnd), simulator_.now()));
+      }
       if (step % 10 == 0) tick();
       const Vec2 position = simulator_.pose(0).position();
       distance_ += (position - last_).norm();
@@ -108,6 +112,7 @@ class BlindDrive {
   sim::Simulator simulator_;
   arbiter::Arbiter arbiter_;
   avoid::Avoider avoider_;
+  ScanPlacer placer_;
   Twist2 forward_;
   Vec2 last_{kSide / 2.0, kSide / 2.0};
   double distance_ = 0.0;

@@ -213,5 +213,17 @@ TEST(SectorReader, OnlyWhatTheBodyWouldSweepCountsBesideTheSectors) {
   EXPECT_EQ(around.rear, avoid::SectorDistances::kNothing);
 }
 
+// [SCN-1]
+TEST(SectorReader, PutsABeamWhereTheRobotWasWhenItWasMeasured_SCN_1) {
+  LaserScan2 scan = emptyScan({}, Time{});
+  const std::size_t beam = beamAt(scan, 0.3);
+  scan.ranges[beam] = 1.0F;
+  // The robot has since turned by 0.6 rad to the left and driven 0.1 m ahead.
+  scan.moving_mounts.assign(scan.ranges.size(), Pose2(-0.1, 0.0, -0.6));
+  const avoid::SectorDistances around = read(scan);
+  EXPECT_EQ(around.front_left, avoid::SectorDistances::kNothing);
+  EXPECT_NEAR(around.front_right, (Vec2(-0.1, 0.0) + direction(scan.angle(beam) - 0.6)).norm(), 1e-6);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

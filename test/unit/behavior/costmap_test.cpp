@@ -79,6 +79,19 @@ TEST(LocalCostmap, TheScannersMountIsRespected) {
   EXPECT_EQ(at(map, {1.01, 1.01 + 0.2 - 0.615}), kOccupied);
 }
 
+// [SCN-1]
+TEST(LocalCostmap, PutsABeamWhereTheRobotWasWhenItWasMeasured_SCN_1) {
+  LaserScan2 scan = scanOf(1440, kInf);
+  scan.ranges[0] = 0.61F;
+  const Vec2 now = scan.point(0, 0.61);
+  scan.moving_mounts.assign(scan.ranges.size(), Pose2(-0.1, 0.0, -0.6));
+  const Vec2 then = scan.point(0, 0.61);
+  behavior::LocalCostmap map({}, square(0.05));
+  map.insert(scan, {});
+  EXPECT_EQ(at(map, then), kOccupied);
+  EXPECT_EQ(at(map, now), kFree);
+}
+
 // [SPN-3]
 TEST(Sweep, UnknownCellsTheEdgeOfTheGridAndNoGridAreNotFree) {
   const test::AsciiWorld world = test::drawWorld(R"(

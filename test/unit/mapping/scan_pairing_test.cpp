@@ -97,5 +97,24 @@ TEST(ScanPairing, HoldsALimitedNumberOfScans) {
   EXPECT_EQ(given_up, 5);
 }
 
+// [SCN-1] [MAP-1]
+TEST(ScanPairing, WaitsForTheLastBeamOfARollingScanAndPairsItAtItsMiddle_SCN_1) {
+  mapping::ScanPairing pairing;
+  LaserScan2 scan = scanAt(1.0);
+  scan.ranges.assign(201, 1.0F);
+  scan.time_increment = 0.001;
+  for (double t = 0.9; t < 1.15; t += 0.05) pairing.addOdometry(timeFromSeconds(t), Pose2(t, 0.0, 0.0));
+  pairing.addScan(scan);
+  EXPECT_FALSE(pairing.next(timeFromSeconds(1.16))) << "odometry may still come";
+  pairing.addOdometry(timeFromSeconds(1.21), Pose2(1.21, 0.0, 0.0));
+  const auto paired = pairing.next(timeFromSeconds(1.21));
+  ASSERT_TRUE(paired && paired->T_odom_base);
+  EXPECT_TRUE(paired->covered);
+  EXPECT_NEAR(paired->T_odom_base->x, 1.1, 1e-6);
+  EXPECT_NEAR(toSeconds(paired->scan.stamp), 1.1, 1e-6);
+  EXPECT_NEAR(paired->scan.mount(0).x, -0.1, 1e-6);
+  EXPECT_NEAR(paired->scan.mount(200).x, 0.1, 1e-6);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -140,5 +140,28 @@ TEST_F(ObstacleLayerTest, ClearsAllMarksAndSaysWhetherThereWereAny) {
   EXPECT_TRUE(layer.empty());
 }
 
+// [SCN-1] The robot turned by 0.6 rad while the beams were measured: those that pointed at the obstacle were others.
+TEST_F(ObstacleLayerTest, MarksAndRemovesByBeamsThatWereMeasuredWhileTheRobotTurned_SCN_1) {
+  const auto turning = [](LaserScan2 scan) {
+    for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+      const double left = 1.0 - static_cast<double>(beam) / static_cast<double>(scan.ranges.size() - 1);
+      scan.moving_mounts.emplace_back(0.0, 0.0, -0.6 * left);
+    }
+    return scan;
+  };
+  see(withObstacle(1.0F), 1.0);
+  ASSERT_TRUE(isBlocked({4.01, 3.01}));
+  // It is seen along the x axis by the beam that pointed there when the robot had turned by about half of it.
+  constexpr int kBeam = 15;
+  LaserScan2 again = turning(withObstacle(1.0F, kBeam));
+  const double bearing_now = again.angle(180 + kBeam) + again.mount(180 + kBeam).yaw;
+  ASSERT_LT(std::abs(bearing_now), 0.03);
+  see(again, 1.1);
+  EXPECT_TRUE(isBlocked({4.01, 3.01}));
+  see(turning(withObstacle(1.0F, 0)), 1.2);
+  EXPECT_FALSE(isBlocked({4.01, 3.01})) << "what beam 0 saw lies elsewhere";
+  EXPECT_FALSE(layer.empty());
+}
+
 }  // namespace
 }  // namespace frontier_pilot

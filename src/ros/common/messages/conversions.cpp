@@ -170,6 +170,7 @@ std::optional<LaserScan2> toLaserScan(const sensor_msgs::LaserScan& msg, const E
   scan.stamp = toTime(msg.header.stamp);
   scan.angle_min = turn * static_cast<double>(msg.angle_min);
   scan.angle_increment = turn * static_cast<double>(msg.angle_increment);
+  scan.time_increment = static_cast<double>(msg.time_increment);
   scan.range_min = static_cast<double>(msg.range_min);
   scan.range_max = std::min(static_cast<double>(msg.range_max), bounds::kUsedRange);
   scan.T_base_sensor =
@@ -185,6 +186,7 @@ sensor_msgs::LaserScan toLaserScanMsg(const LaserScan2& scan, const std::string&
   msg.angle_increment = static_cast<float>(scan.angle_increment);
   msg.range_min = static_cast<float>(scan.range_min);
   msg.range_max = static_cast<float>(scan.range_max);
+  msg.time_increment = static_cast<float>(scan.time_increment);
   msg.scan_time = static_cast<float>(scan_time);
   msg.ranges = scan.ranges;
   return msg;

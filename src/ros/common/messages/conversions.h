@@ -58,6 +58,7 @@ std::optional<double> toCharge(const sensor_msgs::BatteryState& msg, bool& in_pe
 /// Nothing if it is empty, an angle or range limit is not finite or out of bounds, the increment is zero, the number of
 /// ranges does not match the angles, or the scanner is tilted (its z axis more than 10 degrees off the base's).
 /// `T_base_sensor` is the scanner's mount in three dimensions: if it is upside down, the angles are negated.
+/// `time_increment` is taken as the driver gives it, which may be wrong or no number: see BeamTiming.
 std::optional<LaserScan2> toLaserScan(const sensor_msgs::LaserScan& msg, const Eigen::Isometry3d& T_base_sensor,
                                       std::string* why = nullptr);
 /// `scan_time` [s] is the time between two scans.

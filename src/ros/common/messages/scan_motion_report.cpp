@@ -1,0 +1,24 @@
+#include "ros/common/messages/scan_motion_report.h"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+
+void ScanMotionReport::note(const BeamTiming& timing, bool covered) {
+  if (!covered) THROTTLED_WARN("odometry does not cover the whole scan: the rest of its beams are put where it ends");
+  uncovered_ += covered ? 0 : 1;
+  problem_ = timing.problem();
+  if (!problem_.empty() && !warned_) THROTTLED_WARN("the times of the scanner's beams: " << problem_);
+  warned_ = warned_ || !problem_.empty();
+}
+
+void ScanMotionReport::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  status.add("times of the beams", problem_.empty() ? "credible" : problem_);
+  status.add("scans that odometry does not cover", uncovered_);
+  if (problem_.empty()) return;
+  status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "the times of the scanner's beams are not credible");
+}
+
+}  // namespace frontier_pilot
