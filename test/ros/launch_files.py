@@ -88,6 +88,30 @@ class LaunchFilesTest(unittest.TestCase):
         with self.assertRaisesRegex(Exception, 'config/robots/wafle.yaml'):
             self.load(ROOT + '/launch/navigation.launch', robot='wafle')
 
+    def test_a_saved_map_is_given_to_every_mapper(self):
+        """[MAP-5]"""
+        for file in ('navigation', 'system', 'robot', 'robots'):
+            path = ROOT + '/launch/' + file + '.launch'
+            for word, expected in (('/maps/floor.yaml', '/maps/floor.yaml'),
+                                   ('maps/floor', os.environ['PWD'] + '/maps/floor')):
+                self.expect_map(path, (expected, True), map_file=word, localize_only='true')
+            self.expect_map(path, ('', False))
+
+    def expect_map(self, file, expected, **arguments):
+        mappers = [given for type_name, given in self.load(file, **arguments).values() if type_name == 'mapper']
+        self.assertTrue(mappers, file)
+        for given in mappers:
+            self.assertEqual((given['map_file'], given['localize_only']), expected, file)
+
+    def test_every_rviz_configuration_can_say_where_the_robot_is_and_where_it_is_to_go(self):
+        """[MAP-5]"""
+        for path in glob.glob(ROOT + '/rviz/*.rviz'):
+            with open(path) as file:
+                tools = yaml.safe_load(file)['Visualization Manager']['Tools']
+            topics = {tool['Class']: tool.get('Topic', '') for tool in tools}
+            self.assertEqual(os.path.basename(topics.get('rviz/SetInitialPose', '')), 'initialpose', path)
+            self.assertEqual(os.path.basename(topics.get('rviz/SetGoal', '')), 'goal', path)
+
 
 if __name__ == '__main__':
     rostest.rosrun('frontier_pilot', 'launch_files', LaunchFilesTest)
