@@ -114,7 +114,7 @@ TEST_F(BagLog, LeavesOutAndCountsWhatCannotBeUsed) {
 
 TEST_F(BagLog, SaysWhatItDidNotFind) {
   writeDrive(3);
-  EXPECT_NE(problem().find("holds no usable scan on 'scan' with odometry on 'odom'; 3 x scan"), std::string::npos)
+  EXPECT_NE(problem().find("holds no usable scan on 'scan' with odometry on '/odom'; 3 x scan"), std::string::npos)
       << problem();
 }
 
@@ -128,11 +128,43 @@ TEST_F(BagLog, ReadsOtherTopicsWhenTold) {
   EXPECT_EQ(readBagLog(path_, topics).records.size(), 3U);
 }
 
-// [FLT-1] A slash, or nothing, is no name of a topic, and none of the bag's.
+TEST_F(BagLog, ChoosesTheScannerWithTheWidestFieldOfViewAndSaysWhich) {
+  writeMounts();
+  writeDrive(20);
+  sensor_msgs::LaserScan narrow;
+  narrow.header.frame_id = "camera";
+  narrow.angle_increment = 0.1F;
+  narrow.ranges.assign(5, 2.0F);
+  for (int i = 0; i < 30; ++i) bag_.write("/camera/scan", ros::Time(100.0 + i), narrow);
+  const logs::ScanLog log = read();
+  EXPECT_EQ(log.records.size(), 20U);
+  ASSERT_EQ(log.notes.size(), 1U);
+  EXPECT_EQ(log.notes.front().find("scans from scan: of 2 LaserScan topics the widest field of view, 115 deg"), 0U)
+      << log.notes.front();
+  EXPECT_NE(log.notes.front().find("not /camera/scan (23 deg, 30 scans)"), std::string::npos) << log.notes.front();
+}
+
+TEST_F(BagLog, SaysThatTheBagHoldsTheCorrectionOfAnotherMapperAndHoles) {
+  writeMounts();
+  tf2_msgs::TFMessage corrections;
+  corrections.transforms = {mount("map", "odom", 7.0)};
+  bag_.write("/tf", ros::Time(100.0), corrections);
+  for (int i = 0; i < 100; ++i) {
+    if (i > 40 && i < 95) continue;
+    writeOdometry(100.0 + 0.1 * i);
+    writeScan(100.0 + 0.1 * i);
+  }
+  const logs::ScanLog log = read();
+  ASSERT_EQ(log.notes.size(), 2U);
+  EXPECT_EQ(log.notes[0], "left out: 1 recorded transforms to odom of another mapper");
+  EXPECT_EQ(log.notes[1], "scans: nothing for 5.5 s from 4.0 s on");
+}
+
+// [FLT-1] A slash is no name of a topic, and none of the bag's.
 TEST_F(BagLog, FindsNothingOnATopicWithoutAName_FLT_1) {
   writeMounts();
   writeDrive(3);
-  for (const char* topic : {"", "/", "///"}) {
+  for (const char* topic : {"/", "///"}) {
     tools::BagTopics topics;
     topics.scan = topic;
     EXPECT_NE(problem(topics).find("holds no usable scan"), std::string::npos) << topic;
