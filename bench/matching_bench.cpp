@@ -162,7 +162,9 @@ class ShortDrive {
 
 void searchWorld(benchmark::State& state, const std::string& path) {
   if (!std::filesystem::exists(path)) return state.SkipWithError("no such world");
-  const sim::World world = sim::loadWorld(path);
+  sim::World world = sim::loadWorld(path);
+  // Unknown cells are solid for the scanner, so a mapper would have mapped them as walls.
+  for (std::size_t i = 0; i < world.map.size(); ++i) world.map[i] = isFree(world.map[i]) ? kFree : kOccupied;
   const bench::Tour tour(world.map, world.start ? world.start->position() : Vec2(16.6, 21.6));
   const auto scans = static_cast<std::size_t>(state.range(0));
   constexpr int kPlaces = 50;

@@ -16,10 +16,10 @@ namespace frontier_pilot::localization {
 namespace {
 
 constexpr double kMinScore = 0.45;                  // least mean likelihood of the points
-constexpr double kMinInliers = 0.6;                 // least share of the points that lie on surfaces
+constexpr double kMinInliers = 0.7;                 // least share of the points that lie on surfaces
 constexpr double kMostContradicted = 0.15;          // greatest share of beams that the map contradicts
 constexpr double kMostContradictedUnrefined = 0.3;  // before the pose is refined
-constexpr double kAlike = 0.9;            // a place with this share of the best one's score and inliers is a rival
+constexpr double kAlike = 0.85;            // a place with this share of the best one's score and inliers is a rival
 constexpr int kCoarser = 2;               // times the side of the map's cells is that of the searched ones
 constexpr double kPeakDistance = 0.5;     // [m]: poses nearer than this to a place belong to it
 constexpr double kPeakAngle = 0.3;        // [rad]

@@ -45,7 +45,7 @@ struct WholeMapSearch {
 /// Looks for the robot all over `map`, in any direction, by its last scans, the latest at the end; if they do not fit
 /// together, by the latest alone. A place is refused rather than guessed: it must be free, the map may not contradict
 /// the beams, and a second such place, more than 0.5 m or 0.3 rad away, must reach less than
-/// 90 % of the best one's score or share of points on surfaces.
+/// 85 % of the best one's score or share of points on surfaces.
 /// Branch and bound as in correlativeSearch. On a floor of 58 m x 47 m it takes up to two seconds. [MAP-5]
 WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<RecentScan>& scans,
                               const slam::GraphSlamParameters& parameters);

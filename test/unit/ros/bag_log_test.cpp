@@ -8,6 +8,7 @@
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,6 +30,10 @@ geometry_msgs::TransformStamped mount(const std::string& parent, const std::stri
   msg.transform.translation.x = x;
   msg.transform.rotation.w = 1.0;
   return msg;
+}
+
+bool holds(const std::vector<std::string>& notes, const std::string& wanted) {
+  return std::find(notes.begin(), notes.end(), wanted) != notes.end();
 }
 
 /// Writes a bag of a drive along x at 1 m/s: odometry at 10 Hz, scans half way between.
@@ -108,8 +113,9 @@ TEST_F(BagLog, LeavesOutAndCountsWhatCannotBeUsed) {
   writeScan(100.3, "elsewhere");
   const logs::ScanLog log = read();
   EXPECT_EQ(log.records.size(), 5U);
-  ASSERT_EQ(log.notes.size(), 2U);
-  EXPECT_NE((log.notes[0] + log.notes[1]).find("1 x scan without odometry for its stamp"), std::string::npos);
+  ASSERT_EQ(log.notes.size(), 3U);
+  EXPECT_TRUE(holds(log.notes, "1 x scan without odometry for its stamp"));
+  EXPECT_TRUE(holds(log.notes, "scans: nothing for 10.1 s from 0.0 s on"));
 }
 
 TEST_F(BagLog, SaysWhatItDidNotFind) {
@@ -155,9 +161,8 @@ TEST_F(BagLog, SaysThatTheBagHoldsTheCorrectionOfAnotherMapperAndHoles) {
     writeScan(100.0 + 0.1 * i);
   }
   const logs::ScanLog log = read();
-  ASSERT_EQ(log.notes.size(), 2U);
-  EXPECT_EQ(log.notes[0], "left out: 1 recorded transforms to odom of another mapper");
-  EXPECT_EQ(log.notes[1], "scans: nothing for 5.5 s from 4.0 s on");
+  EXPECT_TRUE(holds(log.notes, "left out: 1 recorded transforms to odom of another mapper"));
+  EXPECT_TRUE(holds(log.notes, "scans: nothing for 5.5 s from 4.0 s on"));
 }
 
 // [FLT-1] A slash is no name of a topic, and none of the bag's.
