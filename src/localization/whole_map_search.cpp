@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "frontier_pilot/core/grid_traversal.h"
 #include "frontier_pilot/localization/map_localization.h"
 #include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/scan_matching/surface_map.h"
@@ -16,10 +17,10 @@ namespace frontier_pilot::localization {
 namespace {
 
 constexpr double kMinScore = 0.45;                  // least mean likelihood of the points
-constexpr double kMinInliers = 0.7;                 // least share of the points that lie on surfaces
-constexpr double kMostContradicted = 0.15;          // greatest share of beams that the map contradicts
-constexpr double kMostContradictedUnrefined = 0.3;  // before the pose is refined
-constexpr double kAlike = 0.85;            // a place with this share of the best one's score and inliers is a rival
+constexpr double kMinInliers = 0.8;                 // least share of the beams that end on surfaces
+constexpr double kMostContradicted = 0.1;           // greatest share of beams that pass through walls
+constexpr double kMostContradictedUnrefined = 0.4;  // before the pose is refined
+constexpr double kAlike = 0.9;            // a place with this share of the best one's score and inliers is a rival
 constexpr int kCoarser = 2;               // times the side of the map's cells is that of the searched ones
 constexpr double kPeakDistance = 0.5;     // [m]: poses nearer than this to a place belong to it
 constexpr double kPeakAngle = 0.3;        // [rad]
@@ -77,7 +78,7 @@ surfaces::SurfacePoints withAtMost(std::size_t most, const surfaces::SurfacePoin
 class Search {
  public:
   Search(const OccupancyGrid& grid, const slam::LocalSlamParameters& parameters)
-      : parameters_(parameters), map_(parameters.likelihood) {
+      : grid_(grid), parameters_(parameters), map_(parameters.likelihood) {
     const surfaces::SurfacePoints surface = surfaces::surfaceOf(grid);
     map_.add(surface, Pose2());
     if (map_.empty()) return;
@@ -141,29 +142,62 @@ class Search {
             static_cast<int>(std::floor(pose.yaw / kTurn))};
   }
 
-  /// The place near `start`, unless too few points lie on surfaces there, or the map contradicts the beams.
+  /// The place near `start`, unless too few beams end on surfaces there, or too many pass through walls.
   std::optional<Place> placeAt(const Pose2& start, const surfaces::SurfacePoints& points,
                                const std::vector<RecentScan>& scans) const {
     if (contradicted(scans, start) > kMostContradictedUnrefined) return std::nullopt;
     const scan_matching::Refinement refined =
         scan_matching::refine(map_, points, start, std::nullopt, parameters_.tracker.refinement);
-    const bool fits = refined.inliers >= kMinInliers && contradicted(scans, refined.pose) <= kMostContradicted;
-    return fits ? std::optional<Place>({refined.pose, refined.inliers}) : std::nullopt;
+    const Place place{refined.pose, onSurfaces(scans, refined.pose)};
+    const bool fits = place.inliers >= kMinInliers && contradicted(scans, refined.pose) <= kMostContradicted;
+    return fits ? std::optional<Place>(place) : std::nullopt;
   }
 
-  /// Share of the beams that the map contradicts.
+  /// Share of the beams that end within about 10 cm of a surface of the map.
+  double onSurfaces(const std::vector<RecentScan>& scans, const Pose2& T_map_last) const {
+    constexpr std::uint8_t kNear = 60;
+    const Grid<std::uint8_t>& field = map_.field();
+    return share(scans, T_map_last,
+                 [&](const Vec2&, const Vec2& to) { return field.get(field.geometry().cellAt(to), 0) >= kNear; });
+  }
+
+  /// Share of the beams that pass through walls of the map.
   double contradicted(const std::vector<RecentScan>& scans, const Pose2& T_map_last) const {
+    return share(scans, T_map_last, [&](const Vec2& from, const Vec2& to) { return isBlocked(from, to); });
+  }
+
+  /// Share of the beams for which `is(from, to)` is true, in the map frame; `to` is where the beam was reflected.
+  template <class Predicate>
+  static double share(const std::vector<RecentScan>& scans, const Pose2& T_map_last, Predicate is) {
     double count = 0.0;
     double beams = 0.0;
     for (const RecentScan& scan : scans) {
-      if (scan.points.empty()) continue;
-      const auto size = static_cast<double>(scan.points.size());
-      count += size * scan_matching::inconsistentShare(map_, scan.points, T_map_last * scan.T_last_base);
-      beams += size;
+      const Pose2 T_map_base = T_map_last * scan.T_last_base;
+      for (const surfaces::SurfacePoint& point : scan.points) {
+        beams += 1.0;
+        if (is(T_map_base.position(), T_map_base * point.position)) count += 1.0;
+      }
     }
-    return count / beams;
+    return count / std::max(1.0, beams);
   }
 
+  /// Whether a wall lies between `from` and `to`. A beam that grazes a wall is not blocked by it: it may pass a cell
+  /// beside.
+  bool isBlocked(const Vec2& from, const Vec2& to) const {
+    constexpr double kBefore = 0.3;  // [m]: what is so near to the point may be what it lies on
+    const double range = (to - from).norm();
+    if (range <= kBefore) return false;
+    const Vec2 along = (to - from) / range;
+    const Vec2 aside = grid_.resolution() * Vec2(-along.y(), along.x());
+    return std::all_of(kLanes.begin(), kLanes.end(), [&](double lane) {
+      const Vec2 begin = from + lane * aside;
+      return !visitCells(grid_.geometry(), begin, begin + (range - kBefore) * along,
+                         [&](Cell cell) { return !isOccupied(grid_.get(cell, kUnknown)); });
+    });
+  }
+
+  static constexpr std::array<double, 3> kLanes = {0.0, 1.0, -1.0};  // beside the beam [cells]
+  const OccupancyGrid& grid_;
   const slam::LocalSlamParameters& parameters_;
   scan_matching::SurfaceMap map_;
   scan_matching::SearchRequest whole_;
@@ -175,7 +209,7 @@ std::string toText(const Place& place) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << place.T_map_base.x << ", " << place.T_map_base.y << ", "
        << std::setprecision(0) << place.T_map_base.yaw * 180.0 / kPi << " deg (" << 100.0 * place.inliers
-       << " % of the points lie on the map)";
+       << " % of its beams end on the map)";
   return text.str();
 }
 

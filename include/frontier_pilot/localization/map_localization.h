@@ -24,7 +24,7 @@ struct RecentScan {
 /// A pose in the known map at which scans fit.
 struct Place {
   Pose2 T_map_base;
-  double inliers = 0.0;  ///< share of the points that lie on surfaces of the map, 0 ... 1
+  double inliers = 0.0;  ///< share of the beams that end on surfaces of the map, 0 ... 1
 };
 
 enum class SearchVerdict {
@@ -43,9 +43,9 @@ struct WholeMapSearch {
 };
 
 /// Looks for the robot all over `map`, in any direction, by its last scans, the latest at the end; if they do not fit
-/// together, by the latest alone. A place is refused rather than guessed: it must be free, the map may not contradict
-/// the beams, and a second such place, more than 0.5 m or 0.3 rad away, must reach less than
-/// 85 % of the best one's score or share of points on surfaces.
+/// together, by the latest alone. A place is refused rather than guessed: it must be free, the beams may
+/// not pass through walls, and a second such place, more than 0.5 m or 0.3 rad away, must reach less than
+/// 90 % of the best one's score or share of beams that end on surfaces.
 /// Branch and bound as in correlativeSearch. On a floor of 58 m x 47 m it takes up to two seconds. [MAP-5]
 WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<RecentScan>& scans,
                               const slam::GraphSlamParameters& parameters);
