@@ -46,7 +46,7 @@ struct WholeMapSearch {
 /// together, by the latest alone. A place is refused rather than guessed: it must be free, the beams may
 /// not pass through walls, and a second such place, more than 0.5 m or 0.3 rad away, must reach less than
 /// 90 % of the best one's score or share of beams that end on surfaces.
-/// Branch and bound as in correlativeSearch. On a floor of 58 m x 47 m it takes up to two seconds. [MAP-5]
+/// Branch and bound as in correlativeSearch. On a floor of 58 m x 47 m it takes about a second. [MAP-5]
 WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<RecentScan>& scans,
                               const slam::GraphSlamParameters& parameters);
 
