@@ -15,6 +15,23 @@ std::string bytesOf(occupancy::OccupancyMap& map) {
   return out.str();
 }
 
+/// What is wrong with a scan that was to tell where the robot is.
+const char* textOf(slam::MatchVerdict verdict) {
+  switch (verdict) {
+    case slam::MatchVerdict::kFirst:
+      return "not localised: there is no map to localise on";
+    case slam::MatchVerdict::kTooFew:
+      return "not localised: too few returns";
+    case slam::MatchVerdict::kPoor:
+    case slam::MatchVerdict::kLost:
+      return "not localised: the scan fits nowhere on the map here, give a pose";
+    case slam::MatchVerdict::kAmbiguous:
+      return "not localised: several places on the map here look alike, give a pose";
+    default:
+      return toString(verdict);
+  }
+}
+
 }  // namespace
 
 struct MapLocalization::Impl {
@@ -45,9 +62,9 @@ slam::CorrectedScan MapLocalization::correct(const surfaces::SurfaceScan& scan, 
   if (!T_map_odom) {
     Localizer& localizer = impl_->localizer;
     const slam::MatchVerdict verdict = localizer.update(scan, T_odom_base);
-    const char* text = localizer.isLocated() ? toString(verdict) : "looking for the robot in the known map";
+    const bool fits = slam::isMatched(verdict);
     if (impl_->use == Use::kLocalizeOnly || !localizer.isLocated())
-      return {localizer.T_map_odom(), slam::isMatched(verdict), text, verdict == slam::MatchVerdict::kMatched};
+      return {localizer.T_map_odom(), fits, textOf(verdict), verdict == slam::MatchVerdict::kMatched, fits};
     T_map_odom = localizer.T_map_odom();
   }
   if (!impl_->graph_slam) return {*T_map_odom, true, "odometry taken as given"};

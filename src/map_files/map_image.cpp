@@ -53,7 +53,8 @@ struct MapYaml {
     if (origin.size() == 3 && origin[2] != 0.0)
       problems.emplace_back("origin: a rotated map (yaw not 0) is not supported");
     if (free_thresh > occupied_thresh) problems.emplace_back("free_thresh: must not be above occupied_thresh");
-    if (mode != "trinary") problems.emplace_back("mode: only trinary is supported, not '" + mode + "'");
+    if (mode != "trinary" && mode != "scale" && mode != "raw")
+      problems.emplace_back("mode: must be trinary, scale or raw, not '" + mode + "'");
     if (!start.empty() && start.size() != 3) problems.emplace_back("start: must be [x, y, yaw]");
   }
 };
@@ -152,10 +153,22 @@ cv::Mat readImage(const std::string& yaml_path, const MapYaml& file) {
   return image;
 }
 
+/// The cell with a probability of occupation, in percent; more than 100: unknown.
+std::int8_t cellOf(double percent) {
+  constexpr double kLeastOccupied = 65.0;  // as in trinary mode
+  constexpr double kMostFree = 25.0;
+  if (percent > 100.0) return kUnknown;
+  if (percent >= kLeastOccupied) return kOccupied;
+  return percent <= kMostFree ? kFree : kUnknown;
+}
+
 std::int8_t cellOf(std::uint8_t pixel, const MapYaml& file) {
+  if (file.mode == "raw") return cellOf(pixel);
   const double shade = (file.negate != 0 ? pixel : 255 - pixel) / 255.0;
   if (shade > file.occupied_thresh) return kOccupied;
-  return shade < file.free_thresh ? kFree : kUnknown;
+  if (shade < file.free_thresh) return kFree;
+  if (file.mode == "trinary") return kUnknown;
+  return cellOf(100.0 * (shade - file.free_thresh) / (file.occupied_thresh - file.free_thresh));
 }
 
 unsigned char pixelOf(std::int8_t value) {

@@ -15,6 +15,7 @@
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/map_files/map_image.h"
 #include "map_files/map_yaml.h"
+#include "map_files/resampling.h"
 
 namespace frontier_pilot::map_files {
 namespace {
@@ -178,24 +179,29 @@ bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   return true;
 }
 
+std::string inMetres(double length) {
+  std::ostringstream text;
+  text << length << " m";
+  return text.str();
+}
+
 /// Loads a map without an octree, as another program has saved it.
 MapIoResult loadPicture(const std::string& yaml_path, occupancy::OccupancyMap& map) {
   constexpr double kSame = 1e-6;  // [m]: tolerance for resolutions that were typed by hand
+  std::string change;
   try {
     const MapImage image = readMapImage(yaml_path);
     const double resolution = map.parameters().resolution;
-    if (std::abs(image.map.resolution() - resolution) > kSame) {
-      return failure(MapIoStatus::kBroken, yaml_path,
-                     "its resolution is " + std::to_string(image.map.resolution()) + " m, and not the mapper's " +
-                         std::to_string(resolution) + " m");
-    }
+    const bool same = std::abs(image.map.resolution() - resolution) <= kSame;
+    const std::optional<OccupancyGrid> fitting = same ? std::nullopt : resampled(image.map, resolution);
     occupancy::OccupancyMap drawn(map.parameters());
-    if (!draw(image.map, drawn) || !map.exchange(drawn))
-      return failure(MapIoStatus::kBroken, yaml_path, "is too large");
+    const bool has_room = (same || fitting) && draw(same ? image.map : *fitting, drawn);
+    if (!has_room || !map.exchange(drawn)) return failure(MapIoStatus::kBroken, yaml_path, "is too large");
+    if (!same) change = "; its cells of " + inMetres(image.map.resolution()) + " have become " + inMetres(resolution);
   } catch (const std::runtime_error& error) {
     return {MapIoStatus::kBroken, error.what()};
   }
-  return {MapIoStatus::kOk, "loaded " + yaml_path + " from its image: it has no octree"};
+  return {MapIoStatus::kOk, "loaded " + yaml_path + " from its image: it has no octree" + change};
 }
 
 }  // namespace

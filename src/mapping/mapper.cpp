@@ -10,34 +10,15 @@
 #include "frontier_pilot/surfaces/surface_points.h"
 #include "mapping/corrections.h"
 #include "mapping/mapping_health.h"
+#include "mapping/recent_scans.h"
+#include "mapping/scan_checks.h"
 
 namespace frontier_pilot::mapping {
 namespace {
 
-bool isWellFormed(const LaserScan2& scan) {
-  const bool finite = std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) &&
-                      std::isfinite(scan.range_min) && std::isfinite(scan.range_max) && scan.T_base_sensor.isFinite();
-  const bool mounts = !scan.isMoving() || scan.moving_mounts.size() == scan.ranges.size();
-  return finite && mounts && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
-         scan.range_max <= bounds::kUsedRange && !scan.ranges.empty() &&
-         bounds::isWithin(scan.T_base_sensor.position().norm(), bounds::kMostMount);
-}
-
-bool isUsable(const Pose2& T_odom_base) {
-  return T_odom_base.isFinite() &&
-         bounds::isWithin(T_odom_base.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate);
-}
-
-ScanVerdict verdictOf(occupancy::Insertion insertion) {
-  switch (insertion) {
-    case occupancy::Insertion::kInserted:
-      return ScanVerdict::kInserted;
-    case occupancy::Insertion::kAllInvalid:
-      return ScanVerdict::kAllInvalid;
-    case occupancy::Insertion::kOutOfBounds:
-      break;
-  }
-  return ScanVerdict::kOutOfBounds;
+/// Whether the scan got as far as to the correction of its pose.
+bool wasCorrected(ScanVerdict verdict) {
+  return verdict == ScanVerdict::kMisfit || verdict == ScanVerdict::kNotLocated || !isDropped(verdict);
 }
 
 MapperParameters withRobotsRadius(MapperParameters parameters) {
@@ -92,6 +73,7 @@ struct Mapper::Impl {
   std::size_t out_of_bounds = 0;  ///< scans that the map had no room for
   double usable_share = 1.0;
   MappingHealth health;
+  RecentScans recent;
 };
 
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<slam::PoseCorrection> correction)
@@ -111,8 +93,7 @@ void Mapper::reject(ScanVerdict verdict, Time now) { impl_->note(verdict, now); 
 void Mapper::Impl::note(ScanVerdict verdict, Time now) {
   counts.add(verdict);
   if (verdict == ScanVerdict::kNotMoved) return;
-  const bool corrected = verdict == ScanVerdict::kMisfit || !isDropped(verdict);
-  if (!corrected) return health.add(now, toString(verdict));
+  if (!wasCorrected(verdict)) return health.add(now, toString(verdict));
   if (!sound) return health.add(now, last_correction);
   health.add(now, overgrown ? "corrected map too large, map and poses stay as they are" : nullptr);
 }
@@ -133,16 +114,17 @@ ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base)
 }
 
 ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
+  recent.add(scan.points, T_odom_base);
   const slam::CorrectedScan corrected = correction->correct(scan, T_odom_base, map);
   last_correction = corrected.text;
   ++correction_counts[corrected.text];
   sound = corrected.sound && corrected.fits_map;
   T_map_odom = corrected.T_map_odom;
-  ScanVerdict verdict = ScanVerdict::kMisfit;
+  ScanVerdict verdict = corrected.located ? ScanVerdict::kMisfit : ScanVerdict::kNotLocated;
   if (corrected.fits_map) {
     verdict = parameters.localize_only ? ScanVerdict::kLocalized : put(scan, T_map_odom * T_odom_base);
   }
-  if (verdict == ScanVerdict::kMisfit || !isDropped(verdict)) last = StampedPose2{scan.stamp, T_odom_base};
+  if (wasCorrected(verdict)) last = StampedPose2{scan.stamp, T_odom_base};
   return verdict;
 }
 
@@ -245,6 +227,19 @@ bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
   return true;
 }
 
+std::function<RobotSearch()> Mapper::searchWork() const {
+  return impl_->recent.searchOn(grid(), impl_->parameters.slam);
+}
+
+bool Mapper::locate(const RobotSearch& search) {
+  constexpr double kPosition = 0.1;  // [m]
+  constexpr double kYaw = 0.05;      // [rad]
+  if (search.result.verdict != localization::SearchVerdict::kFound || !impl_->last) return false;
+  const Pose2 T_map_odom = search.result.best.T_map_base * search.T_odom_base.inverse();
+  const Eigen::Vector3d sigma(kPosition, kPosition, kYaw);
+  return locate({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()});
+}
+
 void Mapper::Impl::replace(std::unique_ptr<slam::PoseCorrection> corrector) {
   correction = std::move(corrector);
   ++epoch;
@@ -260,7 +255,10 @@ void Mapper::Impl::forgetRevisions() {
 
 std::optional<ScanVerdict> Mapper::Impl::checkStamp(Time stamp, Time now) {
   // The clock was set back: stamps may repeat.
-  if (now < last_now) last.reset();
+  if (now < last_now) {
+    last.reset();
+    recent.clear();
+  }
   last_now = now;
   if (toSeconds(now - stamp) > parameters.max_age || (last && stamp <= last->stamp)) return ScanVerdict::kStale;
   if (toSeconds(stamp - now) > parameters.max_lead) return ScanVerdict::kFuture;
@@ -277,6 +275,7 @@ void Mapper::reset() {
   impl_->map.clear();
   impl_->T_map_odom = Pose2();
   impl_->last.reset();
+  impl_->recent.clear();
   impl_->correction->reset();
   impl_->forgetRevisions();
   // A known map is forgotten too.

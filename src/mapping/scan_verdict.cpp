@@ -28,6 +28,8 @@ const char* toString(ScanVerdict verdict) {
       return "map too large";
     case ScanVerdict::kMisfit:
       return "fits nowhere";
+    case ScanVerdict::kNotLocated:
+      return "not localised: the scan fits nowhere on the map here, give a pose";
   }
   return "unknown";
 }

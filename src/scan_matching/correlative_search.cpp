@@ -39,6 +39,7 @@ class BranchAndBound {
         angles_(steps(std::min(request.window.yaw, kPi), step_)),
         half_{steps(request.window.x, resolution_), steps(request.window.y, resolution_)},
         scale_(1.0 / (255.0 * static_cast<double>(points.size()))) {
+    if (request.allowed != nullptr) expected_ = request.allowed->geometry().cellAt(request.expected.position());
     for (int angle = -angles_; angle <= angles_; ++angle) place(points, angle);
   }
 
@@ -69,11 +70,18 @@ class BranchAndBound {
 
   /// Adds the node if it may contain a better pose than the best so far.
   void add(std::vector<Node>& nodes, int angle, Cell offset, int level) const {
+    if (!isAllowed(offset, level)) return;
     const double score = scoreOf(angle, offset, level);
     const double bound = score - leastPenalty(angle, offset, level);
     if (score >= request_.min_score && (!best_ || bound > best_->bound)) {
       nodes.push_back({angle, offset, bound, score});
     }
+  }
+
+  /// Whether any position of the square is allowed.
+  bool isAllowed(Cell offset, int level) const {
+    if (request_.allowed == nullptr) return true;
+    return request_.allowed->level(level).at(expected_.x + offset.x, expected_.y + offset.y) > 0;
   }
 
   double scoreOf(int angle, Cell offset, int level) const {
@@ -100,7 +108,7 @@ class BranchAndBound {
     for (const Node& node : nodes) {
       if (best_ && node.bound <= best_->bound) return;
       if (level == 0) {
-        if (!isExcluded(node)) best_ = node;
+        if (!isExcluded(node) && (!request_.accept || request_.accept(poseOf(node)))) best_ = node;
         continue;
       }
       std::vector<Node> parts = split(node, level - 1);
@@ -124,8 +132,10 @@ class BranchAndBound {
   }
 
   bool isExcluded(const Node& node) const {
-    if (!request_.exclusion) return false;
-    return !isJump(request_.exclusion->pose, poseOf(node), request_.exclusion->distance, request_.exclusion->angle);
+    const Pose2 pose = poseOf(node);
+    return std::any_of(request_.exclusions.begin(), request_.exclusions.end(), [&](const SearchExclusion& exclusion) {
+      return !isJump(exclusion.pose, pose, exclusion.distance, exclusion.angle);
+    });
   }
 
   SearchResult result(const Node& node) const {
@@ -137,10 +147,11 @@ class BranchAndBound {
   const MaxPyramid& pyramid_;
   const SearchRequest& request_;
   double resolution_;
-  double step_;   ///< [rad]
-  int angles_;    ///< directions on each side of the expected one
-  Cell half_;     ///< greatest offset
-  double scale_;  ///< factor from a sum of likelihoods to a score
+  double step_;          ///< [rad]
+  int angles_;           ///< directions on each side of the expected one
+  Cell half_;            ///< greatest offset
+  Cell expected_{0, 0};  ///< cell of the expected position in the grid of allowed positions
+  double scale_;         ///< factor from a sum of likelihoods to a score
   std::size_t points_ = 0;
   std::vector<Cell> cells_;  ///< of the points, direction by direction
   std::optional<Node> best_;

@@ -96,7 +96,8 @@ ranges from right to left), a CARMEN log (FLASER or ROBOTLASER1) or a rosbag.
   --mount X Y YAW      where the scanner sits on the base [m m rad] (as the log
                        says; CSV: 0.78 0 0)
   --scan TOPIC, --odom TOPIC, --base FRAME
-                       of a rosbag (scan, odom, base_footprint)
+                       of a rosbag (it chooses the topics, and says which where
+                       there are several; base_footprint)
   -h, --help           this text
 
 Exit code: 0 done, 1 a file cannot be read or written, 2 wrong arguments.

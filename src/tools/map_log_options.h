@@ -10,8 +10,8 @@ namespace frontier_pilot::tools {
 
 /// The topics of a rosbag's scans and odometry, and its base frame. A leading slash does not matter.
 struct BagTopics {
-  std::string scan = "scan";
-  std::string odom = "odom";
+  std::string scan;  ///< empty: the reader chooses
+  std::string odom;  ///< empty: the reader chooses
   std::string base_frame = "base_footprint";
 };
 

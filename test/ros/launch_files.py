@@ -11,13 +11,13 @@ import yaml
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 FILES = sorted(glob.glob(ROOT + '/launch/*.launch'))
-NEEDS_NOTHING = {'rviz'}  # all the others know the robot
+NEEDS_NOTHING = {'rviz', 'bag_player.py'}  # all the others know the robot
 OWN_ROBOT = {'turtlebot2.launch', 'turtlebot3.launch'}  # their default need not be a Burger
 TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch', 'gui_turtlebot_system.launch',
                'real_robot.launch', 'check_robot.launch'}
 NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
 NEEDS_ODOM_FRAME = {'mapper', 'behavior_server'}
-OBEYS_NO_LIMITS = {'rviz', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
+OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
 
 
 def flat(values, prefix=''):
@@ -37,6 +37,8 @@ class LaunchFilesTest(unittest.TestCase):
     def config(self, file, **arguments):
         if os.path.basename(file) == 'robot.launch':
             arguments['name'] = 'robot1'
+        if os.path.basename(file) == 'play.launch':
+            arguments['bag'] = 'drive.bag'
         words = ['%s:=%s' % item for item in arguments.items()]
         return roslaunch.config.load_config_default([(file, words)], None, verbose=False, assign_machines=False)
 
@@ -93,8 +95,8 @@ class LaunchFilesTest(unittest.TestCase):
         with open(ROOT + '/config/limits_fast.yaml') as file:
             expected = yaml.safe_load(file)
         for file in FILES:
-            if os.path.basename(file) == 'mapper_explorer.launch':
-                continue  # nothing in it drives
+            if os.path.basename(file) in ('mapper_explorer.launch', 'play.launch'):
+                continue  # nothing in them drives
             for name, (type_name, given) in self.load(file, robot='waffle', limits='fast').items():
                 limits = {key[len('limits/'):]: value for key, value in given.items() if key.startswith('limits/')}
                 self.assertEqual(limits, {} if type_name in OBEYS_NO_LIMITS else expected, file + ' ' + name)
@@ -138,6 +140,30 @@ class LaunchFilesTest(unittest.TestCase):
         """[ROB-1]"""
         with self.assertRaisesRegex(Exception, 'config/robots/wafle.yaml'):
             self.load(ROOT + '/launch/navigation.launch', robot='wafle')
+
+    def test_a_saved_map_is_given_to_every_mapper(self):
+        """[MAP-5]"""
+        for file in ('navigation', 'system', 'robot', 'robots', 'play'):
+            path = ROOT + '/launch/' + file + '.launch'
+            for word, expected in (('/maps/floor.yaml', '/maps/floor.yaml'),
+                                   ('maps/floor', os.environ['PWD'] + '/maps/floor')):
+                self.expect_map(path, (expected, True), map_file=word, localize_only='true')
+            self.expect_map(path, ('', False))
+
+    def expect_map(self, file, expected, **arguments):
+        mappers = [given for type_name, given in self.load(file, **arguments).values() if type_name == 'mapper']
+        self.assertTrue(mappers, file)
+        for given in mappers:
+            self.assertEqual((given['map_file'], given['localize_only']), expected, file)
+
+    def test_every_rviz_configuration_can_say_where_the_robot_is_and_where_it_is_to_go(self):
+        """[MAP-5]"""
+        for path in glob.glob(ROOT + '/rviz/*.rviz'):
+            with open(path) as file:
+                tools = yaml.safe_load(file)['Visualization Manager']['Tools']
+            topics = {tool['Class']: tool.get('Topic', '') for tool in tools}
+            self.assertEqual(os.path.basename(topics.get('rviz/SetInitialPose', '')), 'initialpose', path)
+            self.assertEqual(os.path.basename(topics.get('rviz/SetGoal', '')), 'goal', path)
 
 
 if __name__ == '__main__':

@@ -20,6 +20,7 @@ from std_srvs.srv import Trigger
 from wire import Record, wait_for
 
 ROOM = (-2.0, -1.5, 4.0, 2.5)  # where the walls are [m]
+PILLAR = (3.0, -0.8, 0.6)  # its middle and radius [m]: without it the room would look the same from both ends
 BEAMS = 360
 
 
@@ -30,8 +31,16 @@ def ranges_from(x, y, yaw):
         c, s = math.cos(yaw - math.pi + beam * 2.0 * math.pi / BEAMS), math.sin(yaw - math.pi + beam * 2.0 * math.pi / BEAMS)
         along_x = ((ROOM[2] if c > 0.0 else ROOM[0]) - x) / c if abs(c) > 1e-9 else math.inf
         along_y = ((ROOM[3] if s > 0.0 else ROOM[1]) - y) / s if abs(s) > 1e-9 else math.inf
-        ranges.append(min(along_x, along_y))
+        ranges.append(min(along_x, along_y, to_pillar(x, y, c, s)))
     return ranges
+
+
+def to_pillar(x, y, c, s):
+    ahead = (PILLAR[0] - x) * c + (PILLAR[1] - y) * s
+    aside = (PILLAR[0] - x) * s - (PILLAR[1] - y) * c
+    if ahead <= 0.0 or abs(aside) >= PILLAR[2]:
+        return math.inf
+    return ahead - math.sqrt(PILLAR[2] ** 2 - aside ** 2)
 
 
 class Robot:
@@ -105,9 +114,9 @@ class KnownMap(unittest.TestCase):
     def map_of(namespace):
         return rospy.ServiceProxy(namespace + 'dynamic_map', GetMap)().map
 
-    def correction(self):
+    def correction(self, map_frame='known_map', odom_frame='wheel_odom'):
         try:
-            transform = self.tf.lookup_transform('known_map', 'wheel_odom', rospy.Time(0)).transform
+            transform = self.tf.lookup_transform(map_frame, odom_frame, rospy.Time(0)).transform
         except tf2_ros.TransformException:
             return (math.inf, math.inf, math.inf)
         return (transform.translation.x, transform.translation.y,
@@ -175,6 +184,38 @@ class KnownMap(unittest.TestCase):
         self.assertTrue(wait_for(found, 20.0), self.correction())
         self.assertEqual(before, self.map_of('localizer/').data)
         self.assertFalse(rospy.ServiceProxy('localizer/mapper/reset', Trigger)().success)
+
+    def test_is_found_anywhere_on_the_map_when_asked(self):
+        """[MAP-5]"""
+        localize = rospy.ServiceProxy('searcher/mapper/localize', Trigger)
+        robot = Robot('searcher/', 'far_odom')
+        at = (1.2, -0.3, -2.0)
+        answer = localize()
+        self.assertFalse(answer.success)
+        self.assertIn('there is no map', answer.message)
+        answer = rospy.ServiceProxy('searcher/mapper/load_map', LoadMap)(self.saved)
+        self.assertTrue(answer.success, answer.message)
+
+        def found():
+            robot.look_from(*at)
+            self.answer = localize()
+            return self.answer.success
+        self.assertTrue(wait_for(found, 20.0), self.answer.message)
+        self.assertIn('found the robot at 1.2', self.answer.message)
+
+        def corrected():
+            robot.look_from(*at)
+            return all(abs(a - b) < 0.06 for a, b in zip(self.correction('far_map', 'far_odom'), at))
+        self.assertTrue(wait_for(corrected, 20.0), self.correction('far_map', 'far_odom'))
+
+    def test_says_that_it_needs_a_pose(self):
+        """[MAP-5]"""
+        def told():
+            self.lost_robot.look_from(3.0, 1.8, 1.5)
+            return any('not localised' in value.value or 'not localised' in status.message
+                       for _, message in self.diagnostics.items for status in message.status for value in status.values)
+        rospy.ServiceProxy('localizer/mapper/load_map', LoadMap)(self.saved)
+        self.assertTrue(wait_for(told, 20.0))
 
 
 if __name__ == '__main__':

@@ -14,9 +14,10 @@ struct MapImage {
   std::optional<Pose2> start;
 };
 
-/// Reads a map_server YAML (mode trinary) and the image it names, PGM or PNG. An additional key `start: [x, y, yaw]`
-/// [m, m, rad] sets a default start pose; other unknown keys are ignored, as by map_server. [SIM-1] [MAP-5]
-/// Throws std::runtime_error naming the file and everything that is wrong with it; a rotated origin is refused.
+/// Reads a map_server YAML and the image it names, PGM or PNG. In the modes scale and raw a cell is occupied from 65 %
+/// on, free up to 25 %, and else unknown. An additional key `start: [x, y, yaw]` [m, m, rad] sets a default start pose;
+/// other unknown keys are ignored, as by map_server. [SIM-1] [MAP-5] Throws std::runtime_error naming the file and
+/// everything that is wrong with it; a rotated origin is refused.
 MapImage readMapImage(const std::string& yaml_path);
 
 /// The bytes of a PGM image with map_server's grey values for free, occupied and unknown cells.

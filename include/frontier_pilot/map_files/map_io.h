@@ -46,7 +46,7 @@ MapIoResult saveMap(occupancy::OccupancyMap& map, const std::string& path);
 /// Replaces `map` by what `saveMap` wrote to `path`, that is its .bt file, whichever extension `path` has. If a YAML
 /// exists, the .bt must match its checksum; the text says so if that could not be verified. A map without a .bt, as
 /// map_saver writes it, is read from its YAML and image: its known cells get the greatest certainty that the occupancy
-/// model allows, and its resolution must equal the map's. On failure `map` is unchanged. [MAP-5]
+/// model allows; cells of another size become cells of the map's. On failure `map` is unchanged. [MAP-5]
 MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map);
 
 /// Replaces `map` by the content of a .bt file; on failure it is unchanged.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/localization/map_localization.h"
 #include "frontier_pilot/mapping/parameters.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
 #include "frontier_pilot/scan_matching/scan_matcher.h"
@@ -32,8 +34,9 @@ enum class ScanVerdict {
   kAllInvalid,   ///< no beam is usable
   kOutOfBounds,  ///< the map would become too large
   kMisfit,       ///< it fits nowhere near, and would only corrupt the map
+  kNotLocated,   ///< the robot is sought on a known map, and the scan does not fit where it is said to be
 };
-constexpr std::size_t kScanVerdicts = 12;
+constexpr std::size_t kScanVerdicts = 13;
 
 const char* toString(ScanVerdict verdict);
 
@@ -67,6 +70,12 @@ struct RevisionReport {
   slam::ClosureCounts attempts;  ///< to close loops
   Pose2 last_jump;               ///< T_new_old of the last closures: how they moved the robot in the map
   std::vector<slam::LoopClosure> last_closures;
+};
+
+/// The result of a search of the whole map for the robot.
+struct RobotSearch {
+  localization::WholeMapSearch result;
+  Pose2 T_odom_base;  ///< of the last scan, whose pose in the map the result tells
 };
 
 /// Builds the map from scans and the odometry at their stamps. Whatever is wrong with a scan, what is already mapped
@@ -110,6 +119,12 @@ class Mapper {
   /// Takes the present map as known; the following scans look for the robot around `T_map_base`. Returns false, and
   /// does nothing, when the map has no occupied cell.
   bool locate(const scan_matching::PoseWithCovariance& T_map_base);
+
+  /// Work for another thread: looks for the robot all over the present map, by the scans of the last metres.
+  std::function<RobotSearch()> searchWork() const;
+  /// Goes on from where the search has found the robot, which may have driven on since, as from an estimate of its
+  /// pose. Returns false, and does nothing, when it was not found, or when the mapper has been reset.
+  bool locate(const RobotSearch& search);
 
   /// Counts a scan that was rejected before it could be passed to `insert`.
   void reject(ScanVerdict verdict, Time now);

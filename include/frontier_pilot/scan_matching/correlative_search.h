@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -55,7 +56,7 @@ struct SearchPenalty {
   double sigma_yaw = 1.0;       ///< [rad]
 };
 
-/// Poses to be ignored in the search for a second peak: those within both bounds of `pose`.
+/// Poses to be ignored in the search for another peak: those within both bounds of `pose`.
 struct SearchExclusion {
   Pose2 pose;
   double distance = 0.0;  ///< [m]
@@ -66,8 +67,13 @@ struct SearchRequest {
   Pose2 expected;  ///< T_map_points
   SearchWindow window;
   SearchPenalty penalty;
-  std::optional<SearchExclusion> exclusion;
+  std::vector<SearchExclusion> exclusions;
   double min_score = 0.0;  ///< poses with a lower score are not found
+  /// With as many levels as the field's pyramid and cells of the same size: positions at which it is 0 are not found.
+  /// nullptr: all positions are allowed.
+  const MaxPyramid* allowed = nullptr;
+  /// Asked for poses that would be the best so far: those for which it is false are not found. Empty: all are accepted.
+  std::function<bool(const Pose2&)> accept;
 };
 
 struct SearchResult {

@@ -59,6 +59,7 @@ struct CorrectedScan {
   bool fits_map = true;   ///< false: the scan does not fit the map and must not be inserted
   const char* text = "";  ///< for diagnostics: how the pose was found
   bool sound = true;      ///< false: the operator should be told `text`
+  bool located = true;    ///< false: the robot is not where it is on a known map, because the scan fits nowhere there
 };
 
 /// Changes to past poses and to the map: the result of RevisionWork.

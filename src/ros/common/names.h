@@ -54,6 +54,7 @@ constexpr const char* kMapMetadata = "map_metadata";
 constexpr const char* kDynamicMap = "dynamic_map";
 constexpr const char* kSaveMap = "mapper/save_map";
 constexpr const char* kLoadMap = "mapper/load_map";
+constexpr const char* kLocalize = "mapper/localize";
 constexpr const char* kResetMap = "mapper/reset";
 constexpr const char* kInitialPose = "initialpose";  // rviz' own name
 

@@ -14,49 +14,50 @@
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
+#include "ros/map_log/bag_choice.h"
 #include "ros/map_log/bag_log.h"
 
 namespace frontier_pilot {
 namespace {
 
-/// Whether two names are the same topic: bags contain them with or without the leading slash.
-bool isTopic(const std::string& name, const std::string& wanted) {
-  const auto bare = [](const std::string& text) {
-    return text.substr(std::min(text.find_first_not_of('/'), text.size()));
-  };
-  return !bare(wanted).empty() && bare(name) == bare(wanted);
-}
-
 /// Goes through the messages of a bag and collects scans with their odometry.
 class BagReading {
  public:
-  explicit BagReading(const tools::BagTopics& topics) : topics_(topics) {}
+  /// `words` go before what is noticed in reading.
+  BagReading(const tools::BagTopics& topics, const std::vector<std::string>& words) : topics_(topics) {
+    log_.notes = words;
+  }
 
   /// To be called before takeMessages, so that the scanner's mount is known for the first scan already.
   void takeTransforms(rosbag::View& view) {
     for (const rosbag::MessageInstance& message : view) {
       const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
       if (!transforms) continue;
-      const bool is_static = isTopic(message.getTopic(), names::kTfStatic);
+      const bool is_static = isSameTopic(message.getTopic(), names::kTfStatic);
       for (const auto& transform : transforms->transforms) takeTransform(transform, is_static);
     }
   }
   void takeMessages(rosbag::View& view) {
     for (const rosbag::MessageInstance& message : view) {
-      if (isTopic(message.getTopic(), topics_.odom)) takeOdometry(message.instantiate<nav_msgs::Odometry>());
-      if (isTopic(message.getTopic(), topics_.scan)) takeScan(message.instantiate<sensor_msgs::LaserScan>());
+      if (isSameTopic(message.getTopic(), topics_.odom)) takeOdometry(message.instantiate<nav_msgs::Odometry>());
+      if (isSameTopic(message.getTopic(), topics_.scan)) takeScan(message.instantiate<sensor_msgs::LaserScan>());
       collect(latest_);
     }
     collect(Time::max());
   }
   logs::ScanLog result() {
     if (!timing_.problem().empty()) log_.notes.push_back(timing_.problem());
+    if (other_mapper_ > 0)
+      log_.notes.push_back("left out: " + std::to_string(other_mapper_) + " recorded transforms to " + odom_frame_ +
+                           " of another mapper");
+    for (std::string& hole : describeHoles("scans", scan_stamps_)) log_.notes.push_back(std::move(hole));
     for (const auto& [problem, count] : problems_) log_.notes.push_back(std::to_string(count) + " x " + problem);
     return std::move(log_);
   }
 
  private:
   void takeTransform(const geometry_msgs::TransformStamped& transform, bool is_static) {
+    ++transforms_to_[bare(transform.child_frame_id)];
     // Only the mount of the scanner is needed. It is fixed, even if it is repeated on /tf; transforms of base_footprint
     // itself are not needed.
     const bool is_mount = is_static || transform.child_frame_id.find(names::kBaseFootprintFrame) == std::string::npos;
@@ -66,12 +67,23 @@ class BagReading {
     std::string why;
     const auto odometry = msg ? toOdometry(*msg, &why) : std::nullopt;
     if (!odometry) return reject("odometry " + why);
+    if (odom_frame_.empty()) begin(*msg);
     latest_ = odometry->stamp;
     pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
+  }
+  void begin(const nav_msgs::Odometry& first) {
+    odom_frame_ = bare(first.header.frame_id);
+    other_mapper_ = transforms_to_[odom_frame_];
+    if (!tf_._frameExists(topics_.base_frame) && tf_._frameExists(bare(first.child_frame_id)))
+      topics_.base_frame = bare(first.child_frame_id);
+  }
+  static std::string bare(const std::string& frame) {
+    return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
   }
   void takeScan(const sensor_msgs::LaserScan::ConstPtr& msg) {
     if (!msg) return reject("message on the scan topic that is no scan");
     std::string why;
+    scan_stamps_.push_back(msg->header.stamp.toSec());
     const auto T_base_sensor = mountOf(msg->header.frame_id, why);
     auto scan = T_base_sensor ? toLaserScan(*msg, *T_base_sensor, &why) : std::nullopt;
     if (!scan) return reject("scan " + why);
@@ -101,7 +113,11 @@ class BagReading {
   tf2::BufferCore tf_;
   mapping::ScanPairing pairing_;
   BeamTiming timing_{ScannerModel()};
-  Time latest_{};  ///< stamp of the latest odometry so far
+  Time latest_{};                                     ///< stamp of the latest odometry so far
+  std::map<std::string, std::size_t> transforms_to_;  ///< number of recorded transforms by their child frame
+  std::string odom_frame_;
+  std::size_t other_mapper_ = 0;     ///< recorded transforms to `odom_frame_`
+  std::vector<double> scan_stamps_;  ///< [s]
   logs::ScanLog log_;
   std::map<std::string, std::size_t> problems_;
 };
@@ -114,16 +130,18 @@ std::string listed(const std::vector<std::string>& notes) {
 
 }  // namespace
 
-logs::ScanLog readBagLog(const std::string& path, const tools::BagTopics& topics) {
+logs::ScanLog readBagLog(const std::string& path, const tools::BagTopics& wanted) {
   try {
     const rosbag::Bag bag(path);
+    const BagChoice choice = chooseTopics(bag, wanted);
+    const tools::BagTopics& topics = choice.topics;
     rosbag::View transforms(bag, [](const rosbag::ConnectionInfo* info) {
-      return isTopic(info->topic, names::kTf) || isTopic(info->topic, names::kTfStatic);
+      return isSameTopic(info->topic, names::kTf) || isSameTopic(info->topic, names::kTfStatic);
     });
     rosbag::View messages(bag, [&](const rosbag::ConnectionInfo* info) {
-      return isTopic(info->topic, topics.scan) || isTopic(info->topic, topics.odom);
+      return isSameTopic(info->topic, topics.scan) || isSameTopic(info->topic, topics.odom);
     });
-    BagReading reading(topics);
+    BagReading reading(topics, choice.words);
     reading.takeTransforms(transforms);
     reading.takeMessages(messages);
     logs::ScanLog log = reading.result();

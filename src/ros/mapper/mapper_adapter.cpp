@@ -63,6 +63,7 @@ void MapperAdapter::connect() {
   }
   connections_.everySteady(ros::WallDuration(0.1), [this] {
     saver_.provide(mapper_.map());
+    searcher_.provide(mapper_);
     const auto report = connections_.master().take();
     if (!report) return;
     const auto other = report->rivals.find(publisher_.topic());

@@ -25,6 +25,7 @@
 #include "ros/common/worker.h"
 #include "ros/mapper/map_autosave.h"
 #include "ros/mapper/map_saver.h"
+#include "ros/mapper/map_searcher.h"
 #include "ros/mapper/mapper_publisher.h"
 
 namespace frontier_pilot {
@@ -51,10 +52,8 @@ struct MapperNodeParameters {
     v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
     v.field("map_file", map_file, "", "saved map to begin with; empty: begin with an empty map");
-    v.field(
-        "autosave_period", autosave_period, "s",
-        "least time between two copies of the map, which a mapper restores when it is restarted after a crash; 0: none",
-        between(0.0, 3600.0));
+    v.field("autosave_period", autosave_period, "s",
+            "least time between two copies of the map, for a restart after a crash; 0: none", between(0.0, 3600.0));
     v.field("localize_only", mapper.localize_only, "",
             "leave the loaded map as it is, and only localise the robot in it");
     v.field("update_period", update_period, "s", "time between two map updates", tickPeriod());
@@ -75,7 +74,7 @@ struct MapperNodeParameters {
 class MapperAdapter {
  public:
   MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  ~MapperAdapter() { saver_.close(); }
+  ~MapperAdapter() { saver_.close(), searcher_.close(); }
   /// Removes the copy of the map: a mapper started after a regular shutdown begins with a new map.
   void sayLastWords() { autosave_.forget(); }
   MapperAdapter(const MapperAdapter&) = delete;
@@ -140,6 +139,7 @@ class MapperAdapter {
   std::shared_ptr<slam::MapRevision> old_;  ///< the map that the last revision replaced, to be freed by the worker
   Worker<TimedRevision> worker_;
   MapSaver saver_;
+  MapSearcher searcher_;
   MapAutosave autosave_;
   std::optional<Restored> restored_;           ///< until resume() has taken it over
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master

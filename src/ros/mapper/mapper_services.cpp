@@ -8,6 +8,7 @@ void MapperAdapter::advertiseServices() {
   connections_.serve(names::kDynamicMap, &MapperAdapter::handleGet, this);
   connections_.serve(names::kLoadMap, &MapperAdapter::handleLoad, this);
   saver_.serve(connections_);
+  searcher_.serve(connections_);
   connections_.serve(names::kResetMap, &MapperAdapter::handleReset, this);
 }
 

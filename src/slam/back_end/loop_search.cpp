@@ -73,7 +73,7 @@ const LoopSearch::Prepared& LoopSearch::prepare(const SubmapGraph& graph, std::s
 bool LoopSearch::isAmbiguous(const scan_matching::MaxPyramid& pyramid, const surfaces::SurfacePoints& points,
                              scan_matching::SearchRequest request, const scan_matching::SearchResult& best,
                              const Eigen::Matrix3d& information) const {
-  request.exclusion = scan_matching::SearchExclusion{best.pose, parameters_.peak_distance, parameters_.peak_angle};
+  request.exclusions = {{best.pose, parameters_.peak_distance, parameters_.peak_angle}};
   request.min_score = parameters_.ambiguity * best.score;
   const auto rival = scan_matching::correlativeSearch(pyramid, points, request);
   if (!rival) return false;

@@ -182,7 +182,7 @@ bool ScanPlacement::hasRival(const surfaces::SurfacePoints& points, const scan_m
                              const Prediction& prediction, const scan_matching::SearchResult& found) const {
   const double cell = pyramid.geometry().resolution;
   scan_matching::SearchRequest other = request(prediction, cell);
-  other.exclusion = scan_matching::SearchExclusion{found.pose, kRivalDistance * cell, kRivalAngle};
+  other.exclusions = {{found.pose, kRivalDistance * cell, kRivalAngle}};
   other.min_score = kRival * found.score;
   const auto rival = scan_matching::correlativeSearch(pyramid, points, other);
   if (!rival) return false;

@@ -158,17 +158,59 @@ TEST_F(MapIo, LoadsTheYamlAndPictureOfAMapThatHasNoOctree_MAP_5) {
   EXPECT_TRUE(map_files::loadMap(path("again.bt"), loaded).ok());
 }
 
+// [MAP-5] Other mappers save coarser and finer maps.
+TEST_F(MapIo, LoadsAPictureWithCellsOfAnySize_MAP_5) {
+  write("picture.pgm", "P2 3 2 255 0 254 205 254 254 205\n");  // occupied, free, unknown above free, free, unknown
+  for (const char* resolution : {"0.1", "0.025", "0.07"}) {
+    write("picture.yaml", std::string("image: picture.pgm\norigin: [1, 2, 0]\nresolution: ") + resolution + "\n");
+    occupancy::OccupancyMap loaded;
+    const map_files::MapIoResult result = map_files::loadMap(path("picture"), loaded);
+    ASSERT_TRUE(result.ok()) << result.text;
+    EXPECT_NE(result.text.find("have become 0.05 m"), std::string::npos) << result.text;
+    const double cell = std::stod(resolution);
+    const auto at = [&](double x, double y) {
+      return loaded.grid().get(loaded.geometry().cellAt({1.0 + x * cell, 2.0 + y * cell}), kUnknown);
+    };
+    EXPECT_TRUE(isOccupied(at(0.5, 1.5))) << resolution;
+    EXPECT_TRUE(isUnknown(at(2.9, 1.9))) << resolution;
+  }
+}
+
+// [FLT-1] [MAP-5]
+TEST_F(MapIo, RefusesAPictureWhoseCellsWouldBecomeTooMany_FLT_1_MAP_5) {
+  write("picture.yaml", "image: picture.pgm\nresolution: 1\norigin: [0, 0, 0]\n");
+  std::string wide = "P5\n5000 1000\n255\n";
+  wide.append(5000 * 1000, '\xfe');
+  write("picture.pgm", wide);
+  const map_files::MapIoResult result = map_files::loadMap(path("picture"), map);
+  EXPECT_EQ(result.status, map_files::MapIoStatus::kBroken);
+  EXPECT_NE(result.text.find("too large"), std::string::npos) << result.text;
+}
+
+// [MAP-5]
+TEST_F(MapIo, LoadsAllModesOfMapServer_MAP_5) {
+  write("scale.pgm", "P2 3 1 255 0 254 150\n");
+  write("raw.pgm", "P2 3 1 255 100 0 255\n");
+  for (const char* mode : {"scale", "raw"}) {
+    write(std::string(mode) + ".yaml",
+          std::string("image: ") + mode + ".pgm\nresolution: 0.05\norigin: [0, 0, 0]\nmode: " + mode + "\n");
+    occupancy::OccupancyMap loaded;
+    const map_files::MapIoResult result = map_files::loadMap(path(mode), loaded);
+    ASSERT_TRUE(result.ok()) << result.text;
+    const auto at = [&](double x) { return loaded.grid().get(loaded.geometry().cellAt({x, 0.025}), kUnknown); };
+    EXPECT_TRUE(isOccupied(at(0.025))) << mode;
+    EXPECT_TRUE(isFree(at(0.075))) << mode;
+    EXPECT_TRUE(isUnknown(at(0.125))) << mode;
+  }
+}
+
 // [MAP-5]
 TEST_F(MapIo, KeepsTheMapWhenAPictureCannotBeLoaded_MAP_5) {
   const auto before = map.grid().cells();
   write("picture.yaml", "image: none.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
   EXPECT_EQ(map_files::loadMap(path("picture"), map).status, map_files::MapIoStatus::kBroken);
-  write("picture.yaml", "image: picture.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n");
   write("picture.pgm", "P2 2 2 255 0 0 254 254\n");
-  const map_files::MapIoResult coarse = map_files::loadMap(path("picture"), map);
-  EXPECT_EQ(coarse.status, map_files::MapIoStatus::kBroken);
-  EXPECT_NE(coarse.text.find("resolution"), std::string::npos) << coarse.text;
-  for (const char* mode : {"raw", "scale", "abc", "[1, 2]"}) {
+  for (const char* mode : {"abc", "[1, 2]"}) {
     write("picture.yaml", std::string("image: picture.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nmode: ") + mode + "\n");
     const map_files::MapIoResult other = map_files::loadMap(path("picture"), map);
     EXPECT_EQ(other.status, map_files::MapIoStatus::kBroken) << other.text;

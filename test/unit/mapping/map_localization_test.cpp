@@ -98,7 +98,7 @@ TEST_F(MapLocalizationTest, DoesNotFindItWhereItIsNot_MAP_5) {
   mapping::Mapper mapper = knowing(true);
   mapper.locate({{1.0, 2.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4});
   drive(mapper, {6.0, 0.8, 1.0}, {6.4, 0.8, 1.0});
-  EXPECT_EQ(verdict, mapping::ScanVerdict::kMisfit);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kNotLocated);
 }
 
 // [MAP-5]
@@ -107,7 +107,7 @@ TEST_F(MapLocalizationTest, WithoutAMapThereIsNothingToLocaliseOn_MAP_5) {
   parameters.localize_only = true;
   mapping::Mapper mapper(parameters);
   drive(mapper, {4.0, 1.2, 0.0}, {4.5, 1.2, 0.0});
-  EXPECT_EQ(verdict, mapping::ScanVerdict::kMisfit);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kNotLocated);
   EXPECT_TRUE(mapper.grid().empty());
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -73,8 +74,10 @@ double bestByExhaustion(const scan_matching::LikelihoodGrid& field, const surfac
     for (int j = -count(request.window.y, cell); j <= count(request.window.y, cell); ++j) {
       for (int i = -count(request.window.x, cell); i <= count(request.window.x, cell); ++i) {
         const Pose2 pose(request.expected.x + cell * i, request.expected.y + cell * j, request.expected.yaw + step * k);
-        const bool excluded = request.exclusion && !isJump(request.exclusion->pose, pose, request.exclusion->distance,
-                                                           request.exclusion->angle);
+        const auto& exclusions = request.exclusions;
+        const bool excluded = std::any_of(exclusions.begin(), exclusions.end(), [&](const auto& exclusion) {
+          return !isJump(exclusion.pose, pose, exclusion.distance, exclusion.angle);
+        });
         const double score = meanLikelihood(field, points, pose);
         if (excluded || score < request.min_score) continue;
         best = std::max(best, score - penaltyAt(request.penalty, request.expected, pose));
@@ -94,7 +97,8 @@ TEST(CorrelativeSearch, FindsTheBestPoseOfTheWindowWhateverThePyramid) {
     request.expected = dice.pose(0.3, 3.0);
     request.window = {dice.between(0.0, 0.6), dice.between(0.0, 0.6), dice.between(0.0, 0.2)};
     request.penalty = {dice.between(0.0, 0.02), 3.0, dice.between(0.05, 0.5), dice.between(0.02, 0.2)};
-    if (seed % 3 == 0) request.exclusion = scan_matching::SearchExclusion{dice.pose(0.2, 3.0), 0.2, 3.2};
+    if (seed % 3 == 0) request.exclusions = {{dice.pose(0.2, 3.0), 0.2, 3.2}};
+    if (seed % 6 == 0) request.exclusions.push_back({dice.pose(0.4, 3.0), 0.1, 3.2});
     const double best = bestByExhaustion(field, points, request);
     for (int top = 0; top <= 5; ++top) {
       const auto found =
@@ -187,7 +191,7 @@ TEST(CorrelativeSearch, TellsASecondPeakFromTheFirst) {
   request.window = {4.0, 1.0, 0.1};
   const auto first = scan_matching::correlativeSearch(pyramid, seenFrom({}, room), request);
   ASSERT_TRUE(first);
-  request.exclusion = scan_matching::SearchExclusion{first->pose, 0.5, 1.0};
+  request.exclusions = {{first->pose, 0.5, 1.0}};
   const auto second = scan_matching::correlativeSearch(pyramid, seenFrom({}, room), request);
   ASSERT_TRUE(second);
   EXPECT_NEAR(std::abs(second->pose.x - first->pose.x), 3.0, 0.051);

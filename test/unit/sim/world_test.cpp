@@ -74,7 +74,7 @@ TEST_F(WorldFiles, NamesEveryDefect_SIM_1) {
   EXPECT_NE(refusal(writeYaml("image: text.pgm\n" + rest_)).find("cannot be read as PGM or PNG"), std::string::npos);
   const std::string rotated = "image: world.pgm\nresolution: 0.1\norigin: [0, 0, 0.5]\n";
   EXPECT_NE(refusal(writeYaml(rotated)).find("rotated"), std::string::npos);
-  EXPECT_NE(refusal(writeYaml("image: world.pgm\nmode: scale\n" + rest_)).find("only trinary"), std::string::npos);
+  EXPECT_NE(refusal(writeYaml("image: world.pgm\nmode: shades\n" + rest_)).find("must be trinary"), std::string::npos);
   EXPECT_NE(refusal(writeYaml("image: world.pgm\nresolution: .nan\norigin: [0, 0, 0]\n")).find("resolution"),
             std::string::npos);
 }

@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/mapping/mapper.h"
+#include "support/ascii_world.h"
+#include "support/drives/drive.h"
+
+namespace frontier_pilot::test {
+namespace {
+
+constexpr const char* kUnlikeRooms = R"(
+  ########################################
+  #...........#..........................#
+  #...........#.................####.....#
+  #...........#.................####.....#
+  #......................................#
+  #......................................#
+  #...##......#..........................#
+  #...##......#..........................#
+  #...........#.........##...............#
+  #...........#.........##...............#
+  #...........#..........................#
+  ########################################
+)";
+
+constexpr const char* kTwins = R"(
+  #########################
+  #...........#...........#
+  #...........#...........#
+  #...........#...........#
+  #.....##....#.....##....#
+  #...........#...........#
+  #...........#...........#
+  #########################
+)";
+
+/// `world` in cells of 5 cm.
+OccupancyGrid fineMapOf(const AsciiWorld& world) {
+  OccupancyGrid map(GridGeometry{0.05, {0.0, 0.0}, 4 * world.map.width(), 4 * world.map.height()}, kFree);
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const Cell cell = map.geometry().cell(i);
+    map[i] = world.map[Cell{cell.x / 4, cell.y / 4}];
+  }
+  return map;
+}
+
+localization::WholeMapSearch searchFor(const AsciiWorld& world, const OccupancyGrid& map, const Pose2& T_map_base) {
+  Scanner scanner(world.solid(), 0.01);
+  const surfaces::SurfaceScan scan = surfaces::readScan(scanner.scan(T_map_base, Time{}));
+  return localization::searchWholeMap(map, {{scan.points, Pose2()}}, {});
+}
+
+// [MAP-5]
+TEST(WholeMapSearch, FindsTheRobotWhereverItStandsAndWhicheverWayItLooks_MAP_5) {
+  const AsciiWorld world = drawWorld(kUnlikeRooms, 0.2);
+  const OccupancyGrid map = fineMapOf(world);
+  for (const Pose2& pose : {Pose2(1.8, 1.0, 0.3), Pose2(3.2, 0.8, -2.8), Pose2(5.0, 1.4, 1.6), Pose2(7.3, 0.6, 3.1)}) {
+    const localization::WholeMapSearch search = searchFor(world, map, pose);
+    ASSERT_EQ(search.verdict, localization::SearchVerdict::kFound) << describe(search);
+    EXPECT_FALSE(isJump(pose, search.best.T_map_base, 0.05, 0.02)) << describe(search);
+    EXPECT_GT(search.best.inliers, 0.8);
+  }
+}
+
+// [MAP-5]
+TEST(WholeMapSearch, RefusesToChooseBetweenTwoPlacesThatLookAlike_MAP_5) {
+  const AsciiWorld world = drawWorld(kTwins, 0.2);
+  const localization::WholeMapSearch search = searchFor(world, fineMapOf(world), {0.8, 0.9, 0.5});
+  EXPECT_EQ(search.verdict, localization::SearchVerdict::kAmbiguous);
+  EXPECT_NE(describe(search).find("two places look alike"), std::string::npos) << describe(search);
+  EXPECT_TRUE(isJump(search.best.T_map_base, search.rival.T_map_base, 0.5, 0.3));
+}
+
+// [MAP-5]
+TEST(WholeMapSearch, SaysWhyItFindsNothing_MAP_5) {
+  const AsciiWorld world = drawWorld(kUnlikeRooms, 0.2);
+  const AsciiWorld elsewhere = drawWorld(kTwins, 0.2);
+  EXPECT_EQ(searchFor(elsewhere, fineMapOf(world), {1.0, 0.5, 0.0}).verdict, localization::SearchVerdict::kFitsNowhere);
+  EXPECT_EQ(searchFor(world, OccupancyGrid(), {1.8, 1.0, 0.0}).verdict, localization::SearchVerdict::kNoMap);
+  EXPECT_EQ(localization::searchWholeMap(fineMapOf(world), {}, {}).verdict, localization::SearchVerdict::kTooFew);
+}
+
+// [MAP-5]
+TEST(WholeMapSearch, IsRepeatable_MAP_5) {
+  const AsciiWorld world = drawWorld(kUnlikeRooms, 0.2);
+  const OccupancyGrid map = fineMapOf(world);
+  EXPECT_EQ(describe(searchFor(world, map, {5.0, 1.4, 1.6})), describe(searchFor(world, map, {5.0, 1.4, 1.6})));
+}
+
+/// A mapper that only localises on the rooms, of which it knows nothing but the map, and a robot in them.
+class LostMapper : public ::testing::Test {
+ protected:
+  LostMapper() : world(drawWorld(kUnlikeRooms, 0.2)), scanner(world.solid(), 0.01), mapper(localizing()) {
+    occupancy::OccupancyMap rooms(mapping::MapperParameters{}.map);
+    const OccupancyGrid map = fineMapOf(world);
+    EXPECT_TRUE(rooms.reserve({0.0, 0.0}, 0.05 * Vec2(map.width(), map.height())));
+    for (int certainty = 0; certainty < 10; ++certainty) {
+      rooms.beginScan();
+      for (std::size_t i = 0; i < map.size(); ++i) {
+        const Cell cell = rooms.geometry().cellAt(map.geometry().centre(map.geometry().cell(i)));
+        map[i] == kOccupied ? rooms.hit(cell) : rooms.miss(cell);
+      }
+    }
+    EXPECT_TRUE(mapper.load(rooms));
+  }
+  static mapping::MapperParameters localizing() {
+    mapping::MapperParameters parameters;
+    parameters.localize_only = true;
+    return parameters;
+  }
+  /// Drives `steps` times 5 cm ahead; odometry begins at zero where the robot begins.
+  void drive(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      T_odom_base.x += 0.05;
+      seconds += 0.6;
+      const Time now = timeFromSeconds(seconds);
+      verdict = mapper.insert(scanner.scan(T_world_odom * T_odom_base, now), T_odom_base, now);
+    }
+  }
+
+  AsciiWorld world;
+  Scanner scanner;
+  mapping::Mapper mapper;
+  const Pose2 T_world_odom{6.8, 0.8, 2.9};
+  Pose2 T_odom_base;
+  double seconds = 1.0;
+  mapping::ScanVerdict verdict = mapping::ScanVerdict::kInserted;
+};
+
+// [MAP-5]
+TEST_F(LostMapper, SaysThatItNeedsAPose_MAP_5) {
+  mapper.locate({{1.0, 2.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4});  // where it is not
+  drive(20);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kNotLocated);
+  const char* expected = "not localised: the scan fits nowhere on the map here, give a pose";
+  EXPECT_STREQ(toString(verdict), expected);
+  const auto remark = mapper.remark(timeFromSeconds(seconds));
+  ASSERT_TRUE(remark);
+  EXPECT_EQ(remark->text, expected);
+}
+
+// [MAP-5]
+TEST_F(LostMapper, GoesOnFromWhereTheSearchHasFoundTheRobotAlsoIfItHasDrivenOn_MAP_5) {
+  drive(10);
+  const auto work = mapper.searchWork();
+  drive(15);
+  const mapping::RobotSearch search = work();
+  ASSERT_EQ(search.result.verdict, localization::SearchVerdict::kFound) << describe(search.result);
+  ASSERT_TRUE(mapper.locate(search));
+  drive(3);
+  EXPECT_EQ(verdict, mapping::ScanVerdict::kLocalized);
+  EXPECT_FALSE(isJump(T_world_odom, mapper.T_map_odom(), 0.06, 0.03));
+}
+
+// [MAP-5]
+TEST_F(LostMapper, TakesOverNothingFromASearchThatDidNotFindTheRobot_MAP_5) {
+  const mapping::RobotSearch search = mapper.searchWork()();
+  EXPECT_EQ(search.result.verdict, localization::SearchVerdict::kTooFew) << "there was no scan yet";
+  EXPECT_FALSE(mapper.locate(search));
+}
+
+}  // namespace
+}  // namespace frontier_pilot::test
