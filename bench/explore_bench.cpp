@@ -34,9 +34,8 @@ namespace {
 struct Options {
   std::vector<std::string> worlds;
   std::vector<int> seeds = {1, 2, 3, 4, 5};
-  std::string robot;  ///< empty: the default robot
+  std::string robot, limits;  ///< empty: the default robot, and the limits of the robot
   std::string strategy = "tour";
-  std::string limits;  ///< empty: the robot's own
   std::optional<Pose2> start;
   double until = 2.0, limit = 7200.0, latency = 0.0;
   bool at_once = false, skewed = false, odom_noise = false, curve = false, log = false, twice = false,

@@ -1,5 +1,6 @@
 #include "frontier_pilot/exploration/explorer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "exploration/explorer_impl.h"
@@ -25,6 +26,13 @@ std::string listMissing(const std::vector<ExplorerReason>& missing) {
   std::string text;
   for (const ExplorerReason reason : missing) text += (text.empty() ? "" : ", ") + std::string(nameOfMissing(reason));
   return text;
+}
+
+/// No view shows more than the scanner measures.
+ExplorerParameters withScannersRange(ExplorerParameters parameters) {
+  double& range = parameters.frontier.view.sensor_range;
+  range = std::min(range, parameters.robot.scanner.range_max);
+  return parameters;
 }
 
 bool isOlder(Time stamp, Time now, double age) { return now - stamp > fromSeconds(age); }
@@ -59,12 +67,12 @@ std::string Explorer::explain() const { return impl_->explain(); }
 const std::optional<Pose2>& Explorer::goal() const { return impl_->goal(); }
 
 Explorer::Impl::Impl(const ExplorerParameters& parameters)
-    : parameters_(parameters),
-      evaluator_(parameters.frontier, parameters.robot.drivenOutline()),
-      history_(parameters.blacklist, parameters.max_goal_retries),
-      strategy_(makeStrategy(parameters)),
-      rules_(parameters.until) {
-  evaluator_.setBounds(parameters.bounds.polygons());
+    : parameters_(withScannersRange(parameters)),
+      evaluator_(parameters_.frontier, parameters_.robot.drivenOutline()),
+      history_(parameters_.blacklist, parameters_.max_goal_retries),
+      strategy_(makeStrategy(parameters_)),
+      rules_(parameters_.until) {
+  evaluator_.setBounds(parameters_.bounds.polygons());
 }
 
 void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {

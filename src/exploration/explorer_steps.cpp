@@ -143,6 +143,7 @@ void Explorer::Impl::evaluateArrival(Time now) {
 }
 
 void Explorer::Impl::stayDone(Time now) {
+  if (ended_by_) return;  // only a start or a reset ends that
   if (!inspections_.waiting().empty()) return enter(ExplorerState::kSelectGoal, ExplorerReason::kInspecting, "", now);
   if (judged_changes_ == evaluator_.map().changes() || !passed(last_decision_, parameters_.decision_period, now))
     return;

@@ -149,11 +149,9 @@ TEST_F(GuiOnTheWire, BoundsPosesToInspectAndTheReturnToTheStartAreShownAndChange
   EXPECT_TRUE(window.text("explorer_end").startsWith("when 9 m2"));
   for (const char* control : {"return_to_start", "clear_bounds", "clear_inspections"})
     ASSERT_TRUE(waitFor([&] { return explorer.speaks() && window.find(control)->isEnabled(); })) << control;
-  window.click("return_to_start");
+  for (const char* control : {"return_to_start", "clear_bounds", "clear_inspections"}) window.click(control);
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.checked("return_to_start"); }));
-  window.click("clear_bounds");
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "none"; }));
-  window.click("clear_inspections");
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_inspect") == "nothing"; }));
 }
 

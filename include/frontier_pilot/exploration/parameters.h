@@ -19,7 +19,8 @@ struct ViewParameters {
   template <class V>
   void describe(V& v) {
     v.field("sensor_range", sensor_range, "m",
-            "range of the scanner that is assumed when the view from a goal is estimated", positive());
+            "range that is assumed when the view from a goal is estimated, at most that of the robot's scanner",
+            positive());
     v.fixed({"unknown_depth", "rays"});
   }
 };

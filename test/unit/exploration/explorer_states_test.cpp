@@ -173,6 +173,29 @@ TEST_F(ExplorerStates, WhatWasReachedInVainIsNotTriedForEver_EXP_7) {
   EXPECT_EQ(output.status.reason, Reason::kNoReachableFrontier);
 }
 
+/// What the view from the best goal is expected to show, and where that goal is.
+exploration::Frontier frontierSeenBy(double scanner_range, double view_range) {
+  exploration::ExplorerParameters parameters;
+  parameters.robot.scanner.range_max = scanner_range;
+  parameters.frontier.view.sensor_range = view_range;
+  class Seen : public ExplorerTest {
+   public:
+    explicit Seen(const exploration::ExplorerParameters& p) : ExplorerTest(p) {
+      show(kTwoEnds);
+      tick();
+    }
+    void TestBody() override {}
+    exploration::Frontier frontier() const { return explorer.frontiers().front(); }
+  };
+  return Seen(parameters).frontier();
+}
+
+// [EXP-4]
+TEST(Explorer, ExpectsToSeeNoFartherThanTheScannerMeasures_EXP_4) {
+  EXPECT_EQ(frontierSeenBy(1.0, 8.0).info.area, frontierSeenBy(8.0, 1.0).info.area);
+  EXPECT_LT(frontierSeenBy(1.0, 8.0).info.area, frontierSeenBy(8.0, 8.0).info.area);
+}
+
 class ReturnToStart : public ExplorerTest {
  protected:
   static exploration::ExplorerParameters parameters() {

@@ -140,6 +140,23 @@ TEST_F(UntilArea, ReturnsToTheStartBeforeItIsDone_EXP_10) {
   EXPECT_EQ(output.status.reason, Reason::kUntilArea);
 }
 
+// [EXP-10]
+TEST_F(UntilArea, IsNotSentOutAgainByAMapThatChangedOnTheWayBack_EXP_10) {
+  show(kRoom);
+  const Pose2 start = pose;
+  tick();
+  pose = sent.goal;
+  change({30, 1, 3, 9}, kFree);  // the right end is still unknown
+  ASSERT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  change({30, 1, 1, 1}, kOccupied);
+  pose = start;
+  goalEnds(Event::kReached);
+  const exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.status.state, State::kDone);
+  EXPECT_EQ(output.command.kind, GoalCommand::Kind::kNone);
+  EXPECT_FALSE(wentThrough(State::kSelectGoal, Reason::kMapChanged));
+}
+
 class UntilTimeWithReturn : public ExplorerTest {
  protected:
   UntilTimeWithReturn() : ExplorerTest(endingAfter(0.0, 10.0, 0.0, true)) {}
