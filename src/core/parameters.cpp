@@ -1,5 +1,6 @@
 #include "frontier_pilot/core/parameters.h"
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,6 +168,8 @@ void Loader::field(const char* name, std::string& field, const char* unit, const
   this->field(name, read, unit, doc);
   if (read.empty() && rule == FrameName::kGiven) return problem(name, "must name a frame");
   if (read.size() > bounds::kMostName) return problem(name, "must have at most 256 characters");
+  if (printable(read, bounds::kMostName) != read)
+    return problem(name, "must not have control characters: no transform may have such a frame");
   if (read.rfind('/', 0) == 0) return problem(name, "must not begin with '/', is " + read + ": tf2 refuses such names");
   field = read;
 }

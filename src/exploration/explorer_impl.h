@@ -148,7 +148,7 @@ class Explorer::Impl {
   StoppingRules rules_;
   InspectionList inspections_;
   bool inspections_cleared_ = false;  ///< since the last tick
-  TravelField onwards_;               ///< from a pose to inspect to the goal behind it
+  TravelField onwards_;               ///< from the poses to inspect to the next goal
 
   ExplorerOutput out_;
   ExplorerProgress status_;

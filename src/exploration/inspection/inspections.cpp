@@ -61,15 +61,15 @@ std::vector<Explorer::Impl::ReachableInspection> Explorer::Impl::reachableInspec
   return reachable;
 }
 
-/// Sends the robot to the first pose over which the way to the goal `next` is at most inspect/detour longer. Returns
+/// Sends the robot to the nearest pose over which the way to the goal `next` is at most inspect/detour longer. Returns
 /// whether there is one.
 bool Explorer::Impl::inspectOnTheWay(const ChosenGoal& next, Time now) {
   if (inspections_.waiting().empty()) return false;
+  const double most = next.distance + parameters_.inspect.detour;
+  const Cell goal = evaluator_.map().geometry().cellAt(next.position);
+  onwards_.compute(evaluator_.space().neighbours(), goal, most);
   for (const ReachableInspection& place : reachableInspections()) {
-    const double left = next.distance + parameters_.inspect.detour - place.distance;
-    if (left < (evaluator_.map().geometry().centre(place.cell) - next.position).norm()) continue;
-    onwards_.compute(evaluator_.space().neighbours(), place.cell, left);
-    if (onwards_.distance(evaluator_.map().geometry().cellAt(next.position)) > left) continue;
+    if (place.distance + onwards_.distance(place.cell) > most) continue;
     sendToInspection(place, now);
     return true;
   }

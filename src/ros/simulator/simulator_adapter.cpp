@@ -61,6 +61,7 @@ void SimulatorAdapter::advertise(ros::NodeHandle& node) {
 }
 
 void SimulatorAdapter::publishWorld() {
+  if (!world_) return;  // ROS was shut down while the node was being built
   world_.publish(toOccupancyGridMsg(simulator_.map(), names::kWorldFrame, simulator_.now()));
 }
 
