@@ -37,6 +37,7 @@ std::size_t countInvalid(const LaserScan2& scan) {
 
 SectorReader::SectorReader(const AvoiderParameters& parameters)
     : half_lane_(AvoiderDistances(parameters).half_lane),
+      most_too_near_(AvoiderDistances(parameters).stop / 2.0),
       max_invalid_share_(parameters.max_invalid_share),
       front_left_(bordersOf(parameters.front_left)),
       front_right_(bordersOf(parameters.front_right)),
@@ -71,7 +72,10 @@ SectorDistances SectorReader::read(const LaserScan2& scan) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
     if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
-    add(scan.isMoving() ? scan.point(i, reading.distance) : Vec2(sensor + reading.distance * directions[i]), around);
+    // What is too near for a scanner with a large range_min may be anywhere before that, also within the stop distance.
+    const bool too_near = reading.kind == RangeKind::kTooNear;
+    const double distance = too_near ? std::min(reading.distance, most_too_near_) : reading.distance;
+    add(scan.isMoving() ? scan.point(i, distance) : Vec2(sensor + distance * directions[i]), around);
   }
   return around;
 }

@@ -29,6 +29,7 @@ class SectorReader {
   std::string judge(const LaserScan2& scan);
 
   double half_lane_;
+  double most_too_near_;  ///< greatest distance at which a reading below range_min is taken to be [m]
   double max_invalid_share_;
   Borders front_left_, front_right_, rear_;
   LaserScan2 layout_;             ///< angles and mount that `directions_` were computed for, without ranges

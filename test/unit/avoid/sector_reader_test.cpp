@@ -167,6 +167,14 @@ TEST(SectorReader, MinusInfinityAndTooNearAreAnObstacleAtRangeMin_AVO_2) {
 }
 
 // [AVO-2]
+TEST(SectorReader, TooNearForAScannerThatSeesOnlyFarIsWithinTheStopDistance_AVO_2) {
+  LaserScan2 scan = emptyScan({}, Time{});
+  scan.range_min = 1.0;
+  scan.ranges[185] = -kInf;
+  EXPECT_LT(read(scan).obstacleDistance(), avoid::AvoiderDistances(avoid::AvoiderParameters()).stop);
+}
+
+// [AVO-2]
 TEST(SectorReader, InfinityAndBeyondRangeMaxAreFree_AVO_2) {
   for (const float range : {kInf, 8.1F, 1e30F}) {
     LaserScan2 scan = emptyScan({}, Time{});
