@@ -90,7 +90,7 @@ void ClosedLoop::sense() {
     placer_.place(ScanReference::kMiddle, mapped);
     mapper_.insert(mapped, placer_.track().nearest(mapped.stamp), now());
     scan_ = std::move(*sensed_.scan);
-    placer_.place(ScanReference::kEnd, *scan_);
+    placer_.place(ScanReference::kEnd, scan_);
     mapper_.reviseNow();
   }
 }
