@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t kPeriods = 9;  // of which the median is taken
 constexpr std::size_t kEnough = 3;   // periods that have to be known
-constexpr double kLongest = 1.0;     // [s], that all beams may take before the period is known
+constexpr double kLongest = 1.0;     // [s], that all beams may take, whatever the stamps say [FLT-1]
 constexpr double kTolerance = 1.1;   // of the period: its stamps jitter
-constexpr double kAtOnce = 0.05;     // of the period: less is a wrong unit, or no time at all
+constexpr double kLeast = 0.5;       // of the time in which a scanner turns by its field of view
 constexpr double kJump = 0.5;        // [m] and [rad], between two messages of odometry
 const Duration kCovered = fromSeconds(0.1);
 
@@ -21,20 +21,36 @@ double sweepOf(const LaserScan2& scan) { return scan.time_increment * static_cas
 /// The time increment of a scanner that turns at an even rate, once per scan [s].
 double spinning(const LaserScan2& scan, double period) { return period * std::abs(scan.angle_increment) / (2.0 * kPi); }
 
+/// The time that all beams may take [s]; `period`: from scan to scan, if it is known [s].
+double mostOf(std::optional<double> period) { return period ? std::min(kTolerance * *period, kLongest) : kLongest; }
+
+/// The time that the beams of a scanner that turns take at least [s].
+double leastOf(const LaserScan2& scan, double period) {
+  return kLeast * std::min(spinning(scan, period) * static_cast<double>(scan.ranges.size()), period);
+}
+
+/// The time to which a scan from `first` to `end` is referred that is used for driving: the pose of the base at that
+/// time must be the one from which its beams are placed, so that it cannot be later than odometry.
+Time lastCovered(const PoseTrack& T_odom_base, Time first, Time end) {
+  if (T_odom_base.empty()) return end;
+  return std::max(first, std::min(end, T_odom_base.poses().back().stamp));
+}
+
 }  // namespace
 
 bool placeBeams(const PoseTrack& T_odom_base, ScanReference reference, LaserScan2& scan) {
   if (!(scan.time_increment > 0.0) || scan.isMoving() || scan.ranges.empty()) return true;
   const Time first = scan.stamp;
   const Time end = scan.end();
-  scan.stamp = reference == ScanReference::kEnd ? end : first + (end - first) / 2;
+  scan.stamp = reference == ScanReference::kEnd ? lastCovered(T_odom_base, first, end) : first + (end - first) / 2;
   const std::optional<Pose2> T_odom_reference = T_odom_base.nearest(scan.stamp);
   if (!T_odom_reference) return false;
   const Pose2 T_reference_odom = T_odom_reference->inverse();
   bool covered = true;
   scan.moving_mounts.reserve(scan.ranges.size());
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    const Time time = first + fromSeconds(scan.time_increment * static_cast<double>(beam));
+    const std::size_t before = scan.reversed ? scan.ranges.size() - 1 - beam : beam;
+    const Time time = first + fromSeconds(scan.time_increment * static_cast<double>(before));
     scan.moving_mounts.push_back(T_reference_odom * *T_odom_base.nearest(time) * scan.T_base_sensor);
     covered = covered && T_odom_base.away(time, 2 * kCovered) <= kCovered;
   }
@@ -46,24 +62,21 @@ void ScanPlacer::addOdometry(Time stamp, const Pose2& T_odom_base) {
   track_.add(stamp, T_odom_base);
 }
 
-LaserScan2 ScanPlacer::place(LaserScan2 scan, ScanReference reference) {
+bool ScanPlacer::place(ScanReference reference, LaserScan2& scan) {
   timing_.apply(scan);
-  if (!placeBeams(track_, reference, scan)) ++uncovered_;
-  return scan;
+  return placeBeams(track_, reference, scan);
 }
 
-BeamTiming::BeamTiming(const ScannerModel& scanner) : fixed_(scanner.time_increment), rolling_(scanner.rolling) {}
+BeamTiming::BeamTiming(const ScannerModel& scanner)
+    : fixed_(scanner.time_increment), rolling_(scanner.rolling), reversed_(scanner.reversed) {}
 
 void BeamTiming::apply(LaserScan2& scan) {
   notePeriod(scan.stamp);
-  if (fixed_ >= 0.0) {
-    scan.time_increment = fixed_;
-    return;
-  }
-  problem_ = problemOf(scan);
+  scan.reversed = reversed_;
+  if (fixed_ >= 0.0) scan.time_increment = fixed_;
+  problem_ = fixed_ >= 0.0 ? problemOfFixed(scan) : problemOf(scan);
   const bool is_time = std::isfinite(scan.time_increment) && scan.time_increment >= 0.0;
-  const std::optional<double> known = period();
-  const double most = known ? kTolerance * *known : kLongest;
+  const double most = mostOf(fixed_ >= 0.0 ? std::nullopt : period());
   if (!is_time || sweepOf(scan) > most) scan.time_increment = 0.0;
 }
 
@@ -82,6 +95,15 @@ std::optional<double> BeamTiming::period() const {
   return *middle;
 }
 
+std::string BeamTiming::problemOfFixed(const LaserScan2& scan) {
+  if (sweepOf(scan) <= kLongest) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "robot/scanner/time_increment of " << scan.time_increment << " s is not used: " << scan.ranges.size()
+       << " beams would take " << sweepOf(scan) << " s, and " << kLongest << " s is the most";
+  return text.str();
+}
+
 std::string BeamTiming::problemOf(const LaserScan2& scan) const {
   const std::optional<double> known = period();
   if (!known) return {};
@@ -91,10 +113,10 @@ std::string BeamTiming::problemOf(const LaserScan2& scan) const {
        << " s their " << scan.ranges.size() << " beams ";
   if (!std::isfinite(scan.time_increment) || scan.time_increment < 0.0) {
     text << "have no time";
-  } else if (sweepOf(scan) > kTolerance * *known) {
+  } else if (sweepOf(scan) > mostOf(known)) {
     text << "take " << sweepOf(scan) << " s";
-  } else if (rolling_ && sweepOf(scan) < kAtOnce * *known) {
-    text << "are measured at once";
+  } else if (rolling_ && sweepOf(scan) < leastOf(scan, *known)) {
+    text << "take only " << sweepOf(scan) << " s";
   } else {
     return {};
   }

@@ -58,6 +58,7 @@ void Lidar::describe(LaserScan2& scan) const {
   scan.angle_min = scanner_.angle_min;
   scan.angle_increment = increment_;
   scan.time_increment = scanner_.rolling ? 1.0 / scanner_.rate / static_cast<double>(beams_.size()) : 0.0;
+  scan.reversed = scanner_.reversed;
   scan.range_min = scanner_.range_min;
   scan.range_max = scanner_.range_max;
   scan.T_base_sensor = scanner_.T_base_sensor();
@@ -73,7 +74,7 @@ void Lidar::measure(const Sweep& sweep, const grids::RayCaster& walls, const Dis
     if (id != own) meetMoving(disc);
   });
   for (std::size_t i = 0; i < swept_ranges_.size(); ++i)
-    scan.ranges[sweep.first + i] = reading(swept_ranges_[i], random);
+    scan.ranges[beamOf(sweep.first + i)] = reading(swept_ranges_[i], random);
 }
 
 void Lidar::aim(const Sweep& sweep) {
@@ -90,7 +91,7 @@ void Lidar::aim(const Sweep& sweep) {
   };
   for (std::size_t i = 0; i < swept_.size(); ++i) {
     swept_from_[i] = base + turnedBy(heading, mount);
-    swept_[i] = turnedBy(turnedBy(heading, yaw), beams_[sweep.first + i]);
+    swept_[i] = turnedBy(turnedBy(heading, yaw), beams_[beamOf(sweep.first + i)]);
     base += sweep.step;
     heading = turn * heading;
   }

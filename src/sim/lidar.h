@@ -18,9 +18,9 @@ namespace frontier_pilot::sim {
 /// hardly anything if it is behind a wall.
 class Lidar {
  public:
-  /// Consecutive beams that are measured one after the other while the base moves evenly.
+  /// Beams that are measured one after the other while the base moves evenly.
   struct Sweep {
-    std::size_t first, end;
+    std::size_t first, end;    ///< in the order in which the beams of a scan are measured
     Pose2 T_world_base;        ///< at the time of the first of them
     Vec2 step = Vec2::Zero();  ///< how far the base moves from one beam to the next [m]
     double turn = 0.0;         ///< how far it turns meanwhile [rad]
@@ -54,6 +54,8 @@ class Lidar {
   void meetDisc(const Vec2& centre, double radius, double first_angle, double last_angle);
   void aim(const Sweep& sweep);
   void meetMoving(const Disc& disc);
+  /// The beam that is the `turn`-th to be measured.
+  std::size_t beamOf(std::size_t turn) const { return scanner_.reversed ? beams_.size() - 1 - turn : turn; }
   float reading(double range, Random& random) const;
 
   ScannerModel scanner_;

@@ -86,9 +86,11 @@ void ClosedLoop::sense() {
     placer_.addOdometry(sensed_.odometry.stamp, sensed_.odometry.T_odom_base);
     if (!sensed_.scan) continue;
     const Stopwatch watch(wall_clock_, times_.mapper);
-    const LaserScan2 mapped = placer_.place(*sensed_.scan, ScanReference::kMiddle);
+    LaserScan2 mapped = *sensed_.scan;
+    placer_.place(ScanReference::kMiddle, mapped);
     mapper_.insert(mapped, placer_.track().nearest(mapped.stamp), now());
-    scan_ = placer_.place(std::move(*sensed_.scan), ScanReference::kEnd);
+    scan_ = std::move(*sensed_.scan);
+    placer_.place(ScanReference::kEnd, scan_);
     mapper_.reviseNow();
   }
 }

@@ -17,6 +17,8 @@ TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch',
                'real_robot.launch', 'check_robot.launch'}
 NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
 NEEDS_ODOM_FRAME = {'mapper', 'behavior_server'}
+PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server'}
+LDS_01 = {'scanner/time_increment': 0.000556, 'scanner/reversed': True}
 OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
 
 
@@ -65,7 +67,10 @@ class LaunchFilesTest(unittest.TestCase):
             if of_the_robot.get('odom_frame', '').startswith('robot2/'):
                 prefixed = {key: value.replace('robot1', 'robot2') for key, value in prefixed.items()}
             has_a_prefix = os.path.basename(file) in ('robot.launch', 'robots.launch') and type_name != 'simulator'
-            self.assertEqual(of_the_robot, dict(expected, **prefixed) if has_a_prefix else expected, file + ' ' + name)
+            own = dict(prefixed) if has_a_prefix else {}
+            if os.path.basename(file) == 'turtlebot3.launch' and type_name in PLACES_BEAMS:
+                own = LDS_01
+            self.assertEqual(of_the_robot, dict(expected, **own), file + ' ' + name)
 
     def test_every_node_of_every_launch_file_is_given_the_robot(self):
         """[ROB-1]"""
@@ -135,6 +140,12 @@ class LaunchFilesTest(unittest.TestCase):
             config = self.config(ROOT + '/launch/%s.launch' % model)
             self.assertIs(config.params['/use_sim_time'].value, False)
             self.assertNotIn('simulator', {node.type for node in config.nodes})
+
+    def test_a_turtlebot3_with_another_scanner_believes_its_driver(self):
+        """[SCN-2]"""
+        for name, (_, given) in self.load(ROOT + '/launch/turtlebot3.launch', scanner='LDS-02').items():
+            self.assertNotIn('robot/scanner/time_increment', given, name)
+            self.assertNotIn('robot/scanner/reversed', given, name)
 
     def test_a_robot_that_is_not_there_is_named(self):
         """[ROB-1]"""

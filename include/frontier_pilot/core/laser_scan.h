@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string>
@@ -17,12 +16,14 @@ struct ScannerModel;
 /// A planar scan. Beam i points at `angle_min + i * angle_increment` in the sensor's frame, whose pose is
 /// `T_base_sensor`. Angles are counter-clockwise as in the base frame: for a scanner mounted upside down the conversion
 /// has negated `angle_min` and `angle_increment`.
-/// The beams of a rolling scan were measured one after the other while the robot moved: beam i at
-/// `stamp + i * time_increment`, until `placeBeams` has put each of them where the robot was at that time. From then on
-/// `stamp` is the time whose base all beams refer to. [SCN-1]
+/// The beams of a rolling scan were measured one after the other while the robot moved: beam i of n at
+/// `stamp + i * time_increment`, or at `stamp + (n - 1 - i) * time_increment` if it is `reversed`, until `placeBeams`
+/// has put each of them where the robot was at that time. From then on `stamp` is the time whose base all beams refer
+/// to. [SCN-1]
 struct LaserScan2 {
   Time stamp;                    ///< when the beams were measured, see above
   double time_increment = 0.0;   ///< [s], from one beam to the next; 0: all at once
+  bool reversed = false;         ///< whether the last beam was measured first
   double angle_min = 0.0;        ///< [rad], in the sensor's frame
   double angle_increment = 0.0;  ///< [rad], never zero; negative when the scanner turns clockwise
   double range_min = 0.0;        ///< [m]
@@ -39,7 +40,7 @@ struct LaserScan2 {
   const Pose2& mount(std::size_t beam) const { return isMoving() ? moving_mounts[beam] : T_base_sensor; }
   /// The point at `distance` [m] along `beam`, in the frame of the base at `stamp`.
   Vec2 point(std::size_t beam, double distance) const { return mount(beam) * Vec2(distance * direction(angle(beam))); }
-  /// When the last beam of a scan was measured whose beams have not been placed.
+  /// When the last measurement was made of a scan whose beams have not been placed.
   Time end() const;
 };
 
@@ -75,16 +76,18 @@ inline RangeReading readBeam(const LaserScan2& scan, std::size_t beam) {
 }
 
 /// Determines the time between two beams: the one set for the robot, otherwise the driver's, if that is credible. The
-/// time between the stamps of scans tells: all beams together cannot take longer than that. [SCN-2]
+/// time between the stamps of scans tells: all beams together cannot take longer than that, nor, if the scanner turns,
+/// much less than the time in which it turns by its field of view; of the latter it only warns, because scans may be
+/// missing. [SCN-2] As stamps may be anything, all beams together never take longer than 1 s. [FLT-1]
 class BeamTiming {
  public:
-  /// By `time_increment` and `rolling` of the scanner.
+  /// By `time_increment`, `rolling` and `reversed` of the scanner.
   explicit BeamTiming(const ScannerModel& scanner);
 
-  /// Sets the time increment of `scan`, which holds the driver's; scans must be given in the order of their stamps. An
-  /// increment that is not credible is replaced by 0: all at once.
+  /// Sets the time increment of `scan`, which holds the driver's, and the order of its beams; scans must be given in
+  /// the order of their stamps. An increment that is too long is replaced by 0: all at once.
   void apply(LaserScan2& scan);
-  /// What is wrong with the driver's time increment and what to set; empty if nothing is.
+  /// What is wrong with the time increment and what to set; empty if nothing is.
   const std::string& problem() const { return problem_; }
   /// The time between two scans, by the median of the last ones [s]; nothing as long as too few are known.
   std::optional<double> period() const;
@@ -92,9 +95,10 @@ class BeamTiming {
  private:
   void notePeriod(Time stamp);
   std::string problemOf(const LaserScan2& scan) const;
+  static std::string problemOfFixed(const LaserScan2& scan);
 
   double fixed_;  ///< [s]; negative: the driver's
-  bool rolling_;
+  bool rolling_, reversed_;
   std::optional<Time> last_;
   std::deque<double> periods_;  ///< between the last scans [s]
   std::string problem_;
@@ -106,14 +110,15 @@ class BeamTiming {
 /// The time that a rolling scan is referred to.
 enum class ScanReference {
   kMiddle,  ///< for matching: the errors of odometry within the scan then cancel out in the mean of its beams
-  kEnd,     ///< for driving: what it shows is then as near to the present as can be
+  kEnd,     ///< for driving: as near to the present as odometry reaches
 };
 #pragma GCC diagnostic pop
 
 /// Puts each beam of a rolling scan where the robot was at its time, by odometry, and refers the scan to the time of
-/// its middle or its last beam. Where odometry does not cover a beam it takes the nearest pose; without any pose the
-/// beams are taken to be measured at once, at that time. A scan measured at once stays as it is. Returns whether
-/// odometry covers every beam, within 0.1 s. This is the only place that corrects for motion. [SCN-1]
+/// its middle or its end; instead of the end to the last pose of odometry, if that is older. Where odometry does not
+/// cover a beam it takes the nearest pose; without any pose the beams are taken to be measured at once, at that time. A
+/// scan measured at once stays as it is. Returns whether odometry covers every beam, within 0.1 s. This is the only
+/// place that corrects for motion. [SCN-1]
 bool placeBeams(const PoseTrack& T_odom_base, ScanReference reference, LaserScan2& scan);
 
 /// `placeBeams` with the odometry and the timing that it needs, for those who use a scan as soon as it arrives.
@@ -123,20 +128,17 @@ class ScanPlacer {
 
   /// Odometry that jumps farther than a robot drives between two messages restarts its track.
   void addOdometry(Time stamp, const Pose2& T_odom_base);
-  /// Corrects a scan as its driver gave it.
-  LaserScan2 place(LaserScan2 scan, ScanReference reference);
+  /// Corrects a scan as its driver gave it; see `placeBeams`.
+  bool place(ScanReference reference, LaserScan2& scan);
   /// Forgets odometry, after a jump of the clock.
   void clear() { track_.clear(); }
 
   const PoseTrack& track() const { return track_; }
   const BeamTiming& timing() const { return timing_; }
-  /// The number of scans that odometry did not cover.
-  std::uint64_t uncovered() const { return uncovered_; }
 
  private:
   PoseTrack track_;  ///< T_odom_base
   BeamTiming timing_;
-  std::uint64_t uncovered_ = 0;
 };
 
 }  // namespace frontier_pilot

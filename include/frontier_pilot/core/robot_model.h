@@ -46,6 +46,7 @@ struct ScannerModel {
   double range_max = 8.0;            ///< [m]
   bool rolling = false;              ///< it measures one beam after the other over the whole period of a scan
   double time_increment = -1.0;      ///< from one beam to the next [s]; negative: as the driver says
+  bool reversed = false;             ///< whether it measures the last beam first
 
   Pose2 T_base_sensor() const { return {x, y, yaw}; }
 
@@ -65,6 +66,7 @@ struct ScannerModel {
     v.field("time_increment", time_increment, "s",
             "time from one beam to the next; 0: all beams are measured at once; -1: the one that the driver gives",
             between(-1.0, 1.0));
+    v.field("reversed", reversed, "", "whether the last beam of a scan is measured first, and the first one last");
   }
   void check(Problems& problems) const;
 };

@@ -1,5 +1,6 @@
 #include "ros/behavior_server/behavior_costmap.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ros/common/messages/conversions.h"
@@ -39,9 +40,11 @@ void BehaviorCostmap::takeIn() {
 
 PoseTrack BehaviorCostmap::motionDuring(const LaserScan2& scan) const {
   constexpr Duration kStep = std::chrono::milliseconds(10);
+  constexpr int kMostSteps = 100;
   PoseTrack track;
   const Time end = scan.end();
-  for (Time time = scan.stamp; time < end; time += kStep) {
+  const Duration step = std::max(kStep, (end - scan.stamp) / kMostSteps);
+  for (Time time = scan.stamp; time < end; time += step) {
     if (const auto pose = tf_.lookup(frames_.odom_frame, frames_.base_frame, time)) track.add(time, *pose);
   }
   if (const auto pose = tf_.lookup(frames_.odom_frame, frames_.base_frame, end)) track.add(end, *pose);

@@ -24,6 +24,9 @@
 
 namespace frontier_pilot {
 
+/// Whether a node waits for an input and says so as long as that is missing.
+enum class Need { kNeeded, kOptional };
+
 /// A node's subscriptions, services and timers, for as long as this object lives. Every callback is guarded: exceptions
 /// are counted and logged, and the node goes on (with roscpp alone the node would end, or that timer would never be
 /// called again). Registrations that the master has lost are renewed. This must be the last member of a node, because
@@ -66,17 +69,20 @@ class NodeConnections {
     return subscribers_.back();
   }
 
-  /// The same as `subscribe`, for a topic that the node needs and that only one node should publish, such as `scan` or
-  /// `odom`: report() says whether messages arrive, how late their stamps are, and who publishes when there are
-  /// several. Messages of all of them are used, but not those of a second scanner in another frame; `usable(msg)`, if
-  /// given, says which of those could be used: the others are passed on, for the node to refuse them by itself. [ROB-2]
+  /// The same as `subscribe`, for a topic that only one node should publish, such as `scan` or `odom`, and for which
+  /// the node waits if it is `need`ed: report() says whether messages arrive, how late their stamps are, and who
+  /// publishes when there are several. Messages of all of them are used, but not those of a second scanner in another
+  /// frame; `usable(msg)`, if given, says which of those could be used: the others are passed on, for the node to
+  /// refuse them by itself. [ROB-2]
   template <class Msg, class F>
   ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, F handle,
-                                 const ros::TransportHints& hints = {},
+                                 const ros::TransportHints& hints = {}, Need need = Need::kNeeded,
                                  const std::function<bool(const Msg&)>& usable = {}) {
     const auto input = std::make_shared<TopicInput>(topic, ros::message_traits::DataType<Msg>::value());
     one_[topic] = input;
-    inputs_.need([input](const InputWatch::Topics& topics) { return input->missing(topics, steadyNow(), rosNow()); });
+    if (need == Need::kNeeded) {
+      inputs_.need([input](const InputWatch::Topics& topics) { return input->missing(topics, steadyNow(), rosNow()); });
+    }
     return subscribeToEvents<Msg>(
         topic, queue_size,
         [input, handle, usable](const ros::MessageEvent<const Msg>& event) {
@@ -88,9 +94,9 @@ class NodeConnections {
   }
   template <class Node, class Msg>
   ros::Subscriber subscribeToOne(const std::string& topic, std::uint32_t queue_size, void (Node::*handle)(const Msg&),
-                                 Node* node, const ros::TransportHints& hints = {}) {
+                                 Node* node, const ros::TransportHints& hints = {}, Need need = Need::kNeeded) {
     return subscribeToOne<Msg>(
-        topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints);
+        topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); }, hints, need);
   }
 
   /// The same for `scan`; the node also waits for where the scanner is mounted on the base. `tf` must outlive it.
@@ -100,7 +106,7 @@ class NodeConnections {
                                      const ros::TransportHints& hints = {}) {
     ros::Subscriber subscriber = subscribeToOne<sensor_msgs::LaserScan>(
         names::kScan, queue_size, [node, handle](const sensor_msgs::LaserScan& msg) { (node->*handle)(msg); }, hints,
-        scansThatCanBeUsed(tf, base_frame));
+        Need::kNeeded, scansThatCanBeUsed(tf, base_frame));
     inputs_.need(needMount(tf, base_frame, [input = one_.at(names::kScan)] { return input->frame(); }));
     return subscriber;
   }
@@ -159,7 +165,7 @@ class NodeConnections {
     for (const auto& [topic, input] : one_) input->report(status, steadyNow(), ros::Time::isSimTime());
     inputs_.report(status);
   }
-  /// What the node waits for. Topics of `subscribeToOne` are among it.
+  /// What the node waits for. Topics of `subscribeToOne` that it needs are among it.
   InputWatch& inputs() { return inputs_; }
   const InputWatch& inputs() const { return inputs_; }
   /// The node also waits for the pose of its base in `frame`, which the launch files' argument `argument` names.

@@ -48,8 +48,8 @@ void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
   if (!scan) return bad_scans_.add(why);
-  scan_ = placer_.place(std::move(*scan), ScanReference::kEnd);
-  scan_motion_.note(placer_.timing(), placer_.uncovered() == scan_motion_.uncovered());
+  scan_motion_.note(placer_.timing(), placer_.place(ScanReference::kEnd, *scan));
+  scan_ = std::move(scan);
 }
 
 void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {

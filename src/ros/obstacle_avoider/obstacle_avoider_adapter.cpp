@@ -40,7 +40,7 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
   connections_.subscribeToScanner(tf_, base_frame_, 1, &ObstacleAvoiderAdapter::handleScan, this,
                                   ros::TransportHints().tcpNoDelay());
   followOdometry(connections_, tf_, parameters_.avoider.robot, base_frame_, 20, &ObstacleAvoiderAdapter::handleOdometry,
-                 this, ros::TransportHints().tcpNoDelay());
+                 this, ros::TransportHints().tcpNoDelay(), Need::kOptional);
   connections_.clock().onJump([this] { placer_.clear(); });
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
@@ -80,8 +80,7 @@ std::optional<LaserScan2> ObstacleAvoiderAdapter::read(const sensor_msgs::LaserS
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
   if (!scan) return std::nullopt;
-  scan = placer_.place(std::move(*scan), ScanReference::kEnd);
-  scan_motion_.note(placer_.timing(), placer_.uncovered() == scan_motion_.uncovered());
+  scan_motion_.note(placer_.timing(), placer_.place(ScanReference::kEnd, *scan));
   return scan;
 }
 

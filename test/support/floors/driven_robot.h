@@ -91,7 +91,10 @@ class DrivenRobot {
   void step() {
     simulator_.step();
     placer_.addOdometry(simulator_.now(), simulator_.odometry(0));
-    if (const LaserScan2* scan = simulator_.newScan(0)) scan_ = placer_.place(*scan, ScanReference::kEnd);
+    if (const LaserScan2* scan = simulator_.newScan(0)) {
+      scan_ = *scan;
+      placer_.place(ScanReference::kEnd, *scan_);
+    }
     if (std::abs(speed()) < 0.01) standing_ += 0.01;
   }
 

@@ -62,7 +62,9 @@ class BlindDrive {
       simulator_.step();
       placer_.addOdometry(simulator_.now(), simulator_.odometry(0));
       if (const LaserScan2* scan = simulator_.newScan(0)) {
-        avoid(avoider_.onScan(placer_.place(*scan, ScanReference::kEnd), simulator_.now()));
+        LaserScan2 placed = *scan;
+        placer_.place(ScanReference::kEnd, placed);
+        avoid(avoider_.onScan(placed, simulator_.now()));
       }
       if (step % 10 == 0) tick();
       const Vec2 position = simulator_.pose(0).position();

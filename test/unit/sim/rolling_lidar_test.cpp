@@ -87,6 +87,19 @@ TEST(RollingLidar, SeesEachBeamFromWhereTheRobotIsAtThatTime_SCN_1) {
   }
 }
 
+// [SCN-1]
+TEST(RollingLidar, MeasuresTheLastBeamFirstIfTheRobotsScannerDoes_SCN_1) {
+  SimulatorParameters parameters = rolling();
+  parameters.robot.scanner.reversed = true;
+  Drive drive = driven(parameters, {0.1, 2.8}, 2.0);
+  LaserScan2 forwards = drive.scan;
+  forwards.reversed = false;
+  placeBeams(drive.truth, ScanReference::kEnd, forwards);
+  EXPECT_GT(worstError(forwards, drive.truth.nearest(forwards.stamp).value()), 0.1) << "in the wrong order";
+  placeBeams(drive.truth, ScanReference::kEnd, drive.scan);
+  EXPECT_LT(worstError(drive.scan, drive.truth.nearest(drive.scan.stamp).value()), 0.01);
+}
+
 // [SCN-1] [SIM-2]
 TEST(RollingLidar, SeesObstaclesAndOtherRobotsButNotItself_SCN_1) {
   SimulatorParameters parameters = rolling();

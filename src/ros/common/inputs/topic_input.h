@@ -21,7 +21,7 @@ struct Arrival {
   std::optional<Time> stamp;  ///< none if it has none
 };
 
-/// A topic that a node needs and that one node should publish: whether messages arrive, from whom, how late their
+/// A topic that one node should publish: whether messages arrive, from whom, how late their
 /// stamps are, and whether several scanners share it. [ROB-2]
 class TopicInput {
  public:

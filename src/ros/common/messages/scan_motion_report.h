@@ -15,14 +15,12 @@ class ScanMotionReport {
  public:
   /// To be called after each scan; `covered`: whether odometry covered its beams. Warns once of times not credible.
   void note(const BeamTiming& timing, bool covered);
-  /// The number of scans that odometry did not cover.
-  std::uint64_t uncovered() const { return uncovered_; }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
   std::string problem_;
   bool warned_ = false;
-  std::uint64_t uncovered_ = 0;
+  std::uint64_t uncovered_ = 0;  ///< the number of scans that odometry did not cover
 };
 
 }  // namespace frontier_pilot

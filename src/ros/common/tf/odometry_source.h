@@ -34,19 +34,20 @@ class TransformOdometry {
   std::optional<MotionSample> last_;
 };
 
-/// Calls `handle` with each odometry message, whether `robot` publishes odometry as a topic or only as a transform.
+/// Calls `handle` with each odometry message, whether `robot` publishes odometry as a topic or only as a transform. The
+/// node waits for odometry only if it is `need`ed.
 template <class Node>
 void followOdometry(NodeConnections& connections, const TfBridge& tf, const RobotModel& robot,
                     const std::string& base_frame, std::uint32_t queue_size,
-                    void (Node::*handle)(const nav_msgs::Odometry&), Node* node,
-                    const ros::TransportHints& hints = {}) {
+                    void (Node::*handle)(const nav_msgs::Odometry&), Node* node, const ros::TransportHints& hints = {},
+                    Need need = Need::kNeeded) {
   constexpr double kPeriod = 0.02;  // between two looks at TF [s]
   if (robot.hasOdometryTopic()) {
-    connections.subscribeToOne(names::kOdom, queue_size, handle, node, hints);
+    connections.subscribeToOne(names::kOdom, queue_size, handle, node, hints, need);
     return;
   }
   const auto source = std::make_shared<TransformOdometry>(tf, robot.odom_frame, base_frame);
-  connections.needPoseIn(robot.odom_frame, "odom_frame", tf, base_frame);
+  if (need == Need::kNeeded) connections.needPoseIn(robot.odom_frame, "odom_frame", tf, base_frame);
   connections.every(ros::Duration(kPeriod), [source, handle, node] {
     if (const auto msg = source->next()) (node->*handle)(*msg);
   });
