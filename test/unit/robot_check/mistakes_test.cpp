@@ -125,13 +125,26 @@ const std::vector<Mistake>& mistakes() {
        {"several nodes publish /map: /mapper, /map_server"}},
       {"AnotherNodeThatDrives",
        [](SeenRobot& r) { r.topic("/drive").publishers = {"/joystick"}; },
-       {"/joystick publishes /drive past the arbiter", "/drive_manual"}},
+       {"/joystick publishes /drive past the arbiter", "have it publish /cmd_vel_manual:"}},
       {"ABaseThatDoesNotListen",
        [](SeenRobot& r) { r.topic("/drive").subscribers.clear(); },
-       {"nobody listens to /drive"}},
+       {"no base listens to /drive", "start the base's driver"}},
+      {"ABaseThatDoesNotListenWhileOurNodesRun",
+       [](SeenRobot& r) {
+         r.addOwnNodes();
+         r.topic("/drive").subscribers = {"/teleop_gui"};
+       },
+       {"no base listens to /drive", "start the base's driver"}},
       {"ABaseThatListensElsewhere",
        [](SeenRobot& r) { r.topic("/drive").name = "/mobile_base/commands/velocity"; },
-       {"nobody listens to /drive; /base listens to", "set cmd_vel:=/mobile_base/commands/velocity"}},
+       {"no base listens to /drive; /base listens to", "set cmd_vel:=/mobile_base/commands/velocity"}},
+      {"AMultiplexerWithANameLikeThoseOfOurSources",
+       [](SeenRobot& r) {
+         r.addOwnNodes();
+         r.expected.cmd_vel = "/cmd_vel";
+         r.topic("/drive") = {"/cmd_vel_mux/input/navi", "geometry_msgs/Twist", {}, {"/cmd_vel_mux"}};
+       },
+       {"no base listens to /cmd_vel; /cmd_vel_mux listens to", "set cmd_vel:=/cmd_vel_mux/input/navi"}},
       {"TwoArbiters",
        [](SeenRobot& r) {
          r.topic("/cmd_vel_arbiter/status").publishers = {"/arbiter", "/other_arbiter"};
@@ -207,19 +220,21 @@ TEST(RobotCheck, OurOwnMapperAndArbiterAreNoMistake_ROB_3) {
   SeenRobot robot;
   robot.seen.links.push_back(link("map", "odom", {}, 0.0, "/mapper", false));
   robot.seen.providers["/mapper/save_map"] = "/mapper";
-  robot.topic("/cmd_vel_arbiter/status").publishers = {"/cmd_vel_arbiter"};
-  robot.topic("/drive").publishers = {"/cmd_vel_arbiter"};
+  robot.addOwnNodes();
   robot.topic("/map").publishers = {"/mapper"};
   const Findings findings = judge(robot.seen, robot.expected);
   EXPECT_TRUE(couldDrive(findings)) << toText(findings);
+  EXPECT_NE(toText(findings).find("/drive is obeyed by /base\n"), std::string::npos) << toText(findings);
 }
 
 // [ROB-3]
-TEST(RobotCheck, TheOperatorsWindowIsNoBase_ROB_3) {
-  SeenRobot robot;
-  robot.topic("/drive").subscribers = {"/teleop_gui"};
-  robot.topic("/drive_manual").publishers = {"/teleop_gui"};
-  EXPECT_FALSE(couldDrive(judge(robot.seen, robot.expected)));
+TEST(RobotCheck, NoneOfOurOwnNodesIsABase_ROB_3) {
+  for (const char* node : {"/teleop_gui", "/cmd_vel_arbiter", "/obstacle_avoider", "/patrol_server"}) {
+    SeenRobot robot;
+    robot.addOwnNodes();
+    robot.topic("/drive").subscribers = {node};
+    EXPECT_FALSE(couldDrive(judge(robot.seen, robot.expected))) << node;
+  }
 }
 
 }  // namespace

@@ -50,6 +50,25 @@ struct SeenRobot {
     seen.odometry.lag = 0.01;
   }
 
+  /// Our own nodes, the arbiter subscribed to all of its inputs, and the operator's window, which shows cmd_vel and
+  /// does not drive.
+  void addOwnNodes() {
+    const std::vector<std::string> window = {"/teleop_gui"};
+    topic("/cmd_vel_arbiter/status") = {
+        "/cmd_vel_arbiter/status", "frontier_pilot/ArbiterStatus", {"/cmd_vel_arbiter"}, window};
+    topic("/drive").publishers = {"/cmd_vel_arbiter"};
+    topic("/drive").subscribers.push_back(window.front());
+    const auto addSource = [this](const std::string& name, const std::vector<std::string>& nodes) {
+      seen.topics.push_back({name, "geometry_msgs/Twist", nodes, {"/cmd_vel_arbiter"}});
+    };
+    addSource("/cmd_vel_avoid", {"/obstacle_avoider"});
+    addSource("/cmd_vel_behavior", {});
+    addSource("/cmd_vel_manual", {});
+    addSource("/cmd_vel_nav", {"/navigator"});
+    addSource("/cmd_vel_patrol", {"/patrol_server"});
+    addSource("/joystick/cmd_vel", {});  // a source of the operator's own
+  }
+
   Topic& topic(const std::string& name) {
     for (Topic& topic : seen.topics) {
       if (topic.name == name) return topic;
