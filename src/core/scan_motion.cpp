@@ -60,9 +60,9 @@ void BeamTiming::apply(LaserScan2& scan) {
     scan.time_increment = fixed_;
     return;
   }
-  problem_ = problemOf(scan);
-  const bool is_time = std::isfinite(scan.time_increment) && scan.time_increment >= 0.0;
   const std::optional<double> known = period();
+  problem_ = known ? problemOf(scan, *known, rolling_) : std::string();
+  const bool is_time = std::isfinite(scan.time_increment) && scan.time_increment >= 0.0;
   const double most = known ? kTolerance * *known : kLongest;
   if (!is_time || sweepOf(scan) > most) scan.time_increment = 0.0;
 }
@@ -82,23 +82,21 @@ std::optional<double> BeamTiming::period() const {
   return *middle;
 }
 
-std::string BeamTiming::problemOf(const LaserScan2& scan) const {
-  const std::optional<double> known = period();
-  if (!known) return {};
+std::string BeamTiming::problemOf(const LaserScan2& scan, double period, bool rolling) {
   std::ostringstream text;
   text.precision(3);
-  text << "scans come every " << *known << " s, but with the driver's time_increment of " << scan.time_increment
+  text << "scans come every " << period << " s, but with the driver's time_increment of " << scan.time_increment
        << " s their " << scan.ranges.size() << " beams ";
   if (!std::isfinite(scan.time_increment) || scan.time_increment < 0.0) {
     text << "have no time";
-  } else if (sweepOf(scan) > kTolerance * *known) {
+  } else if (sweepOf(scan) > kTolerance * period) {
     text << "take " << sweepOf(scan) << " s";
-  } else if (rolling_ && sweepOf(scan) < kAtOnce * *known) {
+  } else if (rolling && sweepOf(scan) < kAtOnce * period) {
     text << "are measured at once";
   } else {
     return {};
   }
-  text << ": set robot/scanner/time_increment, to " << spinning(scan, *known)
+  text << ": set robot/scanner/time_increment, to " << spinning(scan, period)
        << " if the scanner turns once per scan, or to 0 if all beams are measured at once";
   return text.str();
 }

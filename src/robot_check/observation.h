@@ -32,9 +32,10 @@ struct Stream {
 };
 
 struct ScanStream : Stream {
-  double usable_share = 1.0;    ///< of the beams of the last scan
-  std::size_t beams = 0;        ///< of the last scan
-  double time_increment = 0.0;  ///< between two beams, as the last scan says [s]
+  double usable_share = 1.0;     ///< of the beams of the last scan
+  std::size_t beams = 0;         ///< of the last scan
+  double angle_increment = 0.0;  ///< between two beams of the last scan [rad]
+  double time_increment = 0.0;   ///< between two beams, as the last scan says [s]
 };
 
 /// A transform that somebody publishes.

@@ -65,7 +65,21 @@ const std::vector<Mistake>& mistakes() {
        {"/base_scan are 0.30 s ahead", "/lidar", "chrony"}},
       {"AWrongTimeIncrement",
        [](SeenRobot& r) { r.seen.scan.time_increment = 0.1; },
-       {"time_increment of /base_scan is wrong", "36.00 s"},
+       {"beams of /base_scan are not credible", "take 36 s", "set robot/scanner/time_increment, to 0.000278"},
+       true},
+      {"NoTimeIncrementOfAScannerThatRolls",
+       [](SeenRobot& r) {
+         r.expected.robot.scanner.rolling = true;
+         r.seen.scan.time_increment = 0.0;
+       },
+       {"beams of /base_scan are not credible", "measured at once", "set robot/scanner/time_increment, to 0.000278"},
+       true},
+      {"ATimeIncrementInAWrongUnitOfAScannerThatRolls",
+       [](SeenRobot& r) {
+         r.expected.robot.scanner.rolling = true;
+         r.seen.scan.time_increment = 1e-3 * 0.1 / 360.0;
+       },
+       {"beams of /base_scan are not credible", "measured at once"},
        true},
       {"ABlindScanner",
        [](SeenRobot& r) { r.seen.scan.usable_share = 0.0; },
@@ -213,6 +227,21 @@ TEST(RobotCheck, StampsATenthOfASecondAheadOrBehindAreNoMistake_ROB_2) {
     robot.seen.scan.lag = robot.seen.odometry.lag = robot.seen.links[0].stream.lag = lag;
     EXPECT_TRUE(couldDrive(judge(robot.seen, robot.expected))) << lag;
   }
+}
+
+// [SCN-2]
+TEST(RobotCheck, TheTimesOfTheBeamsAreNoMistakeWhereTheNodesTakeThem_SCN_2) {
+  const auto saysNothing = [](bool rolling, double in_file, double of_driver) {
+    SeenRobot robot;
+    robot.expected.robot.scanner.rolling = rolling;
+    robot.expected.robot.scanner.time_increment = in_file;
+    robot.seen.scan.time_increment = of_driver;
+    return toText(judge(robot.seen, robot.expected)).find("times of the beams") == std::string::npos;
+  };
+  EXPECT_TRUE(saysNothing(true, -1.0, 0.1 / 360.0)) << "a driver that is right";
+  EXPECT_TRUE(saysNothing(false, -1.0, 0.0)) << "a scanner that measures all beams at once";
+  EXPECT_TRUE(saysNothing(true, 0.0, 0.0)) << "the robot's file says that they are measured at once";
+  EXPECT_TRUE(saysNothing(true, 0.1 / 360.0, 1.0)) << "the robot's file gives them";
 }
 
 // [ROB-3]

@@ -42,6 +42,7 @@ struct SeenRobot {
     seen.scan.frames = {"laser"};
     seen.scan.lag = 0.11;  // it is stamped when the sweep begins
     seen.scan.beams = 360;
+    seen.scan.angle_increment = 2.0 * kPi / 360.0;
     seen.scan.time_increment = 0.1 / 360.0;
     seen.odometry.count = 150;
     seen.odometry.rate = 30.0;
