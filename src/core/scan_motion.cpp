@@ -73,10 +73,15 @@ BeamTiming::BeamTiming(const ScannerModel& scanner)
 void BeamTiming::apply(LaserScan2& scan) {
   notePeriod(scan.stamp);
   scan.reversed = reversed_;
-  if (fixed_ >= 0.0) scan.time_increment = fixed_;
-  problem_ = fixed_ >= 0.0 ? problemOfFixed(scan) : problemOf(scan);
+  const std::optional<double> known = fixed_ >= 0.0 ? std::nullopt : period();
+  if (fixed_ >= 0.0) {
+    scan.time_increment = fixed_;
+    problem_ = problemOfFixed(scan);
+  } else {
+    problem_ = known ? problemOf(scan, *known, rolling_) : std::string();
+  }
   const bool is_time = std::isfinite(scan.time_increment) && scan.time_increment >= 0.0;
-  const double most = mostOf(fixed_ >= 0.0 ? std::nullopt : period());
+  const double most = mostOf(known);
   if (!is_time || sweepOf(scan) > most) scan.time_increment = 0.0;
 }
 
@@ -104,23 +109,21 @@ std::string BeamTiming::problemOfFixed(const LaserScan2& scan) {
   return text.str();
 }
 
-std::string BeamTiming::problemOf(const LaserScan2& scan) const {
-  const std::optional<double> known = period();
-  if (!known) return {};
+std::string BeamTiming::problemOf(const LaserScan2& scan, double period, bool rolling) {
   std::ostringstream text;
   text.precision(3);
-  text << "scans come every " << *known << " s, but with the driver's time_increment of " << scan.time_increment
+  text << "scans come every " << period << " s, but with the driver's time_increment of " << scan.time_increment
        << " s their " << scan.ranges.size() << " beams ";
   if (!std::isfinite(scan.time_increment) || scan.time_increment < 0.0) {
     text << "have no time";
-  } else if (sweepOf(scan) > mostOf(known)) {
+  } else if (sweepOf(scan) > mostOf(period)) {
     text << "take " << sweepOf(scan) << " s";
-  } else if (rolling_ && sweepOf(scan) < leastOf(scan, *known)) {
+  } else if (rolling && sweepOf(scan) < leastOf(scan, period)) {
     text << "take only " << sweepOf(scan) << " s";
   } else {
     return {};
   }
-  text << ": set robot/scanner/time_increment, to " << spinning(scan, *known)
+  text << ": set robot/scanner/time_increment, to " << spinning(scan, period)
        << " if the scanner turns once per scan, or to 0 if all beams are measured at once";
   return text.str();
 }

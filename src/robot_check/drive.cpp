@@ -22,28 +22,41 @@ std::vector<std::string> publishersOf(const Observation& seen, const std::string
   return topic == nullptr ? std::vector<std::string>() : topic->publishers;
 }
 
-/// Topics that only bases listen to: nobody publishes them, and they are none of our own sources.
-std::string findOtherBase(const Observation& seen, const Expectation& expected) {
+/// The nodes that work with the arbiter: itself, its sources, and those that read its status, as the operator's window
+/// does, which also shows cmd_vel. None of them is a base.
+std::vector<std::string> ownNodes(const Observation& seen, const Expectation& expected) {
+  std::vector<std::string> own = publishersOf(seen, expected.arbiter_status);
+  const auto add = [&own](const std::vector<std::string>& nodes) { own.insert(own.end(), nodes.begin(), nodes.end()); };
+  if (const Topic* status = findTopic(seen.topics, expected.arbiter_status)) add(status->subscribers);
+  for (const std::string& source : expected.sources) add(publishersOf(seen, source));
+  return own;
+}
+
+/// A topic of velocities other than cmd_vel that a base obeys: somebody other than our own nodes listens to it, and
+/// nobody publishes it. nullptr if there is none.
+const Topic* findOtherBase(const Observation& seen, const Expectation& expected, const std::vector<std::string>& own) {
   for (const Topic& topic : seen.topics) {
-    const bool own = topic.name.rfind(expected.cmd_vel + "_", 0) == 0;
-    if (topic.type == kTwist && topic.name != expected.cmd_vel && !own && topic.publishers.empty() &&
-        !topic.subscribers.empty()) {
-      return topic.name;
+    const auto& sources = expected.sources;
+    const bool ours = std::find(sources.begin(), sources.end(), topic.name) != sources.end();
+    if (topic.type == kTwist && topic.name != expected.cmd_vel && !ours && topic.publishers.empty() &&
+        !without(topic.subscribers, own).empty()) {
+      return &topic;
     }
   }
-  return {};
+  return nullptr;
 }
 
 void checkBase(const Observation& seen, const Expectation& expected, Findings& findings) {
   const Topic* topic = findTopic(seen.topics, expected.cmd_vel);
-  std::vector<std::string> bases = topic == nullptr ? std::vector<std::string>() : topic->subscribers;
-  bases = without(bases, publishersOf(seen, expected.cmd_vel + "_manual"));  // the operator's window only shows it
+  const std::vector<std::string> own = ownNodes(seen, expected);
+  const std::vector<std::string> bases =
+      topic == nullptr ? std::vector<std::string>() : without(topic->subscribers, own);
   if (!bases.empty()) return good(findings, expected.cmd_vel + " is obeyed by " + joined(bases));
-  const std::string other = findOtherBase(seen, expected);
-  const std::string text = "nobody listens to " + expected.cmd_vel;
-  if (other.empty()) return problem(findings, text, "start the base's driver");
-  problem(findings, text + "; " + joined(findTopic(seen.topics, other)->subscribers) + " listens to " + other,
-          "set cmd_vel:=" + other);
+  const Topic* other = findOtherBase(seen, expected, own);
+  const std::string text = "no base listens to " + expected.cmd_vel;
+  if (other == nullptr) return problem(findings, text, "start the base's driver");
+  problem(findings, text + "; " + joined(without(other->subscribers, own)) + " listens to " + other->name,
+          "set cmd_vel:=" + other->name);
 }
 
 }  // namespace
@@ -58,7 +71,7 @@ void checkDrive(const Observation& seen, const Expectation& expected, Findings& 
   const std::vector<std::string> rivals = without(publishersOf(seen, expected.cmd_vel), arbiters);
   if (!rivals.empty()) {
     problem(findings, joined(rivals) + " publishes " + expected.cmd_vel + " past the arbiter",
-            "end it, or have it publish " + expected.cmd_vel + "_manual: the base obeys every message that it gets");
+            "end it, or have it publish " + expected.manual + ": the base obeys every message that it gets");
   }
   const double watchdog = expected.robot.watchdog;
   if (watchdog > kLongWatchdog) {

@@ -32,9 +32,10 @@ struct Stream {
 };
 
 struct ScanStream : Stream {
-  double usable_share = 1.0;    ///< of the beams of the last scan
-  std::size_t beams = 0;        ///< of the last scan
-  double time_increment = 0.0;  ///< between two beams, as the last scan says [s]
+  double usable_share = 1.0;     ///< of the beams of the last scan
+  std::size_t beams = 0;         ///< of the last scan
+  double angle_increment = 0.0;  ///< between two beams of the last scan [rad]
+  double time_increment = 0.0;   ///< between two beams, as the last scan says [s]
 };
 
 /// A transform that somebody publishes.
@@ -61,6 +62,10 @@ struct Expectation {
   std::string scan = "/scan";
   std::string odom = "/odom";
   std::string cmd_vel = "/cmd_vel";
+  /// The topics on which our own nodes give velocities to the arbiter; a remapped cmd_vel leaves them as they are.
+  std::vector<std::string> sources = {"/cmd_vel_avoid", "/cmd_vel_behavior", "/cmd_vel_patrol", "/cmd_vel_nav",
+                                      "/cmd_vel_manual"};
+  std::string manual = "/cmd_vel_manual";  ///< the one of them for whoever drives by hand
   std::string arbiter_status = "/cmd_vel_arbiter/status";
   std::string map = "/map";
   std::string save_map = "/mapper/save_map";  ///< the service by which our own mapper is recognised

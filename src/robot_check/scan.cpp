@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "frontier_pilot/core/laser_scan.h"
 #include "robot_check/checks.h"
 #include "robot_check/other_names.h"
 
@@ -11,7 +12,6 @@ constexpr const char* kCloudType = "sensor_msgs/PointCloud2";
 constexpr double kLeastRate = 2.0;    // [Hz]; the navigator stands when the scan is older than 0.5 s
 constexpr double kTolerated = 0.1;    // [s] that a stamp may be behind, in addition to the time of a sweep
 constexpr double kLeastUsable = 0.1;  // share of the beams
-constexpr double kSweep = 1.2;        // a sweep cannot last longer than the time between two, plus jitter
 constexpr const char* kMerge =
     "only one scan is used: merge them into one, for example with laserscan_multi_merger of ira_laser_tools, and set "
     "scan:= to the topic of the merged scan";
@@ -41,6 +41,22 @@ void checkScanners(const Observation& seen, const Expectation& expected, const T
   if (!others.empty()) note(findings, "there are other scans, which are not used: " + others, kMerge);
 }
 
+/// Says of the times of the beams what the nodes would say. They ask the driver for them only where the robot's file
+/// does not give them.
+void checkBeamTimes(const ScanStream& seen, const Expectation& expected, Findings& findings) {
+  const ScannerModel& scanner = expected.robot.scanner;
+  if (seen.rate <= 0.0 || scanner.time_increment >= 0.0) return;
+  LaserScan2 scan;
+  scan.angle_increment = seen.angle_increment;
+  scan.time_increment = seen.time_increment;
+  scan.ranges.resize(seen.beams);
+  const std::string wrong = BeamTiming::problemOf(scan, 1.0 / seen.rate, scanner.rolling);
+  if (wrong.empty()) return;
+  note(findings, "the times of the beams of " + expected.scan + " are not credible: " + wrong,
+       "set it in the robot's file, or have the driver send the right one; until then all beams are taken as measured "
+       "at once, so that the scan is bent while the robot turns");
+}
+
 void checkContents(const Observation& seen, const Expectation& expected, Findings& findings) {
   const ScanStream& scan = seen.scan;
   const std::string& name = expected.scan;
@@ -57,13 +73,7 @@ void checkContents(const Observation& seen, const Expectation& expected, Finding
     problem(findings, name + " comes at " + number(scan.rate) + " Hz",
             "the navigator stands when a scan is older than 0.5 s: at least " + number(kLeastRate) + " Hz");
   }
-  const double sweep = static_cast<double>(scan.beams) * scan.time_increment;
-  if (scan.rate > 0.0 && (sweep < 0.0 || sweep > kSweep / scan.rate)) {
-    note(findings,
-         "time_increment of " + name + " is wrong: " + std::to_string(scan.beams) + " beams would take " +
-             number(sweep) + " s, but there is a scan every " + number(1.0 / scan.rate) + " s",
-         "correct it in the driver; 0 says that it is not known");
-  }
+  checkBeamTimes(scan, expected, findings);
   // A scan is stamped when its first beam is measured, and sent after the last one.
   checkLag(seen, scan, name, kTolerated + (scan.rate > 0.0 ? 1.0 / scan.rate : 0.0), findings);
 }

@@ -62,8 +62,8 @@ MISTAKES = {
     'two_parents': (dict(also_in='odom_combined'), ['frame base_link has several parents']),
     'other_mapper': (dict(map_in='map'), ['/check_robot publishes the transform map -> odom', 'end that mapper']),
     'other_driver': (dict(drives=True), ['/check_robot publishes /other_driver/drive past the arbiter']),
-    'nobody_listens': (dict(listens=None), ['nobody listens to /nobody_listens/drive']),
-    'listens_elsewhere': (dict(listens='commands/velocity'), ['nobody listens to /listens_elsewhere/drive; /check_robot listens '
+    'nobody_listens': (dict(listens=None), ['no base listens to /nobody_listens/drive']),
+    'listens_elsewhere': (dict(listens='commands/velocity'), ['no base listens to /listens_elsewhere/drive; /check_robot listens '
                                                               'to /listens_elsewhere/commands/velocity']),
     'two_arbiters': (dict(arbiter=True, second='arbiter'), ['there are several arbiters: ', '/second_node']),
 }

@@ -147,6 +147,28 @@ class LaunchFilesTest(unittest.TestCase):
             self.assertNotIn('robot/scanner/time_increment', given, name)
             self.assertNotIn('robot/scanner/reversed', given, name)
 
+    def test_the_range_of_the_scanner_is_that_of_the_robot_unless_another_one_is_given(self):
+        """[ROB-1]"""
+        launch = ROOT + '/launch/turtlebot3.launch'
+        self.expect_robot(launch, robot('turtlebot2'), robot=ROOT + '/config/robots/turtlebot2.yaml')
+        for sensor_range, expected in (('', 3.5), ('8.0', 8.0)):
+            explorer, = (given for type_name, given in self.load(launch, sensor_range=sensor_range).values()
+                         if type_name == 'frontier_explorer')
+            self.assertEqual(explorer['robot/scanner/range_max'], expected)
+
+    def test_rviz_shows_everything_in_the_frame_of_the_map(self):
+        """[ROB-2]"""
+        for name in ('real_robot', 'operator'):
+            for given, frame in (({}, 'map'), ({'map_frame': 'floor'}, 'floor')):
+                config = self.config(ROOT + '/launch/%s.launch' % name, **given)
+                rviz, = (node for node in config.nodes if node.type == 'rviz')
+                words = rviz.args.split()
+                self.assertEqual(words[words.index('-f') + 1] if '-f' in words else self.fixed_frame(words), frame, name)
+
+    def fixed_frame(self, words):
+        with open(words[words.index('-d') + 1]) as file:
+            return yaml.safe_load(file)['Visualization Manager']['Global Options']['Fixed Frame']
+
     def test_a_robot_that_is_not_there_is_named(self):
         """[ROB-1]"""
         with self.assertRaisesRegex(Exception, 'config/robots/wafle.yaml'):

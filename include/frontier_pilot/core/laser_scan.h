@@ -87,14 +87,16 @@ class BeamTiming {
   /// Sets the time increment of `scan`, which holds the driver's, and the order of its beams; scans must be given in
   /// the order of their stamps. An increment that is too long is replaced by 0: all at once.
   void apply(LaserScan2& scan);
-  /// What is wrong with the time increment and what to set; empty if nothing is.
+  /// What is wrong with the driver's time increment of `scan`, of which one comes every `period` [s], and what to set;
+  /// empty if nothing is. `rolling`: whether the robot's file says that the beams are measured one after the other.
+  static std::string problemOf(const LaserScan2& scan, double period, bool rolling);
+  /// That of the last scan; of a time increment that the robot's file gives, only that it is too long.
   const std::string& problem() const { return problem_; }
   /// The time between two scans, by the median of the last ones [s]; nothing as long as too few are known.
   std::optional<double> period() const;
 
  private:
   void notePeriod(Time stamp);
-  std::string problemOf(const LaserScan2& scan) const;
   static std::string problemOfFixed(const LaserScan2& scan);
 
   double fixed_;  ///< [s]; negative: the driver's

@@ -64,6 +64,12 @@ robot_check::Expectation CheckRobotAdapter::expectation() const {
   expected.scan = ros::names::resolve(names::kScan);
   expected.odom = ros::names::resolve(names::kOdom);
   expected.cmd_vel = ros::names::resolve(names::kCmdVel);
+  expected.sources.clear();
+  for (const char* source :
+       {names::kCmdVelAvoid, names::kCmdVelBehavior, names::kCmdVelPatrol, names::kCmdVelNav, names::kCmdVelManual}) {
+    expected.sources.push_back(ros::names::resolve(source));
+  }
+  expected.manual = ros::names::resolve(names::kCmdVelManual);
   expected.arbiter_status = ros::names::resolve(names::kArbiterStatus);
   expected.map = ros::names::resolve(names::kMap);
   expected.save_map = ros::names::resolve(names::kSaveMap);

@@ -50,6 +50,7 @@ void RobotObserver::takeScan(const Event<sensor_msgs::LaserScan>& event) {
   scan_.add(event.getPublisherName(), withoutSlash(msg.header.frame_id), msg.header.stamp, problemOf(msg));
   last_scan_.usable_share = usableShare(msg);
   last_scan_.beams = msg.ranges.size();
+  last_scan_.angle_increment = static_cast<double>(msg.angle_increment);
   last_scan_.time_increment = static_cast<double>(msg.time_increment);
 }
 
@@ -76,6 +77,7 @@ robot_check::Observation RobotObserver::observation() const {
   static_cast<robot_check::Stream&>(seen.scan) = scan_.summary();
   seen.scan.usable_share = last_scan_.usable_share;
   seen.scan.beams = last_scan_.beams;
+  seen.scan.angle_increment = last_scan_.angle_increment;
   seen.scan.time_increment = last_scan_.time_increment;
   seen.odometry = odometry_.summary();
   for (const auto& [names, link] : links_) {

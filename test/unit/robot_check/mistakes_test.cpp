@@ -65,7 +65,21 @@ const std::vector<Mistake>& mistakes() {
        {"/base_scan are 0.30 s ahead", "/lidar", "chrony"}},
       {"AWrongTimeIncrement",
        [](SeenRobot& r) { r.seen.scan.time_increment = 0.1; },
-       {"time_increment of /base_scan is wrong", "36.00 s"},
+       {"beams of /base_scan are not credible", "take 36 s", "set robot/scanner/time_increment, to 0.000278"},
+       true},
+      {"NoTimeIncrementOfAScannerThatRolls",
+       [](SeenRobot& r) {
+         r.expected.robot.scanner.rolling = true;
+         r.seen.scan.time_increment = 0.0;
+       },
+       {"beams of /base_scan are not credible", "measured at once", "set robot/scanner/time_increment, to 0.000278"},
+       true},
+      {"ATimeIncrementInAWrongUnitOfAScannerThatRolls",
+       [](SeenRobot& r) {
+         r.expected.robot.scanner.rolling = true;
+         r.seen.scan.time_increment = 1e-3 * 0.1 / 360.0;
+       },
+       {"beams of /base_scan are not credible", "measured at once"},
        true},
       {"ABlindScanner",
        [](SeenRobot& r) { r.seen.scan.usable_share = 0.0; },
@@ -125,13 +139,26 @@ const std::vector<Mistake>& mistakes() {
        {"several nodes publish /map: /mapper, /map_server"}},
       {"AnotherNodeThatDrives",
        [](SeenRobot& r) { r.topic("/drive").publishers = {"/joystick"}; },
-       {"/joystick publishes /drive past the arbiter", "/drive_manual"}},
+       {"/joystick publishes /drive past the arbiter", "have it publish /cmd_vel_manual:"}},
       {"ABaseThatDoesNotListen",
        [](SeenRobot& r) { r.topic("/drive").subscribers.clear(); },
-       {"nobody listens to /drive"}},
+       {"no base listens to /drive", "start the base's driver"}},
+      {"ABaseThatDoesNotListenWhileOurNodesRun",
+       [](SeenRobot& r) {
+         r.addOwnNodes();
+         r.topic("/drive").subscribers = {"/teleop_gui"};
+       },
+       {"no base listens to /drive", "start the base's driver"}},
       {"ABaseThatListensElsewhere",
        [](SeenRobot& r) { r.topic("/drive").name = "/mobile_base/commands/velocity"; },
-       {"nobody listens to /drive; /base listens to", "set cmd_vel:=/mobile_base/commands/velocity"}},
+       {"no base listens to /drive; /base listens to", "set cmd_vel:=/mobile_base/commands/velocity"}},
+      {"AMultiplexerWithANameLikeThoseOfOurSources",
+       [](SeenRobot& r) {
+         r.addOwnNodes();
+         r.expected.cmd_vel = "/cmd_vel";
+         r.topic("/drive") = {"/cmd_vel_mux/input/navi", "geometry_msgs/Twist", {}, {"/cmd_vel_mux"}};
+       },
+       {"no base listens to /cmd_vel; /cmd_vel_mux listens to", "set cmd_vel:=/cmd_vel_mux/input/navi"}},
       {"TwoArbiters",
        [](SeenRobot& r) {
          r.topic("/cmd_vel_arbiter/status").publishers = {"/arbiter", "/other_arbiter"};
@@ -202,24 +229,41 @@ TEST(RobotCheck, StampsATenthOfASecondAheadOrBehindAreNoMistake_ROB_2) {
   }
 }
 
+// [SCN-2]
+TEST(RobotCheck, TheTimesOfTheBeamsAreNoMistakeWhereTheNodesTakeThem_SCN_2) {
+  const auto saysNothing = [](bool rolling, double in_file, double of_driver) {
+    SeenRobot robot;
+    robot.expected.robot.scanner.rolling = rolling;
+    robot.expected.robot.scanner.time_increment = in_file;
+    robot.seen.scan.time_increment = of_driver;
+    return toText(judge(robot.seen, robot.expected)).find("times of the beams") == std::string::npos;
+  };
+  EXPECT_TRUE(saysNothing(true, -1.0, 0.1 / 360.0)) << "a driver that is right";
+  EXPECT_TRUE(saysNothing(false, -1.0, 0.0)) << "a scanner that measures all beams at once";
+  EXPECT_TRUE(saysNothing(true, 0.0, 0.0)) << "the robot's file says that they are measured at once";
+  EXPECT_TRUE(saysNothing(true, 0.1 / 360.0, 1.0)) << "the robot's file gives them";
+}
+
 // [ROB-3]
 TEST(RobotCheck, OurOwnMapperAndArbiterAreNoMistake_ROB_3) {
   SeenRobot robot;
   robot.seen.links.push_back(link("map", "odom", {}, 0.0, "/mapper", false));
   robot.seen.providers["/mapper/save_map"] = "/mapper";
-  robot.topic("/cmd_vel_arbiter/status").publishers = {"/cmd_vel_arbiter"};
-  robot.topic("/drive").publishers = {"/cmd_vel_arbiter"};
+  robot.addOwnNodes();
   robot.topic("/map").publishers = {"/mapper"};
   const Findings findings = judge(robot.seen, robot.expected);
   EXPECT_TRUE(couldDrive(findings)) << toText(findings);
+  EXPECT_NE(toText(findings).find("/drive is obeyed by /base\n"), std::string::npos) << toText(findings);
 }
 
 // [ROB-3]
-TEST(RobotCheck, TheOperatorsWindowIsNoBase_ROB_3) {
-  SeenRobot robot;
-  robot.topic("/drive").subscribers = {"/teleop_gui"};
-  robot.topic("/drive_manual").publishers = {"/teleop_gui"};
-  EXPECT_FALSE(couldDrive(judge(robot.seen, robot.expected)));
+TEST(RobotCheck, NoneOfOurOwnNodesIsABase_ROB_3) {
+  for (const char* node : {"/teleop_gui", "/cmd_vel_arbiter", "/obstacle_avoider", "/patrol_server"}) {
+    SeenRobot robot;
+    robot.addOwnNodes();
+    robot.topic("/drive").subscribers = {node};
+    EXPECT_FALSE(couldDrive(judge(robot.seen, robot.expected))) << node;
+  }
 }
 
 }  // namespace

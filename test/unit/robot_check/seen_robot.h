@@ -42,12 +42,32 @@ struct SeenRobot {
     seen.scan.frames = {"laser"};
     seen.scan.lag = 0.11;  // it is stamped when the sweep begins
     seen.scan.beams = 360;
+    seen.scan.angle_increment = 2.0 * kPi / 360.0;
     seen.scan.time_increment = 0.1 / 360.0;
     seen.odometry.count = 150;
     seen.odometry.rate = 30.0;
     seen.odometry.publishers = {"/base"};
     seen.odometry.frames = {"odom"};
     seen.odometry.lag = 0.01;
+  }
+
+  /// Our own nodes, the arbiter subscribed to all of its inputs, and the operator's window, which shows cmd_vel and
+  /// does not drive.
+  void addOwnNodes() {
+    const std::vector<std::string> window = {"/teleop_gui"};
+    topic("/cmd_vel_arbiter/status") = {
+        "/cmd_vel_arbiter/status", "frontier_pilot/ArbiterStatus", {"/cmd_vel_arbiter"}, window};
+    topic("/drive").publishers = {"/cmd_vel_arbiter"};
+    topic("/drive").subscribers.push_back(window.front());
+    const auto addSource = [this](const std::string& name, const std::vector<std::string>& nodes) {
+      seen.topics.push_back({name, "geometry_msgs/Twist", nodes, {"/cmd_vel_arbiter"}});
+    };
+    addSource("/cmd_vel_avoid", {"/obstacle_avoider"});
+    addSource("/cmd_vel_behavior", {});
+    addSource("/cmd_vel_manual", {});
+    addSource("/cmd_vel_nav", {"/navigator"});
+    addSource("/cmd_vel_patrol", {"/patrol_server"});
+    addSource("/joystick/cmd_vel", {});  // a source of the operator's own
   }
 
   Topic& topic(const std::string& name) {
