@@ -30,11 +30,12 @@ SETTLING = 5.0  # for which the clock goes on at the end, so that the mapper can
 LEAST_HOLE = 2.0  # [s]
 MOST_SKEW = 1.0  # [s] between the clocks of scans and odometry before they are aligned
 LATCHED = '/tf_static'
+SAMPLES = 50  # of a topic's scans, whose field of view is looked at
 FEW = 0.1  # a topic with a smaller share of the most frequent one's messages is not chosen
 
 
 class BagError(Exception):
-    """What is wrong with a bag."""
+    """What is wrong with a bag, or with how it is to be played."""
 
 
 def bare(name):
@@ -49,6 +50,30 @@ def median(values):
 def degrees(scan):
     """A scan's field of view."""
     return math.degrees(abs(scan.angle_increment)) * max(0, len(scan.ranges) - 1)
+
+
+def field_of_view(topic):
+    """The widest field of view of a topic's first scans [deg]."""
+    return max(degrees(topic.message(index)) for index in range(min(SAMPLES, len(topic.raw))))
+
+
+def numbers_in(text, count, name, example):
+    """The `count` finite numbers that an option consists of."""
+    try:
+        numbers = [float(word) for word in str(text).split()]
+    except ValueError:
+        numbers = []
+    if len(numbers) != count or not all(math.isfinite(number) for number in numbers):
+        raise BagError("%s:='%s' is not understood; an example: %s:='%s'" % (name, text, name, example))
+    return numbers
+
+
+def speed_in(text):
+    """How much faster than real time the bag is to be played."""
+    speed, = numbers_in(text, 1, 'speed', '2')
+    if speed <= 0.0:
+        raise BagError('speed:=%s: the speed must be greater than 0' % text)
+    return speed
 
 
 class Topic:
@@ -86,6 +111,12 @@ def read_bag(path):
     return topics, others
 
 
+def those_with_many_messages(topics):
+    """The topics without those that have far fewer messages than another."""
+    most = max(len(topic.raw) for topic in topics.values())
+    return {name: topic for name, topic in topics.items() if len(topic.raw) >= FEW * most}
+
+
 def choose_scan(topics, wanted):
     """The topic of the scans and why it was chosen."""
     scans = {name: topic for name, topic in topics.items() if topic.message_class is LaserScan}
@@ -93,10 +124,10 @@ def choose_scan(topics, wanted):
         raise BagError('no LaserScan topic')
     if wanted:
         return named(scans, wanted, 'LaserScan')
-    most = max(len(topic.raw) for topic in scans.values())
-    often = {name: topic for name, topic in scans.items() if len(topic.raw) >= FEW * most}
-    fields = {name: degrees(topic.message(0)) for name, topic in scans.items()}
-    best = max(often, key=lambda name: (round(fields[name] / 10.0), bare(name) == 'scan', len(often[name].raw), name))
+    often = those_with_many_messages(scans)
+    fields = {name: field_of_view(topic) for name, topic in scans.items()}
+    # map_log rounds in the same way, half a step up.
+    best = max(often, key=lambda name: (math.floor(fields[name] / 10.0 + 0.5), bare(name) == 'scan', len(often[name].raw), name))
     why = 'scans from %s' % best
     if len(scans) > 1:
         left = ', '.join('%s (%.0f deg, %d scans)' % (name, fields[name], len(scans[name].raw))
@@ -113,7 +144,8 @@ def choose_odometry(topics, wanted):
         return named(odometry, wanted, 'Odometry')
     if not odometry:
         return None, 'no Odometry topic: odometry from the recorded transforms'
-    best = max(odometry, key=lambda name: (bare(name) == 'odom', len(odometry[name].raw), name))
+    often = those_with_many_messages(odometry)
+    best = max(often, key=lambda name: (bare(name) == 'odom', len(often[name].raw), name))
     why = 'odometry from %s' % best
     if len(odometry) > 1:
         why += ', not %s; odom:= chooses another' % ', '.join(name for name in sorted(odometry) if name != best)
@@ -170,13 +202,17 @@ class Drive:
                  if not message.header.stamp.is_zero()]
         return median(leads) if leads else None
 
+    def due(self, header, recorded, skew=0.0):
+        """When a message is to be played, by its stamp [s]; without a stamp, by when it was recorded."""
+        return max(0.0, recorded + self.lead if header.stamp.is_zero() else header.stamp.to_sec() - skew)
+
     def add(self, stamp, order, kind, message):
         self.entries.append((stamp, order, kind, message))
 
     def take_scans(self):
         stamps = []
-        for index, (_, message) in enumerate(self.scan.messages()):
-            stamp = message.header.stamp.to_sec()
+        for index, (recorded, message) in enumerate(self.scan.messages()):
+            stamp = self.due(message.header, recorded)
             stamps.append(stamp)
             self.add(stamp, 2, 'scan', (self.scan, index))
         frame = bare(self.scan.message(0).header.frame_id)
@@ -194,7 +230,7 @@ class Drive:
             skew = 0.0
         stamps = []
         for index, (recorded, message) in enumerate(self.odometry.messages()):
-            stamp = message.header.stamp.to_sec() - skew if not message.header.stamp.is_zero() else recorded + self.lead
+            stamp = self.due(message.header, recorded, skew)
             stamps.append(stamp)
             self.add(stamp, 1, 'odom', (self.odometry, index))
             if not self.odometry_is_transformed:
@@ -254,7 +290,7 @@ class Drive:
             return
         if parent == self.options['odom_frame']:
             self.odometry_is_transformed = True
-        stamp = transform.header.stamp.to_sec() if not transform.header.stamp.is_zero() else recorded + self.lead
+        stamp = self.due(transform.header, recorded)
         self.add(stamp, 0, 'tf', transform)
         if self.odometry is None and parent == self.options['odom_frame'] and child == self.base:
             self.add(stamp, 1, 'odom', transform)
@@ -262,7 +298,7 @@ class Drive:
     def check_mount(self, frame):
         """Whether the recorded transforms lead from the base to the scanner; if not, the mount has to be given."""
         if self.options['mount']:
-            x, y, yaw = (float(word) for word in self.options['mount'].split())
+            x, y, yaw = numbers_in(self.options['mount'], 3, 'mount', '0.1 0 3.14')
             mount = TransformStamped()
             mount.header.frame_id, mount.child_frame_id = self.base, self.frame(frame)
             mount.transform.translation.x, mount.transform.translation.y = x, y
@@ -289,7 +325,7 @@ class Player:
     def __init__(self, drive, speed):
         self.drive = drive
         self.speed = speed
-        self.now = drive.entries[0][0] - 0.5
+        self.now = max(PERIOD, drive.entries[0][0] - 0.5)  # a clock at 0 means that none runs
         self.clock = rospy.Publisher('/clock', Clock, queue_size=10)
         self.scan = rospy.Publisher('scan', LaserScan, queue_size=100)
         self.odom = rospy.Publisher('odom', Odometry, queue_size=1000)
@@ -344,6 +380,8 @@ class Player:
         elif kind == 'scan':
             message = content[0].message(content[1])
             message.header.frame_id = self.drive.frame(message.header.frame_id)
+            if message.header.stamp.is_zero():
+                message.header.stamp = rospy.Time.from_sec(stamp)
             self.scan.publish(message)
         elif kind == 'odom':
             self.odom.publish(self.odometry_of(stamp, content))
@@ -410,13 +448,14 @@ def main():
     defaults = {'scan': '', 'odom': '', 'base_frame': 'base_footprint', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': ''}
     options = {name: str(rospy.get_param('~' + name, default)) for name, default in defaults.items()}
     try:
+        speed = speed_in(rospy.get_param('~speed', 1.0))
         drive = Drive(*read_bag(rospy.get_param('~bag', '')), options)
     except BagError as error:
         rospy.logfatal('%s', error)
         return 1
     for words in drive.words:
         rospy.loginfo(words)
-    player = Player(drive, float(rospy.get_param('~speed', 1.0)))
+    player = Player(drive, speed)
     player.await_mapper()
     if not player.play():
         return 1
