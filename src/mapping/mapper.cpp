@@ -235,11 +235,9 @@ std::function<RobotSearch()> Mapper::searchWork(const std::function<bool()>& sto
 }
 
 bool Mapper::locate(const RobotSearch& search) {
-  constexpr double kPosition = 0.1;  // [m]
-  constexpr double kYaw = 0.05;      // [rad]
   if (!search.found() || search.generation != impl_->generation || !impl_->last) return false;
   const Pose2 T_map_odom = search.result.best.T_map_base * search.T_odom_base.inverse();
-  const Eigen::Vector3d sigma(kPosition, kPosition, kYaw);
+  const Eigen::Vector3d sigma(0.1, 0.1, 0.05);  // [m, m, rad]
   return locate({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()});
 }
 
