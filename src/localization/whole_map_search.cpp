@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <iomanip>
 #include <map>
 #include <optional>
@@ -77,7 +78,7 @@ surfaces::SurfacePoints withAtMost(std::size_t most, const surfaces::SurfacePoin
 
 class Search {
  public:
-  Search(const OccupancyGrid& grid, const slam::LocalSlamParameters& parameters)
+  Search(const OccupancyGrid& grid, const slam::LocalSlamParameters& parameters, const std::function<bool()>& stop)
       : grid_(grid), parameters_(parameters), map_(parameters.likelihood) {
     const surfaces::SurfacePoints surface = surfaces::surfaceOf(grid);
     map_.add(surface, Pose2());
@@ -89,12 +90,21 @@ class Search {
     whole_.expected = Pose2(geometry.origin + half, 0.0);
     whole_.window = {half.x(), half.y(), kPi};
     whole_.min_score = kMinScore;
+    whole_.stop = stop;
     const int top = scan_matching::pyramidTop(whole_.window, geometry.resolution);
     pyramid_.emplace(coarse.field(), top);
     free_.emplace(freeCells(grid), top);
   }
 
-  WholeMapSearch by(std::vector<RecentScan> scans) const {
+  WholeMapSearch by(const std::vector<RecentScan>& scans) const {
+    WholeMapSearch result = toTheEnd(scans);
+    // What a stopped search has not found may be there all the same.
+    if (pyramid_ && whole_.stop && whole_.stop()) result.verdict = SearchVerdict::kStopped;
+    return result;
+  }
+
+ private:
+  WholeMapSearch toTheEnd(std::vector<RecentScan> scans) const {
     WholeMapSearch result;
     if (!pyramid_) return result;
     surfaces::SurfacePoints points = merged(scans, kSpacing);
@@ -131,7 +141,6 @@ class Search {
     return result;
   }
 
- private:
   /// Poses so near to each other that they lead to the same place: many score alike, and checking one takes a while.
   using Zone = std::array<int, 3>;
   using Places = std::map<Zone, std::optional<Place>>;
@@ -216,8 +225,8 @@ std::string toText(const Place& place) {
 }  // namespace
 
 WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<RecentScan>& scans,
-                              const slam::GraphSlamParameters& parameters) {
-  const Search search(map, parameters.local);
+                              const slam::GraphSlamParameters& parameters, const std::function<bool()>& stop) {
+  const Search search(map, parameters.local, stop);
   const WholeMapSearch result = search.by(scans);
   // The scans may not fit each other, if odometry was wrong: the last one alone still may fit the map.
   if (result.verdict != SearchVerdict::kFitsNowhere || scans.size() < 2) return result;
@@ -234,6 +243,8 @@ std::string describe(const WholeMapSearch& search) {
       return "refused: there is no scan yet, or it has too few returns";
     case SearchVerdict::kFitsNowhere:
       return "refused: the scan fits nowhere on the map";
+    case SearchVerdict::kStopped:
+      return "refused: the search took too long, drive on and call again, or give a pose";
     case SearchVerdict::kAmbiguous:
       break;
   }

@@ -62,7 +62,8 @@ struct Mapper::Impl {
   Time last_now{};
   std::optional<StampedPose2> last;  ///< T_odom_base of the last scan that was placed
   ScanCounts counts;
-  std::uint64_t epoch = 0;  ///< number of the corrector: work of an earlier one is void
+  std::uint64_t epoch = 0;       ///< number of the corrector: work of an earlier one is void
+  std::uint64_t generation = 0;  ///< number of the map: a search of an earlier one is void
   bool working = false;
   std::vector<Inserted> meanwhile;  ///< scans inserted into the map while work is under way
   RevisionReport revisions;
@@ -207,12 +208,14 @@ scan_matching::PoseWithCovariance Mapper::Impl::presentBelief() const {
 
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
   if (!impl_->map.exchange(loaded)) return false;
+  ++impl_->generation;
   impl_->replace(knownMap(impl_->parameters, impl_->map, impl_->presentBelief()));
   return true;
 }
 
 bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
   if (!impl_->map.exchange(map)) return false;
+  ++impl_->generation;
   impl_->T_map_odom = T_map_odom;
   // If odometry has been trusted since the first scan, it still is.
   const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
@@ -227,16 +230,14 @@ bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
   return true;
 }
 
-std::function<RobotSearch()> Mapper::searchWork() const {
-  return impl_->recent.searchOn(grid(), impl_->parameters.slam);
+std::function<RobotSearch()> Mapper::searchWork(const std::function<bool()>& stop) const {
+  return impl_->recent.searchOn(grid(), impl_->generation, impl_->parameters.slam, stop);
 }
 
 bool Mapper::locate(const RobotSearch& search) {
-  constexpr double kPosition = 0.1;  // [m]
-  constexpr double kYaw = 0.05;      // [rad]
-  if (search.result.verdict != localization::SearchVerdict::kFound || !impl_->last) return false;
+  if (!search.found() || search.generation != impl_->generation || !impl_->last) return false;
   const Pose2 T_map_odom = search.result.best.T_map_base * search.T_odom_base.inverse();
-  const Eigen::Vector3d sigma(kPosition, kPosition, kYaw);
+  const Eigen::Vector3d sigma(0.1, 0.1, 0.05);  // [m, m, rad]
   return locate({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()});
 }
 
@@ -273,6 +274,7 @@ bool Mapper::Impl::hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) co
 
 void Mapper::reset() {
   impl_->map.clear();
+  ++impl_->generation;
   impl_->T_map_odom = Pose2();
   impl_->last.reset();
   impl_->recent.clear();

@@ -1,6 +1,7 @@
 #include "mapping/recent_scans.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "frontier_pilot/core/motion.h"
@@ -42,10 +43,11 @@ std::vector<localization::RecentScan> RecentScans::scans() const {
   return scans;
 }
 
-std::function<RobotSearch()> RecentScans::searchOn(const OccupancyGrid& map,
-                                                   const slam::GraphSlamParameters& parameters) const {
-  return [map, parameters, scans = scans(), T_odom_base = latest_.T_odom_base] {
-    return RobotSearch{localization::searchWholeMap(map, scans, parameters), T_odom_base};
+std::function<RobotSearch()> RecentScans::searchOn(const OccupancyGrid& map, std::uint64_t generation,
+                                                   const slam::GraphSlamParameters& parameters,
+                                                   const std::function<bool()>& stop) const {
+  return [map, generation, parameters, stop, scans = scans(), T_odom_base = latest_.T_odom_base] {
+    return RobotSearch{localization::searchWholeMap(map, scans, parameters, stop), T_odom_base, generation};
   };
 }
 

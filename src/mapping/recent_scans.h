@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <vector>
@@ -20,8 +21,10 @@ class RecentScans {
 
   /// The scans, the latest at the end; none before the first.
   std::vector<localization::RecentScan> scans() const;
-  /// The search of `map` for the robot by copies of these scans.
-  std::function<RobotSearch()> searchOn(const OccupancyGrid& map, const slam::GraphSlamParameters& parameters) const;
+  /// The search of `map`, the mapper's `generation`-th, for the robot by copies of these scans, until `stop` is true.
+  std::function<RobotSearch()> searchOn(const OccupancyGrid& map, std::uint64_t generation,
+                                        const slam::GraphSlamParameters& parameters,
+                                        const std::function<bool()>& stop) const;
 
  private:
   struct Entry {

@@ -52,7 +52,7 @@ class BranchAndBound {
       }
     }
     descend(nodes, pyramid_.top());
-    return best_ ? std::optional<SearchResult>(result(*best_)) : std::nullopt;
+    return best_ && !stopped_ ? std::optional<SearchResult>(result(*best_)) : std::nullopt;
   }
 
  private:
@@ -107,6 +107,7 @@ class BranchAndBound {
     std::stable_sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.bound > b.bound; });
     for (const Node& node : nodes) {
       if (best_ && node.bound <= best_->bound) return;
+      if (isStopped()) return;
       if (level == 0) {
         if (!isExcluded(node) && (!request_.accept || request_.accept(poseOf(node)))) best_ = node;
         continue;
@@ -114,6 +115,11 @@ class BranchAndBound {
       std::vector<Node> parts = split(node, level - 1);
       descend(parts, level - 1);
     }
+  }
+
+  bool isStopped() {
+    stopped_ = stopped_ || (request_.stop && request_.stop());
+    return stopped_;
   }
 
   std::vector<Node> split(const Node& node, int level) const {
@@ -155,6 +161,7 @@ class BranchAndBound {
   std::size_t points_ = 0;
   std::vector<Cell> cells_;  ///< of the points, direction by direction
   std::optional<Node> best_;
+  bool stopped_ = false;
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ RECORDED = 1.5e9  # when the recording began [s]
 LEAD = 30.0  # of the stamps [s]
 SECONDS = 40.0
 HOLE = (18.0, 24.0)
+UNSTAMPED = 10.0  # when a scan without a stamp was recorded [s]
 SPEED = 0.15  # of the robot [m/s]
 START = (-2.0, 0.0)
 WALLS = ((-4.0, -2.0, 5.0, -2.0), (5.0, -2.0, 5.0, 3.0), (5.0, 3.0, -4.0, 3.0), (-4.0, 3.0, -4.0, -2.0),
@@ -91,6 +92,7 @@ def write_bag(path):
             bag.write('/tf', TFMessage([transform(stamp, 'odom', 'base_footprint', SPEED * seconds)]), recorded)
             if tick % 4 == 0:
                 bag.write('/camera/scan', scan_at(seconds, stamp, 'camera', 60, 1.0), recorded)
+                stamp = stamp if seconds != UNSTAMPED else rospy.Time(0)
                 bag.write('/lidar', scan_at(seconds, stamp, 'base_scan', 360, 2.0 * math.pi), recorded)
 
 
@@ -145,6 +147,23 @@ class PlayBag(unittest.TestCase):
             self.assertEqual(scan.header.frame_id, 'base_scan')
             before = [message.clock.to_sec() for at, message in self.clock.items if at <= arrived + 0.2]
             self.assertLessEqual(scan.header.stamp.to_sec(), max(before) + 0.01)
+
+    def test_a_scan_without_a_stamp_is_played_when_it_was_recorded(self):
+        stamps = [scan.header.stamp.to_sec() - RECORDED - LEAD for _, scan in self.scans.items]
+        self.assertTrue(any(abs(stamp - UNSTAMPED) < 0.001 for stamp in stamps))
+        self.assertGreaterEqual(min(stamps), 0.0)
+        self.assertGreater(self.clock.items[0][1].clock.to_sec(), RECORDED, 'the clock begins with the bag')
+
+    def test_what_cannot_be_understood_is_said_and_nothing_is_played(self):
+        for option, words in (('_speed:=0', 'the speed must be greater than 0'),
+                              ('_speed:=fast', "speed:='fast' is not understood"),
+                              ('_mount:=1 2', "mount:='1 2' is not understood"),
+                              ('_mount:=a b c', "mount:='a b c' is not understood")):
+            player = Node('bag_player.py', '_bag:=' + self.bag, '_speed:=2.0', '__name:=another_player', option)
+            self.assertTrue(wait_for(player.has_ended, 60.0), option)
+            self.assertEqual(1, player.process.returncode, player.said())
+            self.assertIn(words, player.said())
+            self.assertNotIn('Traceback', player.said())
 
     def test_the_recorded_correction_of_another_mapper_is_not_published(self):
         corrections = [transform for _, message in self.transforms.items for transform in message.transforms

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@ enum class SearchVerdict {
   kTooFew,       ///< there is no scan, or too few returns
   kFitsNowhere,  ///< the scans fit nowhere on the map
   kAmbiguous,    ///< they fit at `best` and at `rival` nearly alike
+  kStopped,      ///< the search was stopped before its end
 };
 
 /// The result of a search of the whole map.
@@ -46,9 +48,10 @@ struct WholeMapSearch {
 /// together, by the latest alone. A place is refused rather than guessed: it must be free, the beams may
 /// not pass through walls, and a second such place, more than 0.5 m or 0.3 rad away, must reach less than
 /// 90 % of the best one's score or share of beams that end on surfaces.
-/// Branch and bound as in correlativeSearch. On a floor of 58 m x 47 m it takes about a second. [MAP-5]
+/// Branch and bound as in correlativeSearch. On a floor of 58 m x 47 m it takes about a second; in the worst case the
+/// time grows with the number of poses. Once `stop` is true, which it then has to stay, the search ends. [MAP-5]
 WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<RecentScan>& scans,
-                              const slam::GraphSlamParameters& parameters);
+                              const slam::GraphSlamParameters& parameters, const std::function<bool()>& stop = {});
 
 /// The result in words, for the operator.
 std::string describe(const WholeMapSearch& search);

@@ -74,8 +74,11 @@ struct RevisionReport {
 
 /// The result of a search of the whole map for the robot.
 struct RobotSearch {
+  bool found() const { return result.verdict == localization::SearchVerdict::kFound; }
+
   localization::WholeMapSearch result;
-  Pose2 T_odom_base;  ///< of the last scan, whose pose in the map the result tells
+  Pose2 T_odom_base;             ///< of the last scan, whose pose in the map the result tells
+  std::uint64_t generation = 0;  ///< of the map that was searched: another map has another one
 };
 
 /// Builds the map from scans and the odometry at their stamps. Whatever is wrong with a scan, what is already mapped
@@ -120,10 +123,12 @@ class Mapper {
   /// does nothing, when the map has no occupied cell.
   bool locate(const scan_matching::PoseWithCovariance& T_map_base);
 
-  /// Work for another thread: looks for the robot all over the present map, by the scans of the last metres.
-  std::function<RobotSearch()> searchWork() const;
+  /// Work for another thread: looks for the robot all over the present map, by the scans of the last metres, until
+  /// `stop` is true, which it then has to stay.
+  std::function<RobotSearch()> searchWork(const std::function<bool()>& stop = {}) const;
   /// Goes on from where the search has found the robot, which may have driven on since, as from an estimate of its
-  /// pose. Returns false, and does nothing, when it was not found, or when the mapper has been reset.
+  /// pose. Returns false, and does nothing, when it was not found, or when the mapper has been reset or been given a
+  /// map since `searchWork`.
   bool locate(const RobotSearch& search);
 
   /// Counts a scan that was rejected before it could be passed to `insert`.

@@ -74,6 +74,9 @@ struct SearchRequest {
   const MaxPyramid* allowed = nullptr;
   /// Asked for poses that would be the best so far: those for which it is false are not found. Empty: all are accepted.
   std::function<bool(const Pose2&)> accept;
+  /// Asked again and again: once it is true, which it then has to stay, the search ends and finds nothing. Empty: it
+  /// runs to its end.
+  std::function<bool()> stop;
 };
 
 struct SearchResult {
@@ -85,9 +88,9 @@ struct SearchResult {
 
 /// The pose in the window with the best rating: the exact optimum on a lattice with steps of one cell of the field and
 /// of the angle by which the points move one cell in the root mean square. None if no pose reaches
-/// `min_score`. Olson, "Real-Time Correlative Scan Matching", ICRA 2009; depth-first branch and bound over the pyramid
-/// by Hess et al., ICRA 2016, V. A pyramid with top 0 gives the exhaustive search; a search is
-/// fastest with about log2 of the window's width in cells. `points` must not be empty.
+/// `min_score`, or if the search was stopped. Olson, "Real-Time Correlative Scan Matching", ICRA 2009; depth-first
+/// branch and bound over the pyramid by Hess et al., ICRA 2016, V. A pyramid with top 0 gives the exhaustive search; a
+/// search is fastest with about log2 of the window's width in cells. `points` must not be empty.
 std::optional<SearchResult> correlativeSearch(const MaxPyramid& pyramid, const surfaces::SurfacePoints& points,
                                               const SearchRequest& request);
 

@@ -60,7 +60,7 @@ std::string best(const Candidates& found, const char* usual_name) {
   const auto rank = [&](const auto& entry) {
     const Candidate& candidate = entry.second;
     const bool often = static_cast<double>(candidate.messages) >= kFew * static_cast<double>(most);
-    return std::make_tuple(often, std::lround(candidate.field / kSameField), isSameTopic(entry.first, usual_name),
+    return std::make_tuple(often, std::floor(candidate.field / kSameField + 0.5), isSameTopic(entry.first, usual_name),
                            candidate.messages, entry.first);
   };
   return std::max_element(found.begin(), found.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); })

@@ -57,23 +57,25 @@ std::optional<Answer> MapSearcher::ask(const std::function<Answer(mapping::Mappe
 
 bool MapSearcher::handle(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   using Work = std::function<mapping::RobotSearch()>;
+  constexpr double kLongest = 30.0;  // [s]
   response.success = 0U;
   response.message = kBusy;
-  const auto work = ask<Work>([](mapping::Mapper& mapper) { return mapper.searchWork(); });
-  if (!work) return true;
   const SteadyTime begin = steadyNow();
+  const auto stop = [this, begin] { return closed_ || toSeconds(steadyNow() - begin) > kLongest; };
+  const auto work = ask<Work>([stop](mapping::Mapper& mapper) { return mapper.searchWork(stop); });
+  if (!work) return true;
   const mapping::RobotSearch search = (*work)();
   std::ostringstream text;
   text << localization::describe(search.result) << std::fixed << std::setprecision(1) << " (searched for "
        << toSeconds(steadyNow() - begin) << " s)";
   response.message = text.str();
-  if (search.result.verdict != localization::SearchVerdict::kFound) {
+  if (!search.found()) {
     THROTTLED_WARN("robot not localised, " << response.message);
     return true;
   }
   const auto taken = ask<bool>([search](mapping::Mapper& mapper) { return mapper.locate(search); });
   response.success = static_cast<std::uint8_t>(taken.value_or(false));
-  if (!taken.value_or(false)) response.message = "refused: the map was reset meanwhile, or the mapper is shut down";
+  if (!taken.value_or(false)) response.message = "refused: the map was replaced meanwhile, or the mapper is shut down";
   THROTTLED_INFO(response.message);
   return true;
 }

@@ -81,6 +81,23 @@ TEST(WholeMapSearch, SaysWhyItFindsNothing_MAP_5) {
 }
 
 // [MAP-5]
+TEST(WholeMapSearch, EndsWhenItIsStopped_MAP_5) {
+  const AsciiWorld world = drawWorld(kUnlikeRooms, 0.2);
+  Scanner scanner(world.solid(), 0.01);
+  const surfaces::SurfaceScan scan = surfaces::readScan(scanner.scan({1.8, 1.0, 0.3}, Time{}));
+  const OccupancyGrid map = fineMapOf(world);
+  int asked = 0;
+  const auto after = [&asked](int most) { return [&asked, most] { return ++asked > most; }; };
+  for (const int most : {0, 1, 1000}) {
+    asked = 0;
+    const auto search = localization::searchWholeMap(map, {{scan.points, Pose2()}}, {}, after(most));
+    EXPECT_EQ(search.verdict, localization::SearchVerdict::kStopped) << describe(search);
+    EXPECT_LE(asked, most + 4) << "each part of the search asks once more";
+    EXPECT_NE(describe(search).find("took too long"), std::string::npos) << describe(search);
+  }
+}
+
+// [MAP-5]
 TEST(WholeMapSearch, IsRepeatable_MAP_5) {
   const AsciiWorld world = drawWorld(kUnlikeRooms, 0.2);
   const OccupancyGrid map = fineMapOf(world);
@@ -91,6 +108,10 @@ TEST(WholeMapSearch, IsRepeatable_MAP_5) {
 class LostMapper : public ::testing::Test {
  protected:
   LostMapper() : world(drawWorld(kUnlikeRooms, 0.2)), scanner(world.solid(), 0.01), mapper(localizing()) {
+    occupancy::OccupancyMap rooms = roomsOf(world);
+    EXPECT_TRUE(mapper.load(rooms));
+  }
+  static occupancy::OccupancyMap roomsOf(const AsciiWorld& world) {
     occupancy::OccupancyMap rooms(mapping::MapperParameters{}.map);
     const OccupancyGrid map = fineMapOf(world);
     EXPECT_TRUE(rooms.reserve({0.0, 0.0}, 0.05 * Vec2(map.width(), map.height())));
@@ -101,7 +122,7 @@ class LostMapper : public ::testing::Test {
         map[i] == kOccupied ? rooms.hit(cell) : rooms.miss(cell);
       }
     }
-    EXPECT_TRUE(mapper.load(rooms));
+    return rooms;
   }
   static mapping::MapperParameters localizing() {
     mapping::MapperParameters parameters;
@@ -150,6 +171,35 @@ TEST_F(LostMapper, GoesOnFromWhereTheSearchHasFoundTheRobotAlsoIfItHasDrivenOn_M
   drive(3);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kLocalized);
   EXPECT_FALSE(isJump(T_world_odom, mapper.T_map_odom(), 0.06, 0.03));
+}
+
+// [MAP-5]
+TEST_F(LostMapper, TakesOverNothingFromASearchOfAMapThatItHasForgottenSince_MAP_5) {
+  mapper = mapping::Mapper();
+  occupancy::OccupancyMap rooms = roomsOf(world);
+  ASSERT_TRUE(mapper.load(rooms));
+  drive(10);
+  const mapping::RobotSearch search = mapper.searchWork()();
+  ASSERT_EQ(search.result.verdict, localization::SearchVerdict::kFound) << describe(search.result);
+  mapper.reset();
+  drive(1);
+  ASSERT_EQ(verdict, mapping::ScanVerdict::kInserted) << "into a new map";
+  EXPECT_FALSE(mapper.locate(search));
+}
+
+// [MAP-5]
+TEST_F(LostMapper, TakesOverNothingFromASearchOfAMapThatAnotherHasReplacedSince_MAP_5) {
+  drive(10);
+  const auto work = mapper.searchWork();
+  occupancy::OccupancyMap another = roomsOf(world);
+  ASSERT_TRUE(mapper.load(another));
+  drive(1);
+  EXPECT_FALSE(mapper.locate(work()));
+  occupancy::OccupancyMap third = roomsOf(world);
+  const auto second_work = mapper.searchWork();
+  ASSERT_TRUE(mapper.resume(third, Pose2(), T_odom_base));
+  drive(1);
+  EXPECT_FALSE(mapper.locate(second_work()));
 }
 
 // [MAP-5]

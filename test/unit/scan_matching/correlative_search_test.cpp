@@ -164,6 +164,22 @@ TEST(CorrelativeSearch, FindsNothingThatScoresTooLittle) {
   EXPECT_FALSE(scan_matching::correlativeSearch(pyramid, seenFrom({}, dice.points(50, 4.0)), request));
 }
 
+TEST(CorrelativeSearch, FindsNothingWhenItIsStopped) {
+  Dice dice(12);
+  const std::vector<Vec2> world = dice.points(50, 4.0);
+  scan_matching::SearchRequest request;
+  request.window = {0.3, 0.3, 0.1};
+  for (int top = 0; top <= 3; ++top) {
+    const scan_matching::MaxPyramid pyramid(fieldOf(world).grid(), top);
+    int asked = 0;
+    request.stop = [&asked] { return ++asked > 0; };
+    EXPECT_FALSE(scan_matching::correlativeSearch(pyramid, seenFrom({}, world), request));
+    EXPECT_EQ(asked, 1);
+    request.stop = [] { return false; };
+    EXPECT_TRUE(scan_matching::correlativeSearch(pyramid, seenFrom({}, world), request));
+  }
+}
+
 TEST(CorrelativeSearch, StaysWhereItIsExpectedAmongEquals) {
   // A wall without ends: nothing determines the robot's position along it.
   std::vector<Vec2> wall;
