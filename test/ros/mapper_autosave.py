@@ -10,11 +10,12 @@ import unittest
 import rospy
 import rostest
 import tf2_ros
+from frontier_pilot.srv import LoadMap
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
 from sensor_msgs.msg import LaserScan
 
-from wire import Node, Record, wait_for
+from wire import Node, Record, call, wait_for
 
 SIDE = 3.0  # half of that of the room [m]
 BEAMS = 180
@@ -25,6 +26,18 @@ def kept_maps():
     home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
     files = glob.glob(home + '/frontier_pilot/*/kept_map.mapper.bt')
     return {os.stat(file).st_mtime_ns for file in files if time.time() - os.path.getmtime(file) < 5.0}
+
+
+def newest_map():
+    """The kept map that was written last, without the ending of its files."""
+    home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
+    return max(glob.glob(home + '/frontier_pilot/*/kept_map.mapper.bt'), key=os.path.getmtime)[:-len('.bt')]
+
+
+def poses_of_the_session(kept):
+    """The files with the pose of a kept map: one for each name of the session, all written at the same time."""
+    poses = glob.glob(os.path.join(os.path.dirname(kept), '..', '*', 'kept_map.mapper'))
+    return [pose for pose in poses if abs(os.path.getmtime(pose) - os.path.getmtime(kept)) < 0.5]
 
 
 class MapperAutosave(unittest.TestCase):
@@ -84,6 +97,30 @@ class MapperAutosave(unittest.TestCase):
         self.assertGreater(self.known(), 0.95 * before, '[FLT-2]')
         mapper.end()
         self.assertFalse(kept_maps(), 'an end in order leaves none')
+
+    def test_a_map_whose_pose_was_damaged_is_put_aside_and_can_be_loaded(self):  # [FLT-2]
+        mapper = Node('mapper')
+        self.addCleanup(lambda: mapper.end())
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        mapper.signal(signal.SIGKILL)
+        mapper.finish()
+        before = self.known()
+        kept = newest_map()
+        for damage in 'nowhere\n', None:  # and removed
+            for pose in poses_of_the_session(kept):
+                os.remove(pose)
+                if damage:
+                    with open(pose, 'w') as file:
+                        file.write(damage)
+            self.map.items.clear()
+            mapper = Node('mapper')
+            lost = os.path.join(os.path.dirname(kept), 'lost', 'kept_map.mapper')
+            self.assertTrue(wait_for(lambda: os.path.exists(lost + '.bt') and not os.path.exists(kept + '.bt'), 10.0))
+            self.assertTrue(call('mapper/load_map', LoadMap, lost).success, '[FLT-2]')
+            self.assertTrue(wait_for(lambda: self.known() > 0.95 * before))
+            self.assertTrue(wait_for(lambda: os.path.exists(kept + '.bt') and os.path.exists(kept), 10.0))
+            mapper.signal(signal.SIGKILL)
+            mapper.finish()
 
 
 if __name__ == '__main__':

@@ -10,6 +10,7 @@
 
 #include "frontier_pilot/map_files/map_io.h"
 #include "ros/common/clock.h"
+#include "ros/mapper/kept_map.h"
 #include "ros/mapper/map_autosave.h"
 
 namespace frontier_pilot {
@@ -17,10 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostOlder = 3;
 constexpr Duration kMadeAnew = std::chrono::minutes(1);
 constexpr int kRest = 20;  // pause after saving, in multiples of the time that saving took
-constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
 
 /// With all digits, so that exactly the same pose is read back.
 std::string toText(const Pose2& pose) {
@@ -36,31 +35,6 @@ std::optional<Pose2> toPose(const std::string& text) {
   return pose;
 }
 
-void removeMap(const fs::path& base) {
-  std::error_code ignored;
-  for (const char* ending : kEndings) fs::remove(base.string() + ending, ignored);
-}
-
-/// Maps that the same node has left in other sessions, the newest first.
-std::vector<fs::path> olderMaps(const fs::path& own) {
-  std::vector<std::pair<fs::file_time_type, fs::path>> found;
-  std::error_code ignored;
-  for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
-    const fs::path base = session.path() / own.filename();
-    const auto written = fs::last_write_time(base.string() + ".bt", ignored);
-    if (base != own && !ignored) found.emplace_back(written, base);
-  }
-  std::sort(found.rbegin(), found.rend());
-  std::vector<fs::path> maps;
-  for (auto& [written, base] : found) maps.push_back(std::move(base));
-  return maps;
-}
-
-void removeOldest(const fs::path& own) {
-  const std::vector<fs::path> maps = olderMaps(own);
-  for (std::size_t i = kMostOlder; i < maps.size(); ++i) removeMap(maps[i]);
-}
-
 /// Returns why it could not be saved; empty if it was.
 std::string save(const map_files::MapSnapshot& map, const Pose2& T_map_odom, const SessionMemory& memory) {
   if (memory.files().empty()) return "the ROS session has no name";
@@ -69,8 +43,13 @@ std::string save(const map_files::MapSnapshot& map, const Pose2& T_map_odom, con
   fs::create_directories(base.parent_path(), error);
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
   if (!result.ok()) return result.text;
-  removeOldest(base);
+  kept_map::removeOldest(base);
   return memory.remember(toText(T_map_odom));
+}
+
+void discard(const SessionMemory& memory) {
+  for (const fs::path& base : memory.files()) kept_map::removeFiles(base);
+  memory.forget();
 }
 
 }  // namespace
@@ -80,14 +59,22 @@ MapAutosave::MapAutosave()
       wanted_(std::make_shared<std::atomic<bool>>(true)),
       done_(std::make_shared<Mailbox<Saved>>()) {}
 
+std::optional<std::filesystem::path> MapAutosave::find() const {
+  std::vector<fs::path> bases = memory_.files();  // the map lies beside that for the first name of the session
+  if (const auto pose = memory_.find()) bases.insert(bases.begin(), *pose);
+  const auto found = std::find_if(bases.begin(), bases.end(), kept_map::exists);
+  return found == bases.end() ? std::nullopt : std::make_optional(*found);
+}
+
 std::optional<Pose2> MapAutosave::restore(occupancy::OccupancyMap& map) const {
-  const std::optional<std::string> text = memory_.recall();
-  if (!text) return std::nullopt;
-  const std::optional<Pose2> T_map_odom = toPose(*text);
+  const std::optional<fs::path> base = find();
+  const std::vector<std::string> texts = memory_.recallAll();
+  if (!base && texts.empty()) return std::nullopt;
+  std::optional<Pose2> T_map_odom;
+  for (auto text = texts.begin(); !T_map_odom && text != texts.end(); ++text) T_map_odom = toPose(*text);
   if (!T_map_odom) throw std::runtime_error("the pose that was saved with it cannot be read");
-  // The map lies beside the pose's file, or beside that for the first name of the session.
-  map_files::MapIoResult result = map_files::loadMap(memory_.find()->string(), map);
-  if (!result.ok() && !memory_.files().empty()) result = map_files::loadMap(memory_.files().front().string(), map);
+  if (!base) throw std::runtime_error("its files are gone");
+  const map_files::MapIoResult result = map_files::loadMap(base->string(), map);
   if (!result.ok()) throw std::runtime_error(result.text);
   return T_map_odom;
 }
@@ -113,7 +100,7 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, st
   saver.run([snapshot = map_files::takeSnapshot(map), T_map_odom, memory = memory_, wanted = wanted_, done = done_] {
     const SteadyTime begun = steadyNow();
     std::string problem = *wanted ? frontier_pilot::save(snapshot, T_map_odom, memory) : std::string();
-    if (!*wanted) memory.forget();
+    if (!*wanted) discard(memory);
     const SteadyTime at = steadyNow();
     done->put({std::move(problem), at, at - begun});
   });
@@ -131,7 +118,9 @@ void MapAutosave::replace() {
 }
 
 void MapAutosave::lose(const std::string& why) {
-  loss_ = why;
+  const std::optional<fs::path> base = find();
+  const std::string lost = base ? kept_map::setAside(*base) : std::string();
+  loss_ = lost.empty() ? why : why + "; its files are kept, mapper/load_map may still read " + lost;
   mapping_since_.reset();
 }
 
@@ -144,8 +133,7 @@ void MapAutosave::forget() {
   loss_.clear();
   *wanted_ = false;
   wanted_ = std::make_shared<std::atomic<bool>>(true);
-  memory_.forget();
-  for (const fs::path& base : memory_.files()) removeMap(base);
+  discard(memory_);
 }
 
 void MapAutosave::enter(const std::vector<std::string>& sessions) {

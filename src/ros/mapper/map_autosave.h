@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,9 +36,12 @@ class MapAutosave {
   void replace();
   /// Removes the copy, because the map was reset or the mapper is shut down regularly.
   void forget();
-  /// Records that the map of the mapper that died is lost. It is reported until the map is reset or loaded, or for a
+  /// Records that the map of the mapper that died cannot be continued with, and moves its files to the folder `lost`
+  /// beside them, in place of those that were lost before. It is reported until the map is reset or loaded, or for a
   /// minute after the first scan of the new map: an error that never goes away would soon be ignored.
   void lose(const std::string& why);
+  /// Why the map of the mapper that died is lost, and where its files are; empty if it is not.
+  const std::string& loss() const { return loss_; }
   /// Reports what would be lost with this node, and what was lost with the one before it.
   void tell(MemoryReport& report) const;
   /// Why the last map could not be saved; empty if it was.
@@ -52,6 +56,8 @@ class MapAutosave {
     Duration took;
   };
 
+  /// The base name of the copy's files; nothing if there is none.
+  std::optional<std::filesystem::path> find() const;
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   SessionMemory memory_;                       ///< holds T_map_odom; the map's files lie beside it

@@ -16,7 +16,7 @@ void MapperAdapter::restore() {
     restored_.emplace(std::move(restored));
   } catch (const std::exception& error) {
     autosave_.lose(error.what());
-    ROS_ERROR_STREAM("the map that the mapper had when it died is lost: " << error.what());
+    ROS_ERROR_STREAM("the map that the mapper had when it died is lost: " << autosave_.loss());
   }
 }
 
@@ -26,7 +26,7 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
     ROS_WARN("continuing with the map that the mapper had when it died");
   } else {
     autosave_.lose("it is too large");
-    ROS_ERROR("the map that the mapper had when it died is lost: it is too large");
+    ROS_ERROR_STREAM("the map that the mapper had when it died is lost: " << autosave_.loss());
   }
   restored_.reset();
 }
