@@ -1,23 +1,17 @@
 #include "mapping/odometry_buffer.h"
 
-#include <algorithm>
+#include <iterator>
 
 namespace frontier_pilot::mapping {
 
 OdometryLookup OdometryBuffer::at(Time stamp, Pose2& T_odom_base) const {
-  const std::deque<StampedPose2>& entries = track_.poses();
-  const auto after = std::lower_bound(entries.begin(), entries.end(), stamp,
-                                      [](const StampedPose2& entry, Time time) { return entry.stamp < time; });
-  if (after == entries.end()) return OdometryLookup::kTooNew;
-  if (after->stamp == stamp) {
-    T_odom_base = after->pose;
-    return OdometryLookup::kFound;
+  const auto after = track_.notBefore(stamp);
+  if (after == track_.poses().end()) return OdometryLookup::kTooNew;
+  if (after->stamp != stamp) {
+    if (after == track_.poses().begin()) return OdometryLookup::kTooOld;
+    if (toSeconds(after->stamp - std::prev(after)->stamp) > parameters_.max_gap) return OdometryLookup::kGap;
   }
-  if (after == entries.begin()) return OdometryLookup::kTooOld;
-  const auto before = std::prev(after);
-  const double gap = toSeconds(after->stamp - before->stamp);
-  if (gap > parameters_.max_gap) return OdometryLookup::kGap;
-  T_odom_base = interpolate(before->pose, after->pose, toSeconds(stamp - before->stamp) / gap);
+  T_odom_base = *track_.nearest(stamp);
   return OdometryLookup::kFound;
 }
 

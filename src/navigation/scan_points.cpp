@@ -8,7 +8,6 @@ namespace frontier_pilot::navigation {
 namespace {
 
 constexpr float kFarAway = 1e6F;
-const Duration kHistory = fromSeconds(1.0);
 const Duration kExtrapolation = fromSeconds(0.2);
 
 /// Near surfaces are averaged over this many beams to either side: because of noise the nearest of many readings is
@@ -122,30 +121,14 @@ bool isUsable(const LaserScan2& scan) {
 }
 
 void PoseHistory::add(Time stamp, const Pose2& T_map_base) {
-  if (!poses_.empty() && stamp <= poses_.back().stamp) {
-    // A corrected pose of the same instant replaces the old one.
-    if (stamp == poses_.back().stamp) poses_.back().pose = T_map_base;
-    return;
-  }
-  poses_.push_back({stamp, T_map_base});
-  while (poses_.front().stamp + kHistory < stamp) poses_.pop_front();
+  const bool known = !track_.empty();
+  if (known && stamp == track_.poses().back().stamp) return track_.correct(T_map_base);
+  if (!known || stamp > track_.poses().back().stamp) track_.add(stamp, T_map_base);
 }
 
 std::optional<Pose2> PoseHistory::at(Time stamp) const {
-  if (poses_.empty()) return std::nullopt;
-  const auto after =
-      std::find_if(poses_.begin(), poses_.end(), [&](const StampedPose2& s) { return s.stamp >= stamp; });
-  if (after == poses_.end()) {
-    if (stamp - poses_.back().stamp > kExtrapolation) return std::nullopt;
-    return poses_.back().pose;
-  }
-  if (after == poses_.begin()) {
-    if (after->stamp - stamp > kExtrapolation) return std::nullopt;
-    return after->pose;
-  }
-  const StampedPose2& before = *std::prev(after);
-  const double part = toSeconds(stamp - before.stamp) / toSeconds(after->stamp - before.stamp);
-  return interpolate(before.pose, after->pose, part);
+  constexpr Duration kAnyGap = Duration::max();
+  return track_.away(stamp, kAnyGap) > kExtrapolation ? std::nullopt : track_.nearest(stamp);
 }
 
 }  // namespace frontier_pilot::navigation

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deque>
+#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -38,13 +38,14 @@ bool isUsable(const LaserScan2& scan);
 /// Poses of the last second, so that a scan can be placed where it was taken, not where the robot is by now.
 class PoseHistory {
  public:
+  /// A pose of the last instant once more replaces it, because it has been corrected; older ones are ignored.
   void add(Time stamp, const Pose2& T_map_base);
-  void clear() { poses_.clear(); }
+  void clear() { track_.clear(); }
   /// The pose at `stamp`, interpolated; beyond the ends the nearest one if it is at most 0.2 s away.
   std::optional<Pose2> at(Time stamp) const;
 
  private:
-  std::deque<StampedPose2> poses_;
+  PoseTrack track_{std::chrono::seconds(1)};
 };
 
 }  // namespace frontier_pilot::navigation

@@ -23,9 +23,13 @@ class PoseTrack {
 
   /// A pose that is older than the last one restarts the track: the clock was set back. A repeated stamp is ignored.
   void add(Time stamp, const Pose2& pose);
+  /// Corrects the last pose. There must be one.
+  void correct(const Pose2& pose) { poses_.back().pose = pose; }
   void clear() { poses_.clear(); }
   bool empty() const { return poses_.empty(); }
   const std::deque<StampedPose2>& poses() const { return poses_; }
+  /// The first pose at `stamp` or later; the end of poses() if there is none.
+  std::deque<StampedPose2>::const_iterator notBefore(Time stamp) const;
   /// The pose at `stamp`, interpolated between its neighbours; before the first and after the last that one. Nothing if
   /// there is none.
   std::optional<Pose2> nearest(Time stamp) const;
@@ -33,8 +37,6 @@ class PoseTrack {
   Duration away(Time stamp, Duration gap) const;
 
  private:
-  std::deque<StampedPose2>::const_iterator notBefore(Time stamp) const;
-
   Duration kept_;
   std::deque<StampedPose2> poses_;
 };

@@ -64,11 +64,12 @@ std::vector<Explorer::Impl::ReachableInspection> Explorer::Impl::reachableInspec
 /// Sends the robot to the nearest pose over which the way to the goal `next` is at most inspect/detour longer. Returns
 /// whether there is one.
 bool Explorer::Impl::inspectOnTheWay(const ChosenGoal& next, Time now) {
-  if (inspections_.waiting().empty()) return false;
+  const std::vector<ReachableInspection> places = reachableInspections();
+  if (places.empty()) return false;
   const double most = next.distance + parameters_.inspect.detour;
   const Cell goal = evaluator_.map().geometry().cellAt(next.position);
   onwards_.compute(evaluator_.space().neighbours(), goal, most);
-  for (const ReachableInspection& place : reachableInspections()) {
+  for (const ReachableInspection& place : places) {
     if (place.distance + onwards_.distance(place.cell) > most) continue;
     sendToInspection(place, now);
     return true;

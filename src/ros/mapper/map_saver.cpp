@@ -1,5 +1,4 @@
 #include <boost/make_shared.hpp>
-#include <chrono>
 #include <utility>
 
 #include "ros/common/callback_guard.h"
@@ -28,25 +27,13 @@ class Job : public ros::CallbackInterface {
 }  // namespace
 
 void MapSaver::serve(NodeConnections& connections) {
-  const boost::function<bool(SaveMap::Request&, SaveMap::Response&)> handle =
-      [this](SaveMap::Request& request, SaveMap::Response& response) { return this->handle(request, response); };
-  ros::AdvertiseServiceOptions options;
-  options.init(names::kSaveMap, handle);
-  options.callback_queue = &queue_;
-  connections.serve(options);
-  spinner_.start();
+  using Request = SaveMap::Request;
+  using Response = SaveMap::Response;
+  thread_.serve<Request, Response>(connections, names::kSaveMap,
+                                   [this](Request& request, Response& response) { return handle(request, response); });
 }
 
-void MapSaver::provide(occupancy::OccupancyMap& map) {
-  if (auto wanted = wanted_.take()) wanted->set_value(map_files::takeSnapshot(map));
-}
-
-void MapSaver::run(std::function<void()> job) { queue_.addCallback(boost::make_shared<Job>(std::move(job))); }
-
-void MapSaver::close() {
-  closed_ = true;
-  wanted_.take();  // destroying the promise wakes the thread that waits for it
-}
+void MapSaver::run(std::function<void()> job) { thread_.queue().addCallback(boost::make_shared<Job>(std::move(job))); }
 
 bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
   const map_files::MapIoResult result = save(request.path);
@@ -61,19 +48,10 @@ bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
 }
 
 map_files::MapIoResult MapSaver::save(const std::string& path) {
-  constexpr auto kSnapshotPatience = std::chrono::seconds(10);  // enough for a busy mapper
-  std::promise<map_files::MapSnapshot> promise;
-  std::future<map_files::MapSnapshot> snapshot = promise.get_future();
-  wanted_.put(std::move(promise));
-  if (closed_) wanted_.take();
-  if (snapshot.wait_for(kSnapshotPatience) != std::future_status::ready) {
-    return {map_files::MapIoStatus::kCannotWrite, "the mapper was too busy to hand over its map"};
-  }
-  try {
-    return map_files::saveMap(snapshot.get(), path);
-  } catch (const std::future_error&) {
-    return {map_files::MapIoStatus::kCannotWrite, "the mapper is shut down"};
-  }
+  const auto snapshot = thread_.ask<map_files::MapSnapshot>(map_files::takeSnapshot);
+  if (snapshot) return map_files::saveMap(*snapshot, path);
+  return {map_files::MapIoStatus::kCannotWrite,
+          thread_.closed() ? "the mapper is shut down" : "the mapper was too busy to hand over its map"};
 }
 
 }  // namespace frontier_pilot

@@ -6,29 +6,15 @@
 #include "frontier_pilot/mapping/mapper.h"
 #include "support/ascii_world.h"
 #include "support/drives/drive.h"
+#include "unlike_rooms.h"
 
 namespace frontier_pilot::test {
 namespace {
 
-constexpr const char* kRooms = R"(
-  ########################################
-  #...........#..........................#
-  #...........#.................####.....#
-  #...........#.................####.....#
-  #......................................#
-  #......................................#
-  #...##......#..........................#
-  #...##......#..........................#
-  #...........#.........##...............#
-  #...........#.........##...............#
-  #...........#..........................#
-  ########################################
-)";
-
 /// The rooms, a scanner in them, and a mapper that gets no more than a real robot provides.
 class MapLocalizationTest : public ::testing::Test {
  protected:
-  MapLocalizationTest() : world(drawWorld(kRooms, 0.2)), scanner(world.solid(), 0.01) {}
+  MapLocalizationTest() : world(drawWorld(kUnlikeRooms, 0.2)), scanner(world.solid(), 0.01) {}
 
   /// The robot goes from one pose to the other, in steps of 5 cm; odometry begins at zero at the start.
   void drive(mapping::Mapper& mapper, const Pose2& from, const Pose2& to) {
