@@ -188,19 +188,22 @@ void searchWorld(benchmark::State& state, const std::string& path) {
   }
 }
 
-void addWorlds() {
-  const std::string ours = FRONTIER_PILOT_SOURCE_DIR "/config/worlds/";
-  for (const char* name : {"cave", "flat", "loop", "maze", "office", "small", "willow"}) {
-    const std::string path = name == std::string("willow") ? bench::willowGarage() : ours + name + ".yaml";
-    benchmark::RegisterBenchmark((std::string("Whole/") + name).c_str(),
-                                 [path](benchmark::State& state) { searchWorld(state, path); })
-        ->Arg(1)
-        ->Arg(5)
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
-  }
+void ofWorld(benchmark::State& state, const std::string& name) {
+  searchWorld(state, FRONTIER_PILOT_SOURCE_DIR "/config/worlds/" + name + ".yaml");
 }
-const int worlds_added = (addWorlds(), 0);
+void ofWillow(benchmark::State& state) { searchWorld(state, bench::willowGarage()); }
+
+/// With one scan and with five.
+void setUp(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(1)->Arg(5)->Iterations(1)->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(ofWorld, cave, "cave")->Name("Whole/cave")->Apply(setUp);
+BENCHMARK_CAPTURE(ofWorld, flat, "flat")->Name("Whole/flat")->Apply(setUp);
+BENCHMARK_CAPTURE(ofWorld, loop, "loop")->Name("Whole/loop")->Apply(setUp);
+BENCHMARK_CAPTURE(ofWorld, maze, "maze")->Name("Whole/maze")->Apply(setUp);
+BENCHMARK_CAPTURE(ofWorld, office, "office")->Name("Whole/office")->Apply(setUp);
+BENCHMARK_CAPTURE(ofWorld, small, "small")->Name("Whole/small")->Apply(setUp);
+BENCHMARK(ofWillow)->Name("Whole/willow")->Apply(setUp);
 
 }  // namespace
 }  // namespace frontier_pilot
