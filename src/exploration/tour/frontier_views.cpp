@@ -1,6 +1,8 @@
 #include "exploration/tour/frontier_views.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "frontier_pilot/core/grid_traversal.h"
 
@@ -19,6 +21,7 @@ const std::vector<Glimpse>& FrontierViews::from(Cell viewpoint, const ObservedMa
   constexpr std::size_t kMostViews = 20000;
   constexpr double kTolerance = 0.05;  // share of the area that may have changed
   if (views_.size() > kMostViews) views_.clear();
+  drawRays(map.geometry().resolution);
   const double cell_area = map.geometry().resolution * map.geometry().resolution;
   const std::uint64_t changes = map.changesAround(map.geometry().centre(viewpoint), rangeOf(parameters_)) + 1;
   View& view = views_[map.geometry().index(viewpoint)];
@@ -30,35 +33,60 @@ const std::vector<Glimpse>& FrontierViews::from(Cell viewpoint, const ObservedMa
   return view.glimpses;
 }
 
+void FrontierViews::drawRays(double resolution) {
+  if (resolution == resolution_) return;
+  resolution_ = resolution;
+  GridGeometry geometry;
+  geometry.resolution = resolution;
+  const Vec2 from = geometry.centre({0, 0});
+  const double range = rangeOf(parameters_);
+  rays_.assign(static_cast<std::size_t>(parameters_.rays), {});
+  for (int i = 0; i < parameters_.rays; ++i) {
+    const Vec2 unit = direction(2.0 * kPi * i / parameters_.rays);
+    double reached = 0.0;
+    visitCells(geometry, from, from + range * unit, [&](Cell c) {
+      reached = std::clamp((geometry.centre(c) - from).dot(unit), reached, range);
+      rays_[static_cast<std::size_t>(i)].push_back(
+          {static_cast<std::int16_t>(c.x), static_cast<std::int16_t>(c.y), static_cast<float>(reached)});
+      return true;
+    });
+  }
+}
+
 void FrontierViews::look(Cell viewpoint, const ObservedMap& map, View& view) const {
   view.glimpses.clear();
   view.area = 0.0;
-  const OccupancyGrid& grid = map.grid();
-  const Vec2 from = grid.geometry().centre(viewpoint);
-  const double range = rangeOf(parameters_);
-  for (int i = 0; i < parameters_.rays; ++i) {
-    const Vec2 unit = direction(2.0 * kPi * i / parameters_.rays);
+  for (const std::vector<RayCell>& ray : rays_) {
     Cell last_free = viewpoint;
-    double first_unknown = -1.0, reached = 0.0, twice_area = 0.0;
-    visitCells(grid.geometry(), from, from + range * unit, [&](Cell c) {
-      const std::int8_t value = grid.get(c, kOccupied);
-      if (isOccupied(value)) return false;
-      const double along = std::clamp((grid.geometry().centre(c) - from).dot(unit), reached, range);
-      if (first_unknown < 0.0 && isFree(value)) {
-        last_free = c;
-        reached = along;
-        return true;
-      }
-      if (first_unknown < 0.0) first_unknown = along;
-      if (isUnknown(value)) twice_area += along * along - reached * reached;
-      reached = along;
-      return along < first_unknown + parameters_.unknown_depth;
-    });
-    if (twice_area <= 0.0) continue;
-    const auto area = static_cast<float>(twice_area * kPi / parameters_.rays);
+    const auto twice_area_per_radian = unknownAlong(ray, viewpoint, map.grid(), last_free);
+    if (twice_area_per_radian <= 0.0F) continue;
+    const auto area = static_cast<float>(twice_area_per_radian * kPi / parameters_.rays);
     view.area += area;
-    view.glimpses.push_back({static_cast<std::uint32_t>(grid.geometry().index(last_free)), area});
+    view.glimpses.push_back({static_cast<std::uint32_t>(map.geometry().index(last_free)), area});
   }
+}
+
+/// Twice the unknown area per radian along a ray [m^2], up to `unknown_depth` behind the first unknown cell;
+/// `last_free` is the last known one before that.
+float FrontierViews::unknownAlong(const std::vector<RayCell>& ray, Cell viewpoint, const OccupancyGrid& map,
+                                  Cell& last_free) const {
+  const auto depth = static_cast<float>(parameters_.unknown_depth);
+  float end = std::numeric_limits<float>::infinity();
+  float reached = 0.0F, twice_area = 0.0F;
+  for (const RayCell& at : ray) {
+    const Cell cell{viewpoint.x + at.x, viewpoint.y + at.y};
+    const std::int8_t value = map.get(cell, kOccupied);
+    if (isOccupied(value)) break;
+    if (isUnknown(value)) {
+      end = std::min(end, at.along + depth);
+      twice_area += at.along * at.along - reached * reached;
+    } else if (std::isinf(end)) {
+      last_free = cell;
+    }
+    reached = at.along;
+    if (reached >= end) break;
+  }
+  return twice_area;
 }
 
 }  // namespace frontier_pilot::exploration

@@ -32,9 +32,18 @@ class FrontierViews {
     double area = 0.0;
     std::vector<Glimpse> glimpses;
   };
+  /// A cell that a ray passes through, relative to the viewpoint, and how far along the ray its centre is [m].
+  struct RayCell {
+    std::int16_t x = 0, y = 0;
+    float along = 0.0F;
+  };
+  void drawRays(double resolution);
   void look(Cell viewpoint, const ObservedMap& map, View& view) const;
+  float unknownAlong(const std::vector<RayCell>& ray, Cell viewpoint, const OccupancyGrid& map, Cell& last_free) const;
 
   ViewParameters parameters_;
+  double resolution_ = 0.0;                 ///< that the rays are drawn for [m]
+  std::vector<std::vector<RayCell>> rays_;  ///< from the centre of a cell: the same for all viewpoints
   std::unordered_map<std::size_t, View> views_;
 };
 

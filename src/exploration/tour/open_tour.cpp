@@ -98,28 +98,33 @@ Tour insertCheapest(const TourCosts& costs) {
   return tour;
 }
 
-/// Improves a tour by local changes.
+/// Improves a tour by local changes: Or-opt, which moves up to three stops, and 2-opt, which reverses a part. What a
+/// change saves follows from the steps at its ends, and from the costs of the part in both directions.
 class LocalSearch {
  public:
-  explicit LocalSearch(const TourCosts& costs) : costs_(costs) {}
+  LocalSearch(const TourCosts& costs, Tour& tour) : costs_(costs), tour_(tour) { sumUp(); }
 
-  void improve(Tour& tour) {
+  void improve() {
     constexpr int kMaxRounds = 50;
-    for (int round = 0; round < kMaxRounds && (moveOne(tour) || reverseOne(tour)); ++round) {
+    for (int round = 0; round < kMaxRounds && (moveOne() || reverseOne()); ++round) {
     }
   }
 
  private:
-  bool moveOne(Tour& tour) {
+  static constexpr std::size_t kNone =
+      std::numeric_limits<std::size_t>::max();  ///< before the first and after the last
+
+  bool moveOne() {
     constexpr std::size_t kMostMoved = 3;
-    double cost = costOf(tour, costs_);
     bool any = false;
-    for (std::size_t length = 1; length <= std::min(kMostMoved, tour.size()); ++length) {
-      for (std::size_t from = 0; from + length <= tour.size(); ++from) {
-        for (std::size_t to = 0; to + length <= tour.size(); ++to) {
+    for (std::size_t length = 1; length <= std::min(kMostMoved, tour_.size()); ++length) {
+      for (std::size_t from = 0; from + length <= tour_.size(); ++from) {
+        for (std::size_t to = 0; to + length <= tour_.size(); ++to) {
           for (const bool reversed : {false, true}) {
             if (to == from && (!reversed || length == 1)) continue;
-            any = take(moved(tour, from, length, to, reversed), tour, cost) || any;
+            if (addedByMove(from, length, to, reversed) >= -kEnough) continue;
+            move(from, length, to, reversed);
+            any = true;
           }
         }
       }
@@ -127,42 +132,70 @@ class LocalSearch {
     return any;
   }
 
-  bool reverseOne(Tour& tour) {
-    double cost = costOf(tour, costs_);
+  bool reverseOne() {
     bool any = false;
-    for (std::size_t begin = 0; begin + 1 < tour.size(); ++begin) {
-      for (std::size_t end = begin + 2; end <= tour.size(); ++end) {
-        candidate_ = tour;
-        std::reverse(candidate_.begin() + static_cast<std::ptrdiff_t>(begin),
-                     candidate_.begin() + static_cast<std::ptrdiff_t>(end));
-        any = take(candidate_, tour, cost) || any;
+    for (std::size_t begin = 0; begin + 1 < tour_.size(); ++begin) {
+      for (std::size_t end = begin + 2; end <= tour_.size(); ++end) {
+        const std::size_t before = stopBefore(begin), first = tour_[begin], last = tour_[end - 1], after = stopAt(end);
+        const double added = step(before, last) + step(first, after) - step(before, first) - step(last, after) +
+                             backward(begin, end) - forward(begin, end);
+        if (added >= -kEnough) continue;
+        std::reverse(at(begin), at(end));
+        sumUp();
+        any = true;
       }
     }
     return any;
   }
 
-  const Tour& moved(const Tour& tour, std::size_t from, std::size_t length, std::size_t to, bool reversed) {
-    candidate_ = tour;
-    const auto at = [&](std::size_t i) { return candidate_.begin() + static_cast<std::ptrdiff_t>(i); };
+  /// What moving tour[from, from + length) so that it begins at `to` adds to the cost.
+  double addedByMove(std::size_t from, std::size_t length, std::size_t to, bool reversed) const {
+    const std::size_t end = from + length;
+    const std::size_t before = stopBefore(from), after = stopAt(end);
+    // The stops between which the part comes to lie, once it has been taken out.
+    const std::size_t left = to <= from ? stopBefore(to) : tour_[to + length - 1];
+    const std::size_t right = to < from ? tour_[to] : stopAt(to + length);
+    const std::size_t first = reversed ? tour_[end - 1] : tour_[from];
+    const std::size_t last = reversed ? tour_[from] : tour_[end - 1];
+    const double taken_out = step(before, after) - step(before, tour_[from]) - step(tour_[end - 1], after);
+    const double put_in = step(left, first) + step(last, right) - step(left, right);
+    return taken_out + put_in + (reversed ? backward(from, end) - forward(from, end) : 0.0);
+  }
+
+  void move(std::size_t from, std::size_t length, std::size_t to, bool reversed) {
     if (to < from) {
       std::rotate(at(to), at(from), at(from + length));
     } else {
       std::rotate(at(from), at(from + length), at(to + length));
     }
     if (reversed) std::reverse(at(to), at(to + length));
-    return candidate_;
+    sumUp();
   }
 
-  bool take(const Tour& candidate, Tour& tour, double& cost) const {
-    const double now = costOf(candidate, costs_);
-    if (now >= cost - kEnough) return false;
-    tour = candidate;
-    cost = now;
-    return true;
+  Tour::iterator at(std::size_t position) { return tour_.begin() + static_cast<std::ptrdiff_t>(position); }
+  std::size_t stopAt(std::size_t position) const { return position < tour_.size() ? tour_[position] : kNone; }
+  std::size_t stopBefore(std::size_t position) const { return position > 0 ? tour_[position - 1] : kNone; }
+
+  double step(std::size_t from, std::size_t to) const {
+    if (from == kNone) return to == kNone ? 0.0 : costs_.first[to];
+    return to == kNone ? costs_.last[from] : costs_.leg(from, to);
+  }
+  double forward(std::size_t begin, std::size_t end) const { return forward_[end - 1] - forward_[begin]; }
+  double backward(std::size_t begin, std::size_t end) const { return backward_[end - 1] - backward_[begin]; }
+
+  void sumUp() {
+    forward_.assign(tour_.size(), 0.0);
+    backward_.assign(tour_.size(), 0.0);
+    for (std::size_t i = 1; i < tour_.size(); ++i) {
+      forward_[i] = forward_[i - 1] + costs_.leg(tour_[i - 1], tour_[i]);
+      backward_[i] = backward_[i - 1] + costs_.leg(tour_[i], tour_[i - 1]);
+    }
   }
 
   const TourCosts& costs_;
-  Tour candidate_;
+  Tour& tour_;
+  std::vector<double> forward_;   ///< cost of the steps from the first stop to each
+  std::vector<double> backward_;  ///< cost of the steps from each stop to the first
 };
 
 }  // namespace
@@ -178,7 +211,7 @@ Tour solveOpenTour(const TourCosts& costs) {
   if (costs.size() == 0) return {};
   if (costs.size() <= kMostForExact) return ExactTour(costs).solve();
   Tour tour = insertCheapest(costs);
-  LocalSearch(costs).improve(tour);
+  LocalSearch(costs, tour).improve();
   return tour;
 }
 

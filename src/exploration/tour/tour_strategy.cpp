@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exploration/tour/unknown_region.h"
-
 namespace frontier_pilot::exploration {
 namespace {
 
@@ -32,8 +30,7 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   seek();
   viewpoints_ = search_.find(evaluator, sought_, situation.current);
   if (isNearlyThere(situation)) return goalAt(*situation.current, situation);
-  distances_.restart(viewpoints_, evaluator);
-  turns_ = distances_.turnsFrom(situation.T_map_robot);
+  distances_.restart(viewpoints_, evaluator, situation.T_map_robot);
   ways_home_ = situation.home ? distances_.to(*situation.home) : std::vector<double>(viewpoints_.size(), kNoWay);
   measureOpenAreas();
   findSlivers();
@@ -78,11 +75,10 @@ void TourStrategy::seek() {
 }
 
 void TourStrategy::measureOpenAreas() {
-  constexpr double kRadius = 2.5;  // [m]
   const std::vector<Frontier>& all = evaluator_->frontiers();
   open_areas_.assign(all.size(), 0.0);
   for (const SoughtFrontier& each : sought_) {
-    open_areas_[each.index] = unknownAreaBehind(evaluator_->map().grid(), all[each.index].anchor, kRadius);
+    open_areas_[each.index] = regions_.areaBehind(all[each.index].anchor, evaluator_->map());
   }
 }
 
@@ -224,12 +220,14 @@ double TourStrategy::exitOf(const Stop& stop) const {
 TourCosts TourStrategy::price(const std::vector<Stop>& stops) {
   constexpr double kShareOfTurn = 0.7;  // of a turn on the spot: the robot turns while it drives
   TourCosts costs(stops.size());
+  std::vector<std::size_t> viewpoints;
+  for (const Stop& stop : stops) viewpoints.push_back(stop.viewpoint);
+  distances_.connect(viewpoints);
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const std::size_t viewpoint = stops[i].viewpoint;
-    costs.first[i] = secondsFor(wayTo(viewpoint)) + kShareOfTurn * turns_[viewpoint] / limits_.max_angular;
-    const std::vector<double>& row = distances_.from(viewpoint);
+    costs.first[i] = secondsFor(wayTo(viewpoint)) + kShareOfTurn * distances_.turnTo(viewpoint) / limits_.max_angular;
     for (std::size_t j = 0; j < stops.size(); ++j) {
-      costs.leg(i, j) = secondsFor(row[stops[j].viewpoint] + exitOf(stops[i]));
+      costs.leg(i, j) = secondsFor(distances_.between(viewpoint, viewpoints[j]) + exitOf(stops[i]));
     }
     const double way_home = ways_home_[viewpoint];
     if (way_home >= 0.0) costs.last[i] = secondsFor(way_home + exitOf(stops[i]));

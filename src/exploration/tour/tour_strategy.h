@@ -6,6 +6,7 @@
 #include "exploration/goal_strategy.h"
 #include "exploration/history/blacklist.h"
 #include "exploration/tour/open_tour.h"
+#include "exploration/tour/unknown_region.h"
 #include "exploration/tour/viewpoint_distances.h"
 #include "exploration/tour/viewpoints.h"
 
@@ -72,11 +73,11 @@ class TourStrategy : public GoalStrategy {
   RobotLimits limits_;
   ViewpointSearch search_;
   ViewpointDistances distances_;
-  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next seven
+  UnknownRegions regions_;
+  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next six
   std::vector<SoughtFrontier> sought_;
   bool all_sought_ = true;  ///< false: farther frontiers are left out of the tour
   std::vector<Viewpoint> viewpoints_;
-  std::vector<double> turns_;       ///< before the way to each viewpoint begins [rad]
   std::vector<double> ways_home_;   ///< from each viewpoint [m]; negative where none leads or none is wanted
   std::vector<double> open_areas_;  ///< unknown area around each frontier [m^2]
   std::vector<bool> slivers_;       ///< by frontier

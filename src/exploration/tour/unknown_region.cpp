@@ -1,14 +1,16 @@
 #include "exploration/tour/unknown_region.h"
 
-#include <cstdint>
 #include <vector>
 
 #include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::exploration {
+namespace {
 
-double unknownAreaBehind(const OccupancyGrid& map, Cell frontier, double radius) {
-  const int reach = static_cast<int>(radius / map.resolution());
+constexpr double kRadius = 2.5;  // [m]
+
+double unknownAreaBehind(const OccupancyGrid& map, Cell frontier) {
+  const int reach = static_cast<int>(kRadius / map.resolution());
   grids::CellWindow<std::uint8_t> seen(frontier, reach, 0);
   std::vector<Cell> open;
   const auto visit = [&](Cell c) {
@@ -26,6 +28,18 @@ double unknownAreaBehind(const OccupancyGrid& map, Cell frontier, double radius)
     visit({c.x, c.y - 1});
   }
   return static_cast<double>(open.size()) * map.resolution() * map.resolution();
+}
+
+}  // namespace
+
+double UnknownRegions::areaBehind(Cell frontier, const ObservedMap& map) {
+  constexpr std::size_t kMost = 20000;
+  if (geometry_ != map.geometry() || regions_.size() > kMost) regions_.clear();
+  geometry_ = map.geometry();
+  const std::uint64_t changes = map.changesAround(map.geometry().centre(frontier), kRadius) + 1;
+  Region& region = regions_[map.geometry().index(frontier)];
+  if (region.changes != changes) region = {changes, unknownAreaBehind(map.grid(), frontier)};
+  return region.area;
 }
 
 }  // namespace frontier_pilot::exploration

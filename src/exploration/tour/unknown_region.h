@@ -1,11 +1,28 @@
 #pragma once
 
-#include "frontier_pilot/core/grid.h"
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+
+#include "exploration/observed_map.h"
 
 namespace frontier_pilot::exploration {
 
-/// The unknown area [m^2] that is connected over 4-neighbours with the unknown neighbours of a frontier cell, within
-/// `radius` [m] of it: small for a pocket behind an object, large where the building goes on.
-double unknownAreaBehind(const OccupancyGrid& map, Cell frontier, double radius);
+/// The unknown area that is connected over 4-neighbours with the unknown neighbours of a frontier cell, within 2.5 m of
+/// it: small for a pocket behind an object, large where the building goes on. Remembered until the map changes there.
+class UnknownRegions {
+ public:
+  /// [m^2]
+  double areaBehind(Cell frontier, const ObservedMap& map);
+
+ private:
+  struct Region {
+    std::uint64_t changes = 0;  ///< of the map around the frontier, and one
+    double area = 0.0;          ///< [m^2]
+  };
+
+  GridGeometry geometry_;  ///< of the map, by which cells are numbered
+  std::unordered_map<std::size_t, Region> regions_;
+};
 
 }  // namespace frontier_pilot::exploration

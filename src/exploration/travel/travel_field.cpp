@@ -47,18 +47,31 @@ void TravelField::compute(const TraversableSpace& space, const OccupancyGrid& ma
   restart(map.geometry(), map.geometry().rect());
   if (!map.contains(start)) return;
   seed(space, map, start, escape_radius);
-  spread(space.neighbours(), kUnreached);
+  spread(space.neighbours(), kUnreached, [](std::uint32_t) { return false; });
 }
 
 void TravelField::compute(const Grid<std::uint8_t>& neighbours, Cell start, double farthest) {
+  spread(neighbours, begin(neighbours, start, farthest), [](std::uint32_t) { return false; });
+}
+
+void TravelField::compute(const Grid<std::uint8_t>& neighbours, Cell start, double farthest,
+                          const std::vector<Cell>& targets) {
+  auto next = targets.begin();
+  spread(neighbours, begin(neighbours, start, farthest), [&](std::uint32_t units) {
+    while (next != targets.end() && units_.get(*next, kUnreached) <= units) ++next;
+    return next == targets.end();
+  });
+}
+
+/// Queues `start`; returns `farthest` in the units of the labels.
+std::uint32_t TravelField::begin(const Grid<std::uint8_t>& neighbours, Cell start, double farthest) {
   const GridGeometry& geometry = neighbours.geometry();
   constexpr double kMostCells = 5e8;  // more than a path on any map has
   const double cells = std::min(std::ceil(farthest / geometry.resolution), kMostCells);
   const int reach = static_cast<int>(cells) + static_cast<int>(kRun) + 1;
   restart(geometry, CellRect{start.x, start.y, 1, 1}.grown(reach).intersection(geometry.rect()));
-  if (neighbours.get(start, 0) == 0) return;
-  push(geometry.index(start), kNoDirection, 0);
-  spread(neighbours, static_cast<std::uint32_t>(kStraight * cells));
+  if (neighbours.get(start, 0) != 0) push(geometry.index(start), kNoDirection, 0);
+  return static_cast<std::uint32_t>(kStraight * cells);
 }
 
 /// `window` will hold all cells that are reached.
@@ -76,10 +89,13 @@ void TravelField::restart(const GridGeometry& geometry, const CellRect& window) 
   queue_.reset(0);
 }
 
-void TravelField::spread(const Grid<std::uint8_t>& neighbours, std::uint32_t farthest) {
+template <class Ended>
+void TravelField::spread(const Grid<std::uint8_t>& neighbours, std::uint32_t farthest, Ended ended) {
   const std::uint8_t* open = neighbours.cells().data();
-  while (!queue_.empty()) {
+  std::uint32_t done = 0;
+  while (!queue_.empty() && !ended(done)) {
     queue_.popLeast([&](std::uint32_t entry, std::uint32_t units) {
+      done = units;
       const std::size_t index = entry >> 4U;
       // A label that differs belongs to a shorter path that was found since.
       if (units <= farthest && units_[index] == units) expandCell(index, entry & 15U, units, open);

@@ -64,6 +64,8 @@ class TravelField {
   /// symmetric, as far as `farthest` [m]; cells beyond it need not be reached. Nothing is reached if `start` has no
   /// neighbour. Costs what lies within that distance, not what the grid holds.
   void compute(const Grid<std::uint8_t>& neighbours, Cell start, double farthest);
+  /// The same, but only the distances of `targets` are exact: ends as soon as they are known. Others may be too large.
+  void compute(const Grid<std::uint8_t>& neighbours, Cell start, double farthest, const std::vector<Cell>& targets);
 
   bool reached(Cell c) const { return units_.get(c, kUnreached) != kUnreached; }
   /// Whether any cell of `rect` is reached.
@@ -81,7 +83,10 @@ class TravelField {
   static constexpr std::uint32_t kRun = 16;  ///< straight steps at once: the cells of a cache line
 
   void restart(const GridGeometry& geometry, const CellRect& window);
-  void spread(const Grid<std::uint8_t>& neighbours, std::uint32_t farthest);
+  /// `ended(units)` says whether that is enough when all labels of at most `units` are exact.
+  template <class Ended>
+  void spread(const Grid<std::uint8_t>& neighbours, std::uint32_t farthest, Ended ended);
+  std::uint32_t begin(const Grid<std::uint8_t>& neighbours, Cell start, double farthest);
   void seed(const TraversableSpace& space, const OccupancyGrid& map, Cell start, double escape_radius);
   void label(std::size_t index, std::uint32_t units);
   void push(std::size_t index, unsigned direction, std::uint32_t units);

@@ -165,9 +165,27 @@ TEST(UnknownArea, BehindAFrontierEndsAtWallsAndAtTheRadius_EXP_9) {
     ??????????
   )",
                                                   0.1);
-  EXPECT_NEAR(exploration::unknownAreaBehind(pocket.map, pocket.cell('f'), 2.5), 0.02, 1e-9);
   const test::AsciiWorld open = test::drawWorld("f" + std::string(100, '?'), 0.1);
-  EXPECT_NEAR(exploration::unknownAreaBehind(open.map, open.cell('f'), 2.5), 0.25, 1e-9);
+  exploration::UnknownRegions regions;
+  exploration::ObservedMap map;
+  for (int repeated = 0; repeated < 2; ++repeated) {
+    map.update(pocket.map, pocket.map.geometry().rect());
+    EXPECT_NEAR(regions.areaBehind(pocket.cell('f'), map), 0.02, 1e-9);
+    map.update(open.map, open.map.geometry().rect());
+    EXPECT_NEAR(regions.areaBehind(open.cell('f'), map), 0.25, 1e-9);
+  }
+}
+
+// [EXP-9]
+TEST(UnknownArea, IsMeasuredAgainWhenTheMapHasChangedThere_EXP_9) {
+  test::AsciiWorld open = test::drawWorld("f" + std::string(100, '?'), 0.1);
+  exploration::UnknownRegions regions;
+  exploration::ObservedMap map;
+  map.update(open.map, open.map.geometry().rect());
+  EXPECT_NEAR(regions.areaBehind(open.cell('f'), map), 0.25, 1e-9);
+  open.map[Cell{11, 0}] = kFree;
+  map.update(open.map, {11, 0, 1, 1});
+  EXPECT_NEAR(regions.areaBehind(open.cell('f'), map), 0.1, 1e-9);
 }
 
 }  // namespace

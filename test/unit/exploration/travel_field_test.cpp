@@ -192,5 +192,31 @@ TEST(TravelFieldOverMasks, IsExactWithinTheDistanceAskedForAndForgetsTheOneBefor
   }
 }
 
+// [EXP-9]
+TEST(TravelFieldOverMasks, IsExactAtTheTargetsAndDoesNotGoOnBeyondThem_EXP_9) {
+  exploration::TraversableSpace space(0.0);
+  exploration::TravelField whole;
+  exploration::TravelField aimed;
+  constexpr double kAnywhere = 100.0;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    OccupancyGrid map = clutter(seed, 120, 90, 5);
+    const Cell start{10, 10};
+    map[start] = kFree;
+    space.update(map, map.geometry().rect());
+    whole.compute(space.neighbours(), start, kAnywhere);
+    for (const std::vector<Cell>& targets : {std::vector<Cell>{{30, 12}}, {{12, 30}, {20, 20}, {5, 5}}, {}}) {
+      aimed.compute(space.neighbours(), start, kAnywhere, targets);
+      bool all = true;
+      for (const Cell target : targets) {
+        EXPECT_EQ(aimed.distance(target), whole.distance(target)) << "seed " << seed;
+        all = all && whole.reached(target);
+      }
+      if (all) {
+        EXPECT_LT(aimed.reachedCount(), whole.reachedCount() / 2) << "seed " << seed;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace frontier_pilot
