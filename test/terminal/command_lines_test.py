@@ -36,7 +36,7 @@ def benchmarks():
 
 
 def scripts():
-    return sorted(path for path in (ROOT / 'scripts').iterdir() if path.is_file() and path.name not in MODULES)
+    return sorted(path for path in (ROOT / 'scripts').iterdir() if path.is_file() and os.access(path, os.X_OK))
 
 
 def rows_of_readme():
