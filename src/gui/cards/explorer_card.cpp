@@ -152,7 +152,7 @@ void ExplorerCard::showFigures(const teleop::ExplorerView& explorer) {
   distance_->setText(QString("%1 m").arg(explorer.distance_travelled, 0, 'f', 1));
   frontiers_->setText(QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));
   share_->setText(explorer.share_explored ? QString("≈ %1 %").arg(100.0 * *explorer.share_explored, 0, 'f', 0) : "–");
-  goals_->setFullText(QString("Goals: %1 seen on the way, %2 reached, %3 failed")
+  goals_->setFullText(QString("Goals: %1 seen, %2 reached, %3 failed")
                           .arg(explorer.goals_seen)
                           .arg(explorer.goals_reached)
                           .arg(explorer.goals_failed));

@@ -75,7 +75,7 @@ TEST_F(Attention, GoalsAreCountedAsSeenReachedAndFailed) {
   state_.explorer->goals_reached = 3;
   state_.explorer->goals_failed = 1;
   widget_->setState(state_);
-  EXPECT_EQ(find<gui::ElidedLabel>("explorer_goals")->fullText(), "Goals: 24 seen on the way, 3 reached, 1 failed");
+  EXPECT_EQ(find<gui::ElidedLabel>("explorer_goals")->fullText(), "Goals: 24 seen, 3 reached, 1 failed");
 }
 
 }  // namespace
