@@ -102,6 +102,6 @@ int driveAll(const std::vector<std::string>& paths) {
 }  // namespace frontier_pilot::bench
 
 int main(int argc, char** argv) {
-  using namespace frontier_pilot;
-  return tools::runProgram("driving_bench", {argv + 1, argv + argc}, bench::kUsage, bench::driveAll);
+  namespace bench = frontier_pilot::bench;
+  return frontier_pilot::tools::runProgram("driving_bench", {argv + 1, argv + argc}, bench::kUsage, bench::driveAll);
 }

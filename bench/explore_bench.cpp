@@ -289,7 +289,7 @@ int runAll(const Options& options) {
 }  // namespace frontier_pilot::bench
 
 int main(int argc, char** argv) {
-  using namespace frontier_pilot;
-  return tools::runProgram("explore_bench", {argv + 1, argv + argc}, bench::kUsage,
-                           [](const auto& words) { return bench::runAll(bench::parse(words)); });
+  namespace bench = frontier_pilot::bench;
+  return frontier_pilot::tools::runProgram("explore_bench", {argv + 1, argv + argc}, bench::kUsage,
+                                           [](const auto& words) { return bench::runAll(bench::parse(words)); });
 }

@@ -87,9 +87,10 @@ void run(const Options& options) {
 }  // namespace frontier_pilot::bench
 
 int main(int argc, char** argv) {
-  using namespace frontier_pilot;
-  return tools::runProgram("floor_plans", {argv + 1, argv + argc}, bench::kUsage, [](const auto& words) {
-    bench::run(bench::parse(words));
-    return 0;
-  });
+  namespace bench = frontier_pilot::bench;
+  return frontier_pilot::tools::runProgram("floor_plans", {argv + 1, argv + argc}, bench::kUsage,
+                                           [](const auto& words) {
+                                             bench::run(bench::parse(words));
+                                             return 0;
+                                           });
 }
