@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 """How long a velocity command takes through the arbiter, compared to a bare topic_tools/relay in the same run.
 
-    bench/arbiter_latency.py build/bin/arbiter_latency_probe
-
 It needs a roscore that nothing else uses, and starts the nodes that it measures.
 
 The probe (arbiter_latency_probe) is C++, with TCP_NODELAY on both sides; it sends a command and stamps its return.
 """
-import argparse
 import os
 import signal
 import subprocess
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts'))
+from command_line import CommandLine  # noqa: E402
 
 
 def start(*command):
@@ -19,8 +19,7 @@ def start(*command):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = CommandLine(__doc__, 'bench/arbiter_latency.py build/bin/arbiter_latency_probe')
     parser.add_argument('probe', help='the built arbiter_latency_probe')
     parser.add_argument('--seconds', type=float, default=10.0, help='of each rate')
     parser.add_argument('--stops', type=int, default=1000, help='emergency stops under load')
@@ -28,7 +27,7 @@ def main():
     nodes = [start('rosrun', 'topic_tools', 'relay', 'relay_in', 'relay_out', '__name:=bare_relay'),
              start('rosrun', 'frontier_pilot', 'cmd_vel_arbiter', '_clear_quiet_time:=0.02')]
     try:
-        return subprocess.call([arguments.probe, str(arguments.seconds), str(arguments.stops)])
+        return subprocess.call([arguments.probe, '--seconds', str(arguments.seconds), '--stops', str(arguments.stops)])
     finally:
         for node in nodes:
             os.killpg(node.pid, signal.SIGINT)

@@ -9,14 +9,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "ros/common/clock.h"
+#include "tools/arguments.h"
+#include "tools/program.h"
 
 namespace {
 
@@ -179,14 +181,30 @@ void measureStops(ros::NodeHandle& node, int count) {
               percentile(latencies, 0.5), percentile(latencies, 0.99), percentile(latencies, 0.999), latencies.back());
 }
 
-}  // namespace
+struct Options {
+  double seconds = 10.0;  ///< of each rate
+  int stops = 1000;
+};
 
-int main(int argc, char** argv) {
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  ros::init(argc, argv, "arbiter_latency_probe");
+Options parse(const std::vector<std::string>& words) {
+  Options options;
+  frontier_pilot::tools::Arguments arguments(words);
+  while (!arguments.atEnd()) {
+    const std::string word = arguments.next();
+    if (word == "--seconds") {
+      options.seconds = arguments.number();
+    } else if (word == "--stops") {
+      options.stops = arguments.integer();
+    } else {
+      throw std::invalid_argument("unknown argument " + word);
+    }
+  }
+  return options;
+}
+
+int probe(const Options& options) {
+  const double seconds = options.seconds;
   ros::NodeHandle node;
-  const double seconds = argc > 1 ? std::atof(argv[1]) : 10.0;
-  const int stops = argc > 2 ? std::atoi(argv[2]) : 1000;
   Path relay(node, "relay_in", "relay_out");
   Path arbiter(node, "cmd_vel_behavior", "cmd_vel");
   // A relay advertises its output only after it has received its first message.
@@ -206,6 +224,30 @@ int main(int argc, char** argv) {
     for (int minute_part = 0; minute_part < 3; ++minute_part) measure(relay, arbiter, 200.0, 2.0 * seconds);
   }
   std::printf("memory of the arbiter before and after: %ld kB, %ld kB\n", before, residentKilobytes("cmd_vel_arbiter"));
-  measureStops(node, stops);
+  measureStops(node, options.stops);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  constexpr const char* kUsage =
+      "usage: arbiter_latency_probe [--seconds S] [--stops N]\n"
+      "Measures latencies over ROS: through the arbiter (cmd_vel_behavior, cmd_vel), through a relay (relay_in, "
+      "relay_out),\n"
+      "and from emergency_stop to the last non-zero message. Started by arbiter_latency.py with the nodes it "
+      "measures.\n"
+      "  --seconds S  of each rate (10)\n"
+      "  --stops N    emergency stops under load (1000)\n"
+      "Example:\n"
+      "  bench/arbiter_latency.py build/bin/arbiter_latency_probe\n";
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  std::vector<std::string> words;
+  ros::removeROSArgs(argc, argv, words);
+  return frontier_pilot::tools::runProgram("arbiter_latency_probe", {words.begin() + 1, words.end()}, kUsage,
+                                           [&](const auto& given) {
+                                             const Options options = parse(given);
+                                             ros::init(argc, argv, "arbiter_latency_probe");
+                                             return probe(options);
+                                           });
 }

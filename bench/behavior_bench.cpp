@@ -1,15 +1,19 @@
 // How exactly patrols return to their start and spins reach their angle, in lockstep with the simulator; as a table.
-// Usage: behavior_bench [seeds of the noisy runs]
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "frontier_pilot/behavior/collision_check.h"
 #include "frontier_pilot/behavior/timed_behavior.h"
 #include "frontier_pilot/patrol/patrol.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "tools/arguments.h"
+#include "tools/program.h"
 
 namespace frontier_pilot {
 namespace {
@@ -144,15 +148,33 @@ void tabulateSpins(int count) {
               1e6 * thought.count() / cycles, 1e6 * eyes.spent.count() / eyes.scans);
 }
 
+int tabulateAll(const std::vector<std::string>& words) {
+  int seeds = 50;
+  tools::Arguments arguments(words);
+  while (!arguments.atEnd()) {
+    if (const std::string word = arguments.next(); word != "--seeds")
+      throw std::invalid_argument("unknown argument " + word);
+    seeds = arguments.integer();
+  }
+  std::printf("| closing error | cycles | odometry | runs | mean mm | worst mm | mean deg | worst deg |\n");
+  std::printf("|---|---|---|---|---|---|---|---|\n");
+  tabulatePatrols(false, 1);
+  tabulatePatrols(true, seeds);
+  tabulateSpins(200);
+  return 0;
+}
+
 }  // namespace
 }  // namespace frontier_pilot
 
 int main(int argc, char** argv) {
-  const int seeds = argc > 1 ? std::atoi(argv[1]) : 50;
-  std::printf("| closing error | cycles | odometry | runs | mean mm | worst mm | mean deg | worst deg |\n");
-  std::printf("|---|---|---|---|---|---|---|---|\n");
-  frontier_pilot::tabulatePatrols(false, 1);
-  frontier_pilot::tabulatePatrols(true, seeds);
-  frontier_pilot::tabulateSpins(200);
-  return 0;
+  constexpr const char* kUsage =
+      "usage: behavior_bench [--seeds N]\n"
+      "How exactly patrols return to their start and spins reach their angle, in lockstep with the simulator; a "
+      "table.\n"
+      "  --seeds N  of the runs with noise (50)\n"
+      "Example:\n"
+      "  behavior_bench --seeds 10\n";
+  return frontier_pilot::tools::runProgram("behavior_bench", {argv + 1, argv + argc}, kUsage,
+                                           frontier_pilot::tabulateAll);
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The time from the cancel of a patrol or a spin to the first zero of its source and of cmd_vel. For comparison, the
 round trip of a message through a bare topic_tools/relay is measured in the same runs: what exceeds it is caused by this
-package. Needs the simulator, the arbiter and both action servers. Usage: cancel_latency.py [runs]"""
+package. Needs the simulator, the arbiter and both action servers."""
+import os
 import statistics
 import subprocess
 import sys
@@ -14,6 +15,9 @@ from geometry_msgs.msg import Twist
 from std_srvs.srv import Empty
 
 from frontier_pilot.msg import PatrolAction, PatrolGoal, SpinAction, SpinGoal
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts'))
+from command_line import CommandLine  # noqa: E402
 
 
 class Watch:
@@ -84,8 +88,10 @@ def measure(name, client, goal, source, runs, relay):
 
 
 if __name__ == '__main__':
+    parser = CommandLine(__doc__, 'bench/cancel_latency.py 20')
+    parser.add_argument('runs', nargs='?', type=int, default=50)
+    count = parser.parse_args(rospy.myargv()[1:]).runs
     rospy.init_node('cancel_latency')
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 50
     patrol = PatrolGoal()
     patrol.goal.x, patrol.goal.y, patrol.goal.z = 1, 1.0, 1
     bare = Relay()

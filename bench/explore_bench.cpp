@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,6 +25,7 @@
 #include "support/progress_track.h"
 #include "support/svg.h"
 #include "tools/arguments.h"
+#include "tools/program.h"
 
 namespace frontier_pilot::bench {
 namespace {
@@ -290,10 +289,7 @@ int runAll(const Options& options) {
 }  // namespace frontier_pilot::bench
 
 int main(int argc, char** argv) {
-  try {
-    return frontier_pilot::bench::runAll(frontier_pilot::bench::parse({argv + 1, argv + argc}));
-  } catch (const std::exception& error) {
-    std::cerr << "explore_bench: " << error.what() << "\n" << frontier_pilot::bench::kUsage;
-    return 2;
-  }
+  namespace bench = frontier_pilot::bench;
+  return frontier_pilot::tools::runProgram("explore_bench", {argv + 1, argv + argc}, bench::kUsage,
+                                           [](const auto& words) { return bench::runAll(bench::parse(words)); });
 }

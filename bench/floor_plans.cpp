@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "frontier_pilot/map_files/map_image.h"
 #include "support/floor_plan.h"
 #include "tools/arguments.h"
+#include "tools/program.h"
 
 namespace frontier_pilot::bench {
 namespace {
@@ -20,7 +19,11 @@ namespace {
 constexpr const char* kUsage =
     "usage: floor_plans --out DIRECTORY [--plans A-B]\n"
     "Writes plan_01.yaml, plan_01.pgm and so on. There are 40 plans: the odd ones for tuning, the even ones for\n"
-    "reporting.\n";
+    "reporting.\n"
+    "  --out DIRECTORY  where to write them\n"
+    "  --plans A-B      which of them (1-40)\n"
+    "Example:\n"
+    "  floor_plans --out /tmp/plans --plans 1-10\n";
 
 struct Options {
   std::string out;
@@ -84,10 +87,10 @@ void run(const Options& options) {
 }  // namespace frontier_pilot::bench
 
 int main(int argc, char** argv) {
-  try {
-    frontier_pilot::bench::run(frontier_pilot::bench::parse({argv + 1, argv + argc}));
-  } catch (const std::exception& error) {
-    std::cerr << "floor_plans: " << error.what() << "\n" << frontier_pilot::bench::kUsage;
-    return 2;
-  }
+  namespace bench = frontier_pilot::bench;
+  return frontier_pilot::tools::runProgram("floor_plans", {argv + 1, argv + argc}, bench::kUsage,
+                                           [](const auto& words) {
+                                             bench::run(bench::parse(words));
+                                             return 0;
+                                           });
 }

@@ -18,8 +18,13 @@
 #include "frontier_pilot/exploration/explorer.h"
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/simulator.h"
+#include "support/benchmark_main.h"
 #include "support/buildings.h"
 #include "support/cpu_stopwatch.h"
+
+const char* const frontier_pilot::bench::kPurpose =
+    "Frontier search and the reachability wavefront on whole maps, from scratch.\n"
+    "Worlds: the folder in FRONTIER_PILOT_WORLDS, or else ../shared/worlds.\n";
 
 namespace frontier_pilot {
 namespace {

@@ -12,7 +12,12 @@
 #include "frontier_pilot/sim/simulator.h"
 #include "sim/collision_map.h"
 #include "sim/solid_cells.h"
+#include "support/benchmark_main.h"
 #include "support/buildings.h"
+
+const char* const frontier_pilot::bench::kPurpose =
+    "What a ray, a scan and a step of the simulator cost, and how that grows with the number of robots.\n"
+    "Worlds: the folder in FRONTIER_PILOT_WORLDS, or else ../shared/worlds.\n";
 
 namespace frontier_pilot::sim {
 namespace {

@@ -20,8 +20,13 @@
 #include "frontier_pilot/mapping/map_schedule.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "occupancy/octree_layer.h"
+#include "support/benchmark_main.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
+
+const char* const frontier_pilot::bench::kPurpose =
+    "What a scan costs the mapper on the Willow Garage floor, and what publishing and saving the map cost.\n"
+    "Worlds: the folder in FRONTIER_PILOT_WORLDS, or else ../shared/worlds.\n";
 
 namespace frontier_pilot {
 namespace {

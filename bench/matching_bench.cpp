@@ -26,9 +26,14 @@
 #include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "slam/front_end/local_slam.h"
+#include "support/benchmark_main.h"
 #include "support/buildings.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
+
+const char* const frontier_pilot::bench::kPurpose =
+    "What tracking the robot's pose costs, and how far the estimate drifts without loop closures.\n"
+    "Worlds: the folder in FRONTIER_PILOT_WORLDS, or else ../shared/worlds.\n";
 
 namespace frontier_pilot {
 namespace {

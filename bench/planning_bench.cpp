@@ -17,7 +17,12 @@
 #include "frontier_pilot/sim/simulator.h"
 #include "planning/grid_search.h"
 #include "support/any_angle_reference.h"
+#include "support/benchmark_main.h"
 #include "support/buildings.h"
+
+const char* const frontier_pilot::bench::kPurpose =
+    "Planning on the Willow Garage floor: time, expanded cells, and length compared to the shortest path.\n"
+    "Worlds: the folder in FRONTIER_PILOT_WORLDS, or else ../shared/worlds.\n";
 
 namespace frontier_pilot::bench {
 namespace {

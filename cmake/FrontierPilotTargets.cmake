@@ -111,7 +111,8 @@ endfunction()
 # frontier_pilot_benchmark(<name> [DEPENDS <modules>] [SUPPORT <files>]): the same with Google Benchmark.
 function(frontier_pilot_benchmark name)
   frontier_pilot_bench_program(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE benchmark::benchmark_main)
+  target_sources(${name} PRIVATE support/benchmark_main.cpp)
+  target_link_libraries(${name} PRIVATE frontier_pilot_tools benchmark::benchmark)
 endfunction()
 
 # frontier_pilot_ros_target(<target>): flags and includes of a target that uses ROS. ROS' headers are system headers, so

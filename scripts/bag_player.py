@@ -26,6 +26,7 @@ from tf2_msgs.msg import TFMessage
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 from bag_drive import LATCHED, Drive  # noqa: E402
 from bag_topics import BagError, numbers_in, read_bag  # noqa: E402
+from command_line import CommandLine  # noqa: E402
 
 PERIOD = 0.01  # between two looks at the clock [s]
 LONGEST_STEP = 0.1  # of real time [s]: a player that was held up does not let the clock jump
@@ -163,9 +164,7 @@ def save_map(path):
 
 
 def main():
-    if any(word in ('-h', '--help') for word in sys.argv[1:]):
-        print(__doc__)
-        return 0
+    CommandLine(__doc__, 'rosrun frontier_pilot bag_player.py _bag:=/path/drive.bag _speed:=2').parse_args(rospy.myargv()[1:])
     rospy.init_node('bag_player')
     defaults = {'scan': '', 'odom': '', 'base_frame': 'base_footprint', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': ''}
     options = {name: str(rospy.get_param('~' + name, default)) for name, default in defaults.items()}

@@ -2,13 +2,13 @@
 """Writes its standard input to FILE and keeps no more than the last SIZE bytes on the disk: when FILE has half of that,
 it is renamed to FILE.1, which replaces an older FILE.1, and a new FILE is begun.
 
-Usage: bounded_log.py FILE [SIZE]    SIZE: 20000000 if not given
-
 It ends when its input ends, and ignores SIGINT and SIGTERM, so that the last output of the writing processes is kept.
 """
 import os
 import signal
 import sys
+
+from command_line import CommandLine
 
 
 def open_new(path):
@@ -37,12 +37,14 @@ def copy(source, path, size):
 
 
 def main():
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit(__doc__)
+    parser = CommandLine(__doc__, 'roslaunch ... 2>&1 | scripts/bounded_log.py /tmp/log 1000000')
+    parser.add_argument('file')
+    parser.add_argument('size', nargs='?', type=int, default=20000000, help='in bytes (20000000)')
+    arguments = parser.parse_args()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)
     try:
-        copy(sys.stdin.fileno(), sys.argv[1], int(sys.argv[2]) if len(sys.argv) == 3 else 20000000)
+        copy(sys.stdin.fileno(), arguments.file, arguments.size)
     except OSError as error:
         print('bounded_log.py: %s' % error, file=sys.stderr)
         while os.read(sys.stdin.fileno(), 65536):  # a full disk must not block the writing processes

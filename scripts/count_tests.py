@@ -6,8 +6,9 @@ its test died while writing it. A ROS test leaves two files: rosunit-*.xml with 
 case for the whole, which fails if the test died and passes even if cases failed.
 """
 import pathlib
-import sys
 import xml.etree.ElementTree as xml
+
+from command_line import CommandLine
 
 
 def cases(path):
@@ -19,8 +20,11 @@ def cases(path):
 
 
 def main():
+    parser = CommandLine(__doc__, 'scripts/count_tests.py build/test/test_results')
+    parser.add_argument('folder')
+    folder = parser.parse_args().folder
     passed, failed = 0, []
-    for path in sorted(pathlib.Path(sys.argv[1]).rglob('*.xml')):
+    for path in sorted(pathlib.Path(folder).rglob('*.xml')):
         try:
             found = list(cases(path))
         except xml.ParseError:

@@ -4,13 +4,14 @@
 Deterministic: running it again changes nothing. The YAML's extra key `start: [x, y, yaw]` (m, m, rad; frame of the map)
 is where a robot starts unless another pose is given; map_server ignores it.
 
-Usage: draw_worlds.py [DIRECTORY]
 """
 import os
 import random
 import sys
 
 import numpy as np
+
+from command_line import CommandLine
 
 RESOLUTION = 0.05  # [m] side of a cell
 WALL = 0.15        # [m] thickness of a wall between rooms
@@ -252,7 +253,9 @@ def save(directory, name, plan, start, about):
 
 def main():
     here = os.path.dirname(os.path.abspath(__file__))
-    directory = sys.argv[1] if len(sys.argv) > 1 else os.path.join(here, '..', 'config', 'worlds')
+    parser = CommandLine(__doc__, 'scripts/draw_worlds.py /tmp/worlds')
+    parser.add_argument('directory', nargs='?', default=os.path.join(here, '..', 'config', 'worlds'))
+    directory = parser.parse_args().directory
     os.makedirs(directory, exist_ok=True)
     for draw in WORLDS:
         plan, start = draw()

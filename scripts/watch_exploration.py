@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Watches an exploration, prints its progress periodically, and saves the map when it is done.
+"""Watches an exploration, prints its progress periodically, and saves the map when it is done or on Ctrl-C.
 
-Exit code: 0 when everything within reach was explored and the map was saved, 1 otherwise.
+Exit code: 0 when everything within reach was explored and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 1 otherwise.
 """
-import argparse
 import datetime
+import math
 import os
+import signal
 import sys
 import time
 
@@ -13,9 +14,31 @@ import rospy
 from frontier_pilot.msg import ExplorerStatus
 from frontier_pilot.srv import SaveMap
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
+from command_line import CommandLine  # noqa: E402
 
 # The ends that the stopping rules of the explorer have asked for.
-ASKED_FOR = (ExplorerStatus.UNTIL_AREA, ExplorerStatus.UNTIL_TIME, ExplorerStatus.UNTIL_DISTANCE)
+ASKED_FOR = (ExplorerStatus.UNTIL_AREA, ExplorerStatus.UNTIL_TIME, ExplorerStatus.UNTIL_DISTANCE, ExplorerStatus.UNTIL_SHARE,
+             ExplorerStatus.UNTIL_BATTERY)
+
+
+def estimate_of(status):
+    """The explored share of the whole floor and the time that is left, as far as they can be told."""
+    if status.state == ExplorerStatus.DONE or math.isnan(status.share_explored):
+        return ''
+    words = ', about %.0f %%' % (100.0 * status.share_explored)
+    if math.isnan(status.time_left):
+        return words
+    if status.time_left < 90.0:
+        return words + ', %.0f s left' % status.time_left
+    return words + ', %.0f min left' % (status.time_left / 60.0)
+
+
+def goals_of(status):
+    """What became of the goals. Most are not reached: what was to be seen from there has been seen on the way."""
+    seen = status.goals_sent - status.goals_reached - status.goals_failed
+    under_way = 1 if status.state == ExplorerStatus.NAVIGATING else 0
+    return '%d seen on the way, %d reached, %d failed' % (max(0, seen - under_way), status.goals_reached, status.goals_failed)
 
 
 class Watcher:
@@ -39,9 +62,9 @@ class Watcher:
 
     def line(self):
         status = self.status
-        return '%6.0f s  explored %7.1f m2  driven %6.1f m  frontiers %3d  goals %d sent, %d reached, %d failed  %s: %s' % (
-            self.elapsed(), status.explored_area, status.distance_travelled, status.frontiers_selectable, status.goals_sent,
-            status.goals_reached, status.goals_failed, status.state_text, status.reason_text)
+        return '%6.0f s  explored %7.1f m2%s  driven %6.1f m  frontiers %3d  goals: %s  %s: %s' % (
+            self.elapsed(), status.explored_area, estimate_of(status), status.distance_travelled, status.frontiers_selectable,
+            goals_of(status), status.state_text, status.reason_text)
 
     def done(self):
         return self.status is not None and self.status.state == ExplorerStatus.DONE
@@ -70,8 +93,20 @@ def save_map(prefix):
     if not answer.success:
         print('The map could not be saved: %s' % answer.message, file=sys.stderr)
         return False
-    print('Map saved: %s.pgm, .yaml and .bt' % path)
+    print('Map saved: %s.pgm, .yaml and .bt' % path, flush=True)
     return True
+
+
+class Interrupt:
+    """The signal that has asked this program to end."""
+
+    def __init__(self):
+        self.number = 0
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self.take)
+
+    def take(self, number, _):
+        self.number = number
 
 
 def master_is_up():
@@ -82,31 +117,45 @@ def master_is_up():
         return False
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--map', default='', help='where to save it, without extension (maps/<date and time>)')
-    parser.add_argument('--period', type=float, default=5.0, help='seconds between two progress lines')
-    arguments = parser.parse_args(rospy.myargv()[1:])
-    while not master_is_up():
-        time.sleep(0.2)
-    # Periods are on the steady clock, because simulated time may stand still or run at any speed.
-    # A name from outside could be that of a running node, which ROS would then shut down.
-    words = [word for word in sys.argv if not word.startswith('__name:=')]
-    rospy.init_node('watch_exploration', argv=words, anonymous=True)
-    began = time.monotonic()
-    watcher = Watcher(arguments.period)
-    while not rospy.is_shutdown() and not watcher.done():
-        watcher.progress()
-        time.sleep(0.2)
-    if not watcher.done():
-        return 1
+def say_the_end(watcher, began):
+    """Whether the exploration ended as it was asked to."""
     status = watcher.status
     complete = status.reason == ExplorerStatus.NO_REACHABLE_FRONTIER
     print(watcher.line())
-    print('Exploration %s: %s' % ('complete' if complete else 'ended', status.reason_text))
-    print('Explored %.1f m2 in %.0f s of the robot\'s time (%.0f s here), driving %.1f m to %d goals.' % (
-        status.explored_area, watcher.elapsed(), time.monotonic() - began, status.distance_travelled, status.goals_sent))
-    return 0 if save_map(arguments.map) and (complete or status.reason in ASKED_FOR) else 1
+    print('Explored %.1f m2 in %.0f s of the robot\'s time (%.0f s here), driving %.1f m.' % (
+        status.explored_area, watcher.elapsed(), time.monotonic() - began, status.distance_travelled))
+    print('Exploration %s: %s' % ('complete' if complete else 'ended', status.reason_text), flush=True)
+    return complete or status.reason in ASKED_FOR
+
+
+def main():
+    parser = CommandLine(__doc__, 'rosrun frontier_pilot watch_exploration.py --map /tmp/floor')
+    parser.add_argument('--map', default='', help='where to save it, without extension (maps/<date and time>)')
+    parser.add_argument('--period', type=float, default=5.0, help='seconds between two progress lines')
+    arguments = parser.parse_args(rospy.myargv()[1:])
+    interrupt = Interrupt()
+    while not master_is_up() and not interrupt.number:
+        time.sleep(0.2)
+    if interrupt.number:
+        return 128 + interrupt.number
+    # Periods are on the steady clock, because simulated time may stand still or run at any speed.
+    # A name from outside could be that of a running node, which ROS would then shut down.
+    words = [word for word in sys.argv if not word.startswith('__name:=')]
+    rospy.init_node('watch_exploration', argv=words, anonymous=True, disable_signals=True)
+    began = time.monotonic()
+    watcher = Watcher(arguments.period)
+    while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
+        watcher.progress()
+        time.sleep(0.2)
+    if interrupt.number:
+        if watcher.started is not None:
+            print('\nInterrupted: saving the map ...', flush=True)
+            save_map(arguments.map)
+        return 128 + interrupt.number
+    if not watcher.done():
+        return 1
+    as_asked = say_the_end(watcher, began)
+    return 0 if save_map(arguments.map) and as_asked else 1
 
 
 if __name__ == '__main__':

@@ -2,9 +2,10 @@
 
 namespace frontier_pilot::bench {
 
-/// What explore_bench prints when it is called wrongly.
+/// What explore_bench prints for --help.
 constexpr const char* kUsage =
     "usage: explore_bench [options] WORLD.yaml ...\n"
+    "Explores worlds with simulator, mapper, navigator, explorer and arbiter in one process, faster than real time.\n"
     "  --seeds A-B        seeds to run (1-5)\n"
     "  --robot NAME       one of config/robots/, or the path of a file like those; without it, a Burger with a "
     "scanner\n"
@@ -27,6 +28,8 @@ constexpr const char* kUsage =
     "  --svg DIRECTORY    draw each trajectory over the map it made\n"
     "  --omniscient       beside each distance, that of a tour which knows the world; takes seconds to minutes a "
     "world\n"
-    "Exit status 0: every run ended DONE with no reachable frontier left (or at --until) and without contact.\n";
+    "Exit status 0: every run ended DONE with no reachable frontier left (or at --until) and without contact.\n"
+    "Example:\n"
+    "  explore_bench --seeds 1-5 --svg /tmp/tracks config/worlds/*.yaml\n";
 
 }  // namespace frontier_pilot::bench

@@ -17,11 +17,13 @@ class Sweeper {
 
   SweepResult at(double share) {
     footprint_.cellsAt(start_ * motion_.at(share), grid_.geometry(), cells_);
+    SweepResult met = SweepResult::kClear;
     for (const Cell c : cells_) {
       const SweepResult result = verdict(c);
-      if (result != SweepResult::kClear) return result;
+      if (result == SweepResult::kObstacle) return result;
+      if (met == SweepResult::kClear) met = result;
     }
-    return SweepResult::kClear;
+    return met;
   }
 
  private:
@@ -66,11 +68,13 @@ SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pos
   if (grid.empty()) return SweepResult::kNoCostmap;
   Sweeper sweeper(grid, footprint, pose, motion);
   const int steps = stepsFor(motion, footprint, grid.resolution());
+  SweepResult met = SweepResult::kClear;
   for (int i = 0; i <= steps; ++i) {
     const SweepResult result = sweeper.at(static_cast<double>(i) / steps);
-    if (result != SweepResult::kClear) return result;
+    if (result == SweepResult::kObstacle) return result;
+    if (met == SweepResult::kClear) met = result;
   }
-  return SweepResult::kClear;
+  return met;
 }
 
 }  // namespace frontier_pilot::behavior

@@ -69,6 +69,7 @@ class TimedBehavior::Impl {
   void measure(const StampedPose2& pose, Time now);
   BehaviorOutput settle(Time now);
   BehaviorOutput goOn(const BehaviorInputs& inputs, double speed);
+  std::string whatIsAhead(const BehaviorInputs& inputs, SweepResult seen) const;
   AxisMotion motion() const;
   MotionLimits limits() const;
   double sign() const { return motion().amount < 0.0 ? -1.0 : 1.0; }
@@ -196,13 +197,21 @@ BehaviorOutput TimedBehavior::Impl::goOn(const BehaviorInputs& inputs, double sp
   ahead.amount = sign() * std::min(remaining, speed * parameters_.simulate_ahead_time);
   if (goal_.check_collisions) {
     const SweepResult seen = inputs.look_ahead ? inputs.look_ahead(inputs.pose->pose, ahead) : SweepResult::kNoCostmap;
-    if (seen != SweepResult::kClear) {
-      return end(BehaviorOutcome::kCollisionAhead, std::string("not free ahead: ") + toString(seen));
-    }
+    if (seen != SweepResult::kClear) return end(BehaviorOutcome::kCollisionAhead, whatIsAhead(inputs, seen));
   }
   estimate_.command = speed;
   const double signed_speed = sign() * speed;
   return running(ahead.axis == AxisMotion::Axis::kTurn ? Twist2{0.0, signed_speed} : Twist2{signed_speed, 0.0});
+}
+
+/// `seen`, in words. Where something touches the footprint already, no motion of this kind can begin.
+std::string TimedBehavior::Impl::whatIsAhead(const BehaviorInputs& inputs, SweepResult seen) const {
+  AxisMotion none = motion();
+  none.amount = 0.0;
+  const bool touches =
+      seen == SweepResult::kObstacle && inputs.look_ahead(inputs.pose->pose, none) == SweepResult::kObstacle;
+  if (touches) return "an obstacle touches the footprint; move away first";
+  return std::string("not free ahead: ") + toString(seen);
 }
 
 AxisMotion TimedBehavior::Impl::motion() const {

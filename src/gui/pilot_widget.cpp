@@ -17,6 +17,9 @@ namespace {
 constexpr int kMostColumns = 3;
 // The least width for two and for three columns, in line heights.
 constexpr int kTwoColumns = 38, kThreeColumns = 54;
+// What drives needs a moment to end, and the arbiter half a second without motion before it clears a stop.
+constexpr int kRefreshesToHalt = 10;  // about a second
+constexpr int kMostClears = 3;
 
 }  // namespace
 
@@ -90,6 +93,7 @@ void PilotWidget::connectCards() {
     ask(Kind::kEmergencyStop);
   });
   connect(header_, &HeaderCard::clearAsked, this, [ask] { ask(Kind::kClearEmergencyStop); });
+  connect(header_, &HeaderCard::haltAndClearAsked, this, &PilotWidget::haltAndClear);
   connect(sources_card_, &SourcesCard::enableAsked, this, [this](const QString& name, bool on) {
     send({Kind::kEnableSource, on, name.toStdString(), 0, 0.0, 0, 0.0});
   });
@@ -161,6 +165,7 @@ void PilotWidget::setState(const teleop::OperatorState& state) {
   }
   for (const teleop::OperatorLogLine& line : teleop::eventsBetween(last_state_, state)) appendLog(line);
   last_state_ = state;
+  goOnClearing(state);
   showCards(state);
   showSetPoint();
 }
@@ -197,6 +202,26 @@ void PilotWidget::release(teleop::Motion motion) {
 void PilotWidget::letGo() {
   drive_.releaseAll();
   showSetPoint();
+}
+
+/// Ends whatever may command motion, and has the stop cleared when that has had time to end.
+void PilotWidget::haltAndClear() {
+  using Kind = teleop::OperatorRequest::Kind;
+  press(teleop::Motion::kStop);
+  if (last_state_.explorer_service_up) send({Kind::kExplore, false, {}, 0, 0.0, 0, 0.0});
+  if (last_state_.patrol.active) send({Kind::kStopPatrol, false, {}, 0, 0.0, 0, 0.0});
+  if (last_state_.spin.active) send({Kind::kStopSpin, false, {}, 0, 0.0, 0, 0.0});
+  send({Kind::kStopNavigation, false, {}, 0, 0.0, 0, 0.0});
+  refreshes_to_clear_ = kRefreshesToHalt;
+  clears_left_ = kMostClears;
+}
+
+void PilotWidget::goOnClearing(const teleop::OperatorState& state) {
+  if (!state.emergency_stop.value_or(false)) clears_left_ = 0;
+  if (clears_left_ == 0 || --refreshes_to_clear_ > 0) return;
+  --clears_left_;
+  refreshes_to_clear_ = kRefreshesToHalt;
+  send({teleop::OperatorRequest::Kind::kClearEmergencyStop, false, {}, 0, 0.0, 0, 0.0});
 }
 
 void PilotWidget::send(const teleop::OperatorRequest& request) { emit requested(request); }

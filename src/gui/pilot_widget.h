@@ -59,6 +59,8 @@ class PilotWidget : public QWidget {
   void press(teleop::Motion motion);
   void release(teleop::Motion motion);
   void letGo();
+  void haltAndClear();
+  void goOnClearing(const teleop::OperatorState& state);
   void send(const teleop::OperatorRequest& request);
   void showCards(const teleop::OperatorState& state);
   void showSetPoint();
@@ -69,6 +71,7 @@ class PilotWidget : public QWidget {
   teleop::OperatorState last_state_;
   Twist2 shown_;
   int columns_ = 0;
+  int refreshes_to_clear_ = 0, clears_left_ = 0;  ///< of a halt after which the stop is to be cleared
   bool applying_theme_ = false;
   std::vector<QVBoxLayout*> column_layouts_;
   QBoxLayout* body_ = nullptr;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
@@ -80,8 +82,25 @@ ParameterMap knownKeys(ParameterMap map) {
   return known;
 }
 
+constexpr const char* kPngHead = "\x89PNG\r\n\x1a\n";
+
+/// Whether the file is a picture in one of the usual formats, by its first bytes.
+bool isImage(const std::string& path) {
+  std::string head(8, '\0');
+  if (!std::filesystem::is_regular_file(path)) return false;
+  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  const bool netpbm =
+      head[0] == 'P' && head[1] >= '1' && head[1] <= '6' && std::isspace(static_cast<unsigned char>(head[2])) != 0;
+  return netpbm || head == kPngHead || head.rfind("\xff\xd8\xff", 0) == 0;  // the last is JPEG
+}
+
 MapYaml readYaml(const std::string& path) {
   MapYaml file;
+  if (isImage(path)) {
+    const std::string name = std::filesystem::path(path).filename();
+    fail(path, "is a picture, and not the YAML that describes one: write a file with the lines 'image: " + name +
+                   "', 'resolution: 0.05' (metres a pixel) and 'origin: [0, 0, 0]', and name that");
+  }
   try {
     const Problems problems = loadParameters(knownKeys(loadYamlFile(path)), file);
     std::string text;
@@ -121,7 +140,7 @@ std::optional<ImageSize> sizeOfPng(const std::string& bytes) {
 
 std::optional<ImageSize> sizeOf(const std::string& bytes) {
   if (bytes.rfind("P2", 0) == 0 || bytes.rfind("P5", 0) == 0) return sizeOfPgm(bytes);
-  return bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0 ? sizeOfPng(bytes) : std::nullopt;
+  return bytes.rfind(kPngHead, 0) == 0 ? sizeOfPng(bytes) : std::nullopt;
 }
 
 void checkSize(const ImageSize& size, double resolution, const std::string& yaml_path, const std::string& image) {

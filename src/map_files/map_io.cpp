@@ -254,7 +254,7 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives su
     if (!result.ok()) return result;
   }
   result = readBack(files);
-  if (result.ok()) result.text = "saved " + base.string() + ".pgm, .yaml and .bt";
+  if (result.ok()) result.text = "saved " + fs::absolute(base).lexically_normal().string() + ".pgm, .yaml and .bt";
   return result;
 }
 

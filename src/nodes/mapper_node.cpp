@@ -1,4 +1,7 @@
+#include "ros/common/help/usages.h"
 #include "ros/common/node_main.h"
 #include "ros/mapper/mapper_adapter.h"
 
-int main(int argc, char** argv) { return frontier_pilot::runNode<frontier_pilot::MapperAdapter>(argc, argv, "mapper"); }
+int main(int argc, char** argv) {
+  return frontier_pilot::runNode<frontier_pilot::MapperAdapter>(argc, argv, frontier_pilot::mapperUsage());
+}

@@ -1,6 +1,7 @@
+#include "ros/common/help/usages.h"
 #include "ros/common/node_main.h"
 #include "ros/navigator/navigator_adapter.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::NavigatorAdapter>(argc, argv, "navigator");
+  return frontier_pilot::runNode<frontier_pilot::NavigatorAdapter>(argc, argv, frontier_pilot::navigatorUsage());
 }

@@ -1,6 +1,7 @@
+#include "ros/common/help/usages.h"
 #include "ros/common/node_main.h"
 #include "ros/simulator/simulator_adapter.h"
 
 int main(int argc, char** argv) {
-  return frontier_pilot::runNode<frontier_pilot::SimulatorAdapter>(argc, argv, "simulator");
+  return frontier_pilot::runNode<frontier_pilot::SimulatorAdapter>(argc, argv, frontier_pilot::simulatorUsage());
 }

@@ -1,4 +1,5 @@
 #include "gui/pilot_window.h"
+#include "ros/common/help/usages.h"
 #include "ros/common/node_main.h"
 #include "ros/common/parameters.h"
 #include "ros/teleop_gui/gui_bridge.h"
@@ -8,7 +9,7 @@ using frontier_pilot::teleop::TeleopParameters;
 
 int main(int argc, char** argv) {
   return frontier_pilot::runNodeWithLoop(
-      argc, argv, "teleop_gui",
+      argc, argv, frontier_pilot::teleopGuiUsage(),
       [&](ros::NodeHandle& node, ros::NodeHandle& private_node, const frontier_pilot::RunningFn& running) {
         const auto parameters = frontier_pilot::loadNodeParameters<TeleopParameters>(private_node);
         GuiBridge bridge(node, parameters, GuiBridge::Manual::kAlways, running);

@@ -1,5 +1,6 @@
 #include "frontier_pilot/patrol/command_line.h"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace frontier_pilot::patrol {
@@ -33,6 +34,14 @@ std::vector<std::string> split(const std::vector<std::string>& words) {
   return out;
 }
 
+/// What is wrong with the value of an option; empty if nothing is.
+std::string complaintOf(const std::string& option, const std::string& word, double value) {
+  if (option != "--laps") return value > 0.0 && std::isfinite(value) ? "" : option + " must be above 0 m, not " + word;
+  return value >= 1.0 && value == std::floor(value) && std::isfinite(value)
+             ? ""
+             : option + " must be a whole number, at least 1, not " + word;
+}
+
 /// The field that an option sets; nullptr if there is no such option.
 double* targetOf(const std::string& option, PatrolOrder& goal) {
   if (option == "--side" || option == "--radius") return &goal.size;
@@ -56,37 +65,11 @@ PatrolCommandLine parsePatrolCommandLine(const std::vector<std::string>& words) 
     if (i + 1 == parts.size()) return wrong(parts[i] + " needs a number");
     const std::optional<double> value = numberOf(parts[++i]);
     if (!value) return wrong(parts[i - 1] + " needs a number, not " + parts[i]);
+    if (const std::string bad = complaintOf(parts[i - 1], parts[i], *value); !bad.empty()) return wrong(bad);
     *target = *value;
   }
   if (goal.mode == 0.0) return wrong("no shape given: square, triangle or circle");
   return {goal, false, ""};
-}
-
-const char* patrolUsage() {
-  return R"(usage: patrol_client SHAPE [--side METRES | --radius METRES] [--laps N]
-
-Asks the patrol server (action turtlebot3) to drive a shape, left turns only, and
-waits for the end. The robot comes back to where it stood.
-
-  SHAPE              square, triangle or circle
-  --side METRES      length of a side (default 1.0)
-  --radius METRES    the same thing for a circle (default 1.0)
-  --laps N           how often (default 1)
-  -h, --help         this text
-
-Prints a line when each leg starts. Ctrl-C stops the robot, waits until it is
-stopped and ends; a second Ctrl-C does not wait.
-
-Exit code:
-  0    patrol complete
-  1    aborted, refused or replaced by another patrol: the reason is printed
-  2    wrong arguments
-  3    no patrol server, or it died
-  130  stopped by Ctrl-C
-
-Example:
-  rosrun frontier_pilot patrol_client square --side 1.0 --laps 2
-)";
 }
 
 }  // namespace frontier_pilot::patrol

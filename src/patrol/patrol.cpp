@@ -32,9 +32,9 @@ std::string seconds(double value) {
 }  // namespace
 
 const char* toString(PatrolOutcome outcome) {
-  constexpr const char* kNames[] = {"idle",         "running",        "completed",       "canceled",
-                                    "invalid goal", "no odometry",    "bad odometry",    "odometry jumped",
-                                    "blocked",      "emergency stop", "the clock jumped"};
+  constexpr const char* kNames[] = {"idle",         "running",        "completed",        "canceled",
+                                    "invalid goal", "no odometry",    "bad odometry",     "odometry jumped",
+                                    "blocked",      "emergency stop", "the clock jumped", "obstacle ahead"};
   return kNames[static_cast<int>(outcome)];
 }
 
@@ -59,10 +59,11 @@ class Patrol::Impl {
   PatrolOutput end(PatrolOutcome outcome, std::string text);
   std::optional<Fault> fault(const PatrolInputs& inputs, Time now) const;
   std::optional<Fault> blocked(const PatrolInputs& inputs, Time now);
-  PatrolOutput advance(const MotionSample& sample, bool held, Time now);
-  PatrolOutput settle(const MotionSample& sample, Time now);
-  PatrolOutput beginStep(const MotionSample& sample, Time now);
-  PatrolOutput drive(const MotionSample& sample, bool held, Time now);
+  PatrolOutput advance(const PatrolInputs& inputs, Time now);
+  PatrolOutput settle(const PatrolInputs& inputs, Time now);
+  PatrolOutput beginStep(const PatrolInputs& inputs, Time now);
+  PatrolOutput drive(const PatrolInputs& inputs, Time now);
+  PatrolOutput standBefore(const std::string& obstacle, Time now);
   PatrolOutput running(const Twist2& command) const;
   std::string completeText() const;
 
@@ -77,7 +78,7 @@ class Patrol::Impl {
   Pose2 T_odom_plan_;
   std::optional<MotionSample> last_sample_;
   Time started_, last_update_, settling_since_;
-  std::optional<Time> held_since_;
+  std::optional<Time> held_since_, obstructed_since_;
   Time progressed_;  ///< when the step last made progress
   double best_progress_ = 0.0;
 };
@@ -92,6 +93,7 @@ PatrolOutput Patrol::Impl::start(const PatrolOrder& goal, Time now) {
   phase_ = Phase::kWaiting;
   last_sample_.reset();
   held_since_.reset();
+  obstructed_since_.reset();
   started_ = last_update_ = progressed_ = now;
   return running({});
 }
@@ -114,7 +116,7 @@ PatrolOutput Patrol::Impl::update(const PatrolInputs& inputs, Time now) {
   if (inputs.odometry) {
     if (phase_ == Phase::kMoving) driver_.observe(*inputs.odometry);
     if (const auto stuck = blocked(inputs, now)) return end(stuck->outcome, stuck->text);
-    output = advance(*inputs.odometry, inputs.wheels_held_by.has_value(), now);
+    output = advance(inputs, now);
     last_sample_ = inputs.odometry;
   }
   last_update_ = now;
@@ -154,45 +156,55 @@ std::optional<Patrol::Impl::Fault> Patrol::Impl::blocked(const PatrolInputs& inp
   return std::nullopt;
 }
 
-PatrolOutput Patrol::Impl::advance(const MotionSample& sample, bool held, Time now) {
+PatrolOutput Patrol::Impl::advance(const PatrolInputs& inputs, Time now) {
   switch (phase_) {
     case Phase::kWaiting:
-      T_odom_plan_ = sample.T_odom_base;
-      return beginStep(sample, now);
+      T_odom_plan_ = inputs.odometry->T_odom_base;
+      return beginStep(inputs, now);
     case Phase::kSettling:
-      return settle(sample, now);
+      return settle(inputs, now);
     case Phase::kMoving:
       break;
   }
-  return drive(sample, held, now);
+  return drive(inputs, now);
 }
 
-PatrolOutput Patrol::Impl::settle(const MotionSample& sample, Time now) {
+PatrolOutput Patrol::Impl::settle(const PatrolInputs& inputs, Time now) {
+  const MotionSample& sample = *inputs.odometry;
   const double waited = toSeconds(now - settling_since_);
   // Odometry from before the zero command does not tell whether the robot has stopped.
   const bool rests = sample.stamp > settling_since_ && stands(sample.twist);
   if (!rests && waited < parameters_.settle_timeout) return running({});
   if (step_ == steps_.size()) return end(PatrolOutcome::kCompleted, completeText());
-  return beginStep(sample, now);
+  return beginStep(inputs, now);
 }
 
-PatrolOutput Patrol::Impl::beginStep(const MotionSample& sample, Time now) {
-  driver_.begin(steps_[step_], T_odom_plan_, sample);
+PatrolOutput Patrol::Impl::beginStep(const PatrolInputs& inputs, Time now) {
+  driver_.begin(steps_[step_], T_odom_plan_, *inputs.odometry);
   phase_ = Phase::kMoving;
   best_progress_ = driver_.progress();
   progressed_ = now;
-  return drive(sample, false, now);
+  return drive(inputs, now);
 }
 
-PatrolOutput Patrol::Impl::drive(const MotionSample& sample, bool held, Time now) {
+PatrolOutput Patrol::Impl::drive(const PatrolInputs& inputs, Time now) {
+  const MotionSample& sample = *inputs.odometry;
   if (driver_.reached()) {
     phase_ = Phase::kSettling;
     settling_since_ = now;
     ++step_;
     return running({});
   }
-  if (held) driver_.rest();
-  PatrolOutput output = running(driver_.command(toSeconds(now - last_update_), toSeconds(now - sample.stamp)));
+  if (inputs.wheels_held_by) driver_.rest();
+  const Twist2 command = driver_.command(toSeconds(now - last_update_), toSeconds(now - sample.stamp));
+  // While another source drives, the robot goes where that one looks.
+  if (inputs.way_ahead && !inputs.wheels_held_by) {
+    const auto in_the_way =
+        inputs.way_ahead(sample.T_odom_base, driver_.ahead(command, parameters_.simulate_ahead_time));
+    if (in_the_way) return standBefore(*in_the_way, now);
+  }
+  obstructed_since_.reset();
+  PatrolOutput output = running(command);
   const bool arc = driver_.step().kind == PatrolStep::Kind::kArc;
   const int lap = arc ? static_cast<int>(std::max(0.0, driver_.progress()) / (2.0 * kPi)) : 0;
   const int leg = driver_.step().leg + lap;
@@ -201,6 +213,15 @@ PatrolOutput Patrol::Impl::drive(const MotionSample& sample, bool held, Time now
     output.started_leg = leg;
   }
   return output;
+}
+
+/// Stands still, and gives up when what is in the way stays there.
+PatrolOutput Patrol::Impl::standBefore(const std::string& obstacle, Time now) {
+  if (!obstructed_since_) obstructed_since_ = now;
+  if (toSeconds(now - *obstructed_since_) >= parameters_.obstacle_timeout)
+    return end(PatrolOutcome::kObstacleAhead, "aborted: " + obstacle);
+  driver_.rest();
+  return running({});
 }
 
 PatrolOutput Patrol::Impl::running(const Twist2& command) const {

@@ -69,6 +69,13 @@ Twist2 StepDriver::command(double elapsed, double age) {
   return follow(step_.kind == PatrolStep::Kind::kArc ? speed_ * step_.radius : speed_);
 }
 
+Twist2 StepDriver::ahead(const Twist2& command, double seconds) const {
+  const double reach = std::clamp(profile().speed * seconds, 0.0, std::max(0.0, remaining()));
+  if (step_.kind == PatrolStep::Kind::kTurn) return {0.0, reach};
+  if (command.linear == 0.0) return {0.0, command.angular * seconds};
+  return step_.kind == PatrolStep::Kind::kLine ? Twist2{reach, 0.0} : Twist2{reach * step_.radius, reach};
+}
+
 StepDriver::Deviation StepDriver::deviation() const {
   if (step_.kind == PatrolStep::Kind::kLine) return {T_step_base_.y, T_step_base_.yaw};
   const Vec2 from_centre = T_step_base_.position() - Vec2(0.0, step_.radius);

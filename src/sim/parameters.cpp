@@ -18,7 +18,8 @@ void SimulatorParameters::check(Problems& problems) const {
 std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const World& world) {
   if (!parameters.robots.empty()) return parameters.robots;
   const bool placed = !std::isnan(parameters.x) || !std::isnan(parameters.y);
-  const Pose2 fallback = placed ? Pose2{} : world.start.value_or(Pose2{});
+  const Pose2 anywhere(std::nan(""), std::nan(""), 0.0);
+  const Pose2 fallback = placed ? Pose2{} : world.start.value_or(anywhere);
   const auto given = [](double value, double otherwise) { return std::isnan(value) ? otherwise : value; };
   return {{"", given(parameters.x, fallback.x), given(parameters.y, fallback.y), given(parameters.yaw, fallback.yaw)}};
 }

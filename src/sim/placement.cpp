@@ -1,6 +1,22 @@
-#include "frontier_pilot/sim/simulator.h"
+#include "sim/placement.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
 
 namespace frontier_pilot::sim {
+namespace {
+
+/// Why there is no place for a robot.
+std::string whyNowhere(const OccupancyGrid& map) {
+  const bool any_free = std::count(map.cells().begin(), map.cells().end(), kFree) > 0;
+  if (any_free) return "the robot fits nowhere: every free place of the world is too narrow for it";
+  return "the world has no free cell: in its picture, free floor has to be lighter than free_thresh says (white), or "
+         "darker with 'negate: 1'";
+}
+
+}  // namespace
 
 const char* toString(Placement placement) {
   switch (placement) {
@@ -34,6 +50,25 @@ const char* toString(Placement placement) {
       return "the place is taken by an obstacle";
   }
   return "?";
+}
+
+Pose2 startInTheMiddle(const CollisionScene& scene, const OccupancyGrid& map, double yaw) {
+  const GridGeometry& geometry = map.geometry();
+  const Vec2 middle = geometry.origin + 0.5 * geometry.resolution * Vec2(geometry.width, geometry.height);
+  const std::optional<Vec2> free = scene.nearestFree({middle.x(), middle.y(), yaw});
+  if (!free) throw std::runtime_error(whyNowhere(map));
+  return {free->x(), free->y(), yaw};
+}
+
+std::string cannotStart(const std::string& robot, const Pose2& start, Placement placement, const CollisionScene& scene,
+                        const OccupancyGrid& map) {
+  std::ostringstream text;
+  text << robot << " cannot start at (" << start.x << ", " << start.y << "): ";
+  const std::optional<Vec2> free = start.isFinite() ? scene.nearestFree(start) : std::nullopt;
+  if (start.isFinite() && !free) return text.str() + whyNowhere(map);
+  text << toString(placement);
+  if (free) text << "; the nearest free place is (" << free->x() << ", " << free->y() << ")";
+  return text.str();
 }
 
 }  // namespace frontier_pilot::sim

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "sim/disc_index.h"
 #include "sim/lidar.h"
 #include "sim/odometry.h"
+#include "sim/placement.h"
 #include "sim/random.h"
 #include "sim/solid_cells.h"
 
@@ -66,6 +66,7 @@ struct Simulator::Impl {
   Time now;
   Time next_scan;
   bool scanned = false;
+  bool start_was_chosen = false;
   std::vector<Robot> robots;
   std::map<std::string, DiscIndex::Id> obstacles;
 };
@@ -83,15 +84,12 @@ Simulator::Impl::Impl(World given, const SimulatorParameters& parameters)
 }
 
 void Simulator::Impl::addRobot(const RobotSpec& spec, const SimulatorParameters& parameters) {
-  const Pose2 start(spec.x, spec.y, normalizeAngle(spec.yaw));
+  start_was_chosen = std::isnan(spec.x) && std::isnan(spec.y);
+  const double yaw = normalizeAngle(spec.yaw);
+  const Pose2 start = start_was_chosen ? startInTheMiddle(scene, world.map, yaw) : Pose2(spec.x, spec.y, yaw);
   const Placement placement = placeable(start, std::nullopt);
-  if (placement != Placement::kDone) {
-    std::ostringstream text;
-    text << quoted(spec.name) << " cannot start at (" << spec.x << ", " << spec.y << "): " << toString(placement);
-    const std::optional<Vec2> free = start.isFinite() ? scene.nearestFree(start) : std::nullopt;
-    if (free) text << "; the nearest free place is (" << free->x() << ", " << free->y() << ")";
-    throw std::runtime_error(text.str());
-  }
+  if (placement != Placement::kDone)
+    throw std::runtime_error(cannotStart(quoted(spec.name), start, placement, scene, world.map));
   const auto seed = static_cast<std::uint64_t>(parameters.seed);
   const std::uint64_t stream = robots.size() * kNoiseStreams;
   const DiscIndex::Id disc = scene.addRobot(start.position());
@@ -218,6 +216,7 @@ const std::string& Simulator::name(std::size_t robot) const { return impl_->robo
 void Simulator::setCommand(std::size_t robot, const Twist2& twist) {
   impl_->robots[robot].drive.command(twist, impl_->now);
 }
+bool Simulator::startWasChosen() const { return impl_->start_was_chosen; }
 const Pose2& Simulator::startPose(std::size_t robot) const { return impl_->robots[robot].start; }
 const Pose2& Simulator::pose(std::size_t robot) const { return impl_->robots[robot].pose; }
 const Twist2& Simulator::velocity(std::size_t robot) const { return impl_->robots[robot].odometry.twist(); }

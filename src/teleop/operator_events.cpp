@@ -21,6 +21,14 @@ void noteStop(const OperatorState& before, const OperatorState& now, Lines& line
   lines.push_back({Severity::kError, "emergency stop" + (cause.empty() ? "" : ": " + cause)});
 }
 
+void noteContact(const OperatorState& before, const OperatorState& now, Lines& lines) {
+  if (!before.contact.value_or(false) && now.contact.value_or(false)) {
+    const bool known = heard(now.arbiter) != nullptr && !now.arbiter->active_source.empty();
+    lines.push_back({Severity::kError, "the robot touches something" +
+                                           (known ? " while " + now.arbiter->active_source + " drives" : "")});
+  }
+}
+
 void noteArbiter(const OperatorState& before, const OperatorState& now, Lines& lines) {
   const ArbiterView* was = heard(before.arbiter);
   const ArbiterView* is = heard(now.arbiter);
@@ -68,6 +76,7 @@ void notePatrol(const OperatorState& before, const OperatorState& now, Lines& li
 std::vector<OperatorLogLine> eventsBetween(const OperatorState& before, const OperatorState& now) {
   Lines lines;
   noteStop(before, now, lines);
+  noteContact(before, now, lines);
   noteArbiter(before, now, lines);
   noteAvoider(before, now, lines);
   noteExplorer(before, now, lines);

@@ -24,6 +24,7 @@ struct OperatorRequest {
     kStopPatrol,
     kSpin,  ///< `angle`
     kStopSpin,
+    kStopNavigation,
   };
   Kind kind = Kind::kEmergencyStop;
   bool on = false;

@@ -67,11 +67,13 @@ struct ExplorerView {
   std::string state_text, phase_text, reason_text;
   unsigned frontiers_found = 0, frontiers_selectable = 0, frontiers_blacklisted = 0;
   unsigned goals_sent = 0, goals_reached = 0, goals_failed = 0;
-  double explored_area = 0.0;       ///< [m^2]
-  double distance_travelled = 0.0;  ///< [m]
-  bool bounded = false;             ///< bounds are in force, or are being drawn
-  bool return_to_start = false;     ///< it drives back at the end
-  bool inspections_wait = false;    ///< poses wait to be inspected on the way
+  double explored_area = 0.0;            ///< [m^2]
+  double distance_travelled = 0.0;       ///< [m]
+  std::optional<double> share_explored;  ///< of the whole floor, estimated
+  unsigned goals_seen = 0;               ///< given up on the way, because nothing was left to see from there
+  bool bounded = false;                  ///< bounds are in force, or are being drawn
+  bool return_to_start = false;          ///< it drives back at the end
+  bool inspections_wait = false;         ///< poses wait to be inspected on the way
   std::string bounds_text, inspect_text, end_text, map_text;
 };
 
@@ -93,6 +95,8 @@ struct OperatorState {
   bool connected = false;              ///< the ROS master answers
   std::optional<bool> emergency_stop;  ///< from the latched topic; nothing: not received yet
   bool stop_service_up = false, clear_service_up = false;
+  std::string clear_refusal;    ///< why the last request to clear the stop was refused; empty: it was not
+  std::optional<bool> contact;  ///< whether the robot touches something; nothing: it cannot tell
   std::optional<ArbiterView> arbiter;
   bool avoider_service_up = false;
   std::optional<AvoiderView> avoider;

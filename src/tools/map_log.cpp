@@ -15,6 +15,7 @@
 #include "frontier_pilot/map_files/map_io.h"
 #include "tools/log_mapping.h"
 #include "tools/map_picture.h"
+#include "tools/program.h"
 
 namespace frontier_pilot::tools {
 namespace {
@@ -146,18 +147,9 @@ int run(const MapLogOptions& options, const BagReader& read_bag) {
 }  // namespace
 
 int runMapLog(const std::vector<std::string>& words, const BagReader& read_bag) {
-  try {
-    const MapLogOptions options = parseMapLogOptions(words);
-    if (!options.help) return run(options, read_bag);
-    std::cout << mapLogUsage();
-    return kDone;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "map_log: " << error.what() << "\n\n" << mapLogUsage();
-    return kUsage;
-  } catch (const logs::LogError& error) {
-    std::cerr << "map_log: " << error.what() << "\n";
-    return kFailed;
-  }
+  return runProgram("map_log", words, mapLogUsage(), [&read_bag](const std::vector<std::string>& given) {
+    return run(parseMapLogOptions(given), read_bag);
+  });
 }
 
 }  // namespace frontier_pilot::tools

@@ -45,7 +45,6 @@ std::string rosName(Arguments& arguments, const std::string& option, const std::
 }
 
 void takeOption(const std::string& word, Arguments& arguments, MapLogOptions& o) {
-  if (word == "--help" || word == "-h") return void(o.help = true);
   if (word == "--out") return void(o.out = arguments.text());
   if (word == "--relations") return void(o.relations = arguments.text());
   if (word == "--resolution") return void(o.mapper.map.resolution = resolutionOf(arguments, word));
@@ -69,7 +68,6 @@ MapLogOptions parseMapLogOptions(const std::vector<std::string>& words) {
     const std::string word = arguments.next();
     takeOption(word, arguments, options);
   }
-  if (options.help) return options;
   if (options.log.empty()) throw std::invalid_argument("no log given");
   if (options.out.empty()) throw std::invalid_argument("--out is missing: where should the map go?");
   return options;

@@ -17,7 +17,6 @@ struct BagTopics {
 
 /// The parsed command line of `map_log`.
 struct MapLogOptions {
-  bool help = false;
   std::string log;
   std::string out;        ///< prefix of the paths of all files that are written
   std::string relations;  ///< empty: none

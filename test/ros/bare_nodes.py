@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Every node starts by itself, without one parameter, and ends on SIGINT without complaint."""
+"""Every node starts by itself, without one parameter, offers what its --help names, and ends on SIGINT without complaint."""
 import os
 import signal
+import subprocess
 import unittest
 
 import rosgraph
 import rostest
 
-from wire import Node, wait_for
+from wire import Node, find_node, wait_for
 
 NODES = ('cmd_vel_arbiter', 'obstacle_avoider', 'patrol_server', 'behavior_server', 'mapper', 'navigator',
          'frontier_explorer', 'teleop_gui')
@@ -17,6 +18,23 @@ def is_up(name):
     """Whether it has come as far as its diagnostics, which nodes advertise with all the rest; the window has none."""
     topics = dict(rosgraph.Master('/bare_nodes').getSystemState()[0])
     return '/' + name in topics.get('/cmd_vel_manual' if name == 'teleop_gui' else '/diagnostics', [])
+
+
+def own_names(name):
+    """The topics and services of a node at the master, without those that every node has and those of its actions."""
+    publishers, subscribers, services = rosgraph.Master('/bare_nodes').getSystemState()
+    of_all = ('/rosout', '/diagnostics', '/clock')
+    found = {topic for topic, nodes in publishers + subscribers + services if '/' + name in nodes} - set(of_all)
+    loggers = {'/%s/%s' % (name, service) for service in ('get_loggers', 'set_logger_level')}
+    actions = {topic[:-len('/cancel')] for topic in found if topic.endswith('/cancel')}
+    parts = {action + part for action in actions for part in ('/goal', '/cancel', '/status', '/feedback', '/result')}
+    return (found - loggers - parts) | actions
+
+
+def names_in_help(name):
+    """The same by its --help, with a leading slash."""
+    words = subprocess.run([find_node('frontier_pilot', name), '--help'], stdout=subprocess.PIPE, universal_newlines=True).stdout.split()
+    return {'/' + word.lstrip('/') for word in words}
 
 
 class BareNodes(unittest.TestCase):
@@ -29,10 +47,12 @@ class BareNodes(unittest.TestCase):
         # roscpp's own service crashes its node when it is asked a second time. [FLT-1]
         services = [name for name, _ in rosgraph.Master('/bare_nodes').getSystemState()[2]]
         offered = {name for name in NODES if '/%s/get_loggers' % name in services}
+        unsaid = {name: own_names(name) - names_in_help(name) for name in NODES}
         for node in nodes.values():
             if not node.has_ended():
                 node.signal(signal.SIGINT)
         self.assertEqual(offered, set(), '[FLT-1]')
+        self.assertEqual(unsaid, {name: set() for name in NODES}, '--help does not name them')
         for name, node in nodes.items():
             code, said = node.finish(15.0)
             self.assertTrue(came_up[name], (name, said))

@@ -52,6 +52,21 @@ class Robot {
 /// What answers the calls of a switch.
 using Switch = boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBool::Response&)>;
 
+/// A source that asks to move whenever it is asked to.
+class RestlessSource {
+ public:
+  RestlessSource() : publisher_(ros::NodeHandle().advertise<geometry_msgs::Twist>(names::kCmdVelNav, 1)) {}
+  bool asks() {
+    geometry_msgs::Twist msg;
+    msg.linear.x = 0.1;
+    publisher_.publish(msg);
+    return true;
+  }
+
+ private:
+  ros::Publisher publisher_;
+};
+
 /// Somebody who says that there are sources whose names no service can have.
 class NamelessSources {
  public:

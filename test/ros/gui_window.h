@@ -48,4 +48,13 @@ struct Window {
 /// Lets the window live until `condition` holds; false after 10 s.
 inline bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 10000); }
 
+/// Clicks Clear until the stop is cleared: the arbiter refuses while somebody asked to move a moment ago.
+inline bool clears(const Window& window) {
+  return waitFor([&window] {
+    window.click("clear_emergency_stop");
+    QTest::qWait(200);
+    return window.text("driver") == "manual drives";
+  });
+}
+
 }  // namespace frontier_pilot::test

@@ -13,11 +13,13 @@ import roslib.packages
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Pose2D, Twist
 from nav_msgs.msg import Odometry
+from std_msgs.msg import Bool
 from std_srvs.srv import Empty, SetBool, Trigger
 
 from frontier_pilot.msg import PatrolAction, PatrolActionFeedback, PatrolGoal
+from frontier_pilot.srv import RemoveObstacle, SpawnObstacle
 from wire import Record, moves
 
 
@@ -202,6 +204,21 @@ class PatrolTest(unittest.TestCase):
         self.send(goal(1, 2.0))
         self.assertEqual(self.end()[0], GoalStatus.ABORTED)
         self.until(lambda: clear(False).success, 'the stop to be cleared')
+        self.assert_silent_after_zero()
+
+    def test_it_stops_before_an_obstacle_and_says_so(self):
+        """[PAT-7] Nothing is touched."""
+        stalled = Record('simulator/stalled', Bool)
+        rospy.ServiceProxy('simulator/spawn_obstacle', SpawnObstacle)('box', Pose2D(2.7, 2.5, 0.0), 0.1)
+        try:
+            self.send(goal(1, 2.0))
+            state, result = self.end()
+        finally:
+            rospy.ServiceProxy('simulator/remove_obstacle', RemoveObstacle)('box')
+            stalled.subscriber.unregister()
+        self.assertEqual((state, result), (GoalStatus.ABORTED, 'aborted: not free ahead: an obstacle'))
+        self.assertTrue(stalled.items)
+        self.assertFalse(any(message.data for _, message in stalled.items))
         self.assert_silent_after_zero()
 
     def test_without_the_wheels_it_gives_up(self):

@@ -50,7 +50,7 @@ struct AxisMotion {
   }
 };
 
-/// The first thing that a look along a motion has met.
+/// What a look along a motion has met: an obstacle, or else the first other thing.
 enum class SweepResult {
   kClear,
   kObstacle,

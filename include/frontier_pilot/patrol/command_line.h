@@ -15,13 +15,10 @@ struct PatrolCommandLine {
   std::string problem;  ///< what was wrong; empty if nothing was
 };
 
-/// The exit codes of `patrol_client`.
+/// The exit codes of `patrol_client`; interrupted by SIGTERM it is 143.
 enum class PatrolExit { kCompleted = 0, kAborted = 1, kUsage = 2, kNoServer = 3, kInterrupted = 130 };
 
 /// Parses the words after the program's name.
 PatrolCommandLine parsePatrolCommandLine(const std::vector<std::string>& words);
-
-/// The text of --help.
-const char* patrolUsage();
 
 }  // namespace frontier_pilot::patrol

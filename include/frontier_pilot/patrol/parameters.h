@@ -25,6 +25,8 @@ struct PatrolParameters {
   double jump_angle = 1.5;
   double blocked_timeout = 10.0;
   double settle_timeout = 0.5;
+  double simulate_ahead_time = 1.0;
+  double obstacle_timeout = 1.0;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -43,6 +45,10 @@ struct PatrolParameters {
     v.field("blocked_timeout", blocked_timeout, "s",
             "time without the wheels or without progress after which a patrol is given up", timeSpan());
     v.fixed({"settle_timeout"});
+    v.field("simulate_ahead_time", simulate_ahead_time, "s",
+            "how far ahead, in time at full speed, the way must be free of obstacles", timeSpan());
+    v.field("obstacle_timeout", obstacle_timeout, "s",
+            "how long the robot stands before an obstacle until the patrol is given up", timeSpanOrNone());
   }
   void check(Problems& problems) const {
     if (min_linear_speed > linear_speed)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,8 +41,13 @@ enum class PatrolOutcome {
   kBlocked,       ///< another source held the wheels, or there was no progress, for too long
   kEmergencyStop,
   kClockJump,
+  kObstacleAhead,  ///< something is in the way
 };
 const char* toString(PatrolOutcome outcome);
+
+/// Looks along an arc that the robot is about to drive from its pose in the odometry frame: `arc.linear` [m] forward
+/// and `arc.angular` [rad] to the left. Returns what is in the way, in words; nothing if it is free.
+using WayAhead = std::function<std::optional<std::string>(const Pose2& T_odom_base, const Twist2& arc)>;
 
 /// The inputs of one control cycle.
 struct PatrolInputs {
@@ -49,6 +55,7 @@ struct PatrolInputs {
   std::optional<std::string> odometry_problem;  ///< why the last message was refused; empty if it was not
   std::optional<std::string> wheels_held_by;    ///< the arbiter's source that holds the wheels instead of the patrol
   bool emergency_stop = false;
+  WayAhead way_ahead;  ///< empty: nobody looks where the robot drives
 };
 
 /// The result of one control cycle.
@@ -60,7 +67,7 @@ struct PatrolOutput {
 };
 
 /// Patrols a square, a triangle or a circle by odometry. Whatever ends a patrol, its last output has a zero command.
-/// Requirements: docs/requirements.md, PAT-1 to PAT-6.
+/// Requirements: docs/requirements.md, PAT-1 to PAT-7.
 class Patrol {
  public:
   explicit Patrol(const PatrolParameters& parameters);

@@ -75,7 +75,8 @@ struct RobotSpec {
 };
 
 /// The parameters of a simulation. x, y and yaw are NaN if not given. What is not given is 0, or, if neither x nor y
-/// is, that of the world's start pose if it has one. A yaw that is given always counts.
+/// is, that of the world's start pose if it has one, and otherwise the free place nearest to the middle of the world. A
+/// yaw that is given always counts.
 struct SimulatorParameters {
   std::string world;
   double x = std::numeric_limits<double>::quiet_NaN();    ///< [m]
@@ -93,8 +94,12 @@ struct SimulatorParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("world", world, "", "map_server YAML of the world; required");
-    v.field("x", x, "m", "start in the world's frame; without x and y: the world's start, or 0", anyNumber());
-    v.field("y", y, "m", "start in the world's frame; without x and y: the world's start, or 0", anyNumber());
+    v.field("x", x, "m",
+            "start in the world's frame; without x and y: the world's start, or the free place nearest to the middle",
+            anyNumber());
+    v.field("y", y, "m",
+            "start in the world's frame; without x and y: the world's start, or the free place nearest to the middle",
+            anyNumber());
     v.field("yaw", yaw, "rad", "start in the world's frame; without x, y and yaw: the world's start, or 0",
             anyNumber());
     v.field("speed", speed, "", "simulated time over real time; 0: as fast as possible", between(0.0, 1e4));

@@ -46,7 +46,7 @@ class Simulator {
   static constexpr Duration kStep = std::chrono::milliseconds(10);
 
   /// Throws std::runtime_error where a robot starts outside of the world, in a wall or on another robot; the text says
-  /// where, and where the nearest free place is. [SIM-1]
+  /// where, and where the nearest free place is, or that there is none. [SIM-1]
   Simulator(World world, const SimulatorParameters& parameters);
   ~Simulator();
   Simulator(Simulator&&) noexcept;
@@ -68,6 +68,8 @@ class Simulator {
   void setCommand(std::size_t robot, const Twist2& twist);
 
   const Pose2& startPose(std::size_t robot) const;
+  /// Whether neither the parameters nor the world say where the robot starts, so that the simulator has chosen.
+  bool startWasChosen() const;
   /// The true pose T_world_base, and the velocity that was actually driven in the last step.
   const Pose2& pose(std::size_t robot) const;
   const Twist2& velocity(std::size_t robot) const;
@@ -96,7 +98,8 @@ class Simulator {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The robots that `parameters` ask for: those of the list, or one at x, y, yaw or at the world's start pose.
+/// The robots that `parameters` ask for: those of the list, or one at x, y, yaw or at the world's start pose; if
+/// neither is given, its x and y are NaN, and it starts at the free place nearest to the middle of the world.
 std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const World& world);
 
 }  // namespace frontier_pilot::sim

@@ -151,7 +151,8 @@ class ExplorerCard : public Card {
   QLabel* area_;
   QLabel* distance_;
   QLabel* frontiers_;
-  QLabel* goals_;
+  QLabel* share_;
+  ElidedLabel* goals_;
   QPushButton* start_;
   QPushButton* pause_;
   QPushButton* reset_;

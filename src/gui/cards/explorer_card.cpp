@@ -29,7 +29,8 @@ ExplorerCard::ExplorerCard(QWidget* parent)
       area_(makeLabel("", "figure")),
       distance_(makeLabel("", "figure")),
       frontiers_(makeLabel("", "figure")),
-      goals_(makeLabel("", "figure")),
+      share_(makeLabel("", "figure")),
+      goals_(new ElidedLabel("muted")),
       start_(new QPushButton("Start")),
       pause_(new QPushButton("Pause")),
       reset_(new QPushButton("Reset")),
@@ -46,6 +47,7 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   reset_->setObjectName("explore_reset");
   area_->setObjectName("explored_area");
   state_->setObjectName("explorer_state");
+  goals_->setObjectName("explorer_goals");
   // Room for the longest reason, so that the buttons below keep their place.
   reason_->setMinimumHeight(emOf(*this) * 13 / 4);
   reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -55,6 +57,7 @@ ExplorerCard::ExplorerCard(QWidget* parent)
   content()->addLayout(line);
   content()->addWidget(reason_);
   content()->addLayout(makeFigures());
+  content()->addWidget(goals_);
   content()->addLayout(makeLimits());
   content()->addLayout(makeButtons());
 }
@@ -107,7 +110,7 @@ QLayout* ExplorerCard::makeFigures() {
   grid->setHorizontalSpacing(emOf(*this));
   grid->setVerticalSpacing(0);
   const std::array<std::pair<const char*, QLabel*>, 4> figures{
-      {{"explored", area_}, {"driven", distance_}, {"frontiers left", frontiers_}, {"goals reached", goals_}}};
+      {{"explored", area_}, {"driven", distance_}, {"frontiers left", frontiers_}, {"of the whole", share_}}};
   for (int i = 0; i < 4; ++i) {
     const auto& [name, label] = figures[static_cast<std::size_t>(i)];
     grid->addWidget(label, i / 2 * 2, i % 2);
@@ -132,7 +135,8 @@ void ExplorerCard::setState(const teleop::OperatorState& state) {
   dot_->setSeverity(heard ? state.explorer->severity : teleop::Severity::kIdle);
   if (!state.explorer) {
     state_->setFullText("not heard of");
-    for (QLabel* label : {area_, distance_, frontiers_, goals_}) label->setText("–");
+    for (QLabel* label : {area_, distance_, frontiers_, share_}) label->setText("–");
+    goals_->setFullText("");
     return;
   }
   const teleop::ExplorerView& explorer = *state.explorer;
@@ -147,7 +151,11 @@ void ExplorerCard::showFigures(const teleop::ExplorerView& explorer) {
   area_->setText(QString("%1 m²").arg(explorer.explored_area, 0, 'f', 1));
   distance_->setText(QString("%1 m").arg(explorer.distance_travelled, 0, 'f', 1));
   frontiers_->setText(QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));
-  goals_->setText(QString("%1 of %2").arg(explorer.goals_reached).arg(explorer.goals_sent));
+  share_->setText(explorer.share_explored ? QString("≈ %1 %").arg(100.0 * *explorer.share_explored, 0, 'f', 0) : "–");
+  goals_->setFullText(QString("Goals: %1 seen, %2 reached, %3 failed")
+                          .arg(explorer.goals_seen)
+                          .arg(explorer.goals_reached)
+                          .arg(explorer.goals_failed));
 }
 
 void ExplorerCard::showLimits(const teleop::OperatorState& state, bool heard) {

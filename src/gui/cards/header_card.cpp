@@ -53,6 +53,15 @@ Headline headlineOf(const teleop::OperatorState& state) {
   return {title, detailOf(arbiter, title), stopped ? teleop::Severity::kError : arbiter.severity};
 }
 
+/// What has to end before the stop can be cleared, as the text of the button that ends it.
+QString wayOutOf(const teleop::OperatorState& state) {
+  if (state.explorer && state.explorer->status_age <= teleop::kStatusLifetime && state.explorer->running)
+    return "Pause the explorer and clear";
+  if (state.patrol.active) return "Stop the patrol and clear";
+  if (state.spin.active) return "Stop the spin and clear";
+  return "Stop what drives and clear";
+}
+
 }  // namespace
 
 StopButton::StopButton(QWidget* parent) : QPushButton("EMERGENCY STOP", parent) {
@@ -122,7 +131,10 @@ HeaderCard::HeaderCard(QWidget* parent)
       summary_(makeLabel("", "muted", true)),
       problems_(makeLabel("", "", true)),
       stop_(new StopButton),
-      clear_(new QPushButton("Clear")) {
+      clear_(new QPushButton("Clear")),
+      refusal_(new QWidget),
+      why_refused_(makeLabel("", "", true)),
+      halt_and_clear_(new QPushButton) {
   driver_->setObjectName("driver");
   summary_->setObjectName("summary");
   problems_->setObjectName("problems");
@@ -142,6 +154,13 @@ HeaderCard::HeaderCard(QWidget* parent)
   line_->addLayout(text, 1);
   line_->addLayout(buttons);
   content()->addLayout(line_);
+  why_refused_->setObjectName("clear_refusal");
+  halt_and_clear_->setObjectName("halt_and_clear");
+  auto* refused = new QHBoxLayout(refusal_);
+  refused->setContentsMargins(0, 0, 0, 0);
+  refused->addWidget(why_refused_, 1);
+  refused->addWidget(halt_and_clear_);
+  content()->addWidget(refusal_);
   // Adapts to any width, and stacks its parts when it is narrow: see resizeEvent.
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
   setMinimumWidth(emOf(*this) * 15);
@@ -150,6 +169,7 @@ HeaderCard::HeaderCard(QWidget* parent)
     emit stopAsked();
   });
   connect(clear_, &QPushButton::clicked, this, &HeaderCard::clearAsked);
+  connect(halt_and_clear_, &QPushButton::clicked, this, &HeaderCard::haltAndClearAsked);
   setState({});
 }
 
@@ -164,6 +184,15 @@ void HeaderCard::setState(const teleop::OperatorState& state) {
   clear_->setToolTip(!latched ? "Nothing to clear"
                               : (state.clear_service_up ? "Clears the stop; this does not move the robot"
                                                         : "set_emergency_stop is down"));
+  showRefusal(state, latched);
+}
+
+void HeaderCard::showRefusal(const teleop::OperatorState& state, bool latched) {
+  refusal_->setVisible(latched && !state.clear_refusal.empty());
+  why_refused_->setText("Not cleared: " + QString::fromStdString(state.clear_refusal) + ".");
+  why_refused_->setStyleSheet("color: " + Theme::current().warning.name());
+  halt_and_clear_->setText(wayOutOf(state));
+  halt_and_clear_->setEnabled(state.clear_service_up);
 }
 
 void HeaderCard::showDriver(const teleop::OperatorState& state) {
@@ -172,6 +201,7 @@ void HeaderCard::showDriver(const teleop::OperatorState& state) {
   driver_->setText(headline.text);
   summary_->setText(headline.detail);
   QStringList lines;
+  if (state.contact.value_or(false)) lines << "The robot touches something: drive away from it.";
   if (state.arbiter) {
     for (const std::string& problem : state.arbiter->problems) {
       // Some problems are part of the summary already.

@@ -37,12 +37,15 @@ class HeaderCard : public Card {
  signals:
   void stopAsked();
   void clearAsked();
+  /// The operator wants everything that drives to be halted, and then the stop to be cleared.
+  void haltAndClearAsked();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showDriver(const teleop::OperatorState& state);
+  void showRefusal(const teleop::OperatorState& state, bool latched);
 
   QBoxLayout* line_;
   Dot* dot_;
@@ -51,6 +54,9 @@ class HeaderCard : public Card {
   QLabel* problems_;
   StopButton* stop_;
   QPushButton* clear_;
+  QWidget* refusal_;  ///< why the stop was not cleared, and the way out
+  QLabel* why_refused_;
+  QPushButton* halt_and_clear_;
   int asked_refreshes_ = 0;  ///< for how many more refreshes a click is shown as not yet confirmed
 };
 

@@ -10,31 +10,15 @@
 #include <map>
 
 #include "ros/common/clock.h"
+#include "ros/common/help/usages.h"
 #include "ros/common/master/topic_list.h"
 #include "ros/common/parameters.h"
 
 namespace frontier_pilot {
 namespace {
 
-constexpr int kNotReady = 1, kUsage = 2, kNoMaster = 3;
+constexpr int kNotReady = 1, kNoMaster = 3;
 constexpr double kLook = 0.05;  // [s] between two looks at the end
-constexpr const char* kUsageText =
-    R"(usage: check_robot [_duration:=SECONDS] [scan:=TOPIC] [odom:=TOPIC] [cmd_vel:=TOPIC]
-
-Listens to a robot for some seconds (5 by default, 8 at most), without moving it, and says in plain
-words what is there, what is missing and what to set: the rates of scan and odometry, the frames, the
-scanner's mount, clocks that differ, other nodes that drive, several mappers, simulated time.
-
-roslaunch frontier_pilot check_robot.launch takes the same arguments as the other launch files:
-robot, scan, odom, cmd_vel, base_frame, odom_frame, map_frame.
-
-Exit code:
-  0    the robot could drive
-  1    it could not: each PROBLEM is to be put right first
-  2    wrong arguments or parameters
-  3    no ROS master
-)";
-
 int fail(const std::string& text, int exit_code) {
   std::cerr << "check_robot: " << text << std::endl;
   return exit_code;
@@ -108,21 +92,15 @@ int CheckRobotAdapter::run(const RunningFn& running) {
 }
 
 int runCheckRobot(int argc, char** argv) {
-  std::vector<std::string> words;
-  ros::removeROSArgs(argc, argv, words);
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    if (words[i] != "--help" && words[i] != "-h")
-      return fail("unknown argument: " + words[i] + "\n\n" + kUsageText, kUsage);
-    std::cout << kUsageText;
-    return 0;
-  }
-  ros::init(argc, argv, "check_robot", ros::init_options::NoSigintHandler);
+  const NodeUsage usage = checkRobotUsage();
+  if (const auto answered = answerCommandLine({argv + 1, argv + argc}, usage)) return *answered;
+  ros::init(argc, argv, usage.name, ros::init_options::NoSigintHandler);
   if (!askMaster()) {
     return fail("no ROS master answers at " + ros::master::getURI() +
                     ": start the robot's launch file or roscore, or set ROS_MASTER_URI",
                 kNoMaster);
   }
-  return runNodeWithLoop(argc, argv, "check_robot",
+  return runNodeWithLoop(argc, argv, usage,
                          [](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn& running) {
                            return CheckRobotAdapter(node, private_node).run(running);
                          });

@@ -76,11 +76,11 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 
 }  // namespace
 
-int runNode(int argc, char** argv, const std::string& name,
+int runNode(int argc, char** argv, const NodeUsage& usage,
             const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check) {
   return runNodeWithLoop(
-      argc, argv, name,
+      argc, argv, usage,
       [&make](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn&) {
         const RunningNode running = make(node, private_node);
         spinUntilStopped();
@@ -90,10 +90,11 @@ int runNode(int argc, char** argv, const std::string& name,
       check);
 }
 
-int runNodeWithLoop(int& argc, char** argv, const std::string& name,
+int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
                     const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,
                     const std::function<void()>& check) {
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  if (const auto answered = answerCommandLine({argv + 1, argv + argc}, usage)) return *answered;
+  ros::init(argc, argv, usage.name, ros::init_options::NoSigintHandler);
   catchSignals();
   try {
     if (check) check();
@@ -106,9 +107,9 @@ int runNodeWithLoop(int& argc, char** argv, const std::string& name,
     flush();  // for the last lines on /rosout
     return exit_code;
   } catch (const ConfigurationError& error) {
-    return fail(name, error, 2);
+    return fail(usage.name, error, 2);
   } catch (const std::exception& error) {
-    return fail(name, error, 1);
+    return fail(usage.name, error, 1);
   }
 }
 

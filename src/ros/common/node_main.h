@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "ros/common/help/node_usage.h"
+
 namespace frontier_pilot {
 
 /// A node, and a function that publishes its last messages before it ends, such as a zero or a cancel; may be empty.
@@ -16,13 +18,14 @@ struct RunningNode {
   std::function<void()> say_last_words;
 };
 
-/// Runs a node: `make(node, private_node)` builds it, then callbacks run on this one thread until SIGINT, SIGTERM or a
-/// ROS shutdown. After a signal `say_last_words` is called, and its messages are sent before the node is destroyed,
-/// because a publisher that is destroyed drops what it has not sent yet. An exception of a callback is logged, and the
-/// node goes on. An exception of `make` is logged, also on stderr, and ends the node; so do, before the node registers
-/// at the master, an exception of `check` and a living node of the same name. Returns the exit code: 0, or 1 after an
-/// exception, or 2 after a ConfigurationError.
-int runNode(int argc, char** argv, const std::string& name,
+/// Answers --help and wrong arguments, without a master; otherwise runs the node: `make(node, private_node)` builds it,
+/// then callbacks run on this one thread until SIGINT, SIGTERM or a ROS shutdown. After a signal `say_last_words` is
+/// called, and its messages are sent before the node is destroyed, because a publisher that is destroyed drops what it
+/// has not sent yet. An exception of a callback is logged, and the node goes on. An exception of `make` is logged, also
+/// on stderr, and ends the node; so do, before the node registers at the master, an exception of `check` and a living
+/// node of the same name. Returns the exit code: 0, or 1 after an exception, or 2 after a ConfigurationError or a wrong
+/// argument.
+int runNode(int argc, char** argv, const NodeUsage& usage,
             const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check = {});
 
@@ -34,9 +37,9 @@ struct HasLastWords<Node, std::void_t<decltype(std::declval<Node&>().sayLastWord
 /// The same for a class with a constructor `Node(ros::NodeHandle& node, ros::NodeHandle& private_node)` and,
 /// optionally, a function `sayLastWords()`.
 template <class Node>
-int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& check = {}) {
+int runNode(int argc, char** argv, const NodeUsage& usage, const std::function<void()>& check = {}) {
   return runNode(
-      argc, argv, name,
+      argc, argv, usage,
       [](ros::NodeHandle& node, ros::NodeHandle& private_node) {
         const auto running = std::make_shared<Node>(node, private_node);
         RunningNode result{running, {}};
@@ -49,7 +52,7 @@ int runNode(int argc, char** argv, const std::string& name, const std::function<
 /// The same for a node with a main loop of its own, such as a window: `body(node, private_node, running)` runs the
 /// node, has to return soon after `running()` has become false, and returns the exit code.
 using RunningFn = std::function<bool()>;
-int runNodeWithLoop(int& argc, char** argv, const std::string& name,
+int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
                     const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,
                     const std::function<void()>& check = {});
 

@@ -1,15 +1,9 @@
 #include "ros/patrol_client/patrol_client_adapter.h"
 
-#include <ros/callback_queue.h>
-#include <ros/init.h>
-#include <ros/master.h>
-
-#include <csignal>
 #include <iostream>
-#include <stdexcept>
+#include <string>
 
 #include "ros/common/clock.h"
-#include "ros/common/master/namesake.h"
 #include "ros/common/names.h"
 
 namespace frontier_pilot {
@@ -18,19 +12,12 @@ namespace {
 constexpr Duration kPatience = std::chrono::milliseconds(1700);
 constexpr Duration kNobodyThere = std::chrono::milliseconds(1000);  // the master takes a fraction of it to connect us
 constexpr Duration kCancelPatience = std::chrono::seconds(5);
-constexpr double kLook = 0.05;  // [s] between two looks
-
-volatile std::sig_atomic_t interrupts = 0;
-void handleInterrupt(int) { interrupts = interrupts + 1; }
 
 void say(const std::string& text) { std::cout << text << std::endl; }
-void complain(const std::string& text) { std::cerr << "patrol_client: " << text << std::endl; }
-int fail(const std::string& text, patrol::PatrolExit exit) {
-  complain(text);
-  return static_cast<int>(exit);
-}
 
 }  // namespace
+
+void PatrolClientAdapter::complain(const std::string& text) { std::cerr << "patrol_client: " << text << std::endl; }
 
 PatrolClientAdapter::PatrolClientAdapter(ros::NodeHandle& node, const patrol::PatrolOrder& order)
     : order_(order), client_(node, names::kPatrol), since_(steadyNow()), heard_(since_) {
@@ -46,17 +33,11 @@ std::optional<patrol::PatrolExit> PatrolClientAdapter::update(int interrupts_so_
 
 std::optional<patrol::PatrolExit> PatrolClientAdapter::connect(int interrupts_so_far) {
   if (interrupts_so_far > 0) return patrol::PatrolExit::kInterrupted;
-  // A goal's id contains its time; before the first /clock it could equal the id of another goal.
-  const bool has_time = rosNow() != Time{};
-  if (client_.isServerConnected() && has_time) {
+  if (client_.isServerConnected()) {
     send();
     return std::nullopt;
   }
   const Duration waited = steadyNow() - since_;
-  if (!has_time && waited >= 2 * kPatience) {
-    complain("there is no ROS time: /clock is not published");
-    return patrol::PatrolExit::kNoServer;
-  }
   if (waited < (status_.getNumPublishers() > 0 ? 2 * kPatience : kNobodyThere)) return std::nullopt;
   complain(std::string("no patrol server answers on '") + names::kPatrol + "': is patrol_server running?");
   return patrol::PatrolExit::kNoServer;
@@ -117,31 +98,6 @@ void PatrolClientAdapter::handleDone(const actionlib::TerminalState& state, cons
   } else {
     outcome_ = phase_ == Phase::kCanceling ? patrol::PatrolExit::kInterrupted : patrol::PatrolExit::kAborted;
   }
-}
-
-int runPatrolClient(int argc, char** argv) {
-  ros::init(argc, argv, "patrol_client", ros::init_options::NoSigintHandler);
-  const patrol::PatrolCommandLine line = patrol::parsePatrolCommandLine({argv + 1, argv + argc});
-  if (line.help) {
-    std::cout << patrol::patrolUsage();
-    return 0;
-  }
-  if (!line.goal) return fail(line.problem + "\n\n" + patrol::patrolUsage(), patrol::PatrolExit::kUsage);
-  if (!ros::master::check()) return fail("no ROS master at " + ros::master::getURI(), patrol::PatrolExit::kNoServer);
-  try {
-    refuseANamesake();
-  } catch (const std::runtime_error& error) {
-    return fail(error.what(), patrol::PatrolExit::kUsage);
-  }
-  std::signal(SIGINT, handleInterrupt);
-  std::signal(SIGTERM, handleInterrupt);
-  ros::NodeHandle node;
-  PatrolClientAdapter client(node, *line.goal);
-  while (ros::ok()) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kLook));
-    if (const auto outcome = client.update(interrupts)) return static_cast<int>(*outcome);
-  }
-  return static_cast<int>(patrol::PatrolExit::kNoServer);
 }
 
 }  // namespace frontier_pilot

@@ -23,6 +23,9 @@ class PatrolClientAdapter {
   /// outcome as soon as there is one. To be called often, between callbacks.
   std::optional<patrol::PatrolExit> update(int interrupts);
 
+  /// Prints a line on stderr that begins with the program's name.
+  static void complain(const std::string& text);
+
  private:
   enum class Phase { kConnecting, kRunning, kCanceling };
 

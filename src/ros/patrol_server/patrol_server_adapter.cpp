@@ -20,6 +20,7 @@ PatrolServerAdapter::PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle&
           node_, names::kPatrol, [this](const PatrolGoal& goal) { handleGoal(goal); },
           [this](bool) { put(patrol_.cancel()); }),
       diagnostics_(node, private_node),
+      surroundings_(parameters_.surroundings, parameters_.patrol.robot, tf_),
       connections_(node) {
   subscribe();
   diagnostics_.add("patrol", [this](auto& status) { fillDiagnostics(status); });
@@ -27,6 +28,7 @@ PatrolServerAdapter::PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle&
   connections_.every(ros::Duration(1.0 / parameters_.patrol.frequency), [this] { tick(); });
   connections_.clock().onJump([this] {
     inputs_.odometry.reset();
+    surroundings_.clear();
     put(patrol_.abortByClockJump());
   });
 }
@@ -38,6 +40,7 @@ void PatrolServerAdapter::sayLastWords() {
 void PatrolServerAdapter::subscribe() {
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   const RobotModel& robot = parameters_.patrol.robot;
+  surroundings_.subscribe(connections_);
   followOdometry(connections_, tf_, robot, robot.base_frame, 1, &PatrolServerAdapter::handleOdometry, this, hints);
   connections_.subscribe(names::kEmergencyStopState, 1, &PatrolServerAdapter::handleStop, this, hints);
   connections_.subscribe(names::kArbiterStatus, 1, &PatrolServerAdapter::handleArbiter, this, hints);
@@ -47,6 +50,7 @@ void PatrolServerAdapter::handleGoal(const PatrolGoal& msg) {
   // The action server has already ended a patrol that was active.
   const patrol::PatrolOrder order{msg.goal.x, msg.goal.y, msg.goal.z};
   THROTTLED_INFO("patrol requested: mode " << order.mode << ", size " << order.size << " m, " << order.laps << " laps");
+  if (surroundings_.isBlind()) THROTTLED_WARN("nobody publishes a scan: the patrol is driven without looking ahead");
   put(patrol_.start(order, rosNow()));
 }
 
@@ -59,6 +63,7 @@ void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
     return tick();
   }
   inputs_.odometry_problem.reset();
+  surroundings_.addOdometry(odometry->stamp, odometry->T_odom_base);
   // Stamped with the time of arrival, so that a small offset of the base's clock does not stop the patrol.
   inputs_.odometry = MotionSample{rosNow(), odometry->T_odom_base, odometry->twist};
 }
@@ -74,7 +79,10 @@ void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
 }
 
 void PatrolServerAdapter::tick() {
-  if (const auto now = connections_.clock().now()) put(patrol_.update(inputs_, *now));
+  const auto now = connections_.clock().now();
+  if (!now) return;
+  inputs_.way_ahead = surroundings_.wayAhead(*now);
+  put(patrol_.update(inputs_, *now));
 }
 
 void PatrolServerAdapter::put(const patrol::PatrolOutput& output) {
@@ -109,11 +117,14 @@ void PatrolServerAdapter::fillDiagnostics(diagnostic_updater::DiagnosticStatusWr
     status.summary(Level::WARN, "emergency stop");
   } else if (no_odometry) {
     status.summary(Level::WARN, "no odometry");
+  } else if (surroundings_.isBlind()) {
+    status.summary(Level::WARN, "no scan: patrols are driven without looking ahead");
   } else {
     status.summary(Level::OK, patrol_.active() ? "patrolling" : "ready");
   }
   status.add("last result", last_text_);
   status.add("wheels held by", inputs_.wheels_held_by.value_or("nobody else"));
+  surroundings_.report(status);
   bad_odometry_.report(status);
   server_.report(status);
 }

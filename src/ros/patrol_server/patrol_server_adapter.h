@@ -13,24 +13,27 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/patrol_server/patrol_surroundings.h"
 
 namespace frontier_pilot {
 
 /// The parameters of the node: those of the patrol, and the node's own.
 struct PatrolServerParameters {
   patrol::PatrolParameters patrol;
+  PatrolSurroundingsParameters surroundings;
   std::string source = "patrol";
 
   template <class Visitor>
   void describe(Visitor& v) {
     patrol.describe(v);
+    surroundings.describe(v);
     v.field("source", source, "", "the arbiter's name for this node");
   }
   void check(Problems& problems) const { patrol.check(problems); }
 };
 
 /// The node `patrol_server`: a Patrol as the action `turtlebot3`. Goals, cancels and an emergency stop act at once, in
-/// their callbacks, not at the next tick; a zero velocity is published before any result. [PAT-4]
+/// their callbacks, not at the next tick; a zero velocity is published before any result. [PAT-4] [PAT-7]
 class PatrolServerAdapter {
  public:
   PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
@@ -60,6 +63,7 @@ class PatrolServerAdapter {
   Server server_;
   NodeDiagnostics diagnostics_;
   TfBridge tf_;
+  PatrolSurroundings surroundings_;
   NodeConnections connections_;
 };
 

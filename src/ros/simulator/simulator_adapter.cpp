@@ -40,6 +40,13 @@ SimulatorAdapter::SimulatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       connections_(node) {
   // As in stage_ros: nodes that start later use /clock. A launch file sets it before the first node starts.
   ros::param::set("/use_sim_time", true);
+  if (simulator_.startWasChosen()) {
+    const Pose2& start = simulator_.startPose(0);
+    ROS_INFO_STREAM(
+        "neither the world (start:) nor x and y say where the robot starts: it starts at the free place "
+        "nearest to the middle of the world, x "
+        << start.x << ", y " << start.y);
+  }
   advertise(node);
   publishWorld();
   for (std::size_t i = 0; i < simulator_.robotCount(); ++i) {
@@ -122,8 +129,10 @@ bool SimulatorAdapter::pause(std_srvs::SetBool::Request& request, std_srvs::SetB
 void SimulatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   const SteadyTime now = steadyNow();
   const double real = std::max(1e-3, toSeconds(now - reported_real_));
-  status.summary(paused_ ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
-                 paused_ ? "paused" : "running");
+  bool touches = false;
+  for (std::size_t i = 0; i < simulator_.robotCount(); ++i) touches = touches || simulator_.stalled(i);
+  status.summary(paused_ || touches ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+                 paused_ ? "paused" : (touches ? "a robot touches something" : "running"));
   status.addf("simulated time", "%.2f s", toSeconds(simulator_.now()));
   status.addf("simulated over real time", "%.2f", toSeconds(simulator_.now() - reported_sim_) / real);
   status.add("times behind the requested speed", pace_.timesBehind());

@@ -20,7 +20,9 @@ std::string textOf(const PatrolFeedback& feedback) { return feedback.state; }
 std::string textOf(const PatrolResult& result) { return result.result; }
 std::string textOf(const SpinFeedback& feedback) { return turned(feedback.angular_distance_traveled); }
 std::string textOf(const SpinResult& result) {
-  return turned(result.angular_distance_traveled) + (result.error_msg.empty() ? "" : ": " + result.error_msg);
+  if (result.error_msg.empty()) return turned(result.angular_distance_traveled);
+  const bool moved = std::lround(result.angular_distance_traveled * 180.0 / kPi) != 0;
+  return (moved ? turned(result.angular_distance_traveled) : "Not turned") + ": " + result.error_msg;
 }
 
 }  // namespace

@@ -44,11 +44,14 @@ GuiBridge::GuiBridge(const ros::NodeHandle& node, const teleop::TeleopParameters
       connections_(node_),
       patrol_(node_, connections_, names::kPatrol, "patrol", logger()),
       spin_(node_, connections_, names::kSpin, "spin", logger()),
-      caller_(node_, logger()),
+      caller_(node_, logger(),
+              [this](const auto& service, bool success, const auto& message) { onAnswer(service, success, message); }),
       stop_caller_(node_, logger()),
       watch_(node_, [this](const std::string& service) { onServiceUp(service); }),
       spinner_(1, &queue_) {
   watchServices();
+  const std::string cancel = std::string(names::kMoveBase) + "/cancel";
+  cancel_navigation_ = node_.advertise<actionlib_msgs::GoalID>(cancel, 2);
   subscribe();
   connections_.everySteady(ros::WallDuration(1.0 / parameters_.publish_rate), [this] { publishManual(); });
   spinner_.start();
@@ -133,6 +136,8 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
       return spin_.start(toSpinGoal(request));
     case Kind::kStopSpin:
       return spin_.cancelAll();
+    case Kind::kStopNavigation:
+      return cancel_navigation_.publish(actionlib_msgs::GoalID());  // an empty id cancels all goals
   }
 }
 

@@ -53,6 +53,8 @@ class GuiBridge : public teleop::OperatorLink {
   void watchServices();
   void onScan(const sensor_msgs::LaserScan& msg);
   void onArbiter(const ArbiterStatus& msg);
+  void refuseClear(const std::string& reason);
+  void onAnswer(const std::string& service, bool success, const std::string& message);
   void watchSwitchOf(const std::string& source);
   void onServiceUp(const std::string& service);
   void publishManual();
@@ -70,7 +72,8 @@ class GuiBridge : public teleop::OperatorLink {
   Latest<ArbiterStatus> arbiter_;
   Latest<AvoiderStatus> avoider_;
   Latest<ExplorerStatus> explorer_;
-  Latest<bool> stop_;
+  Latest<bool> stop_, contact_;
+  std::string clear_refusal_;
   Latest<Twist2> command_;
   Latest<LaserScan2> scan_;
   teleop::AvoiderSectors sectors_;
@@ -83,7 +86,7 @@ class GuiBridge : public teleop::OperatorLink {
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   TfBridge tf_;
-  ros::Publisher manual_publisher_;
+  ros::Publisher manual_publisher_, cancel_navigation_;
   ros::Subscriber stop_subscriber_;
   NodeConnections connections_;
   PatrolLink patrol_;

@@ -3,6 +3,7 @@
 #include <ros/serialization.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
@@ -53,8 +54,27 @@ void GuiBridge::subscribe() {
     keep(command_, Twist2{msg.linear.x, msg.angular.z});
   });
   connections_.subscribe(names::kScan, 1, &GuiBridge::onScan, this);
-  stop_subscriber_ = connections_.subscribe<std_msgs::Bool>(
-      names::kEmergencyStopState, 1, [=](const std_msgs::Bool& msg) { keep(stop_, msg.data != 0); });
+  stop_subscriber_ =
+      connections_.subscribe<std_msgs::Bool>(names::kEmergencyStopState, 1, [=](const std_msgs::Bool& msg) {
+        keep(stop_, msg.data != 0);
+        if (msg.data == 0) refuseClear("");
+      });
+  connections_.subscribe<std_msgs::Bool>(names::kStalled, 1,
+                                         [=](const std_msgs::Bool& msg) { keep(contact_, msg.data != 0); });
+}
+
+void GuiBridge::refuseClear(const std::string& reason) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  clear_refusal_ = reason;
+}
+
+/// Keeps why the arbiter refuses to clear the stop, for the button that was pressed.
+void GuiBridge::onAnswer(const std::string& service, bool success, const std::string& message) {
+  if (service != names::kSetEmergencyStop) return;
+  constexpr std::string_view kRefused = "refused: ";
+  const std::size_t begin = message.rfind(kRefused, 0) == 0 ? kRefused.size() : 0;
+  const std::size_t end = message.rfind(" (answered by");
+  refuseClear(success ? "" : printable(message.substr(begin, end - begin), bounds::kMostReason));
 }
 
 void GuiBridge::onArbiter(const ArbiterStatus& msg) {
@@ -124,6 +144,8 @@ teleop::OperatorState GuiBridge::state() {
   const SteadyTime now = steadyNow();
   const std::lock_guard<std::mutex> lock(mutex_);
   state.emergency_stop = stopState(now);
+  state.clear_refusal = clear_refusal_;
+  state.contact = contact_.fresh(now, kFresh);
   state.sectors = sectors_;
   show(arbiter_, now, state.arbiter);
   show(avoider_, now, state.avoider);

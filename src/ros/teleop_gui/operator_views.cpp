@@ -13,10 +13,10 @@ teleop::Severity severityOf(const ArbiterSource& source) {
     case ArbiterSource::ACTIVE:
       return teleop::Severity::kActive;
     case ArbiterSource::READY:
-    case ArbiterSource::IDLE:
       return teleop::Severity::kGood;
     case ArbiterSource::REJECTED:
       return teleop::Severity::kError;
+    case ArbiterSource::IDLE:
     case ArbiterSource::DISABLED:
       return teleop::Severity::kIdle;
     default:
@@ -28,7 +28,7 @@ teleop::Severity severityOf(const ArbiterSource& source) {
 teleop::SourceView toView(const ArbiterSource& msg, double status_age) {
   teleop::SourceView view;
   view.name = msg.name;
-  view.state_text = msg.state_text;
+  view.state_text = msg.state == ArbiterSource::NEVER_HEARD ? "no command received yet" : msg.state_text;
   view.severity = severityOf(msg);
   view.enabled = msg.enabled != 0;
   view.required = msg.required != 0;
@@ -96,6 +96,12 @@ std::string number(const char* format, double value) {
   char text[48];
   std::snprintf(text, sizeof text, format, value);
   return text;
+}
+
+/// The state in words, where the one of the status would not say what the operator wants to know.
+std::string stateText(const ExplorerStatus& msg) {
+  if (msg.state != ExplorerStatus::IDLE) return msg.state_text;
+  return msg.reason == ExplorerStatus::PAUSED ? "Paused" : "Waiting";
 }
 
 std::string boundsText(const ExplorerStatus& msg) {
@@ -167,8 +173,9 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   view.status_age = status_age;
   view.severity = severityOf(msg);
   view.running = msg.state != ExplorerStatus::DONE && msg.reason != ExplorerStatus::PAUSED;
-  view.state_text = msg.state_text;
-  view.phase_text = msg.phase_text;
+  view.state_text = stateText(msg);
+  const bool explores = msg.state != ExplorerStatus::IDLE && msg.state != ExplorerStatus::DONE;
+  if (explores) view.phase_text = msg.phase_text;
   view.reason_text = msg.reason_text;
   view.frontiers_found = msg.frontiers_found;
   view.frontiers_selectable = msg.frontiers_selectable;
@@ -176,7 +183,11 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   view.goals_sent = msg.goals_sent;
   view.goals_reached = msg.goals_reached;
   view.goals_failed = msg.goals_failed;
+  const unsigned under_way = msg.state == ExplorerStatus::NAVIGATING ? 1 : 0;
+  const unsigned ended = msg.goals_reached + msg.goals_failed + under_way;
+  view.goals_seen = msg.goals_sent > ended ? msg.goals_sent - ended : 0;
   view.explored_area = msg.explored_area;
+  view.share_explored = msg.state == ExplorerStatus::DONE ? std::nullopt : known(msg.share_explored);
   view.distance_travelled = msg.distance_travelled;
   view.return_to_start = msg.return_to_start != 0;
   view.bounded = !msg.stay_within.points.empty() || !msg.keep_out.empty() || !msg.clicked_corners.points.empty();

@@ -24,8 +24,8 @@ bool isServiceName(const std::string& service) {
   return ros::names::validate(service, why);
 }
 
-ServiceCaller::ServiceCaller(const ros::NodeHandle& node, OperatorLog log)
-    : node_(node), log_(std::move(log)), thread_([this] { run(); }) {}
+ServiceCaller::ServiceCaller(const ros::NodeHandle& node, OperatorLog log, ServiceAnswered answered)
+    : node_(node), log_(std::move(log)), answered_(std::move(answered)), thread_([this] { run(); }) {}
 
 ServiceCaller::~ServiceCaller() {
   {
@@ -95,6 +95,7 @@ void ServiceCaller::perform(const Call& call) {
   if (!answered) return log_(teleop::Severity::kError, call.service + ": no such service, or it died");
   const bool success = (call.value ? set.response.success : trigger.response.success) != 0;
   const std::string& message = call.value ? set.response.message : trigger.response.message;
+  if (answered_) answered_(call.service, success, message);
   log_(success ? teleop::Severity::kGood : teleop::Severity::kError,
        call.service + (call.value ? (*call.value ? " on: " : " off: ") : ": ") +
            (message.empty() ? (success ? "done" : "refused") : message));

@@ -21,6 +21,9 @@ namespace frontier_pilot {
 /// Adds a line to the operator's log; may be called from any thread.
 using OperatorLog = std::function<void(teleop::Severity, const std::string&)>;
 
+/// Told of the answer to a call: whether it succeeded, and its message; may be called from any thread.
+using ServiceAnswered = std::function<void(const std::string& service, bool success, const std::string& message)>;
+
 /// Whether `service` is a valid ROS name. For an invalid one roscpp throws, also in threads where nothing catches it.
 bool isServiceName(const std::string& service);
 
@@ -28,7 +31,7 @@ bool isServiceName(const std::string& service);
 /// is waiting, even if the server never answers.
 class ServiceCaller {
  public:
-  ServiceCaller(const ros::NodeHandle& node, OperatorLog log);
+  ServiceCaller(const ros::NodeHandle& node, OperatorLog log, ServiceAnswered answered = {});
   ~ServiceCaller();
   ServiceCaller(const ServiceCaller&) = delete;
   ServiceCaller& operator=(const ServiceCaller&) = delete;
@@ -55,6 +58,7 @@ class ServiceCaller {
 
   ros::NodeHandle node_;
   OperatorLog log_;
+  ServiceAnswered answered_;
   CallbackGuard guard_;
   std::mutex mutex_;
   std::condition_variable wake_;

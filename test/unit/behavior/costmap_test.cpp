@@ -113,6 +113,10 @@ TEST(Sweep, UnknownCellsTheEdgeOfTheGridAndNoGridAreNotFree) {
   EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(0.05)), behavior::SweepResult::kClear);
   EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(0.2)), behavior::SweepResult::kUnseen);
   EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(-0.6)), behavior::SweepResult::kOffGrid);
+  OccupancyGrid walled = world.map;
+  for (int row = 0; row < walled.geometry().height; ++row) walled[Cell{17, row}] = kOccupied;
+  EXPECT_EQ(behavior::sweep(walled, footprint, pose, line(0.2)), behavior::SweepResult::kUnseen);
+  EXPECT_EQ(behavior::sweep(walled, footprint, pose, line(0.4)), behavior::SweepResult::kObstacle);  // behind it
   EXPECT_EQ(behavior::sweep(OccupancyGrid(), footprint, pose, line(0.1)), behavior::SweepResult::kNoCostmap);
 }
 

@@ -35,6 +35,13 @@ class MapIo : public ::testing::Test {
   occupancy::OccupancyMap map;
 };
 
+TEST_F(MapIo, AnswersWithTheAbsolutePath) {
+  const fs::path relative = fs::relative(path("floor"), fs::current_path());
+  ASSERT_TRUE(relative.is_relative());
+  const map_files::MapIoResult saved = map_files::saveMap(map, relative.string());
+  EXPECT_EQ(saved.text, "saved " + fs::weakly_canonical(path("floor")).string() + ".pgm, .yaml and .bt");
+}
+
 TEST_F(MapIo, SavesThreeFilesThatLoadAgain) {
   const map_files::MapIoResult saved = map_files::saveMap(map, path("floor"));
   ASSERT_TRUE(saved.ok()) << saved.text;

@@ -35,12 +35,16 @@ TEST(PatrolCommandLine, WhatIsWrongIsNamed) {
   EXPECT_EQ(problem({"square", "--side"}), "--side needs a number");
   EXPECT_EQ(problem({"square", "--laps", "two"}), "--laps needs a number, not two");
   EXPECT_EQ(problem({"square", "--side="}), "--side needs a number, not ");
+  EXPECT_EQ(problem({"square", "--side", "-1"}), "--side must be above 0 m, not -1");
+  EXPECT_EQ(problem({"circle", "--radius=0"}), "--radius must be above 0 m, not 0");
+  EXPECT_EQ(problem({"square", "--side", "inf"}), "--side must be above 0 m, not inf");
+  EXPECT_EQ(problem({"square", "--laps", "0"}), "--laps must be a whole number, at least 1, not 0");
+  EXPECT_EQ(problem({"square", "--laps", "1.5"}), "--laps must be a whole number, at least 1, not 1.5");
 }
 
 TEST(PatrolCommandLine, HelpComesFirst) {
   EXPECT_TRUE(patrol::parsePatrolCommandLine({"--help"}).help);
   EXPECT_TRUE(patrol::parsePatrolCommandLine({"square", "-h"}).help);
-  EXPECT_NE(std::string(patrol::patrolUsage()).find("--laps"), std::string::npos);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "ros/behavior_server/behavior_server_adapter.h"
 #include "ros/check_robot/check_robot_adapter.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/common/help/usages.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 #include "ros/mapper/mapper_adapter.h"
 #include "ros/navigator/navigator_adapter.h"
@@ -36,40 +37,18 @@ bool isOfManyNodes(const detail::Describer::Row& row) {
          row.name == "base_frame";
 }
 
-/// All sources of the arbiter as one: their defaults side by side, once where they are the same.
-Rows withOneSource(const Rows& rows) {
-  const std::string first = "sources[0]/";
-  Rows merged;
-  for (const auto& row : rows) {
-    const std::size_t slash = row.name.find('/');
-    if (row.name.rfind("sources[", 0) != 0) {
-      merged.push_back(row);
-    } else if (row.name.rfind(first, 0) == 0) {
-      merged.push_back(row);
-      merged.back().name = "sources[i]/" + row.name.substr(first.size());
-    } else {
-      const std::string name = "sources[i]" + row.name.substr(slash);
-      const auto of_first = std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return m.name == name; });
-      if (of_first->value != row.value) of_first->value += ", " + row.value;
-    }
-  }
-  return merged;
-}
-
 /// The table of a node, with what most people change before the rest.
-template <class P>
-std::string table(const std::string& node, const std::vector<std::string>& often_changed) {
-  const Rows rows = withOneSource(describeParameters(P()));
+std::string table(const NodeUsage& usage) {
+  const Rows often = rowsNamed(usage.parameters, usage.main_parameters);
+  EXPECT_EQ(often.size(), usage.main_parameters.size()) << usage.name << " lacks one of its main parameters";
   const auto is_often = [&](const std::string& name) {
-    return std::find(often_changed.begin(), often_changed.end(), name) != often_changed.end();
+    return std::find(usage.main_parameters.begin(), usage.main_parameters.end(), name) != usage.main_parameters.end();
   };
-  Rows often, rest;
-  for (const auto& row : rows) {
-    if (is_often(row.name)) often.push_back(row);
+  Rows rest;
+  for (const auto& row : withOneItem(usage.parameters)) {
     if (!is_often(row.name) && !isOfManyNodes(row)) rest.push_back(row);
   }
-  EXPECT_EQ(often.size(), often_changed.size()) << node << " lacks a parameter that is said to be changed often";
-  std::string text = "\n## " + node + "\n\nWhat most people change:\n\n" + tabulateRows(often);
+  std::string text = "\n## " + usage.name + "\n\nWhat most people change:\n\n" + tabulateRows(often);
   if (!rest.empty()) text += "\nThe rest:\n\n" + tabulateRows(rest);
   return text;
 }
@@ -117,27 +96,10 @@ std::string allTables() {
          "Each stands in its node's private namespace; `a/b` is the key `b` in the dictionary `a`. A key that is not\n"
          "here, a value of the wrong type or out of bounds stops the node at start, all of them named at once.\n"
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
-         robotTable() + frameTable() +
-         table<SimulatorNodeParameters>("simulator", {"world", "x", "y", "yaw", "speed", "seed", "odom_noise"}) +
-         table<arbiter::ArbiterParameters>(
-             "cmd_vel_arbiter", {"sources[i]/name", "sources[i]/topic", "sources[i]/priority", "sources[i]/timeout"}) +
-         table<ObstacleAvoiderNodeParameters>("obstacle_avoider",
-                                              {"stop_distance", "clear_distance", "reverse_speed", "enabled"}) +
-         table<PatrolServerParameters>("patrol_server", {"linear_speed", "turn_speed", "max_side", "max_laps"}) +
-         table<BehaviorServerParameters>("behavior_server", {"max_rotational_vel", "default_linear_vel",
-                                                             "simulate_ahead_time", "footprint/padding"}) +
-         table<MapperNodeParameters>(
-             "mapper", {"map_file", "localize_only", "mapper/trust_odometry", "mapper/map/resolution",
-                        "mapper/insertion/max_clear_range", "mapper/slam/local/tracker/odometry/distance"}) +
-         table<NavigatorNodeParameters>(
-             "navigator", {"clearance/preferred_clearance", "clearance/unknown_is_traversable", "goal_tolerance",
-                           "yaw_tolerance", "use_goal_yaw"}) +
-         table<ExplorerNodeParameters>("frontier_explorer",
-                                       {"autostart", "goal_timeout", "return_to_start", "save_map_at_end",
-                                        "bounds/stay_within", "bounds/keep_out", "until/area", "until/time",
-                                        "until/distance", "frontier/min_frontier_cells", "frontier/min_distance"}) +
-         table<teleop::TeleopParameters>("teleop_gui", {"linear_step", "angular_step", "hold_to_run", "palette"}) +
-         table<CheckRobotParameters>("check_robot", {"duration"});
+         robotTable() + frameTable() + table(simulatorUsage()) + table(cmdVelArbiterUsage()) +
+         table(obstacleAvoiderUsage()) + table(patrolServerUsage()) + table(behaviorServerUsage()) +
+         table(mapperUsage()) + table(navigatorUsage()) + table(frontierExplorerUsage()) + table(teleopGuiUsage()) +
+         table(checkRobotUsage());
 }
 
 TEST(ParameterTables, TheDocumentedOnesAreThoseOfTheStructs) {

@@ -52,6 +52,34 @@ TEST(Simulator, TakesUnknownCellsForSolidUnlessTold_SIM_1) {
   EXPECT_NO_THROW(Simulator(world(drawing), parameters));
 }
 
+// [SIM-1]
+TEST(Simulator, StartsAtTheFreePlaceNearestToTheMiddleWhenNobodySaysWhere_SIM_1) {
+  const AsciiWorld drawing =
+      drawWorld("########\n#......#\n#......#\n#..##..#\n#..##..#\n#......#\n#......#\n########", 0.5);
+  SimulatorParameters parameters;
+  parameters.yaw = 0.5;
+  const Simulator simulator(world(drawing), parameters);
+  EXPECT_TRUE(simulator.startWasChosen());
+  EXPECT_NEAR((simulator.pose(0).position() - Vec2(2.0, 2.0)).norm(), 0.79, 0.01);  // beside the pillar in the middle
+  EXPECT_EQ(simulator.pose(0).yaw, 0.5);
+  parameters.x = parameters.y = 0.75;
+  EXPECT_FALSE(Simulator(world(drawing), parameters).startWasChosen());
+}
+
+// [SIM-1]
+TEST(Simulator, SaysThatAWorldHasNoFreePlaceAtAll_SIM_1) {
+  const auto refused = [](const std::string& drawing) {
+    try {
+      Simulator(world(drawWorld(drawing, 0.1)), SimulatorParameters());
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refused("####\n####\n####").find("the world has no free cell"), std::string::npos);
+  EXPECT_NE(refused("####\n#.##\n####").find("the robot fits nowhere"), std::string::npos);
+}
+
 TEST(Simulator, StartsWhereTheWorldSaysUnlessToldOtherwise) {
   World with_start = world(room());
   with_start.start = Pose2(0.55, 0.65, 1.0);

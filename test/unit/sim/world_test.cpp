@@ -59,6 +59,17 @@ TEST_F(WorldFiles, NegatesWhenTold_SIM_1) {
   EXPECT_EQ(loadWorld(writeYaml(text)).map.cells().back(), kFree);
 }
 
+// [SIM-1]
+TEST_F(WorldFiles, SayThatAPictureNeedsAYamlToDescribeIt_SIM_1) {
+  for (const std::string& picture :
+       {write("floor.png", "\x89PNG\r\n\x1a\n...."), write("floor.pgm", "P5\n3 2\n255\n......"),
+        write("floor.jpg", "\xff\xd8\xff\xe0....")}) {
+    EXPECT_NE(refusal(picture).find("is a picture, and not the YAML that describes one"), std::string::npos)
+        << refusal(picture);
+  }
+  EXPECT_NE(refusal((folder_ / "floor.png").string()).find("'image: floor.png'"), std::string::npos);
+}
+
 // [SIM-1] every defect is named, with the file
 TEST_F(WorldFiles, NamesEveryDefect_SIM_1) {
   EXPECT_NE(refusal((folder_ / "none.yaml").string()).find("none.yaml: cannot be read"), std::string::npos);

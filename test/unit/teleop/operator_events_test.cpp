@@ -48,6 +48,15 @@ TEST_F(Journal, TellsTheEmergencyStopWithItsCauseAndItsClearing) {
 }
 
 // [GUI-2]
+TEST_F(Journal, TellsAContactOnceAndWhoDroveTheRobotThere) {
+  now_.contact = true;
+  now_.arbiter->active_source = before_.arbiter->active_source = "patrol";
+  EXPECT_EQ(lines(), Lines{"the robot touches something while patrol drives"});
+  before_ = now_;
+  EXPECT_EQ(lines(), Lines());
+}
+
+// [GUI-2]
 TEST_F(Journal, TellsWhoTakesTheWheels) {
   now_.arbiter->active_source = "nav";
   EXPECT_EQ(lines(), Lines{"nav drives"});

@@ -50,7 +50,6 @@ TEST(MapLogOptions, SayWhatIsWrong) {
   EXPECT_EQ(problemOf({"a", "--fast"}), "unknown option --fast");
   EXPECT_EQ(problemOf({"a", "--out", "x", "--range", "0"}), "--range must be positive");
   EXPECT_EQ(problemOf({"a", "--out", "x", "--fov", "361"}), "--fov must be at most 360 degrees");
-  EXPECT_TRUE(tools::parseMapLogOptions({"--help"}).help);
 }
 
 // [FLT-1] What sizes memory has the bounds that it has in messages and parameters.

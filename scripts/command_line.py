@@ -1,0 +1,21 @@
+"""What the command lines of the Python programs have in common."""
+import argparse
+import sys
+
+
+class CommandLine(argparse.ArgumentParser):
+    """A parser that prints the docstring of a program for --help, and one line with exit code 2 for a wrong argument."""
+
+    def __init__(self, doc, example):
+        super().__init__(description=doc, epilog='example:\n  ' + example,
+                         formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)
+
+    def parse_args(self, words=None):
+        words = sys.argv[1:] if words is None else words
+        for word in words:  # before argparse misses what else is not given
+            if word.startswith('--') and word.split('=')[0] not in self._option_string_actions:
+                self.error('unknown option ' + word)
+        return super().parse_args(words)
+
+    def error(self, message):
+        self.exit(2, "%s: %s; '%s --help' lists what it takes\n" % (self.prog, message, self.prog))

@@ -1,0 +1,16 @@
+# Sourced by the scripts: what their command lines have in common.
+
+# With --help or -h among the words, prints the comment at the head of the script, and ends.
+help_if_asked() {
+  local word
+  for word in "$@"; do
+    case $word in -h | --help) sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0" | grep -v '^set '; exit 0 ;; esac
+  done
+}
+
+# wrong_argument WORD [WHY]: one line on stderr, and exit code 2.
+wrong_argument() {
+  local name=scripts/${0##*/}
+  echo "$name: ${2:-unknown argument '$1'}; '$name --help' lists what it takes" >&2
+  exit 2
+}

@@ -1,0 +1,46 @@
+# Sourced by scripts/run: refuses arguments that launch/system.launch does not have, and values that do not exist.
+
+# check_launch_arguments ROOT OWN WORD...: each word has to be NAME:=VALUE, where NAME is an argument of
+# launch/system.launch or OWN. The first wrong one is named, with what there is instead, and ends the script.
+check_launch_arguments() {
+  local root=$1 own=$2 known word
+  shift 2
+  known="$own $(sed -n 's/^  <arg name="\([a-z_]*\)" default=.*/\1/p' "$root/launch/system.launch" | tr '\n' ' ')"
+  for word in "$@"; do
+    case $word in
+      [a-z]*:=*) ;;
+      *) wrong_argument "$word" ;;
+    esac
+    case " $known" in
+      *" ${word%%:=*} "*) check_value "$root" "${word%%:=*}" "${word#*:=}" ;;
+      *) wrong_argument "$word" "there is no argument '${word%%:=*}', only: ${known% }" ;;
+    esac
+  done
+}
+
+# names_in FOLDER: the YAML files in it, without the ending.
+names_in() { find "$1" -maxdepth 1 -name '*.yaml' -printf '%f\n' | sed 's/\.yaml$//' | sort | paste -s -d ' '; }
+
+check_value() {
+  local root=$1 name=$2 value=$3
+  case $name in
+    world)
+      [ -f "$value" ] ||
+        wrong_argument "$value" "world: there is no file '$value'; in $root/config/worlds are $(names_in "$root/config/worlds")" ;;
+    robot)
+      [ -f "$root/config/robots/$value.yaml" ] || [ -f "$value" ] ||
+        wrong_argument "$value" \
+          "robot: there is neither a robot nor a file '$value'; robots are $(names_in "$root/config/robots")" ;;
+    limits)
+      [ -z "$value" ] || [ "$value" = auto ] || [ -f "$root/config/limits_$value.yaml" ] ||
+        wrong_argument "$value" "limits: must be burger (0.22 m/s) or fast (0.5 m/s), not '$value'" ;;
+    speed)
+      [[ $value =~ ^[0-9]+(\.[0-9]*)?$|^\.[0-9]+$ ]] ||
+        wrong_argument "$value" "speed: must be a number, 1 for real time, 2 to 5 for faster, not '$value'" ;;
+    x | y | yaw)
+      [[ $value =~ ^(auto|[+-]?([0-9]+\.?[0-9]*|\.[0-9]+))?$ ]] ||
+        wrong_argument "$value" "$name: must be a number, not '$value'" ;;
+    gui | rviz | explore | odom_noise | localize_only | avoider)
+      [[ $value =~ ^(true|false)$ ]] || wrong_argument "$value" "$name: must be true or false, not '$value'" ;;
+  esac
+}

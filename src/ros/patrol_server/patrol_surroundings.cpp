@@ -1,0 +1,84 @@
+#include "ros/patrol_server/patrol_surroundings.h"
+
+#include <cmath>
+
+#include "ros/common/messages/conversions.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// What is in the way of `arc`: of its chord, and then of its turn at the end.
+behavior::SweepResult look(const behavior::LookAhead& ahead, const Pose2& T_odom_base, const Twist2& arc) {
+  using behavior::AxisMotion;
+  const Pose2 T_odom_chord = T_odom_base * Pose2(0.0, 0.0, 0.5 * arc.angular);
+  if (arc.linear != 0.0) {
+    const behavior::SweepResult line = ahead(T_odom_chord, {AxisMotion::Axis::kLine, arc.linear});
+    if (line == behavior::SweepResult::kObstacle || arc.angular == 0.0) return line;
+  }
+  const Pose2 end = arc.linear != 0.0 ? T_odom_chord * Pose2(arc.linear, 0.0, -0.5 * arc.angular) : T_odom_base;
+  return ahead(end, {AxisMotion::Axis::kTurn, arc.angular});
+}
+
+}  // namespace
+
+PatrolSurroundings::PatrolSurroundings(const PatrolSurroundingsParameters& parameters, const RobotModel& robot,
+                                       const TfBridge& tf)
+    : parameters_(parameters),
+      base_frame_(robot.base_frame),
+      tf_(tf),
+      check_(parameters.check, robot),
+      placer_(robot.scanner) {}
+
+void PatrolSurroundings::subscribe(NodeConnections& connections) {
+  if (!parameters_.check_collisions) return;
+  scan_ = connections.subscribeToScanner(tf_, base_frame_, 1, &PatrolSurroundings::handleScan, this,
+                                         ros::TransportHints().tcpNoDelay());
+}
+
+void PatrolSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
+  heard_ = true;
+  std::string why;
+  // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
+  const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
+  auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (!scan) return rejections_.add(why);
+  scan_motion_.note(placer_.timing(), placer_.place(ScanReference::kEnd, *scan));
+  if (const auto T_odom_base = placer_.track().nearest(scan->stamp)) check_.insert(*scan, *T_odom_base);
+}
+
+void PatrolSurroundings::addOdometry(Time stamp, const Pose2& T_odom_base) {
+  constexpr double kJump = 0.5;       // [m]
+  constexpr double kAngleJump = 1.5;  // [rad]
+  const auto& poses = placer_.track().poses();
+  if (!poses.empty() && isJump(poses.back().pose, T_odom_base, kJump, kAngleJump)) check_.clear();
+  placer_.addOdometry(stamp, T_odom_base);
+}
+
+bool PatrolSurroundings::isBlind() const {
+  return parameters_.check_collisions && !heard_ && scan_.getNumPublishers() == 0;
+}
+
+patrol::WayAhead PatrolSurroundings::wayAhead(Time now) const {
+  if (!parameters_.check_collisions || isBlind()) return {};
+  return [this, now](const Pose2& T_odom_base, const Twist2& arc) -> std::optional<std::string> {
+    const behavior::LookAhead ahead = check_.lookAhead(parameters_.costmap_timeout, now);
+    const auto seen = ahead ? look(ahead, T_odom_base, arc) : behavior::SweepResult::kNoCostmap;
+    // Many drivers report nothing where nothing is in range: the floor there was never seen.
+    if (seen == behavior::SweepResult::kClear || seen == behavior::SweepResult::kUnseen) return std::nullopt;
+    return std::string("not free ahead: ") + toString(seen);
+  };
+}
+
+void PatrolSurroundings::clear() {
+  placer_.clear();
+  check_.clear();
+}
+
+void PatrolSurroundings::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  if (!parameters_.check_collisions) return status.add("looks at the scan", "no: check_collisions is off");
+  status.add("looks at the scan", isBlind() ? "no: nobody publishes it" : "yes");
+  scan_motion_.report(status);
+  rejections_.report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,49 @@
+#include "ros/common/help/usages.h"
+
+#include <frontier_pilot/ArbiterStatus.h>
+#include <frontier_pilot/AvoiderStatus.h>
+#include <frontier_pilot/ExplorerStatus.h>
+#include <frontier_pilot/PatrolAction.h>
+#include <frontier_pilot/SpinAction.h>
+#include <geometry_msgs/Twist.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "ros/common/names.h"
+#include "teleop/parameters.h"
+
+namespace frontier_pilot {
+
+NodeUsage teleopGuiUsage() {
+  NodeUsage usage;
+  usage.name = "teleop_gui";
+  usage.purpose = "The operator's window: drive by hand, stop, patrol, turn and explore, and see who drives and why.";
+  usage.reads = {port<sensor_msgs::LaserScan>(names::kScan), port<geometry_msgs::Twist>(names::kCmdVel),
+                 port<ArbiterStatus>(names::kArbiterStatus), port<std_msgs::Bool>(names::kEmergencyStopState),
+                 port<AvoiderStatus>(names::kAvoiderStatus), port<ExplorerStatus>(names::kExplorerStatus),
+                 port<std_msgs::Bool>(names::kStalled),      port<tf2_msgs::TFMessage>(names::kTf),
+                 port<tf2_msgs::TFMessage>(names::kTfStatic)};
+  usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelManual)};
+  usage.calls = {port<PatrolAction>(names::kPatrol),
+                 port<move_base_msgs::MoveBaseAction>(names::kMoveBase),
+                 port<SpinAction>(names::kSpin),
+                 servicePort<std_srvs::Trigger>(names::kEmergencyStop),
+                 servicePort<std_srvs::SetBool>(names::kSetEmergencyStop),
+                 servicePort<std_srvs::SetBool>(names::kSetObstacleAvoidEnabled),
+                 servicePort<std_srvs::SetBool>(names::kSetExplorationEnabled),
+                 servicePort<std_srvs::Trigger>(names::kResetExplorer),
+                 servicePort<std_srvs::Trigger>(names::kClearExplorationBounds),
+                 servicePort<std_srvs::Trigger>(names::kClearInspections),
+                 servicePort<std_srvs::SetBool>(names::kSetReturnToStart)};
+  usage.main_parameters = {"linear_step", "angular_step", "hold_to_run", "palette"};
+  usage.parameters = describeParameters(teleop::TeleopParameters());
+  usage.library_options = {"-platform", "-style", "-stylesheet", "-geometry", "-display", "-title"};
+  usage.example = "rosrun frontier_pilot teleop_gui _palette:=dark";
+  return usage;
+}
+
+}  // namespace frontier_pilot

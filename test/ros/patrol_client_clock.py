@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""The patrol's client where ROS has no time: it waits a little, heeds signals meanwhile, and gives up."""
+import signal
+import time
+import unittest
+
+import rostest
+
+from wire import Node, wait_for
+
+
+class PatrolClientClock(unittest.TestCase):
+    def start(self):
+        client = Node('patrol_client', 'square', '--side', '1')
+        self.addCleanup(client.end)
+        return client
+
+    def test_it_gives_up_and_says_that_there_is_no_time(self):
+        code, said = self.start().finish(15.0)
+        self.assertEqual(code, 3, said)
+        self.assertIn('patrol_client: there is no ROS time: /use_sim_time is set, and nobody publishes /clock', said)
+
+    def test_it_ends_at_once_when_it_is_asked_to(self):
+        for number, expected in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            client = self.start()
+            self.assertFalse(wait_for(client.has_ended, 1.5), 'it waits')
+            asked = time.monotonic()
+            client.signal(number)
+            code, said = client.finish(15.0)
+            self.assertEqual(code, expected, said)
+            self.assertLess(time.monotonic() - asked, 1.5)
+
+    def test_a_wrong_number_is_an_error_of_the_command_line(self):
+        client = Node('patrol_client', 'square', '--side', '-1')
+        self.addCleanup(client.end)
+        code, said = client.finish(15.0)
+        self.assertEqual(code, 2)
+        self.assertEqual(said, "patrol_client: --side must be above 0 m, not -1; 'patrol_client --help' lists what it takes\n")
+
+
+if __name__ == '__main__':
+    rostest.rosrun('frontier_pilot', 'patrol_client_clock', PatrolClientClock)

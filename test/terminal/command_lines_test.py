@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Every program answers --help, and says what is wrong with an argument, in a world without a ROS master.
+
+Usage: command_lines_test.py BUILD, the folder of a build; it has to be sourced.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = ROOT / 'build'
+# Scripts without a command line of their own: they are imported.
+MODULES = {'bag_drive.py', 'bag_topics.py', 'command_line.py'}
+
+
+def call(program, *words):
+    """The exit code, and what was printed on stdout and on stderr."""
+    environment = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:9', ROS_IP='127.0.0.1', QT_QPA_PLATFORM='offscreen')
+    done = subprocess.run([str(program), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment, timeout=60,
+                          stdin=subprocess.DEVNULL, universal_newlines=True)
+    return done.returncode, done.stdout, done.stderr
+
+
+def installed():
+    """The nodes and scripts that rosrun finds."""
+    return sorted(path for path in (BUILD / 'devel/lib/frontier_pilot').iterdir() if os.access(path, os.X_OK) and path.is_file()
+                  and not path.name.endswith('_test') and path.name not in MODULES)
+
+
+def benchmarks():
+    programs = [BUILD / 'bin' / path.stem for path in sorted((ROOT / 'bench').glob('*.cpp'))]
+    return [path for path in programs if path.exists()] + sorted((ROOT / 'bench').glob('*.py'))
+
+
+def scripts():
+    return sorted(path for path in (ROOT / 'scripts').iterdir() if path.is_file() and os.access(path, os.X_OK))
+
+
+def rows_of_readme():
+    """The names of topics, services and actions of each node in the table of README.md."""
+    table = (ROOT / 'README.md').read_text().split('\n## Nodes\n')[1].split('\n## ')[0]
+    for row in re.findall(r'^\| (`.*?)\|(.*)\|$', table, re.MULTILINE):
+        names = [name for name in re.findall(r'`([^`]+)`', row[1]) if re.match(r'/?[a-z][a-z0-9_/]*$', name)]
+        for node in re.findall(r'`(\w+)`', row[0]):
+            yield node, names
+
+
+class CommandLines(unittest.TestCase):
+    def test_help_is_printed_without_a_master(self):
+        for program in installed() + benchmarks() + scripts():
+            for word in ('--help', '-h'):
+                with self.subTest(program=program.name, word=word):
+                    code, out, err = call(program, word)
+                    self.assertEqual((code, err), (0, ''))
+                    self.assertRegex(out, r'(?m)^\s*[Uu]sage: .*' + re.escape(program.name.split('.')[0]))
+
+    def test_help_of_a_node_has_an_example(self):
+        for program in installed():
+            with self.subTest(program=program.name):
+                self.assertRegex(call(program, '--help')[1], r'(?im)^example')
+
+    def test_help_names_the_topics_services_and_actions_of_the_readme(self):
+        nodes = {path.name for path in installed()}
+        rows = list(rows_of_readme())
+        self.assertGreater(len(rows), 8)
+        for node, names in rows:
+            self.assertIn(node, nodes)
+            words = set(call(BUILD / 'devel/lib/frontier_pilot' / node, '--help')[1].split())
+            if node == 'patrol_client':  # it shares a row with its server
+                names = ['turtlebot3']
+            for name in names:
+                with self.subTest(node=node, name=name):
+                    self.assertIn(name, words)
+
+    def test_a_wrong_argument_is_named_in_one_line(self):
+        for program in installed() + benchmarks() + scripts():
+            with self.subTest(program=program.name):
+                code, out, err = call(program, '--nonsense')
+                self.assertEqual((code, out), (2, ''), err)
+                self.assertIn('--nonsense', err)
+                self.assertEqual(err.strip().count('\n'), 0, err)
+
+    def test_the_launch_files_of_the_simulation_need_no_argument(self):
+        for name in ('system', 'simulator'):
+            words = call('/usr/bin/roslaunch', 'frontier_pilot', name + '.launch', '--ros-args')[1]
+            self.assertIn('Optional Arguments', words)
+            self.assertNotIn('Required Arguments', words)
+            self.assertIn('yaw (default "auto")', words)
+
+    def test_remappings_parameters_and_names_are_no_wrong_arguments(self):
+        for program in installed():
+            with self.subTest(program=program.name):
+                words = ('scan:=/lidar', '_some_parameter:=1', '__name:=other', '__log:=/tmp/other.log')
+                self.assertEqual(call(program, *words, '--help')[0], 0)
+                self.assertIn('--nonsense', call(program, *words, '--nonsense')[2])
+
+
+if __name__ == '__main__':
+    BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""scripts/run: what it refuses, what its last line says, and what it leaves behind.
+
+Usage: run_script_test.py BUILD, the folder of a build with the nodes.
+"""
+import glob
+import os
+import pathlib
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RUN = str(ROOT / 'scripts/run')
+BUILD = ROOT / 'build'
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+def environment(port):
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'DISPLAY'))}
+    return dict(kept, ROS_MASTER_URI='http://127.0.0.1:%d' % port, ROS_IP='127.0.0.1', FRONTIER_PILOT_BUILD=str(BUILD))
+
+
+def descendants(marker):
+    """The processes that a run with this marker in its environment has left."""
+    found = []
+    for path in glob.glob('/proc/[0-9]*/environ'):
+        try:
+            if marker in pathlib.Path(path).read_bytes():
+                found.append(path)
+        except OSError:
+            pass
+    return found
+
+
+class RunScript(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.port = free_port()
+
+    def start(self, *words):
+        return subprocess.Popen([RUN, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(self.port),
+                                cwd=self.folder.name, stdin=subprocess.DEVNULL, universal_newlines=True, start_new_session=True)
+
+    def run_to_the_end(self, *words):
+        process = self.start(*words)
+        out, err = process.communicate(timeout=300)
+        return process.returncode, out, err
+
+    def assert_nothing_is_left(self):
+        self.assertEqual(descendants(b'ROS_MASTER_URI=http://127.0.0.1:%d' % self.port), [])
+        with socket.socket() as probe:
+            self.assertNotEqual(probe.connect_ex(('127.0.0.1', self.port)), 0, 'a master is left')
+
+    def test_it_refuses_what_the_launch_file_does_not_have_and_says_what_there_is(self):
+        for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
+                            ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
+                            ('x:=left', 'number'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
+            with self.subTest(word=word):
+                code, out, err = self.run_to_the_end(word)
+                self.assertEqual((code, out), (2, ''))
+                self.assertIn(words, err)
+                self.assertEqual(err.strip().count('\n'), 0, err)
+
+    def test_a_launch_that_cannot_begin_ends_with_the_reason_and_leaves_no_master(self):
+        world = pathlib.Path(self.folder.name, 'broken.yaml')
+        world.write_text('image: nowhere.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n')
+        generated = BUILD / 'CMakeFiles/TargetDirectories.txt'
+        before = generated.stat().st_mtime
+        code, _, err = self.run_to_the_end('world:=broken.yaml')
+        self.assertEqual(code, 1)
+        self.assertRegex(err.strip().split('\n')[-1], r'^scripts/run: simulator: .*nowhere\.pgm does not exist')
+        self.assertEqual(generated.stat().st_mtime, before, 'it configured the build again')
+        self.assert_nothing_is_left()
+
+    def test_ctrl_c_saves_the_map_and_leaves_nothing_behind(self):
+        prefix = os.path.join(self.folder.name, 'floor')
+        process = self.start('map:=' + prefix, 'world:=' + str(ROOT / 'config/worlds/small.yaml'), 'speed:=2')
+        said = ''
+        end = time.monotonic() + 240.0
+        while not re.search(r'explored +[1-9]', said) and time.monotonic() < end:
+            line = process.stdout.readline()
+            self.assertTrue(line, said)
+            said += line
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGINT)  # an impatient operator presses it twice
+        out, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 130, said + out + err)
+        self.assertIn('Map saved: %s.pgm' % prefix, out)
+        self.assertTrue(os.path.exists(prefix + '.yaml'))
+        self.assert_nothing_is_left()
+
+
+if __name__ == '__main__':
+    BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()

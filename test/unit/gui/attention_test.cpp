@@ -1,0 +1,82 @@
+// What the operator is told in words: a stop that cannot be cleared, contacts, and what became of the goals. [GUI-2]
+
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "gui/controls.h"
+#include "gui_fixture.h"
+
+namespace frontier_pilot {
+namespace {
+
+class Attention : public test::PilotWidgetTest {
+ protected:
+  using Kind = teleop::OperatorRequest::Kind;
+
+  long asked(Kind kind) const {
+    return std::count_if(requests_.begin(), requests_.end(), [kind](const auto& one) { return one.kind == kind; });
+  }
+};
+
+// [GUI-2]
+TEST_F(Attention, ARefusedClearSaysWhyAndOffersTheWayOut) {
+  state_.emergency_stop = true;
+  widget_->setState(state_);
+  EXPECT_FALSE(find("halt_and_clear")->isVisible());
+  state_.clear_refusal = "nav asked to move 40 ms ago";
+  widget_->setState(state_);
+  EXPECT_TRUE(find("halt_and_clear")->isVisible());
+  EXPECT_EQ(text("clear_refusal"), "Not cleared: nav asked to move 40 ms ago.");
+  EXPECT_EQ(find<QPushButton>("halt_and_clear")->text(), "Pause the explorer and clear");
+  state_.explorer->running = false;
+  state_.patrol.active = true;
+  widget_->setState(state_);
+  EXPECT_EQ(find<QPushButton>("halt_and_clear")->text(), "Stop the patrol and clear");
+  state_.emergency_stop = false;
+  widget_->setState(state_);
+  EXPECT_FALSE(find("halt_and_clear")->isVisible());
+}
+
+// [GUI-2] The arbiter clears only when nothing has commanded motion for half a second.
+TEST_F(Attention, TheWayOutHaltsWhatDrivesAndClearsWhenThatHasEnded) {
+  state_.emergency_stop = true;
+  state_.clear_refusal = "nav asked to move 40 ms ago";
+  state_.patrol.active = true;
+  widget_->setState(state_);
+  click("halt_and_clear");
+  EXPECT_EQ(asked(Kind::kExplore), 1);
+  EXPECT_FALSE(requests_.front().on);
+  EXPECT_EQ(asked(Kind::kStopPatrol), 1);
+  EXPECT_EQ(asked(Kind::kStopSpin), 0);
+  EXPECT_EQ(asked(Kind::kStopNavigation), 1);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 0) << "they have to end first";
+  for (int refresh = 0; refresh < 10; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
+  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 3) << "it does not ask for ever";
+  state_.emergency_stop = false;
+  widget_->setState(state_);
+  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 3);
+}
+
+// [GUI-2]
+TEST_F(Attention, AContactIsShown) {
+  EXPECT_FALSE(text("problems").contains("touches"));
+  state_.contact = true;
+  widget_->setState(state_);
+  EXPECT_TRUE(text("problems").contains("The robot touches something"));
+}
+
+// [GUI-2]
+TEST_F(Attention, GoalsAreCountedAsSeenReachedAndFailed) {
+  state_.explorer->goals_seen = 24;
+  state_.explorer->goals_reached = 3;
+  state_.explorer->goals_failed = 1;
+  widget_->setState(state_);
+  EXPECT_EQ(find<gui::ElidedLabel>("explorer_goals")->fullText(), "Goals: 24 seen, 3 reached, 1 failed");
+}
+
+}  // namespace
+}  // namespace frontier_pilot

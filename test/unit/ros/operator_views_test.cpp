@@ -1,0 +1,62 @@
+// What the operator's window says of the messages. [GUI-2]
+
+#include "ros/teleop_gui/operator_views.h"
+
+#include <gtest/gtest.h>
+
+namespace frontier_pilot {
+namespace {
+
+ExplorerStatus explorerStatus(int state, const char* state_text, int reason) {
+  ExplorerStatus msg;
+  msg.state = static_cast<std::uint8_t>(state);
+  msg.state_text = state_text;
+  msg.reason = static_cast<std::uint8_t>(reason);
+  msg.phase_text = "RICH";
+  return msg;
+}
+
+// [GUI-2]
+TEST(OperatorViews, AnExplorerThatDoesNotExploreIsPausedOrWaits_GUI_2) {
+  const auto paused = toView(explorerStatus(ExplorerStatus::IDLE, "IDLE", ExplorerStatus::PAUSED), 0.0);
+  EXPECT_EQ(paused.state_text, "Paused");
+  EXPECT_EQ(paused.phase_text, "");
+  const auto waits = toView(explorerStatus(ExplorerStatus::IDLE, "IDLE", ExplorerStatus::OTHERS_GOAL), 0.0);
+  EXPECT_EQ(waits.state_text, "Waiting");
+  const auto drives = toView(explorerStatus(ExplorerStatus::NAVIGATING, "NAVIGATING", ExplorerStatus::GOAL_SENT), 0.0);
+  EXPECT_EQ(drives.state_text, "NAVIGATING");
+  EXPECT_EQ(drives.phase_text, "RICH");
+}
+
+// [GUI-2] Most goals are given up on the way, because all that they were chosen for has been seen by then.
+TEST(OperatorViews, GoalsThatWereNeitherReachedNorFailedWereSeen_GUI_2) {
+  ExplorerStatus msg = explorerStatus(ExplorerStatus::DONE, "DONE", ExplorerStatus::NO_REACHABLE_FRONTIER);
+  msg.goals_sent = 24;
+  EXPECT_EQ(toView(msg, 0.0).goals_seen, 24U);
+  msg.goals_reached = 3;
+  msg.goals_failed = 1;
+  EXPECT_EQ(toView(msg, 0.0).goals_seen, 20U);
+  msg.state = ExplorerStatus::NAVIGATING;
+  EXPECT_EQ(toView(msg, 0.0).goals_seen, 19U) << "the last one is under way";
+  msg.goals_sent = 2;
+  EXPECT_EQ(toView(msg, 0.0).goals_seen, 0U);
+}
+
+// [GUI-2]
+TEST(OperatorViews, ASourceThatWantsNothingIsGreyAndOneNeverHeardSaysSo_GUI_2) {
+  ArbiterStatus msg;
+  msg.sources.resize(3);
+  msg.sources[0].state = ArbiterSource::IDLE;
+  msg.sources[0].state_text = "alive, asks for nothing";
+  msg.sources[1].state = ArbiterSource::READY;
+  msg.sources[2].state = ArbiterSource::NEVER_HEARD;
+  msg.sources[2].age = -1.0;
+  const teleop::ArbiterView view = toView(msg, 0.0);
+  EXPECT_EQ(view.sources[0].severity, teleop::Severity::kIdle);
+  EXPECT_EQ(view.sources[0].state_text, "alive, asks for nothing");
+  EXPECT_EQ(view.sources[1].severity, teleop::Severity::kGood);
+  EXPECT_EQ(view.sources[2].state_text, "no command received yet");
+}
+
+}  // namespace
+}  // namespace frontier_pilot
