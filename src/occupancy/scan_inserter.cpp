@@ -34,6 +34,7 @@ void ScanInserter::readRays(const surfaces::SurfaceScan& scan, const Pose2& T_ma
     const Vec2 sensor = scan.point_origins.empty() ? T_map_sensor.position() : inMap(scan.point_origins[i]);
     rays_.push_back(rayThatMet(inMap(point.position), R_map_base * point.normal, sensor, resolution));
   }
+  shortenLone(scan);
 }
 
 ScanInserter::Ray ScanInserter::rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor,
@@ -45,6 +46,17 @@ ScanInserter::Ray ScanInserter::rayThatMet(const Vec2& point, const Vec2& normal
   const Vec2 behind = normal.isZero(0.0) ? unit : Vec2(-normal);
   const double margin = parameters_.clear_margin * resolution / std::max(kFlattest, unit.dot(behind));
   return {sensor, sensor + std::max(0.0, range - margin) * unit, point + parameters_.hit_offset * resolution * behind};
+}
+
+void ScanInserter::shortenLone(const surfaces::SurfaceScan& scan) {
+  const std::size_t first = rays_.size() - scan.points.size();
+  const auto reachOf = [&](const Ray& ray) { return (ray.clear_to - ray.from).norm(); };
+  for (const std::size_t lone : scan.lone) {
+    Ray& ray = rays_[first + lone];
+    const double reach = std::min(reachOf(rays_[first + lone - 1]), reachOf(rays_[first + lone + 1]));
+    ray.clear_to = ray.from + std::min(reach, reachOf(ray)) * (ray.clear_to - ray.from).normalized();
+    ray.hit.reset();
+  }
 }
 
 bool ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const {
