@@ -54,9 +54,22 @@ void ScanInserter::shortenLone(const surfaces::SurfaceScan& scan) {
   for (const std::size_t lone : scan.lone) {
     Ray& ray = rays_[first + lone];
     const double reach = std::min(reachOf(rays_[first + lone - 1]), reachOf(rays_[first + lone + 1]));
-    ray.clear_to = ray.from + std::min(reach, reachOf(ray)) * (ray.clear_to - ray.from).normalized();
+    const Vec2 gap = ray.from + std::min(reach, reachOf(ray)) * (ray.clear_to - ray.from).normalized();
+    const Passage passage{gap, ray.from};
+    if (!isSlit(passage)) ray.clear_to = gap;
     ray.hit.reset();
+    constexpr std::size_t kMost = 500;
+    passages_.push_back(passage);
+    if (passages_.size() > kMost) passages_.pop_front();
   }
+}
+
+bool ScanInserter::isSlit(const Passage& passage) const {
+  constexpr double kSame = 0.3;       // [m]
+  constexpr double kElsewhere = 0.3;  // [m]
+  return std::any_of(passages_.begin(), passages_.end(), [&](const Passage& other) {
+    return (other.at - passage.at).norm() < kSame && (other.from - passage.from).norm() > kElsewhere;
+  });
 }
 
 bool ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const {

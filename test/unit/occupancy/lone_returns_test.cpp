@@ -39,5 +39,28 @@ TEST(LoneReturns, MAP_1_OfADoorThatSeveralBeamsPassOpenIt) {
   EXPECT_EQ(at(map, 7.02, 7.02 * std::tan(kBeam30)), kOccupied);
 }
 
+TEST(LoneReturns, MAP_1_ThroughASlitOpenItWhenSeenFromElsewhereToo) {
+  occupancy::OccupancyMap map;
+  occupancy::ScanInserter inserter;
+  // A slit on the way of beam 30, seen by another beam from the second pose.
+  const double slit = 3.0 * std::tan(kBeam30);
+  inserter.insert(paneWithHoles({30}), Pose2(), map);
+  const auto beam = static_cast<std::size_t>(std::lround((std::atan2(slit - 0.5, 3.0) + 0.5) * 180.0 / kPi));
+  inserter.insert(paneWithHoles({beam}), Pose2(0.0, 0.5, 0.0), map);
+  const double slope = std::tan(-0.5 + static_cast<double>(beam) * kPi / 180.0);
+  EXPECT_EQ(at(map, 5.0, 0.5 + 5.0 * slope), kFree);
+}
+
+TEST(LoneReturns, MAP_1_ThroughGlassStayShutWhereOtherBeamsHaveMetIt) {
+  occupancy::OccupancyMap map;
+  occupancy::ScanInserter inserter;
+  for (int i = 0; i < 20; ++i) inserter.insert(paneWithHoles({}), Pose2(0.0, 0.04 * i, 0.0), map);
+  for (int i = 0; i < 6; ++i) {
+    const auto beam = static_cast<std::size_t>(25 + i);
+    inserter.insert(paneWithHoles({beam}), Pose2(0.0, 0.1 * i, 0.0), map);
+  }
+  for (double side = -1.5; side < 2.5; side += 0.05) EXPECT_NE(at(map, 5.0, side), kFree) << side;
+}
+
 }  // namespace
 }  // namespace frontier_pilot
