@@ -66,7 +66,7 @@ void ScanInserter::shortenLone(const surfaces::SurfaceScan& scan) {
 
 bool ScanInserter::isSlit(const Passage& passage) const {
   constexpr double kSame = 0.3;       // [m]
-  constexpr double kElsewhere = 0.3;  // [m]
+  constexpr double kElsewhere = 0.1;  // [m]
   return std::any_of(passages_.begin(), passages_.end(), [&](const Passage& other) {
     return (other.at - passage.at).norm() < kSame && (other.from - passage.from).norm() > kElsewhere;
   });

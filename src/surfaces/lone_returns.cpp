@@ -6,7 +6,7 @@
 namespace frontier_pilot::surfaces {
 namespace {
 
-constexpr double kBehind = 0.5;          ///< least distance behind both neighbours [m]
+constexpr double kBehind = 1.0;          ///< least distance behind both neighbours [m]
 constexpr std::size_t kAround = 4;       ///< beams on either side that may support a return
 constexpr std::size_t kMostMissing = 3;  ///< invalid beams between a return and its neighbour
 constexpr double kSteepest = 5.0;        ///< returns at most this many beam spacings apart support each other
