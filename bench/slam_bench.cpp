@@ -31,7 +31,7 @@ namespace {
 constexpr const char* kUsage =
     "usage: slam_bench [options]\n"
     "Long simulated drives with bad odometry: how far the mapper is from the truth, and which loops it closes.\n"
-    "  --world NAME     willow, corridor or a map_server YAML (config/worlds/loop.yaml)\n"
+    "  --world NAME     willow, corridor, open-place or a map_server YAML (config/worlds/loop.yaml)\n"
     "  --seeds A-B      seeds to run (1-5)\n"
     "  --distance M     length of the drive (500)\n"
     "  --fault NAME     none, kidnap, dropout, person, odom-frozen or odom-missing, for a while every 30 s\n"
@@ -41,6 +41,7 @@ constexpr const char* kUsage =
     "  --turn RAD       or that the robot has turned this far between (0: all)\n"
     "  --beams N        beams of the scanner (360)\n"
     "  --fov DEG        its field of view (360)\n"
+    "  --range M        its range (8)\n"
     "  --rolling        scans are measured beam after beam, 5 times a second, at up to 2.8 rad/s; odometry's noise is\n"
     "                   that of wheels and a gyroscope, see --odom-walk, but its scale errors stay\n"
     "  --odom-walk S    with --rolling: deviation of odometry's noise after a metre or radian (0.001)\n"
@@ -66,6 +67,7 @@ struct Options {
   double turn = 0.0;
   int beams = 0;             ///< 0: the default robot's
   double field_of_view = 0;  ///< [rad]; 0: the default robot's
+  double range = 0.0;        ///< [m]; 0: the default robot's
   bool rolling = false, at_once = false, skewed = false;
   std::string png;
   bool details = false;
@@ -83,6 +85,7 @@ void takeOption(const std::string& word, tools::Arguments& arguments, Options& o
   if (word == "--turn") return void(o.turn = arguments.number());
   if (word == "--beams") return void(o.beams = static_cast<int>(arguments.number()));
   if (word == "--fov") return void(o.field_of_view = arguments.number() / kDegrees);
+  if (word == "--range") return void(o.range = arguments.number());
   if (word == "--rolling") return void(o.rolling = true);
   if (word == "--at-once") return void(o.at_once = true);
   if (word == "--skewed") return void(o.skewed = true);
@@ -120,6 +123,7 @@ sim::SimulatorParameters simulatorFor(const Options& options, int seed) {
   parameters.robot.limits.max_angular = 1.5;
   if (options.beams > 0) parameters.robot.scanner.beams = options.beams;
   if (options.field_of_view > 0.0) parameters.robot.scanner.field_of_view = options.field_of_view;
+  if (options.range > 0.0) parameters.robot.scanner.range_max = options.range;
   if (options.rolling) {
     parameters.robot.limits.max_angular = 2.8;
     parameters.robot.scanner.rate = 5.0;

@@ -9,7 +9,8 @@ RangeReading readRange(float range, double range_min, double range_max) {
     return r < 0.0 ? RangeReading{RangeKind::kTooNear, range_min} : RangeReading{RangeKind::kFree, range_max};
   if (r < 0.0) return {};
   if (r < range_min) return {RangeKind::kTooNear, range_min};
-  if (r > range_max) return {RangeKind::kFree, range_max};
+  // Some drivers report a beam without a return as `range_max` itself.
+  if (r >= range_max) return {RangeKind::kFree, range_max};
   return {RangeKind::kHit, r};
 }
 

@@ -274,6 +274,7 @@ bool Mapper::Impl::hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) co
 
 void Mapper::reset() {
   impl_->map.clear();
+  impl_->inserter = occupancy::ScanInserter(impl_->parameters.insertion);
   ++impl_->generation;
   impl_->T_map_odom = Pose2();
   impl_->last.reset();

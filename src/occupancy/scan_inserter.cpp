@@ -34,6 +34,7 @@ void ScanInserter::readRays(const surfaces::SurfaceScan& scan, const Pose2& T_ma
     const Vec2 sensor = scan.point_origins.empty() ? T_map_sensor.position() : inMap(scan.point_origins[i]);
     rays_.push_back(rayThatMet(inMap(point.position), R_map_base * point.normal, sensor, resolution));
   }
+  shortenLone(scan);
 }
 
 ScanInserter::Ray ScanInserter::rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor,
@@ -45,6 +46,30 @@ ScanInserter::Ray ScanInserter::rayThatMet(const Vec2& point, const Vec2& normal
   const Vec2 behind = normal.isZero(0.0) ? unit : Vec2(-normal);
   const double margin = parameters_.clear_margin * resolution / std::max(kFlattest, unit.dot(behind));
   return {sensor, sensor + std::max(0.0, range - margin) * unit, point + parameters_.hit_offset * resolution * behind};
+}
+
+void ScanInserter::shortenLone(const surfaces::SurfaceScan& scan) {
+  const std::size_t first = rays_.size() - scan.points.size();
+  const auto reachOf = [&](const Ray& ray) { return (ray.clear_to - ray.from).norm(); };
+  for (const std::size_t lone : scan.lone) {
+    Ray& ray = rays_[first + lone];
+    const double reach = std::min(reachOf(rays_[first + lone - 1]), reachOf(rays_[first + lone + 1]));
+    const Vec2 gap = ray.from + std::min(reach, reachOf(ray)) * (ray.clear_to - ray.from).normalized();
+    const Passage passage{gap, ray.from};
+    if (!isSlit(passage)) ray.clear_to = gap;
+    ray.hit.reset();
+    constexpr std::size_t kMost = 500;
+    passages_.push_back(passage);
+    if (passages_.size() > kMost) passages_.pop_front();
+  }
+}
+
+bool ScanInserter::isSlit(const Passage& passage) const {
+  constexpr double kSame = 0.3;       // [m]
+  constexpr double kElsewhere = 0.1;  // [m]
+  return std::any_of(passages_.begin(), passages_.end(), [&](const Passage& other) {
+    return (other.at - passage.at).norm() < kSame && (other.from - passage.from).norm() > kElsewhere;
+  });
 }
 
 bool ScanInserter::reserve(const Pose2& T_map_base, OccupancyMap& map) const {

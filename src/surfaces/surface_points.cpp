@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surfaces/line_fitter.h"
+#include "surfaces/lone_returns.h"
 #include "surfaces/span_finder.h"
 
 namespace frontier_pilot::surfaces {
@@ -33,8 +34,8 @@ class BeamReader {
       free_.push_back(scan_.angle(beam));
       if (scan_.isMoving()) free_mounts_.push_back(scan_.mount(beam));
     }
-    return {scan_.stamp,     scan_.T_base_sensor,       std::move(points_),     std::move(free_),
-            scan_.range_max, std::move(point_origins_), std::move(free_mounts_)};
+    return {scan_.stamp,     scan_.T_base_sensor,       std::move(points_),      std::move(free_),
+            scan_.range_max, std::move(point_origins_), std::move(free_mounts_), loneReturns(scan_)};
   }
 
  private:

@@ -52,7 +52,7 @@ enum class RangeKind {
   kInvalid,  ///< NaN, 0, or negative and finite: no information
   kHit,      ///< a surface at `distance`
   kTooNear,  ///< -inf or below `range_min`: an obstacle, taken to be at `range_min`
-  kFree,     ///< +inf or beyond `range_max`: nothing up to `range_max`
+  kFree,     ///< +inf, `range_max` or beyond it: nothing up to `range_max`
 };
 #pragma GCC diagnostic pop
 
@@ -63,7 +63,8 @@ struct RangeReading {
   double distance = 0.0;
 };
 
-/// Interprets a raw range by the conventions of sensor_msgs/LaserScan and REP 117. [AVO-2]
+/// Interprets a raw range by the conventions of sensor_msgs/LaserScan and REP 117. `range_max` itself is no return,
+/// because some drivers clamp ranges to it. [AVO-2]
 RangeReading readRange(float range, double range_min, double range_max);
 
 /// `scan` with only every n-th beam, n being the smallest number that leaves at most `most` > 0 of them; unchanged if

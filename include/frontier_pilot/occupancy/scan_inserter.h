@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,10 @@ enum class Insertion {
 /// the hit goes half a cell behind it, and the cells before it are cleared up to a margin. Both distances are measured
 /// across the surface where its normal is known: half a cell along a beam that meets a wall at a flat angle is hardly
 /// behind the wall, and the cells just before the surface may be the wall itself if the pose is off by a centimetre.
-/// Within a scan hits take precedence over misses.
+/// Within a scan hits take precedence over misses. A lone return, far behind both of its neighbours, marks no hit, and
+/// its beam clears no farther than the nearer of them, unless another one has passed there from elsewhere before: a
+/// slit is always at the same place. Even then it ends at the first obstacle on its way, as most beams meet a pane of
+/// glass.
 class ScanInserter {
  public:
   explicit ScanInserter(const ScanInsertionParameters& parameters = {}) : parameters_(parameters) {}
@@ -33,18 +37,27 @@ class ScanInserter {
   struct Ray {
     Vec2 from;                ///< the sensor [m, map]
     Vec2 clear_to;            ///< cells are free from the sensor to here [m, map]
-    std::optional<Vec2> hit;  ///< a point behind the surface [m, map]; a beam without a return has none
+    std::optional<Vec2> hit;  ///< a point behind the surface [m, map]; lone returns and beams without one have none
+  };
+
+  /// Where a lone return passed between its neighbours.
+  struct Passage {
+    Vec2 at;    ///< [m, map]
+    Vec2 from;  ///< the sensor [m, map]
   };
 
   void readRays(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, double resolution);
   Ray rayThatMet(const Vec2& point, const Vec2& normal, const Vec2& sensor, double resolution) const;
+  void shortenLone(const surfaces::SurfaceScan& scan);
+  bool isSlit(const Passage& passage) const;
   bool reserve(const Pose2& T_map_base, OccupancyMap& map) const;
   void markHits(OccupancyMap& map) const;
   void clearRays(OccupancyMap& map) const;
   void clearFootprint(const Vec2& robot, OccupancyMap& map) const;
 
   ScanInsertionParameters parameters_;
-  std::vector<Ray> rays_;  ///< of the present scan
+  std::vector<Ray> rays_;         ///< of the present scan
+  std::deque<Passage> passages_;  ///< of the last lone returns
 };
 
 }  // namespace frontier_pilot::occupancy

@@ -16,6 +16,7 @@ enum class MatchVerdict {
   kMatched,      ///< scan and odometry agree
   kContradicts,  ///< matched well, but not where odometry says: the scan is believed
   kExtended,     ///< it shows mostly new ground: odometry's pose, corrected by what overlaps with the map
+  kCarried,      ///< it shows open ground, or new ground after that: odometry's pose, good enough for the map
   kTooFew,       ///< too few returns: odometry only
   kPoor,         ///< it fits nowhere in the window, or not well enough to overrule odometry: odometry only
   kAmbiguous,    ///< it fits in several places, and not where odometry says: odometry only
@@ -29,7 +30,9 @@ inline bool isMatched(MatchVerdict verdict) {
 }
 
 /// Whether the pose is good enough for the scan to become part of the map.
-inline bool isPlaced(MatchVerdict verdict) { return isMatched(verdict) || verdict == MatchVerdict::kExtended; }
+inline bool isPlaced(MatchVerdict verdict) {
+  return isMatched(verdict) || verdict == MatchVerdict::kExtended || verdict == MatchVerdict::kCarried;
+}
 
 /// What scans are matched with: a map, its pyramid, and the pose of its frame.
 struct MatchTarget {
@@ -54,7 +57,8 @@ const char* describe(const Track& track);
 /// scan is believed: wheels slip and encoders freeze, walls do not. After a long time without a match it must fit
 /// very well for that, because half of the points may lie on surfaces by chance then. Where a scan fits nowhere,
 /// odometry carries the pose on. If scans come so far apart that one may show mostly new ground, it then extends the
-/// map at that pose. Systematic errors of odometry are learnt from the matches and taken into account.
+/// map at that pose. So do scans of open ground, where there is nothing to match with. Systematic errors of odometry
+/// are learnt from the matches and taken into account.
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParameters& parameters = {});
@@ -64,9 +68,10 @@ class ScanTracker {
   ScanTracker(const ScanTracker&) = delete;
   ScanTracker& operator=(const ScanTracker&) = delete;
 
-  /// `points` are those of the scan at `stamp`, taken at `T_odom_base`; no target: there is no map yet.
+  /// `points` are those of the scan at `stamp`, taken at `T_odom_base`; no target: there is no map yet. `open`: most of
+  /// the scan's beams met nothing.
   Track track(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
-              const std::optional<MatchTarget>& target);
+              const std::optional<MatchTarget>& target, bool open = false);
 
   /// The window to expect normally; determines how many levels a pyramid needs.
   scan_matching::SearchWindow usualWindow() const;

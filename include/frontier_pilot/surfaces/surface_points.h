@@ -36,13 +36,18 @@ struct SurfaceScan {
   std::vector<Vec2> point_origins;  ///< when it measured each of `points` [m]
   std::vector<Pose2> free_mounts;   ///< when it measured each of `free`
 
+  /// Indices into `points` of those far behind both of their neighbours, as single beams give them that pass a pane of
+  /// glass; in ascending order.
+  std::vector<std::size_t> lone;
+
   /// The number of beams that show an obstacle or free space.
   std::size_t usableBeams() const { return points.size() + free.size(); }
 };
 
 /// Reads `scan`, which must be well-formed and finite: its returns, with the normals of the lines that neighbours form,
 /// and its beams without a return. Invalid and too near beams are left out. A return is connected to the one before it
-/// unless they lie too far apart, a beam between them has no return, or more than three between them are invalid.
+/// unless they lie too far apart, a beam between them has no return, or more than three between them are invalid. Which
+/// returns are lone is said in `lone_returns.h`.
 /// A rough surface that is seen at a flat angle shows its tips and hides what lies between them, so it appears nearer
 /// than from the front. The roughness is therefore weighted more there. Otherwise a robot between rough walls seemed to
 /// drive 0.15 % farther than it did.

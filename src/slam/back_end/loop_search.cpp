@@ -118,8 +118,11 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   constexpr double kFarthest = 4.0;    // [cells]
   constexpr double kMostTurned = 0.1;  // [rad]
   const double farthest = kFarthest * parameters_.likelihood.resolution;
+  // A few points, as of trees, lie on surfaces somewhere by chance.
+  constexpr double kEvidence = 30.0;
+  const bool evident = refined.inliers * static_cast<double>(points.size()) >= kEvidence;
   const bool slid = step.position().norm() > farthest || std::abs(step.yaw) > kMostTurned;
-  if (slid || refined.inliers < parameters_.min_inliers) return {ClosureVerdict::kPoor, {}};
+  if (slid || !evident || refined.inliers < parameters_.min_inliers) return {ClosureVerdict::kPoor, {}};
   if (isAmbiguous(prepared.pyramid, points, request, *best, refined.information)) {
     return {ClosureVerdict::kAmbiguous, {}};
   }

@@ -30,6 +30,7 @@ Eigen::Matrix3d DriftCovariance::step(const Keyframe& keyframe, const Track& tra
   if (track.verdict == MatchVerdict::kLost) return diagonalCovariance(kLostPosition, kLostYaw);
   if (track.verdict == MatchVerdict::kExtended) return track.T_local_base.covariance;
   const Eigen::Matrix3d sigma = odometrySigma(motion).asDiagonal();
+  if (track.verdict == MatchVerdict::kCarried) return sigma * sigma;
   const Eigen::Matrix3d known = sigma * surfaceInformation(keyframe.points) * sigma;
   const Eigen::Matrix3d open = sigma * unknownShare(known) * sigma;
   return alongAxes(open, -keyframe.T_local_base.yaw);

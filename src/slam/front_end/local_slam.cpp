@@ -5,6 +5,17 @@
 #include "frontier_pilot/core/motion.h"
 
 namespace frontier_pilot::slam {
+namespace {
+
+/// Whether most of the beams met nothing, or there are few returns at all: some drivers report a beam without a return
+/// as invalid. A covered scanner has many returns, from one small place.
+bool isOpen(const surfaces::SurfaceScan& scan) {
+  constexpr std::size_t kFew = 50;
+  const bool few = !scan.points.empty() && scan.points.size() < kFew;
+  return few || scan.free.size() > scan.points.size();
+}
+
+}  // namespace
 
 LocalSlam::LocalSlam(const LocalSlamParameters& parameters, const surfaces::SurfaceParameters& surface)
     : parameters_(parameters), surface_parameters_(surface), tracker_(parameters.tracker) {}
@@ -12,8 +23,8 @@ LocalSlam::LocalSlam(const LocalSlamParameters& parameters, const surfaces::Surf
 LocalSlamOutput LocalSlam::update(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
   surfaces::SurfacePoints points = surfaces::thinned(scan.points, surface_parameters_);
   LocalSlamOutput output;
-  output.track = tracker_.track(points, scan.stamp, T_odom_base, target());
-  if (!isKeyframe(output.track) || points.empty()) {
+  output.track = tracker_.track(points, scan.stamp, T_odom_base, target(), isOpen(scan));
+  if (!isKeyframe(output.track) || (points.empty() && !isOpen(scan))) {
     if (isMatched(output.track.verdict)) updateKnown(scan.points, output.track.T_local_base.pose);
     return output;
   }
@@ -37,9 +48,10 @@ std::optional<MatchTarget> LocalSlam::target() {
 
 bool LocalSlam::isKeyframe(const Track& track) const {
   if (track.verdict == MatchVerdict::kFirst || track.verdict == MatchVerdict::kLost) return true;
-  // A scan that shows new ground becomes a keyframe after a tenth of the usual distance or angle.
+  // A scan that shows new surfaces becomes a keyframe after a tenth of the usual distance or angle.
   constexpr double kSoon = 0.1;
-  const double share = track.inliers < parameters_.keyframe_inliers ? kSoon : 1.0;
+  const bool known = track.inliers >= parameters_.keyframe_inliers || track.verdict == MatchVerdict::kCarried;
+  const double share = known ? 1.0 : kSoon;
   return isPlaced(track.verdict) && isJump(*T_local_keyframe_, track.T_local_base.pose,
                                            share * parameters_.keyframe_distance, share * parameters_.keyframe_angle);
 }

@@ -71,10 +71,18 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose, const PoseSigma& s
 Track ScanPlacement::place(const surfaces::SurfacePoints& points, const MatchTarget& target,
                            const Prediction& prediction) const {
   Track matched = match(points, target, prediction);
-  const bool placed = matched.verdict == MatchVerdict::kMatched;
+  if (isBeyondTheMap(points, target, prediction, matched)) matched.verdict = MatchVerdict::kCarried;
+  const bool placed = isPlaced(matched.verdict) && matched.verdict != MatchVerdict::kContradicts;
   if (!prediction.sparse || placed || matched.verdict == MatchVerdict::kTooFew) return matched;
   const Track extension = extend(points, target, prediction);
   return isPreferred(matched, extension, target, prediction) ? matched : extension;
+}
+
+bool ScanPlacement::isBeyondTheMap(const surfaces::SurfacePoints& points, const MatchTarget& target,
+                                   const Prediction& prediction, const Track& match) const {
+  if (match.verdict == MatchVerdict::kTooFew) return prediction.open;
+  if (match.verdict != MatchVerdict::kPoor || !prediction.carried) return false;
+  return scan_matching::inconsistentShare(target.map, points, prediction.T_map_base) <= kMostContradictions;
 }
 
 Track ScanPlacement::match(const surfaces::SurfacePoints& points, const MatchTarget& target,

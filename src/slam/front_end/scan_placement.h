@@ -11,9 +11,11 @@ namespace frontier_pilot::slam {
 /// Where odometry expects the robot.
 struct Prediction {
   Pose2 T_map_base;
-  PoseSigma odometry;   ///< if odometry works correctly
-  PoseSigma unseen;     ///< if it may have missed motion, such as slip
-  bool sparse = false;  ///< the robot has moved far since the last scan, so that the two may overlap little
+  PoseSigma odometry;    ///< if odometry works correctly
+  PoseSigma unseen;      ///< if it may have missed motion, such as slip
+  bool sparse = false;   ///< the robot has moved far since the last scan, so that the two may overlap little
+  bool open = false;     ///< most beams of the scan met nothing
+  bool carried = false;  ///< since the last match there was little to match
 };
 
 scan_matching::PoseWithCovariance beliefOf(const Pose2& pose, const PoseSigma& sigma);
@@ -38,6 +40,9 @@ class ScanPlacement {
   /// Whether a match is reliable enough to be believed although it contradicts odometry.
   bool overrulesOdometry(const scan_matching::Refinement& refined, const surfaces::SurfacePoints& points,
                          const MatchTarget& target, const Prediction& prediction) const;
+  /// Whether a scan that was not matched shows open ground, or what comes into sight beyond it.
+  bool isBeyondTheMap(const surfaces::SurfacePoints& points, const MatchTarget& target, const Prediction& prediction,
+                      const Track& match) const;
   bool hasRival(const surfaces::SurfacePoints& points, const scan_matching::MaxPyramid& pyramid,
                 const Prediction& prediction, const scan_matching::SearchResult& found) const;
   scan_matching::SearchRequest request(const Prediction& prediction, double resolution) const;

@@ -32,7 +32,8 @@ struct Last {
   Time stamp;
   Fix fix;
   Time matched;     ///< when a scan was placed last
-  PoseSigma sigma;  ///< the uncertainty that odometry has added since then
+  PoseSigma sigma;  ///< the uncertainty that odometry has added since the last match
+  bool carried;     ///< odometry carries the pose, because there was little to match
 };
 
 }  // namespace
@@ -47,6 +48,8 @@ const char* toString(MatchVerdict verdict) {
       return "matched, contradicts odometry";
     case MatchVerdict::kExtended:
       return "extends the map, position mostly from odometry";
+    case MatchVerdict::kCarried:
+      return "little to match, position from odometry";
     case MatchVerdict::kTooFew:
       return "too few returns";
     case MatchVerdict::kPoor:
@@ -70,8 +73,8 @@ struct ScanTracker::Impl {
   Pose2 expected(const Pose2& T_odom_base) const;
   PoseSigma grown(const Pose2& T_odom_base) const;
   Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
-  Track place(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
-              const MatchTarget& target) const;
+  Track place(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base, const MatchTarget& target,
+              bool open) const;
   void learn(const Fix& fix, const Track& track);
   void remember(Time stamp, const Pose2& T_odom_base, const Track& track);
 
@@ -109,25 +112,26 @@ Prediction ScanTracker::Impl::predict(Time stamp, const Pose2& T_odom_base, cons
   const bool late = toSeconds(stamp - last->stamp) > parameters.sparse_period;
   const bool sparse =
       late && isJump(last->fix.T_odom_base, T_odom_base, parameters.sparse_distance, parameters.sparse_angle);
-  return {T_map_base, sigma, unseen, sparse};
+  return {T_map_base, sigma, unseen, sparse, false, last->carried};
 }
 
 Track ScanTracker::track(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
-                         const std::optional<MatchTarget>& target) {
+                         const std::optional<MatchTarget>& target, bool open) {
   // The clock was set back: the time without a match counts from now.
   if (impl_->last && stamp < impl_->last->stamp) impl_->last->matched = stamp;
   Track track;
   track.T_local_base.pose = impl_->expected(T_odom_base);
-  if (target) track = impl_->place(points, stamp, T_odom_base, *target);
+  if (target) track = impl_->place(points, stamp, T_odom_base, *target, open);
   impl_->remember(stamp, T_odom_base, track);
   return track;
 }
 
 Track ScanTracker::Impl::place(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base,
-                               const MatchTarget& target) const {
-  const Prediction prediction = predict(stamp, T_odom_base, target.T_local_map);
+                               const MatchTarget& target, bool open) const {
+  Prediction prediction = predict(stamp, T_odom_base, target.T_local_map);
+  prediction.open = open;
   Track track = placement.place(points, target, prediction);
-  if (!isPlaced(track.verdict)) {
+  if (!isPlaced(track.verdict) || track.verdict == MatchVerdict::kCarried) {
     track.slides = false;
     track.T_local_base = beliefOf(expected(T_odom_base), prediction.odometry);
   }
@@ -159,10 +163,11 @@ void ScanTracker::Impl::learn(const Fix& fix, const Track& track) {
 void ScanTracker::Impl::remember(Time stamp, const Pose2& T_odom_base, const Track& track) {
   const bool known =
       isPlaced(track.verdict) || !last || track.verdict == MatchVerdict::kFirst || track.verdict == MatchVerdict::kLost;
-  const PoseSigma sigma = known ? PoseSigma{} : grown(T_odom_base);
+  const bool carried = track.verdict == MatchVerdict::kCarried;
+  const PoseSigma sigma = known && !(carried && last) ? PoseSigma{} : grown(T_odom_base);
   const Fix fix{T_odom_base, track.T_local_base.pose};
   learn(fix, track);
-  last = Last{stamp, fix, known ? stamp : last->matched, sigma};
+  last = Last{stamp, fix, known ? stamp : last->matched, sigma, carried || (!known && last->carried)};
   T_local_odom = fix.T_local_base * T_odom_base.inverse();
 }
 

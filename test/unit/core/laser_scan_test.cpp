@@ -26,7 +26,8 @@ TEST(ReadRange, FollowsTheConventionsOfLaserScanAndRep117) {
   expectReading(-kInf, RangeKind::kTooNear, 0.12);
   expectReading(0.05F, RangeKind::kTooNear, 0.12);
   expectReading(1.5F, RangeKind::kHit, 1.5);
-  expectReading(3.5F, RangeKind::kHit, 3.5);
+  expectReading(3.49F, RangeKind::kHit, static_cast<double>(3.49F));
+  expectReading(3.5F, RangeKind::kFree, 3.5);
   expectReading(3.6F, RangeKind::kFree, 3.5);
   expectReading(kInf, RangeKind::kFree, 3.5);
 }
