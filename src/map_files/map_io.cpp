@@ -166,7 +166,6 @@ bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   const auto dy = static_cast<int>(std::lround(shift.y()));
   const occupancy::LogOddsModel model(map.parameters().model);
   const int times = std::max(timesUntil(model.max, model.hit), timesUntil(model.min, model.miss));
-  map.beginBatch();
   for (int i = 0; i < times; ++i) {
     map.beginScan();
     for (std::size_t k = 0; k < image.size(); ++k) {
@@ -175,8 +174,7 @@ bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
       if (isFree(image[k])) map.miss(cell);
     }
   }
-  map.endBatch();
-  return true;
+  return !map.isFull();
 }
 
 std::string inMetres(double length) {
@@ -225,9 +223,9 @@ const char* toString(MapIoStatus status) {
 }
 
 MapSnapshot takeSnapshot(occupancy::OccupancyMap& map) {
-  MapSnapshot snapshot{map.grid(), {}, map.mostBytes()};
+  MapSnapshot snapshot{map.projection(), {}, map.mostBytes()};
   std::ostringstream octree;
-  if (!map.grid().empty() && map.write(octree)) snapshot.octree = octree.str();
+  if (!map.empty() && map.write(octree)) snapshot.octree = octree.str();
   return snapshot;
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
+constexpr double kMega = 1e-6;
 constexpr double kDegrees = 180.0 / kPi;
 
 void reportScans(const mapping::Mapper& mapper, Status& status) {
@@ -51,9 +52,11 @@ void MapperAdapter::report(Status& status) const {
   reportOdometry(status);
   reportRevisions(mapper_.revisions(), status);
   status.addf("last revision took [s]", "%.3f", revision_seconds_);
-  const GridGeometry& geometry = mapper_.grid().geometry();
+  const GridGeometry& geometry = mapper_.map().geometry();
   status.addf("map size [m]", "%.1f x %.1f", geometry.width * geometry.resolution,
               geometry.height * geometry.resolution);
+  status.addf("memory of the map's cells [MB]", "%.1f of %.0f", kMega * static_cast<double>(mapper_.map().memory()),
+              parameters_.mapper.map.max_memory);
 }
 
 void MapperAdapter::summarize(Status& status) const {

@@ -107,8 +107,8 @@ TEST(OccupancyMap, ProjectsProbabilitiesOnRequest) {
   EXPECT_EQ(map.grid()[cell], 61);
 }
 
-// [MAP-2] the octree is the truth
-TEST(OccupancyMap, HoldsTheSameInTheOctreeAndInItsDenseCopy_MAP_2) {
+// [MAP-2]
+TEST(OccupancyMap, HoldsTheSameAsTheOctreeThatItGives_MAP_2) {
   occupancy::OccupancyMap map;
   scribble(map, 400);
   std::size_t seen = 0;
@@ -151,10 +151,97 @@ TEST(OccupancyMap, NeverShrinks) {
 TEST(OccupancyMap, RefusesToGrowBeyondItsLargestSizeAndStaysAsItWas) {
   occupancy::OccupancyMap map = smallMap();
   const GridGeometry before = map.geometry();
-  EXPECT_FALSE(map.reserve({0.0, 0.0}, {500.0, 0.0}));
+  EXPECT_FALSE(map.reserve({0.0, 0.0}, {1500.0, 0.0}));
   EXPECT_FALSE(map.reserve({-1e300, 0.0}, {0.0, 0.0}));
   EXPECT_FALSE(map.reserve({std::nan(""), 0.0}, {0.0, 0.0}));
   EXPECT_EQ(map.geometry(), before);
+}
+
+// Maps of hundreds of metres
+TEST(OccupancyMap, TakesMemoryForWhatIsMappedAndNotForTheBoxAroundIt) {
+  occupancy::OccupancyMap map = smallMap();
+  miss(map, cellAt(map, 0.2, 0.2));
+  const std::size_t before = map.memory();
+  ASSERT_TRUE(map.reserve({-300.0, -300.0}, {300.0, 300.0}));
+  hit(map, cellAt(map, -299.0, 299.0));
+  EXPECT_GE(map.geometry().size(), 144'000'000U);
+  EXPECT_LT(map.memory(), before + 1'000'000U);
+  EXPECT_EQ(map.projection({0, 0, 1, 1})[0], kUnknown);
+  EXPECT_TRUE(map.isOccupied(cellAt(map, -299.0, 299.0)));
+  float free = 0.0F;
+  EXPECT_TRUE(map.logOdds(cellAt(map, 0.2, 0.2), free));
+}
+
+TEST(OccupancyMap, AddsNothingNewBeyondItsMemoryAndGoesOnUpdatingWhatIsKnown) {
+  occupancy::OccupancyMapParameters parameters;
+  parameters.max_memory = 1.0;
+  occupancy::OccupancyMap map(parameters);
+  ASSERT_TRUE(map.reserve({0.0, 0.0}, {100.0, 100.0}));
+  for (int i = 0; i < 60; ++i) miss(map, {i, i});
+  EXPECT_FALSE(map.isFull());
+  for (int y = 0; y < 1000; y += 64) {
+    for (int x = 0; x < 1000; x += 64) miss(map, {x, y});
+  }
+  EXPECT_TRUE(map.isFull());
+  const Cell first{0, 0};
+  for (int i = 0; i < 9; ++i) hit(map, first);
+  EXPECT_TRUE(map.isOccupied(first));
+  EXPECT_LT(knownCells(map), 200U);
+  map.clear();
+  EXPECT_FALSE(map.isFull());
+  miss(map, {1500, 1500});
+  EXPECT_EQ(map.grid()[Cell({1500, 1500})], kFree);
+}
+
+TEST(OccupancyMap, RefusesAFileThatNeedsMoreMemoryThanItMayTake) {
+  occupancy::OccupancyMap large;
+  ASSERT_TRUE(large.reserve({0.0, 0.0}, {100.0, 100.0}));
+  for (int y = 0; y < 1000; y += 64) {
+    for (int x = 0; x < 1000; x += 64) miss(large, {x, y});
+  }
+  std::stringstream file;
+  ASSERT_TRUE(large.write(file));
+  occupancy::OccupancyMapParameters parameters;
+  parameters.max_memory = 1.0;
+  occupancy::OccupancyMap map(parameters);
+  std::string why;
+  EXPECT_FALSE(map.read(file.str(), why));
+  EXPECT_NE(why.find("max_memory"), std::string::npos) << why;
+  EXPECT_TRUE(map.empty());
+}
+
+TEST(OccupancyMap, KeepsItsProjectionUpToDateAfterTheFirstCall_MAP_2) {
+  occupancy::OccupancyMap map;
+  scribble(map, 100);
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+  scribble(map, 200);
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+  occupancy::OccupancyMap other;
+  scribble(other, 50);
+  ASSERT_TRUE(map.exchange(other));
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+  EXPECT_TRUE(other.grid().cells() == other.projection().cells());
+  const CellRect block{3, 5, 70, 90};
+  const OccupancyGrid part = map.projection(block);
+  for (int y = 0; y < block.height; ++y) {
+    for (int x = 0; x < block.width; ++x) ASSERT_EQ((part[Cell{x, y}]), (map.grid()[Cell{x + 3, y + 5}]));
+  }
+  map.clear();
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+}
+
+// Numbers of scans have 16 bits.
+TEST(OccupancyMap, TakesHitsBeforeMissesAlsoAfterManyScans) {
+  occupancy::OccupancyMap map = smallMap();
+  const Cell cell = cellAt(map, 0.2, 0.2);
+  for (int i = 0; i < 70000; ++i) {
+    map.beginScan();
+    map.hit(cell);
+    map.miss(cell);
+  }
+  float log_odds = 0.0F;
+  ASSERT_TRUE(map.logOdds(cell, log_odds));
+  EXPECT_FLOAT_EQ(log_odds, occupancy::logOdds(0.97));
 }
 
 // [MAP-2] change detection
@@ -197,6 +284,50 @@ TEST(OccupancyMap, IsTheSameAfterAWriteAndARead_MAP_2) {
   ASSERT_TRUE(copy.read(file.str(), why)) << why;
   EXPECT_EQ(copy.geometry(), map.geometry());
   EXPECT_TRUE(copy.grid().cells() == map.grid().cells());
+}
+
+// [MAP-2]
+TEST(OccupancyMap, WritesTheBytesThatOctoMapWritesAndOctoMapReadsThem_MAP_2) {
+  occupancy::OccupancyMap map;
+  scribble(map, 300);
+  std::stringstream ours;
+  std::stringstream octomaps;
+  ASSERT_TRUE(map.write(ours));
+  ASSERT_TRUE(map.octree().write(octomaps));
+  EXPECT_TRUE(ours.str() == octomaps.str());
+  occupancy::OctreeLayer read = occupancy::OccupancyMap().octree();
+  ASSERT_TRUE(read.read(ours.str()));
+  std::size_t leaves = 0;
+  read.forEach([&](Cell cell, float log_odds) {
+    const Vec2 centre = (Vec2(cell.x, cell.y) + Vec2(0.5, 0.5)) * map.geometry().resolution;
+    ASSERT_EQ(map.isOccupied(map.geometry().cellAt(centre)), log_odds >= 0.0F);
+    ++leaves;
+  });
+  EXPECT_EQ(leaves, knownCells(map));
+}
+
+// [MAP-5] An octree that was pruned holds cubes of cells as single leaves.
+TEST(OccupancyMap, ReadsLeavesThatStandForCubesOfCells) {
+  occupancy::OccupancyMap map;
+  // Fourteen inner nodes, one below the other, and then a free cube of four cells along a side.
+  std::string tree;
+  const occupancy::OccupancyMapParameters parameters;
+  const int z = static_cast<int>(parameters.scanner_height / parameters.resolution);
+  for (int level = 16; level > 2; --level) {
+    // The cube lies at x = y = 0: the upper half at the root, the lower half from then on.
+    const int up = level == 16 ? 1 : 0;
+    const int child = up | up << 1 | (level == 16 ? 1 : (z >> (level - 1)) & 1) << 2;
+    const unsigned kind = level == 3 ? 1U : 3U;
+    const unsigned bits = kind << (2 * child);
+    tree += static_cast<char>(bits & 0xFFU);
+    tree += static_cast<char>(bits >> 8U);
+  }
+  const std::string file = "# Octomap OcTree binary file\nid OcTree\nsize 15\nres 0.05\ndata\n" + tree;
+  std::string why;
+  ASSERT_TRUE(map.read(file, why)) << why;
+  EXPECT_EQ(knownCells(map), 16U);
+  EXPECT_EQ(map.grid()[cellAt(map, 0.02, 0.18)], kFree);
+  EXPECT_EQ(map.grid()[cellAt(map, 0.22, 0.18)], kUnknown);
 }
 
 TEST(OccupancyMap, LosesNothingByWriting) {
