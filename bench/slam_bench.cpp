@@ -106,7 +106,6 @@ double threadSeconds() {
 }
 
 constexpr double kMega = 1e-6;
-
 sim::SimulatorParameters simulatorFor(const Options& options, int seed) {
   sim::SimulatorParameters parameters;
   parameters.seed = seed;
@@ -248,14 +247,11 @@ class Run {
     };
     std::printf("; no odometry %llu, no room %llu of %zu scans\n", count(mapping::ScanVerdict::kNoOdometry),
                 count(mapping::ScanVerdict::kOutOfBounds), truth_.size());
-    const OccupancyGrid grid = mapper_.map().projection();
+    const OccupancyGrid& grid = mapper_.grid();
     const auto known = std::count_if(grid.cells().begin(), grid.cells().end(), [](auto v) { return !isUnknown(v); });
-    std::printf(
-        "      map of %d x %d cells, %.1f million known, in %.1f MB; %zu keyframes; revisions 99 %% within %.1f "
-        "ms\n",
-        grid.width(), grid.height(), kMega * static_cast<double>(known),
-        kMega * static_cast<double>(mapper_.map().memory()), mapper_.trajectory().size(),
-        1e3 * revisions_.quantile(0.99));
+    std::printf("      map of %d x %d cells, %.1f million known, in %.1f MB; %zu keyframes\n", grid.width(),
+                grid.height(), kMega * static_cast<double>(known), kMega * static_cast<double>(mapper_.map().memory()),
+                mapper_.trajectory().size());
   }
 
   void draw(const tools::MappedDrive& mapped) const {
@@ -269,7 +265,7 @@ class Run {
   BeamTiming timing_;
   test::FaultyDrive drive_;
   std::size_t heap_before_;
-  double heap_ = 0.0, heap_peak_ = 0.0;  ///< of the mapper, at the end and at most [MB]
+  double heap_ = 0.0, heap_peak_ = 0.0;  ///< at the end and at most [MB]
   mapping::Mapper mapper_;
   tools::DriveRecorder recorder_;
   Costs insertions_;

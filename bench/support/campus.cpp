@@ -134,9 +134,9 @@ class Campus {
 }  // namespace
 
 sim::World campus(std::uint64_t seed) {
-  // In the crossing nearest to the middle of the campus.
-  const double middle = kCell * (kFirst + 5 * kPitch - 25);
-  return {Campus(seed).drawn(), Pose2(middle, middle, 0.0)};
+  // In the crossing at the south-western corner.
+  const double crossing = kCell * (kFirst - 25);
+  return {Campus(seed).drawn(), Pose2(crossing, crossing, 0.0)};
 }
 
 }  // namespace frontier_pilot::bench

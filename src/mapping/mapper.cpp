@@ -16,10 +16,6 @@
 namespace frontier_pilot::mapping {
 namespace {
 
-constexpr const char* kFull =
-    "nothing new is mapped, max_memory of the map is used up: raise it, choose a coarser resolution or a smaller "
-    "max_clear_range";
-
 /// Whether the scan got as far as to the correction of its pose.
 bool wasCorrected(ScanVerdict verdict) {
   return verdict == ScanVerdict::kMisfit || verdict == ScanVerdict::kNotLocated || !isDropped(verdict);
@@ -101,7 +97,7 @@ void Mapper::Impl::note(ScanVerdict verdict, Time now) {
   if (!wasCorrected(verdict)) return health.add(now, toString(verdict));
   if (!sound) return health.add(now, last_correction);
   if (overgrown) return health.add(now, "corrected map too large, map and poses stay as they are");
-  health.add(now, map.isFull() ? kFull : nullptr);
+  health.add(now, map.isFull() ? kMemoryUsedUp : nullptr);
 }
 
 ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {

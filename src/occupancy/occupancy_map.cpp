@@ -127,20 +127,20 @@ std::int8_t OccupancyMap::value(float log_odds) const {
   return log_odds >= 0.0F ? kOccupied : kFree;
 }
 
-void OccupancyMap::project(const CellRect& cells, Cell to, OccupancyGrid& grid) const {
+void OccupancyMap::project(const CellRect& cells, std::int8_t* out, std::ptrdiff_t stride) const {
   const Cell low = inFrame({cells.x, cells.y});
   const CellRect wanted{low.x, low.y, cells.width, cells.height};
   forEachTile(wanted, [&](Cell tile_low) {
     const Tiles::Tile* tile = log_odds_.tile(tile_low);
     const CellRect part = wanted.intersection({tile_low.x, tile_low.y, Tiles::kSide, Tiles::kSide});
     for (int y = part.y; y < part.y + part.height; ++y) {
-      std::int8_t* out = grid.row(y - low.y + to.y) + (part.x - low.x + to.x);
+      std::int8_t* row = out + (y - low.y) * stride + (part.x - low.x);
       if (tile == nullptr) {
-        std::fill_n(out, part.width, kUnknown);
+        std::fill_n(row, part.width, kUnknown);
         continue;
       }
       const float* in = tile->data() + (y - tile_low.y) * Tiles::kSide + (part.x - tile_low.x);
-      std::transform(in, in + part.width, out, [this](float log_odds) { return value(log_odds); });
+      std::transform(in, in + part.width, row, [this](float log_odds) { return value(log_odds); });
     }
   });
 }
@@ -149,7 +149,7 @@ const OccupancyGrid& OccupancyMap::grid() const {
   if (grid_.geometry() != geometry_) {
     grid_ = projection();
   } else if (!outdated_.empty()) {
-    project(outdated_, {outdated_.x, outdated_.y}, grid_);
+    project(outdated_, grid_.row(outdated_.y) + outdated_.x, grid_.width());
   }
   outdated_ = {};
   return grid_;
@@ -161,7 +161,7 @@ OccupancyGrid OccupancyMap::projection(const CellRect& cells) const {
   geometry.width = cells.width;
   geometry.height = cells.height;
   OccupancyGrid grid(geometry, kUnknown);
-  project(cells, {0, 0}, grid);
+  project(cells, grid.row(0), grid.width());
   return grid;
 }
 

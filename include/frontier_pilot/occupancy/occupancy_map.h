@@ -48,12 +48,16 @@ class OccupancyMap {
   /// The box that the map fills so far. Its size is zero until the first `reserve`.
   const GridGeometry& geometry() const { return geometry_; }
   bool empty() const { return extent_.empty(); }
+  /// Whether no cell is known.
+  bool isBlank() const { return log_odds_.tileCount() == 0; }
   /// The projection of the whole box: -1 unknown, 0 free ... 100 occupied. From the first call on it is kept, at a byte
   /// for each cell of the box, and brought up to date by each call. For those who need all of it again and again.
   const OccupancyGrid& grid() const;
   /// A copy of the projection of `cells`, which must be inside.
   OccupancyGrid projection(const CellRect& cells) const;
   OccupancyGrid projection() const { return projection(geometry_.rect()); }
+  /// Writes the projection of the whole box to `out`, row by row: a byte for each cell.
+  void copyTo(std::int8_t* out) const { project(geometry_.rect(), out, geometry_.width); }
   /// The map as OctoMap holds it, made by this call: some 60 bytes for each known cell.
   OctreeLayer octree() const;
 
@@ -125,7 +129,8 @@ class OccupancyMap {
   void change(Cell in_frame, float step);
   float* roomFor(Cell in_frame);
   std::int8_t value(float log_odds) const;
-  void project(const CellRect& cells, Cell to, OccupancyGrid& grid) const;
+  /// Writes the projection of `cells` to `out`, from one row to the next `stride` cells apart.
+  void project(const CellRect& cells, std::int8_t* out, std::ptrdiff_t stride) const;
   CellRect changedFrom(const OccupancyMap& other) const;
   std::size_t mostTiles() const;
   std::uint64_t mostNodes() const;

@@ -8,6 +8,7 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
+#include "ros/mapper/map_message.h"
 
 namespace frontier_pilot {
 
@@ -64,8 +65,7 @@ void MapperPublisher::publishChanges(const occupancy::OccupancyMap& map, const C
 }
 
 void MapperPublisher::publishWhole(const occupancy::OccupancyMap& map, Time now) {
-  nav_msgs::OccupancyGrid whole = toOccupancyGridMsg(map.projection(), frame_, Time{});
-  whole.header.stamp = toRosTime(now);
+  const MapMessage whole(map, frame_, now);
   map_.publish(whole);
   if (schedule_.sent(now)) metadata_.publish(whole.info);
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "frontier_pilot/core/bounds.h"
 #include "ros/common/clock.h"
 #include "ros/mapper/mapper_adapter.h"
 
@@ -71,6 +72,12 @@ void MapperAdapter::summarize(Status& status) const {
     status.summary(DiagnosticStatus::WARN, missing.empty() ? text : text + ": " + missing);
   } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
+  }
+  if (mapper_.map().geometry().size() > bounds::kMostMapCells) {
+    status.mergeSummaryf(DiagnosticStatus::WARN,
+                         "the map has more than the %zu cells that navigator and explorer accept: choose a coarser "
+                         "resolution",
+                         bounds::kMostMapCells);
   }
   if (!revision_failure_.empty()) {
     status.mergeSummary(DiagnosticStatus::WARN, "loop closing is off until a reset: " + revision_failure_);
