@@ -9,27 +9,9 @@
 #include "occupancy/log_odds.h"
 #include "occupancy/octree_file.h"
 #include "occupancy/octree_layer.h"
+#include "occupancy/tile_walk.h"
 
 namespace frontier_pilot::occupancy {
-namespace {
-
-using Tiles = grids::TiledGrid<float>;
-
-/// Calls `visit` with the lower left cell of each tile that `cells`, counted from the frame's origin, touch.
-template <class Visit>
-void forEachTile(const CellRect& cells, const Visit& visit) {
-  const CellRect whole = grids::snap(cells, Tiles::kSide);
-  for (int y = whole.y; y < whole.y + whole.height; y += Tiles::kSide) {
-    for (int x = whole.x; x < whole.x + whole.width; x += Tiles::kSide) visit(Cell{x, y});
-  }
-}
-
-/// The `i`-th cell of the tile whose lower left one is `low`.
-Cell cellOf(Cell low, std::size_t i) {
-  return {low.x + static_cast<int>(i % Tiles::kSide), low.y + static_cast<int>(i / Tiles::kSide)};
-}
-
-}  // namespace
 
 LogOddsModel::LogOddsModel(const OccupancyModel& model)
     : hit(logOdds(model.hit)),
@@ -122,9 +104,9 @@ void OccupancyMap::change(Cell in_frame, float step) {
 }
 
 std::int8_t OccupancyMap::value(float log_odds) const {
+  if (!parameters_.probabilities) return trinary(log_odds);
   if (log_odds == kUnknownLogOdds) return kUnknown;
-  if (parameters_.probabilities) return static_cast<std::int8_t>(std::lround(100.0 * probability(log_odds)));
-  return log_odds >= 0.0F ? kOccupied : kFree;
+  return static_cast<std::int8_t>(std::lround(100.0 * probability(log_odds)));
 }
 
 void OccupancyMap::project(const CellRect& cells, std::int8_t* out, std::ptrdiff_t stride) const {
@@ -140,7 +122,11 @@ void OccupancyMap::project(const CellRect& cells, std::int8_t* out, std::ptrdiff
         continue;
       }
       const float* in = tile->data() + (y - tile_low.y) * Tiles::kSide + (part.x - tile_low.x);
-      std::transform(in, in + part.width, row, [this](float log_odds) { return value(log_odds); });
+      if (parameters_.probabilities) {
+        std::transform(in, in + part.width, row, [this](float log_odds) { return value(log_odds); });
+      } else {
+        std::transform(in, in + part.width, row, trinary);
+      }
     }
   });
 }

@@ -92,6 +92,8 @@ class TiledGrid {
         std::exchange(tiles_, std::vector<std::unique_ptr<Tile>>(static_cast<std::size_t>(needed.width / kSide) *
                                                                  static_cast<std::size_t>(needed.height / kSide)));
     const CellRect before = std::exchange(extent_, needed);
+    tiles_in_row_ = extent_.width >> kShift;
+    first_ = std::ptrdiff_t{extent_.y >> kShift} * tiles_in_row_ + (extent_.x >> kShift);
     std::size_t next = 0;
     for (int y = before.y; y < before.y + before.height; y += kSide) {
       for (int x = before.x; x < before.x + before.width; x += kSide) tiles_[indexOf({x, y})] = std::move(old[next++]);
@@ -139,9 +141,7 @@ class TiledGrid {
   static_assert(1 << kShift == kSide);
 
   std::size_t indexOf(Cell cell) const {
-    const auto x = static_cast<std::size_t>((cell.x - extent_.x) >> kShift);
-    const auto y = static_cast<std::size_t>((cell.y - extent_.y) >> kShift);
-    return y * static_cast<std::size_t>(extent_.width >> kShift) + x;
+    return static_cast<std::size_t>(std::ptrdiff_t{cell.y >> kShift} * tiles_in_row_ + (cell.x >> kShift) - first_);
   }
   /// The borders of tiles are multiples of kSide, and the last bits of negative numbers count upwards as well.
   static std::size_t placeOf(Cell cell) {
@@ -150,6 +150,8 @@ class TiledGrid {
 
   T fill_;
   CellRect extent_;  ///< [cells], whole tiles
+  std::ptrdiff_t tiles_in_row_ = 0;
+  std::ptrdiff_t first_ = 0;  ///< index of the first tile if that of the frame's origin were 0
   std::vector<std::unique_ptr<Tile>> tiles_;
   std::size_t allocated_ = 0;
 };

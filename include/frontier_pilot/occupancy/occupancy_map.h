@@ -16,6 +16,9 @@ namespace frontier_pilot::occupancy {
 
 class OctreeLayer;
 
+/// What stands for the log-odds of an unknown cell.
+constexpr float kUnknownLogOdds = 1e9F;
+
 /// The inverse sensor model in log-odds; `min` and `max` are the clamping bounds.
 struct LogOddsModel {
   float hit, miss, min, max;
@@ -116,8 +119,6 @@ class OccupancyMap {
   bool logOdds(Cell cell, float& value) const;
 
  private:
-  static constexpr float kUnknownLogOdds = 1e9F;
-
   /// The same cell, counted from the frame's origin.
   Cell inFrame(Cell cell) const { return {cell.x + extent_.x, cell.y + extent_.y}; }
   /// Whether this scan has updated the cell already; from now on it has.
