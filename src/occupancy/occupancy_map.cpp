@@ -121,7 +121,7 @@ void OccupancyMap::project(const CellRect& cells, std::int8_t* out, std::ptrdiff
         std::fill_n(row, part.width, kUnknown);
         continue;
       }
-      const float* in = tile->data() + (y - tile_low.y) * Tiles::kSide + (part.x - tile_low.x);
+      const float* in = tile->data() + std::ptrdiff_t{y - tile_low.y} * Tiles::kSide + (part.x - tile_low.x);
       if (parameters_.probabilities) {
         std::transform(in, in + part.width, row, [this](float log_odds) { return value(log_odds); });
       } else {

@@ -111,7 +111,7 @@ class TreeWriter {
     const CellRect whole = grids::snap(cells, Tiles::kSide);
     for (int y = cells.y - whole.y; y < cells.y - whole.y + cells.height; ++y) {
       for (int x = cells.x - whole.x; x < cells.x - whole.x + cells.width; ++x) {
-        if ((*tile)[static_cast<std::size_t>(y * Tiles::kSide + x)] != unknown_) return true;
+        if ((*tile)[static_cast<std::size_t>(y) * Tiles::kSide + static_cast<std::size_t>(x)] != unknown_) return true;
       }
     }
     return false;
