@@ -19,7 +19,6 @@
 #include "frontier_pilot/map_files/map_io.h"
 #include "frontier_pilot/mapping/map_schedule.h"
 #include "frontier_pilot/mapping/mapper.h"
-#include "occupancy/octree_layer.h"
 #include "support/benchmark_main.h"
 #include "support/cpu_stopwatch.h"
 #include "support/willow_tour.h"
@@ -55,7 +54,7 @@ double driveTour(mapping::Mapper& mapper, Scanner& scanner, Stopwatch& watch) {
   for (const Pose2& pose : tour()->poses()) {
     const LaserScan2& scan = scanner.at(pose);
     insert(mapper, scan, pose, watch);
-    cells += cellsPassed(scan, pose, mapper.grid().geometry());
+    cells += cellsPassed(scan, pose, mapper.map().geometry());
   }
   return cells / static_cast<double>(tour()->poses().size());
 }
@@ -75,8 +74,8 @@ void exploring(benchmark::State& state) {
     Stopwatch watch;
     state.counters["cells"] = driveTour(mapper, scanner, watch);
     watch.report(state);
-    state.counters["octree_MB"] = static_cast<double>(mapper.map().octree().memory()) / 1e6;
-    state.counters["map_cells"] = static_cast<double>(mapper.grid().size());
+    state.counters["map_MB"] = static_cast<double>(mapper.map().memory()) / 1e6;
+    state.counters["map_cells"] = static_cast<double>(mapper.map().geometry().size());
   }
 }
 BENCHMARK(exploring)->Name("Exploring")->Iterations(1)->Unit(benchmark::kMillisecond);
@@ -107,7 +106,7 @@ void fresh(benchmark::State& state) {
       const Pose2& pose = tour()->poses()[i];
       const LaserScan2& scan = scanner.at(pose);
       insert(mapper, scan, pose, watch);
-      cells += cellsPassed(scan, pose, mapper.grid().geometry());
+      cells += cellsPassed(scan, pose, mapper.map().geometry());
       scans += 1.0;
     }
     state.counters["cells"] = cells / scans;
@@ -116,18 +115,19 @@ void fresh(benchmark::State& state) {
 }
 BENCHMARK(fresh)->Name("Fresh")->Iterations(1)->Unit(benchmark::kMillisecond);
 
-/// The work of the map's publisher: each change is copied into the message of the whole map and into an update message;
-/// now and then the whole map is sent.
+/// The work of the map's publisher: each change is copied into an update message; now and then the whole map is sent.
 class Publishing {
  public:
   void publish(mapping::Mapper& mapper, Time now) {
-    const OccupancyGrid& grid = mapper.grid();
+    const occupancy::OccupancyMap& map = mapper.map();
     const occupancy::MapChanges changes = mapper.takeChanges();
-    watch_.time([&] { copy(grid, changes); });
-    if (schedule_.note(changes, now)) changed_ += static_cast<double>(message_.size());
-    if (!schedule_.isDue(grid.size(), now)) return;
-    watch_.time([&] { message_ = whole_; });
-    whole_maps_ += static_cast<double>(grid.size());
+    if (schedule_.note(changes, now)) {
+      watch_.time([&] { message_ = map.projection(changes.cells).cells(); });
+      changed_ += static_cast<double>(message_.size());
+    }
+    if (!schedule_.isDue(map.geometry().size(), now)) return;
+    watch_.time([&] { message_ = map.projection().cells(); });
+    whole_maps_ += static_cast<double>(message_.size());
     schedule_.sent(now);
   }
   void report(benchmark::State& state, double scans) {
@@ -137,22 +137,7 @@ class Publishing {
   }
 
  private:
-  void copy(const OccupancyGrid& grid, const occupancy::MapChanges& changes) {
-    const CellRect& rect = changes.cells;
-    message_.clear();
-    if (changes.geometry_changed) {
-      whole_ = grid.cells();
-      return;
-    }
-    for (int y = rect.y; y < rect.y + rect.height; ++y) {
-      const std::int8_t* row = grid.row(y) + rect.x;
-      std::copy_n(row, rect.width, whole_.begin() + static_cast<std::ptrdiff_t>(grid.geometry().index({rect.x, y})));
-      message_.insert(message_.end(), row, row + rect.width);
-    }
-  }
-
   mapping::MapSchedule schedule_;
-  std::vector<std::int8_t> whole_;
   std::vector<std::int8_t> message_;
   Stopwatch watch_;
   double changed_ = 0.0;
@@ -174,7 +159,7 @@ void publishing(benchmark::State& state) {
       }
     }
     publisher.report(state, 2.0 * static_cast<double>(tour()->poses().size()));
-    state.counters["map_cells"] = static_cast<double>(mapper.grid().size());
+    state.counters["map_cells"] = static_cast<double>(mapper.map().geometry().size());
   }
 }
 BENCHMARK(publishing)->Name("Publishing")->Iterations(1)->Unit(benchmark::kMillisecond);

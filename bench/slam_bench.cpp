@@ -1,8 +1,6 @@
 // Long simulated drives with bad odometry: how far the mapper is from the truth, what it costs, and which loop closures
 // it finds. The drive follows the true pose and is the same for every seed; the seed is that of scanner and odometry.
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -19,6 +17,7 @@
 #include "frontier_pilot/logs/trajectory.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "support/closed_loop/faulty_drive.h"
+#include "support/heap_meter.h"
 #include "support/slam_worlds.h"
 #include "tools/arguments.h"
 #include "tools/log_mapping.h"
@@ -31,7 +30,7 @@ namespace {
 constexpr const char* kUsage =
     "usage: slam_bench [options]\n"
     "Long simulated drives with bad odometry: how far the mapper is from the truth, and which loops it closes.\n"
-    "  --world NAME     willow, corridor, open-place or a map_server YAML (config/worlds/loop.yaml)\n"
+    "  --world NAME     willow, corridor, open-place, campus or a map_server YAML (config/worlds/loop.yaml)\n"
     "  --seeds A-B      seeds to run (1-5)\n"
     "  --distance M     length of the drive (500)\n"
     "  --fault NAME     none, kidnap, dropout, person, odom-frozen or odom-missing, for a while every 30 s\n"
@@ -110,12 +109,7 @@ double threadSeconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The memory that is currently allocated [MB].
-double heapInUse() {
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks + info.hblkhd) * 1e-6;
-}
-
+constexpr double kMega = 1e-6;
 sim::SimulatorParameters simulatorFor(const Options& options, int seed) {
   sim::SimulatorParameters parameters;
   parameters.seed = seed;
@@ -173,15 +167,18 @@ class Run {
         seed_(seed),
         timing_(simulatorFor(options, seed).robot.scanner),
         drive_(slamWorld(options.world), simulatorFor(options, seed), options.distance, options.fault),
-        heap_before_(heapInUse()) {}
+        heap_before_(HeapMeter::inUse()) {
+    HeapMeter::restart();
+  }
 
   /// Whether the drive met the targets for position, yaw and false closures.
   bool toTheEnd() {
     while (const LaserScan2* scan = drive_.nextScan()) take(*scan);
-    const double heap = heapInUse() - heap_before_;
+    heap_ = kMega * static_cast<double>(HeapMeter::inUse() - heap_before_);
+    heap_peak_ = kMega * static_cast<double>(HeapMeter::peak() - heap_before_);
     const tools::MappedDrive mapped = recorder_.drive(mapper_);
     if (!options_.png.empty()) draw(mapped);
-    return report(mapped, heap);
+    return report(mapped);
   }
 
  private:
@@ -221,18 +218,19 @@ class Run {
         }));
   }
 
-  bool report(const tools::MappedDrive& mapped, double heap) const {
+  bool report(const tools::MappedDrive& mapped) const {
     const logs::AbsoluteError raw = logs::absoluteError(tools::posesOf(mapped.odometry), truth_);
     const logs::AbsoluteError online = logs::absoluteError(tools::posesOf(mapped.online), truth_);
     const logs::AbsoluteError final = logs::absoluteError(tools::posesOf(mapped.corrected), truth_);
     const std::size_t wrong = falseClosures(mapped);
     const double cpu = (insertions_.sum() + revisions_.sum()) / toSeconds(drive_.drive().now());
     std::printf(
-        "%4d %5.0f %8.2f %6.1f | %6.3f %5.2f %6.3f | %6.3f %5.2f %6.3f | %4zu %5zu | %5.1f %6.2f %6.2f %7.1f | %5.1f\n",
+        "%4d %5.0f %8.2f %6.1f | %6.3f %5.2f %6.3f | %6.3f %5.2f %6.3f | %4zu %5zu | %5.1f %6.2f %6.2f %7.1f | %5.1f "
+        "%5.1f\n",
         seed_, drive_.drive().distance(), raw.position_rmse, raw.yaw_rmse * kDegrees, online.position_rmse,
         online.yaw_rmse * kDegrees, online.position_max, final.position_rmse, final.yaw_rmse * kDegrees,
         final.position_max, mapped.closures.size(), wrong, 1e3 * cpu, 1e3 * insertions_.quantile(0.99),
-        1e3 * insertions_.quantile(1.0), 1e3 * revisions_.quantile(1.0), heap);
+        1e3 * insertions_.quantile(1.0), 1e3 * revisions_.quantile(1.0), heap_, heap_peak_);
     if (options_.details) printVerdicts();
     std::fflush(stdout);
     return final.position_rmse <= kWantedPosition && final.yaw_rmse <= kWantedYaw && wrong == 0;
@@ -248,8 +246,16 @@ class Run {
       std::printf("; closures %s %llu", toString(verdict),
                   static_cast<unsigned long long>(mapper_.revisions().attempts[verdict]));
     }
-    std::printf("; no odometry %llu\n",
-                static_cast<unsigned long long>(mapper_.counts()[mapping::ScanVerdict::kNoOdometry]));
+    const auto count = [&](mapping::ScanVerdict verdict) {
+      return static_cast<unsigned long long>(mapper_.counts()[verdict]);
+    };
+    std::printf("; no odometry %llu, no room %llu of %zu scans\n", count(mapping::ScanVerdict::kNoOdometry),
+                count(mapping::ScanVerdict::kOutOfBounds), truth_.size());
+    const OccupancyGrid& grid = mapper_.grid();
+    const auto known = std::count_if(grid.cells().begin(), grid.cells().end(), [](auto v) { return !isUnknown(v); });
+    std::printf("      map of %d x %d cells, %.1f million known, in %.1f MB; %zu keyframes\n", grid.width(),
+                grid.height(), kMega * static_cast<double>(known), kMega * static_cast<double>(mapper_.map().memory()),
+                mapper_.trajectory().size());
   }
 
   void draw(const tools::MappedDrive& mapped) const {
@@ -262,7 +268,8 @@ class Run {
   int seed_;
   BeamTiming timing_;
   test::FaultyDrive drive_;
-  double heap_before_;
+  std::size_t heap_before_;
+  double heap_ = 0.0, heap_peak_ = 0.0;  ///< at the end and at most [MB]
   mapping::Mapper mapper_;
   tools::DriveRecorder recorder_;
   Costs insertions_;
@@ -277,7 +284,7 @@ int runAll(const Options& options) {
       "           | odometry RMSE | online [m] [deg] max | final [m] [deg] max  | closures  | CPU, scan, background    "
       "  |\n"
       "seed   [m]      [m]  [deg] |   RMSE  RMSE    max |   RMSE  RMSE    max |  all false |  ms/s    p99    max     "
-      "max | heap [MB]\n");
+      "max | heap, peak [MB]\n");
   bool good = true;
   for (const int seed : options.seeds) good = Run(options, seed).toTheEnd() && good;
   return good ? 0 : 1;

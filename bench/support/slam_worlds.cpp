@@ -1,6 +1,7 @@
 #include "support/slam_worlds.h"
 
 #include "support/buildings.h"
+#include "support/campus.h"
 #include "support/closed_loop/corridor_world.h"
 #include "support/drives/open_place.h"
 
@@ -21,6 +22,7 @@ sim::World openPlace() {
 sim::World slamWorld(const std::string& name) {
   if (name == "open-place") return openPlace();
   if (name == "corridor") return test::corridorWorld();
+  if (name == "campus") return campus();
   if (name != "willow") return sim::loadWorld(name);
   sim::World world = sim::loadWorld(willowGarage());
   world.start = Pose2(16.6, 21.6, 0.0);

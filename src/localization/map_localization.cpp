@@ -50,7 +50,7 @@ struct MapLocalization::Impl {
 MapLocalization::MapLocalization(Use use, const slam::GraphSlamParameters& parameters, occupancy::OccupancyMap& map,
                                  const occupancy::ScanInsertionParameters& insertion,
                                  const scan_matching::PoseWithCovariance& T_map_base)
-    : impl_(std::make_unique<Impl>(use, parameters, map.grid(), T_map_base)) {
+    : impl_(std::make_unique<Impl>(use, parameters, map.projection(), T_map_base)) {
   if (use != Use::kGoOnMapping) return;
   impl_->graph_slam = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
 }

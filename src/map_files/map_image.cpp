@@ -195,6 +195,30 @@ unsigned char pixelOf(std::int8_t value) {
   return isOccupied(value) ? kOccupiedPixel : kFreePixel;
 }
 
+/// The bytes of a PGM image.
+class Pgm {
+ public:
+  explicit Pgm(const GridGeometry& geometry)
+      : geometry_(geometry),
+        bytes_("P5\n" + std::to_string(geometry.width) + " " + std::to_string(geometry.height) + "\n255\n"),
+        header_(bytes_.size()) {
+    bytes_.resize(header_ + geometry.size());
+  }
+
+  void setRow(int y, const std::int8_t* cells) {
+    // An image's first row is its upper edge.
+    char* row = bytes_.data() + header_ + geometry_.index({0, geometry_.height - 1 - y});
+    std::transform(cells, cells + geometry_.width, row,
+                   [](std::int8_t value) { return static_cast<char>(pixelOf(value)); });
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  GridGeometry geometry_;
+  std::string bytes_;
+  std::size_t header_;
+};
+
 }  // namespace
 
 MapImage readMapImage(const std::string& yaml_path) {
@@ -212,14 +236,20 @@ MapImage readMapImage(const std::string& yaml_path) {
 }
 
 std::string pgmOf(const OccupancyGrid& grid) {
-  cv::Mat image(grid.height(), grid.width(), CV_8UC1);
-  for (int y = 0; y < grid.height(); ++y) {
-    // An image's first row is its upper edge.
-    std::transform(grid.row(y), grid.row(y) + grid.width(), image.ptr(grid.height() - 1 - y), pixelOf);
+  Pgm pgm(grid.geometry());
+  for (int y = 0; y < grid.height(); ++y) pgm.setRow(y, grid.row(y));
+  return pgm.take();
+}
+
+std::string pgmOf(const occupancy::OccupancyMap& map) {
+  constexpr int kRows = 64;  // at a time
+  const CellRect whole = map.geometry().rect();
+  Pgm pgm(map.geometry());
+  for (int y = 0; y < whole.height; y += kRows) {
+    const OccupancyGrid rows = map.projection({0, y, whole.width, std::min(kRows, whole.height - y)});
+    for (int i = 0; i < rows.height(); ++i) pgm.setRow(y + i, rows.row(i));
   }
-  std::vector<unsigned char> bytes;
-  cv::imencode(".pgm", image, bytes);
-  return {bytes.begin(), bytes.end()};
+  return pgm.take();
 }
 
 }  // namespace frontier_pilot::map_files

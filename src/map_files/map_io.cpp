@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -48,10 +50,9 @@ MapIoResult checkTarget(const fs::path& base) {
   return {};
 }
 
-/// A file to be written, and its content.
+/// A file to be written, and its content, which must outlive this.
 struct MapFile {
-  MapFile(fs::path path, std::string bytes, Survives survives)
-      : file(std::move(path), survives), content(std::move(bytes)) {}
+  MapFile(fs::path path, std::string_view bytes, Survives survives) : file(std::move(path), survives), content(bytes) {}
 
   std::string name() const { return file.target().string(); }
   MapIoResult cannot(const std::string& what, const std::string& problem) const {
@@ -59,7 +60,7 @@ struct MapFile {
   }
 
   AtomicFile file;
-  std::string content;
+  std::string_view content;
 };
 
 /// Writes all files under temporary names. Fails before anything is replaced if one of them cannot be written.
@@ -87,12 +88,24 @@ MapIoResult putInPlace(std::array<MapFile, 3>& files) {
   return {};
 }
 
+/// Whether a file contains `content` and nothing else. It is read in pieces: `content` may be as large as a map.
+bool holds(const std::string& path, std::string_view content) {
+  constexpr std::size_t kPiece = 1U << 20U;  // [bytes]
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> piece(kPiece);
+  while (file.read(piece.data(), kPiece) || file.gcount() > 0) {
+    const auto count = static_cast<std::size_t>(file.gcount());
+    if (content.substr(0, count) != std::string_view(piece.data(), count)) return false;
+    content.remove_prefix(count);
+  }
+  return file.eof() && content.empty();
+}
+
 /// Checks that the files contain what was written.
 MapIoResult readBack(const std::array<MapFile, 3>& files) {
   for (const MapFile& file : files) {
-    const FileContent content = readFile(file.name(), file.content.size());
-    if (!content.ok()) return file.cannot("cannot be read back", content.problem);
-    if (content.bytes != file.content) return file.cannot("cannot be read back", "its content is not what was written");
+    if (!holds(file.name(), file.content))
+      return file.cannot("cannot be read back", "its content is not what was written");
   }
   return {};
 }
@@ -166,7 +179,6 @@ bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   const auto dy = static_cast<int>(std::lround(shift.y()));
   const occupancy::LogOddsModel model(map.parameters().model);
   const int times = std::max(timesUntil(model.max, model.hit), timesUntil(model.min, model.miss));
-  map.beginBatch();
   for (int i = 0; i < times; ++i) {
     map.beginScan();
     for (std::size_t k = 0; k < image.size(); ++k) {
@@ -175,8 +187,7 @@ bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
       if (isFree(image[k])) map.miss(cell);
     }
   }
-  map.endBatch();
-  return true;
+  return !map.isFull();
 }
 
 std::string inMetres(double length) {
@@ -224,29 +235,32 @@ const char* toString(MapIoStatus status) {
   return "unknown";
 }
 
-MapSnapshot takeSnapshot(occupancy::OccupancyMap& map) {
-  MapSnapshot snapshot{map.grid(), {}, map.mostBytes()};
+MapSnapshot takeSnapshot(const occupancy::OccupancyMap& map) {
+  MapSnapshot snapshot{map.geometry(), map.isBlank(), {}, {}, map.mostBytes()};
+  if (snapshot.blank) return snapshot;
+  snapshot.picture = pgmOf(map);
   std::ostringstream octree;
-  if (!map.grid().empty() && map.write(octree)) snapshot.octree = octree.str();
+  if (map.write(octree)) snapshot.octree = octree.str();
   return snapshot;
 }
 
-MapIoResult saveMap(occupancy::OccupancyMap& map, const std::string& path) { return saveMap(takeSnapshot(map), path); }
+MapIoResult saveMap(const occupancy::OccupancyMap& map, const std::string& path) {
+  return saveMap(takeSnapshot(map), path);
+}
 
 MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives) {
   const fs::path base = withoutExtension(path);
   MapIoResult result = checkTarget(base);
   if (!result.ok()) return result;
   // A map without any known cell could not be loaded again, and might replace one that can.
-  const auto& cells = map.grid.cells();
-  if (std::all_of(cells.begin(), cells.end(), isUnknown)) return {MapIoStatus::kEmptyMap, "the map is empty"};
+  if (map.blank) return {MapIoStatus::kEmptyMap, "the map is empty"};
   if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
   const std::string name = base.filename().string();
-  const std::string yaml = mapYaml(map.grid.geometry(), name, map.octree, previousOctree(base, map.most_bytes));
+  const std::string yaml = mapYaml(map.geometry, name, map.octree, previousOctree(base, map.most_bytes));
   // The YAML is replaced first: it has the checksums of the .bt that exists and of the one that will replace it.
   std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml, survives),
                                   MapFile(appended(base, ".bt"), map.octree, survives),
-                                  MapFile(appended(base, ".pgm"), pgmOf(map.grid), survives)};
+                                  MapFile(appended(base, ".pgm"), map.picture, survives)};
   if (!readsAs(yaml, name, map.octree))
     return files.front().cannot("cannot be written", "it could not be parsed again");
   for (const auto step : {prepare, putInPlace}) {

@@ -96,7 +96,8 @@ void Mapper::Impl::note(ScanVerdict verdict, Time now) {
   if (verdict == ScanVerdict::kNotMoved) return;
   if (!wasCorrected(verdict)) return health.add(now, toString(verdict));
   if (!sound) return health.add(now, last_correction);
-  health.add(now, overgrown ? "corrected map too large, map and poses stay as they are" : nullptr);
+  if (overgrown) return health.add(now, "corrected map too large, map and poses stay as they are");
+  health.add(now, map.isFull() ? kMemoryUsedUp : nullptr);
 }
 
 ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now) {
@@ -224,14 +225,13 @@ bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const
 }
 
 bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
-  const auto& cells = grid().cells();
-  if (std::none_of(cells.begin(), cells.end(), isOccupied)) return false;
+  if (!map().hasOccupied()) return false;
   impl_->replace(knownMap(impl_->parameters, impl_->map, T_map_base));
   return true;
 }
 
 std::function<RobotSearch()> Mapper::searchWork(const std::function<bool()>& stop) const {
-  return impl_->recent.searchOn(grid(), impl_->generation, impl_->parameters.slam, stop);
+  return impl_->recent.searchOn(map().projection(), impl_->generation, impl_->parameters.slam, stop);
 }
 
 bool Mapper::locate(const RobotSearch& search) {

@@ -8,6 +8,11 @@
 
 namespace frontier_pilot::mapping {
 
+/// Scans are inserted, but only where the map has cells already.
+constexpr const char* kMemoryUsedUp =
+    "nothing new is mapped, max_memory of the map is used up: raise it, choose a coarser resolution or a smaller "
+    "max_clear_range";
+
 /// Problems with the scans of the last seconds, for a summary at a glance: counts since the start would hide a recent
 /// one.
 class MappingHealth {

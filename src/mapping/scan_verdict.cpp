@@ -25,7 +25,7 @@ const char* toString(ScanVerdict verdict) {
     case ScanVerdict::kAllInvalid:
       return "all beams invalid";
     case ScanVerdict::kOutOfBounds:
-      return "map too large";
+      return "map too large, see max_side";
     case ScanVerdict::kMisfit:
       return "fits nowhere";
     case ScanVerdict::kNotLocated:

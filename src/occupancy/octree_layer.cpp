@@ -5,7 +5,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "occupancy/octree_check.h"
+#include "occupancy/octree_file.h"
 
 namespace frontier_pilot::occupancy {
 
@@ -29,7 +29,7 @@ struct LeafCube {
 
   /// Whether one of the cube's layers is the layer `z`.
   bool holds(octomap::key_type z) const { return z >= low[2] && z < low[2] + side; }
-  CellRect cells() const { return {low[0] - OctreeLayer::kHalfSide, low[1] - OctreeLayer::kHalfSide, side, side}; }
+  CellRect cells() const { return {low[0] - kOctreeHalfSide, low[1] - kOctreeHalfSide, side, side}; }
 };
 
 }  // namespace
@@ -45,7 +45,8 @@ struct OctreeLayer::Impl {
   }
 
   octomap::OcTreeKey key(Cell cell) const {
-    return {static_cast<octomap::key_type>(cell.x + kHalfSide), static_cast<octomap::key_type>(cell.y + kHalfSide), z};
+    return {static_cast<octomap::key_type>(cell.x + kOctreeHalfSide),
+            static_cast<octomap::key_type>(cell.y + kOctreeHalfSide), z};
   }
 };
 
@@ -61,15 +62,6 @@ void OctreeLayer::set(Cell cell, float log_odds) {
   impl_->tree.setNodeValue(impl_->key(cell), log_odds, true);
 }
 
-CellRect OctreeLayer::extent() const {
-  CellRect extent;
-  for (auto leaf = impl_->tree.begin_leafs(); leaf != impl_->tree.end_leafs(); ++leaf) {
-    const LeafCube cube(impl_->tree, leaf);
-    if (cube.holds(impl_->z)) extent.include(cube.cells());
-  }
-  return extent;
-}
-
 void OctreeLayer::forEach(const std::function<void(Cell, float)>& visit) const {
   for (auto leaf = impl_->tree.begin_leafs(); leaf != impl_->tree.end_leafs(); ++leaf) {
     const LeafCube cube(impl_->tree, leaf);
@@ -81,8 +73,6 @@ void OctreeLayer::forEach(const std::function<void(Cell, float)>& visit) const {
   }
 }
 
-void OctreeLayer::clear() { impl_->tree.clear(); }
-
 std::size_t OctreeLayer::leafCount() const { return impl_->tree.getNumLeafNodes(); }
 
 std::size_t OctreeLayer::memory() const { return impl_->tree.memoryUsage(); }
@@ -93,16 +83,9 @@ bool OctreeLayer::write(std::ostream& out) {
   return impl_->tree.writeBinaryConst(out) && out.good();
 }
 
-std::string OctreeLayer::read(const std::string& bytes, std::uint64_t most_nodes) {
-  const OctreeFile file = checkOctree(bytes, impl_->tree.getResolution(), most_nodes);
-  if (!file.ok()) return file.problem;
-  octomap::OcTree tree(impl_->tree.getResolution());
-  configure(tree, impl_->model);
-  std::istringstream in{std::string(file.tree)};
-  // Only the tree: the header has been checked, and OctoMap's reader would accept others as well.
-  if (!tree.readBinaryData(in).good() || tree.size() != file.nodes) return "its tree cannot be read";
-  impl_->tree.swapContent(tree);
-  return {};
+bool OctreeLayer::read(const std::string& bytes) {
+  std::istringstream in(bytes);
+  return impl_->tree.readBinary(in);
 }
 
 }  // namespace frontier_pilot::occupancy

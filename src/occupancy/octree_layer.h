@@ -12,13 +12,11 @@
 
 namespace frontier_pilot::occupancy {
 
-/// One horizontal layer of cells in an octomap::OcTree. Cells are numbered from the frame's origin: the lower left
-/// corner of cell (0, 0) is at (0, 0) [m].
+/// One horizontal layer of cells in an octomap::OcTree, for those who want the map as OctoMap holds it. Cells are
+/// numbered from the frame's origin: the lower left corner of cell (0, 0) is at (0, 0) [m]. They must lie within
+/// kOctreeHalfSide of it.
 class OctreeLayer {
  public:
-  /// Cells must lie within [-kHalfSide, kHalfSide): OctoMap's keys have 16 bits.
-  static constexpr int kHalfSide = 32768;
-
   /// `resolution`: side of a cell [m]; `height`: of the layer above the frame's origin [m].
   OctreeLayer(double resolution, double height, const OccupancyModel& model);
   ~OctreeLayer();
@@ -26,11 +24,8 @@ class OctreeLayer {
   OctreeLayer& operator=(OctreeLayer&&) noexcept;
 
   void set(Cell cell, float log_odds);
-  /// The smallest rectangle that holds every known cell of the layer.
-  CellRect extent() const;
   /// Calls `visit` with every known cell of the layer and its log-odds.
   void forEach(const std::function<void(Cell, float)>& visit) const;
-  void clear();
 
   /// The number of leaves of the octree. Traverses the tree, as `memory` does.
   std::size_t leafCount() const;
@@ -39,10 +34,9 @@ class OctreeLayer {
 
   /// Writes OctoMap's binary format (.bt): each cell free or occupied. Returns false when the stream fails.
   bool write(std::ostream& out);
-  /// Replaces the content by an octree in OctoMap's binary format. Returns an empty text or, if the bytes are not a
-  /// complete octree of this resolution with at most `most_nodes` nodes, what is wrong with them; nothing is changed
-  /// then.
-  std::string read(const std::string& bytes, std::uint64_t most_nodes);
+  /// Replaces the content by an octree in OctoMap's binary format. Returns false when OctoMap cannot read it; it does
+  /// not check it.
+  bool read(const std::string& bytes);
 
  private:
   struct Impl;

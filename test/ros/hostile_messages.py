@@ -169,7 +169,7 @@ class HostileMessages(unittest.TestCase):
                                 lambda: self.maps.publish(map_of([0] * 100, 10, resolution)))
 
     def test_maps_too_large(self):  # [FLT-1]
-        text = 'map of more than 25000000 cells: make its cells larger, or leave out what nobody drives in'
+        text = 'map of more than 40000000 cells: make its cells larger, or leave out what nobody drives in'
         before = {node: memory_of(self.pids[node])[0] for node in MAP_READERS}
         self.expect_refusal(MAP_READERS, 'map message', text, lambda: self.maps.publish(BigMap(8000, 8000)))
         for node in MAP_READERS:

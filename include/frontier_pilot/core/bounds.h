@@ -30,7 +30,7 @@ constexpr double kLeastAngleIncrement = 1.7e-5;
 constexpr double kMostAngle = 12.6;
 /// Largest `range_max` of a scan [m]: no scanner sees farther.
 constexpr double kMostRange = 1000.0;
-/// How much of a range is used [m]: a beam that ends farther away counts as free up to here. Maps have sides of 200 m.
+/// How much of a range is used [m]: a beam that ends farther away counts as free up to here.
 constexpr double kUsedRange = 100.0;
 
 /// Side of a map's cell [m]. Distances divided by it determine how many cells a window around the robot has. 1 cm is
@@ -39,8 +39,9 @@ constexpr double kLeastResolution = 0.01;
 constexpr double kMostResolution = 10.0;
 /// Cells along a side of a map: one kilometre at 5 cm.
 constexpr int kMostSide = 20000;
-/// Cells of a map that a node accepts: 5000 x 5000. The navigator keeps 14 bytes for each and needs 18 at its peak.
-constexpr std::size_t kMostMapCells = 25'000'000;
+/// Cells of a map that a node accepts: those of 600 m x 600 m in cells of 10 cm, and a tenth more. The navigator keeps
+/// 14 bytes for each and needs 18 at its peak: 560 MB and 720 MB.
+constexpr std::size_t kMostMapCells = 40'000'000;
 
 /// Frontier cells of a map that the explorer sorts into clusters. An office building of 250 m x 250 m that is known in
 /// patches has 1.2 million; a map of pure noise has several times as many.

@@ -1,6 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "frontier_pilot/core/grid.h"
 
@@ -64,6 +69,91 @@ class GrowingGrid {
   GridGeometry frame_;
   CellRect extent_;  ///< where `grid_` lies, in cells from the frame's origin
   Grid<T> grid_;
+};
+
+/// A grid that grows as needed and whose memory follows the cells that are used: a tile of kSide x kSide cells is
+/// allocated when one of them is first written. Cells are counted from the frame's origin. What has been reserved costs
+/// a pointer for each tile.
+template <class T>
+class TiledGrid {
+ public:
+  static constexpr int kSide = 64;  ///< of a tile [cells]: 3.2 m in cells of 5 cm
+  using Tile = std::array<T, static_cast<std::size_t>(kSide) * kSide>;
+
+  explicit TiledGrid(T fill = T{}) : fill_(fill) {}
+
+  /// Grows so that `cells` can be used.
+  void reserve(const CellRect& cells) {
+    CellRect needed = extent_;
+    needed.include(cells);
+    needed = snap(needed, kSide);
+    if (needed == extent_) return;
+    std::vector<std::unique_ptr<Tile>> old =
+        std::exchange(tiles_, std::vector<std::unique_ptr<Tile>>(static_cast<std::size_t>(needed.width / kSide) *
+                                                                 static_cast<std::size_t>(needed.height / kSide)));
+    const CellRect before = std::exchange(extent_, needed);
+    tiles_in_row_ = extent_.width >> kShift;
+    first_ = std::ptrdiff_t{extent_.y >> kShift} * tiles_in_row_ + (extent_.x >> kShift);
+    std::size_t next = 0;
+    for (int y = before.y; y < before.y + before.height; y += kSide) {
+      for (int x = before.x; x < before.x + before.width; x += kSide) tiles_[indexOf({x, y})] = std::move(old[next++]);
+    }
+  }
+  /// What has been reserved: whole tiles.
+  const CellRect& extent() const { return extent_; }
+
+  /// The value of `cell`, which must be reserved.
+  T operator[](Cell cell) const {
+    const Tile* tile = tiles_[indexOf(cell)].get();
+    return tile == nullptr ? fill_ : (*tile)[placeOf(cell)];
+  }
+  T get(Cell cell) const { return extent_.contains(cell) ? (*this)[cell] : fill_; }
+  /// The same to be written, where its tile is allocated; otherwise nullptr. `cell` must be reserved.
+  T* find(Cell cell) {
+    Tile* tile = tiles_[indexOf(cell)].get();
+    return tile == nullptr ? nullptr : &(*tile)[placeOf(cell)];
+  }
+  /// The same, and allocates the tile.
+  T& at(Cell cell) {
+    std::unique_ptr<Tile>& tile = tiles_[indexOf(cell)];
+    if (!tile) {
+      tile = std::make_unique<Tile>();
+      tile->fill(fill_);
+      ++allocated_;
+    }
+    return (*tile)[placeOf(cell)];
+  }
+  /// The tile that holds `cell`, row by row; nullptr where none is allocated. `cell` may be anywhere.
+  const Tile* tile(Cell cell) const { return extent_.contains(cell) ? tiles_[indexOf(cell)].get() : nullptr; }
+
+  /// The number of allocated tiles.
+  std::size_t tileCount() const { return allocated_; }
+  /// The memory that it takes [bytes].
+  std::size_t memory() const { return allocated_ * sizeof(Tile) + tiles_.size() * sizeof(tiles_.front()); }
+  /// Frees all tiles. What has been reserved stays so.
+  void clear() {
+    for (auto& tile : tiles_) tile.reset();
+    allocated_ = 0;
+  }
+
+ private:
+  static constexpr int kShift = 6;
+  static_assert(1 << kShift == kSide);
+
+  std::size_t indexOf(Cell cell) const {
+    return static_cast<std::size_t>(std::ptrdiff_t{cell.y >> kShift} * tiles_in_row_ + (cell.x >> kShift) - first_);
+  }
+  /// The borders of tiles are multiples of kSide, and the last bits of negative numbers count upwards as well.
+  static std::size_t placeOf(Cell cell) {
+    return (static_cast<std::size_t>(cell.y) % kSide) * kSide + static_cast<std::size_t>(cell.x) % kSide;
+  }
+
+  T fill_;
+  CellRect extent_;  ///< [cells], whole tiles
+  std::ptrdiff_t tiles_in_row_ = 0;
+  std::ptrdiff_t first_ = 0;  ///< index of the first tile if that of the frame's origin were 0
+  std::vector<std::unique_ptr<Tile>> tiles_;
+  std::size_t allocated_ = 0;
 };
 
 }  // namespace frontier_pilot::grids

@@ -5,6 +5,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/occupancy/occupancy_map.h"
 
 namespace frontier_pilot::map_files {
 
@@ -22,5 +23,7 @@ MapImage readMapImage(const std::string& yaml_path);
 
 /// The bytes of a PGM image with map_server's grey values for free, occupied and unknown cells.
 std::string pgmOf(const OccupancyGrid& grid);
+/// The same of a whole map. The image is the only thing as large as the box around the map that it needs.
+std::string pgmOf(const occupancy::OccupancyMap& map);
 
 }  // namespace frontier_pilot::map_files

@@ -29,11 +29,13 @@ struct MapIoResult {
 /// A copy of everything of a map that goes into its files. It shares nothing with the map, so that another thread may
 /// write the files.
 struct MapSnapshot {
-  OccupancyGrid grid;
+  GridGeometry geometry;       ///< of the map
+  bool blank = true;           ///< no cell is known
+  std::string picture;         ///< the bytes of the .pgm file
   std::string octree;          ///< the bytes of the .bt file; empty when the octree could not be serialised
   std::size_t most_bytes = 0;  ///< the largest size that a .bt file of such a map may have
 };
-MapSnapshot takeSnapshot(occupancy::OccupancyMap& map);
+MapSnapshot takeSnapshot(const occupancy::OccupancyMap& map);
 
 /// Writes `path`.pgm and `path`.yaml (map_server's trinary format) and `path`.bt (OctoMap's binary format); if `path`
 /// ends in one of these extensions it is ignored. Each file appears complete or not at all, and all are read back
@@ -41,7 +43,7 @@ MapSnapshot takeSnapshot(occupancy::OccupancyMap& map);
 /// previous .bt, so that at any moment one of the two maps can be loaded. If only some files could be replaced, the
 /// text names them. [FLT-1]
 MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives = Survives::kPowerLoss);
-MapIoResult saveMap(occupancy::OccupancyMap& map, const std::string& path);
+MapIoResult saveMap(const occupancy::OccupancyMap& map, const std::string& path);
 
 /// Replaces `map` by what `saveMap` wrote to `path`, that is its .bt file, whichever extension `path` has. If a YAML
 /// exists, the .bt must match its checksum; the text says so if that could not be verified. A map without a .bt, as

@@ -134,7 +134,7 @@ class Mapper {
   /// Counts a scan that was rejected before it could be passed to `insert`.
   void reject(ScanVerdict verdict, Time now);
 
-  /// The map's projection; empty until the first scan.
+  /// The map's projection; empty until the first scan. See OccupancyMap::grid for what it costs.
   const OccupancyGrid& grid() const { return map().grid(); }
   occupancy::OccupancyMap& map();
   const occupancy::OccupancyMap& map() const;

@@ -6,13 +6,18 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/grids/growing_grid.h"
 #include "frontier_pilot/occupancy/parameters.h"
 
 namespace frontier_pilot::occupancy {
 
 class OctreeLayer;
+
+/// What stands for the log-odds of an unknown cell.
+constexpr float kUnknownLogOdds = 1e9F;
 
 /// The inverse sensor model in log-odds; `min` and `max` are the clamping bounds.
 struct LogOddsModel {
@@ -30,8 +35,8 @@ struct MapChanges {
   bool empty() const { return !geometry_changed && cells.empty(); }
 };
 
-/// The map: log-odds per cell in an octree [MAP-2], a dense copy of them for speed, and their projection to an
-/// OccupancyGrid, kept up to date cell by cell. It grows, and never shrinks. The grid's origin is a multiple of the
+/// The map: log-odds per cell in tiles that are allocated where something is known, so that memory follows the mapped
+/// area and not the box around it. [MAP-2] It grows, and never shrinks. The box's origin is a multiple of the
 /// resolution, so that cells keep their positions in the frame.
 class OccupancyMap {
  public:
@@ -43,10 +48,26 @@ class OccupancyMap {
   OccupancyMap& operator=(const OccupancyMap&) = delete;
 
   const OccupancyMapParameters& parameters() const { return parameters_; }
-  /// The projection: -1 unknown, 0 free ... 100 occupied. Empty until the first `reserve`.
-  const OccupancyGrid& grid() const { return grid_; }
-  const GridGeometry& geometry() const { return grid_.geometry(); }
-  const OctreeLayer& octree() const { return *octree_; }
+  /// The box that the map fills so far. Its size is zero until the first `reserve`.
+  const GridGeometry& geometry() const { return geometry_; }
+  bool empty() const { return extent_.empty(); }
+  /// Whether no cell is known.
+  bool isBlank() const { return log_odds_.tileCount() == 0; }
+  /// The projection of the whole box: -1 unknown, 0 free ... 100 occupied. From the first call on it is kept, at a byte
+  /// for each cell of the box, and brought up to date by each call. For those who need all of it again and again.
+  const OccupancyGrid& grid() const;
+  /// A copy of the projection of `cells`, which must be inside.
+  OccupancyGrid projection(const CellRect& cells) const;
+  OccupancyGrid projection() const { return projection(geometry_.rect()); }
+  /// Writes the projection of the whole box to `out`, row by row: a byte for each cell.
+  void copyTo(std::int8_t* out) const { project(geometry_.rect(), out, geometry_.width); }
+  /// The map as OctoMap holds it, made by this call: some 60 bytes for each known cell.
+  OctreeLayer octree() const;
+
+  /// The memory of the cells [bytes].
+  std::size_t memory() const;
+  /// Whether cells were left out, since the map was last cleared, because `max_memory` is used up.
+  bool isFull() const { return full_; }
 
   /// Grows so that the box `low`-`high` [m] is inside. Returns false, and does nothing, if the map would be too large.
   bool reserve(const Vec2& low, const Vec2& high);
@@ -55,26 +76,28 @@ class OccupancyMap {
   void beginScan();
   /// A beam ended in `cell`, which must be inside.
   void hit(Cell cell) {
-    Entry& entry = entries_[cell];
-    if (entry.scan == scan_) return;
-    entry.scan = scan_;
-    if (entry.log_odds != model_.max) change(geometry().index(cell), model_.hit);
+    const Cell at = inFrame(cell);
+    if (isDone(at)) return;
+    if (log_odds_[at] == model_.max) return;
+    change(at, model_.hit);
   }
   /// A beam passed `cell`, which must be inside.
   void miss(Cell cell) {
-    Entry& entry = entries_[cell];
+    const Cell at = inFrame(cell);
     // Nothing to do at the lower clamping bound: most calls end here, at the cost of one load.
-    if (entry.log_odds == model_.min || entry.scan == scan_) return;
-    entry.scan = scan_;
-    change(geometry().index(cell), model_.miss);
+    if (log_odds_[at] == model_.min || isDone(at)) return;
+    change(at, model_.miss);
   }
-  bool isOccupied(Cell cell) const { return frontier_pilot::isOccupied(grid_[cell]); }
+  bool isOccupied(Cell cell) const {
+    const float log_odds = log_odds_[inFrame(cell)];
+    if (parameters_.probabilities) return frontier_pilot::isOccupied(value(log_odds));
+    return log_odds >= 0.0F && log_odds != kUnknownLogOdds;
+  }
+  /// Whether any cell is occupied. Looks at all of them.
+  bool hasOccupied() const;
 
   /// What changed since the last call.
   MapChanges takeChanges();
-  /// Between the two calls the octree is not updated, which makes inserting many scans faster. Only for an empty map.
-  void beginBatch() { in_batch_ = true; }
-  void endBatch();
 
   /// Forgets every cell and keeps the geometry.
   void clear();
@@ -85,27 +108,32 @@ class OccupancyMap {
   bool exchange(OccupancyMap& other);
 
   /// Writes OctoMap's binary format. Returns false when the stream fails.
-  bool write(std::ostream& out);
+  bool write(std::ostream& out) const;
   /// Replaces the map by one that `write` wrote. Returns false, changes nothing, and gives the reason in `why`, when
   /// the bytes are not a complete octree of this resolution, or it is too large or empty at the scanner's height.
   bool read(const std::string& bytes, std::string& why);
   /// The greatest size that `read` accepts [bytes].
   std::size_t mostBytes() const;
 
-  /// The dense copy's log-odds; no value where unknown. For tests and pictures.
+  /// The log-odds of `cell`, which may be anywhere; false where unknown. For tests and pictures.
   bool logOdds(Cell cell, float& value) const;
 
  private:
-  static constexpr float kUnknownLogOdds = 1e9F;
-  struct Entry {
-    float log_odds = kUnknownLogOdds;
-    std::uint32_t scan = 0;  ///< number of the last scan that updated this cell
-  };
+  /// The same cell, counted from the frame's origin.
+  Cell inFrame(Cell cell) const { return {cell.x + extent_.x, cell.y + extent_.y}; }
+  /// Whether this scan has updated the cell already; from now on it has.
+  bool isDone(Cell in_frame) {
+    std::uint16_t& scan = scans_.at(in_frame);
+    return std::exchange(scan, scan_) == scan_;
+  }
 
-  void change(std::size_t index, float step);
-  void store(std::size_t index);
-  void project(std::size_t index, float log_odds);
+  void change(Cell in_frame, float step);
+  float* roomFor(Cell in_frame);
   std::int8_t value(float log_odds) const;
+  /// Writes the projection of `cells` to `out`, from one row to the next `stride` cells apart.
+  void project(const CellRect& cells, std::int8_t* out, std::ptrdiff_t stride) const;
+  CellRect changedFrom(const OccupancyMap& other) const;
+  std::size_t mostTiles() const;
   std::uint64_t mostNodes() const;
   CellRect needed(const Vec2& low, const Vec2& high) const;
   CellRect snapped(const CellRect& cells) const;
@@ -115,13 +143,15 @@ class OccupancyMap {
 
   OccupancyMapParameters parameters_;
   LogOddsModel model_;
-  std::unique_ptr<OctreeLayer> octree_;
-  CellRect extent_;      ///< the grid's extent, in cells from the frame's origin
-  Grid<Entry> entries_;  ///< a dense copy of the octree's layer
-  OccupancyGrid grid_;
-  std::uint32_t scan_ = 0;
-  bool in_batch_ = false;
+  CellRect extent_;        ///< the box, in cells from the frame's origin
+  GridGeometry geometry_;  ///< the same in the frame
+  grids::TiledGrid<float> log_odds_{kUnknownLogOdds};
+  grids::TiledGrid<std::uint16_t> scans_;  ///< numbers of the last scans that updated the cells; only of the last scans
+  std::uint16_t scan_ = 0;
+  bool full_ = false;
   MapChanges changes_;
+  mutable OccupancyGrid grid_;  ///< the projection as it was when it was last asked for; empty until then
+  mutable CellRect outdated_;   ///< where it may have changed since then
 };
 
 }  // namespace frontier_pilot::occupancy

@@ -26,7 +26,8 @@ struct OccupancyMapParameters {
   double resolution = 0.05;      ///< side of a cell [m]
   double scanner_height = 0.18;  ///< height of the mapped layer [m]
   double growth_step = 10.0;     ///< the map grows by multiples of this [m]
-  double max_side = 200.0;       ///< the map never gets wider or higher than this [m]
+  double max_side = 1000.0;      ///< the map never gets wider or higher than this [m]
+  double max_memory = 256.0;     ///< the cells of the map never take more than this [MB]
   bool probabilities = false;    ///< project probabilities, not just free and occupied
   OccupancyModel model;
 
@@ -36,6 +37,10 @@ struct OccupancyMapParameters {
     v.field("scanner_height", scanner_height, "m", "height of the layer in the octree", between(0.0, 10.0));
     v.fixed({"growth_step"});
     v.field("max_side", max_side, "m", "the map never gets wider or higher than this", between(10.0, 1000.0));
+    v.field("max_memory", max_memory, "MB",
+            "most memory for the cells, 4 bytes each; beyond it nothing new is mapped. While the map is rendered again "
+            "there are two",
+            between(1.0, 16000.0));
     v.fixed({"probabilities"});
     v.group("model", model, "inverse sensor model");
   }

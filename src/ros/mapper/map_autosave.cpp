@@ -93,8 +93,8 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, st
     problem_ = memory_.remember(toText(T_map_odom));
     return;
   }
-  if (map.grid().empty()) problem_ = memory_.problem();
-  if (now < next_ || map.grid().empty()) return;
+  if (map.empty()) problem_ = memory_.problem();
+  if (now < next_ || map.empty()) return;
   saving_ = true;
   saved_content_ = content;
   saver.run([snapshot = map_files::takeSnapshot(map), T_map_odom, memory = memory_, wanted = wanted_, done = done_] {

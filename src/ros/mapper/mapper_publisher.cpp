@@ -2,13 +2,13 @@
 
 #include <nav_msgs/MapMetaData.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
+#include "ros/mapper/map_message.h"
 
 namespace frontier_pilot {
 
@@ -49,31 +49,25 @@ void MapperPublisher::withdraw() {
 }
 
 void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
-  if (!advertised_ || mapper.grid().empty()) return;
+  const occupancy::OccupancyMap& map = mapper.map();
+  if (!advertised_ || map.empty()) return;
   const occupancy::MapChanges changes = mapper.takeChanges();
-  patch(mapper.grid(), changes);
-  if (schedule_.note(changes, now)) {
-    updates_.publish(toGridUpdateMsg(mapper.grid(), changes.cells, frame_, now));
-  }
-  if (schedule_.isDue(whole_.data.size(), now)) publishWhole(now);
+  if (schedule_.note(changes, now)) publishChanges(map, changes.cells, now);
+  if (schedule_.isDue(map.geometry().size(), now)) publishWhole(map, now);
 }
 
-void MapperPublisher::patch(const OccupancyGrid& grid, const occupancy::MapChanges& changes) {
-  if (changes.geometry_changed || whole_.data.size() != grid.size()) {
-    whole_ = toOccupancyGridMsg(grid, frame_, Time{});
-    return;
-  }
-  const CellRect& rect = changes.cells;
-  for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    const auto offset = static_cast<std::ptrdiff_t>(grid.geometry().index({rect.x, y}));
-    std::copy_n(grid.row(y) + rect.x, rect.width, whole_.data.begin() + offset);
-  }
+void MapperPublisher::publishChanges(const occupancy::OccupancyMap& map, const CellRect& cells, Time now) {
+  const OccupancyGrid block = map.projection(cells);
+  map_msgs::OccupancyGridUpdate update = toGridUpdateMsg(block, block.geometry().rect(), frame_, now);
+  update.x = cells.x;
+  update.y = cells.y;
+  updates_.publish(update);
 }
 
-void MapperPublisher::publishWhole(Time now) {
-  whole_.header.stamp = toRosTime(now);
-  map_.publish(whole_);
-  if (schedule_.sent(now)) metadata_.publish(whole_.info);
+void MapperPublisher::publishWhole(const occupancy::OccupancyMap& map, Time now) {
+  const MapMessage whole(map, frame_, now);
+  map_.publish(whole);
+  if (schedule_.sent(now)) metadata_.publish(whole.info);
 }
 
 }  // namespace frontier_pilot

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nav_msgs/OccupancyGrid.h>
 #include <ros/node_handle.h>
 
 #include <string>
@@ -13,7 +12,7 @@ namespace frontier_pilot {
 
 /// Publishes the map: changes at once on `map_updates`, the whole map less often, and nothing while another node
 /// publishes `map`. [MAP-2] [MAP-3]
-/// The whole map is kept as a message, in which changed cells are replaced.
+/// The message of the whole map, a byte for each cell of the box around it, is made when it is sent.
 class MapperPublisher {
  public:
   /// Nothing is advertised yet.
@@ -31,8 +30,8 @@ class MapperPublisher {
  private:
   void advertise();
   void withdraw();
-  void patch(const OccupancyGrid& grid, const occupancy::MapChanges& changes);
-  void publishWhole(Time now);
+  void publishChanges(const occupancy::OccupancyMap& map, const CellRect& cells, Time now);
+  void publishWhole(const occupancy::OccupancyMap& map, Time now);
 
   ros::NodeHandle node_;
   std::string topic_;
@@ -43,7 +42,6 @@ class MapperPublisher {
   ros::Publisher map_;
   ros::Publisher updates_;
   ros::Publisher metadata_;
-  nav_msgs::OccupancyGrid whole_;  ///< the present map
 };
 
 }  // namespace frontier_pilot

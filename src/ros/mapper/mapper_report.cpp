@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "frontier_pilot/core/bounds.h"
 #include "ros/common/clock.h"
 #include "ros/mapper/mapper_adapter.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
+constexpr double kMega = 1e-6;
 constexpr double kDegrees = 180.0 / kPi;
 
 void reportScans(const mapping::Mapper& mapper, Status& status) {
@@ -51,9 +53,11 @@ void MapperAdapter::report(Status& status) const {
   reportOdometry(status);
   reportRevisions(mapper_.revisions(), status);
   status.addf("last revision took [s]", "%.3f", revision_seconds_);
-  const GridGeometry& geometry = mapper_.grid().geometry();
+  const GridGeometry& geometry = mapper_.map().geometry();
   status.addf("map size [m]", "%.1f x %.1f", geometry.width * geometry.resolution,
               geometry.height * geometry.resolution);
+  status.addf("memory of the map's cells [MB]", "%.1f of %.0f", kMega * static_cast<double>(mapper_.map().memory()),
+              parameters_.mapper.map.max_memory);
 }
 
 void MapperAdapter::summarize(Status& status) const {
@@ -68,6 +72,12 @@ void MapperAdapter::summarize(Status& status) const {
     status.summary(DiagnosticStatus::WARN, missing.empty() ? text : text + ": " + missing);
   } else if (toSeconds(steadyNow() - *last_inserted_) > parameters_.silence) {
     status.summary(DiagnosticStatus::WARN, "no usable scan any more");
+  }
+  if (mapper_.map().geometry().size() > bounds::kMostMapCells) {
+    status.mergeSummaryf(DiagnosticStatus::WARN,
+                         "the map has more than the %zu cells that navigator and explorer accept: choose a coarser "
+                         "resolution",
+                         bounds::kMostMapCells);
   }
   if (!revision_failure_.empty()) {
     status.mergeSummary(DiagnosticStatus::WARN, "loop closing is off until a reset: " + revision_failure_);

@@ -14,8 +14,8 @@ void MapperAdapter::advertiseServices() {
 
 bool MapperAdapter::handleGet(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
   // The response has no field for an error, so the call fails while there is no map.
-  if (mapper_.grid().empty()) return false;
-  response.map = toOccupancyGridMsg(mapper_.grid(), parameters_.map_frame, rosNow());
+  if (mapper_.map().empty()) return false;
+  response.map = toOccupancyGridMsg(mapper_.map().projection(), parameters_.map_frame, rosNow());
   return true;
 }
 

@@ -68,13 +68,11 @@ void GraphBackEnd::render(MapRevision& revision) {
     map.read(base_, ignored);
   }
   replaced_ = rendered_;
-  map.beginBatch();
   for (std::size_t i = 0; i < rendered_.size(); ++i) {
     rendered_[i] = graph_.T_map_keyframe(i);
     const occupancy::Insertion insertion = inserter_.insert(graph_.keyframe(i).scan, rendered_[i], map);
     if (insertion == occupancy::Insertion::kOutOfBounds) ++revision.left_out;
   }
-  map.endBatch();
   rendered_count_ = rendered_.size();
   moved_ = false;
   withheld_ = false;

@@ -112,6 +112,30 @@ TEST_F(MapperTest, DropsAndCountsScansThatSayNothingOrCannotBePlaced_MAP_4) {
       << "and the next good one goes in";
 }
 
+// [MAP-4] Maps of hundreds of metres
+TEST_F(MapperTest, GoesOnWithWhatItKnowsWhenTheMemoryOfTheMapIsUsedUpAndSaysWhatToDo_MAP_4) {
+  mapping::MapperParameters parameters;
+  parameters.trust_odometry = true;
+  parameters.map.max_memory = 1.0;
+  mapping::Mapper small(parameters);
+  double seconds = 1.0;
+  const auto drive = [&](double from, double to, double step) {
+    for (double x = from; step > 0.0 ? x < to : x > to; x += step, seconds += 1.0) {
+      ASSERT_EQ(small.insert(ring(seconds), Pose2(x, 0.0, 0.0), timeFromSeconds(seconds)),
+                mapping::ScanVerdict::kInserted);
+    }
+  };
+  drive(0.0, 400.0, 1.0);
+  EXPECT_LT(small.map().memory(), 10'000'000U);
+  const std::optional<mapping::ScanRemark> remark = small.remark(timeFromSeconds(seconds));
+  ASSERT_TRUE(remark.has_value());
+  for (const char* word : {"max_memory", "resolution", "max_clear_range"}) {
+    EXPECT_NE(remark->text.find(word), std::string::npos) << remark->text;
+  }
+  EXPECT_EQ(small.counts().dropped(), 0U);
+  EXPECT_EQ(small.map().projection()[small.map().geometry().cellAt({399.0, 0.0})], kUnknown);
+}
+
 TEST_F(MapperTest, LooksSeldomWhileTheRobotStandsAndStillSeesWhatComes) {
   ASSERT_EQ(insert(ring(1.0)), mapping::ScanVerdict::kInserted);
   EXPECT_EQ(insert(ring(1.1)), mapping::ScanVerdict::kNotMoved);

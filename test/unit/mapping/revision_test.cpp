@@ -136,7 +136,7 @@ TEST_F(Revisions, SayThatTheMapHasGrownWhenItHas) {
 // [MAP-4]
 TEST_F(Revisions, WhoseMapWouldBeTooLargeMoveNeitherTheMapNorTheRobot) {
   look(1.0, Pose2());
-  script->T_new_old = Pose2(250.0, 0.0, 0.0);
+  script->T_new_old = Pose2(1250.0, 0.0, 0.0);
   const slam::RevisionWork work = mapper.takeWork();
   look(2.0, Pose2(3.0, 0.0, 0.0));
   slam::MapRevision revision = work();
@@ -154,7 +154,7 @@ TEST_F(Revisions, WhoseMapWouldBeTooLargeMoveNeitherTheMapNorTheRobot) {
 // [MAP-4]
 TEST_F(Revisions, SayWhenTheMapWouldBeTooLargeUntilOneFits) {
   look(1.0, Pose2());
-  script->T_new_old = Pose2(250.0, 0.0, 0.0);
+  script->T_new_old = Pose2(1250.0, 0.0, 0.0);
   mapper.reviseNow();
   for (int i = 2; i < 10; ++i) look(i, Pose2(0.1 * i, 0.0, 0.0));
   ASSERT_TRUE(mapper.remark(timeFromSeconds(10.0)).has_value());
@@ -191,7 +191,7 @@ TEST_F(Revisions, MayLeaveOutWhatTheMapHadNoRoomForAnyway) {
 
 TEST_F(Revisions, ThatAreTooLargeAreVoidAfterAResetToo) {
   look(1.0, Pose2());
-  script->T_new_old = Pose2(250.0, 0.0, 0.0);
+  script->T_new_old = Pose2(1250.0, 0.0, 0.0);
   const slam::RevisionWork work = mapper.takeWork();
   mapper.reset();
   slam::MapRevision revision = work();

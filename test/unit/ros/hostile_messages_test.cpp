@@ -108,9 +108,9 @@ TEST(HostileMessages, FLT_1_AMapOfTooManyCellsIsRefusedAndSaysWhatToDo) {  // [F
     toOccupancyGrid(msg, &why);
     return why;
   };
-  EXPECT_EQ(whyNot(4100, 4000), "taken");
+  EXPECT_EQ(whyNot(6000, 6000), "taken") << "600 m x 600 m in cells of 10 cm";
   const std::string large =
-      "map of more than 25000000 cells: make its cells larger, or leave out what nobody drives in";
+      "map of more than 40000000 cells: make its cells larger, or leave out what nobody drives in";
   EXPECT_EQ(whyNot(8000, 8000), large);
   EXPECT_EQ(whyNot(20001, 1), "map of more than 20000 cells along a side");
   EXPECT_EQ(whyNot(1, 20001), "map of more than 20000 cells along a side");

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include "occupancy/log_odds.h"
+#include "scribbled_map.h"
+
+namespace frontier_pilot {
+namespace {
+
+// Maps of hundreds of metres
+TEST(OccupancyMap, TakesMemoryForWhatIsMappedAndNotForTheBoxAroundIt) {
+  occupancy::OccupancyMap map = smallMap();
+  miss(map, cellAt(map, 0.2, 0.2));
+  const std::size_t before = map.memory();
+  ASSERT_TRUE(map.reserve({-300.0, -300.0}, {300.0, 300.0}));
+  hit(map, cellAt(map, -299.0, 299.0));
+  EXPECT_GE(map.geometry().size(), 144'000'000U);
+  EXPECT_LT(map.memory(), before + 1'000'000U);
+  EXPECT_EQ(map.projection({0, 0, 1, 1})[0], kUnknown);
+  EXPECT_TRUE(map.isOccupied(cellAt(map, -299.0, 299.0)));
+  float free = 0.0F;
+  EXPECT_TRUE(map.logOdds(cellAt(map, 0.2, 0.2), free));
+}
+
+TEST(OccupancyMap, AddsNothingNewBeyondItsMemoryAndGoesOnUpdatingWhatIsKnown) {
+  occupancy::OccupancyMapParameters parameters;
+  parameters.max_memory = 1.0;
+  occupancy::OccupancyMap map(parameters);
+  ASSERT_TRUE(map.reserve({0.0, 0.0}, {100.0, 100.0}));
+  for (int i = 0; i < 60; ++i) miss(map, {i, i});
+  EXPECT_FALSE(map.isFull());
+  for (int y = 0; y < 1000; y += 64) {
+    for (int x = 0; x < 1000; x += 64) miss(map, {x, y});
+  }
+  EXPECT_TRUE(map.isFull());
+  const Cell first{0, 0};
+  for (int i = 0; i < 9; ++i) hit(map, first);
+  EXPECT_TRUE(map.isOccupied(first));
+  EXPECT_LT(knownCells(map), 200U);
+  map.clear();
+  EXPECT_FALSE(map.isFull());
+  miss(map, {1500, 1500});
+  EXPECT_EQ(map.grid()[Cell({1500, 1500})], kFree);
+}
+
+TEST(OccupancyMap, KeepsItsProjectionUpToDateAfterTheFirstCall_MAP_2) {
+  occupancy::OccupancyMap map;
+  scribble(map, 100);
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+  scribble(map, 200);
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+  occupancy::OccupancyMap other;
+  scribble(other, 50);
+  ASSERT_TRUE(map.exchange(other));
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+  EXPECT_TRUE(other.grid().cells() == other.projection().cells());
+  const CellRect block{3, 5, 70, 90};
+  const OccupancyGrid part = map.projection(block);
+  for (int y = 0; y < block.height; ++y) {
+    for (int x = 0; x < block.width; ++x) ASSERT_EQ((part[Cell{x, y}]), (map.grid()[Cell{x + 3, y + 5}]));
+  }
+  map.clear();
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+}
+
+// Numbers of scans have 16 bits.
+TEST(OccupancyMap, TakesHitsBeforeMissesAlsoAfterManyScans) {
+  occupancy::OccupancyMap map = smallMap();
+  const Cell cell = cellAt(map, 0.2, 0.2);
+  for (int i = 0; i < 70000; ++i) {
+    map.beginScan();
+    map.hit(cell);
+    map.miss(cell);
+  }
+  float log_odds = 0.0F;
+  ASSERT_TRUE(map.logOdds(cell, log_odds));
+  EXPECT_FLOAT_EQ(log_odds, occupancy::logOdds(0.97));
+}
+
+}  // namespace
+}  // namespace frontier_pilot
