@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "frontier_pilot/sim/simulator.h"
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
+#include "support/cpu_time.h"
 #include "support/driving_meter.h"
 #include "support/explore_report.h"
 #include "support/explore_usage.h"
@@ -81,12 +81,6 @@ Options parse(const std::vector<std::string>& words) {
   if (options.latency < 0.0) throw std::invalid_argument("--latency must not be negative");
   if (options.worlds.empty()) throw std::invalid_argument("no world given");
   return options;
-}
-
-double threadSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 RobotModel robotOf(const Options& options) {

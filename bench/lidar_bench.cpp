@@ -3,7 +3,6 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <ctime>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "sim/solid_cells.h"
 #include "support/benchmark_main.h"
 #include "support/buildings.h"
+#include "support/cpu_time.h"
 
 const char* const frontier_pilot::bench::kPurpose =
     "What a ray, a scan and a step of the simulator cost, and how that grows with the number of robots.\n"
@@ -118,13 +118,6 @@ BENCHMARK(simulate)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(be
 void simulateRolling(benchmark::State& state) { simulate(state, true); }
 BENCHMARK(simulateRolling)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(benchmark::kMicrosecond);
 
-// CPU time of this thread [s].
-double cpuSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 // Moves the robot to a place. With `among_others`, the obstacle that stood there moves to where the robot came from.
 void carryTo(std::size_t i, bool among_others, Simulator& simulator) {
   const RobotSpec& to = places()[i];
@@ -148,15 +141,15 @@ void growth(benchmark::State& state) {
   std::array<double, 5> marks{};
   std::array<double, 4> seconds{};
   for (auto _ : state) {
-    marks[0] = cpuSeconds();
+    marks[0] = bench::threadSeconds();
     for (std::size_t i = 0; i < count; ++i) stepToScan(staying);
-    marks[1] = cpuSeconds();
+    marks[1] = bench::threadSeconds();
     for (std::size_t i = 0; i < count; ++i) carryTo(i, false, carried), stepToScan(carried);
-    marks[2] = cpuSeconds();
+    marks[2] = bench::threadSeconds();
     for (std::size_t i = 0; i < count; ++i) carryTo(i, true, among), stepToScan(among);
-    marks[3] = cpuSeconds();
+    marks[3] = bench::threadSeconds();
     stepToScan(all);
-    marks[4] = cpuSeconds();
+    marks[4] = bench::threadSeconds();
     for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] += marks[i + 1] - marks[i];
   }
   const double rays = static_cast<double>(state.iterations()) * static_cast<double>(count) * kBeams;

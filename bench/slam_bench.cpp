@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <iostream>
 #include <limits>
@@ -17,6 +16,7 @@
 #include "frontier_pilot/logs/trajectory.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "support/closed_loop/faulty_drive.h"
+#include "support/cpu_time.h"
 #include "support/heap_meter.h"
 #include "support/slam_worlds.h"
 #include "tools/arguments.h"
@@ -101,12 +101,6 @@ Options parse(const std::vector<std::string>& words) {
     takeOption(word, arguments, options);
   }
   return options;
-}
-
-double threadSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 constexpr double kMega = 1e-6;

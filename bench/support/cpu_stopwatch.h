@@ -3,26 +3,20 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
-namespace frontier_pilot::bench {
+#include "support/cpu_time.h"
 
-/// The CPU time of this thread [us], which other load of the machine does not affect directly.
-inline double cpuMicros() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
-}
+namespace frontier_pilot::bench {
 
 /// Measures the CPU time of calls, one by one.
 class Stopwatch {
  public:
   template <class Work>
   void time(Work&& work) {
-    const double start = cpuMicros();
+    const double start = threadSeconds();
     work();
-    micros_.push_back(cpuMicros() - start);
+    micros_.push_back(1e6 * (threadSeconds() - start));
   }
   void report(benchmark::State& state) {
     std::sort(micros_.begin(), micros_.end());

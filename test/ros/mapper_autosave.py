@@ -35,9 +35,11 @@ def newest_map():
 
 
 def poses_of_the_session(kept):
-    """The files with the pose of a kept map: one for each name of the session, all written at the same time."""
+    """The files with the pose of a kept map: one for each name of the session, all with the same text."""
+    with open(kept) as file:
+        text = file.read()
     poses = glob.glob(os.path.join(os.path.dirname(kept), '..', '*', 'kept_map.mapper'))
-    return [pose for pose in poses if abs(os.path.getmtime(pose) - os.path.getmtime(kept)) < 0.5]
+    return [pose for pose in poses if open(pose).read() == text]
 
 
 class MapperAutosave(unittest.TestCase):

@@ -66,8 +66,9 @@ std::vector<double>& ViewpointDistances::row(std::size_t viewpoint) {
   constexpr double kNotKnown = -1.0;
   std::vector<double>& distances = rows_[viewpoint];
   if (!distances.empty()) return distances;
-  for (const std::vector<double>& other : rows_) {
-    distances.push_back(other.empty() ? kNotKnown : other[viewpoint]);
+  distances.assign(rows_.size(), kNotKnown);
+  for (std::size_t other = 0; other < rows_.size(); ++other) {
+    if (!rows_[other].empty()) distances[other] = rows_[other][viewpoint];
   }
   return distances;
 }
