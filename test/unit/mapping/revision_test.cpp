@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "frontier_pilot/mapping/mapper.h"
@@ -17,6 +18,21 @@ LaserScan2 ringAt(double seconds) {
   scan.range_min = 0.12;
   scan.range_max = 8.0;
   scan.ranges.assign(180, 1.0F);
+  return scan;
+}
+
+constexpr double kThrough = -0.5 + 30.0 * kPi / 180.0;  ///< direction of the beam that passes the pane [rad]
+
+/// A pane of glass 3 m ahead; one beam shows what is 7 m ahead instead.
+LaserScan2 paneAt(double seconds) {
+  LaserScan2 scan;
+  scan.stamp = timeFromSeconds(seconds);
+  scan.angle_min = -0.5;
+  scan.angle_increment = kPi / 180.0;
+  scan.range_min = 0.12;
+  scan.range_max = 10.0;
+  for (std::size_t i = 0; i < 58; ++i) scan.ranges.push_back(static_cast<float>(3.0 / std::cos(scan.angle(i))));
+  scan.ranges[30] *= 7.0F / 3.0F;
   return scan;
 }
 
@@ -75,6 +91,9 @@ class Revisions : public ::testing::Test {
  protected:
   void look(double seconds, const Pose2& T_odom_base) {
     ASSERT_EQ(mapper.insert(ringAt(seconds), T_odom_base, timeFromSeconds(seconds)), mapping::ScanVerdict::kInserted);
+  }
+  void lookAtThePane(double seconds) {
+    ASSERT_EQ(mapper.insert(paneAt(seconds), Pose2(), timeFromSeconds(seconds)), mapping::ScanVerdict::kInserted);
   }
   std::int8_t at(double x, double y) const {
     return mapper.grid().get(mapper.grid().geometry().cellAt({x, y}), kUnknown);
@@ -226,6 +245,27 @@ TEST_F(Revisions, MoveTheRobotWithoutTouchingTheMapWhereNothingElseMoved) {
   EXPECT_EQ(mapper.T_map_odom(), Pose2(0.01, 0.0, 0.0));
   EXPECT_TRUE(mapper.grid().cells() == before.cells());
   EXPECT_EQ(mapper.revisions().rendered, 0U);
+}
+
+// [MAP-1]
+TEST_F(Revisions, DoNotOpenGlassForAScanThatCameMeanwhile) {
+  script->T_new_old = Pose2(0.2, 0.0, 0.0);
+  const slam::RevisionWork work = mapper.takeWork();
+  lookAtThePane(10.0);
+  slam::MapRevision revision = work();
+  ASSERT_TRUE(mapper.revise(revision));
+  EXPECT_EQ(at(2.2, 2.0 * std::tan(kThrough)), kFree) << "before the pane";
+  EXPECT_EQ(at(5.2, 5.0 * std::tan(kThrough)), kUnknown) << "it is the same lone return at another pose";
+}
+
+// [MAP-1]
+TEST_F(Revisions, ThatMoveTheRobotAloneDoNotOpenGlassEither) {
+  lookAtThePane(10.0);
+  script->T_new_old = Pose2(0.2, 0.0, 0.0);
+  script->renders = false;
+  mapper.reviseNow();
+  lookAtThePane(20.0);
+  EXPECT_EQ(at(5.2, 5.0 * std::tan(kThrough)), kUnknown) << "the robot has seen it from one place only";
 }
 
 // [FLT-1]
