@@ -182,8 +182,7 @@ bool Mapper::Impl::refuse(slam::MapRevision& revision) {
   working = false;
   meanwhile.clear();
   revisions.attempts = revision.counts;
-  // None of it takes effect.
-  revision.closures.clear();
+  revision.closures.clear();  // none of it takes effect
   revision.T_new_old = Pose2();
   overgrown = true;
   return true;

@@ -4,11 +4,13 @@
 #include <memory>
 
 #include "frontier_pilot/mapping/mapper.h"
-#include "frontier_pilot/occupancy/scan_inserter.h"
 #include "occupancy/octree_layer.h"
+#include "thoughtful_correction.h"
 
 namespace frontier_pilot {
 namespace {
+
+using test::Thoughtful;
 
 LaserScan2 ringAt(double seconds) {
   LaserScan2 scan;
@@ -35,57 +37,6 @@ LaserScan2 paneAt(double seconds) {
   scan.ranges[30] *= 7.0F / 3.0F;
   return scan;
 }
-
-/// Revises when told to: everything inserted so far moves by `T_new_old`.
-class Thoughtful final : public slam::PoseCorrection {
- public:
-  struct Script {
-    std::optional<Pose2> T_new_old;
-    bool renders = true;
-    std::size_t left_out = 0;
-  };
-  explicit Thoughtful(std::shared_ptr<Script> script) : script_(std::move(script)) {}
-
-  slam::CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
-                              const occupancy::OccupancyMap&) override {
-    scans_.emplace_back(scan, T_map_odom_ * T_odom_base);
-    return {T_map_odom_, true, "scripted"};
-  }
-  slam::RevisionWork takeWork() override {
-    if (!script_->T_new_old) return {};
-    const Pose2 T_new_old = *std::exchange(script_->T_new_old, std::nullopt);
-    return [T_new_old, scans = scans_, renders = script_->renders, left_out = script_->left_out,
-            generation = generation_] {
-      slam::MapRevision revision;
-      revision.left_out = left_out;
-      revision.generation = generation;
-      revision.T_new_old = T_new_old;
-      revision.closures.resize(2);
-      if (renders) revision.map.emplace();
-      occupancy::ScanInserter inserter;
-      for (const auto& [scan, T_map_base] : scans) {
-        if (renders) inserter.insert(scan, T_new_old * T_map_base, *revision.map);
-      }
-      return revision;
-    };
-  }
-  bool accept(const slam::MapRevision& revision) override {
-    if (revision.generation != generation_) return false;
-    T_map_odom_ = revision.T_new_old * T_map_odom_;
-    return true;
-  }
-  bool refuse(const slam::MapRevision& revision) override { return revision.generation == generation_; }
-  void reset() override {
-    T_map_odom_ = Pose2();
-    ++generation_;
-  }
-
- private:
-  std::shared_ptr<Script> script_;
-  std::vector<std::pair<surfaces::SurfaceScan, Pose2>> scans_;
-  Pose2 T_map_odom_;
-  std::uint64_t generation_ = 0;
-};
 
 class Revisions : public ::testing::Test {
  protected:
