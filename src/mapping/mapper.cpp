@@ -52,7 +52,7 @@ struct Mapper::Impl {
   bool refuse(slam::MapRevision& revision);
   scan_matching::PoseWithCovariance presentBelief() const;
   void replace(std::unique_ptr<slam::PoseCorrection> corrector);
-  void forgetRevisions();
+  void forgetEarlierPoses();
 
   MapperParameters parameters;
   occupancy::OccupancyMap map;
@@ -153,6 +153,7 @@ bool Mapper::revise(slam::MapRevision& revision) {
   if (impl_->isTooLarge(revision)) return impl_->refuse(revision);
   if (!impl_->correction->accept(revision)) return false;
   impl_->working = false;
+  if (revision.map || !(revision.T_new_old == Pose2())) impl_->inserter.forgetLoneReturns();
   const std::vector<Impl::Inserted> meanwhile = std::exchange(impl_->meanwhile, {});
   impl_->T_map_odom = revision.T_new_old * impl_->T_map_odom;
   impl_->revisions.attempts = revision.counts;
@@ -181,8 +182,7 @@ bool Mapper::Impl::refuse(slam::MapRevision& revision) {
   working = false;
   meanwhile.clear();
   revisions.attempts = revision.counts;
-  // None of it takes effect.
-  revision.closures.clear();
+  revision.closures.clear();  // none of it takes effect
   revision.T_new_old = Pose2();
   overgrown = true;
   return true;
@@ -244,10 +244,11 @@ bool Mapper::locate(const RobotSearch& search) {
 void Mapper::Impl::replace(std::unique_ptr<slam::PoseCorrection> corrector) {
   correction = std::move(corrector);
   ++epoch;
-  forgetRevisions();
+  forgetEarlierPoses();
 }
 
-void Mapper::Impl::forgetRevisions() {
+void Mapper::Impl::forgetEarlierPoses() {
+  inserter.forgetLoneReturns();
   working = false;
   overgrown = false;
   out_of_bounds = 0;
@@ -274,13 +275,12 @@ bool Mapper::Impl::hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) co
 
 void Mapper::reset() {
   impl_->map.clear();
-  impl_->inserter = occupancy::ScanInserter(impl_->parameters.insertion);
   ++impl_->generation;
   impl_->T_map_odom = Pose2();
   impl_->last.reset();
   impl_->recent.clear();
   impl_->correction->reset();
-  impl_->forgetRevisions();
+  impl_->forgetEarlierPoses();
   // A known map is forgotten too.
   if (impl_->epoch > 0) impl_->replace(correctionFor(impl_->parameters, impl_->map));
 }

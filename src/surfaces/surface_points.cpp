@@ -28,6 +28,7 @@ class BeamReader {
     for (std::size_t beam = 0; beam < scan_.ranges.size(); ++beam) {
       const RangeReading reading = readBeam(scan_, beam);
       if (reading.kind == RangeKind::kHit) add(beam, reading.distance);
+      if (reading.kind == RangeKind::kTooNear) ++too_near_;
       // An invalid beam may have met the same surface; a beam without a return has not.
       if (reading.kind != RangeKind::kFree) continue;
       open_ = true;
@@ -35,7 +36,8 @@ class BeamReader {
       if (scan_.isMoving()) free_mounts_.push_back(scan_.mount(beam));
     }
     return {scan_.stamp,     scan_.T_base_sensor,       std::move(points_),      std::move(free_),
-            scan_.range_max, std::move(point_origins_), std::move(free_mounts_), loneReturns(scan_)};
+            scan_.range_max, std::move(point_origins_), std::move(free_mounts_), loneReturns(scan_),
+            too_near_};
   }
 
  private:
@@ -57,6 +59,7 @@ class BeamReader {
   std::vector<double> free_;
   std::vector<Vec2> point_origins_;
   std::vector<Pose2> free_mounts_;
+  std::size_t too_near_ = 0;
   std::size_t last_beam_ = 0;
   double last_distance_ = 0.0;
   bool open_ = true;  ///< the next return is not connected to the last one

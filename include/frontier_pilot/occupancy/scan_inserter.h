@@ -32,6 +32,9 @@ class ScanInserter {
 
   /// `scan` was taken at `T_map_base`; both must be finite. On failure the map is untouched.
   Insertion insert(const surfaces::SurfaceScan& scan, const Pose2& T_map_base, OccupancyMap& map);
+  /// Forgets where lone returns have passed. To be called when poses in the map have been corrected: otherwise a lone
+  /// return would seem to pass from elsewhere when it is inserted again at its corrected pose.
+  void forgetLoneReturns() { passages_.clear(); }
 
  private:
   struct Ray {

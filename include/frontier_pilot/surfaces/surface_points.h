@@ -40,6 +40,8 @@ struct SurfaceScan {
   /// glass; in ascending order.
   std::vector<std::size_t> lone;
 
+  std::size_t too_near = 0;  ///< the number of beams that met something nearer than the scanner's least range
+
   /// The number of beams that show an obstacle or free space.
   std::size_t usableBeams() const { return points.size() + free.size(); }
 };

@@ -68,6 +68,7 @@ void GraphBackEnd::render(MapRevision& revision) {
     map.read(base_, ignored);
   }
   replaced_ = rendered_;
+  inserter_.forgetLoneReturns();
   for (std::size_t i = 0; i < rendered_.size(); ++i) {
     rendered_[i] = graph_.T_map_keyframe(i);
     const occupancy::Insertion insertion = inserter_.insert(graph_.keyframe(i).scan, rendered_[i], map);

@@ -8,9 +8,10 @@ namespace frontier_pilot::slam {
 namespace {
 
 /// Whether most of the beams met nothing, or there are few returns at all: some drivers report a beam without a return
-/// as invalid. A covered scanner has many returns, from one small place.
+/// as invalid. If most beams end nearer than the scanner measures, it is covered.
 bool isOpen(const surfaces::SurfaceScan& scan) {
   constexpr std::size_t kFew = 50;
+  if (scan.too_near > scan.usableBeams()) return false;
   const bool few = !scan.points.empty() && scan.points.size() < kFew;
   return few || scan.free.size() > scan.points.size();
 }

@@ -76,7 +76,7 @@ struct ScanTracker::Impl {
   Track place(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base, const MatchTarget& target,
               bool open) const;
   void learn(const Fix& fix, const Track& track);
-  void remember(Time stamp, const Pose2& T_odom_base, const Track& track);
+  void remember(Time stamp, const Pose2& T_odom_base, const Track& track, bool open);
 
   ScanTrackerParameters parameters;
   ScanPlacement placement;
@@ -104,7 +104,7 @@ Prediction ScanTracker::Impl::predict(Time stamp, const Pose2& T_odom_base, cons
   const Pose2 T_map_base = T_local_map.inverse() * expected(T_odom_base);
   if (!last) return {T_map_base, kLeast, kLeast};
   const bool turned = isJump(last->fix.T_odom_base, T_odom_base, kTurningWheels, kTurningWheels);
-  const bool stands = last->matched == last->stamp && !turned;
+  const bool stands = last->matched == last->stamp && !last->carried && !turned;
   const PoseSigma sigma = stands ? kStanding : sumOf(grown(T_odom_base), kLeast);
   const double silence = std::max(0.0, toSeconds(stamp - last->matched));
   const PoseSigma unseen{sigma.position + parameters.odometry.unmeasured_speed * silence,
@@ -122,7 +122,7 @@ Track ScanTracker::track(const surfaces::SurfacePoints& points, Time stamp, cons
   Track track;
   track.T_local_base.pose = impl_->expected(T_odom_base);
   if (target) track = impl_->place(points, stamp, T_odom_base, *target, open);
-  impl_->remember(stamp, T_odom_base, track);
+  impl_->remember(stamp, T_odom_base, track, open);
   return track;
 }
 
@@ -160,11 +160,13 @@ void ScanTracker::Impl::learn(const Fix& fix, const Track& track) {
   anchor = fix;
 }
 
-void ScanTracker::Impl::remember(Time stamp, const Pose2& T_odom_base, const Track& track) {
+void ScanTracker::Impl::remember(Time stamp, const Pose2& T_odom_base, const Track& track, bool open) {
   const bool known =
       isPlaced(track.verdict) || !last || track.verdict == MatchVerdict::kFirst || track.verdict == MatchVerdict::kLost;
-  const bool carried = track.verdict == MatchVerdict::kCarried;
-  const PoseSigma sigma = known && !(carried && last) ? PoseSigma{} : grown(T_odom_base);
+  const bool extrapolated = track.verdict == MatchVerdict::kCarried && last;
+  const PoseSigma sigma = known && !extrapolated ? PoseSigma{} : grown(T_odom_base);
+  // A map that begins on open ground shows nothing that later scans could match.
+  const bool carried = track.verdict == MatchVerdict::kCarried || (track.verdict == MatchVerdict::kFirst && open);
   const Fix fix{T_odom_base, track.T_local_base.pose};
   learn(fix, track);
   last = Last{stamp, fix, known ? stamp : last->matched, sigma, carried || (!known && last->carried)};

@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "frontier_pilot/mapping/mapper.h"
-#include "frontier_pilot/occupancy/scan_inserter.h"
 #include "occupancy/octree_layer.h"
+#include "thoughtful_correction.h"
 
 namespace frontier_pilot {
 namespace {
+
+using test::Thoughtful;
 
 LaserScan2 ringAt(double seconds) {
   LaserScan2 scan;
@@ -20,61 +23,28 @@ LaserScan2 ringAt(double seconds) {
   return scan;
 }
 
-/// Revises when told to: everything inserted so far moves by `T_new_old`.
-class Thoughtful final : public slam::PoseCorrection {
- public:
-  struct Script {
-    std::optional<Pose2> T_new_old;
-    bool renders = true;
-    std::size_t left_out = 0;
-  };
-  explicit Thoughtful(std::shared_ptr<Script> script) : script_(std::move(script)) {}
+constexpr double kThrough = -0.5 + 30.0 * kPi / 180.0;  ///< direction of the beam that passes the pane [rad]
 
-  slam::CorrectedScan correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
-                              const occupancy::OccupancyMap&) override {
-    scans_.emplace_back(scan, T_map_odom_ * T_odom_base);
-    return {T_map_odom_, true, "scripted"};
-  }
-  slam::RevisionWork takeWork() override {
-    if (!script_->T_new_old) return {};
-    const Pose2 T_new_old = *std::exchange(script_->T_new_old, std::nullopt);
-    return [T_new_old, scans = scans_, renders = script_->renders, left_out = script_->left_out,
-            generation = generation_] {
-      slam::MapRevision revision;
-      revision.left_out = left_out;
-      revision.generation = generation;
-      revision.T_new_old = T_new_old;
-      revision.closures.resize(2);
-      if (renders) revision.map.emplace();
-      occupancy::ScanInserter inserter;
-      for (const auto& [scan, T_map_base] : scans) {
-        if (renders) inserter.insert(scan, T_new_old * T_map_base, *revision.map);
-      }
-      return revision;
-    };
-  }
-  bool accept(const slam::MapRevision& revision) override {
-    if (revision.generation != generation_) return false;
-    T_map_odom_ = revision.T_new_old * T_map_odom_;
-    return true;
-  }
-  bool refuse(const slam::MapRevision& revision) override { return revision.generation == generation_; }
-  void reset() override {
-    T_map_odom_ = Pose2();
-    ++generation_;
-  }
-
- private:
-  std::shared_ptr<Script> script_;
-  std::vector<std::pair<surfaces::SurfaceScan, Pose2>> scans_;
-  Pose2 T_map_odom_;
-  std::uint64_t generation_ = 0;
-};
+/// A pane of glass 3 m ahead; one beam shows what is 7 m ahead instead.
+LaserScan2 paneAt(double seconds) {
+  LaserScan2 scan;
+  scan.stamp = timeFromSeconds(seconds);
+  scan.angle_min = -0.5;
+  scan.angle_increment = kPi / 180.0;
+  scan.range_min = 0.12;
+  scan.range_max = 10.0;
+  for (std::size_t i = 0; i < 58; ++i) scan.ranges.push_back(static_cast<float>(3.0 / std::cos(scan.angle(i))));
+  scan.ranges[30] *= 7.0F / 3.0F;
+  return scan;
+}
 
 class Revisions : public ::testing::Test {
  protected:
   void look(double seconds, const Pose2& T_odom_base) {
     ASSERT_EQ(mapper.insert(ringAt(seconds), T_odom_base, timeFromSeconds(seconds)), mapping::ScanVerdict::kInserted);
+  }
+  void lookAtThePane(double seconds) {
+    ASSERT_EQ(mapper.insert(paneAt(seconds), Pose2(), timeFromSeconds(seconds)), mapping::ScanVerdict::kInserted);
   }
   std::int8_t at(double x, double y) const {
     return mapper.grid().get(mapper.grid().geometry().cellAt({x, y}), kUnknown);
@@ -226,6 +196,27 @@ TEST_F(Revisions, MoveTheRobotWithoutTouchingTheMapWhereNothingElseMoved) {
   EXPECT_EQ(mapper.T_map_odom(), Pose2(0.01, 0.0, 0.0));
   EXPECT_TRUE(mapper.grid().cells() == before.cells());
   EXPECT_EQ(mapper.revisions().rendered, 0U);
+}
+
+// [MAP-1]
+TEST_F(Revisions, DoNotOpenGlassForAScanThatCameMeanwhile) {
+  script->T_new_old = Pose2(0.2, 0.0, 0.0);
+  const slam::RevisionWork work = mapper.takeWork();
+  lookAtThePane(10.0);
+  slam::MapRevision revision = work();
+  ASSERT_TRUE(mapper.revise(revision));
+  EXPECT_EQ(at(2.2, 2.0 * std::tan(kThrough)), kFree) << "before the pane";
+  EXPECT_EQ(at(5.2, 5.0 * std::tan(kThrough)), kUnknown) << "it is the same lone return at another pose";
+}
+
+// [MAP-1]
+TEST_F(Revisions, ThatMoveTheRobotAloneDoNotOpenGlassEither) {
+  lookAtThePane(10.0);
+  script->T_new_old = Pose2(0.2, 0.0, 0.0);
+  script->renders = false;
+  mapper.reviseNow();
+  lookAtThePane(20.0);
+  EXPECT_EQ(at(5.2, 5.0 * std::tan(kThrough)), kUnknown) << "the robot has seen it from one place only";
 }
 
 // [FLT-1]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "occupancy/octree_layer.h"
 #include "support/drives/ring_drive.h"
 
 namespace frontier_pilot::test {
@@ -94,6 +95,41 @@ TEST(GraphBackEnd, RendersTheMapAgainFromWhereTheKeyframesHaveMovedTo) {
   }
   EXPECT_GT(occupied, 2000);
   EXPECT_LT(wrong, occupied / 20);
+}
+
+/// Lets the middle beam pass between its neighbours and end twice as far away.
+void letOneBeamPass(surfaces::SurfaceScan& scan) {
+  const std::size_t middle = scan.points.size() / 2;
+  scan.points[middle].position *= 2.0;
+  scan.lone = {middle};
+}
+
+std::vector<std::pair<std::size_t, float>> cellsOf(const occupancy::OccupancyMap& map) {
+  std::vector<std::pair<std::size_t, float>> cells;
+  map.octree().forEach([&](Cell cell, float log_odds) { cells.emplace_back(map.geometry().index(cell), log_odds); });
+  return cells;
+}
+
+// [MAP-1]
+TEST(GraphBackEnd, RendersEachMapAsIfItWereTheFirstOne) {
+  DriftingDrive drive(ringPoses(kSide, kStep, 1.3), ringWorld(kSide, true), kDrift);
+  slam::GraphBackEnd back_end = backEnd();
+  std::vector<surfaces::SurfaceScan> scans;
+  int rendered = 0;
+  for (std::size_t i = 0; i < drive.size() && rendered < 2; ++i) {
+    slam::PlacedKeyframe placed = drive.keyframe(i);
+    letOneBeamPass(placed.keyframe.scan);
+    scans.push_back(placed.keyframe.scan);
+    const slam::MapRevision revision = back_end.update({std::move(placed)});
+    if (!revision.map) continue;
+    ++rendered;
+    occupancy::OccupancyMap map;
+    occupancy::ScanInserter inserter;
+    const std::vector<slam::KeyframePose> trajectory = back_end.trajectory();
+    for (std::size_t k = 0; k < scans.size(); ++k) inserter.insert(scans[k], trajectory[k].T_map_base, map);
+    EXPECT_TRUE(cellsOf(*revision.map) == cellsOf(map)) << "lone returns of an earlier map open nothing";
+  }
+  ASSERT_EQ(rendered, 2);
 }
 
 // [MAP-4]

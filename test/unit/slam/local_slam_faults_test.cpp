@@ -46,6 +46,20 @@ TEST_F(LocalSlamFaults, SurvivesAHandBeforeTheScannerForThreeSeconds) {
   expectTheMapSurvived();
 }
 
+TEST_F(LocalSlamFaults, MAP_1_NeverTakesACoveredScannerForOpenGround) {
+  for (const float covered : {-kNothing, 0.05F}) {
+    TrackedDrive blind;
+    blind.run(test::aroundTheRooms(), scanner, [&](double now, LaserScan2& scan, test::Wheels&) {
+      if (!isBetween(now, 20.0, 3.0)) return true;
+      scan.ranges.assign(scan.ranges.size(), covered);
+      for (std::size_t beam = 0; beam < 5; ++beam) scan.ranges[70 * beam] = 0.3F;
+      return true;
+    });
+    EXPECT_EQ(blind.count(slam::MatchVerdict::kCarried), 0) << covered;
+    EXPECT_EQ(blind.count(slam::MatchVerdict::kTooFew), 30) << covered;
+  }
+}
+
 TEST_F(LocalSlamFaults, SurvivesAScannerThatShowsAnotherPlaceForThreeSeconds) {
   test::Scanner elsewhere(test::longCorridor(), 0.01);
   run([&](double now, LaserScan2& scan, test::Wheels&) {
