@@ -13,6 +13,8 @@ namespace {
 /// A motion must advance by this much to count as progress: [rad] or [m].
 constexpr double kTurnProgress = 0.01;
 constexpr double kLineProgress = 0.004;
+/// A motion that ends where it begins, for all that the costmap can tell: [rad] or [m].
+constexpr double kNoMotion = 1e-6;
 
 std::string seconds(double value) {
   std::ostringstream out;
@@ -207,7 +209,7 @@ BehaviorOutput TimedBehavior::Impl::goOn(const BehaviorInputs& inputs, double sp
 /// `seen`, in words. Where something touches the footprint already, no motion of this kind can begin.
 std::string TimedBehavior::Impl::whatIsAhead(const BehaviorInputs& inputs, SweepResult seen) const {
   AxisMotion none = motion();
-  none.amount = 0.0;
+  none.amount = sign() * kNoMotion;  // its sign tells which half of the footprint is left behind
   const bool touches =
       seen == SweepResult::kObstacle && inputs.look_ahead(inputs.pose->pose, none) == SweepResult::kObstacle;
   if (touches) return "an obstacle touches the footprint; move away first";

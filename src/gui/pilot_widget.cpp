@@ -21,6 +21,11 @@ constexpr int kTwoColumns = 38, kThreeColumns = 54;
 constexpr int kRefreshesToHalt = 10;  // about a second
 constexpr int kMostClears = 3;
 
+/// Why the arbiter holds the robot; empty: it does not, or that is not known.
+std::string stopCauseIn(const teleop::OperatorState& state) {
+  return state.arbiter ? state.arbiter->stop_cause : std::string();
+}
+
 }  // namespace
 
 PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* parent)
@@ -89,10 +94,14 @@ void PilotWidget::connectCards() {
     showSetPoint();
   });
   connect(header_, &HeaderCard::stopAsked, this, [this, ask] {
+    clears_left_ = 0;
     press(teleop::Motion::kStop);
     ask(Kind::kEmergencyStop);
   });
-  connect(header_, &HeaderCard::clearAsked, this, [ask] { ask(Kind::kClearEmergencyStop); });
+  connect(header_, &HeaderCard::clearAsked, this, [this, ask] {
+    clears_left_ = 0;
+    ask(Kind::kClearEmergencyStop);
+  });
   connect(header_, &HeaderCard::haltAndClearAsked, this, &PilotWidget::haltAndClear);
   connect(sources_card_, &SourcesCard::enableAsked, this, [this](const QString& name, bool on) {
     send({Kind::kEnableSource, on, name.toStdString(), 0, 0.0, 0, 0.0});
@@ -214,10 +223,15 @@ void PilotWidget::haltAndClear() {
   send({Kind::kStopNavigation, false, {}, 0, 0.0, 0, 0.0});
   refreshes_to_clear_ = kRefreshesToHalt;
   clears_left_ = kMostClears;
+  cause_to_clear_ = stopCauseIn(last_state_);
 }
 
+/// Asks again while the stop that was to be cleared lasts. Another stop, even one that came between two refreshes, is
+/// not cleared: an accepted clear has emptied the refusal, and the next stop may have another cause.
 void PilotWidget::goOnClearing(const teleop::OperatorState& state) {
-  if (!state.emergency_stop.value_or(false)) clears_left_ = 0;
+  const bool cleared = !state.emergency_stop.value_or(false) || state.clear_refusal.empty();
+  const std::string cause = stopCauseIn(state);
+  if (cleared || (!cause.empty() && cause != cause_to_clear_)) clears_left_ = 0;
   if (clears_left_ == 0 || --refreshes_to_clear_ > 0) return;
   --clears_left_;
   refreshes_to_clear_ = kRefreshesToHalt;

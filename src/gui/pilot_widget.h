@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 #include <vector>
 
 #include "teleop/drive_model.h"
@@ -72,6 +73,7 @@ class PilotWidget : public QWidget {
   Twist2 shown_;
   int columns_ = 0;
   int refreshes_to_clear_ = 0, clears_left_ = 0;  ///< of a halt after which the stop is to be cleared
+  std::string cause_to_clear_;                    ///< of that stop
   bool applying_theme_ = false;
   std::vector<QVBoxLayout*> column_layouts_;
   QBoxLayout* body_ = nullptr;

@@ -79,7 +79,7 @@ class Patrol::Impl {
   std::optional<MotionSample> last_sample_;
   Time started_, last_update_, settling_since_;
   std::optional<Time> held_since_, obstructed_since_;
-  Time progressed_;  ///< when the step last made progress
+  Time progressed_;  ///< when the step last made progress; moved on by the time before obstacles since then
   double best_progress_ = 0.0;
 };
 
@@ -215,9 +215,10 @@ PatrolOutput Patrol::Impl::drive(const PatrolInputs& inputs, Time now) {
   return output;
 }
 
-/// Stands still, and gives up when what is in the way stays there.
+/// Stands still, and gives up when what is in the way stays there. This time does not count as one without progress.
 PatrolOutput Patrol::Impl::standBefore(const std::string& obstacle, Time now) {
   if (!obstructed_since_) obstructed_since_ = now;
+  progressed_ = std::min(now, progressed_ + (now - last_update_));
   if (toSeconds(now - *obstructed_since_) >= parameters_.obstacle_timeout)
     return end(PatrolOutcome::kObstacleAhead, "aborted: " + obstacle);
   driver_.rest();

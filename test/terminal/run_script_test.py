@@ -84,8 +84,8 @@ class RunScript(unittest.TestCase):
         self.assertEqual(generated.stat().st_mtime, before, 'it configured the build again')
         self.assert_nothing_is_left()
 
-    def test_ctrl_c_saves_the_map_and_leaves_nothing_behind(self):
-        prefix = os.path.join(self.folder.name, 'floor')
+    def start_exploring(self, prefix):
+        """The running script, once something is explored, and what it has said."""
         process = self.start('map:=' + prefix, 'world:=' + str(ROOT / 'config/worlds/small.yaml'), 'speed:=2')
         said = ''
         end = time.monotonic() + 240.0
@@ -93,12 +93,35 @@ class RunScript(unittest.TestCase):
             line = process.stdout.readline()
             self.assertTrue(line, said)
             said += line
+        return process, said
+
+    def test_ctrl_c_saves_the_map_and_leaves_nothing_behind(self):
+        prefix = os.path.join(self.folder.name, 'floor')
+        process, said = self.start_exploring(prefix)
         process.send_signal(signal.SIGINT)
         process.send_signal(signal.SIGINT)  # an impatient operator presses it twice
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 130, said + out + err)
         self.assertIn('Map saved: %s.pgm' % prefix, out)
         self.assertTrue(os.path.exists(prefix + '.yaml'))
+        self.assert_nothing_is_left()
+
+    def test_another_ctrl_c_ends_everything_although_the_mapper_hangs(self):
+        process, said = self.start_exploring(os.path.join(self.folder.name, 'floor'))
+        ours = [path.parent for path in map(pathlib.Path, descendants(b'ROS_MASTER_URI=http://127.0.0.1:%d' % self.port))]
+        mapper, = [path.name for path in ours if path.joinpath('cmdline').read_bytes().split(b'\0')[0].endswith(b'/mapper')]
+        os.kill(int(mapper), signal.SIGSTOP)
+        for _ in range(20):
+            process.send_signal(signal.SIGINT)
+            try:
+                out, err = process.communicate(timeout=4)
+                break
+            except subprocess.TimeoutExpired:
+                pass
+        else:
+            self.fail('it does not end')
+        self.assertEqual(process.returncode, 130, said + out + err)
+        self.assertIn('the map was not saved', err)
         self.assert_nothing_is_left()
 
 

@@ -43,7 +43,7 @@ struct PatrolParameters {
     v.field("odometry_timeout", odometry_timeout, "s", "greatest age of odometry", timeSpan());
     v.fixed({"jump_distance", "jump_angle"});
     v.field("blocked_timeout", blocked_timeout, "s",
-            "time without the wheels or without progress after which a patrol is given up", timeSpan());
+            "time without the wheels, or without progress on a free way, after which a patrol is given up", timeSpan());
     v.fixed({"settle_timeout"});
     v.field("simulate_ahead_time", simulate_ahead_time, "s",
             "how far ahead, in time at full speed, the way must be free of obstacles", timeSpan());

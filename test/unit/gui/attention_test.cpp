@@ -61,6 +61,54 @@ TEST_F(Attention, TheWayOutHaltsWhatDrivesAndClearsWhenThatHasEnded) {
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 3);
 }
 
+// [GUI-2] Only the stop that the operator wanted cleared is cleared.
+TEST_F(Attention, AStopAfterTheWayOutIsNotCleared) {
+  state_.emergency_stop = true;
+  state_.arbiter->stop_cause = "emergency_stop called by /teleop_gui";
+  state_.clear_refusal = "nav asked to move 40 ms ago";
+  widget_->setState(state_);
+  click("halt_and_clear");
+  QTest::mousePress(find("emergency_stop"), Qt::LeftButton);
+  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 0);
+}
+
+// [GUI-2]
+TEST_F(Attention, AStopFromElsewhereAfterTheWayOutIsNotCleared) {
+  state_.emergency_stop = true;
+  state_.arbiter->stop_cause = "emergency_stop called by /teleop_gui";
+  state_.clear_refusal = "nav asked to move 40 ms ago";
+  widget_->setState(state_);
+  click("halt_and_clear");
+  state_.arbiter->stop_cause = "emergency_stop called by /watchdog";
+  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 0);
+}
+
+// [GUI-2] A clear and the next stop can come between two refreshes.
+TEST_F(Attention, NothingIsClearedOnceAClearHasSucceeded) {
+  state_.emergency_stop = true;
+  state_.clear_refusal = "nav asked to move 40 ms ago";
+  widget_->setState(state_);
+  click("halt_and_clear");
+  for (int refresh = 0; refresh < 10; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
+  state_.clear_refusal.clear();
+  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
+}
+
+// [GUI-2]
+TEST_F(Attention, AnOperatorWhoClearsTakesOverFromTheWayOut) {
+  state_.emergency_stop = true;
+  state_.clear_refusal = "nav asked to move 40 ms ago";
+  widget_->setState(state_);
+  click("halt_and_clear");
+  click("clear_emergency_stop");
+  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
+}
+
 // [GUI-2]
 TEST_F(Attention, AContactIsShown) {
   EXPECT_FALSE(text("problems").contains("touches"));

@@ -42,6 +42,33 @@ TEST(PatrolAndObstacles, StandsUntilSomethingThatPassesIsGone_PAT_7) {
   test::expectClosed(loop, {});
 }
 
+// [PAT-7] A robot that stands before an obstacle makes no progress, but that is not why it does not drive.
+TEST(PatrolAndObstacles, StandsBeforeAnObstacleForLongerThanWithoutProgress_PAT_7) {
+  patrol::PatrolParameters parameters;
+  parameters.obstacle_timeout = 2.0 * parameters.blocked_timeout;
+  test::PatrolLoop loop(parameters);
+  loop.start(test::kSquare);
+  loop.run(2.0);
+  loop.inputs.way_ahead = [](const Pose2&, const Twist2&) { return std::optional<std::string>("an obstacle ahead"); };
+  EXPECT_EQ(loop.run(parameters.obstacle_timeout - 1.0).outcome, PatrolOutcome::kRunning);
+  const patrol::PatrolOutput output = loop.run(2.0);
+  test::expectEnd(output, PatrolOutcome::kObstacleAhead);
+  EXPECT_EQ(output.text, "aborted: an obstacle ahead");
+}
+
+// [PAT-7] [PAT-5] What is seen in one cycle and not in the next one does not keep the patrol waiting for ever.
+TEST(PatrolAndObstacles, GivesUpWithoutProgressBeforeAnObstacleThatComesAndGoes_PAT_5_PAT_7) {
+  test::PatrolLoop loop;
+  loop.start(test::kSquare);
+  loop.run(2.0);
+  bool seen = false;
+  loop.inputs.way_ahead = [&seen](const Pose2&, const Twist2&) {
+    seen = !seen;
+    return seen ? std::optional<std::string>("an obstacle ahead") : std::nullopt;
+  };
+  test::expectEnd(loop.run(30.0, Twist2()), PatrolOutcome::kBlocked);
+}
+
 // [PAT-7] A wall behind the corner of the shape is in nobody's way.
 TEST(PatrolAndObstacles, LooksNoFartherThanToTheEndOfTheLeg_PAT_7) {
   test::PatrolLoop loop;

@@ -15,9 +15,9 @@ constexpr patrol::PatrolOrder kSquare{1.0, 1.0, 1.0};
 /// A patrol, a base without noise, and the loop around them.
 class PatrolLoop {
  public:
-  explicit PatrolLoop(double frequency = 20.0, const Pose2& start = {}) : base(start), patrol(parameters(frequency)) {
-    period_ = 1.0 / frequency;
-  }
+  explicit PatrolLoop(double frequency = 20.0, const Pose2& start = {}) : PatrolLoop(parameters(frequency), start) {}
+  explicit PatrolLoop(const patrol::PatrolParameters& parameters, const Pose2& start = {})
+      : base(start), patrol(parameters), period_(1.0 / parameters.frequency) {}
   static patrol::PatrolParameters parameters(double frequency) {
     patrol::PatrolParameters p;
     p.frequency = frequency;
