@@ -149,6 +149,7 @@ ArbiterAnswer Arbiter::setEnabled(std::size_t source, bool enabled, const Instan
 ArbiterAnswer Arbiter::stop(const std::string& cause, const Instant& now) {
   observe(now);
   last_stop_ = now.steady;
+  ++stops_;
   const bool already = latched_;
   if (!already) stop_cause_ = cause;
   latched_ = true;

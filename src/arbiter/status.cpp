@@ -89,6 +89,7 @@ ArbiterSnapshot Arbiter::status(const Instant& now) const {
   status.state = decision.state;
   if (decision.winner) status.active_source = config(sources_[*decision.winner]).name;
   status.stop_cause = stop_cause_;
+  status.stops = stops_;
   status.rival = rival_;
   status.command = last_.command;
   for (const Source& source : sources_) {

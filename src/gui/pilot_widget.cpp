@@ -21,10 +21,8 @@ constexpr int kTwoColumns = 38, kThreeColumns = 54;
 constexpr int kRefreshesToHalt = 10;  // about a second
 constexpr int kMostClears = 3;
 
-/// Why the arbiter holds the robot; empty: it does not, or that is not known.
-std::string stopCauseIn(const teleop::OperatorState& state) {
-  return state.arbiter ? state.arbiter->stop_cause : std::string();
-}
+/// How many stops the arbiter has been asked for; 0 if that is not known.
+std::uint64_t stopsIn(const teleop::OperatorState& state) { return state.arbiter ? state.arbiter->stops : 0; }
 
 }  // namespace
 
@@ -223,15 +221,14 @@ void PilotWidget::haltAndClear() {
   send({Kind::kStopNavigation, false, {}, 0, 0.0, 0, 0.0});
   refreshes_to_clear_ = kRefreshesToHalt;
   clears_left_ = kMostClears;
-  cause_to_clear_ = stopCauseIn(last_state_);
+  stops_to_clear_ = stopsIn(last_state_);
 }
 
-/// Asks again while the stop that was to be cleared lasts. Another stop, even one that came between two refreshes, is
-/// not cleared: an accepted clear has emptied the refusal, and the next stop may have another cause.
+/// Asks again while the stop that was to be cleared lasts. What came after another stop is not cleared, even if the
+/// robot was stopped already or that stop came between two refreshes.
 void PilotWidget::goOnClearing(const teleop::OperatorState& state) {
   const bool cleared = !state.emergency_stop.value_or(false) || state.clear_refusal.empty();
-  const std::string cause = stopCauseIn(state);
-  if (cleared || (!cause.empty() && cause != cause_to_clear_)) clears_left_ = 0;
+  if (cleared || stopsIn(state) != stops_to_clear_) clears_left_ = 0;
   if (clears_left_ == 0 || --refreshes_to_clear_ > 0) return;
   --clears_left_;
   refreshes_to_clear_ = kRefreshesToHalt;

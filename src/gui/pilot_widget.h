@@ -73,7 +73,7 @@ class PilotWidget : public QWidget {
   Twist2 shown_;
   int columns_ = 0;
   int refreshes_to_clear_ = 0, clears_left_ = 0;  ///< of a halt after which the stop is to be cleared
-  std::string cause_to_clear_;                    ///< of that stop
+  std::uint64_t stops_to_clear_ = 0;              ///< how many had been asked for by then
   bool applying_theme_ = false;
   std::vector<QVBoxLayout*> column_layouts_;
   QBoxLayout* body_ = nullptr;

@@ -27,6 +27,9 @@ MapperParameters withRobotsRadius(MapperParameters parameters) {
   return parameters;
 }
 
+/// Localising in a known map keeps dense grids over the box around it, of up to 11 bytes a cell.
+bool canBeKnown(const occupancy::OccupancyMap& map) { return map.geometry().size() <= bounds::kMostMapCells; }
+
 }  // namespace
 
 struct Mapper::Impl {
@@ -174,7 +177,9 @@ bool Mapper::revise(slam::MapRevision& revision) {
 
 bool Mapper::Impl::isTooLarge(const slam::MapRevision& revision) const {
   // If it lacks more keyframes than scans were ever refused, it lacks some that the present map contains.
-  return revision.map && (revision.left_out > out_of_bounds || !map.hasRoomFor(*revision.map));
+  if (!revision.map) return false;
+  const bool lost_memory = revision.map->isFull() && !map.isFull();
+  return lost_memory || revision.left_out > out_of_bounds || !map.hasRoomFor(*revision.map);
 }
 
 bool Mapper::Impl::refuse(slam::MapRevision& revision) {
@@ -208,24 +213,24 @@ scan_matching::PoseWithCovariance Mapper::Impl::presentBelief() const {
 }
 
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
-  if (!impl_->map.exchange(loaded)) return false;
+  if (!canBeKnown(loaded) || !impl_->map.exchange(loaded)) return false;
   ++impl_->generation;
   impl_->replace(knownMap(impl_->parameters, impl_->map, impl_->presentBelief()));
   return true;
 }
 
 bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
-  if (!impl_->map.exchange(map)) return false;
-  ++impl_->generation;
-  impl_->T_map_odom = T_map_odom;
   // If odometry has been trusted since the first scan, it still is.
   const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
+  if ((!trusted && !canBeKnown(map)) || !impl_->map.exchange(map)) return false;
+  ++impl_->generation;
+  impl_->T_map_odom = T_map_odom;
   if (!trusted) impl_->replace(knownMap(impl_->parameters, impl_->map, beliefOf(T_map_odom * T_odom_base)));
   return true;
 }
 
 bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
-  if (!map().hasOccupied()) return false;
+  if (!map().hasOccupied() || !canBeKnown(map())) return false;
   impl_->replace(knownMap(impl_->parameters, impl_->map, T_map_base));
   return true;
 }

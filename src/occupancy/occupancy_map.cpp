@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/grids/growing_grid.h"
 #include "occupancy/log_odds.h"
 #include "occupancy/octree_file.h"
@@ -52,7 +53,7 @@ CellRect OccupancyMap::snapped(const CellRect& cells) const {
 }
 
 bool OccupancyMap::isAllowed(const CellRect& snapped) const {
-  const int limit = static_cast<int>(parameters_.max_side / parameters_.resolution);
+  const int limit = std::min(bounds::kMostSide, static_cast<int>(parameters_.max_side / parameters_.resolution));
   if (snapped.width > limit || snapped.height > limit) return false;
   constexpr int kHalf = kOctreeHalfSide;
   return snapped.intersection({-kHalf, -kHalf, 2 * kHalf, 2 * kHalf}) == snapped;

@@ -35,6 +35,7 @@ struct ArbiterView {
   std::string summary;
   std::string active_source;  ///< empty: nobody
   std::string stop_cause;
+  std::uint64_t stops = 0;  ///< asked for so far, also those while the robot was stopped already
   std::vector<std::string> problems;
   Twist2 command;  ///< what was last sent to the base
   std::vector<SourceView> sources;

@@ -107,6 +107,7 @@ class Arbiter {
   std::string stop_cause_;
   std::string rival_;
   SteadyTime last_stop_;
+  std::uint64_t stops_ = 0;
   SteadyTime rate_window_;
   Decision last_;
 };

@@ -48,6 +48,7 @@ struct ArbiterSnapshot {
   ArbiterState state = ArbiterState::kIdle;
   std::string active_source;                 ///< the one that holds the wheels; empty: none
   std::string stop_cause;                    ///< empty: not stopped
+  std::uint64_t stops = 0;                   ///< asked for so far, also those while it was stopped already
   std::string rival;                         ///< who could receive a stop in this arbiter's place; empty: nobody
   Twist2 command;                            ///< what was last published
   std::vector<std::string> missing_sources;  ///< required, enabled and silent

@@ -116,6 +116,7 @@ ArbiterStatus toStatusMsg(const arbiter::ArbiterSnapshot& snapshot, const Arbite
   msg.active_source = snapshot.active_source;
   msg.emergency_stop = static_cast<std::uint8_t>(snapshot.state == arbiter::ArbiterState::kEmergencyStop);
   msg.emergency_stop_cause = snapshot.stop_cause;
+  msg.stops = snapshot.stops;
   msg.missing_sources = snapshot.missing_sources;
   msg.command = toTwistMsg(snapshot.command);
   for (const ArbiterProblem& problem : findProblems(snapshot, around)) msg.problems.push_back(problem.text);

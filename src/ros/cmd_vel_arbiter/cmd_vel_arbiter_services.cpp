@@ -81,7 +81,7 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
   around_.memory_problem = memory_.remember(arbiter_.stopCause());
   if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
   publishStopState();
-  publishStatus(false);
+  publishStatus(true);  // the count of stops has changed
   arbiter_.answerStop(steadyNow());
   return answer;
 }

@@ -11,8 +11,8 @@
 
 namespace frontier_pilot {
 
-/// Serves `mapper/save_map` on a thread of its own: encoding, writing and reading back a large map takes long. The
-/// node's thread only copies the map.
+/// Serves `mapper/save_map` on a thread of its own: writing and reading back a large map takes long. The node's
+/// thread only encodes the map's picture and copies its cells.
 class MapSaver {
  public:
   /// See ServiceThread.

@@ -116,7 +116,8 @@ void MapperAdapter::startRevision() {
   slam::RevisionWork work = mapper_.takeWork();
   if (!work) return;
   // Freeing a replaced map takes a while, so the worker does that, too.
-  worker_.start([work = std::move(work), old = std::exchange(old_, nullptr)] {
+  worker_.start([work = std::move(work), old = std::exchange(old_, nullptr)]() mutable {
+    old.reset();
     const SteadyTime start = steadyNow();
     TimedRevision done{work(), 0.0};
     done.seconds = toSeconds(steadyNow() - start);

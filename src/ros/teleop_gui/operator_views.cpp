@@ -149,6 +149,7 @@ teleop::ArbiterView toView(const ArbiterStatus& msg, double status_age) {
   view.summary = msg.summary;
   view.active_source = msg.active_source;
   view.stop_cause = msg.emergency_stop_cause;
+  view.stops = msg.stops;
   view.problems = msg.problems;
   view.command = {msg.command.linear.x, msg.command.angular.z};
   for (const ArbiterSource& source : msg.sources) view.sources.push_back(toView(source, status_age));

@@ -51,6 +51,7 @@ TEST_F(ArbiterTest, StoppingTwiceIsOneLatchThatKeepsItsFirstCause_ARB_7) {
   EXPECT_TRUE(second.success);
   EXPECT_EQ(second.publish, Twist2{}) << "a zero leaves for every call [ARB-7]";
   EXPECT_EQ(arbiter.stopCause(), "first");
+  EXPECT_EQ(arbiter.status(now).stops, 2U) << "the operator's window can tell that another stop has come";
   advance(0.1);
   EXPECT_TRUE(clear().success);
   EXPECT_FALSE(arbiter.stopped()) << "one clear undoes two stops [ARB-7]";

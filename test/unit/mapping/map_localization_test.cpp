@@ -198,5 +198,19 @@ TEST_F(MapLocalizationTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseT
   EXPECT_FALSE(isJump(T_odom_base, second.T_map_odom() * T_odom_base, 0.05, 0.03));
 }
 
+// [FLT-2]
+TEST(KnownMap, WhoseBoxIsTooLargeToLocaliseInIsRefusedAsAWhole_FLT_2) {
+  mapping::MapperParameters parameters;
+  parameters.map.max_side = 1000.0;
+  parameters.trust_odometry = true;
+  mapping::Mapper mapper(parameters);
+  occupancy::OccupancyMap large(parameters.map);
+  ASSERT_TRUE(large.reserve({-250.0, -250.0}, {250.0, 250.0})) << "a hundred million cells of 5 cm";
+  EXPECT_FALSE(mapper.load(large));
+  EXPECT_FALSE(mapper.resume(large, Pose2(1.0, 0.0, 0.0), Pose2()));
+  EXPECT_LT(mapper.map().geometry().size(), large.geometry().size()) << "the map is as it was";
+  EXPECT_TRUE(mapper.resume(large, Pose2(), Pose2())) << "odometry is trusted, nobody localises";
+}
+
 }  // namespace
 }  // namespace frontier_pilot::test
