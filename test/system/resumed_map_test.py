@@ -107,7 +107,10 @@ class ResumedMap(unittest.TestCase):
         self.assertEqual([], elsewhere, 'frontiers where the loaded map has none')
         self.assertLess(self.watch.distance, WAY, 'it goes to the other room and not through its own first')
         world = World(rospy.get_param('simulator/world'))
-        share = explored_share(world.reachable_floor(START, radius=0.15), IN_WORLD, self.watch.map)
+        floor = world.reachable_floor(START, radius=0.15)
+        # The whole map follows its updates by some seconds.
+        wait_until(lambda: explored_share(floor, IN_WORLD, self.watch.map) >= 0.99, 15.0)
+        share = explored_share(floor, IN_WORLD, self.watch.map)
         print('explored %.2f %% after driving %.1f m to %d goals' % (100 * share, self.watch.distance, len(self.goals)))
         self.assertGreaterEqual(share, 0.99)
         self.assertEqual(0, self.watch.contacts)
