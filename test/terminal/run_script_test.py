@@ -121,7 +121,7 @@ class RunScript(unittest.TestCase):
         else:
             self.fail('it does not end')
         self.assertEqual(process.returncode, 130, said + out + err)
-        self.assertIn('the map was not saved', err)
+        self.assertIn('gave up waiting', err)
         self.assert_nothing_is_left()
 
 
