@@ -1,5 +1,6 @@
 #include "mapping/corrections.h"
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/localization/map_localization.h"
 #include "frontier_pilot/slam/graph_slam.h"
 
@@ -10,6 +11,8 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose) {
   constexpr double kYaw = 0.25;      // [rad]
   return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
 }
+
+bool canBeKnown(const occupancy::OccupancyMap& map) { return map.geometry().size() <= bounds::kMostMapCells; }
 
 std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
                                                const scan_matching::PoseWithCovariance& T_map_base) {

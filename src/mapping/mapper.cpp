@@ -1,6 +1,5 @@
 #include "frontier_pilot/mapping/mapper.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -26,9 +25,6 @@ MapperParameters withRobotsRadius(MapperParameters parameters) {
   parameters.insertion.robot_radius = parameters.robot.drivenOutline().inscribedRadius();
   return parameters;
 }
-
-/// Localising in a known map keeps dense grids over the box around it, of up to 11 bytes a cell.
-bool canBeKnown(const occupancy::OccupancyMap& map) { return map.geometry().size() <= bounds::kMostMapCells; }
 
 }  // namespace
 
@@ -177,9 +173,8 @@ bool Mapper::revise(slam::MapRevision& revision) {
 
 bool Mapper::Impl::isTooLarge(const slam::MapRevision& revision) const {
   // If it lacks more keyframes than scans were ever refused, it lacks some that the present map contains.
-  if (!revision.map) return false;
-  const bool lost_memory = revision.map->isFull() && !map.isFull();
-  return lost_memory || revision.left_out > out_of_bounds || !map.hasRoomFor(*revision.map);
+  const auto lacksMemory = [&] { return revision.map->isFull() && !map.isFull(); };
+  return revision.map && (revision.left_out > out_of_bounds || lacksMemory() || !map.hasRoomFor(*revision.map));
 }
 
 bool Mapper::Impl::refuse(slam::MapRevision& revision) {

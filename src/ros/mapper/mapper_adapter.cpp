@@ -119,9 +119,8 @@ void MapperAdapter::startRevision() {
   worker_.start([work = std::move(work), old = std::exchange(old_, nullptr)]() mutable {
     old.reset();
     const SteadyTime start = steadyNow();
-    TimedRevision done{work(), 0.0};
-    done.seconds = toSeconds(steadyNow() - start);
-    return done;
+    slam::MapRevision revision = work();
+    return TimedRevision{std::move(revision), toSeconds(steadyNow() - start)};
   });
 }
 
