@@ -46,6 +46,7 @@ NodeUsage frontierExplorerUsage() {
                     servicePort<std_srvs::Trigger>(names::kExplainExplorer)};
   usage.calls = {port<move_base_msgs::MoveBaseAction>(names::kMoveBase), servicePort<SaveMap>(names::kSaveMap)};
   usage.main_parameters = {"autostart",
+                           "strategy",
                            "goal_timeout",
                            "return_to_start",
                            "save_map_at_end",
