@@ -1,6 +1,7 @@
 #include "ros/mapper/kept_map.h"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -13,8 +14,21 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostOlder = 3;
 constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
 
-/// The files keep their names, because one of them contains those of the others.
-fs::path lostMap(const fs::path& base) { return base.parent_path() / "lost" / base.filename(); }
+constexpr int kMostLost = 9;
+
+/// Where the `k`-th lost map lies, from 1. The files keep their names, because one of them contains those of the
+/// others.
+fs::path lostMap(const fs::path& base, int k) {
+  return base.parent_path() / (k == 1 ? "lost" : "lost." + std::to_string(k)) / base.filename();
+}
+
+/// Whether all files that there are of the map have been moved.
+bool move(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  for (const char* ending : kEndings) fs::rename(from.string() + ending, to.string() + ending, error);
+  return kept_map::exists(to) && !kept_map::exists(from);
+}
 
 /// Maps that the same node has left in other sessions, put aside or not, the newest first.
 std::vector<fs::path> olderMaps(const fs::path& own) {
@@ -23,7 +37,8 @@ std::vector<fs::path> olderMaps(const fs::path& own) {
   for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
     const fs::path base = session.path() / own.filename();
     if (base == own) continue;
-    for (const fs::path& map : {base, lostMap(base)}) {
+    for (int k = 0; k <= kMostLost; ++k) {
+      const fs::path map = k == 0 ? base : lostMap(base, k);
       std::error_code missing;
       const auto written = fs::last_write_time(map.string() + ".bt", missing);
       if (!missing) found.emplace_back(written, map);
@@ -39,7 +54,9 @@ std::vector<fs::path> olderMaps(const fs::path& own) {
 
 bool exists(const fs::path& base) {
   std::error_code ignored;
-  return fs::exists(base.string() + ".bt", ignored);
+  return std::any_of(std::begin(kEndings), std::end(kEndings), [&](const char* ending) {
+    return fs::exists(fs::symlink_status(base.string() + ending, ignored));
+  });
 }
 
 void removeFiles(const fs::path& base) {
@@ -53,12 +70,19 @@ void removeOldest(const fs::path& own) {
 }
 
 std::string setAside(const fs::path& base) {
-  const fs::path lost = lostMap(base);
-  std::error_code ignored;  // the picture and its description may be missing
-  fs::create_directories(lost.parent_path(), ignored);
-  removeFiles(lost);
-  for (const char* ending : kEndings) fs::rename(base.string() + ending, lost.string() + ending, ignored);
-  return kept_map::exists(lost) ? lost.string() : std::string();
+  for (int k = 1; k <= kMostLost; ++k) {
+    const fs::path lost = lostMap(base, k);
+    if (k == kMostLost) removeFiles(lost);
+    if (!kept_map::exists(lost) && move(base, lost)) return lost.string();
+  }
+  return {};
+}
+
+std::string lastSetAside(const fs::path& base) {
+  for (int k = kMostLost; k >= 1; --k) {
+    if (kept_map::exists(lostMap(base, k))) return lostMap(base, k).string();
+  }
+  return {};
 }
 
 }  // namespace frontier_pilot::kept_map

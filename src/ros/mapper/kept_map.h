@@ -7,12 +7,17 @@
 /// the session's folder, and in it that of the node.
 namespace frontier_pilot::kept_map {
 
+/// Whether at least one of its files is there.
 bool exists(const std::filesystem::path& base);
 void removeFiles(const std::filesystem::path& base);
 /// Removes the maps that the same node has left in other sessions, but for the three newest.
 void removeOldest(const std::filesystem::path& own);
-/// Moves a map that cannot be continued with to the folder `lost` beside it, in place of one that is there. Returns its
-/// new base; empty if it could not be moved.
+/// Moves what there is of a map that cannot be continued with to the folder `lost` beside it or, if one is there
+/// already or nothing can be written there, to `lost.2` and so on, up to `lost.9`; a map in that one is replaced,
+/// because those that were lost first are more likely to be worth something. Returns its new base; empty if it could
+/// not be moved.
 std::string setAside(const std::filesystem::path& base);
+/// The base of the map that was put aside last; empty if none is there.
+std::string lastSetAside(const std::filesystem::path& base);
 
 }  // namespace frontier_pilot::kept_map

@@ -73,10 +73,19 @@ std::optional<Pose2> MapAutosave::restore(occupancy::OccupancyMap& map) const {
   std::optional<Pose2> T_map_odom;
   for (auto text = texts.begin(); !T_map_odom && text != texts.end(); ++text) T_map_odom = toPose(*text);
   if (!T_map_odom) throw std::runtime_error("the pose that was saved with it cannot be read");
-  if (!base) throw std::runtime_error("its files are gone");
+  if (!base) throw std::runtime_error("its files are gone" + keptBefore());
   const map_files::MapIoResult result = map_files::loadMap(base->string(), map);
   if (!result.ok()) throw std::runtime_error(result.text);
   return T_map_odom;
+}
+
+/// Where an earlier map is that was put aside, and that nobody has confirmed to be lost.
+std::string MapAutosave::keptBefore() const {
+  for (const fs::path& base : memory_.files()) {
+    const std::string lost = kept_map::lastSetAside(base);
+    if (!lost.empty()) return "; those of the one before it are kept, mapper/load_map may still read " + lost;
+  }
+  return {};
 }
 
 void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver) {

@@ -37,7 +37,7 @@ class MapAutosave {
   /// Removes the copy, because the map was reset or the mapper is shut down regularly.
   void forget();
   /// Records that the map of the mapper that died cannot be continued with, and moves its files to the folder `lost`
-  /// beside them, in place of those that were lost before. It is reported until the map is reset or loaded, or for a
+  /// beside them (`kept_map::setAside`). It is reported until the map is reset or loaded, or for a
   /// minute after the first scan of the new map: an error that never goes away would soon be ignored.
   void lose(const std::string& why);
   /// Why the map of the mapper that died is lost, and where its files are; empty if it is not.
@@ -58,6 +58,7 @@ class MapAutosave {
 
   /// The base name of the copy's files; nothing if there is none.
   std::optional<std::filesystem::path> find() const;
+  std::string keptBefore() const;
   void noteMapping(std::uint64_t content, SteadyTime now);
 
   SessionMemory memory_;                       ///< holds T_map_odom; the map's files lie beside it

@@ -1,0 +1,92 @@
+// The files of a map that a mapper which died has left. [FLT-2]
+
+#include "ros/mapper/kept_map.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+class KeptMap : public ::testing::Test {
+ protected:
+  KeptMap() { fs::create_directory(base_.parent_path()); }
+  ~KeptMap() override { fs::remove_all(folder_); }
+
+  void write(const std::string& content, const std::set<std::string>& endings = {".bt", ".pgm", ".yaml"}) {
+    for (const std::string& ending : endings) std::ofstream(base_.string() + ending) << content;
+  }
+  static std::string contentOf(const std::string& path) {
+    std::string text;
+    std::ifstream(path) >> text;
+    return text;
+  }
+
+  static fs::path newFolder() {
+    std::string name = (fs::temp_directory_path() / "kept_map.XXXXXX").string();
+    return mkdtemp(name.data());
+  }
+
+  const fs::path folder_ = newFolder();
+  const fs::path base_ = folder_ / "session" / "kept_map.mapper";
+};
+
+// [FLT-2]
+TEST_F(KeptMap, LostTwiceIsThereTwice_FLT_2) {
+  write("first");
+  const std::string first = kept_map::setAside(base_);
+  write("second");
+  const std::string second = kept_map::setAside(base_);
+  EXPECT_FALSE(kept_map::exists(base_));
+  EXPECT_EQ(contentOf(first + ".bt"), "first");
+  EXPECT_EQ(contentOf(second + ".bt"), "second");
+  EXPECT_EQ(kept_map::lastSetAside(base_), second);
+}
+
+// [FLT-2]
+TEST_F(KeptMap, WithoutItsOctreeIsPutAsideAsWell_FLT_2) {
+  write("picture", {".pgm", ".yaml"});
+  EXPECT_TRUE(kept_map::exists(base_));
+  EXPECT_EQ(contentOf(kept_map::setAside(base_) + ".pgm"), "picture");
+  write("picture", {".pgm"});
+  fs::create_symlink("nowhere", base_.string() + ".bt");
+  EXPECT_EQ(contentOf(kept_map::setAside(base_) + ".pgm"), "picture");
+  EXPECT_FALSE(kept_map::exists(base_));
+}
+
+// [FLT-2]
+TEST_F(KeptMap, GoesToAnotherFolderWhereLostCannotBeWritten_FLT_2) {
+  std::ofstream(base_.parent_path() / "lost") << "a file";
+  write("map");
+  EXPECT_EQ(contentOf(kept_map::setAside(base_) + ".bt"), "map");
+  fs::remove(base_.parent_path() / "lost");
+  fs::create_directories(base_.parent_path() / "lost" / "kept_map.mapper.bt" / "full");
+  write("other");
+  EXPECT_EQ(contentOf(kept_map::setAside(base_) + ".bt"), "other");
+}
+
+// [FLT-2]
+TEST_F(KeptMap, LostAgainAndAgainKeepsTheFirstOnesAndTheLast_FLT_2) {
+  for (int i = 1; i <= 12; ++i) {
+    write(std::to_string(i));
+    ASSERT_NE(kept_map::setAside(base_), "");
+  }
+  EXPECT_EQ(contentOf((base_.parent_path() / "lost" / base_.filename()).string() + ".bt"), "1");
+  EXPECT_EQ(contentOf(kept_map::lastSetAside(base_) + ".bt"), "12");
+}
+
+TEST_F(KeptMap, ThatIsNotThereCannotBePutAside) {
+  EXPECT_FALSE(kept_map::exists(base_));
+  EXPECT_EQ(kept_map::setAside(base_), "");
+  EXPECT_EQ(kept_map::lastSetAside(base_), "");
+}
+
+}  // namespace
+}  // namespace frontier_pilot
