@@ -75,11 +75,22 @@ void TourStrategy::seek() {
 }
 
 void TourStrategy::measureOpenAreas() {
-  const std::vector<Frontier>& all = evaluator_->frontiers();
-  open_areas_.assign(all.size(), 0.0);
+  open_areas_.assign(evaluator_->frontiers().size(), 0.0);
   for (const SoughtFrontier& each : sought_) {
-    open_areas_[each.index] = regions_.areaBehind(all[each.index].anchor, evaluator_->map());
+    open_areas_[each.index] = openAreaAt(each.index);
   }
+}
+
+/// The greatest area behind the anchor and a few other cells of the frontier: it may border both a pocket and a room.
+double TourStrategy::openAreaAt(std::size_t frontier) {
+  constexpr int kOtherCells = 4;
+  const FrontierCluster& cluster = evaluator_->clusters().clusters[frontier];
+  double area = regions_.areaBehind(evaluator_->frontiers()[frontier].anchor, evaluator_->map());
+  for (int k = 0; k < kOtherCells && area < parameters_.hidden_area; ++k) {
+    const Cell cell = cellOf(evaluator_->clusters(), cluster, (cluster.cells - 1) * k / (kOtherCells - 1));
+    area = std::max(area, regions_.areaBehind(cell, evaluator_->map()));
+  }
+  return area;
 }
 
 /// A sliver is a frontier around which little unknown area is connected, or no more than the inside of a piece of

@@ -50,6 +50,7 @@ class TourStrategy : public GoalStrategy {
   void expireDistrust();
   void seek();
   void measureOpenAreas();
+  double openAreaAt(std::size_t frontier);
   void findSlivers();
   std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
   Plan choosePlan(const Situation& situation);

@@ -10,22 +10,27 @@ namespace frontier_pilot::test {
 namespace {
 
 constexpr double kNearWall = 0.25;  // [m]
+constexpr double kEdge = 0.05;      // [m]
 
-Grid<std::uint8_t> nearWall(const OccupancyGrid& truth) {
-  const grids::DistanceField field(sim::notFree(truth), 2.0 * kNearWall);
+/// 1 for the cells of `truth` whose centre is at most `distance` [m] from that of a cell which is not free.
+Grid<std::uint8_t> nearWall(const OccupancyGrid& truth, double distance) {
+  const grids::DistanceField field(sim::notFree(truth), 2.0 * distance);
   Grid<std::uint8_t> near(truth.geometry());
-  for (std::size_t i = 0; i < near.size(); ++i) near[i] = field.grid()[i] <= kNearWall + 1e-6 ? 1 : 0;
+  for (std::size_t i = 0; i < near.size(); ++i) near[i] = field.grid()[i] <= distance + 1e-6 ? 1 : 0;
   return near;
 }
 
 }  // namespace
 
 ExplorationMeter::ExplorationMeter(const OccupancyGrid& truth, const Pose2& T_world_map, double radius)
-    : near_wall_(nearWall(truth)), T_world_map_(T_world_map) {
+    : near_wall_(nearWall(truth, kNearWall)), T_world_map_(T_world_map) {
   const Cell start = truth.geometry().cellAt(T_world_map.position());
   floor_ = sim::reachableFloor(truth, start, static_cast<int>(std::ceil(radius / truth.resolution())));
+  const double resolution = truth.resolution();
+  const Grid<std::uint8_t> edge = nearWall(truth, std::ceil(kEdge / resolution) * resolution);
   const Pose2 T_map_world = T_world_map.inverse();
   for (std::size_t i = 0; i < floor_.size(); ++i) {
+    if (edge[i] != 0) floor_[i] = 0;
     if (floor_[i] != 0) targets_.push_back(T_map_world * floor_.geometry().centre(floor_.geometry().cell(i)));
   }
   if (targets_.empty()) throw std::invalid_argument("the start is in or too near a wall of the truth");

@@ -9,7 +9,8 @@ namespace frontier_pilot::test {
 
 /// How well a map shows the true world: the share of the reachable floor that it shows as free, and the share of its
 /// occupied cells that are not near a true wall. Reachable floor: the free cells that a disc covers, moving from the
-/// start.
+/// start, but for those within 0.05 m of a wall: where the cells of the map and of the truth do not coincide, they say
+/// how the two lie to each other and not whether the floor was seen.
 class ExplorationMeter {
  public:
   /// `truth` is in the world's frame, and `T_world_map` is the pose of the map's frame in it, which is the start.

@@ -127,6 +127,26 @@ TEST_F(Strategies, SliversThatTogetherAreMoreThanTheAllowedShareAreExplored_EXP_
   EXPECT_TRUE(choose(kSliver, parameters));
 }
 
+// [EXP-9] The cell nearest to the middle of this frontier borders a single unknown cell, the others a whole room.
+TEST_F(Strategies, AFrontierIsNoSliverBecauseASmallPocketLiesInItsMiddle_EXP_9) {
+  exploration::ExplorerParameters parameters = touring();
+  parameters.tour.sliver_share = 1.0;
+  EXPECT_TRUE(choose(R"(
+    ###########################
+    #.........????????????????#
+    #.........????????????????#
+    #.........????????????????#
+    #.........................#
+    #...r............?........#
+    #.........................#
+    #.........????????????????#
+    #.........????????????????#
+    #.........????????????????#
+    ###########################
+  )",
+                     parameters));
+}
+
 // [EXP-9]
 TEST_F(Strategies, GreedyTakesTheBestScoreAndNearestTheShortestWay_EXP_9) {
   exploration::ExplorerParameters parameters = touring();
