@@ -70,8 +70,10 @@ Twist2 StepDriver::command(double elapsed, double age) {
 }
 
 Twist2 StepDriver::ahead(const Twist2& command, double seconds) const {
-  const double reach = std::clamp(profile().speed * seconds, 0.0, std::max(0.0, remaining()));
-  if (step_.kind == PatrolStep::Kind::kTurn) return {0.0, reach};
+  constexpr double kBeyond = 0.03;  // [m]: where the robot comes to stand, and where the obstacle is, are not exact
+  const double full = profile().speed * seconds, left = std::max(0.0, remaining());
+  if (step_.kind == PatrolStep::Kind::kTurn) return {0.0, std::min(full, left)};
+  const double reach = std::min(full, left + (step_.kind == PatrolStep::Kind::kArc ? kBeyond / step_.radius : kBeyond));
   if (command.linear == 0.0) return {0.0, command.angular * seconds};
   return step_.kind == PatrolStep::Kind::kLine ? Twist2{reach, 0.0} : Twist2{reach * step_.radius, reach};
 }

@@ -69,8 +69,9 @@ TEST(PatrolAndObstacles, GivesUpWithoutProgressBeforeAnObstacleThatComesAndGoes_
   test::expectEnd(loop.run(30.0, Twist2()), PatrolOutcome::kBlocked);
 }
 
-// [PAT-7] A wall behind the corner of the shape is in nobody's way.
-TEST(PatrolAndObstacles, LooksNoFartherThanToTheEndOfTheLeg_PAT_7) {
+// [PAT-7] A wall behind the corner of the shape is in nobody's way, unless the robot would all but touch it: it does
+// not come to stand to the centimetre.
+TEST(PatrolAndObstacles, LooksALittleBeyondTheEndOfTheLegAndNoFarther_PAT_7) {
   test::PatrolLoop loop;
   double farthest = 0.0, most_turn = 0.0;
   loop.inputs.way_ahead = [&](const Pose2& T_odom_base, const Twist2& arc) {
@@ -80,7 +81,8 @@ TEST(PatrolAndObstacles, LooksNoFartherThanToTheEndOfTheLeg_PAT_7) {
   };
   loop.start(test::kSquare);
   EXPECT_EQ(loop.run(120.0).outcome, PatrolOutcome::kCompleted);
-  EXPECT_LT(farthest, test::kSquare.size + 0.03);
+  EXPECT_GT(farthest, test::kSquare.size + 0.025);
+  EXPECT_LT(farthest, test::kSquare.size + 0.06);
   EXPECT_NEAR(most_turn, 1.0, 1e-9);  // of a second
 }
 
