@@ -17,6 +17,7 @@ from wire import Node, Record, moves, wait_for
 START = (0.7, 0.8)  # in the world; the origin of map and odom
 FAR = (3.3, 2.4)    # in the other room
 ROUNDS = 5          # what is lost by chance is not lost every time
+SIGNALS = [signal.SIGINT, signal.SIGHUP]  # Ctrl-C, and the end of the terminal
 
 
 class LastWords(unittest.TestCase):
@@ -68,7 +69,7 @@ class LastWords(unittest.TestCase):
             goals.publish(goal)
             heard = []
             self.assertTrue(wait_for(lambda: heard.extend(commands.arrived()) or (heard and moves(heard[-1])), 20.0))
-            navigator.signal(signal.SIGINT)
+            navigator.signal(SIGNALS[i % len(SIGNALS)])
             heard += commands.until_closed(10.0)
             self.assertFalse(moves(heard[-1]), 'round %d: %s' % (i, heard[-1]))
             self.assertEqual(navigator.finish()[0], 0)
@@ -84,7 +85,7 @@ class LastWords(unittest.TestCase):
             self.assertTrue(wait_for(lambda: goals.last is not None, 30.0))
             cancels = self.tap('/' + name, '/move_base/cancel', GoalID)
             latest = goals.last.goal_id.id
-            explorer.signal(signal.SIGINT)
+            explorer.signal(SIGNALS[i % len(SIGNALS)])
             cancelled = [cancel.id for cancel in cancels.until_closed(10.0)]
             goals.subscriber.unregister()
             self.assertTrue(cancelled, 'round %d' % i)

@@ -16,9 +16,9 @@ BUILD = ROOT / 'build'
 MODULES = {'bag_drive.py', 'bag_topics.py', 'command_line.py'}
 
 
-def call(program, *words):
+def call(program, *words, master='http://127.0.0.1:9'):
     """The exit code, and what was printed on stdout and on stderr."""
-    environment = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:9', ROS_IP='127.0.0.1', QT_QPA_PLATFORM='offscreen')
+    environment = dict(os.environ, ROS_MASTER_URI=master, ROS_IP='127.0.0.1', QT_QPA_PLATFORM='offscreen')
     done = subprocess.run([str(program), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment, timeout=60,
                           stdin=subprocess.DEVNULL, universal_newlines=True)
     return done.returncode, done.stdout, done.stderr
@@ -56,6 +56,20 @@ class CommandLines(unittest.TestCase):
                     code, out, err = call(program, word)
                     self.assertEqual((code, err), (0, ''))
                     self.assertRegex(out, r'(?m)^\s*[Uu]sage: .*' + re.escape(program.name.split('.')[0]))
+
+    # [FLT-1]
+    def test_a_name_or_a_master_that_cannot_be_one_ends_a_node_with_the_reason(self):
+        for name in ('mapper', 'cmd_vel_arbiter', 'patrol_client'):
+            node = BUILD / 'devel/lib/frontier_pilot' / name
+            words = ['square'] if name == 'patrol_client' else []
+            with self.subTest(program=name):
+                code, _, err = call(node, *words, '__name:=9')
+                wrong = 2 if name == 'patrol_client' else 1
+                self.assertEqual(code, wrong)
+                self.assertIn('Name', err)
+                code, _, err = call(node, *words, master='nowhere')
+                self.assertEqual(code, wrong)
+                self.assertIn('ROS_MASTER_URI is not an address', err)
 
     def test_help_of_a_node_has_an_example(self):
         for program in installed():

@@ -1,12 +1,17 @@
 #include "ros/common/node_main.h"
 
 #include <ros/callback_queue.h>
+#include <ros/network.h>
 #include <ros/ros.h>
 #include <ros/service_manager.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
+#include <cstdlib>
 #include <iostream>
+#include <stdexcept>
+#include <string>
 
 #include "ros/common/callback_guard.h"
 #include "ros/common/master/namesake.h"
@@ -17,7 +22,7 @@ namespace frontier_pilot {
 
 namespace {
 
-volatile std::sig_atomic_t g_stop = 0;
+volatile std::sig_atomic_t g_stop = 0;  ///< the signal that ends the node
 volatile std::sig_atomic_t g_building = 1;
 
 constexpr unsigned kBuildPatience = 1;  // [s]
@@ -27,17 +32,29 @@ void onSignal(int signal) {
   // such a wait and unregisters what is registered so far. If the constructor goes on all the same, the alarm or the
   // next signal ends the process at once: a node under construction has not commanded anything yet.
   if (g_building != 0 && g_stop != 0) _exit(128 + signal);
-  g_stop = 1;
+  g_stop = signal;
   if (g_building == 0) return;
   alarm(kBuildPatience);
   ros::requestShutdown();
 }
 
-/// Replaces ROS' own handler, which closes the publishers before the node can publish its last messages.
+/// A shutdown of ROS while its connections are being made sometimes runs into an assertion or a trap inside of roscpp.
+/// The node was to end anyway.
+void onCrash(int signal) {
+  if (g_stop != 0) _exit(128 + g_stop);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+/// Replaces ROS' own handler, which closes the publishers before the node can publish its last messages. A terminal
+/// that is closed ends a node like Ctrl-C, unless it was started with nohup.
 void catchSignals() {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   std::signal(SIGALRM, onSignal);
+  if (std::signal(SIGHUP, onSignal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  std::signal(SIGABRT, onCrash);
+  std::signal(SIGTRAP, onCrash);
 }
 
 /// Whether the node is to go on. To be called repeatedly, and only once the node is built.
@@ -76,6 +93,16 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 
 }  // namespace
 
+void initNode(int& argc, char** argv, const std::string& name) {
+  const char* uri = std::getenv("ROS_MASTER_URI");
+  std::string host;
+  std::uint32_t port = 0;
+  if (uri != nullptr && !ros::network::splitURI(uri, host, port)) {
+    throw std::runtime_error("ROS_MASTER_URI is not an address like http://host:11311: " + std::string(uri));
+  }
+  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+}
+
 int runNode(int argc, char** argv, const NodeUsage& usage,
             const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check) {
@@ -94,9 +121,9 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
                     const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,
                     const std::function<void()>& check) {
   if (const auto answered = answerCommandLine({argv + 1, argv + argc}, usage)) return *answered;
-  ros::init(argc, argv, usage.name, ros::init_options::NoSigintHandler);
-  catchSignals();
   try {
+    initNode(argc, argv, usage.name);
+    catchSignals();
     if (check) check();
     refuseANamesake();
     ros::NodeHandle node;

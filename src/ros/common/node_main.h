@@ -18,13 +18,17 @@ struct RunningNode {
   std::function<void()> say_last_words;
 };
 
+/// ros::init() without its handler of signals. Throws std::runtime_error if the name or ROS_MASTER_URI cannot be one;
+/// roscpp would end the process with a trap.
+void initNode(int& argc, char** argv, const std::string& name);
+
 /// Answers --help and wrong arguments, without a master; otherwise runs the node: `make(node, private_node)` builds it,
-/// then callbacks run on this one thread until SIGINT, SIGTERM or a ROS shutdown. After a signal `say_last_words` is
-/// called, and its messages are sent before the node is destroyed, because a publisher that is destroyed drops what it
-/// has not sent yet. An exception of a callback is logged, and the node goes on. An exception of `make` is logged, also
-/// on stderr, and ends the node; so do, before the node registers at the master, an exception of `check` and a living
-/// node of the same name. Returns the exit code: 0, or 1 after an exception, or 2 after a ConfigurationError or a wrong
-/// argument.
+/// then callbacks run on this one thread until SIGINT, SIGTERM, SIGHUP or a ROS shutdown. After a signal
+/// `say_last_words` is called, and its messages are sent before the node is destroyed, because a publisher that is
+/// destroyed drops what it has not sent yet. An exception of a callback is logged, and the node goes on. An exception
+/// of `make` is logged, also on stderr, and ends the node; so do, before the node registers at the master, an exception
+/// of `check` and a living node of the same name. Returns the exit code: 0, or 1 after an exception, or 2 after a
+/// ConfigurationError or a wrong argument.
 int runNode(int argc, char** argv, const NodeUsage& usage,
             const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check = {});

@@ -11,6 +11,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/help/usages.h"
 #include "ros/common/master/namesake.h"
+#include "ros/common/node_main.h"
 #include "ros/patrol_client/patrol_client_adapter.h"
 
 namespace frontier_pilot {
@@ -64,11 +65,12 @@ int runPatrolClient(int argc, char** argv) {
   }
   if (!line.goal)
     return fail(line.problem + "; 'patrol_client --help' lists what it takes", patrol::PatrolExit::kUsage);
-  ros::init(argc, argv, "patrol_client", ros::init_options::NoSigintHandler);
-  std::signal(SIGINT, handleInterrupt);
-  std::signal(SIGTERM, handleInterrupt);
-  if (!ros::master::check()) return fail("no ROS master at " + ros::master::getURI(), patrol::PatrolExit::kNoServer);
   try {
+    initNode(argc, argv, "patrol_client");
+    std::signal(SIGINT, handleInterrupt);
+    std::signal(SIGTERM, handleInterrupt);
+    if (std::signal(SIGHUP, handleInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+    if (!ros::master::check()) return fail("no ROS master at " + ros::master::getURI(), patrol::PatrolExit::kNoServer);
     refuseANamesake();
   } catch (const std::runtime_error& error) {
     return fail(error.what(), patrol::PatrolExit::kUsage);
