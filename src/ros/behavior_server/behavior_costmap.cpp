@@ -33,8 +33,12 @@ void BehaviorCostmap::takeIn() {
   if (!waiting_) return;
   const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->end());
   if (!T_odom_base) return;
-  scan_motion_.note(timing_, placeBeams(motionDuring(*waiting_), ScanReference::kEnd, *waiting_));
-  surroundings_.insert(*waiting_, *T_odom_base);
+  const bool covered = placeBeams(motionDuring(*waiting_), ScanReference::kEnd, *waiting_);
+  if (scan_motion_.note(timing_, covered, *waiting_, T_odom_base)) {
+    surroundings_.insert(*waiting_, *T_odom_base);
+  } else {
+    rejections_.add(kFrozenScan);
+  }
   waiting_.reset();
 }
 

@@ -98,14 +98,6 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
   return scan;
 }
 
-void MapperAdapter::insertPaired() {
-  // The clock is read for each scan: those that become stale while others are processed are dropped.
-  while (const auto paired = pairing_.next(rosNow())) {
-    scan_motion_.note(timing_, paired->covered);
-    note(mapper_.insert(paired->scan, paired->T_odom_base, rosNow()), {});
-  }
-}
-
 void MapperAdapter::startRevision() {
   if (auto done = worker_.take()) takeOver(*done);
   if (const auto failure = worker_.takeFailure(); failure && mapper_.abandonWork()) {

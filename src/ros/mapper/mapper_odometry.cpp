@@ -26,6 +26,17 @@ void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   insertPaired();
 }
 
+void MapperAdapter::insertPaired() {
+  // The clock is read for each scan: those that become stale while others are processed are dropped.
+  while (const auto paired = pairing_.next(rosNow())) {
+    if (scan_motion_.note(timing_, paired->covered, paired->scan, paired->T_odom_base)) {
+      note(mapper_.insert(paired->scan, paired->T_odom_base, rosNow()), {});
+    } else {
+      bad_scans_.add(kFrozenScan);
+    }
+  }
+}
+
 void MapperAdapter::noteOdometryReset() {
   odometry_reset_ = steadyNow();
   const mapping::OdometryAnchor::Jump& jump = anchor_.lastJump();

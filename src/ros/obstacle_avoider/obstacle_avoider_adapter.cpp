@@ -79,9 +79,9 @@ std::optional<LaserScan2> ObstacleAvoiderAdapter::read(const sensor_msgs::LaserS
   // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, why) : std::nullopt;
-  if (!scan) return std::nullopt;
-  scan_motion_.note(placer_.timing(), placer_.place(ScanReference::kEnd, *scan));
-  return scan;
+  if (!scan || scan_motion_.place(placer_, *scan)) return scan;
+  *why = kFrozenScan;
+  return std::nullopt;
 }
 
 bool ObstacleAvoiderAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {

@@ -42,7 +42,7 @@ void PatrolSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
   if (!scan) return rejections_.add(why);
-  scan_motion_.note(placer_.timing(), placer_.place(ScanReference::kEnd, *scan));
+  if (!scan_motion_.place(placer_, *scan)) return rejections_.add(kFrozenScan);
   if (const auto T_odom_base = placer_.track().nearest(scan->stamp)) check_.insert(*scan, *T_odom_base);
 }
 

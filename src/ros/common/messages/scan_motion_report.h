@@ -3,21 +3,29 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "ros/common/messages/frozen_scan.h"
 
 namespace frontier_pilot {
 
-/// Tells of rolling scans in the log and in /diagnostics: that the driver's times of the beams are not credible and
-/// what to set, and how many scans odometry did not cover. [SCN-2]
+/// Tells in the log and in /diagnostics what does not fit between the scans and the motion of the robot: that the
+/// driver's times of the beams are not credible and what to set, how many scans odometry did not cover, and that the
+/// scanner repeats one scan while the robot moves. [SCN-2]
 class ScanMotionReport {
  public:
-  /// To be called after each scan; `covered`: whether odometry covered its beams. Warns once of times not credible.
-  void note(const BeamTiming& timing, bool covered);
+  /// Puts the beams of `scan` where the robot was, referred to its end. Returns whether it may be used: not if it is
+  /// frozen.
+  bool place(ScanPlacer& placer, LaserScan2& scan);
+  /// To be called after each scan whose beams have been placed; `covered`: whether odometry covered them, `T_odom_base`
+  /// at its stamp. Warns once of times not credible. Returns as `place`.
+  bool note(const BeamTiming& timing, bool covered, const LaserScan2& scan, const std::optional<Pose2>& T_odom_base);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
+  FrozenScanWatch frozen_;
   std::string problem_;
   bool warned_ = false;
   std::uint64_t uncovered_ = 0;  ///< the number of scans that odometry did not cover
