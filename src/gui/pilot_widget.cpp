@@ -54,6 +54,7 @@ void PilotWidget::build() {
   sources_card_ = new SourcesCard;
   patrol_card_ = new PatrolCard(parameters_);
   spin_card_ = new SpinCard;
+  navigation_card_ = new NavigationCard;
   explorer_card_ = new ExplorerCard;
   log_card_ = new LogCard;
 
@@ -121,6 +122,10 @@ void PilotWidget::connectCards() {
     press(teleop::Motion::kStop);
     ask(Kind::kStopSpin);
   });
+  connect(navigation_card_, &NavigationCard::cancelAsked, this, [this, ask] {
+    press(teleop::Motion::kStop);
+    ask(Kind::kStopNavigation);
+  });
   connect(explorer_card_, &ExplorerCard::runAsked, this, [ask](bool on) { ask(Kind::kExplore, on); });
   connect(explorer_card_, &ExplorerCard::resetAsked, this, [ask] { ask(Kind::kResetExplorer); });
   connect(explorer_card_, &ExplorerCard::clearBoundsAsked, this, [ask] { ask(Kind::kClearBounds); });
@@ -133,9 +138,15 @@ void PilotWidget::layOut(int columns) {
   columns_ = columns;
   using Column = std::vector<QWidget*>;
   const std::vector<std::vector<Column>> plans{
-      {{drive_card_, sources_card_, scan_card_, patrol_card_, spin_card_, explorer_card_, log_card_}, {}, {}},
-      {{drive_card_, scan_card_, log_card_}, {sources_card_, patrol_card_, spin_card_, explorer_card_}, {}},
-      {{drive_card_, patrol_card_, spin_card_}, {scan_card_, log_card_}, {sources_card_, explorer_card_}}};
+      {{drive_card_, sources_card_, scan_card_, patrol_card_, spin_card_, navigation_card_, explorer_card_, log_card_},
+       {},
+       {}},
+      {{drive_card_, scan_card_, log_card_},
+       {sources_card_, patrol_card_, spin_card_, navigation_card_, explorer_card_},
+       {}},
+      {{drive_card_, patrol_card_, spin_card_, navigation_card_},
+       {scan_card_, log_card_},
+       {sources_card_, explorer_card_}}};
   const std::vector<Column>& plan = plans[static_cast<std::size_t>(columns - 1)];
   for (QVBoxLayout* layout : column_layouts_) {
     while (QLayoutItem* item = layout->takeAt(0)) delete item;
@@ -184,6 +195,7 @@ void PilotWidget::showCards(const teleop::OperatorState& state) {
   sources_card_->setState(state);
   patrol_card_->setState(state);
   spin_card_->setState(state);
+  navigation_card_->setState(state);
   explorer_card_->setState(state);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ class DriveCard;
 class ExplorerCard;
 class HeaderCard;
 class LogCard;
+class NavigationCard;
 class PatrolCard;
 class ScanCard;
 class SourcesCard;
@@ -83,6 +85,7 @@ class PilotWidget : public QWidget {
   SourcesCard* sources_card_ = nullptr;
   PatrolCard* patrol_card_ = nullptr;
   SpinCard* spin_card_ = nullptr;
+  NavigationCard* navigation_card_ = nullptr;
   ExplorerCard* explorer_card_ = nullptr;
   LogCard* log_card_ = nullptr;
 };

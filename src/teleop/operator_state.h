@@ -78,6 +78,17 @@ struct ExplorerView {
   std::string bounds_text, inspect_text, end_text, map_text;
 };
 
+/// The goal of the navigation. It is sent only when something changes, so its age says nothing.
+struct NavigationView {
+  double status_age = 0.0;
+  Severity severity = Severity::kIdle;
+  bool has_goal = false;
+  Vec2 goal = Vec2::Zero();             ///< in the map's frame [m]
+  std::optional<double> distance_left;  ///< along the path [m]; nothing: there is no path
+  std::optional<double> time_left;      ///< [s]
+  std::string status;                   ///< what it does and why; without a goal, how the last one ended
+};
+
 /// A patrol or a spin.
 struct ActionView {
   bool server_up = false;
@@ -105,6 +116,7 @@ struct OperatorState {
   bool explorer_service_up = false, explorer_reset_up = false;
   bool explorer_bounds_up = false, explorer_inspections_up = false, explorer_return_up = false;
   std::optional<ExplorerView> explorer;
+  std::optional<NavigationView> navigation;
   ActionView patrol, spin;
   std::optional<ScanView> scan;
 

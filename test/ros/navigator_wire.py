@@ -9,6 +9,7 @@ import rospy
 import rostest
 import tf2_ros
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from frontier_pilot.msg import NavigatorProgress
 from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from move_base_msgs.msg import MoveBaseAction, MoveBaseActionGoal, MoveBaseGoal
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
@@ -125,6 +126,24 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.assertLess(math.hypot(at.position.x - FAR[0], at.position.y - FAR[1]), 0.2)
         self.assertLess(abs(2 * math.atan2(at.orientation.z, at.orientation.w) - 1.0), 0.2)
         self.assertIsNotNone(self.costmap.last)
+
+    def test_says_how_far_it_is_and_what_the_present_goal_is(self):  # [NAV-1]
+        goals = Record('move_base/current_goal', PoseStamped)
+        progress = Record('navigator/progress', NavigatorProgress)
+        self.assertTrue(wait_for(lambda: goals.subscriber.get_num_connections() and progress.last))
+        self.send(FAR)
+        self.assertTrue(wait_for(lambda: goals.last is not None))
+        self.assertEqual(goals.last.header.frame_id, 'map')
+        self.assertAlmostEqual(goals.last.pose.position.x, FAR[0])
+        self.assertTrue(wait_for(lambda: progress.last.has_goal and progress.last.distance_left > 3.0))
+        first = progress.last
+        self.assertAlmostEqual(first.goal.position.y, FAR[1])
+        self.assertGreater(first.time_left, 5.0)
+        self.assertTrue(wait_for(lambda: progress.last.distance_left < first.distance_left - 0.5))
+        self.assertIn('driving', progress.last.status)
+        self.client.cancel_goal()
+        self.assertTrue(wait_for(lambda: not progress.last.has_goal))
+        self.assertIn('canceled', progress.last.status)
 
     def test_a_newer_goal_preempts_without_a_stop(self):  # [NAV-1]
         self.send(FAR)

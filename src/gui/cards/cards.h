@@ -123,6 +123,26 @@ class SpinCard : public ActionCard {
   QSpinBox* angle_;
 };
 
+/// The goal of the navigation, how far it is, and what hinders the robot on its way. [GUI-2]
+class NavigationCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit NavigationCard(QWidget* parent = nullptr);
+  void setState(const teleop::OperatorState& state);
+
+ signals:
+  void cancelAsked();
+
+ private:
+  QLabel* goal_;
+  QLabel* distance_;
+  QLabel* time_;
+  Dot* dot_;
+  ElidedLabel* status_;
+  QPushButton* cancel_;
+};
+
 /// The explorer: its state with the reason, and the figures of the exploration.
 class ExplorerCard : public Card {
   Q_OBJECT

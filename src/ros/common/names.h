@@ -68,6 +68,8 @@ constexpr const char* kLocalPlan = "local_plan";
 constexpr const char* kLocalCostmap = "local_costmap";
 constexpr const char* kGlobalCostmap = "global_costmap";
 constexpr const char* kNavigatorStatus = "navigator/status";
+constexpr const char* kNavigatorProgress = "navigator/progress";
+constexpr const char* kCurrentGoal = "move_base/current_goal";
 
 // Explorer
 constexpr const char* kExplorerStatus = "frontier_explorer/status";

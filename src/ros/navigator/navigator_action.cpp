@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/tf/pose_in_frame.h"
@@ -13,6 +14,7 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
     : tf_(tf),
       map_frame_(std::move(map_frame)),
       use_yaw_(use_yaw),
+      current_goal_(node.advertise<geometry_msgs::PoseStamped>(names::kCurrentGoal, 1)),
       server_(
           node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
           [this](const Server::GoalHandle& handle) { handleCancel(handle); }, [this] { cancelWhatWasReplaced(); }) {}
@@ -76,11 +78,17 @@ void MoveBaseServer::cancelWhatWasReplaced() {
 void MoveBaseServer::fill(navigation::NavigatorInputs& inputs) {
   inputs.cancel = std::exchange(cancel_, false);
   inputs.new_goal = std::exchange(pending_, std::nullopt);
-  if (inputs.new_goal) active_id_ = inputs.new_goal->id;
+  if (!inputs.new_goal) return;
+  active_id_ = inputs.new_goal->id;
+  goal_ = inputs.new_goal->T_map_goal;
+  current_goal_.publish(toPoseStampedMsg(*goal_, map_frame_, rosNow()));
 }
 
 void MoveBaseServer::settle(const navigation::NavFinished& finished) {
-  if (finished.id == active_id_) active_id_ = 0;
+  if (finished.id == active_id_) {
+    active_id_ = 0;
+    goal_.reset();
+  }
   const auto found = handles_.find(finished.id);
   if (found == handles_.end()) return;
   Server::GoalHandle handle = found->second;

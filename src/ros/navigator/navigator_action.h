@@ -30,6 +30,8 @@ class MoveBaseServer {
   /// Sends the result of a goal to its client.
   void settle(const navigation::NavFinished& finished);
   void feedback(const Pose2& T_map_base, Time stamp);
+  /// The goal that the navigator was given last, until it has ended; in the map's frame.
+  const std::optional<Pose2>& goal() const { return goal_; }
   /// For /diagnostics: which goals were refused, those of `move_base_simple/goal` included, which get no answer.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     server_.report(status);
@@ -54,6 +56,8 @@ class MoveBaseServer {
   std::uint64_t last_id_ = 0;
   std::uint64_t active_id_ = 0;  ///< 0: none
   std::optional<navigation::NavGoal> pending_;
+  std::optional<Pose2> goal_;
+  ros::Publisher current_goal_;
   bool cancel_ = false;
   Rejections bad_simple_goals_{"goal of move_base_simple"};
   std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< by id; goals of move_base_simple have none

@@ -16,7 +16,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       base_frame_(parameters_.robot.baseFrameOr(parameters_.base_frame)),
       navigator_(parameters_, system::behaviorLadder(parameters_.recovery, parameters_.robot, parameters_.rate)),
       server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
-      publisher_(node, parameters_.map_frame),
+      publisher_(node, parameters_.map_frame, parameters_.robot.limits.max_linear),
       diagnostics_(node, private_node),
       connections_(node) {
   command_ = node.advertise<geometry_msgs::Twist>(names::kCmdVelNav, 1);
@@ -48,7 +48,7 @@ void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
   auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
   if (!scan) return bad_scans_.add(why);
-  scan_motion_.note(placer_.timing(), placer_.place(ScanReference::kEnd, *scan));
+  if (!scan_motion_.place(placer_, *scan)) return bad_scans_.add(kFrozenScan);
   scan_ = std::move(scan);
 }
 
@@ -101,7 +101,7 @@ void NavigatorAdapter::tick(Time now) {
   }
   const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->pose) : std::nullopt;
   if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
-  publisher_.publish(navigator_, output, T_map_base, now);
+  publisher_.publish(navigator_, output, server_.goal(), T_map_base, now);
 }
 
 bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response) {

@@ -1,11 +1,15 @@
 #include "ros/navigator/navigator_publisher.h"
 
+#include <frontier_pilot/NavigatorProgress.h>
 #include <nav_msgs/Path.h>
 #include <std_msgs/String.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
@@ -13,10 +17,12 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr double kLocalPeriod = 0.5;   // [s]
-constexpr double kGlobalPeriod = 2.0;  // [s]
-constexpr double kLocalReach = 3.0;    // [m]
-constexpr double kPlanSpacing = 0.1;   // [m]
+constexpr double kLocalPeriod = 0.5;     // [s]
+constexpr double kGlobalPeriod = 2.0;    // [s]
+constexpr double kLocalReach = 3.0;      // [m]
+constexpr double kPlanSpacing = 0.1;     // [m]
+constexpr double kProgressPeriod = 0.5;  // [s]
+constexpr double kNoPath = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether it is time to publish again; also true after the clock has gone back.
 bool due(std::optional<Time>& last, Time now, double period) {
@@ -59,17 +65,20 @@ OccupancyGrid costmap(const planning::ClearanceMap& map, const CellRect& rect) {
   return grid;
 }
 
-NavigatorPublisher::NavigatorPublisher(ros::NodeHandle& node, std::string map_frame)
+NavigatorPublisher::NavigatorPublisher(ros::NodeHandle& node, std::string map_frame, double max_linear)
     : map_frame_(std::move(map_frame)),
+      max_linear_(max_linear),
       plan_(node.advertise<nav_msgs::Path>(names::kPlan, 1, true)),
       local_plan_(node.advertise<nav_msgs::Path>(names::kLocalPlan, 1)),
       local_costmap_(node.advertise<nav_msgs::OccupancyGrid>(names::kLocalCostmap, 1)),
       global_costmap_(node.advertise<nav_msgs::OccupancyGrid>(names::kGlobalCostmap, 1)),
-      status_publisher_(node.advertise<std_msgs::String>(names::kNavigatorStatus, 10, true)) {}
+      status_publisher_(node.advertise<std_msgs::String>(names::kNavigatorStatus, 10, true)),
+      progress_(node.advertise<NavigatorProgress>(names::kNavigatorProgress, 10, true)) {}
 
 void NavigatorPublisher::publish(const navigation::Navigator& navigator, const navigation::NavigatorOutput& output,
-                                 const std::optional<Pose2>& T_map_base, Time now) {
-  publishStatus(output);
+                                 const std::optional<Pose2>& goal, const std::optional<Pose2>& T_map_base, Time now) {
+  const bool is_news = publishStatus(output) || !(goal == told_goal_);
+  if (is_news || (goal && due(progress_published_, now, kProgressPeriod))) publishProgress(navigator, goal, now);
   if (output.plan_changed) {
     const auto points = navigator.hasGoal() ? navigator.path().sampled(kPlanSpacing) : std::vector<Vec2>();
     plan_.publish(toPathMsg(withYaw(points), map_frame_, now));
@@ -80,18 +89,35 @@ void NavigatorPublisher::publish(const navigation::Navigator& navigator, const n
   if (!navigator.clearanceMap().empty()) publishCostmaps(navigator.clearanceMap(), T_map_base, now);
 }
 
-void NavigatorPublisher::publishStatus(const navigation::NavigatorOutput& output) {
+void NavigatorPublisher::publishProgress(const navigation::Navigator& navigator, const std::optional<Pose2>& goal,
+                                         Time now) {
+  constexpr double kShareOfMaximum = 0.9;
+  told_goal_ = goal;
+  NavigatorProgress msg;
+  msg.header.frame_id = map_frame_;
+  msg.header.stamp = toRosTime(now);
+  msg.has_goal = goal ? 1 : 0;
+  msg.goal = toPoseMsg(goal.value_or(Pose2()));
+  const bool has_path = goal && !navigator.path().empty();
+  msg.distance_left = has_path ? std::max(0.0, navigator.path().length() - navigator.progress()) : kNoPath;
+  msg.time_left = msg.distance_left / (kShareOfMaximum * max_linear_);
+  msg.status = status_;
+  progress_.publish(msg);
+}
+
+bool NavigatorPublisher::publishStatus(const navigation::NavigatorOutput& output) {
   std::string text = toString(output.state);
   if (!output.recovery.empty()) text += " (" + output.recovery + ")";
   text += std::string(": ") + toString(output.reason);
   // In IDLE the reason for which the last goal ended stays until the next change.
   if (text == status_ || (output.state == navigation::NavState::kIdle && output.finished.empty() && !status_.empty()))
-    return;
+    return false;
   status_ = text;
   THROTTLED_INFO(status_);
   std_msgs::String msg;
   msg.data = status_;
   status_publisher_.publish(msg);
+  return true;
 }
 
 void NavigatorPublisher::publishCostmaps(const planning::ClearanceMap& map, const std::optional<Pose2>& T_map_base,

@@ -14,21 +14,29 @@
 
 namespace frontier_pilot {
 
-/// Publishes the navigator's plans, its costmaps (only while subscribed to, and at a low rate) and its status.
+/// Publishes the navigator's plans, its costmaps (only while subscribed to, and at a low rate), its status and
+/// its progress.
 class NavigatorPublisher {
  public:
-  NavigatorPublisher(ros::NodeHandle& node, std::string map_frame);
+  /// `max_linear` [m/s] of the robot, for the time that is left.
+  NavigatorPublisher(ros::NodeHandle& node, std::string map_frame, double max_linear);
 
+  /// `goal`: the one that is being pursued, in the map's frame.
   void publish(const navigation::Navigator& navigator, const navigation::NavigatorOutput& output,
-               const std::optional<Pose2>& T_map_base, Time now);
+               const std::optional<Pose2>& goal, const std::optional<Pose2>& T_map_base, Time now);
   const std::string& status() const { return status_; }
 
  private:
-  void publishStatus(const navigation::NavigatorOutput& output);
+  /// Returns whether the status has changed.
+  bool publishStatus(const navigation::NavigatorOutput& output);
+  void publishProgress(const navigation::Navigator& navigator, const std::optional<Pose2>& goal, Time now);
   void publishCostmaps(const planning::ClearanceMap& map, const std::optional<Pose2>& T_map_base, Time now);
 
   std::string map_frame_;
+  double max_linear_;
   std::string status_;
+  std::optional<Pose2> told_goal_;
+  std::optional<Time> progress_published_;
   std::optional<Time> local_published_;
   std::optional<Time> global_published_;
   ros::Publisher plan_;
@@ -36,6 +44,7 @@ class NavigatorPublisher {
   ros::Publisher local_costmap_;
   ros::Publisher global_costmap_;
   ros::Publisher status_publisher_;
+  ros::Publisher progress_;
 };
 
 /// The points as poses, with the direction to the next point as yaw; the last one has the yaw of its predecessor.

@@ -1,5 +1,6 @@
 #include "ros/common/help/usages.h"
 
+#include <frontier_pilot/NavigatorProgress.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <map_msgs/OccupancyGridUpdate.h>
@@ -34,7 +35,9 @@ NodeUsage navigatorUsage() {
                      port<nav_msgs::Path>(names::kLocalPlan),
                      port<nav_msgs::OccupancyGrid>(names::kLocalCostmap),
                      port<nav_msgs::OccupancyGrid>(names::kGlobalCostmap),
-                     port<std_msgs::String>(names::kNavigatorStatus)};
+                     port<std_msgs::String>(names::kNavigatorStatus),
+                     port<NavigatorProgress>(names::kNavigatorProgress),
+                     port<geometry_msgs::PoseStamped>(names::kCurrentGoal)};
   usage.services = {servicePort<nav_msgs::GetPlan>(names::kMakePlan),
                     servicePort<std_srvs::Empty>(names::kClearCostmaps)};
   usage.actions = {port<move_base_msgs::MoveBaseAction>(names::kMoveBase)};

@@ -3,6 +3,7 @@
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/AvoiderStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
+#include <frontier_pilot/NavigatorProgress.h>
 #include <ros/callback_queue.h>
 #include <ros/spinner.h>
 #include <ros/steady_timer.h>
@@ -72,6 +73,7 @@ class GuiBridge : public teleop::OperatorLink {
   Latest<ArbiterStatus> arbiter_;
   Latest<AvoiderStatus> avoider_;
   Latest<ExplorerStatus> explorer_;
+  Latest<NavigatorProgress> navigation_;
   Latest<bool> stop_, contact_;
   std::string clear_refusal_;
   Latest<Twist2> command_;
@@ -87,7 +89,7 @@ class GuiBridge : public teleop::OperatorLink {
   ros::NodeHandle node_;
   TfBridge tf_;
   ros::Publisher manual_publisher_, cancel_navigation_;
-  ros::Subscriber stop_subscriber_;
+  ros::Subscriber stop_subscriber_, navigation_subscriber_;
   NodeConnections connections_;
   PatrolLink patrol_;
   SpinLink spin_;

@@ -49,6 +49,10 @@ void GuiBridge::subscribe() {
   connections_.subscribe<ExplorerStatus>(names::kExplorerStatus, 1, [=](const ExplorerStatus& msg) {
     if (isShown(msg)) keep(explorer_, msg);
   });
+  navigation_subscriber_ =
+      connections_.subscribe<NavigatorProgress>(names::kNavigatorProgress, 1, [=](const NavigatorProgress& msg) {
+        if (isShown(msg)) keep(navigation_, msg);
+      });
   connections_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this);
   connections_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 1, [=](const geometry_msgs::Twist& msg) {
     keep(command_, Twist2{msg.linear.x, msg.angular.z});
@@ -150,6 +154,7 @@ teleop::OperatorState GuiBridge::state() {
   show(arbiter_, now, state.arbiter);
   show(avoider_, now, state.avoider);
   show(explorer_, now, state.explorer);
+  if (navigation_subscriber_.getNumPublishers() > 0) show(navigation_, now, state.navigation);
   if (scan_.has()) state.scan = teleop::ScanView{toSeconds(*scan_.age(now)), *scan_.get()};
   if (state.arbiter) {
     // The status comes only once a second, too slowly for the gauges.

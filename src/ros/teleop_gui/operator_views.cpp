@@ -200,6 +200,20 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   return view;
 }
 
+teleop::NavigationView toView(const NavigatorProgress& msg, double status_age) {
+  teleop::NavigationView view;
+  view.status_age = status_age;
+  view.status = msg.status;
+  view.has_goal = msg.has_goal != 0;
+  if (!view.has_goal) return view;
+  const bool is_hindered = msg.status.rfind("recovering", 0) == 0 || msg.status.rfind("waiting", 0) == 0;
+  view.severity = is_hindered ? teleop::Severity::kWarning : teleop::Severity::kActive;
+  view.goal = Vec2(msg.goal.position.x, msg.goal.position.y);
+  view.distance_left = known(msg.distance_left);
+  view.time_left = known(msg.time_left);
+  return view;
+}
+
 teleop::AvoiderSectors toSectors(const avoid::AvoiderParameters& parameters) {
   const avoid::AvoiderDistances distances(parameters);
   return {toSectorView(parameters.front_left, distances.stop, distances.clear),

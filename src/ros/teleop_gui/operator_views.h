@@ -3,6 +3,7 @@
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/AvoiderStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
+#include <frontier_pilot/NavigatorProgress.h>
 
 #include <string>
 
@@ -16,6 +17,7 @@ namespace frontier_pilot {
 teleop::ArbiterView toView(const ArbiterStatus& msg, double status_age);
 teleop::AvoiderView toView(const AvoiderStatus& msg, double status_age);
 teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age);
+teleop::NavigationView toView(const NavigatorProgress& msg, double status_age);
 teleop::AvoiderSectors toSectors(const avoid::AvoiderParameters& parameters);
 
 }  // namespace frontier_pilot

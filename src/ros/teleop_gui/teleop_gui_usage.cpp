@@ -3,6 +3,7 @@
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/AvoiderStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
+#include <frontier_pilot/NavigatorProgress.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <frontier_pilot/SpinAction.h>
 #include <geometry_msgs/Twist.h>
@@ -25,8 +26,8 @@ NodeUsage teleopGuiUsage() {
   usage.reads = {port<sensor_msgs::LaserScan>(names::kScan), port<geometry_msgs::Twist>(names::kCmdVel),
                  port<ArbiterStatus>(names::kArbiterStatus), port<std_msgs::Bool>(names::kEmergencyStopState),
                  port<AvoiderStatus>(names::kAvoiderStatus), port<ExplorerStatus>(names::kExplorerStatus),
-                 port<std_msgs::Bool>(names::kStalled),      port<tf2_msgs::TFMessage>(names::kTf),
-                 port<tf2_msgs::TFMessage>(names::kTfStatic)};
+                 port<std_msgs::Bool>(names::kStalled),      port<NavigatorProgress>(names::kNavigatorProgress),
+                 port<tf2_msgs::TFMessage>(names::kTf),      port<tf2_msgs::TFMessage>(names::kTfStatic)};
   usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelManual)};
   usage.calls = {port<PatrolAction>(names::kPatrol),
                  port<move_base_msgs::MoveBaseAction>(names::kMoveBase),

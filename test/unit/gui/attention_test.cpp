@@ -17,6 +17,18 @@ class Attention : public test::PilotWidgetTest {
   long asked(Kind kind) const {
     return std::count_if(requests_.begin(), requests_.end(), [kind](const auto& one) { return one.kind == kind; });
   }
+
+  /// A stop whose clearing was refused, and the operator's click on the way out.
+  void takeTheWayOut() {
+    state_.emergency_stop = true;
+    state_.clear_refusal = "nav asked to move 40 ms ago";
+    widget_->setState(state_);
+    click("halt_and_clear");
+  }
+
+  void refresh(int times) {
+    for (int i = 0; i < times; ++i) widget_->setState(state_);
+  }
 };
 
 // [GUI-2]
@@ -40,72 +52,55 @@ TEST_F(Attention, ARefusedClearSaysWhyAndOffersTheWayOut) {
 
 // [GUI-2] The arbiter clears only when nothing has commanded motion for half a second.
 TEST_F(Attention, TheWayOutHaltsWhatDrivesAndClearsWhenThatHasEnded) {
-  state_.emergency_stop = true;
-  state_.clear_refusal = "nav asked to move 40 ms ago";
   state_.patrol.active = true;
-  widget_->setState(state_);
-  click("halt_and_clear");
+  takeTheWayOut();
   EXPECT_EQ(asked(Kind::kExplore), 1);
   EXPECT_FALSE(requests_.front().on);
   EXPECT_EQ(asked(Kind::kStopPatrol), 1);
   EXPECT_EQ(asked(Kind::kStopSpin), 0);
   EXPECT_EQ(asked(Kind::kStopNavigation), 1);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 0) << "they have to end first";
-  for (int refresh = 0; refresh < 10; ++refresh) widget_->setState(state_);
+  refresh(10);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
-  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  refresh(100);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 3) << "it does not ask for ever";
   state_.emergency_stop = false;
   widget_->setState(state_);
-  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  refresh(100);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 3);
 }
 
 // [GUI-2] Only the stop that the operator wanted cleared is cleared.
 TEST_F(Attention, AStopAfterTheWayOutIsNotCleared) {
-  state_.emergency_stop = true;
-  state_.arbiter->stop_cause = "emergency_stop called by /teleop_gui";
-  state_.clear_refusal = "nav asked to move 40 ms ago";
-  widget_->setState(state_);
-  click("halt_and_clear");
+  takeTheWayOut();
   QTest::mousePress(find("emergency_stop"), Qt::LeftButton);
-  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  refresh(100);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 0);
 }
 
 // [GUI-2]
 TEST_F(Attention, AStopFromElsewhereAfterTheWayOutIsNotCleared) {
-  state_.emergency_stop = true;
-  state_.arbiter->stop_cause = "emergency_stop called by /teleop_gui";
-  state_.clear_refusal = "nav asked to move 40 ms ago";
-  widget_->setState(state_);
-  click("halt_and_clear");
-  ++state_.arbiter->stops;  // the cause stays that of the first one
-  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  takeTheWayOut();
+  ++state_.arbiter->stops;
+  refresh(100);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 0);
 }
 
 // [GUI-2] A clear and the next stop can come between two refreshes.
 TEST_F(Attention, NothingIsClearedOnceAClearHasSucceeded) {
-  state_.emergency_stop = true;
-  state_.clear_refusal = "nav asked to move 40 ms ago";
-  widget_->setState(state_);
-  click("halt_and_clear");
-  for (int refresh = 0; refresh < 10; ++refresh) widget_->setState(state_);
+  takeTheWayOut();
+  refresh(10);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
   state_.clear_refusal.clear();
-  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  refresh(100);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
 }
 
 // [GUI-2]
 TEST_F(Attention, AnOperatorWhoClearsTakesOverFromTheWayOut) {
-  state_.emergency_stop = true;
-  state_.clear_refusal = "nav asked to move 40 ms ago";
-  widget_->setState(state_);
-  click("halt_and_clear");
+  takeTheWayOut();
   click("clear_emergency_stop");
-  for (int refresh = 0; refresh < 100; ++refresh) widget_->setState(state_);
+  refresh(100);
   EXPECT_EQ(asked(Kind::kClearEmergencyStop), 1);
 }
 
@@ -124,6 +119,25 @@ TEST_F(Attention, GoalsAreCountedAsSeenReachedAndFailed) {
   state_.explorer->goals_failed = 1;
   widget_->setState(state_);
   EXPECT_EQ(find<gui::ElidedLabel>("explorer_goals")->fullText(), "Goals: 24 seen, 3 reached, 1 failed");
+}
+
+// [GUI-2]
+TEST_F(Attention, TheGoalOfTheNavigationIsShownAndCanBeCancelled) {
+  EXPECT_FALSE(find("navigation_cancel")->isEnabled()) << "there is nothing to cancel";
+  state_.navigation = teleop::NavigationView{0.0,  teleop::Severity::kWarning,        true, Vec2(3.0, -1.26), 12.34,
+                                             75.4, "recovering (backing up): blocked"};
+  widget_->setState(state_);
+  EXPECT_EQ(text("navigation_goal"), "3.0, -1.3");
+  EXPECT_EQ(text("navigation_distance"), "12.3 m");
+  EXPECT_EQ(text("navigation_time"), "1 min 15 s");
+  EXPECT_EQ(find<gui::ElidedLabel>("navigation_status")->fullText(), "recovering (backing up): blocked");
+  click("navigation_cancel");
+  EXPECT_EQ(asked(Kind::kStopNavigation), 1);
+  state_.navigation = teleop::NavigationView();
+  state_.navigation->status = "idle: canceled";
+  widget_->setState(state_);
+  EXPECT_FALSE(find("navigation_cancel")->isEnabled());
+  EXPECT_EQ(find<gui::ElidedLabel>("navigation_status")->fullText(), "idle: canceled");
 }
 
 }  // namespace

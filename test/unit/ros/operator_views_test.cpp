@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace frontier_pilot {
 namespace {
 
@@ -56,6 +58,22 @@ TEST(OperatorViews, ASourceThatWantsNothingIsGreyAndOneNeverHeardSaysSo_GUI_2) {
   EXPECT_EQ(view.sources[0].state_text, "alive, asks for nothing");
   EXPECT_EQ(view.sources[1].severity, teleop::Severity::kGood);
   EXPECT_EQ(view.sources[2].state_text, "no command received yet");
+}
+
+// [GUI-2]
+TEST(OperatorViews, ANavigationThatIsHinderedIsAWarningAndWithoutAPathSaysNoDistance_GUI_2) {
+  NavigatorProgress msg;
+  msg.status = "recovering (backing up): blocked";
+  msg.distance_left = msg.time_left = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(toView(msg, 0.0).severity, teleop::Severity::kIdle) << "there is no goal any more";
+  msg.has_goal = 1;
+  msg.goal.position.x = 2.5;
+  const teleop::NavigationView view = toView(msg, 0.0);
+  EXPECT_EQ(view.severity, teleop::Severity::kWarning);
+  EXPECT_EQ(view.goal, Vec2(2.5, 0.0));
+  EXPECT_FALSE(view.distance_left || view.time_left);
+  msg.status = "driving: on the way";
+  EXPECT_EQ(toView(msg, 0.0).severity, teleop::Severity::kActive);
 }
 
 }  // namespace
