@@ -26,9 +26,10 @@ def free_port():
         return probe.getsockname()[1]
 
 
-def environment(port):
+def environment(port, home):
     kept = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'DISPLAY'))}
-    return dict(kept, ROS_MASTER_URI='http://127.0.0.1:%d' % port, ROS_IP='127.0.0.1', FRONTIER_PILOT_BUILD=str(BUILD))
+    return dict(kept, ROS_MASTER_URI='http://127.0.0.1:%d' % port, ROS_IP='127.0.0.1', ROS_HOME=home,
+                FRONTIER_PILOT_BUILD=str(BUILD))
 
 
 def descendants(marker):
@@ -50,7 +51,7 @@ class RunScript(unittest.TestCase):
         self.port = free_port()
 
     def start(self, *words):
-        return subprocess.Popen([RUN, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(self.port),
+        return subprocess.Popen([RUN, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(self.port, self.folder.name),
                                 cwd=self.folder.name, stdin=subprocess.DEVNULL, universal_newlines=True, start_new_session=True)
 
     def run_to_the_end(self, *words):
@@ -104,6 +105,9 @@ class RunScript(unittest.TestCase):
         self.assertEqual(process.returncode, 130, said + out + err)
         self.assertIn('Map saved: %s.pgm' % prefix, out)
         self.assertTrue(os.path.exists(prefix + '.yaml'))
+        report = re.fullmatch(r'Report: (/.*\.html)', out.strip().split('\n')[-1])
+        self.assertTrue(report, out + err)
+        self.assertIn('The exploration was not finished', pathlib.Path(report.group(1)).read_text())
         self.assert_nothing_is_left()
 
     def test_another_ctrl_c_ends_everything_although_the_mapper_hangs(self):
