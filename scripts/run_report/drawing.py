@@ -62,6 +62,7 @@ def to_svg(figure, name, title):
     svg = out.getvalue()
     svg = svg[svg.index('<svg'):]
     svg = re.sub(r'<metadata>.*?</metadata>', '', svg, flags=re.DOTALL)
+    svg = re.sub(r'<style.*?</style>', '', svg, flags=re.DOTALL)  # it would be that of the whole page
     svg = re.sub(r'<!--.*?-->\n?', '', svg, flags=re.DOTALL)
     svg = re.sub(r' (width|height)="[\d.]+pt"', '', svg, count=2)
     svg = re.sub(r'\bid="', 'id="%s-' % name, svg)

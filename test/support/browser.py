@@ -1,8 +1,7 @@
 """A page as a real browser (Chromium's engine, by Qt WebEngine) shows it: what its console says, what it asks the network for,
-and a picture.
-
-Usage: browser.py PAGE.html PICTURE.png [WIDTH] [dark]
+and a picture. Prints it as JSON.
 """
+import argparse
 import json
 import os
 import sys
@@ -64,7 +63,7 @@ def show(path, picture=None, width=1100, dark=False):
         application.quit()
 
     def take(text):
-        shown.found = json.loads(text)
+        shown.found.update(json.loads(text))
         view.resize(width, min(16000, shown.found['height']) if picture else 800)
         QTimer.singleShot(1500 if picture else 0, take_picture)
 
@@ -76,16 +75,20 @@ def show(path, picture=None, width=1100, dark=False):
     QTimer.singleShot(60000, application.quit)
     page.load(page_url)
     application.exec_()
-    # In this order, or Qt complains that a profile is released before its page.
-    view.setPage(None)
-    page.deleteLater()
     return shown
 
 
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('page')
+    parser.add_argument('--picture')
+    parser.add_argument('--width', type=int, default=1100)
+    parser.add_argument('--dark', action='store_true')
+    arguments = parser.parse_args()
+    shown = show(arguments.page, arguments.picture, arguments.width, arguments.dark)
+    print(json.dumps({'loaded': shown.loaded, 'console': shown.console, 'requests': shown.requests, **shown.found}), flush=True)
+    os._exit(0)  # without the browser's long goodbye
+
+
 if __name__ == '__main__':
-    result = show(sys.argv[1], sys.argv[2], int((sys.argv + ['', '', '1100'])[3] or 1100) if len(sys.argv) > 3 else 1100,
-                  'dark' in sys.argv)
-    print(json.dumps({'loaded': result.loaded, 'console': result.console, 'requests': result.requests,
-                      'figures': result.found.get('figures'), 'overflow': result.found.get('overflow')}, indent=1))
-    sys.stdout.flush()
-    os._exit(0)
+    main()
