@@ -84,6 +84,11 @@ def duration(seconds):
     return summary.duration(seconds) if seconds >= 1.0 else '%.1f s' % seconds
 
 
+def in_words(value):
+    """A parameter as YAML would have it."""
+    return str(value).lower() if isinstance(value, bool) else '(empty)' if value in ('', '""') else str(value)
+
+
 def events_section(run):
     rows = [(clock(time - run.begin), action, text) for time, action, text in run.actions]
     rows += [(clock(begin - run.begin), 'recovery', '%s, for %s' % (text, duration(end - begin)))
@@ -98,7 +103,8 @@ def events_section(run):
 def findings_table(run, findings):
     rows = [(('level ' + finding.level.lower(), finding.level), finding.who.lstrip('/'), finding.text,
              clock(finding.spans[0][0] - run.begin), clock(finding.spans[-1][1] - run.begin),
-             duration(total(finding.spans))) for finding in Warnings.sorted(findings)]
+             ('time', duration(total(finding.spans)) if total(finding.spans) else 'once' if finding.count == 1 else
+              '%d times' % finding.count)) for finding in Warnings.sorted(findings)]
     return table(('level', 'who', 'what it said first', 'first', 'last', 'for'), rows)
 
 
@@ -140,11 +146,11 @@ def parameters_section(settings, known):
     """`known`: whether the defaults were found."""
     rows = []
     for setting in settings:
-        value = '%s %s' % (setting.value, setting.unit)
+        value = ('%s %s' % (in_words(setting.value), setting.unit)).strip()
         if setting.changed_to is not None:
-            value += ', at the end %s' % (setting.changed_to,)
+            value += ', at the end %s' % in_words(setting.changed_to)
         who = ', '.join(setting.nodes) if len(setting.nodes) < 4 else '%d nodes' % len(setting.nodes)
-        rows.append((('code', setting.name), value.strip(), '?' if setting.default is None else setting.default or '(empty)', who,
+        rows.append((('code', setting.name), value, '?' if setting.default is None else in_words(setting.default), who,
                      setting.meaning))
     about = 'What was set on the parameter server and differs from the default of its node.' if known else \
         'The defaults are not known here: everything that was set is shown.'

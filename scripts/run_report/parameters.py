@@ -32,10 +32,17 @@ def read_tables(path):
 
 
 def flat(values, prefix=''):
-    """Nested dictionaries as one, with the keys joined by slashes."""
+    """Nested dictionaries as one, with the keys joined by slashes; those in a list as `list[0]/key`."""
     out = {}
     for key, value in values.items():
-        out.update(flat(value, prefix + str(key) + '/') if isinstance(value, dict) and value else {prefix + str(key): value})
+        name = prefix + str(key)
+        if isinstance(value, dict) and value:
+            out.update(flat(value, name + '/'))
+        elif isinstance(value, list) and value and all(isinstance(item, dict) for item in value):
+            for index, item in enumerate(value):
+                out.update(flat(item, '%s[%d]/' % (name, index)))
+        else:
+            out[name] = value
     return out
 
 
@@ -89,9 +96,20 @@ def inside(parameters, namespace):
 
 
 def describe(tables, node, name):
-    """The row of a parameter; that of the robot's own limits for limits that override them."""
+    """The row of a parameter; that of the robot's own limits for limits that override them; None where there is none."""
     for section in (node, 'The robot', 'Frames'):
-        row = tables.get(section, {}).get(name)
+        row = tables.get(section, {}).get(name) or item_of_list(tables.get(section, {}), name)
         if row:
             return row
     return tables.get('The robot', {}).get('robot/' + name) if name.startswith('limits/') else None
+
+
+def item_of_list(table, name):
+    """The row of `list[i]/key`, in which the defaults of the items stand side by side where they differ."""
+    match = re.match(r'(.*)\[(\d+)\](/.*)$', name)
+    row = table.get(match.group(1) + '[i]' + match.group(3)) if match else None
+    if row is None:
+        return None
+    defaults, index = row.default.split(', '), int(match.group(2))
+    default = defaults[0] if len(defaults) == 1 else defaults[index] if index < len(defaults) else ''
+    return Described(row.kind, default, row.unit, row.meaning)

@@ -3,6 +3,7 @@ import math
 
 from . import goals as outcomes
 from .drawing import COLOURS, few_ticks, new_axes, styled, time_axis, to_svg
+from .intervals import total
 
 SOURCE_COLOURS = {'avoid': 'c8', 'behavior': 'c5', 'patrol': 'c2', 'nav': 'c1', 'manual': 'c3'}
 BUSIEST = 8  # nodes with a line of their own
@@ -84,12 +85,17 @@ def drivers_plot(run):
 def event_rows(run):
     """(label, spans) of everything that may have gone wrong, also of what did not happen."""
     failed = [(goal.ended, goal.ended) for goal in run.goals.of(outcomes.FAILED)]
-    levels = [[span for finding in run.warnings.diagnostics.values() if finding.level in names for span in finding.spans]
-              for names in (('ERROR', 'STALE'), ('WARN',))]
+    levels = [[span for finding in run.warnings.diagnostics.values() if finding.level in names and not always(run, finding)
+               for span in finding.spans] for names in (('ERROR', 'STALE'), ('WARN',))]
     return [('emergency stop', run.stop.those(run.end), 'bad'), ('contact', run.contact.those(run.end), 'bad'),
             ('recovery', run.recoveries(), 'c8'), ('avoider', run.avoiding.those(run.end), 'c8'),
             ('goal failed', failed, 'c8'), ('loop closed', [(time, time) for time, _ in run.warnings.loops], 'c5'),
             ('diagnostics ERROR', levels[0], 'bad'), ('diagnostics WARN', levels[1], 'warn')]
+
+
+def always(run, finding):
+    """Whether a line was there all the time, as that of a node that is switched off: over time it would hide all others."""
+    return total(finding.spans) > 0.95 * (run.end - run.begin)
 
 
 def events_plot(run):
@@ -100,8 +106,8 @@ def events_plot(run):
 
 
 def load_plot(run, column, scale, unit, name, title):
-    """A line for each of the nodes that use most, in the order of what they use."""
-    nodes = sorted(run.load.nodes.items(), key=lambda item: -max(sample[column] for sample in item[1]))[:BUSIEST]
+    """A line for each of the nodes that used most in all, in this order."""
+    nodes = sorted(run.load.nodes.items(), key=lambda item: -sum(sample[column] for sample in item[1]))[:BUSIEST]
     if not nodes:
         return None
     with styled():

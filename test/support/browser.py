@@ -65,7 +65,7 @@ def show(path, picture=None, width=1100, dark=False):
     def take(text):
         shown.found.update(json.loads(text))
         view.resize(width, min(16000, shown.found['height']) if picture else 800)
-        QTimer.singleShot(1500 if picture else 0, take_picture)
+        QTimer.singleShot(5000 if picture else 0, take_picture)
 
     def look(loaded):
         shown.loaded = loaded

@@ -117,6 +117,13 @@ class Parameters(FolderCase):
         self.assertEqual(self.differing({'navigator': {'goal_tolerance': 0.2}}, {'navigator': {'goal_tolerance': 0.4}}),
                          [(['navigator'], 'goal_tolerance', 0.2, '0.2', 0.4)])
 
+    def test_each_item_of_a_list_has_its_own_default(self):
+        table = {'sources[i]/name': parameters.Described('string', 'avoid, nav', '', ''),
+                 'sources[i]/timeout': parameters.Described('double', '1', 's', '')}
+        start = {'cmd_vel_arbiter': {'sources': [{'name': 'avoid'}, {'name': 'nav', 'timeout': 2.0}]}}
+        found = parameters.differing(start, start, {'cmd_vel_arbiter': table})
+        self.assertEqual([(setting.name, setting.value, setting.default) for setting in found], [('sources[1]/timeout', 2.0, '1')])
+
     def test_the_tables_of_the_documentation_are_understood(self):
         import pathlib
         path = pathlib.Path(__file__).resolve().parents[3] / 'docs/parameters.md'
