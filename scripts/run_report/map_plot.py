@@ -97,7 +97,7 @@ def draw_run(axes, run):
         ('seen', 'goal of which everything was seen on the way', seen, mark('c2', 'o', 6, filled=False)),
         ('reached', 'goal reached', reached, mark('c2', 'o', 6)),
         ('failed', 'goal failed', failed, mark('bad', 'X', 8, width=0.5)),
-        ('loop', 'loop closed here', places_of(run, [time for time, _ in run.warnings.loops]), mark('c5', 'D', 7)),
+        ('loop', 'place at which loops were closed', places_of(run, [time for time, _ in run.warnings.loops]), mark('c5', 'D', 7)),
         ('frontier', 'frontier that is left', frontiers_left(run), mark('c4', 's', 4)),
         ('recovery', 'recovery', places_of(run, [begin for begin, _ in run.recoveries()]), mark('c8', '^', 8)),
         ('stopped', 'emergency stop', places_of(run, [begin for begin, _, _ in run.stop.those(run.end)]), mark('bad', 's', 8)),

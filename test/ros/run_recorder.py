@@ -70,6 +70,8 @@ class RunRecorder(unittest.TestCase):
         stalled.publish(True)
         self.assertTrue(self.is_recording(stalled))
         self.assertTrue(wait_for(lambda: any(one.node == rospy.get_name() for load in self.loads for one in load.processes), 30.0))
+        count = len(self.loads)  # rosbag may not listen to all topics yet
+        self.assertTrue(wait_for(lambda: len(self.loads) > count + 10, 60.0))
         rospy.set_param('mapper/map_file', 'other')
         self.end(process)
         self.assertEqual(process.returncode, 0)

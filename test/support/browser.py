@@ -72,7 +72,7 @@ def show(path, picture=None, width=1100, dark=False):
         QTimer.singleShot(300, lambda: page.runJavaScript(PROBE, take))
 
     page.loadFinished.connect(look)
-    QTimer.singleShot(60000, application.quit)
+    QTimer.singleShot(200000, application.quit)
     page.load(page_url)
     application.exec_()
     return shown

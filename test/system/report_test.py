@@ -23,7 +23,7 @@ PLOTS = {'map', 'area', 'drivers', 'cpu', 'memory'}
 
 def browse(page, *words):
     """What the browser says of the page, as JSON; in a process of its own, which a browser is best ended with."""
-    done = subprocess.run([sys.executable, str(ROOT / 'test/support/browser.py'), page, *words], stdout=subprocess.PIPE, timeout=120)
+    done = subprocess.run([sys.executable, str(ROOT / 'test/support/browser.py'), page, *words], stdout=subprocess.PIPE, timeout=300)
     return json.loads(done.stdout)
 
 
@@ -48,7 +48,7 @@ class Report(unittest.TestCase):
 
     def make_report(self):
         report, = roslib.packages.find_node('frontier_pilot', 'report')
-        done = subprocess.run([report, self.run], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120,
+        done = subprocess.run([report, self.run], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300,
                               universal_newlines=True)
         self.assertEqual((done.returncode, done.stderr), (0, ''))
         return done.stdout.strip()
