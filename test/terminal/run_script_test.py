@@ -99,11 +99,14 @@ class RunScript(unittest.TestCase):
     def test_ctrl_c_saves_the_map_and_leaves_nothing_behind(self):
         prefix = os.path.join(self.folder.name, 'floor')
         process, said = self.start_exploring(prefix)
+        end = time.monotonic() + 60.0
+        while not glob.glob(self.folder.name + '/frontier_pilot/runs/*/run_0.bag.active') and time.monotonic() < end:
+            time.sleep(0.1)
         process.send_signal(signal.SIGINT)
         process.send_signal(signal.SIGINT)  # an impatient operator presses it twice
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 130, said + out + err)
-        self.assertIn('Map saved: %s.pgm' % prefix, out)
+        self.assertIn('Map saved: %s.pgm' % prefix, out, err)
         self.assertTrue(os.path.exists(prefix + '.yaml'))
         report = re.fullmatch(r'Report: (/.*\.html)', out.strip().split('\n')[-1])
         self.assertTrue(report, out + err)
