@@ -25,8 +25,9 @@ def command_of(topics, run, limit, min_space, name):
         raise OSError('rosbag has no program to record with: install it (on Debian python3-rosbag)')
     # The signal is for the case that the recorder is killed: nobody else would then end rosbag.
     return ['setpriv', '--pdeathsig', 'INT', '--', found[0],
-        '--quiet', '--split', '--size=%d' % part_size(limit), '--max-splits=%d' % PARTS, '--repeat-latched', '--lz4',
-        '--chunksize=256', '--buffsize=64', '--min-space=%dM' % min_space, '-O', os.path.join(run, BAG)] + list(topics) + ['__name:=' + name]
+            '--quiet', '--split', '--size=%d' % part_size(limit), '--max-splits=%d' % PARTS, '--repeat-latched', '--lz4',
+            '--chunksize=256', '--buffsize=64', '--min-space=%dM' % min_space, '-O', os.path.join(run, BAG),
+            *topics, '__name:=' + name]
 
 
 class BagWriter:

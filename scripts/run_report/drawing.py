@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 # Colours that stand for those of the page: each becomes var(--name), which the style sheet defines for light and dark.
-NAMES = ('ink', 'muted', 'grid', 'panel', 'unknown', 'good', 'warn', 'bad') + tuple('c%d' % number for number in range(1, 9))
+NAMES = ('ink', 'muted', 'grid', 'unknown', 'warn', 'bad') + tuple('c%d' % number for number in range(1, 9))
 COLOURS = {name: '#%02x1f%02x' % (index, index) for index, name in enumerate(NAMES)}
 STYLE = {
     'svg.fonttype': 'none', 'font.family': 'sans-serif', 'font.size': 10.0, 'text.color': COLOURS['ink'],

@@ -90,8 +90,9 @@ def differing(start, end, tables, namespace='/'):
 
 
 def inside(parameters, namespace):
+    """The part of nested parameters in a namespace; empty where there is none."""
     for word in namespace.strip('/').split('/'):
-        parameters = parameters.get(word, {}) if word else parameters
+        parameters = parameters.get(word, {}) if word and isinstance(parameters, dict) else parameters
     return parameters if isinstance(parameters, dict) else {}
 
 

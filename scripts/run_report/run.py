@@ -4,6 +4,7 @@ import json
 from .goals import Goals
 from .intervals import States, merged
 from .load import Load
+from .parameters import inside
 from .track import MapImage, Track, bare
 from .warnings import Warnings
 
@@ -84,12 +85,20 @@ class Run:
         return starts + ends
 
     def _find_frames(self, bags, names):
-        """The frames of the map and of the robot, from the first messages that name them."""
+        """The frames of the map and of the robot, from the first messages that name them; the latter from the parameters of a
+        robot that publishes odometry as a transform alone."""
+        robot = inside((self.start_info or {}).get('parameters', {}), self.namespace() + '/navigator/robot')
+        self.track.base_frame = bare(robot.get('base_frame', self.track.base_frame))
         for role, take in (('map', lambda m: setattr(self.track, 'map_frame', bare(m.header.frame_id))),
                            ('odom', lambda m: setattr(self.track, 'base_frame', bare(m.child_frame_id)))):
-            for _, message, _ in bags.messages([names[role]] if role in names else ['/no_such_topic']):
-                take(message)
-                break
+            if role in names:
+                for _, message, _ in bags.messages([names[role]]):
+                    take(message)
+                    break
+
+    def namespace(self):
+        """The namespace of the robot that was recorded."""
+        return (self.start_info or {}).get('namespace', '/')
 
     def _map(self, _, grid):
         self.map.take(grid)
