@@ -40,7 +40,7 @@ check_value() {
     x | y | yaw)
       [[ $value =~ ^(auto|[+-]?([0-9]+\.?[0-9]*|\.[0-9]+))?$ ]] ||
         wrong_argument "$value" "$name: must be a number, not '$value'" ;;
-    gui | rviz | explore | odom_noise | localize_only | avoider)
+    gui | rviz | explore | odom_noise | localize_only | avoider | record)
       [[ $value =~ ^(true|false)$ ]] || wrong_argument "$value" "$name: must be true or false, not '$value'" ;;
   esac
 }

@@ -26,9 +26,10 @@ def free_port():
         return probe.getsockname()[1]
 
 
-def environment(port):
+def environment(port, home):
     kept = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'DISPLAY'))}
-    return dict(kept, ROS_MASTER_URI='http://127.0.0.1:%d' % port, ROS_IP='127.0.0.1', FRONTIER_PILOT_BUILD=str(BUILD))
+    return dict(kept, ROS_MASTER_URI='http://127.0.0.1:%d' % port, ROS_IP='127.0.0.1', ROS_HOME=home,
+                FRONTIER_PILOT_BUILD=str(BUILD))
 
 
 def descendants(marker):
@@ -50,7 +51,7 @@ class RunScript(unittest.TestCase):
         self.port = free_port()
 
     def start(self, *words):
-        return subprocess.Popen([RUN, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(self.port),
+        return subprocess.Popen([RUN, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(self.port, self.folder.name),
                                 cwd=self.folder.name, stdin=subprocess.DEVNULL, universal_newlines=True, start_new_session=True)
 
     def run_to_the_end(self, *words):
@@ -98,12 +99,18 @@ class RunScript(unittest.TestCase):
     def test_ctrl_c_saves_the_map_and_leaves_nothing_behind(self):
         prefix = os.path.join(self.folder.name, 'floor')
         process, said = self.start_exploring(prefix)
+        end = time.monotonic() + 60.0
+        while not glob.glob(self.folder.name + '/frontier_pilot/runs/*/run_0.bag.active') and time.monotonic() < end:
+            time.sleep(0.1)
         process.send_signal(signal.SIGINT)
         process.send_signal(signal.SIGINT)  # an impatient operator presses it twice
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 130, said + out + err)
-        self.assertIn('Map saved: %s.pgm' % prefix, out)
+        self.assertIn('Map saved: %s.pgm' % prefix, out, err)
         self.assertTrue(os.path.exists(prefix + '.yaml'))
+        report = re.fullmatch(r'Report: (/.*\.html)', out.strip().split('\n')[-1])
+        self.assertTrue(report, out + err)
+        self.assertIn('The exploration was not finished', pathlib.Path(report.group(1)).read_text())
         self.assert_nothing_is_left()
 
     def test_another_ctrl_c_ends_everything_although_the_mapper_hangs(self):

@@ -1,0 +1,144 @@
+"""What happened in a run, from the messages of its bags."""
+import json
+
+from .goals import Goals
+from .intervals import States, merged
+from .load import Load
+from .parameters import inside
+from .track import MapImage, Track, bare
+from .warnings import Warnings
+
+EMERGENCY_STOP, DONE = 2, 4  # ArbiterStatus, ExplorerStatus
+AVOIDING = (3, 4, 5, 6)  # AvoiderStatus: reverse, rotate, fault, stuck
+# What a bag is read for, by the names that our nodes give to the topics.
+ROLES = ('map', 'map_updates', '/tf', '/tf_static', 'cmd_vel_arbiter/status', 'obstacle_avoider/status', 'navigator/status',
+         'frontier_explorer/status', 'frontier_explorer/goal', 'simulator/stalled', 'run_recorder/load', '/diagnostics', '/rosout',
+         'turtlebot3/result', 'spin/result', 'back_up/result', 'drive_on_heading/result')
+
+
+def names_in(bags, infos):
+    """The topic of each role: as the recorder has noted, or else by the end of its name."""
+    topics = bags.topics()
+    names = dict(infos[0]['topics']) if infos else {}
+    for role in ROLES + ('odom',):
+        if names.get(role) not in topics:
+            alike = sorted((name for name in topics if ('/' + name.lstrip('/')).endswith('/' + role.lstrip('/'))), key=len)
+            names[role] = alike[0] if alike else None
+    return {role: name for role, name in names.items() if name in topics}
+
+
+class Run:
+    """Everything that a report shows. Times are ROS times [s], poses are in the frame of the map [m, rad]."""
+
+    def __init__(self):
+        self.notes = []  # about the record itself
+        self.begin = self.end = 0.0
+        self.start_info, self.end_info = None, None  # of the recorder
+        self.map, self.track = MapImage(), Track()
+        self.goals, self.load, self.warnings = Goals(), Load(), Warnings()
+        self.explorer = []  # (time, status)
+        self.source, self.stop, self.contact = States(), States(), States()
+        self.recovery, self.avoiding = States(), States()
+        self.stalls_known = False  # whether the robot can tell that it touches something
+        self.actions = []  # (time, action, text of the result)
+        self.takes = {
+            'map': self._map, 'map_updates': lambda _, update: self.map.change(update),
+            '/tf': self._tf, '/tf_static': self._tf, 'cmd_vel_arbiter/status': self._arbiter,
+            'obstacle_avoider/status': self._avoider, 'navigator/status': self._navigator,
+            'frontier_explorer/status': self._explorer, 'frontier_explorer/goal': self.goals.take_pose,
+            'simulator/stalled': self._stalled, 'run_recorder/load': self.load.take,
+            '/diagnostics': self.warnings.take_diagnostics, '/rosout': self.warnings.take_log}
+
+    def read(self, bags):
+        """Takes all messages of `bags`, a BagFiles."""
+        infos = self._read_info(bags)
+        names = names_in(bags, infos)
+        self.begin, self.end = bags.span()
+        self._find_frames(bags, names)
+        roles = {name: role for role, name in names.items() if role in ROLES}
+        for topic, message, time in bags.messages(list(roles)):
+            role = roles[topic]
+            if role.endswith('/result'):
+                self._action(role[:-len('/result')], time, message)
+            else:
+                self.takes[role](time, message)
+        self.goals.place_all()
+        self.notes += bags.notes
+        if not self.begins_with_the_start():
+            self.notes.append('The record does not go back to the start of the run: its oldest part was removed to keep within the '
+                              'size allowed, or the recorder was started later. The figures of the explorer count from its start.')
+
+    def begins_with_the_start(self):
+        """Whether nothing was explored before the first message."""
+        return not self.explorer or self.explorer[0][1].goals_sent <= 1
+
+    def _read_info(self, bags):
+        topics = [name for name in bags.topics() if name.endswith('run_recorder/info')]
+        infos = []
+        for _, message, _ in bags.messages(topics):
+            try:
+                infos.append(json.loads(message.data))
+            except ValueError:
+                pass
+        starts, ends = ([info for info in infos if info.get('moment') == word] for word in ('start', 'end'))
+        self.start_info, self.end_info = starts[0] if starts else None, ends[-1] if ends else None
+        return starts + ends
+
+    def _find_frames(self, bags, names):
+        """The frames of the map and of the robot, from the first messages that name them; the latter from the parameters of a
+        robot that publishes odometry as a transform alone."""
+        robot = inside((self.start_info or {}).get('parameters', {}), self.namespace() + '/navigator/robot')
+        self.track.base_frame = bare(robot.get('base_frame', self.track.base_frame))
+        for role, take in (('map', lambda m: setattr(self.track, 'map_frame', bare(m.header.frame_id))),
+                           ('odom', lambda m: setattr(self.track, 'base_frame', bare(m.child_frame_id)))):
+            if role in names:
+                for _, message, _ in bags.messages([names[role]]):
+                    take(message)
+                    break
+
+    def namespace(self):
+        """The namespace of the robot that was recorded."""
+        return (self.start_info or {}).get('namespace', '/')
+
+    def _map(self, _, grid):
+        self.map.take(grid)
+
+    def _tf(self, time, message):
+        self.track.add(time, message.transforms)
+
+    def _arbiter(self, time, status):
+        self.source.add(time, status.active_source)
+        self.stop.add(time, status.emergency_stop_cause or 'stopped' if status.state == EMERGENCY_STOP else '')
+
+    def _avoider(self, time, status):
+        self.avoiding.add(time, status.summary if status.state in AVOIDING else '')
+
+    def _navigator(self, time, text):
+        self.recovery.add(time, text.data if text.data.startswith('recovering') else '')
+
+    def _explorer(self, time, status):
+        self.goals.take_status(time, status)
+        self.explorer.append((time, status))
+
+    def _stalled(self, time, message):
+        self.stalls_known = True
+        self.contact.add(time, bool(message.data))
+
+    def _action(self, action, time, message):
+        result = message.result
+        text = getattr(result, 'result', None) or getattr(result, 'error_msg', '') or message.status.text or 'done'
+        self.actions.append((time, action, text))
+
+    def status(self):
+        """The explorer's last status; None if there is none."""
+        return self.explorer[-1][1] if self.explorer else None
+
+    def recoveries(self):
+        """The spans (begin, end) in which the navigation recovered."""
+        return merged(self.recovery.those(self.end))
+
+    def wall_seconds(self):
+        """How long it took in real time; None if that is not known."""
+        infos = [info['wall_time'] for info in (self.start_info, self.end_info) if info]
+        stamps = infos + self.load.wall
+        return max(stamps) - min(stamps) if len(stamps) > 1 else None

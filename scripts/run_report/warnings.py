@@ -1,0 +1,61 @@
+"""What was WARN or ERROR when: lines of the diagnostics and of the log, those that differ only in numbers as one."""
+import re
+
+LEVELS = {0: 'OK', 1: 'WARN', 2: 'ERROR', 3: 'STALE'}
+LOG_LEVELS = {4: 'WARN', 8: 'ERROR', 16: 'FATAL'}
+SILENCE = 5.0  # [s] without a message of a status after which it no longer counts
+
+
+class Finding:
+    """One kind of line, and the spans (begin, end) during which it was there [s]."""
+
+    def __init__(self, who, level, text):
+        self.who, self.level, self.text = who, level, text
+        self.spans, self.count = [], 0
+
+    def note(self, time, gap):
+        self.count += 1
+        if self.spans and 0.0 <= time - self.spans[-1][1] <= gap:
+            self.spans[-1] = (self.spans[-1][0], time)
+        else:
+            self.spans.append((time, time))
+
+
+def without_numbers(text):
+    return re.sub(r'[-+]?\d+(\.\d+)?', '#', text)
+
+
+class Warnings:
+    """Collects findings from diagnostics and the log."""
+
+    def __init__(self):
+        self.diagnostics, self.log = {}, {}
+        self.loops = []  # (time [s], loops closed until then)
+
+    def take_diagnostics(self, time, array):
+        for status in array.status:
+            if status.level in (1, 2, 3):
+                self._note(self.diagnostics, status.name, LEVELS[status.level], status.message, time, SILENCE)
+            self._count_loops(time, status)
+
+    def take_log(self, time, line):
+        if line.level in LOG_LEVELS:
+            self._note(self.log, line.name, LOG_LEVELS[line.level], line.msg, time, 0.0)
+
+    @staticmethod
+    def _note(findings, who, level, text, time, gap):
+        key = who, level, without_numbers(text)
+        findings.setdefault(key, Finding(who, level, text)).note(time, gap)
+
+    def _count_loops(self, time, status):
+        for value in status.values:
+            if value.key == 'loops closed' and value.value.isdigit():
+                count = int(value.value)
+                if count > (self.loops[-1][1] if self.loops else 0):
+                    self.loops.append((time, count))
+
+    @staticmethod
+    def sorted(findings):
+        """The worst ones first, then by time."""
+        order = {'FATAL': 0, 'ERROR': 1, 'STALE': 2, 'WARN': 3}
+        return sorted(findings.values(), key=lambda finding: (order[finding.level], finding.spans[0]))

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""The folder of recorded runs, and the load of processes."""
+import datetime
+import os
+import subprocess
+import unittest
+
+from folder_case import FolderCase
+from run_recording import bag_writer, runs
+from run_recording.node_load import LoadMeter, used_by
+
+
+class Runs(FolderCase):
+    def test_a_run_is_named_by_its_date_and_two_of_the_same_second_are_kept_apart(self):
+        now = datetime.datetime(2030, 2, 3, 4, 5, 6)
+        names = [os.path.basename(runs.begin(self.folder, now)) for _ in range(2)]
+        self.assertEqual(names, ['2030-02-03_04-05-06', '2030-02-03_04-05-06_1'])
+
+    def test_only_the_newest_runs_are_kept_and_nothing_else_is_removed(self):
+        """[REC-1]"""
+        for day in range(1, 6):
+            self.touch('2030-01-0%d_00-00-00' % day, 'run_0.bag')
+        precious = self.touch('precious', 'run_0.bag')
+        os.symlink(self.path('precious'), self.path('2029-01-01_00-00-00'))
+        removed = runs.keep_newest(self.folder, 2)
+        self.assertEqual([os.path.basename(path)[:10] for path in removed], ['2030-01-01', '2030-01-02', '2030-01-03'])
+        self.assertTrue(os.path.exists(precious))
+        self.assertEqual(len(runs.all_runs(self.folder)), 2)
+
+    def test_a_run_that_is_still_being_recorded_is_not_removed(self):
+        """[REC-1]"""
+        open_part = self.touch('2030-01-01_00-00-00', 'run_0.bag.active')
+        self.touch('2030-01-02_00-00-00', 'run_0.bag')
+        with open(open_part):
+            self.assertEqual(runs.keep_newest(self.folder, 1), [])
+        self.assertEqual(len(runs.keep_newest(self.folder, 1)), 1)
+
+    def test_parts_come_in_the_order_in_which_they_were_written(self):
+        for name in ('run_10.bag.active', 'run_9.bag', 'run_2.bag', 'report.html'):
+            self.touch('run', name)
+        self.assertEqual([os.path.basename(part) for part in runs.parts_of(self.path('run'))],
+                         ['run_2.bag', 'run_9.bag', 'run_10.bag.active'])
+
+    def test_all_parts_together_are_no_larger_than_a_run_may_be(self):
+        """[REC-1]"""
+        for limit in (10, 400, 5000):
+            self.assertLessEqual(bag_writer.part_size(limit) * (bag_writer.PARTS + 1), limit)
+
+
+class Load(unittest.TestCase):
+    def test_cpu_time_is_measured_between_two_looks(self):
+        times, uses = iter((10.0, 12.0)), iter(((5.0, 100), (6.0, 200)))
+        meter = LoadMeter(clock=lambda: next(times), used=lambda pid: next(uses))
+        self.assertEqual(meter.measure({'/mapper': 7}), [])
+        self.assertEqual(meter.measure({'/mapper': 7}), [('/mapper', 7, 0.5, 200)])
+
+    def test_a_process_that_has_ended_or_whose_number_is_used_again_has_no_load(self):
+        times = iter((10.0, 12.0, 14.0))
+        uses = iter(((5.0, 100), (0.1, 100), None))
+        meter = LoadMeter(clock=lambda: next(times), used=lambda pid: next(uses))
+        self.assertEqual([meter.measure({'/mapper': 7}) for _ in range(3)], [[], [], []])
+
+    def test_what_a_process_uses_is_read_from_the_system(self):
+        seconds, memory = used_by(os.getpid())
+        self.assertGreater(seconds, 0.0)
+        self.assertGreater(memory, 1000000)
+        with subprocess.Popen(['true']) as process:
+            process.wait()
+        self.assertIsNone(used_by(process.pid))
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""What a report finds in a run."""
+import unittest
+
+from folder_case import FolderCase
+import synthetic_bag
+from run_report import goals, parameters, summary, time_plots
+from run_report.bag_files import BagFiles
+from run_report.intervals import States, merged, total
+from run_report.run import Run
+from run_report.warnings import Warnings
+
+
+def since(run, spans):
+    """The spans in whole seconds since the start."""
+    return [(round(span[0] - run.begin), round(span[1] - run.begin)) for span in spans]
+
+
+class Intervals(unittest.TestCase):
+    def test_a_state_lasts_until_the_next_one_and_the_last_one_until_the_end(self):
+        states = States()
+        for time, value in ((1.0, 'a'), (2.0, 'a'), (3.0, ''), (5.0, 'b')):
+            states.add(time, value)
+        self.assertEqual(states.those(9.0), [(1.0, 3.0, 'a'), (5.0, 9.0, 'b')])
+
+    def test_spans_that_touch_are_one(self):
+        self.assertEqual(merged([(4.0, 5.0, 'x'), (1.0, 2.0), (2.0, 3.0)]), [(1.0, 3.0), (4.0, 5.0)])
+        self.assertEqual(total([(0.0, 2.0), (1.0, 3.0)]), 3.0)
+
+
+class Reading(FolderCase):
+    def read(self, **options):
+        path = self.path('run_0.bag')
+        synthetic_bag.write(path, **options)
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        return run
+
+    def setUp(self):
+        super().setUp()
+        self.run_read = self.read()
+
+    def test_the_track_is_in_the_frame_of_the_map(self):
+        run = self.run_read
+        self.assertAlmostEqual(run.track.length, 5.9, delta=0.1)
+        self.assertEqual([round(number, 1) for number in run.track.at(run.begin + 30.5)], [3.0, 1.0])
+
+    def test_changes_are_part_of_the_map(self):
+        cells = self.run_read.map.cells
+        self.assertEqual((cells[3, 2], cells[3, 3], cells[3, 4]), (0, 100, -1))
+        self.assertEqual(self.run_read.map.free_area(), 0.25)
+
+    def test_each_goal_has_its_outcome_and_its_place(self):
+        outcomes = [goal.outcome for goal in self.run_read.goals.all]
+        self.assertEqual(outcomes, [goals.REACHED, goals.SEEN, goals.FAILED, goals.SEEN])
+        self.assertEqual([goal.place[0] for goal in self.run_read.goals.all], [5.0, 15.0, 25.0, 36.0])
+        self.assertEqual(summary.goal_counts(self.run_read), (4, 1, 1, 2))
+
+    def test_stops_contacts_recoveries_and_warnings_have_their_times(self):
+        run = self.run_read
+        self.assertEqual(since(run, run.stop.those(run.end)), [(20, 24)])
+        self.assertEqual(since(run, run.contact.those(run.end)), [(40, 41)])
+        self.assertEqual(since(run, run.recoveries()), [(30, 33)])
+        finding, = run.warnings.diagnostics.values()
+        self.assertEqual((finding.level, since(run, finding.spans)), ('WARN', [(10, 19)]))
+        self.assertEqual([round(time - run.begin) for time, _ in run.warnings.loops], [45])
+        self.assertEqual(since(run, dict(time_plots.driver_rows(run))['nav']), [(0, 20), (24, 60)])
+
+    def test_the_summary_says_all_of_it_in_words(self):
+        words = ' '.join(summary.sentences(self.run_read))
+        for part in ('burger', '“small”', '1 min 0 s', '(20 s of real time)', '29.5 m²', '4 goals it reached 1,', 'ended by itself',
+                     'everything within reach', '1 emergency stop, 1 contact and 1 recovery'):
+            self.assertIn(part, words)
+
+    def test_topics_of_a_robot_in_a_namespace_are_found(self):
+        run = self.read(namespace='/robot1')
+        self.assertEqual((len(run.goals.all), run.track.length > 5.0), (4, True))
+
+    def test_a_run_that_was_cut_off_says_so(self):
+        run = self.read(seconds=30, with_end=False)
+        self.assertIn('was not finished', summary.end_words(run))
+
+
+class Lines(unittest.TestCase):
+    def test_lines_that_differ_in_numbers_are_one_finding(self):
+        warnings = Warnings()
+        for time, text in ((0.0, '3 scans late'), (1.0, '4 scans late'), (60.0, '5 scans late')):
+            warnings._note(warnings.diagnostics, 'mapper', 'WARN', text, time, 5.0)
+        finding, = warnings.diagnostics.values()
+        self.assertEqual((finding.text, finding.spans), ('3 scans late', [(0.0, 1.0), (60.0, 60.0)]))
+
+
+class Parameters(FolderCase):
+    TABLES = {'navigator': {'goal_tolerance': parameters.Described('double', '0.2', 'm', 'how near'),
+                            'use_goal_yaw': parameters.Described('bool', 'false', '', '')},
+              'mapper': {'map_file': parameters.Described('string', '', '', '')},
+              'The robot': {'robot/limits/max_linear': parameters.Described('double', '0.22', 'm/s', 'speed')}}
+
+    def differing(self, start, end=None):
+        return [(setting.nodes, setting.name, setting.value, setting.default, setting.changed_to)
+                for setting in parameters.differing(start, end or start, self.TABLES)]
+
+    def test_only_what_differs_from_its_default_is_left(self):
+        start = {'navigator': {'goal_tolerance': 0.2, 'use_goal_yaw': True}, 'mapper': {'map_file': ''}, 'rviz': {'x': 1}}
+        self.assertEqual(self.differing(start), [(['navigator'], 'use_goal_yaw', True, 'false', None)])
+
+    def test_what_many_nodes_share_stands_once(self):
+        limits = {'robot': {'limits': {'max_linear': 0.5}}}
+        self.assertEqual(self.differing({'mapper': limits, 'navigator': limits}),
+                         [(['mapper', 'navigator'], 'robot/limits/max_linear', 0.5, '0.22', None)])
+
+    def test_limits_that_override_the_robots_have_the_defaults_of_those(self):
+        self.assertEqual(self.differing({'mapper': {'limits': {'max_linear': 0.22}}}), [])
+
+    def test_a_value_that_changed_during_the_run_is_there_even_if_it_began_as_the_default(self):
+        self.assertEqual(self.differing({'navigator': {'goal_tolerance': 0.2}}, {'navigator': {'goal_tolerance': 0.4}}),
+                         [(['navigator'], 'goal_tolerance', 0.2, '0.2', 0.4)])
+
+    def test_each_item_of_a_list_has_its_own_default(self):
+        table = {'sources[i]/name': parameters.Described('string', 'avoid, nav', '', ''),
+                 'sources[i]/timeout': parameters.Described('double', '1', 's', '')}
+        start = {'cmd_vel_arbiter': {'sources': [{'name': 'avoid'}, {'name': 'nav', 'timeout': 2.0}]}}
+        found = parameters.differing(start, start, {'cmd_vel_arbiter': table})
+        self.assertEqual([(setting.name, setting.value, setting.default) for setting in found], [('sources[1]/timeout', 2.0, '1')])
+
+    def test_the_tables_of_the_documentation_are_understood(self):
+        import pathlib
+        path = pathlib.Path(__file__).resolve().parents[3] / 'docs/parameters.md'
+        tables = parameters.read_tables(str(path))
+        self.assertEqual(tables['The robot']['robot/limits/max_linear'].unit, 'm/s')
+        self.assertTrue(parameters.same([0.037, 0.089, -0.101, 0.089, -0.101, -0.089, 0.037, -0.089],
+                                        tables['The robot']['robot/outline'].default))
+        for section in ('simulator', 'mapper', 'navigator', 'frontier_explorer', 'cmd_vel_arbiter'):
+            self.assertGreater(len(tables[section]), 5, section)
+
+
+if __name__ == '__main__':
+    unittest.main()
