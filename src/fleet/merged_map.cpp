@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fleet/clear_space.h"
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/grids/growing_grid.h"
 
@@ -64,18 +65,6 @@ OccupancyGrid moved(const OccupancyGrid& map, const GridGeometry& geometry) {
   }
   return result;
 }
-
-bool isClear(const OccupancyGrid& grid, Cell around, int radius) {
-  for (int y = around.y - radius; y <= around.y + radius; ++y) {
-    for (int x = around.x - radius; x <= around.x + radius; ++x) {
-      if (!isFree(grid.get({x, y}, kUnknown))) return false;
-    }
-  }
-  return true;
-}
-
-/// MergedMap::kClearance in cells.
-int clearance(double resolution) { return static_cast<int>(std::ceil(MergedMap::kClearance / resolution - 1e-6)); }
 
 }  // namespace
 
@@ -177,7 +166,7 @@ void MergedMap::makeSamplers() {
 
 CellRect MergedMap::footprint(const Source& source, const CellRect& cells) const {
   if (cells.empty()) return {};
-  const CellRect affected = cells.grown(clearance(source.geometry.resolution));
+  const CellRect affected = cells.grown(clearanceCells(source.geometry.resolution));
   return boxAround(map_.geometry(), source.geometry, source.T_target_source, affected);
 }
 
@@ -217,7 +206,7 @@ std::int8_t MergedMap::combined(Cell cell) const {
 
 bool MergedMap::provedFree(Cell cell) const {
   return std::any_of(samplers_.begin(), samplers_.end(), [cell](const Sampler& source) {
-    return isClear(*source.grid, source.at(cell.x + 0.5, cell.y + 0.5), clearance(source.grid->resolution()));
+    return isClearAround(*source.grid, source.at(cell.x + 0.5, cell.y + 0.5));
   });
 }
 
