@@ -46,7 +46,7 @@ PROGRAMS = {'tools': {'ros', 'nodes'}, 'robot_check': {'ros', 'nodes'}, 'teleop'
 SEES_ROS = {'ros', 'nodes', 'rviz'}
 MAY_PRINT = SEES_ROS | {'tools'}
 # Modules that other packages use and this one does not need to.
-FOR_OTHERS = {'fleet', 'system'}
+FOR_OTHERS = {'system'}
 # Whose headers these are, and the folders that may include them.
 FOREIGN = (
     ('ROS', re.compile(r'^(ros|ros[a-z]+|tf2?|tf2_\w+|actionlib|diagnostic_updater|pluginlib|rviz|xmlrpcpp|message_filters|'
