@@ -21,6 +21,7 @@ import yaml
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 from robot_starts import StartsError, draw_starts  # noqa: E402
+from robots_rviz import write_configuration  # noqa: E402
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 OF_THE_WORLD = ('world', 'known_starts', 'robot', 'limits', 'speed', 'seed', 'odom_noise')
@@ -55,7 +56,7 @@ def write_list(folder, name, robots):
 
 
 def launches(arguments, folder):
-    """The launch files that are to run, each with its arguments; lists of the robots are written into `folder`."""
+    """The launch files that are to run, each with its arguments; the files that they read are written into `folder`."""
     robots = robots_of(arguments)
     kinds = {robot.pop('robot', arguments['robot']) for robot in robots}
     if len(kinds) > 1:
@@ -72,6 +73,10 @@ def launches(arguments, folder):
     for robot in robots:
         own = ['name:=' + robot['name'], trust] + [words[name] for name in OF_A_ROBOT]
         files.append((ROOT + '/launch/robot.launch', own))
+    if arguments['rviz'].lower() == 'true':
+        shown = os.path.join(folder, 'robots.rviz')
+        write_configuration(ROOT + '/rviz/robots.rviz', shown, [robot['name'] for robot in robots])
+        files.append((ROOT + '/launch/robots_rviz.launch', ['configuration:=' + shown]))
     return files
 
 
@@ -102,7 +107,7 @@ def main():
         except (StartsError, roslaunch.core.RLException) as error:
             print('robots_launcher: %s' % error, file=sys.stderr)
             return 1
-    parent.spin()
+        parent.spin()  # rviz reads its file from the folder after it has started
     return 0
 
 

@@ -223,6 +223,16 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual({(robot['x'], robot['y'], robot['yaw']) for robot in config.params['/map_merger/robots'].value},
                          {(0.0, 0.0, 0.0)})
 
+    def test_rviz_shows_every_robot_of_the_list_in_a_colour_of_its_own(self):
+        config = self.config(ROOT + '/launch/robots.launch', robots='5', rviz='true')
+        rviz, = (node for node in config.nodes if node.type == 'rviz')
+        with open(rviz.args.split()[1]) as file:
+            displays = yaml.safe_load(file)['Visualization Manager']['Displays']
+        groups = [display for display in displays if display['Class'] == 'rviz/Group']
+        self.assertEqual([group['Name'] for group in groups], ['robot%d' % i for i in range(1, 6)])
+        self.assertEqual(len({group['Displays'][0]['Color'] for group in groups}), 5)
+        self.assertIn('/map', [display.get('Topic') for display in displays])
+
     def test_robots_that_cannot_be_started_are_named(self):
         for robots, why in (('0', 'from 1 to'), ('30', 'from 1 to'), ('/no/robots.yaml', '/no/robots.yaml')):
             with self.assertRaisesRegex(robots_launcher.StartsError, why):

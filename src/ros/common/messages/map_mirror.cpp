@@ -70,7 +70,7 @@ void MapMirror::subscribe(NodeConnections& connections, const std::string& frame
 
 std::string MapMirror::missing(const InputWatch::Topics& topics) const {
   const std::string topic = ros::names::resolve(topic_);
-  if (!published()) return robot_check::sayMissingTopic(topics, topic, "nav_msgs/OccupancyGrid", names::kMap);
+  if (!published()) return robot_check::sayMissingTopic(topics, topic, "nav_msgs/OccupancyGrid", topic_);
   return ready() ? "" : topic + " is published, but no map has arrived yet";
 }
 
