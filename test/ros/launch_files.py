@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What the launch files give to the nodes: all the same robot. [ROB-1]"""
 import glob
+import math
 import os
 import shutil
 import sys
@@ -232,6 +233,16 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual([group['Name'] for group in groups], ['robot%d' % i for i in range(1, 6)])
         self.assertEqual(len({group['Displays'][0]['Color'] for group in groups}), 5)
         self.assertIn('/map', [display.get('Topic') for display in displays])
+
+    def test_drawn_starts_are_apart_and_the_same_for_a_seed(self):
+        for world in ('office', 'cave'):
+            path = ROOT + '/config/worlds/%s.yaml' % world
+            starts = robots_launcher.draw_starts(path, 6, 4)
+            self.assertEqual(starts, robots_launcher.draw_starts(path, 6, 4))
+            self.assertNotEqual(starts, robots_launcher.draw_starts(path, 6, 5))
+            gaps = [math.dist((a['x'], a['y']), (b['x'], b['y'])) for a in starts for b in starts if a is not b]
+            self.assertGreaterEqual(min(gaps), 0.8)
+            self.assertLess(max(gaps), 4.0)
 
     def test_robots_that_cannot_be_started_are_named(self):
         for robots, why in (('0', 'from 1 to'), ('30', 'from 1 to'), ('/no/robots.yaml', '/no/robots.yaml')):
