@@ -1,7 +1,6 @@
 #include "frontier_pilot/fleet/merged_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -141,14 +140,10 @@ void MergedMap::rearrange(Sources sources, std::size_t index) {
   const bool resized = geometry != map_.geometry();
   if (resized) map_ = same_cells ? moved(map_, geometry) : OccupancyGrid(geometry, kUnknown);
   makeSamplers();
-  if (same_cells) {
-    for (const Sources* state : {&std::as_const(sources), &std::as_const(sources_)}) {
-      const auto source = state->find(index);
-      if (source != state->end()) redraw(footprint(source->second, source->second.geometry.rect()));
-    }
-  } else {
-    redraw(geometry.rect());
-  }
+  const CellRect before = shareOf(sources, index);
+  const CellRect now = same_cells ? shareOf(sources_, index) : geometry.rect();
+  redraw(now);
+  if (!(before.intersection(now) == before)) redraw(before);
   if (resized) changed_ = geometry.rect();
 }
 
@@ -168,6 +163,12 @@ CellRect MergedMap::footprint(const Source& source, const CellRect& cells) const
   if (cells.empty()) return {};
   const CellRect affected = cells.grown(clearanceCells(source.geometry.resolution));
   return boxAround(map_.geometry(), source.geometry, source.T_target_source, affected);
+}
+
+CellRect MergedMap::shareOf(const Sources& sources, std::size_t index) const {
+  const auto source = sources.find(index);
+  if (source == sources.end()) return {};
+  return footprint(source->second, source->second.geometry.rect()).intersection(map_.geometry().rect());
 }
 
 CellRect MergedMap::takeChanged() { return std::exchange(changed_, CellRect{}); }

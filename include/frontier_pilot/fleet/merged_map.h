@@ -90,6 +90,8 @@ class MergedMap {
   void makeSamplers();
   /// The cells of the map that the cells `cells` of a source can affect.
   CellRect footprint(const Source& source, const CellRect& cells) const;
+  /// The same for all cells of source `index` of `sources`, as far as they lie in the map; empty without it.
+  CellRect shareOf(const Sources& sources, std::size_t index) const;
   void redraw(const CellRect& cells);
   /// The value of a cell by all sources.
   std::int8_t combined(Cell cell) const;
