@@ -10,6 +10,7 @@ bool avoid();
 bool behavior();
 bool core();
 bool exploration();
+bool fleet();
 bool grids();
 bool localization();
 bool logs();

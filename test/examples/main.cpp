@@ -29,6 +29,7 @@ int main() {
       {"behavior", examples::behavior},
       {"core", examples::core},
       {"exploration", examples::exploration},
+      {"fleet", examples::fleet},
       {"grids", examples::grids},
       {"localization", examples::localization},
       {"logs", examples::logs},

@@ -10,7 +10,7 @@ import rostest
 
 from wire import Node, find_node, wait_for
 
-NODES = ('cmd_vel_arbiter', 'obstacle_avoider', 'patrol_server', 'behavior_server', 'mapper', 'navigator',
+NODES = ('cmd_vel_arbiter', 'obstacle_avoider', 'patrol_server', 'behavior_server', 'mapper', 'map_merger', 'navigator',
          'frontier_explorer', 'teleop_gui')
 
 

@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 """What the launch files give to the nodes: all the same robot. [ROB-1]"""
 import glob
+import math
 import os
+import shutil
+import sys
+import tempfile
 import unittest
 
 import rospkg
@@ -10,8 +14,11 @@ import rostest
 import yaml
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
+sys.path.insert(0, ROOT + '/scripts')
+import robots_launcher  # noqa: E402
+
 FILES = sorted(glob.glob(ROOT + '/launch/*.launch'))
-NEEDS_NOTHING = {'rviz', 'bag_player.py', 'run_recorder'}  # all the others know the robot
+NEEDS_NOTHING = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'robots_launcher.py'}  # all the others know the robot
 OWN_ROBOT = {'turtlebot2.launch', 'turtlebot3.launch'}  # their default need not be a Burger
 TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch', 'gui_turtlebot_system.launch',
                'real_robot.launch', 'check_robot.launch'}
@@ -21,7 +28,7 @@ NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
 NEEDS_ODOM_FRAME = {'mapper', 'behavior_server'}
 PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server'}
 LDS_01 = {'scanner/time_increment': 0.000556, 'scanner/reversed': True}
-OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
+OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'robots_launcher.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
 
 
 def flat(values, prefix=''):
@@ -44,7 +51,17 @@ class LaunchFilesTest(unittest.TestCase):
         if os.path.basename(file) == 'play.launch':
             arguments['bag'] = 'drive.bag'
         words = ['%s:=%s' % item for item in arguments.items()]
-        return roslaunch.config.load_config_default([(file, words)], None, verbose=False, assign_machines=False)
+        files = [(file, words)]
+        if os.path.basename(file) == 'robots.launch':
+            files += self.launched_by(roslaunch.config.load_config_default(files, None, verbose=False, assign_machines=False))
+        return roslaunch.config.load_config_default(files, None, verbose=False, assign_machines=False)
+
+    def launched_by(self, config):
+        """What robots_launcher.py starts."""
+        launcher, = (node for node in config.nodes if node.type == 'robots_launcher.py')
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        return robots_launcher.launches(robots_launcher.arguments_in(launcher.args.split()), folder)
 
     def remaps(self, name, **arguments):
         return {node.name: dict(node.remap_args) for node in self.config(ROOT + '/launch/' + name, **arguments).nodes}
@@ -186,6 +203,51 @@ class LaunchFilesTest(unittest.TestCase):
                                    ('maps/floor', os.environ['PWD'] + '/maps/floor')):
                 self.expect_map(path, (expected, True), map_file=word, localize_only='true')
             self.expect_map(path, ('', False))
+
+    def test_any_number_of_robots_each_with_a_view_of_the_others_maps(self):
+        """[MUL-1]"""
+        for robots, names in (('3', ['robot1', 'robot2', 'robot3']), (ROOT + '/config/robots.yaml', ['robot1', 'robot2'])):
+            config = self.config(ROOT + '/launch/robots.launch', robots=robots)
+            remaps = {node.namespace + node.name: dict(node.remap_args) for node in config.nodes}
+            for node in ('simulator', 'map_merger'):
+                listed = config.params['/%s/robots' % node].value
+                self.assertEqual([robot['name'] for robot in listed], names)
+            for name in names:
+                for node in ('navigator', 'frontier_explorer'):
+                    given = remaps['/%s/%s' % (name, node)]
+                    self.assertEqual((given['map'], given['map_updates']), ('merged_map', 'merged_map_updates'), name)
+                self.assertNotIn('map', remaps['/%s/mapper' % name])
+
+    def test_maps_that_begin_with_one_saved_map_are_in_one_frame(self):
+        """[MUL-1]"""
+        config = self.config(ROOT + '/launch/robots.launch', map_file='/maps/floor')
+        self.assertEqual({(robot['x'], robot['y'], robot['yaw']) for robot in config.params['/map_merger/robots'].value},
+                         {(0.0, 0.0, 0.0)})
+
+    def test_rviz_shows_every_robot_of_the_list_in_a_colour_of_its_own(self):
+        config = self.config(ROOT + '/launch/robots.launch', robots='5', rviz='true')
+        rviz, = (node for node in config.nodes if node.type == 'rviz')
+        with open(rviz.args.split()[1]) as file:
+            displays = yaml.safe_load(file)['Visualization Manager']['Displays']
+        groups = [display for display in displays if display['Class'] == 'rviz/Group']
+        self.assertEqual([group['Name'] for group in groups], ['robot%d' % i for i in range(1, 6)])
+        self.assertEqual(len({group['Displays'][0]['Color'] for group in groups}), 5)
+        self.assertIn('/map', [display.get('Topic') for display in displays])
+
+    def test_drawn_starts_are_apart_and_the_same_for_a_seed(self):
+        for world in ('office', 'cave'):
+            path = ROOT + '/config/worlds/%s.yaml' % world
+            starts = robots_launcher.draw_starts(path, 6, 4)
+            self.assertEqual(starts, robots_launcher.draw_starts(path, 6, 4))
+            self.assertNotEqual(starts, robots_launcher.draw_starts(path, 6, 5))
+            gaps = [math.dist((a['x'], a['y']), (b['x'], b['y'])) for a in starts for b in starts if a is not b]
+            self.assertGreaterEqual(min(gaps), 0.8)
+            self.assertLess(max(gaps), 4.0)
+
+    def test_robots_that_cannot_be_started_are_named(self):
+        for robots, why in (('0', 'from 1 to'), ('30', 'from 1 to'), ('/no/robots.yaml', '/no/robots.yaml')):
+            with self.assertRaisesRegex(robots_launcher.StartsError, why):
+                self.config(ROOT + '/launch/robots.launch', robots=robots)
 
     def expect_map(self, file, expected, **arguments):
         mappers = [given for type_name, given in self.load(file, **arguments).values() if type_name == 'mapper']

@@ -10,7 +10,7 @@ import rospkg
 import rospy
 import rostest
 
-NODES = ('simulator', 'cmd_vel_arbiter', 'obstacle_avoider', 'mapper', 'navigator', 'frontier_explorer', 'patrol_server',
+NODES = ('simulator', 'cmd_vel_arbiter', 'obstacle_avoider', 'mapper', 'map_merger', 'navigator', 'frontier_explorer', 'patrol_server',
          'behavior_server')
 WORLDS = os.path.join(rospkg.RosPack().get_path('frontier_pilot'), 'config/worlds')
 

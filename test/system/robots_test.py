@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Two whole robots in one world: each has its own scan, map, frames and arbiter, and is an obstacle to the other."""
+"""Two whole robots in one world: each has its own scan, map, frames and arbiter, and is an obstacle to the other. Their maps are
+put together."""
 import math
 import unittest
 
@@ -15,7 +16,7 @@ from system_watch import wait_until
 
 RADIUS = 0.105  # [m]
 TOPICS = {'scan': LaserScan, 'odom': Odometry, 'base_pose_ground_truth': Odometry, 'map': OccupancyGrid,
-          'cmd_vel_arbiter/status': ArbiterStatus}
+          'merged_map': OccupancyGrid, 'cmd_vel_arbiter/status': ArbiterStatus}
 
 
 class Robot:
@@ -25,11 +26,23 @@ class Robot:
         self.name = name
         self.latest = {}
         for topic, kind in TOPICS.items():
-            rospy.Subscriber(name + '/' + topic, kind, self.keep, topic, buff_size=1 << 22)
+            rospy.Subscriber('/' + name + '/' + topic if name else '/' + topic, kind, self.keep, topic, buff_size=1 << 22)
         self.manual = rospy.Publisher(name + '/cmd_vel_manual', Twist, queue_size=1)
 
     def keep(self, message, topic):
         self.latest[topic] = message
+
+    def known(self, topic, place):
+        """Points that a map of this robot knows, in the frame in which that map begins at `place` (x, y, yaw)."""
+        grid = self.latest[topic]
+        corner, width, step = grid.info.origin.position, grid.info.width, grid.info.resolution
+        points = set()
+        for i, value in enumerate(grid.data):
+            if value >= 0:
+                x, y = corner.x + (i % width + 0.5) * step, corner.y + (i // width + 0.5) * step
+                points.add((place[0] + math.cos(place[2]) * x - math.sin(place[2]) * y,
+                            place[1] + math.sin(place[2]) * x + math.cos(place[2]) * y))
+        return points
 
     def silent(self):
         return set(TOPICS) - set(self.latest)
@@ -94,6 +107,24 @@ class SeveralRobots(unittest.TestCase):
         turned = (self.two.yaw() - before + math.pi) % (2.0 * math.pi) - math.pi
         self.assertAlmostEqual(turned, 1.0, delta=0.1)
         self.assertAlmostEqual(self.one.yaw(), standing, places=6)
+
+    def test_d_the_common_map_and_each_robots_view_show_what_both_know(self):
+        """[MUL-1]"""
+        whole = Robot('')
+        self.assertTrue(wait_until(lambda: 'map' in whole.latest, 30))
+        places = {self.one: (0.0, 0.0, 0.0), self.two: (1.0, 0.0, math.pi)}
+        shows = {'/map': lambda: whole.known('map', places[self.one]),
+                 'view of robot1': lambda: self.one.known('merged_map', places[self.one]),
+                 'view of robot2': lambda: self.two.known('merged_map', places[self.two])}
+
+        def cells(points):
+            return {(math.floor(x / 0.1), math.floor(y / 0.1)) for x, y in points}
+        for name, show in shows.items():
+            for robot, place in places.items():
+                def covered():
+                    own = cells(robot.known('map', place))
+                    return len(own & cells(show())) >= 0.98 * len(own)
+                self.assertTrue(wait_until(covered, 30), (name, robot.name))
 
 
 if __name__ == '__main__':

@@ -6,6 +6,11 @@
 /// namespace; /clock and TF are shared.
 namespace frontier_pilot::names {
 
+/// The name of a topic or frame of the robot `robot`, for a node that serves several; without a robot its own.
+inline std::string ofRobot(const std::string& robot, const std::string& name) {
+  return robot.empty() ? name : robot + "/" + name;
+}
+
 // Velocities (geometry_msgs/Twist)
 constexpr const char* kCmdVel = "cmd_vel";
 constexpr const char* kCmdVelAvoid = "cmd_vel_avoid";
@@ -51,6 +56,9 @@ constexpr const char* kSetObstacleAvoidEnabled = "set_obstacle_avoid_enabled";
 constexpr const char* kMap = "map";
 constexpr const char* kMapUpdates = "map_updates";
 constexpr const char* kMapMetadata = "map_metadata";
+constexpr const char* kMergedMap = "merged_map";
+constexpr const char* kMergedMapUpdates = "merged_map_updates";
+constexpr const char* kMergedMapMetadata = "merged_map_metadata";
 constexpr const char* kDynamicMap = "dynamic_map";
 constexpr const char* kSaveMap = "mapper/save_map";
 constexpr const char* kLoadMap = "mapper/load_map";

@@ -21,11 +21,16 @@ namespace frontier_pilot {
 
 struct SimulatorNodeParameters : sim::SimulatorParameters {
   double state_rate = 50.0;  ///< of odometry, ground truth and the transform of odometry [Hz]
+  bool common_map = false;   ///< whether the robots' maps lie in a common one, see describe
 
   template <class Visitor>
   void describe(Visitor& v) {
     sim::SimulatorParameters::describe(v);
     v.fixed({"state_rate"});
+    v.field(
+        "common_map", common_map, "",
+        "several robots: whether `map_merger` places the robots' maps in the frame `map`, which then begins where the "
+        "first robot does; otherwise each map frame is placed in the world");
   }
 
   void check(Problems& problems) const {

@@ -21,7 +21,7 @@ SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, NodeConnections& con
       index_(index),
       base_frame_(frame(model.base_frame)),
       scan_time_(1.0 / model.scanner.rate),
-      command_topic_((simulator.name(index).empty() ? "" : simulator.name(index) + "/") + names::kCmdVel),
+      command_topic_(names::ofRobot(simulator.name(index), names::kCmdVel)),
       rejections_(command_topic_) {
   ros::NodeHandle robot(node, simulator.name(index));
   odometry_ = robot.advertise<nav_msgs::Odometry>(names::kOdom, 50);
@@ -33,13 +33,11 @@ SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, NodeConnections& con
 }
 
 std::string SimulatorRobot::frame(const std::string& name) const {
-  const std::string& robot = simulator_.name(index_);
-  return robot.empty() ? name : robot + "/" + name;
+  return names::ofRobot(simulator_.name(index_), name);
 }
 
 // If the robot's base frame is `base_link` itself, there is no separate frame on the floor.
 void SimulatorRobot::publishStaticFrames(const RobotModel& model) {
-  tf_.broadcastStatic(names::kWorldFrame, frame(names::kMapFrame), simulator_.startPose(index_));
   const std::string base_link = frame(names::kBaseLinkFrame);
   if (base_frame_ != base_link) tf_.broadcastStatic(base_frame_, base_link, {}, kBaseLinkHeight);
   tf_.broadcastStatic(base_link, frame(names::kBaseScanFrame), model.scanner.T_base_sensor(), kScannerHeight);

@@ -11,6 +11,7 @@
 #include "ros/check_robot/check_robot_adapter.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
+#include "ros/map_merger/map_merger_adapter.h"
 #include "ros/mapper/mapper_adapter.h"
 #include "ros/navigator/navigator_adapter.h"
 #include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
@@ -39,6 +40,7 @@ std::vector<Row> rowsOfAllNodes() {
   appendRows<PatrolServerParameters>("patrol_server", rows);
   appendRows<BehaviorServerParameters>("behavior_server", rows);
   appendRows<MapperNodeParameters>("mapper", rows);
+  appendRows<MapMergerNodeParameters>("map_merger", rows);
   appendRows<NavigatorNodeParameters>("navigator", rows);
   appendRows<ExplorerNodeParameters>("frontier_explorer", rows);
   appendRows<teleop::TeleopParameters>("teleop_gui", rows);

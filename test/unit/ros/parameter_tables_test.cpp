@@ -17,6 +17,7 @@
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/common/help/usages.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
+#include "ros/map_merger/map_merger_adapter.h"
 #include "ros/mapper/mapper_adapter.h"
 #include "ros/navigator/navigator_adapter.h"
 #include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
@@ -68,9 +69,8 @@ struct Frames {
 
 std::string frameTable() {
   return "\n## Frames\n\n"
-         "`map_frame` of mapper, navigator, frontier_explorer and check_robot, `odom_frame` of mapper and "
-         "behavior_server, "
-         "`base_frame`\nof the first three, behavior_server and obstacle_avoider.\n\n" +
+         "`map_frame` of mapper, navigator, frontier_explorer, check_robot and map_merger, `odom_frame` of mapper and "
+         "behavior_server,\n`base_frame` of the first three, behavior_server and obstacle_avoider.\n\n" +
          tabulateRows(describeParameters(Frames()));
 }
 
@@ -98,8 +98,8 @@ std::string allTables() {
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
          robotTable() + frameTable() + table(simulatorUsage()) + table(cmdVelArbiterUsage()) +
          table(obstacleAvoiderUsage()) + table(patrolServerUsage()) + table(behaviorServerUsage()) +
-         table(mapperUsage()) + table(navigatorUsage()) + table(frontierExplorerUsage()) + table(teleopGuiUsage()) +
-         table(checkRobotUsage());
+         table(mapperUsage()) + table(mapMergerUsage()) + table(navigatorUsage()) + table(frontierExplorerUsage()) +
+         table(teleopGuiUsage()) + table(checkRobotUsage());
 }
 
 TEST(ParameterTables, TheDocumentedOnesAreThoseOfTheStructs) {
@@ -159,6 +159,7 @@ TEST(ShippedConfigurations, AreAllAcceptedByTheNodesTheyAreFor) {
   expectGood<PatrolServerParameters>("patrol.yaml");
   expectGood<BehaviorServerParameters>("behavior.yaml");
   expectGood<MapperNodeParameters>("mapper.yaml");
+  expectGood<MapMergerNodeParameters>("robots.yaml");
   expectGood<NavigatorNodeParameters>("navigator.yaml");
   expectGood<ExplorerNodeParameters>("explorer.yaml");
   expectGood<teleop::TeleopParameters>("teleop.yaml");

@@ -12,6 +12,7 @@ NodeUsage patrolServerUsage();
 NodeUsage patrolClientUsage();
 NodeUsage behaviorServerUsage();
 NodeUsage mapperUsage();
+NodeUsage mapMergerUsage();
 NodeUsage navigatorUsage();
 NodeUsage frontierExplorerUsage();
 NodeUsage teleopGuiUsage();

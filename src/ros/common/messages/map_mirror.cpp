@@ -57,19 +57,20 @@ std::optional<Time> RecentUpdates::applyTo(OccupancyGrid& map) const {
   return last;
 }
 
-void MapMirror::subscribe(NodeConnections& connections, const std::string& frame) {
+void MapMirror::subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot) {
   frame_ = frame;
+  topic_ = names::ofRobot(robot, names::kMap);
   map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
-      names::kMap, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
-  connections.subscribeToEvents<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 100, [this](const auto& event) {
-    handleUpdate(*event.getConstMessage(), event.getPublisherName());
-  });
+      topic_, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
+  connections.subscribeToEvents<map_msgs::OccupancyGridUpdate>(
+      names::ofRobot(robot, names::kMapUpdates), 100,
+      [this](const auto& event) { handleUpdate(*event.getConstMessage(), event.getPublisherName()); });
   connections.inputs().need([this](const InputWatch::Topics& topics) { return missing(topics); });
 }
 
 std::string MapMirror::missing(const InputWatch::Topics& topics) const {
-  const std::string topic = ros::names::resolve(names::kMap);
-  if (!published()) return robot_check::sayMissingTopic(topics, topic, "nav_msgs/OccupancyGrid", names::kMap);
+  const std::string topic = ros::names::resolve(topic_);
+  if (!published()) return robot_check::sayMissingTopic(topics, topic, "nav_msgs/OccupancyGrid", topic_);
   return ready() ? "" : topic + " is published, but no map has arrived yet";
 }
 

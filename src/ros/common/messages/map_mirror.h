@@ -52,8 +52,9 @@ class RecentUpdates {
 /// over) replaces a larger one, with a warning in the log.
 class MapMirror {
  public:
-  /// Begins to listen. Maps in another frame than `frame` are refused.
-  void subscribe(NodeConnections& connections, const std::string& frame);
+  /// Begins to listen to the topics in the namespace `robot`, by default the node's own. Maps in another frame than
+  /// `frame` are refused.
+  void subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot = {});
 
   /// `publisher` is the name of the node that sent the message.
   void handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher = {});
@@ -87,6 +88,7 @@ class MapMirror {
   void remember(Time stamp, const GridUpdate& update);
   void replace(OccupancyGrid map);
 
+  std::string topic_;
   std::string frame_;
   OccupancyGrid map_;
   CellRect changed_;

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/time.h"
+#include "frontier_pilot/fleet/agreement.h"
+#include "frontier_pilot/fleet/merged_map.h"
+#include "frontier_pilot/fleet/parameters.h"
+
+namespace frontier_pilot::fleet {
+
+/// Whether a robot's map is part of the common one.
+enum class MergeState {
+  kNoMap,         ///< none has come yet
+  kPlaceUnknown,  ///< it is not known where the robot started
+  kMerged,
+  kContradicted,     ///< its walls lie in the free space of others: its place is wrong, or its map
+  kOtherResolution,  ///< see SourceResult
+  kTooLarge,         ///< see SourceResult
+};
+const char* toString(MergeState state);
+
+/// What is known of a robot's map.
+struct MergeStatus {
+  MergeState state = MergeState::kNoMap;
+  Time since{};         ///< when the state began
+  Agreement agreement;  ///< with the merged maps of the robots before it in the list, at the last check
+};
+
+/// Several robots' maps as one: the common map, in the frame of the first robot, and a view for each robot in its own
+/// frame. A view is the robot's own map, exactly, and where that is unknown what the others know. So a robot whose
+/// place is not known works on with its own map, and its plans never depend on the transforms between the robots,
+/// which may change. [MUL-1]
+///
+/// A merge is held against what both have seen as long as it lasts: once a second one robot is compared with the
+/// merged ones before it in the list, and left out while they contradict each other. [MUL-1]
+class MapMerger {
+ public:
+  explicit MapMerger(const MapMergerParameters& parameters);
+
+  std::size_t size() const { return robots_.size(); }
+  /// The cells `changed` of the map of robot `robot` are new. `map` is not copied and has to outlive this object.
+  void setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now);
+  /// Where robot `robot` started, in the frame of the first one; or that this is not known any more. The first robot's
+  /// place is fixed.
+  void setPlace(std::size_t robot, const std::optional<Pose2>& T_map_robot, Time now);
+  /// Checks a merge, if it is time to. To be called regularly.
+  void update(Time now);
+
+  MergedMap& common() { return common_; }
+  MergedMap& view(std::size_t robot) { return robots_[robot].view; }
+  /// The place of the robot's map in the common one; nothing unless it is merged.
+  std::optional<Pose2> place(std::size_t robot) const;
+  const MergeStatus& status(std::size_t robot) const { return robots_[robot].status; }
+
+ private:
+  struct Robot {
+    const OccupancyGrid* map = nullptr;
+    std::optional<Pose2> T_map_robot;
+    bool contradicted = false;
+    MergedMap view{FirstSource::kPrevails};
+    MergeStatus status;
+  };
+
+  bool isMerged(std::size_t robot) const { return robots_[robot].status.state == MergeState::kMerged; }
+  /// Takes the map of `robot` into the common map and into the views of the merged robots, or out of them.
+  void share(std::size_t robot, const CellRect& changed, Time now);
+  void withdraw(std::size_t robot);
+  /// The map of `other` in the view of `robot`; both are merged.
+  void show(std::size_t other, std::size_t robot, const CellRect& changed);
+  void enter(std::size_t robot, MergeState state, Time now);
+  void judge(std::size_t robot, Time now);
+
+  MapMergerParameters parameters_;
+  std::deque<Robot> robots_;
+  MergedMap common_{FirstSource::kIsEqual};
+  std::optional<Time> last_check_;
+  std::size_t next_check_ = 0;
+};
+
+}  // namespace frontier_pilot::fleet

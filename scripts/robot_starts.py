@@ -1,0 +1,105 @@
+"""Free places for several robots near each other in a world."""
+import collections
+import math
+import os
+import random
+
+import yaml
+
+CLEARANCE = 0.35  # around a start [m]
+APART = 0.8  # between two starts [m]
+MOST_ROBOTS = 20
+
+
+class StartsError(Exception):
+    """There are no robots, or no places for them."""
+
+
+def read_pgm(path):
+    """Width, height and shades (0 ... 1) of a binary PGM, from the upper left."""
+    with open(path, 'rb') as file:
+        data = file.read()
+    fields, at = [], 0
+    while len(fields) < 4:
+        end = data.index(b'\n', at)
+        fields += data[at:end].split(b'#')[0].split()
+        at = end + 1
+    if fields[0] != b'P5' or int(fields[3]) > 255:
+        raise ValueError('not a binary PGM of one byte a pixel')
+    width, height, most = (int(field) for field in fields[1:4])
+    return width, height, [shade / most for shade in data[at:at + width * height]]
+
+
+class World:
+    """A map_server YAML and its picture."""
+
+    def __init__(self, path):
+        with open(path) as file:
+            meta = yaml.safe_load(file)
+        self.width, self.height, shades = read_pgm(os.path.join(os.path.dirname(path), meta['image']))
+        self.resolution = float(meta['resolution'])
+        self.origin = meta['origin']
+        self.start = meta.get('start')
+        darkest = 1.0 - float(meta['free_thresh'])
+        negate = bool(meta.get('negate'))
+        self.is_free = [(1.0 - shade if negate else shade) > darkest for shade in shades]
+        reach = math.ceil(CLEARANCE / self.resolution)
+        self.disc = [(x, y) for x in range(-reach, reach + 1) for y in range(-reach, reach + 1)
+                     if math.hypot(x, y) <= reach]
+
+    def free(self, x, y):
+        inside = 0 <= x < self.width and 0 <= y < self.height
+        return inside and self.is_free[(self.height - 1 - y) * self.width + x]
+
+    def has_room(self, cell):
+        return all(self.free(cell[0] + x, cell[1] + y) for x, y in self.disc)
+
+    def cell(self, point):
+        return tuple(int((point[i] - self.origin[i]) / self.resolution) for i in (0, 1))
+
+    def centre(self, cell):
+        return tuple(round(self.origin[i] + (cell[i] + 0.5) * self.resolution, 3) for i in (0, 1))
+
+
+def first_cell(world, generator):
+    """Where the world says that a robot starts, or a free place that is drawn."""
+    if world.start and world.has_room(world.cell(world.start)):
+        return world.cell(world.start)
+    for _ in range(10000):
+        cell = generator.randrange(world.width), generator.randrange(world.height)
+        if world.has_room(cell):
+            return cell
+    raise StartsError('no free place was found in the world')
+
+
+def near_cells(world, start):
+    """The cells with room around them that a robot gets to from `start`, the nearest first."""
+    queue, seen = collections.deque([start]), {start}
+    while queue:
+        x, y = queue.popleft()
+        yield x, y
+        for cell in ((x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)):
+            if cell not in seen and world.has_room(cell):
+                seen.add(cell)
+                queue.append(cell)
+
+
+def draw_starts(path, count, seed):
+    """`count` robots (robot1, robot2, ...) with starts in the world of the map_server YAML `path`: near each other, apart from
+    walls, and with a way from one to the next. The same seed gives the same."""
+    if not 1 <= count <= MOST_ROBOTS:
+        raise StartsError('robots:=%d: from 1 to %d can be drawn' % (count, MOST_ROBOTS))
+    generator = random.Random(seed)
+    try:
+        world = World(path)
+    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+        raise StartsError('starts can only be drawn in a world with a PGM, otherwise name a file: %s' % error)
+    starts = []
+    for cell in near_cells(world, first_cell(world, generator)):
+        point = world.centre(cell)
+        if all(math.dist(point, (start['x'], start['y'])) >= APART for start in starts):
+            starts.append({'name': 'robot%d' % (len(starts) + 1), 'x': point[0], 'y': point[1],
+                           'yaw': round(generator.uniform(-math.pi, math.pi), 3)})
+        if len(starts) == count:
+            return starts
+    raise StartsError('robots:=%d: the world has room for %d that can reach each other' % (count, len(starts)))

@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Starts the robots of robots.launch: the simulator and map_merger, and robot.launch for each robot.
+
+A launch file cannot repeat a part of itself for each entry of a list. This program is started by robots.launch, runs the other
+launch files as roslaunch does, and ends them when it is ended or when roslaunch itself has died.
+
+Arguments: those of robots.launch, NAME:=VALUE.
+Exit code: 0 when it was ended or the simulator has ended, 1 when it could not start: the reason is printed.
+"""
+import ctypes
+import os
+import signal
+import sys
+import tempfile
+
+import rosgraph
+import roslaunch
+import roslaunch.core
+import rospkg
+import yaml
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
+from robot_starts import StartsError, draw_starts  # noqa: E402
+from robots_rviz import write_configuration  # noqa: E402
+
+ROOT = rospkg.RosPack().get_path('frontier_pilot')
+OF_THE_WORLD = ('world', 'known_starts', 'robot', 'limits', 'speed', 'seed', 'odom_noise')
+OF_A_ROBOT = ('explore', 'robot', 'limits', 'map_file', 'localize_only')
+PATIENCE = (8.0, 2.0)  # for a node to end on SIGINT, and on SIGTERM [s]: together less than roslaunch gives to this program
+
+
+def absolute(path):
+    """A relative path starts where roslaunch was called."""
+    return os.path.join(os.environ.get('PWD', '.'), path)
+
+
+def robots_of(arguments):
+    """The list of the robots with their starts: of the file, or that many at free places."""
+    robots = arguments['robots']
+    if robots.isdigit():
+        return draw_starts(absolute(arguments['world']), int(robots), int(arguments['seed']))
+    try:
+        with open(absolute(robots)) as file:
+            listed = yaml.safe_load(file)['robots']
+        return [{'name': str(entry['name']), 'x': float(entry['x']), 'y': float(entry['y']), 'yaw': float(entry.get('yaw', 0.0)),
+                 'robot': str(entry.get('robot', arguments['robot']))} for entry in listed]
+    except (OSError, yaml.YAMLError, KeyError, TypeError, ValueError) as error:
+        raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (robots, error))
+
+
+def write_list(folder, name, robots):
+    path = os.path.join(folder, name)
+    with open(path, 'w') as file:
+        yaml.safe_dump({'robots': robots}, file)
+    return path
+
+
+def launches(arguments, folder):
+    """The launch files that are to run, each with its arguments; the files that they read are written into `folder`."""
+    robots = robots_of(arguments)
+    kinds = {robot.pop('robot', arguments['robot']) for robot in robots}
+    if len(kinds) > 1:
+        raise StartsError('the simulator has robots of one kind, not of %s' % ', '.join(sorted(kinds)))
+    arguments = dict(arguments, robot=kinds.pop())
+    # Maps that begin with one saved map are all in that map's frame.
+    in_one_frame = arguments['map_file'] not in ('', 'none')
+    places = [dict(robot, x=0.0, y=0.0, yaw=0.0) for robot in robots] if in_one_frame else robots
+    words = {name: '%s:=%s' % (name, arguments[name]) for name in set(OF_THE_WORLD + OF_A_ROBOT)}
+    world = [words[name] for name in OF_THE_WORLD] + ['starts:=' + write_list(folder, 'starts.yaml', robots),
+                                                      'places:=' + write_list(folder, 'places.yaml', places)]
+    trust = 'trust_odometry:=%s' % ('false' if arguments['odom_noise'].lower() == 'true' else 'true')
+    files = [(ROOT + '/launch/robots_world.launch', world)]
+    for robot in robots:
+        own = ['name:=' + robot['name'], trust] + [words[name] for name in OF_A_ROBOT]
+        files.append((ROOT + '/launch/robot.launch', own))
+    if arguments['rviz'].lower() == 'true':
+        shown = os.path.join(folder, 'robots.rviz')
+        write_configuration(ROOT + '/rviz/robots.rviz', shown, [robot['name'] for robot in robots])
+        files.append((ROOT + '/launch/robots_rviz.launch', ['configuration:=' + shown]))
+    return files
+
+
+def arguments_in(words):
+    """NAME:=VALUE as a dictionary, without those that roslaunch adds."""
+    pairs = (word.split(':=', 1) for word in words if ':=' in word)
+    return {name: value for name, value in pairs if not name.startswith('__')}
+
+
+def end_with_the_parent():
+    """The kernel sends SIGTERM when roslaunch, the parent of this process, dies without a word."""
+    set_parent_death_signal = 1
+    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGTERM)
+
+
+def main():
+    if '--help' in sys.argv[1:]:
+        print(__doc__)
+        return 0
+    end_with_the_parent()
+    run_id = rosgraph.Master('/robots_launcher').getParam('/run_id')
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            files = launches(arguments_in(sys.argv[1:]), folder)
+            parent = roslaunch.parent.ROSLaunchParent(run_id, files, is_core=False, show_summary=False,
+                                                      sigint_timeout=PATIENCE[0], sigterm_timeout=PATIENCE[1])
+            parent.start()
+        except (StartsError, roslaunch.core.RLException) as error:
+            print('robots_launcher: %s' % error, file=sys.stderr)
+            return 1
+        parent.spin()  # rviz reads its file from the folder after it has started
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,133 @@
+#include "frontier_pilot/fleet/map_merger.h"
+
+namespace frontier_pilot::fleet {
+namespace {
+
+MergeState stateAfter(SourceResult result) {
+  switch (result) {
+    case SourceResult::kTaken:
+      return MergeState::kMerged;
+    case SourceResult::kOtherResolution:
+      return MergeState::kOtherResolution;
+    case SourceResult::kTooLarge:
+      break;
+  }
+  return MergeState::kTooLarge;
+}
+
+/// The index of the map of `other` in the view of `robot`, whose own map has index 0.
+std::size_t sourceIndex(std::size_t other, std::size_t robot) { return other < robot ? other + 1 : other; }
+
+CellRect wholeOf(const OccupancyGrid& map) { return map.geometry().rect(); }
+
+}  // namespace
+
+const char* toString(MergeState state) {
+  switch (state) {
+    case MergeState::kNoMap:
+      return "no map yet";
+    case MergeState::kPlaceUnknown:
+      return "its place is not known";
+    case MergeState::kMerged:
+      return "merged";
+    case MergeState::kContradicted:
+      return "left out: its walls contradict the free space of others";
+    case MergeState::kOtherResolution:
+      return "left out: its cells have another size";
+    case MergeState::kTooLarge:
+      break;
+  }
+  return "left out: the map would become too large";
+}
+
+MapMerger::MapMerger(const MapMergerParameters& parameters)
+    : parameters_(parameters), robots_(parameters.robots.size()) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (i == 0) {
+      robots_[i].T_map_robot = Pose2();
+    } else if (parameters.known_starts) {
+      robots_[i].T_map_robot = parameters.robots[0].start().inverse() * parameters.robots[i].start();
+    }
+  }
+}
+
+void MapMerger::setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now) {
+  robots_[robot].map = &map;
+  robots_[robot].view.setSource(0, map, changed, {});
+  share(robot, changed, now);
+}
+
+void MapMerger::setPlace(std::size_t robot, const std::optional<Pose2>& T_map_robot, Time now) {
+  if (robot == 0) return;
+  robots_[robot].T_map_robot = T_map_robot;
+  robots_[robot].contradicted = false;
+  if (robots_[robot].map != nullptr) share(robot, {}, now);
+}
+
+void MapMerger::share(std::size_t robot, const CellRect& changed, Time now) {
+  const Robot& own = robots_[robot];
+  if (!own.T_map_robot || own.contradicted) {
+    withdraw(robot);
+    return enter(robot, own.contradicted ? MergeState::kContradicted : MergeState::kPlaceUnknown, now);
+  }
+  const bool was_merged = isMerged(robot);
+  const SourceResult result = common_.setSource(robot, *own.map, changed, *own.T_map_robot);
+  if (result != SourceResult::kTaken) withdraw(robot);
+  enter(robot, stateAfter(result), now);
+  if (!isMerged(robot)) return;
+  for (std::size_t other = 0; other < robots_.size(); ++other) {
+    if (other == robot || !isMerged(other)) continue;
+    show(robot, other, changed);
+    if (!was_merged || changed.empty()) show(other, robot, {});
+  }
+}
+
+void MapMerger::withdraw(std::size_t robot) {
+  common_.removeSource(robot);
+  for (std::size_t other = 0; other < robots_.size(); ++other) {
+    if (other == robot) continue;
+    robots_[other].view.removeSource(sourceIndex(robot, other));
+    robots_[robot].view.removeSource(sourceIndex(other, robot));
+  }
+}
+
+void MapMerger::show(std::size_t other, std::size_t robot, const CellRect& changed) {
+  const Pose2 T_robot_other = robots_[robot].T_map_robot->inverse() * *robots_[other].T_map_robot;
+  robots_[robot].view.setSource(sourceIndex(other, robot), *robots_[other].map, changed, T_robot_other);
+}
+
+void MapMerger::enter(std::size_t robot, MergeState state, Time now) {
+  MergeStatus& status = robots_[robot].status;
+  if (status.state != state) status.since = now;
+  status.state = state;
+}
+
+void MapMerger::update(Time now) {
+  const bool waiting = last_check_ && now >= *last_check_ && now - *last_check_ < fromSeconds(parameters_.check_period);
+  if (waiting || robots_.size() < 2) return;
+  last_check_ = now;
+  next_check_ = next_check_ % (robots_.size() - 1) + 1;
+  judge(next_check_, now);
+}
+
+void MapMerger::judge(std::size_t robot, Time now) {
+  Robot& own = robots_[robot];
+  if (!isMerged(robot) && !own.contradicted) return;
+  Agreement agreement;
+  for (std::size_t other = 0; other < robot; ++other) {
+    if (!isMerged(other)) continue;
+    agreement += compare(*robots_[other].map, *own.map, robots_[other].T_map_robot->inverse() * *own.T_map_robot);
+  }
+  own.status.agreement = agreement;
+  const double limit = own.contradicted ? 0.5 * parameters_.max_contradicted : parameters_.max_contradicted;
+  const bool contradicted = agreement.contradictedShare() > limit;
+  if (contradicted == own.contradicted) return;
+  own.contradicted = contradicted;
+  share(robot, wholeOf(*own.map), now);
+}
+
+std::optional<Pose2> MapMerger::place(std::size_t robot) const {
+  return isMerged(robot) ? robots_[robot].T_map_robot : std::nullopt;
+}
+
+}  // namespace frontier_pilot::fleet

@@ -1,0 +1,7 @@
+#include "ros/common/help/usages.h"
+#include "ros/common/node_main.h"
+#include "ros/map_merger/map_merger_adapter.h"
+
+int main(int argc, char** argv) {
+  return frontier_pilot::runNode<frontier_pilot::MapMergerAdapter>(argc, argv, frontier_pilot::mapMergerUsage());
+}

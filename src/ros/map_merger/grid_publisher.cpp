@@ -1,0 +1,35 @@
+#include "ros/map_merger/grid_publisher.h"
+
+#include <map_msgs/OccupancyGridUpdate.h>
+#include <nav_msgs/MapMetaData.h>
+#include <nav_msgs/OccupancyGrid.h>
+
+#include <utility>
+
+#include "ros/common/messages/conversions.h"
+
+namespace frontier_pilot {
+
+GridPublisher::GridPublisher(ros::NodeHandle& node, const MapTopics& topics, std::string frame,
+                             const mapping::MapScheduleParameters& schedule)
+    : frame_(std::move(frame)), schedule_(schedule) {
+  const ros::SubscriberStatusCallback note = [this](const ros::SingleSubscriberPublisher&) {
+    schedule_.noteNewcomer();
+  };
+  map_ = node.advertise<nav_msgs::OccupancyGrid>(topics.map, 1, note, {}, {}, true);
+  updates_ = node.advertise<map_msgs::OccupancyGridUpdate>(topics.updates, 10);
+  metadata_ = node.advertise<nav_msgs::MapMetaData>(topics.metadata, 1, true);
+}
+
+void GridPublisher::publish(const OccupancyGrid& map, const CellRect& changed, Time now) {
+  if (map.empty()) return;
+  const bool grown = map.geometry() != geometry_;
+  geometry_ = map.geometry();
+  if (schedule_.note({grown, changed}, now)) updates_.publish(toGridUpdateMsg(map, changed, frame_, now));
+  if (!schedule_.isDue(map.size(), now)) return;
+  const nav_msgs::OccupancyGrid whole = toOccupancyGridMsg(map, frame_, now);
+  map_.publish(whole);
+  if (schedule_.sent(now)) metadata_.publish(whole.info);
+}
+
+}  // namespace frontier_pilot
