@@ -89,8 +89,8 @@ void ClosedLoop::shareMap(std::size_t source, const CellRect& changed) {
 /// The frame in common is the map frame of the first robot.
 void ClosedLoop::shareClaims() {
   std::vector<fleet::ClaimsMessage> messages;
-  for (std::size_t robot = 0; robot < stacks_.size(); ++robot) {
-    if (stacks_[robot]->powered()) messages.push_back(stacks_[robot]->claims());
+  for (const auto& stack : stacks_) {
+    if (stack->powered()) messages.push_back(stack->claims());
   }
   for (const fleet::ClaimsMessage& message : messages) {
     for (const auto& stack : stacks_) stack->hear(message);
