@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,108 +16,19 @@
 #include "support/closed_loop/exploration_meter.h"
 #include "support/cpu_time.h"
 #include "support/driving_meter.h"
+#include "support/explore_options.h"
 #include "support/explore_report.h"
 #include "support/explore_usage.h"
-#include "support/named_limits.h"
-#include "support/named_robot.h"
 #include "support/omniscient_tour.h"
 #include "support/progress_track.h"
 #include "support/svg.h"
-#include "tools/arguments.h"
 #include "tools/program.h"
 
 namespace frontier_pilot::bench {
 namespace {
 
-struct Options {
-  std::vector<std::string> worlds;
-  std::vector<int> seeds = {1, 2, 3, 4, 5};
-  std::string robot, limits;  ///< empty: the default robot, and the limits of the robot
-  std::string strategy = "tour";
-  std::optional<Pose2> start;
-  double until = 2.0, limit = 7200.0, latency = 0.0;
-  bool at_once = false, skewed = false, odom_noise = false, curve = false, log = false, twice = false,
-       omniscient = false, driving = false, decisions = false;
-  std::string svg;
-};
-
-Pose2 poseOf(tools::Arguments& arguments) {
-  const double x = arguments.number();
-  const double y = arguments.number();
-  return {x, y, arguments.number()};
-}
-
-void takeWord(const std::string& word, tools::Arguments& arguments, Options& o) {
-  if (word == "--seeds") return void(o.seeds = arguments.range());
-  if (word == "--robot") return void(o.robot = arguments.text());
-  if (word == "--limits") return void(o.limits = arguments.text());
-  if (word == "--strategy") return void(o.strategy = arguments.text());
-  if (word == "--start") return void(o.start = poseOf(arguments));
-  if (word == "--until") return void(o.until = arguments.number());
-  if (word == "--limit") return void(o.limit = arguments.number());
-  if (word == "--latency") return void(o.latency = arguments.number());
-  if (word == "--at-once") return void(o.at_once = true);
-  if (word == "--skewed") return void(o.skewed = true);
-  if (word == "--odom-noise") return void(o.odom_noise = true);
-  if (word == "--curve") return void(o.curve = true);
-  if (word == "--driving") return void(o.driving = true);
-  if (word == "--decisions") return void(o.decisions = true);
-  if (word == "--log") return void(o.log = true);
-  if (word == "--twice") return void(o.twice = true);
-  if (word == "--omniscient") return void(o.omniscient = true);
-  if (word == "--svg") return void(o.svg = arguments.text());
-  if (tools::Arguments::isOption(word)) throw std::invalid_argument("unknown option " + word);
-  o.worlds.push_back(word);
-}
-
-Options parse(const std::vector<std::string>& words) {
-  tools::Arguments arguments(words);
-  Options options;
-  while (!arguments.atEnd()) {
-    const std::string word = arguments.next();
-    takeWord(word, arguments, options);
-  }
-  if (options.latency < 0.0) throw std::invalid_argument("--latency must not be negative");
-  if (options.worlds.empty()) throw std::invalid_argument("no world given");
-  return options;
-}
-
-RobotModel robotOf(const Options& options) {
-  RobotModel robot = robotNamed(options.robot);
-  if (!options.limits.empty()) robot.limits = limitsNamed(options.limits);
-  if (options.at_once) robot.scanner.rolling = false;
-  if (options.skewed) robot.scanner.time_increment = 0.0;
-  return robot;
-}
-
-/// The clearance on either side of the robot with which floor still counts as reachable [m].
-constexpr double kRoomBeside = 0.045;
-
-system::ClosedLoopParameters parametersFor(const Options& options, const std::string& world, int seed) {
-  system::ClosedLoopParameters parameters;
-  parameters.setRobot(robotOf(options));
-  parameters.simulator.world = world;
-  parameters.simulator.seed = seed;
-  parameters.simulator.odom_noise = options.odom_noise;
-  parameters.mapper.trust_odometry = !options.odom_noise;
-  // What is seen from the start anchors the map: the mapper observes it for a while before the robot leaves.
-  constexpr double kLook = 2.0;  // [s]
-  if (options.odom_noise) parameters.head_start = kLook;
-  parameters.explorer.strategy = options.strategy;
-  parameters.latency = options.latency;
-  if (options.start) {
-    parameters.simulator.x = options.start->x;
-    parameters.simulator.y = options.start->y;
-    parameters.simulator.yaw = options.start->yaw;
-  }
-  return parameters;
-}
-
-/// The radius of the disc that reaches the floor which counts [m].
-double floorRadius(const RobotModel& robot) { return robot.drivenOutline().halfWidth() + kRoomBeside; }
-
 /// The length of a tour that sees the floor of `world` and knows it beforehand [m].
-double omniscientLength(const Options& options, const std::string& world) {
+double omniscientLength(const ExploreOptions& options, const std::string& world) {
   const sim::Simulator simulator(sim::loadWorld(world), parametersFor(options, world, 1).simulator);
   const RobotModel robot = robotOf(options);
   TourTask task;
@@ -130,12 +40,14 @@ double omniscientLength(const Options& options, const std::string& world) {
 /// One exploration from start to end.
 class Run {
  public:
-  Run(const Options& options, const std::string& world, int seed)
+  Run(const ExploreOptions& options, const std::string& world, int seed)
       : options_(options),
         loop_(sim::loadWorld(world), parametersFor(options, world, seed), threadSeconds),
         meter_(loop_.simulator().map(), loop_.simulator().startPose(0), floorRadius(robotOf(options))),
         driving_(robotOf(options), loop_.simulator().map()),
-        svg_(options.svg.empty() ? "" : svgPath(options.svg, world, seed)) {
+        svg_(options.svg.empty() ? "" : svgPath(options.svg, world, seed)),
+        tracks_(loop_.robotCount()),
+        contacts_(loop_.robotCount(), 0) {
     report_.world = std::filesystem::path(world).stem().string();
     report_.seed = seed;
     report_.area = meter_.area();
@@ -168,28 +80,42 @@ class Run {
   }
 
   void follow() {
-    const Vec2 position = loop_.simulator().pose(0).position();
     if (options_.driving) {
       driving_.observe(loop_.simulator().pose(0), loop_.simulator().velocity(0), loop_.navigator(), loop_.navigation(),
                        toSeconds(sim::Simulator::kStep));
     }
-    if (last_) report_.distance += (position - *last_).norm();
-    last_ = position;
-    const int contacts = loop_.simulator().contactCount(0);
-    if (options_.log && contacts > report_.contacts) {
-      std::printf("    %.2f contact at (%.2f, %.2f)\n", toSeconds(loop_.now()), position.x(), position.y());
-    }
-    report_.contacts = contacts;
+    for (std::size_t robot = 0; robot < loop_.robotCount(); ++robot) followRobot(robot);
   }
+
+  void followRobot(std::size_t robot) {
+    const sim::Simulator& simulator = loop_.simulator();
+    const Vec2 position = simulator.pose(robot).position();
+    if (robot == last_.size()) last_.push_back(position);
+    report_.distance += (position - last_[robot]).norm();
+    last_[robot] = position;
+    const int more = simulator.contactCount(robot) - contacts_[robot];
+    if (options_.log && more > 0) {
+      std::printf("    %.2f contact%s at (%.2f, %.2f)\n", toSeconds(loop_.now()), nameOf(robot).c_str(), position.x(),
+                  position.y());
+    }
+    contacts_[robot] += more;
+    report_.contacts += more;
+  }
+
+  /// Empty for a robot that is alone.
+  std::string nameOf(std::size_t robot) { return loop_.robotCount() > 1 ? " " + loop_.simulator().name(robot) : ""; }
 
   void sample() {
     const double begin = threadSeconds();
     const double t = toSeconds(loop_.now());
-    report_.explored = meter_.explored(loop_.mapper().grid());
+    report_.explored = meter_.explored(loop_.view());
     report_.reach(report_.explored, t);
-    track_.points.push_back(loop_.simulator().startPose(0).inverse() * loop_.simulator().pose(0).position());
-    for (const std::string& line : loop_.takeLog()) {
-      if (options_.log) std::printf("    %s\n", line.c_str());
+    for (std::size_t robot = 0; robot < loop_.robotCount(); ++robot) {
+      tracks_[robot].points.push_back(loop_.simulator().startPose(0).inverse() *
+                                      loop_.simulator().pose(robot).position());
+      for (const std::string& line : loop_.takeLog(robot)) {
+        if (options_.log) std::printf("   %s %s\n", nameOf(robot).c_str(), line.c_str());
+      }
     }
     if (options_.log) logMapper();
     progress_.add(t, loop_.status());
@@ -223,33 +149,39 @@ class Run {
 
   void conclude(double cpu) {
     if (options_.curve) std::printf("%s\n", progress_.text().c_str());
-    if (options_.log) std::printf("    %s\n", loop_.explorer().explain().c_str());
+    for (std::size_t robot = 0; options_.log && robot < loop_.robotCount(); ++robot) {
+      std::printf("   %s %s\n", nameOf(robot).c_str(), loop_.explorer(robot).explain().c_str());
+    }
     report_.simulated = toSeconds(loop_.now());
     report_.cpu = cpu;
     report_.times = loop_.times();
-    report_.wrong = meter_.wrong(loop_.mapper().grid());
-    report_.decisions = static_cast<int>(loop_.status().goals_sent);
+    report_.wrong = meter_.wrong(loop_.view());
     report_.hash = loop_.hash();
-    const bool complete = loop_.done() && loop_.status().reason == exploration::ExplorerReason::kNoReachableFrontier;
+    bool complete = loop_.done();
+    for (std::size_t robot = 0; robot < loop_.robotCount(); ++robot) {
+      report_.decisions += static_cast<int>(loop_.status(robot).goals_sent);
+      complete = complete && loop_.status(robot).reason == exploration::ExplorerReason::kNoReachableFrontier;
+    }
     report_.ended_well = complete || report_.explored >= options_.until;
     report_.end = loop_.done() ? toString(loop_.status().reason) : "not done";
-    if (!svg_.empty()) std::ofstream(svg_) << drawSvg(loop_.mapper().grid(), {track_}, report_.text());
+    if (!svg_.empty()) std::ofstream(svg_) << drawSvg(loop_.view(), tracks_, report_.text());
   }
 
-  const Options& options_;
+  const ExploreOptions& options_;
   system::ClosedLoop loop_;
   test::ExplorationMeter meter_;
   DrivingMeter driving_;
   std::string svg_;
   ExploreReport report_;
-  SvgTrack track_;
   ProgressTrack progress_;
-  std::optional<Vec2> last_;
+  std::vector<SvgTrack> tracks_;  ///< by robot, as are the next two
+  std::vector<int> contacts_;
+  std::vector<Vec2> last_;
   std::string last_remark_;
   double metering_ = 0.0;
 };
 
-int runAll(const Options& options) {
+int runAll(const ExploreOptions& options) {
   bool good = true;
   DrivingReport driving;
   std::printf("%s\n", ExploreReport::header(options.omniscient).c_str());
@@ -284,6 +216,7 @@ int runAll(const Options& options) {
 
 int main(int argc, char** argv) {
   namespace bench = frontier_pilot::bench;
-  return frontier_pilot::tools::runProgram("explore_bench", {argv + 1, argv + argc}, bench::kUsage,
-                                           [](const auto& words) { return bench::runAll(bench::parse(words)); });
+  return frontier_pilot::tools::runProgram(
+      "explore_bench", {argv + 1, argv + argc}, bench::kUsage,
+      [](const auto& words) { return bench::runAll(bench::parseExploreOptions(words)); });
 }

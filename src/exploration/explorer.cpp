@@ -63,6 +63,7 @@ const std::vector<Frontier>& Explorer::frontiersWithCells() {
 const GridGeometry& Explorer::geometry() const { return impl_->evaluator().map().geometry(); }
 const std::vector<BlacklistedPlace>& Explorer::blacklist() const { return impl_->history().blacklist(); }
 const std::vector<Vec2>& Explorer::tour() const { return impl_->tour(); }
+std::vector<Claim> Explorer::claims() const { return impl_->claims(); }
 std::string Explorer::explain() const { return impl_->explain(); }
 const std::optional<Pose2>& Explorer::goal() const { return impl_->goal(); }
 
@@ -88,6 +89,7 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
   trackMotion(inputs);
   battery_ = inputs.battery;
   countExploring(status_.distance_travelled - before, now);
+  if (!shared_.alone() || !inputs.others.empty()) shared_.setOthers(inputs.others);
   if (inputs.reset) reset(now);
   if (inputs.start) startAgain(now);
   if (ready(inputs, now)) {

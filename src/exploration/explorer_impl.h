@@ -14,6 +14,7 @@
 #include "exploration/history/goal_history.h"
 #include "exploration/inspection/inspection_list.h"
 #include "exploration/limits/stopping_rules.h"
+#include "exploration/team/shared_work.h"
 #include "frontier_pilot/exploration/explorer.h"
 
 namespace frontier_pilot::exploration {
@@ -21,7 +22,7 @@ namespace frontier_pilot::exploration {
 /// The explorer's state machine: inputs, events and transitions in explorer.cpp, the actions in each state in
 /// explorer_steps.cpp, the fall-backs for when no frontier can be selected in fall_backs.cpp, what bounds and ends an
 /// exploration in limits/explorer_limits.cpp, what is inspected meanwhile in inspection/inspections.cpp, and how far it
-/// has come in progress/explorer_progress.cpp.
+/// has come in progress/explorer_progress.cpp, and what it leaves to the robots of its team in team/team_steps.cpp.
 class Explorer::Impl {
  public:
   explicit Impl(const ExplorerParameters& parameters);
@@ -41,6 +42,7 @@ class Explorer::Impl {
   const std::optional<Pose2>& goal() const { return goal_pose_; }
   const std::vector<Vec2>& tour() const { return chosen_.tour; }
   std::string explain() const;
+  std::vector<Claim> claims() const;
 
  private:
   /// A goal sent to the navigation.
@@ -96,8 +98,8 @@ class Explorer::Impl {
   std::optional<ChosenGoal> judgeAndChoose(bool keep_present, Time now);
   std::size_t countRejected(Rejection rejection) const;
   bool informationGone();
-  FrontierEvaluator::Context context() const;
-  Situation situation(bool keep_present) const;
+  FrontierEvaluator::Context context();
+  Situation situation(bool keep_present);
 
   const FallBack* fallBack(FallBack::Scope scope, Time now);
   bool judgeTightWays(Time now);
@@ -137,6 +139,10 @@ class Explorer::Impl {
   void cancelGoal();
   void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
   void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }
+  bool leavesWorkToOthers() const;
+  void standAside(Time now);
+  void noteClaims();
+
   void countFrontiers();
   void estimateWhole();
   void setWholeExplored();
@@ -146,6 +152,9 @@ class Explorer::Impl {
   GoalHistory history_;
   std::unique_ptr<GoalStrategy> strategy_;
   StoppingRules rules_;
+  SharedWork shared_;
+  std::vector<Claim> claims_;  ///< at the last decision
+  Time claims_at_;             ///< when their costs held
   InspectionList inspections_;
   bool inspections_cleared_ = false;  ///< since the last tick
   TravelField onwards_;               ///< from the poses to inspect to the next goal

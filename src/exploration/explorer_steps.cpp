@@ -45,7 +45,9 @@ void Explorer::Impl::step(Time now) {
 void Explorer::Impl::selectGoal(Time now) {
   // While the explorer only waits for the map to change, an unchanged map need not be judged again.
   const bool waiting = nothing_left_since_ || status_.reason == ExplorerReason::kRobotOffKnownGround;
+  if (status_.reason == ExplorerReason::kLeftToOthers && !passed(last_decision_, parameters_.check_period, now)) return;
   const bool news = judged_changes_ != evaluator_.map().changes();
+  if (nothing_left_since_ && leavesWorkToOthers()) return standAside(now);
   if (waiting && !(news && passed(last_decision_, parameters_.check_period, now))) {
     if (nothing_left_since_ && passed(*nothing_left_since_, parameters_.done_settle_time, now)) finish(now);
     return;
@@ -61,7 +63,9 @@ void Explorer::Impl::selectGoal(Time now) {
     nothing_left_since_.reset();
     return;
   }
-  if (fallBack(FallBack::Scope::kWithoutGoal, now) == nullptr && !nothing_left_since_) nothing_left_since_ = now;
+  if (fallBack(FallBack::Scope::kWithoutGoal, now) != nullptr) return;
+  if (leavesWorkToOthers()) return standAside(now);
+  if (!nothing_left_since_) nothing_left_since_ = now;
 }
 
 void Explorer::Impl::finish(Time now) {
@@ -108,7 +112,11 @@ void Explorer::Impl::navigate(Time now) {
     return enter(ExplorerState::kSelectGoal, ExplorerReason::kInformationGone, "", now);
   }
   const double period = strategy_->decisionPeriods() * parameters_.decision_period;
-  if (passed(last_decision_, period, now)) decide(ExplorerReason::kBetterGoal, now);
+  if (!passed(last_decision_, period, now) || decide(ExplorerReason::kBetterGoal, now)) return;
+  if (countRejected(Rejection::kClaimed) > 0) {
+    cancelGoal();
+    standAside(now);
+  }
 }
 
 /// Whether most of the area expected at the goal has been seen from a distance on the way. [EXP-6]
@@ -157,7 +165,8 @@ void Explorer::Impl::stayDone(Time now) {
 /// Chooses a goal and sends it, unless it is the current one. Returns whether there is a goal now.
 bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   constexpr double kSameGoal = 0.3;  // [m]
-  if (reason == ExplorerReason::kBetterGoal && judged_changes_ == evaluator_.map().changes()) return true;
+  const bool same = judged_changes_ == evaluator_.map().changes() && shared_.alone();
+  if (reason == ExplorerReason::kBetterGoal && same) return true;
   const std::optional<ChosenGoal> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
   if (!chosen) return false;
   if (inspectOnTheWay(*chosen, now)) return true;
@@ -171,16 +180,24 @@ bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   return true;
 }
 
-FrontierEvaluator::Context Explorer::Impl::context() const {
+FrontierEvaluator::Context Explorer::Impl::context() {
   const bool rich = status_.phase == ExplorerPhase::kRich;
-  return {T_map_base_->position(), start_->position(), &history_, rich ? parameters_.rich_min_density : 0.0};
+  FrontierEvaluator::Context context;
+  context.robot = T_map_base_->position();
+  context.start = start_->position();
+  context.history = &history_;
+  if (rich) context.least_density = parameters_.rich_min_density;
+  if (!shared_.alone()) context.shared = &shared_;
+  context.speed = meanSpeed(parameters_.robot.limits);
+  return context;
 }
 
-Situation Explorer::Impl::situation(bool keep_present) const {
+Situation Explorer::Impl::situation(bool keep_present) {
   Situation situation;
   situation.T_map_robot = *T_map_base_;
   if (goal_) situation.current = goal_->position;
   situation.keep_current = keep_present;
+  if (!shared_.alone()) situation.shared = &shared_;
   if (parameters_.return_to_start) situation.home = start_->position();
   return situation;
 }
@@ -199,6 +216,7 @@ bool Explorer::Impl::anyRich() {
 std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
   history_.expire(evaluator_.map());
   judged_by_ = nullptr;
+  shared_.restart();
   if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
   const bool selects_by_density = parameters_.rich_min_density > 0.0;  // then COVERAGE is a fall-back
   const bool judged = evaluator_.allJudged() && evaluator_.robotHasGround();
@@ -213,6 +231,7 @@ std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time
     if (judged_by_ != nullptr) chosen = strategy_->choose(evaluator_, situation(keep_present));
   }
   chosen_ = chosen.value_or(ChosenGoal{});
+  noteClaims();
   if (chosen) estimateWhole();
   return chosen;
 }

@@ -46,8 +46,9 @@ constexpr std::array kReasonTexts = {
     "the battery is down to the limit",
     "inspecting a pose that was asked for",
     "nothing is to be inspected any more",
+    "what is left is another robot's",
 };
-static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kInspectionsCleared) + 1);
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kLeftToOthers) + 1);
 
 }  // namespace
 
@@ -71,6 +72,8 @@ const char* toString(Rejection rejection) {
       return "not rich";
     case Rejection::kFruitless:
       return "fruitless before";
+    case Rejection::kClaimed:
+      return "another robot's";
     case Rejection::kLeftOut:
       return "left out, too many others";
   }

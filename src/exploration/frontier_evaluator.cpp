@@ -153,6 +153,10 @@ void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster
     const Rejection view = judgeView(frontier, context);
     if (view != Rejection::kNone) frontier.rejection = view;
   }
+  if (!frontier.selectable() || context.shared == nullptr) return;
+  if (context.shared->leaves(frontier.anchor, frontier.distance / context.speed, map_)) {
+    frontier.rejection = Rejection::kClaimed;
+  }
 }
 
 /// If no suitable cell sees the anchor, for example in a corner, a few other cells of the cluster are tried as targets,

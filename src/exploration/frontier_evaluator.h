@@ -10,6 +10,7 @@
 #include "exploration/history/goal_history.h"
 #include "exploration/limits/way_inside.h"
 #include "exploration/observed_map.h"
+#include "exploration/team/shared_work.h"
 #include "exploration/travel/travel_field.h"
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/exploration/explorer_types.h"
@@ -36,7 +37,9 @@ class FrontierEvaluator {
     Vec2 robot = Vec2::Zero();  ///< in the map's frame [m]
     Vec2 start = Vec2::Zero();  ///< where the exploration began [m]
     const GoalHistory* history = nullptr;
-    double least_density = 0.0;  ///< least information density of a selectable frontier; 0: any
+    double least_density = 0.0;    ///< least information density of a selectable frontier; 0: any
+    SharedWork* shared = nullptr;  ///< what is left to other robots; null: the robot is alone
+    double speed = 1.0;            ///< mean speed on the way to a goal [m/s]
   };
   /// Finds every frontier of the map and its goal, or the reason why it has none. Paths to goals keep clear of unknown
   /// cells and leave room for a full turn: a gap whose sides have not been seen yet may prove too narrow once the robot
@@ -98,6 +101,7 @@ class FrontierEvaluator {
     frontiers_[frontier].place = place;
     frontiers_[frontier].cost = cost;
   }
+  void reject(std::size_t frontier, Rejection reason) { frontiers_[frontier].rejection = reason; }
   /// Rejects every frontier that could be selected.
   void rejectAll(Rejection reason) {
     for (Frontier& frontier : frontiers_) {

@@ -11,12 +11,19 @@
 
 namespace frontier_pilot::exploration {
 
+/// The mean speed of a robot on its way [m/s], for which costs in seconds are reckoned.
+inline double meanSpeed(const RobotLimits& limits) {
+  constexpr double kShareOfMaximum = 0.9;
+  return kShareOfMaximum * limits.max_linear;
+}
+
 /// What the order of the goals depends on besides the frontiers.
 struct Situation {
   Pose2 T_map_robot;
-  std::optional<Vec2> current;  ///< the goal being driven to
-  bool keep_current = false;    ///< the current goal competes too, even if it fails a filter by now
-  std::optional<Vec2> home;     ///< where the robot has to be at the end, if that matters
+  std::optional<Vec2> current;   ///< the goal being driven to
+  bool keep_current = false;     ///< the current goal competes too, even if it fails a filter by now
+  SharedWork* shared = nullptr;  ///< what is left to others; null: the robot is alone
+  std::optional<Vec2> home;      ///< where the robot has to be at the end, if that matters
 };
 
 /// The goal that a strategy has chosen.

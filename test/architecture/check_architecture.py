@@ -32,7 +32,7 @@ MAY_INCLUDE = {
     'planning': {'core', 'grids'},
     'navigation': {'core', 'grids', 'planning'},
     'exploration': {'core', 'grids'},
-    'fleet': {'core', 'grids'},
+    'fleet': {'core', 'grids', 'exploration'},
     'system': {'core', 'sim', 'arbiter', 'behavior', 'mapping', 'occupancy', 'navigation', 'exploration', 'fleet'},
     'robot_check': {'core'},
     'tools': {'core', 'logs', 'mapping', 'occupancy', 'slam', 'map_files'},

@@ -58,6 +58,9 @@ class Explorer {
   /// The goals that strategy `tour` planned at the last decision, in their order [m]; the first one is the present goal
   /// or the one that will replace it. Empty without a tour.
   const std::vector<Vec2>& tour() const;
+  /// What the robot is going to look at, by the last decision, with the time that is left until then; empty when it
+  /// does not explore. For the other robots of its team. [MUL-2]
+  std::vector<Claim> claims() const;
   /// In words: why this goal and not another, what comes next, and why other frontiers are left out.
   std::string explain() const;
   /// The last goal sent, until it is cancelled or its outcome has been evaluated; in the map frame.

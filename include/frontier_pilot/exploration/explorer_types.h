@@ -54,6 +54,7 @@ enum class ExplorerReason : std::uint8_t {
   kUntilBattery,
   kInspecting,
   kInspectionsCleared,
+  kLeftToOthers,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -69,6 +70,20 @@ struct BlacklistedPlace {
   std::string reason;                 ///< given by the navigation or by the explorer
   std::uint64_t changes_then = 0;     ///< count of changes around it when it was listed
   std::uint64_t changes_to_lift = 0;  ///< number of further changes that lifts the entry
+};
+
+/// A cluster of frontier cells that a robot is going to look at. [MUL-2]
+struct Claim {
+  Vec2 place = Vec2::Zero();  ///< one of its cells, in the map's frame [m]
+  double cost = 0.0;          ///< time until it is seen [s]
+};
+
+/// What another robot that explores the same building says of itself.
+struct Teammate {
+  std::string name;
+  bool precedes = false;         ///< of equal claims its own count, and not this robot's
+  Vec2 position = Vec2::Zero();  ///< in the map's frame [m]
+  std::vector<Claim> claims;
 };
 
 /// How a goal ended, as reported by the navigation.
@@ -91,6 +106,7 @@ struct ExplorerInputs {
   std::optional<Time> odometry_stamp;  ///< of the latest odometry
   std::optional<double> battery;       ///< charge as a share, may be a little above 1; nothing while it is not known
   std::vector<GoalEvent> goal_events;  ///< since the last tick
+  std::vector<Teammate> others;        ///< of whom something has been heard lately; none: the robot is alone
 };
 
 /// What the navigation has to do. A new goal replaces the current one without a stop.

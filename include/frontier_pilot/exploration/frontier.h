@@ -18,6 +18,7 @@ enum class Rejection {
   kNothingToSee,  ///< the unknown area expected to be seen from the goal is below the minimum
   kNotRich,       ///< in phase RICH: information density below rich_min_density
   kFruitless,     ///< near an earlier goal that did not show the area expected of it
+  kClaimed,       ///< another robot claims it and sees it sooner
   kLeftOut,       ///< not judged: too many others are larger or nearer
 };
 const char* toString(Rejection rejection);

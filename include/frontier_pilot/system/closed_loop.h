@@ -1,14 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "frontier_pilot/arbiter/arbiter.h"
-#include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/exploration/explorer.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/navigation/navigator.h"
@@ -24,6 +23,7 @@ struct ClosedLoopParameters {
   exploration::ExplorerParameters explorer;
   arbiter::ArbiterParameters arbiter;
   double latency = 0.0;     ///< from a measurement to its use [s]
+  bool agree = true;        ///< whether several robots agree who goes where [MUL-2]
   double head_start = 0.0;  ///< how much later than everything else the explorer starts [s]
 
   static mapping::MapperParameters trustingOdometry() {
@@ -49,76 +49,58 @@ struct ModuleTimes {
   double sum() const { return simulator + mapper + navigator + explorer + arbiter; }
 };
 
-/// Simulator, mapper, navigator, explorer and arbiter in lockstep in one process; system.launch connects the same parts
-/// by topics. Simulated time only; deterministic for a seed.
+class RobotStack;
+
+/// The simulator, and for each of its robots a mapper, a navigator, an explorer and an arbiter, in lockstep in one
+/// process; system.launch connects the same parts by topics. Several robots explore on one map, merged in each robot's
+/// own map frame. Robots are numbered as in the simulator. Simulated time only; deterministic for a seed. [MUL-1]
 class ClosedLoop {
  public:
   /// Throws what the constructors of sim::Simulator and arbiter::Arbiter throw. `wall_clock` [s], if given, only serves
   /// to fill `times()`.
   ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)() = nullptr);
+  ~ClosedLoop();
+  ClosedLoop(const ClosedLoop&) = delete;
+  ClosedLoop& operator=(const ClosedLoop&) = delete;
 
   /// One step of the simulator, and everything that is due then.
   void step();
+  /// A robot that is off neither drives, maps nor says anything; on again, it goes on with what it knew. [MUL-2]
+  void setPowered(std::size_t robot, bool on);
   /// Enables or disables the arbiter's source `nav`. While it is disabled the robot is commanded to stand still.
-  void setNavEnabled(bool on);
+  void setNavEnabled(bool on, std::size_t robot = 0);
 
   Time now() const { return simulator_.now(); }
   sim::Simulator& simulator() { return simulator_; }
-  const mapping::Mapper& mapper() const { return mapper_; }
-  const navigation::Navigator& navigator() const { return navigator_; }
+  std::size_t robotCount() const { return stacks_.size(); }
+  const mapping::Mapper& mapper(std::size_t robot = 0) const;
+  /// The map that navigator and explorer work on: the robot's own, or with several robots all of theirs in its frame.
+  const OccupancyGrid& view(std::size_t robot = 0) const;
+  const navigation::Navigator& navigator(std::size_t robot = 0) const;
   /// What the navigator said in its last cycle.
-  const navigation::NavigatorOutput& navigation() const { return navigation_; }
-  const exploration::Explorer& explorer() const { return explorer_; }
-  const exploration::ExplorerProgress& status() const { return status_; }
-  bool done() const { return status_.state == exploration::ExplorerState::kDone; }
+  const navigation::NavigatorOutput& navigation(std::size_t robot = 0) const;
+  const exploration::Explorer& explorer(std::size_t robot = 0) const;
+  const exploration::ExplorerProgress& status(std::size_t robot = 0) const;
+  /// Whether every robot that is on is done.
+  bool done() const;
   /// Every transition and note of the explorer and every result of a goal since the last call, one line each.
-  std::vector<std::string> takeLog();
-  const ModuleTimes& times() const { return times_; }
-  /// FNV-1a over the robot's poses, commands and decisions so far: equal runs have equal hashes.
-  std::uint64_t hash() const { return hash_; }
+  std::vector<std::string> takeLog(std::size_t robot = 0);
+  /// Of all robots together.
+  ModuleTimes times() const;
+  /// FNV-1a over the robots' poses, commands and decisions so far: equal runs have equal hashes.
+  std::uint64_t hash() const;
 
  private:
-  /// The readings of the robot's sensors at one moment.
-  struct Sensed {
-    MotionSample odometry;
-    std::optional<LaserScan2> scan;
-  };
-
-  void sense();
-  void control();
-  void explore();
-  void navigate();
-  void noteGoals(const navigation::NavigatorOutput& output);
-  Instant instant() const;
-  StampedPose2 lastPose() const;
-  void log(const std::string& line);
-  void mix(double value);
-
-  /// Adds the time that a scope took.
-  class Stopwatch;
+  void shareMaps();
+  void shareMap(std::size_t source, const CellRect& changed);
+  void shareClaims();
 
   sim::Simulator simulator_;
-  mapping::Mapper mapper_;
-  navigation::Navigator navigator_;
-  exploration::Explorer explorer_;
-  arbiter::Arbiter arbiter_;
-  std::size_t nav_source_;
+  bool agree_;
+  std::vector<std::unique_ptr<RobotStack>> stacks_;
+  std::vector<CellRect> unshared_;  ///< by robot, what it has mapped since the others followed
   double (*wall_clock_)();
-
-  Duration head_start_;
-  Duration latency_;
-  std::deque<Sensed> on_the_way_;
-  Sensed sensed_;  ///< the latest that has arrived
-  ScanPlacer placer_;
-  LaserScan2 scan_;
-  exploration::GoalCommand pending_;
-  navigation::NavigatorOutput navigation_;
-  std::uint32_t goal_id_ = 0;
-  std::vector<exploration::GoalEvent> goal_events_;
-  exploration::ExplorerProgress status_;
-  std::vector<std::string> log_;
-  ModuleTimes times_;
-  std::uint64_t hash_ = 14695981039346656037ULL;
+  double simulator_time_ = 0.0;  ///< that the simulator was at work [s]
   std::uint64_t steps_ = 0;
 };
 

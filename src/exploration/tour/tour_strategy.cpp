@@ -34,6 +34,8 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   ways_home_ = situation.home ? distances_.to(*situation.home) : std::vector<double>(viewpoints_.size(), kNoWay);
   measureOpenAreas();
   findSlivers();
+  left_.assign(evaluator.frontiers().size(), false);
+  if (situation.shared != nullptr) leaveToOthers(*situation.shared);
   const Plan plan = choosePlan(situation);
   if (!plan.stops.empty()) return goalOf(plan, situation);
   evaluator.rejectAll(Rejection::kNothingToSee);
@@ -196,7 +198,8 @@ double TourStrategy::worthOf(std::size_t viewpoint, const std::vector<bool>& sho
   constexpr double kNear = 3.0;            // [m], added to the way
   double worth = 0.0;
   for (const Sight& sight : viewpoints_[viewpoint].sights) {
-    if (!shown[sight.frontier] && !slivers_[sight.frontier]) worth += 1.0 + sight.area / kAreaOfOneMore;
+    if (!shown[sight.frontier] && !slivers_[sight.frontier] && !left_[sight.frontier])
+      worth += 1.0 + sight.area / kAreaOfOneMore;
   }
   return worth / (kNear + wayTo(viewpoint));
 }
@@ -205,7 +208,7 @@ TourStrategy::Stop TourStrategy::stopAt(std::size_t viewpoint, std::vector<bool>
   Stop stop;
   stop.viewpoint = viewpoint;
   for (const Sight& sight : viewpoints_[viewpoint].sights) {
-    if (shown[sight.frontier]) continue;
+    if (shown[sight.frontier] || left_[sight.frontier]) continue;
     shown[sight.frontier] = true;
     stop.frontiers.push_back(sight.frontier);
     stop.area += sight.area;
@@ -214,10 +217,7 @@ TourStrategy::Stop TourStrategy::stopAt(std::size_t viewpoint, std::vector<bool>
   return stop;
 }
 
-double TourStrategy::secondsFor(double distance) const {
-  constexpr double kShareOfMaximum = 0.9;  // mean speed on the way
-  return distance / (kShareOfMaximum * limits_.max_linear);
-}
+double TourStrategy::secondsFor(double distance) const { return distance / meanSpeed(limits_); }
 
 double TourStrategy::wayTo(std::size_t viewpoint) const {
   return evaluator_->travel().distance(viewpoints_[viewpoint].cell);
@@ -281,7 +281,9 @@ void TourStrategy::takeNearSliver(Plan& plan) {
   double least = parameters_.sliver_detour;
   std::optional<std::size_t> best;
   for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
-    const auto isNews = [&](const Sight& sight) { return slivers_[sight.frontier] && !shown[sight.frontier]; };
+    const auto isNews = [&](const Sight& sight) {
+      return slivers_[sight.frontier] && !shown[sight.frontier] && !left_[sight.frontier];
+    };
     const std::vector<Sight>& sights = viewpoints_[v].sights;
     if (std::none_of(sights.begin(), sights.end(), isNews)) continue;
     const double detour = secondsFor(wayTo(v) + from_first[v] - wayTo(first));

@@ -53,6 +53,7 @@ class TourStrategy : public GoalStrategy {
   double openAreaAt(std::size_t frontier);
   void findSlivers();
   std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
+  void leaveToOthers(SharedWork& shared);
   Plan choosePlan(const Situation& situation);
   Plan plan(std::optional<std::size_t> first);
   std::vector<Stop> cover(std::optional<std::size_t> first) const;
@@ -82,6 +83,7 @@ class TourStrategy : public GoalStrategy {
   std::vector<double> ways_home_;   ///< from each viewpoint [m]; negative where none leads or none is wanted
   std::vector<double> open_areas_;  ///< unknown area around each frontier [m^2]
   std::vector<bool> slivers_;       ///< by frontier
+  std::vector<bool> left_;          ///< by frontier: to other robots
   int changes_of_mind_ = 0;         ///< goals in a row that were left while they still had something to show
   std::vector<Vec2> aimed_at_;      ///< anchors of the frontiers that the last goal should show
   Blacklist distrusted_;            ///< anchors of frontiers that stayed unknown when seen from a viewpoint

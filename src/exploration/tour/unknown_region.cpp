@@ -9,8 +9,10 @@ namespace {
 
 constexpr double kRadius = 2.5;  // [m]
 
-double unknownAreaBehind(const OccupancyGrid& map, Cell frontier) {
-  const int reach = static_cast<int>(kRadius / map.resolution());
+}  // namespace
+
+std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double radius) {
+  const int reach = static_cast<int>(radius / map.resolution());
   grids::CellWindow<std::uint8_t> seen(frontier, reach, 0);
   std::vector<Cell> open;
   const auto visit = [&](Cell c) {
@@ -27,18 +29,18 @@ double unknownAreaBehind(const OccupancyGrid& map, Cell frontier) {
     visit({c.x, c.y + 1});
     visit({c.x, c.y - 1});
   }
-  return static_cast<double>(open.size()) * map.resolution() * map.resolution();
+  return open;
 }
-
-}  // namespace
 
 double UnknownRegions::areaBehind(Cell frontier, const ObservedMap& map) {
   constexpr std::size_t kMost = 20000;
   if (geometry_ != map.geometry() || regions_.size() > kMost) regions_.clear();
   geometry_ = map.geometry();
   const std::uint64_t changes = map.changesAround(map.geometry().centre(frontier), kRadius) + 1;
+  const double cell_area = map.geometry().resolution * map.geometry().resolution;
   Region& region = regions_[map.geometry().index(frontier)];
-  if (region.changes != changes) region = {changes, unknownAreaBehind(map.grid(), frontier)};
+  if (region.changes != changes)
+    region = {changes, static_cast<double>(unknownBehind(map.grid(), frontier, kRadius).size()) * cell_area};
   return region.area;
 }
 

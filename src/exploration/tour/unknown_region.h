@@ -3,10 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 #include "exploration/observed_map.h"
 
 namespace frontier_pilot::exploration {
+
+/// The unknown cells that are connected over 4-neighbours with the unknown neighbours of a frontier cell within
+/// `radius` [m] of it.
+std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double radius);
 
 /// The unknown area that is connected over 4-neighbours with the unknown neighbours of a frontier cell, within 2.5 m of
 /// it: small for a pocket behind an object, large where the building goes on. Remembered until the map changes there.

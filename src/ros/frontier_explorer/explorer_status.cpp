@@ -33,8 +33,7 @@ static_assert(static_cast<int>(exploration::ExplorerReason::kUntilDistance) == E
 static_assert(static_cast<int>(exploration::ExplorerReason::kStartedAgain) == ExplorerStatus::STARTED_AGAIN);
 static_assert(static_cast<int>(exploration::ExplorerReason::kUntilShare) == ExplorerStatus::UNTIL_SHARE);
 static_assert(static_cast<int>(exploration::ExplorerReason::kUntilBattery) == ExplorerStatus::UNTIL_BATTERY);
-static_assert(static_cast<int>(exploration::ExplorerReason::kInspectionsCleared) ==
-              ExplorerStatus::INSPECTIONS_CLEARED);
+static_assert(static_cast<int>(exploration::ExplorerReason::kLeftToOthers) == ExplorerStatus::LEFT_TO_OTHERS);
 
 ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const std::string& frame, Time stamp) {
   ExplorerStatus msg;

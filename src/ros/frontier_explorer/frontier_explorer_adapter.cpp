@@ -15,6 +15,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
     : parameters_(loadNodeParameters<ExplorerNodeParameters>(private_node)),
       base_frame_(parameters_.explorer.robot.baseFrameOr(parameters_.base_frame)),
       explorer_(parameters_.explorer),
+      team_(parameters_.fleet, parameters_.map_frame, tf_),
       navigation_(node),
       map_saver_(node),
       diagnostics_(node, private_node),
@@ -25,6 +26,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
+  team_.connect(connections_, node, diagnostics_);
   map_.subscribe(connections_, parameters_.map_frame);
   followOdometry(connections_, tf_, parameters_.explorer.robot, base_frame_, 20,
                  &FrontierExplorerAdapter::handleOdometry, this);
@@ -61,7 +63,9 @@ void FrontierExplorerAdapter::update(Time now) {
   expireClicks();
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);
-  const exploration::ExplorerOutput output = explorer_.update(gather(now), now);
+  const exploration::ExplorerInputs inputs = gather(now);
+  const exploration::ExplorerOutput output = explorer_.update(inputs, now);
+  team_.tell(inputs.T_map_base, explorer_.claims(), now);
   status_ = output.status;
   saveMap(output);
   obey(output.command, now);
@@ -82,6 +86,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   inputs.odometry_stamp = odometry_stamp_;
   inputs.battery = battery();
   inputs.goal_events = navigation_.takeEvents();
+  inputs.others = team_.others(now);
   if (const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_)) {
     // A chain of static transforms alone has no stamp: it holds now.
     const Time when = *stamp == Time{} ? now : *stamp;

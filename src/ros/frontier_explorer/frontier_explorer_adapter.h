@@ -24,6 +24,7 @@
 #include "ros/frontier_explorer/clicked_polygon.h"
 #include "ros/frontier_explorer/move_base_client.h"
 #include "ros/frontier_explorer/save_map_caller.h"
+#include "ros/frontier_explorer/team_claims.h"
 
 namespace frontier_pilot {
 
@@ -33,6 +34,7 @@ struct ExplorerNodeParameters {
   std::string map_frame = names::kMapFrame;
   std::string base_frame;       ///< empty: the robot's
   std::string save_map_at_end;  ///< path; empty: no
+  FleetParameters fleet;
   exploration::ExplorerParameters explorer;
 
   template <class V>
@@ -44,6 +46,7 @@ struct ExplorerNodeParameters {
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
     v.field("save_map_at_end", save_map_at_end, "",
             "when the exploration has ended, have the mapper save the map here (as mapper/save_map); empty: no");
+    v.group("fleet", fleet, "other robots that explore the same building");
     explorer.describe(v);
   }
   void check(Problems& problems) const { explorer.check(problems); }
@@ -101,6 +104,7 @@ class FrontierExplorerAdapter {
   exploration::Explorer explorer_;
   MapMirror map_;
   TfBridge tf_;
+  TeamClaims team_;
   MoveBaseClient navigation_;
   SaveMapCaller map_saver_;
   NodeDiagnostics diagnostics_;

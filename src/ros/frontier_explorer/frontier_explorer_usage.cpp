@@ -1,6 +1,7 @@
 #include "ros/common/help/usages.h"
 
 #include <frontier_pilot/ExplorerStatus.h>
+#include <frontier_pilot/FleetClaims.h>
 #include <frontier_pilot/SaveMap.h>
 #include <frontier_pilot/SetBounds.h>
 #include <geometry_msgs/PointStamped.h>
@@ -32,11 +33,12 @@ NodeUsage frontierExplorerUsage() {
                  port<geometry_msgs::PointStamped>(names::kClickedPoint),
                  port<geometry_msgs::PoseStamped>(names::kInspect),
                  port<sensor_msgs::BatteryState>(names::kBatteryState),
+                 port<FleetClaims>(names::kFleetClaims),
                  port<tf2_msgs::TFMessage>(names::kTf),
                  port<tf2_msgs::TFMessage>(names::kTfStatic)};
   usage.publishes = {port<ExplorerStatus>(names::kExplorerStatus),
                      port<visualization_msgs::MarkerArray>(names::kFrontiers),
-                     port<geometry_msgs::PoseStamped>(names::kExplorerGoal)};
+                     port<geometry_msgs::PoseStamped>(names::kExplorerGoal), port<FleetClaims>(names::kFleetClaims)};
   usage.services = {servicePort<std_srvs::SetBool>(names::kSetExplorationEnabled),
                     servicePort<SetBounds>(names::kSetExplorationBounds),
                     servicePort<std_srvs::Trigger>(names::kClearExplorationBounds),
@@ -55,6 +57,7 @@ NodeUsage frontierExplorerUsage() {
                            "until/area",
                            "until/time",
                            "until/distance",
+                           "fleet/name",
                            "frontier/min_frontier_cells",
                            "frontier/min_distance"};
   usage.parameters = describeParameters(ExplorerNodeParameters());

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/sim/parameters.h"
+
+namespace frontier_pilot::bench {
+
+/// The starts of `count` robots, named robot_1 and so on: the first one at `first`, the others drawn at random by
+/// `seed` from the free places within 3 m of all drawn before, that the disc of `radius` [m] around a robot can be
+/// moved to from `first` without leaving that distance. They keep 0.3 m from each other and from walls. `truth` and
+/// poses are in the world's frame. Throws std::runtime_error when there is no room for so many.
+std::vector<sim::RobotSpec> fleetStarts(const OccupancyGrid& truth, const Pose2& first, std::size_t count,
+                                        double radius, int seed);
+
+}  // namespace frontier_pilot::bench
