@@ -78,9 +78,7 @@ void TourStrategy::seek() {
 
 void TourStrategy::measureOpenAreas() {
   open_areas_.assign(evaluator_->frontiers().size(), 0.0);
-  for (const SoughtFrontier& each : sought_) {
-    open_areas_[each.index] = openAreaAt(each.index);
-  }
+  for (const SoughtFrontier& each : sought_) open_areas_[each.index] = openAreaAt(each.index);
 }
 
 /// The greatest area behind the anchor and a few other cells of the frontier: it may border both a pocket and a room.
