@@ -5,6 +5,7 @@ import os
 import random
 
 import yaml
+from PIL import Image
 
 CLEARANCE = 0.35  # around a start [m]
 APART = 0.8  # between two starts [m]
@@ -15,19 +16,11 @@ class StartsError(Exception):
     """There are no robots, or no places for them."""
 
 
-def read_pgm(path):
-    """Width, height and shades (0 ... 1) of a binary PGM, from the upper left."""
-    with open(path, 'rb') as file:
-        data = file.read()
-    fields, at = [], 0
-    while len(fields) < 4:
-        end = data.index(b'\n', at)
-        fields += data[at:end].split(b'#')[0].split()
-        at = end + 1
-    if fields[0] != b'P5' or int(fields[3]) > 255:
-        raise ValueError('not a binary PGM of one byte a pixel')
-    width, height, most = (int(field) for field in fields[1:4])
-    return width, height, [shade / most for shade in data[at:at + width * height]]
+def read_picture(path):
+    """Width, height and shades (0 ... 1) of a picture, from the upper left."""
+    with Image.open(path) as picture:
+        grey = picture.convert('L')
+    return grey.width, grey.height, [shade / 255 for shade in grey.getdata()]
 
 
 class World:
@@ -36,7 +29,7 @@ class World:
     def __init__(self, path):
         with open(path) as file:
             meta = yaml.safe_load(file)
-        self.width, self.height, shades = read_pgm(os.path.join(os.path.dirname(path), meta['image']))
+        self.width, self.height, shades = read_picture(os.path.join(os.path.dirname(path), meta['image']))
         self.resolution = float(meta['resolution'])
         self.origin = meta['origin']
         self.start = meta.get('start')
@@ -84,16 +77,21 @@ def near_cells(world, start):
                 queue.append(cell)
 
 
+def read_world(path):
+    """The World of a map_server YAML; StartsError if it or its picture cannot be read."""
+    try:
+        return World(path)
+    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+        raise StartsError('world:=%s cannot be read: %s' % (path, error))
+
+
 def draw_starts(path, count, seed):
     """`count` robots (robot1, robot2, ...) with starts in the world of the map_server YAML `path`: near each other, apart from
     walls, and with a way from one to the next. The same seed gives the same."""
     if not 1 <= count <= MOST_ROBOTS:
         raise StartsError('robots:=%d: from 1 to %d can be drawn' % (count, MOST_ROBOTS))
     generator = random.Random(seed)
-    try:
-        world = World(path)
-    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
-        raise StartsError('starts can only be drawn in a world with a PGM, otherwise name a file: %s' % error)
+    world = read_world(path)
     starts = []
     for cell in near_cells(world, first_cell(world, generator)):
         point = world.centre(cell)

@@ -20,8 +20,8 @@ import rospkg
 import yaml
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
-from robot_starts import StartsError, draw_starts  # noqa: E402
-from robots_rviz import write_configuration  # noqa: E402
+from robot_starts import StartsError, draw_starts, read_world  # noqa: E402
+from robots_rviz import view_of, write_configuration  # noqa: E402
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 OF_THE_WORLD = ('world', 'known_starts', 'robot', 'limits', 'speed', 'seed', 'odom_noise')
@@ -38,6 +38,8 @@ def robots_of(arguments):
     """The list of the robots with their starts: of the file, or that many at free places."""
     robots = arguments['robots']
     if robots.isdigit():
+        if not arguments['seed'].isdigit():
+            raise StartsError('seed:=%s is not a whole number' % arguments['seed'])
         return draw_starts(absolute(arguments['world']), int(robots), int(arguments['seed']))
     try:
         with open(absolute(robots)) as file:
@@ -58,6 +60,8 @@ def write_list(folder, name, robots):
 def launches(arguments, folder):
     """The launch files that are to run, each with its arguments; the files that they read are written into `folder`."""
     robots = robots_of(arguments)
+    if not robots:
+        raise StartsError('robots:=%s: the list is empty' % arguments['robots'])
     kinds = {robot.pop('robot', arguments['robot']) for robot in robots}
     if len(kinds) > 1:
         raise StartsError('the simulator has robots of one kind, not of %s' % ', '.join(sorted(kinds)))
@@ -75,7 +79,8 @@ def launches(arguments, folder):
         files.append((ROOT + '/launch/robot.launch', own))
     if arguments['rviz'].lower() == 'true':
         shown = os.path.join(folder, 'robots.rviz')
-        write_configuration(ROOT + '/rviz/robots.rviz', shown, [robot['name'] for robot in robots])
+        view = view_of(read_world(absolute(arguments['world'])), places[0])
+        write_configuration(ROOT + '/rviz/robots.rviz', shown, [robot['name'] for robot in robots], view)
         files.append((ROOT + '/launch/robots_rviz.launch', ['configuration:=' + shown]))
     return files
 

@@ -1,7 +1,10 @@
 """rviz's configuration for several robots: what they have in common, and for each robot its displays in its colour."""
 import colorsys
+import math
 
 import yaml
+
+PICTURE = 890, 700  # of rviz's window in its file, without panels [pixels]
 
 
 def colour_of(index, count):
@@ -31,10 +34,20 @@ def displays_of(name, colour):
     ]}
 
 
-def write_configuration(template, path, names):
-    """Writes rviz's file `template` with the displays of the robots `names` to `path`."""
+def view_of(world, start):
+    """The view from above that shows all of the world (robot_starts.World), upright, in the frame that lies at `start`."""
+    width, height = world.width * world.resolution, world.height * world.resolution
+    x, y = world.origin[0] + width / 2 - start['x'], world.origin[1] + height / 2 - start['y']
+    cosine, sine = math.cos(start['yaw']), math.sin(start['yaw'])
+    return {'X': cosine * x + sine * y, 'Y': cosine * y - sine * x, 'Angle': -start['yaw'],
+            'Scale': 0.9 * min(PICTURE[0] / width, PICTURE[1] / height)}
+
+
+def write_configuration(template, path, names, view):
+    """Writes rviz's file `template` with the displays of the robots `names`, and the view, to `path`."""
     with open(template) as file:
         configuration = yaml.safe_load(file)
+    configuration['Visualization Manager']['Views']['Current'].update(view)
     displays = configuration['Visualization Manager']['Displays']
     displays += [displays_of(name, colour_of(i, len(names))) for i, name in enumerate(names)]
     with open(path, 'w') as file:

@@ -155,7 +155,10 @@ void Explorer::Impl::stayDone(Time now) {
   if (!inspections_.waiting().empty()) return enter(ExplorerState::kSelectGoal, ExplorerReason::kInspecting, "", now);
   if (judged_changes_ == evaluator_.map().changes() || !passed(last_decision_, parameters_.decision_period, now))
     return;
-  if (!judgeAndChoose(false, now)) return;
+  if (!judgeAndChoose(false, now)) {
+    if (countRejected(Rejection::kClaimed) > 0) standAside(now);  // in case the others fall silent
+    return;
+  }
   status_.phase = ExplorerPhase::kRich;
   history_.allowRetry();
   step_backs_ = 0;

@@ -61,6 +61,8 @@ ClaimsVerdict ClaimBook::take(const ClaimsMessage& message, Time now) {
   forgetSilent(now);
   if (heard_.size() >= kMostRobots && heard_.count(message.robot) == 0) return ClaimsVerdict::kTooMany;
   heard_[message.robot] = {message, now};
+  double& valid_for = heard_[message.robot].message.valid_for;
+  valid_for = std::min(valid_for, ClaimsMessage::kValidFor);  // no robot may be trusted for longer after it has died
   return ClaimsVerdict::kTaken;
 }
 

@@ -53,7 +53,12 @@ MapMerger::MapMerger(const MapMergerParameters& parameters)
 
 void MapMerger::setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now) {
   robots_[robot].map = &map;
-  robots_[robot].view.setSource(0, map, changed, {});
+  MergedMap& view = robots_[robot].view;
+  if (view.setSource(0, map, changed, {}) !=
+      SourceResult::kTaken) {  // the robot's own map comes before those of others
+    withdraw(robot);
+    view.setSource(0, map, wholeOf(map), {});
+  }
   share(robot, changed, now);
 }
 

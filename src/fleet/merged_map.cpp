@@ -153,9 +153,9 @@ void MergedMap::makeSamplers() {
   for (const auto& [index, source] : sources_) {
     const GridGeometry& geometry = source.geometry;
     const Pose2 T_source_target = source.T_target_source.inverse();
-    samplers_.push_back({source.grid, (T_source_target * target.origin - geometry.origin) / geometry.resolution,
-                         direction(T_source_target.yaw), alignedWith(target, geometry, source.T_target_source),
-                         index == 0});
+    samplers_.push_back(
+        {source.grid, geometry, true, (T_source_target * target.origin - geometry.origin) / geometry.resolution,
+         direction(T_source_target.yaw), alignedWith(target, geometry, source.T_target_source), index == 0});
   }
 }
 
@@ -174,6 +174,7 @@ CellRect MergedMap::shareOf(const Sources& sources, std::size_t index) const {
 CellRect MergedMap::takeChanged() { return std::exchange(changed_, CellRect{}); }
 
 void MergedMap::redraw(const CellRect& cells) {
+  for (Sampler& source : samplers_) source.current = source.grid->geometry() == source.geometry;
   const CellRect area = cells.intersection(map_.geometry().rect());
   for (int y = area.y; y < area.y + area.height; ++y) {
     int first = area.x + area.width;
@@ -194,7 +195,7 @@ std::int8_t MergedMap::combined(Cell cell) const {
   std::int8_t lowest = kOccupied;
   std::int8_t highest = kUnknown;
   for (const Sampler& source : samplers_) {
-    const std::int8_t value = source.value(cell);
+    const std::int8_t value = source.current ? source.value(cell) : kUnknown;
     if (isUnknown(value)) continue;
     if (first_ == FirstSource::kPrevails && source.is_first) return value;
     lowest = std::min(lowest, value);
@@ -207,14 +208,14 @@ std::int8_t MergedMap::combined(Cell cell) const {
 
 bool MergedMap::provedFree(Cell cell) const {
   return std::any_of(samplers_.begin(), samplers_.end(), [cell](const Sampler& source) {
-    return isClearAround(*source.grid, source.at(cell.x + 0.5, cell.y + 0.5));
+    return source.current && isClearAround(*source.grid, source.at(cell.x + 0.5, cell.y + 0.5));
   });
 }
 
 bool MergedMap::touchesWall(Cell cell) const {
   constexpr double kAlmost = 1.0 - 1e-6;
   for (const Sampler& source : samplers_) {
-    if (source.aligned) continue;
+    if (source.aligned || !source.current) continue;
     for (const Vec2& corner : {Vec2(0.0, 0.0), Vec2(kAlmost, 0.0), Vec2(0.0, kAlmost), Vec2(kAlmost, kAlmost)}) {
       if (isOccupied(source.grid->get(source.at(cell.x + corner.x(), cell.y + corner.y()), kUnknown))) return true;
     }

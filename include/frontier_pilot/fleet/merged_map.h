@@ -70,10 +70,12 @@ class MergedMap {
   /// Where the cells of the map lie in a source. Lengths are in cells of the source.
   struct Sampler {
     const OccupancyGrid* grid;
-    Vec2 origin;    ///< of the map, its lower left corner
-    Vec2 x_axis;    ///< of the map
-    bool aligned;   ///< each cell of the map coincides with one of the source
-    bool is_first;  ///< its index is 0
+    GridGeometry geometry;  ///< that the rest holds for
+    bool current;           ///< whether the grid still has it; if not, it is left out until it is set again
+    Vec2 origin;            ///< of the map, its lower left corner
+    Vec2 x_axis;            ///< of the map
+    bool aligned;           ///< each cell of the map coincides with one of the source
+    bool is_first;          ///< its index is 0
 
     /// The source's cell at a point that is given in cells of the map.
     Cell at(double x, double y) const;

@@ -2,6 +2,8 @@
 
 #include "exploration/tour/tour_strategy.h"
 
+#include <algorithm>
+
 namespace frontier_pilot::exploration {
 
 ChosenGoal TourStrategy::goalAt(const Vec2& position, const Situation& situation) const {
@@ -50,6 +52,19 @@ double TourStrategy::arrivalYaw(Cell goal, const Situation& situation) const {
     at = next;
   }
   return at == goal ? situation.T_map_robot.yaw : bearing(geometry.centre(goal) - geometry.centre(at));
+}
+
+/// The viewpoint being driven to, if it still shows enough of a frontier that is not left to another robot.
+std::optional<std::size_t> TourStrategy::presentViewpoint(const Situation& situation) const {
+  if (!situation.current) return std::nullopt;
+  const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
+  for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
+    if (viewpoints_[v].cell != cell) continue;
+    const std::vector<Sight>& sights = viewpoints_[v].sights;
+    const bool is_ours = std::any_of(sights.begin(), sights.end(), [&](const Sight& s) { return !left_[s.frontier]; });
+    return is_ours ? std::make_optional(v) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace frontier_pilot::exploration

@@ -28,13 +28,13 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   distances_.follow(evaluator);
   expireDistrust();
   seek();
+  left_.assign(evaluator.frontiers().size(), false);
   viewpoints_ = search_.find(evaluator, sought_, situation.current);
   if (isNearlyThere(situation)) return goalAt(*situation.current, situation);
   distances_.restart(viewpoints_, evaluator, situation.T_map_robot);
   ways_home_ = situation.home ? distances_.to(*situation.home) : std::vector<double>(viewpoints_.size(), kNoWay);
   measureOpenAreas();
   findSlivers();
-  left_.assign(evaluator.frontiers().size(), false);
   if (situation.shared != nullptr) leaveToOthers(*situation.shared);
   const Plan plan = choosePlan(situation);
   if (!plan.stops.empty()) return goalOf(plan, situation);
@@ -119,16 +119,6 @@ bool TourStrategy::isNearlyThere(const Situation& situation) const {
   const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
   return evaluator_->travel().distance(cell) < min_distance_ + kNearly &&
          evaluator_->infoAt(*situation.current).area >= evaluator_->leastInfo();
-}
-
-/// The viewpoint being driven to, if it still shows enough of a frontier.
-std::optional<std::size_t> TourStrategy::presentViewpoint(const Situation& situation) const {
-  if (!situation.current) return std::nullopt;
-  const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
-  for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
-    if (viewpoints_[v].cell == cell) return v;
-  }
-  return std::nullopt;
 }
 
 /// The best plan, or the one that goes on to the present viewpoint unless the best is shorter by the margin. The margin

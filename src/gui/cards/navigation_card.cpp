@@ -1,6 +1,8 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "gui/cards/cards.h"
 
@@ -13,7 +15,7 @@ QString inMetres(const std::optional<double>& value) { return value ? QString::n
 
 QString inSeconds(const std::optional<double>& value) {
   if (!value) return kNone;
-  const int seconds = static_cast<int>(*value + 0.5);
+  const int seconds = static_cast<int>(std::lround(std::min(*value, 1e6)));
   return seconds < 60 ? QString("%1 s").arg(seconds)
                       : QString("%1 min %2 s").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar('0'));
 }

@@ -55,10 +55,14 @@ void TeamClaims::hear(const FleetClaims& msg) {
   if (refused) refused_.add(toString(verdict));
 }
 
-/// T_common_map by the latest transform.
+/// T_common_map by the latest transform; nothing if that is old: then the robots' maps are not merged any more.
 std::optional<Pose2> TeamClaims::mapInCommon() const {
+  constexpr Duration kOldest = std::chrono::seconds(5);
   if (parameters_.frame == map_frame_) return Pose2();
-  return tf_.lookup(parameters_.frame, map_frame_, Time{});
+  const auto stamp = tf_.latestStamp(parameters_.frame, map_frame_);
+  const bool is_static = stamp && *stamp == Time{};
+  if (!stamp || (!is_static && rosNow() - *stamp > kOldest)) return std::nullopt;
+  return tf_.lookup(parameters_.frame, map_frame_, *stamp);
 }
 
 std::vector<exploration::Teammate> TeamClaims::others(Time now) {
@@ -86,7 +90,8 @@ void TeamClaims::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (located) {
     status.summaryf(DiagnosticStatus::OK, "%s, with %zu other robots", parameters_.name.c_str(), heard_);
   } else {
-    status.summary(DiagnosticStatus::WARN, "works alone: no transform from " + parameters_.frame + " to " + map_frame_);
+    status.summary(DiagnosticStatus::WARN,
+                   "works alone: no transform of the last seconds from " + parameters_.frame + " to " + map_frame_);
   }
   refused_.report(status);
 }

@@ -49,6 +49,15 @@ TEST(Claims, OfARobotThatFallsSilentAreForgottenAfterTenSecondsAndOneThatComesBa
 }
 
 // [MUL-2]
+TEST(Claims, AreForgottenAfterTenSecondsWhateverTheirRobotAskedFor_MUL_2) {
+  ClaimBook book("robot_2");
+  ClaimsMessage lasting = messageOf("robot_1");
+  lasting.valid_for = 60.0;
+  ASSERT_EQ(book.take(lasting, at(0.0)), ClaimsVerdict::kTaken);
+  EXPECT_TRUE(book.others({}, at(10.1)).empty());
+}
+
+// [MUL-2]
 TEST(Claims, AMessageReplacesTheOneBeforeIt_MUL_2) {
   ClaimBook book("robot_2");
   book.take(messageOf("robot_1"), at(0.0));

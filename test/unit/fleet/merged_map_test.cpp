@@ -218,6 +218,25 @@ TEST(MergedMap, ARevisionOfASourceIsFollowedAndANewPlaceLeavesNothingAtTheOldOne
   EXPECT_EQ(merged.map().geometry(), anew({1.5, 2.0, 0.2}).geometry());
 }
 
+// The maps of several robots change before the first of them is set.
+TEST(MergedMap, ASourceThatGrowsWhileAnotherIsDrawnLeavesNothingAtAWrongPlace) {
+  OccupancyGrid a(sized(60, 10), kFree);
+  OccupancyGrid b(sized(20, 10), kFree);
+  for (int y = 0; y < 10; ++y) b[Cell{19, y}] = kOccupied;
+  MergedMap merged(FirstSource::kIsEqual);
+  merged.setSource(1, a, a.geometry().rect(), {});
+  merged.setSource(2, b, b.geometry().rect(), Pose2(0.5, 0.0, 0.0));
+  OccupancyGrid grown(sized(30, 10, Vec2(-0.5, 0.0)), kFree);  // ten columns more on the left
+  for (int y = 0; y < 10; ++y) grown[Cell{29, y}] = kOccupied;
+  b = grown;
+  merged.setSource(1, a, a.geometry().rect(), {});
+  merged.setSource(2, b, b.geometry().rect(), Pose2(0.5, 0.0, 0.0));
+  MergedMap anew(FirstSource::kIsEqual);
+  anew.setSource(1, a, a.geometry().rect(), {});
+  anew.setSource(2, b, b.geometry().rect(), Pose2(0.5, 0.0, 0.0));
+  EXPECT_EQ(toAscii(merged.map()), toAscii(anew.map()));
+}
+
 TEST(MergedMap, RefusesOtherCellsAndMapsThatWouldBeTooLargeAndGoesOnWithoutThem) {
   const OccupancyGrid own(sized(10, 10), kFree);
   const OccupancyGrid coarse = drawWorld("..\n..", 0.1).map;
