@@ -6,11 +6,14 @@ import struct
 import tempfile
 import zlib
 
+import genmsg
+import genpy
 import rosbag
 
 from run_recording import runs
 
-DAMAGE = (rosbag.ROSBagException, OSError, EOFError, ValueError, KeyError, IndexError, struct.error, zlib.error, RuntimeError)
+DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationException, OSError, EOFError, ValueError, KeyError,
+          IndexError, TypeError, AttributeError, struct.error, zlib.error, RuntimeError)
 
 
 class ReportError(Exception):
@@ -96,6 +99,8 @@ class BagFiles:
 
     def messages(self, topics):
         """(topic, message, time [s]) of these topics. After damaged data the rest of a bag is left out, with a note."""
+        if not topics:
+            return  # rosbag would take that for all topics
         for bag in self.bags:
             last = bag.get_start_time()
             try:

@@ -45,6 +45,7 @@ def time_axis(axes, end):
     """Gives the axes the time since the start of the record, [s] written as a clock."""
     steps = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 43200, 86400)
     step = next((step for step in steps if end / step <= 9), steps[-1])
+    step = max(step, end / 10)  # a clock that was set during the run makes it last for decades
     axes.set_xlim(0.0, max(end, 1.0))
     axes.set_xticks([index * step for index in range(int(end / step) + 1)])
     axes.xaxis.set_major_formatter(FuncFormatter(clock))

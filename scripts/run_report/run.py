@@ -10,21 +10,30 @@ from .warnings import Warnings
 
 EMERGENCY_STOP, DONE = 2, 4  # ArbiterStatus, ExplorerStatus
 AVOIDING = (3, 4, 5, 6)  # AvoiderStatus: reverse, rotate, fault, stuck
-# What a bag is read for, by the names that our nodes give to the topics.
-ROLES = ('map', 'map_updates', '/tf', '/tf_static', 'cmd_vel_arbiter/status', 'obstacle_avoider/status', 'navigator/status',
-         'frontier_explorer/status', 'frontier_explorer/goal', 'simulator/stalled', 'run_recorder/load', '/diagnostics', '/rosout',
-         'turtlebot3/result', 'spin/result', 'back_up/result', 'drive_on_heading/result')
+# What a bag is read for, by the names that our nodes give to the topics, with their types.
+ROLES = {'map': 'nav_msgs/OccupancyGrid', 'map_updates': 'map_msgs/OccupancyGridUpdate', '/tf': 'tf2_msgs/TFMessage',
+         '/tf_static': 'tf2_msgs/TFMessage', 'cmd_vel_arbiter/status': 'frontier_pilot/ArbiterStatus',
+         'obstacle_avoider/status': 'frontier_pilot/AvoiderStatus', 'navigator/status': 'std_msgs/String',
+         'frontier_explorer/status': 'frontier_pilot/ExplorerStatus', 'frontier_explorer/goal': 'geometry_msgs/PoseStamped',
+         'simulator/stalled': 'std_msgs/Bool', 'run_recorder/load': 'frontier_pilot/ProcessLoads',
+         '/diagnostics': 'diagnostic_msgs/DiagnosticArray', '/rosout': 'rosgraph_msgs/Log',
+         'turtlebot3/result': 'frontier_pilot/PatrolActionResult', 'spin/result': 'frontier_pilot/SpinActionResult',
+         'back_up/result': 'frontier_pilot/BackUpActionResult', 'drive_on_heading/result': 'frontier_pilot/DriveOnHeadingActionResult'}
+TYPES = dict(ROLES, odom='nav_msgs/Odometry')
 
 
 def names_in(bags, infos):
     """The topic of each role: as the recorder has noted, or else by the end of its name."""
     topics = bags.topics()
-    names = dict(infos[0]['topics']) if infos else {}
-    for role in ROLES + ('odom',):
-        if names.get(role) not in topics:
-            alike = sorted((name for name in topics if ('/' + name.lstrip('/')).endswith('/' + role.lstrip('/'))), key=len)
-            names[role] = alike[0] if alike else None
-    return {role: name for role, name in names.items() if name in topics}
+    noted = infos[0]['topics'] if infos else {}
+    names = {}
+    for role, kind in TYPES.items():
+        alike = [name for name in topics if topics[name] == kind and ('/' + name.lstrip('/')).endswith('/' + role.lstrip('/'))]
+        if topics.get(noted.get(role)) == kind:
+            names[role] = noted[role]
+        elif alike:
+            names[role] = min(alike, key=len)
+    return names
 
 
 class Run:
@@ -57,16 +66,23 @@ class Run:
         self._find_frames(bags, names)
         roles = {name: role for role, name in names.items() if role in ROLES}
         for topic, message, time in bags.messages(list(roles)):
-            role = roles[topic]
-            if role.endswith('/result'):
-                self._action(role[:-len('/result')], time, message)
-            else:
-                self.takes[role](time, message)
+            try:
+                self._take(roles[topic], time, message)
+            except (AttributeError, TypeError, ValueError) as error:  # as of another version of the package
+                note = '%s has messages that are not understood: %s' % (topic, error)
+                if note not in self.notes:
+                    self.notes.append(note)
         self.goals.place_all()
         self.notes += bags.notes
         if not self.begins_with_the_start():
             self.notes.append('The record does not go back to the start of the run: its oldest part was removed to keep within the '
                               'size allowed, or the recorder was started later. The figures of the explorer count from its start.')
+
+    def _take(self, role, time, message):
+        if role.endswith('/result'):
+            self._action(role[:-len('/result')], time, message)
+        else:
+            self.takes[role](time, message)
 
     def begins_with_the_start(self):
         """Whether nothing was explored before the first message."""

@@ -31,7 +31,7 @@ class Track:
             self.parents[bare(transform.child_frame_id)] = (
                 bare(transform.header.frame_id), moved.translation.x, moved.translation.y, yaw_of(moved.rotation))
         pose = self.locate()
-        if pose is not None:
+        if pose is not None and all(math.isfinite(value) for value in pose):
             self._keep(time, *pose)
 
     def locate(self):
@@ -76,7 +76,8 @@ class MapImage:
         self.resolution, self.origin, self.frame = 0.0, (0.0, 0.0), 'map'
 
     def take(self, grid):
-        if grid.info.width * grid.info.height != len(grid.data) or not grid.data:
+        place = grid.info.resolution, grid.info.origin.position.x, grid.info.origin.position.y
+        if grid.info.width * grid.info.height != len(grid.data) or not grid.data or not all(map(math.isfinite, place)):
             return
         self.cells = numpy.array(grid.data, numpy.int8).reshape(grid.info.height, grid.info.width)
         self.resolution, self.frame = grid.info.resolution, bare(grid.header.frame_id)

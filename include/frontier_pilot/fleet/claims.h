@@ -11,7 +11,7 @@
 
 namespace frontier_pilot::fleet {
 
-/// What a robot tells the others of its team about once a second: where it is, and what it is going to look at, in a
+/// What a robot tells the others of its team twice a second: where it is, and what it is going to look at, in a
 /// frame that they have in common. No one collects these messages: each robot decides for itself by the last one of
 /// each other. [MUL-2]
 struct ClaimsMessage {

@@ -2,9 +2,14 @@
 """What a report finds in a run."""
 import unittest
 
+import rosbag
+import rospy
+from geometry_msgs.msg import PoseStamped
+from std_msgs.msg import String
+
 from folder_case import FolderCase
 import synthetic_bag
-from run_report import goals, parameters, summary, time_plots
+from run_report import drawing, goals, parameters, summary, time_plots
 from run_report.bag_files import BagFiles
 from run_report.intervals import States, merged, total
 from run_report.run import Run
@@ -40,6 +45,29 @@ class Reading(FolderCase):
     def setUp(self):
         super().setUp()
         self.run_read = self.read()
+
+    def test_a_bag_that_the_recorder_did_not_write_is_read_as_far_as_it_has_our_topics_and_types(self):
+        path = self.path('foreign.bag')
+        nowhere = synthetic_bag.transform('map', 'base_footprint', float('nan'), 0.0)
+        with rosbag.Bag(path, 'w') as bag:
+            for second in range(3):
+                at = rospy.Time(100 + second)
+                bag.write('/odom', PoseStamped(), at)  # of another type than ours
+                bag.write('/tf', synthetic_bag.transform('map', 'base_footprint', float(second), 0.0), at)
+                bag.write('/tf', nowhere, at)
+                bag.write('/somebody/map', String('a street'), at)
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        self.assertAlmostEqual(run.track.length, 0.0)  # steps of a metre are jumps
+        self.assertEqual([pose[1] for pose in run.track.poses], [0.0, 1.0, 2.0])
+        self.assertIsNone(run.map.cells)
+
+    def test_a_clock_that_is_set_during_the_run_does_not_fill_the_axis_with_ticks(self):
+        with drawing.styled():
+            _, axes = drawing.new_axes(0.2)
+            drawing.time_axis(axes, 1.7e9)
+            self.assertLess(len(axes.get_xticks()), 12)
 
     def test_the_track_is_in_the_frame_of_the_map(self):
         run = self.run_read

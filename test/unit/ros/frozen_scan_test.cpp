@@ -48,7 +48,7 @@ TEST(FrozenScan, IsNotOneOfARobotThatStands_FLT_1) {
 
 // [FLT-1]
 TEST(FrozenScan, IsNotOneOfOpenGroundOrWithoutOdometry_FLT_1) {
-  const LaserScan2 open = scanOf({kNone, kNone, 0.0F, 8.0F});
+  const LaserScan2 open = scanOf({kNone, -kNone, 0.0F, 8.0F});  // with a post of the robot
   FrozenScanWatch watch;
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(watch.isFrozen(open, Pose2(i, 0.0, 0.0)));
   FrozenScanWatch blind;

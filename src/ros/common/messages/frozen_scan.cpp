@@ -16,8 +16,7 @@ constexpr double kTurned = 0.1;  // [rad]
 
 bool hasReturn(const LaserScan2& scan) {
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    const RangeKind kind = readBeam(scan, i).kind;
-    if (kind == RangeKind::kHit || kind == RangeKind::kTooNear) return true;
+    if (readBeam(scan, i).kind == RangeKind::kHit) return true;
   }
   return false;
 }

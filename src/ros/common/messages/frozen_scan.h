@@ -19,8 +19,8 @@ inline constexpr const char* kFrozenScan = "the scanner repeats one scan while t
 class FrozenScanWatch {
  public:
   /// Whether `scan` repeats the one before it, and the robot has moved by 0.05 m or 0.1 rad since that was first seen.
-  /// A scan without any return is never frozen, because open ground looks the same from everywhere; nor is one without
-  /// a pose. Logs an error, throttled.
+  /// A scan without any return is never frozen, because open ground looks the same from everywhere, parts of the robot
+  /// that are too near to the scanner do too; nor is one without a pose. Logs an error, throttled.
   bool isFrozen(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base);
   /// An error as long as the last scan was frozen.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
