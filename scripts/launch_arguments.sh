@@ -31,6 +31,9 @@ check_value() {
       [ -f "$root/config/robots/$value.yaml" ] || [ -f "$value" ] ||
         wrong_argument "$value" \
           "robot: there is neither a robot nor a file '$value'; robots are $(names_in "$root/config/robots")" ;;
+    map)
+      mkdir -p "$(dirname "$value")" 2>/dev/null && [ -w "$(dirname "$value")" ] ||
+        wrong_argument "$value" "map: nothing can be written to the folder of '$value'" ;;
     limits)
       [ -z "$value" ] || [ "$value" = auto ] || [ -f "$root/config/limits_$value.yaml" ] ||
         wrong_argument "$value" "limits: must be burger (0.22 m/s) or fast (0.5 m/s), not '$value'" ;;

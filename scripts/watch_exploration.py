@@ -84,11 +84,11 @@ def default_prefix():
 def save_map(prefix):
     """Returns whether the mapper has written the map, and prints where, or why not."""
     path = os.path.abspath(prefix or default_prefix())
-    os.makedirs(os.path.dirname(path), exist_ok=True)
     try:
+        os.makedirs(os.path.dirname(path), exist_ok=True)
         rospy.wait_for_service('mapper/save_map', timeout=10.0)
         answer = rospy.ServiceProxy('mapper/save_map', SaveMap)(path)
-    except (rospy.ROSException, rospy.ServiceException) as error:
+    except (OSError, rospy.ROSException, rospy.ServiceException) as error:
         print('The map could not be saved: %s' % error, file=sys.stderr)
         return False
     if not answer.success:

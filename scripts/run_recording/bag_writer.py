@@ -31,16 +31,18 @@ def command_of(topics, run, limit, min_space, name):
 
 
 class BagWriter:
-    """Runs rosbag in a session of its own, so that a Ctrl-C reaches the recorder first."""
+    """Runs rosbag in a session of its own, so that a Ctrl-C reaches the recorder first. rosbag would end if there were no room
+    when it begins, so it is started once there is."""
 
     def __init__(self, topics, run, limit, min_space, name):
         self.run, self.min_space = run, min_space
-        self.process = subprocess.Popen(command_of(topics, run, limit, min_space, name), stdin=subprocess.DEVNULL,
-                                        start_new_session=True)
+        self.command = command_of(topics, run, limit, min_space, name)
+        self.process = None
+        self.problem()
 
     def problem(self):
-        """Why nothing is written; empty if all is well."""
-        code = self.process.poll()
+        """Why nothing is written; empty if all is well. Starts rosbag as soon as there is room."""
+        code = self.process.poll() if self.process else None
         if code is not None:
             return 'rosbag has ended (exit code %d): nothing is recorded any more' % code
         try:
@@ -50,6 +52,8 @@ class BagWriter:
         if free < self.min_space * MEGA:
             return 'the disk of %s is full: %d MB are free, less than min_space (%d MB), so nothing is recorded until there ' \
                    'is room' % (self.run, free // MEGA, self.min_space)
+        if not self.process:
+            self.process = subprocess.Popen(self.command, stdin=subprocess.DEVNULL, start_new_session=True)
         return ''
 
     def size(self):
@@ -61,7 +65,7 @@ class BagWriter:
 
     def end(self):
         """Closes the bag. rosbag is killed if it does not end; what it has written until then can be read all the same."""
-        if self.process.poll() is None:
+        if self.process and self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
             try:
                 self.process.wait(PATIENCE)
