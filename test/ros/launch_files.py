@@ -3,6 +3,7 @@
 import glob
 import math
 import os
+import shlex
 import shutil
 import sys
 import tempfile
@@ -61,7 +62,7 @@ class LaunchFilesTest(unittest.TestCase):
         launcher, = (node for node in config.nodes if node.type == 'robots_launcher.py')
         folder = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, folder)
-        return robots_launcher.launches(robots_launcher.arguments_in(launcher.args.split()), folder)
+        return robots_launcher.launches(robots_launcher.arguments_in(shlex.split(launcher.args)), folder)
 
     def remaps(self, name, **arguments):
         return {node.name: dict(node.remap_args) for node in self.config(ROOT + '/launch/' + name, **arguments).nodes}
