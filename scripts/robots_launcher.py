@@ -4,8 +4,8 @@
 A launch file cannot repeat a part of itself for each entry of a list. This program is started by robots.launch, runs the other
 launch files as roslaunch does, and ends them when it is ended or when roslaunch itself has died.
 
-Arguments: those of robots.launch, NAME:=VALUE.
-Exit code: 0 when it was ended or the simulator has ended, 1 when it could not start: the reason is printed.
+Exit code: 0 when it was ended or the simulator has ended, 1 when it could not start: the reason is printed,
+2 for wrong arguments.
 """
 import ctypes
 import os
@@ -20,6 +20,7 @@ import rospkg
 import yaml
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
+from command_line import CommandLine  # noqa: E402
 from robot_starts import StartsError, draw_starts, read_world  # noqa: E402
 from robots_rviz import view_of, write_configuration  # noqa: E402
 
@@ -97,19 +98,29 @@ def end_with_the_parent():
     ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGTERM)
 
 
+def read_command_line():
+    parser = CommandLine(__doc__, 'roslaunch frontier_pilot robots.launch robots:=3')
+    parser.add_argument('arguments', nargs='*', metavar='NAME:=VALUE', help='those of robots.launch')
+    words = parser.parse_args().arguments
+    arguments = arguments_in(words)
+    wrong = [word for word in words if ':=' not in word]
+    missing = sorted(set(OF_THE_WORLD + OF_A_ROBOT + ('robots', 'rviz')) - set(arguments))
+    if wrong or missing:
+        parser.error('%s is not NAME:=VALUE' % wrong[0] if wrong else '%s:= is missing' % missing[0])
+    return arguments
+
+
 def main():
-    if '--help' in sys.argv[1:]:
-        print(__doc__)
-        return 0
+    arguments = read_command_line()
     end_with_the_parent()
-    run_id = rosgraph.Master('/robots_launcher').getParam('/run_id')
     with tempfile.TemporaryDirectory() as folder:
         try:
-            files = launches(arguments_in(sys.argv[1:]), folder)
+            run_id = rosgraph.Master('/robots_launcher').getParam('/run_id')
+            files = launches(arguments, folder)
             parent = roslaunch.parent.ROSLaunchParent(run_id, files, is_core=False, show_summary=False,
                                                       sigint_timeout=PATIENCE[0], sigterm_timeout=PATIENCE[1])
             parent.start()
-        except (StartsError, roslaunch.core.RLException) as error:
+        except (OSError, StartsError, rosgraph.MasterException, roslaunch.core.RLException) as error:
             print('robots_launcher: %s' % error, file=sys.stderr)
             return 1
         parent.spin()  # rviz reads its file from the folder after it has started

@@ -9,6 +9,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/grids/cell_search.h"
+#include "sized.h"
 #include "support/ascii_world.h"
 
 namespace frontier_pilot {
@@ -18,17 +19,10 @@ using fleet::FirstSource;
 using fleet::MergedMap;
 using fleet::SourceResult;
 using test::drawWorld;
+using test::sized;
 using test::toAscii;
 
 constexpr double kTurn = 37.0 * kPi / 180.0;
-
-GridGeometry sized(int width, int height, const Vec2& origin = Vec2::Zero()) {
-  GridGeometry geometry;
-  geometry.width = width;
-  geometry.height = height;
-  geometry.origin = origin;
-  return geometry;
-}
 
 std::int8_t valueAt(const OccupancyGrid& map, const Vec2& point) {
   return map.get(map.geometry().cellAt(point), kUnknown);
@@ -216,25 +210,6 @@ TEST(MergedMap, ARevisionOfASourceIsFollowedAndANewPlaceLeavesNothingAtTheOldOne
   merged.setSource(1, other, {}, {1.5, 2.0, 0.2});
   EXPECT_EQ(merged.map().cells(), anew({1.5, 2.0, 0.2}).cells());
   EXPECT_EQ(merged.map().geometry(), anew({1.5, 2.0, 0.2}).geometry());
-}
-
-// The maps of several robots change before the first of them is set.
-TEST(MergedMap, ASourceThatGrowsWhileAnotherIsDrawnLeavesNothingAtAWrongPlace) {
-  OccupancyGrid a(sized(60, 10), kFree);
-  OccupancyGrid b(sized(20, 10), kFree);
-  for (int y = 0; y < 10; ++y) b[Cell{19, y}] = kOccupied;
-  MergedMap merged(FirstSource::kIsEqual);
-  merged.setSource(1, a, a.geometry().rect(), {});
-  merged.setSource(2, b, b.geometry().rect(), Pose2(0.5, 0.0, 0.0));
-  OccupancyGrid grown(sized(30, 10, Vec2(-0.5, 0.0)), kFree);  // ten columns more on the left
-  for (int y = 0; y < 10; ++y) grown[Cell{29, y}] = kOccupied;
-  b = grown;
-  merged.setSource(1, a, a.geometry().rect(), {});
-  merged.setSource(2, b, b.geometry().rect(), Pose2(0.5, 0.0, 0.0));
-  MergedMap anew(FirstSource::kIsEqual);
-  anew.setSource(1, a, a.geometry().rect(), {});
-  anew.setSource(2, b, b.geometry().rect(), Pose2(0.5, 0.0, 0.0));
-  EXPECT_EQ(toAscii(merged.map()), toAscii(anew.map()));
 }
 
 TEST(MergedMap, RefusesOtherCellsAndMapsThatWouldBeTooLargeAndGoesOnWithoutThem) {
