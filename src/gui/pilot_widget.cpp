@@ -144,8 +144,8 @@ void PilotWidget::layOut(int columns) {
       {{drive_card_, scan_card_, log_card_},
        {sources_card_, patrol_card_, spin_card_, navigation_card_, explorer_card_},
        {}},
-      {{drive_card_, patrol_card_, spin_card_, navigation_card_},
-       {scan_card_, log_card_},
+      {{drive_card_, patrol_card_, spin_card_},
+       {scan_card_, navigation_card_, log_card_},
        {sources_card_, explorer_card_}}};
   const std::vector<Column>& plan = plans[static_cast<std::size_t>(columns - 1)];
   for (QVBoxLayout* layout : column_layouts_) {
