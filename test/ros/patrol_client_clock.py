@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The patrol's client where ROS has no time: it waits a little, heeds signals meanwhile, and gives up."""
+import os
 import signal
+import socket
 import unittest
 
 import rostest
@@ -33,6 +35,19 @@ class PatrolClientClock(unittest.TestCase):
             client.signal(number)
             code, said = client.finish(15.0)
             self.assertEqual(code, expected, said)
+
+    def test_a_signal_while_a_master_is_asked_that_never_answers_is_the_reason_why_it_ends(self):
+        with socket.create_server(('127.0.0.1', 0)) as silent:
+            address = 'http://127.0.0.1:%d' % silent.getsockname()[1]
+            client = Node('patrol_client', 'square', environment=dict(os.environ, ROS_MASTER_URI=address))
+            self.addCleanup(client.end)
+            silent.settimeout(10.0)
+            question, _ = silent.accept()
+            with question:
+                client.signal(signal.SIGTERM)
+                code, said = client.finish(15.0)
+        self.assertEqual(code, 143, said)
+        self.assertEqual(said, '')
 
     def test_a_wrong_number_is_an_error_of_the_command_line(self):
         client = Node('patrol_client', 'square', '--side', '-1')

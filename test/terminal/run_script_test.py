@@ -44,6 +44,13 @@ def descendants(marker):
     return found
 
 
+def command_of(environ):
+    try:
+        return pathlib.Path(environ).with_name('cmdline').read_bytes().replace(b'\0', b' ')
+    except OSError:
+        return environ  # it has ended meanwhile
+
+
 class RunScript(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -60,7 +67,8 @@ class RunScript(unittest.TestCase):
         return process.returncode, out, err
 
     def assert_nothing_is_left(self):
-        self.assertEqual(descendants(b'ROS_MASTER_URI=http://127.0.0.1:%d' % self.port), [])
+        left = descendants(b'ROS_MASTER_URI=http://127.0.0.1:%d' % self.port)
+        self.assertEqual([command_of(path) for path in left], [])
         with socket.socket() as probe:
             self.assertNotEqual(probe.connect_ex(('127.0.0.1', self.port)), 0, 'a master is left')
 

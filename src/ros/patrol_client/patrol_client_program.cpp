@@ -31,7 +31,9 @@ void handleInterrupt(int signal) {
 int codeOf(patrol::PatrolExit exit) {
   return exit == patrol::PatrolExit::kInterrupted ? kExitBySignal + last_signal : static_cast<int>(exit);
 }
+/// A signal interrupts what waits for the master, which then seems to be none: the signal is the reason.
 int fail(const std::string& text, patrol::PatrolExit exit) {
+  if (interrupts > 0) return codeOf(patrol::PatrolExit::kInterrupted);
   PatrolClientAdapter::complain(text);
   return codeOf(exit);
 }
