@@ -59,17 +59,23 @@ class CommandLines(unittest.TestCase):
 
     # [FLT-1]
     def test_a_name_or_a_master_that_cannot_be_one_ends_a_node_with_the_reason(self):
-        for name in ('mapper', 'cmd_vel_arbiter', 'patrol_client'):
+        for name in ('mapper', 'cmd_vel_arbiter', 'patrol_client', 'check_robot'):
             node = BUILD / 'devel/lib/frontier_pilot' / name
             words = ['square'] if name == 'patrol_client' else []
             with self.subTest(program=name):
                 code, _, err = call(node, *words, '__name:=9')
                 wrong = 2 if name == 'patrol_client' else 1
                 self.assertEqual(code, wrong)
-                self.assertIn('Name', err)
+                self.assertRegex(err, '[Nn]ame')
                 code, _, err = call(node, *words, master='nowhere')
                 self.assertEqual(code, wrong)
                 self.assertIn('ROS_MASTER_URI is not an address', err)
+
+    # [FLT-1]
+    def test_the_recorder_does_not_wait_for_a_master_that_cannot_be_one(self):
+        code, _, err = call(BUILD / 'devel/lib/frontier_pilot/run_recorder', master='nowhere')
+        self.assertEqual(code, 1)
+        self.assertIn('ROS_MASTER_URI is not an address', err)
 
     def test_help_of_a_node_has_an_example(self):
         for program in installed():

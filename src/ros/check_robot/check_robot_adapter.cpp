@@ -94,7 +94,11 @@ int CheckRobotAdapter::run(const RunningFn& running) {
 int runCheckRobot(int argc, char** argv) {
   const NodeUsage usage = checkRobotUsage();
   if (const auto answered = answerCommandLine({argv + 1, argv + argc}, usage)) return *answered;
-  ros::init(argc, argv, usage.name, ros::init_options::NoSigintHandler);
+  try {
+    initNode(argc, argv, usage.name);
+  } catch (const std::exception& error) {
+    return fail(error.what(), kNotReady);
+  }
   if (!askMaster()) {
     return fail("no ROS master answers at " + ros::master::getURI() +
                     ": start the robot's launch file or roscore, or set ROS_MASTER_URI",

@@ -40,6 +40,15 @@ TEST(FrozenScan, StaysFrozenUntilAnotherScanComes_FLT_1) {
   EXPECT_FALSE(watch.isFrozen(scanOf({2.0F, 2.1001F, kNone, kNone}), Pose2(0.5, 0.0, 0.0)));
 }
 
+// [FLT-1] As by a driver with two buffers that are no longer filled.
+TEST(FrozenScan, IsNoticedWhenSeveralScansComeInTurn_FLT_1) {
+  FrozenScanWatch watch;
+  for (int i = 0; i < 10; ++i)
+    EXPECT_FALSE(watch.isFrozen(scanOf({1.0F + 0.1F * static_cast<float>(i)}), Pose2(0.02 * i, 0, 0)));
+  for (int i = 0; i < 10; ++i)
+    EXPECT_TRUE(watch.isFrozen(scanOf({1.0F + 0.1F * static_cast<float>(i)}), Pose2(1.0, 0, 0)));
+}
+
 // [FLT-1] A simulator without noise repeats the scan of a robot that stands.
 TEST(FrozenScan, IsNotOneOfARobotThatStands_FLT_1) {
   FrozenScanWatch watch;

@@ -3,7 +3,9 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <algorithm>
-#include <cstring>
+#include <functional>
+#include <string_view>
+#include <vector>
 
 #include "frontier_pilot/core/motion.h"
 #include "ros/common/throttled_log.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kMoved = 0.05;  // [m]
 constexpr double kTurned = 0.1;  // [rad]
+constexpr std::size_t kScansRemembered = 64;
 
 bool hasReturn(const LaserScan2& scan) {
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
@@ -21,29 +24,33 @@ bool hasReturn(const LaserScan2& scan) {
   return false;
 }
 
-/// Bit by bit, so that NaN equals itself.
-bool areSame(const std::vector<float>& a, const std::vector<float>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+/// Of their bits, so that NaN equals itself.
+std::size_t hashOf(const std::vector<float>& ranges) {
+  const auto* bytes = reinterpret_cast<const char*>(ranges.data());
+  return std::hash<std::string_view>()({bytes, ranges.size() * sizeof(float)});
 }
 
 }  // namespace
 
 bool FrozenScanWatch::isFrozen(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base) {
   frozen_ = false;
-  if (!areSame(scan.ranges, ranges_) || !hasReturn(scan)) {
-    ranges_ = scan.ranges;
-    first_seen_ = T_odom_base;
+  if (!hasReturn(scan)) return false;
+  const std::size_t hash = hashOf(scan.ranges);
+  const auto same = std::find_if(seen_.begin(), seen_.end(), [&](const Seen& seen) { return seen.hash == hash; });
+  if (same == seen_.end()) {
+    seen_.push_back({hash, T_odom_base});
+    if (seen_.size() > kScansRemembered) seen_.pop_front();
     return false;
   }
-  if (!first_seen_) first_seen_ = T_odom_base;
-  frozen_ = T_odom_base && isJump(*first_seen_, *T_odom_base, kMoved, kTurned);
+  if (!same->T_odom_base) same->T_odom_base = T_odom_base;
+  frozen_ = T_odom_base && isJump(*same->T_odom_base, *T_odom_base, kMoved, kTurned);
   count_ += frozen_ ? 1 : 0;
   if (frozen_) THROTTLED_ERROR(kFrozenScan << ": it is not used");
   return frozen_;
 }
 
 void FrozenScanWatch::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  if (count_ > 0) status.add("scans that repeat the one before them", count_);
+  if (count_ > 0) status.add("scans that repeat an old one", count_);
   if (frozen_) status.mergeSummary(diagnostic_msgs::DiagnosticStatus::ERROR, kFrozenScan);
 }
 
