@@ -4,8 +4,10 @@ import shutil
 import signal
 import subprocess
 
+import rosgraph
 import roslib.packages
 
+from .registration import Registration
 from .runs import BAG, parts_of
 
 PARTS = 8  # in which a run is written, besides the open one: when the run is full, the oldest is removed
@@ -37,6 +39,8 @@ class BagWriter:
     def __init__(self, topics, run, limit, min_space, name):
         self.run, self.min_space = run, min_space
         self.command = command_of(topics, run, limit, min_space, name)
+        self.registration = Registration(rosgraph.names.resolve_name(name, rosgraph.names.get_ros_namespace()),
+                                         subscriptions=topics)
         self.process = None
         self.problem()
 

@@ -11,7 +11,7 @@ TICKS = os.sysconf('SC_CLK_TCK')
 PAGE = os.sysconf('SC_PAGE_SIZE')
 
 
-class _PatientTransport(xmlrpc.client.Transport):
+class PatientTransport(xmlrpc.client.Transport):
     """Waits no longer than PATIENCE, for a node may hang."""
 
     def make_connection(self, host):
@@ -26,7 +26,7 @@ def pid_behind(uri):
     try:
         if host is None or not rosgraph.network.is_local_address(host):
             return None
-        code, _, pid = xmlrpc.client.ServerProxy(uri, transport=_PatientTransport()).getPid('/run_recorder')
+        code, _, pid = xmlrpc.client.ServerProxy(uri, transport=PatientTransport()).getPid('/run_recorder')
         return pid if code == 1 else None
     except (OSError, xmlrpc.client.Error, ValueError, TypeError):
         return None

@@ -22,6 +22,16 @@ ROLES = {'map': 'nav_msgs/OccupancyGrid', 'map_updates': 'map_msgs/OccupancyGrid
 TYPES = dict(ROLES, odom='nav_msgs/Odometry')
 
 
+def read_info(text):
+    """What the recorder has noted; None if it is not of the recorder's form, because somebody else can publish there too."""
+    try:
+        info = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    forms = {'moment': str, 'wall_time': (int, float), 'namespace': str, 'topics': dict, 'parameters': dict}
+    return info if isinstance(info, dict) and all(isinstance(info.get(key), form) for key, form in forms.items()) else None
+
+
 def names_in(bags, infos):
     """The topic of each role: as the recorder has noted, or else by the end of its name."""
     topics = bags.topics()
@@ -89,13 +99,8 @@ class Run:
         return not self.explorer or self.explorer[0][1].goals_sent <= 1
 
     def _read_info(self, bags):
-        topics = [name for name in bags.topics() if name.endswith('run_recorder/info')]
-        infos = []
-        for _, message, _ in bags.messages(topics):
-            try:
-                infos.append(json.loads(message.data))
-            except ValueError:
-                pass
+        topics = [name for name, kind in bags.topics().items() if name.endswith('run_recorder/info') and kind == 'std_msgs/String']
+        infos = [info for info in (read_info(message.data) for _, message, _ in bags.messages(topics)) if info]
         starts, ends = ([info for info in infos if info.get('moment') == word] for word in ('start', 'end'))
         self.start_info, self.end_info = starts[0] if starts else None, ends[-1] if ends else None
         return starts + ends

@@ -5,10 +5,13 @@ import os
 import signal
 import socket
 import subprocess
+import tempfile
 import time
 import unittest
+import xmlrpc.client
 from collections import namedtuple
 
+import rosbag
 import roslib.packages
 import rosgraph
 import rospy
@@ -103,6 +106,42 @@ class Registration(unittest.TestCase):
         self.assertTrue(wait_for(lambda: known(0, '/cmd_vel') == ['/cmd_vel_arbiter']), '[ARB-12]')
         self.assertTrue(wait_for(lambda: known(1, '/cmd_vel_nav') == ['/cmd_vel_arbiter']), '[ARB-12]')
         self.assertTrue(wait_for(lambda: '/patrol_server' in known(1, '/turtlebot3/goal')), '[FLT-1]')
+
+    # [REC-1] [FLT-1]
+    def test_the_recorder_records_what_begins_after_a_new_master(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        recorder = self.node('run_recorder', '_folder:=' + folder.name, '_period:=0.5', '_min_space:=1')
+        topic = '/obstacle_avoider/status'
+
+        def are_known():
+            state = self.state()
+            return bool(state) and {'/run_recorder', '/run_recorder_rosbag'} <= {
+                node for name, nodes in state[1] + state[0] if name in (topic, '/run_recorder/load') for node in nodes}
+        self.assertTrue(wait_for(are_known, 30.0))
+        time.sleep(1.0)  # it has looked once where rosbag is
+        self.master.kill()
+        self.master.wait()
+        self.new_master()
+        self.assertTrue(wait_for(are_known, 15.0))
+        self.node('obstacle_avoider')
+
+        def is_connected():
+            try:
+                uri = rosgraph.Master('/test', master_uri=self.uri).lookupNode('/obstacle_avoider')
+                connections = xmlrpc.client.ServerProxy(uri).getBusInfo('/test')[2]
+            except (OSError, rosgraph.MasterException):
+                return False
+            return any('/run_recorder_rosbag' in words and topic in words for words in connections)
+        self.assertTrue(wait_for(is_connected, 20.0))
+        time.sleep(1.5)  # in which it says more than one status
+        recorder.send_signal(signal.SIGINT)
+        recorder.wait(30.0)
+        recorded = set()
+        for part in glob.glob(folder.name + '/*/*.bag'):
+            with rosbag.Bag(part) as bag:
+                recorded |= {name for name, _, _ in bag.read_messages(topics=[topic])}
+        self.assertEqual(recorded, {topic})
 
     # [ARB-7] [ARB-12]
     def test_a_stop_that_has_outlived_its_master_is_remembered_under_the_new_one(self):

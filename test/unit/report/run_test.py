@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """What a report finds in a run."""
+import json
 import unittest
 
 import rosbag
@@ -62,6 +63,18 @@ class Reading(FolderCase):
         self.assertAlmostEqual(run.track.length, 0.0)  # steps of a metre are jumps
         self.assertEqual([pose[1] for pose in run.track.poses], [0.0, 1.0, 2.0])
         self.assertIsNone(run.map.cells)
+
+    def test_notes_that_are_not_of_the_recorder_are_left_out(self):
+        path = self.path('notes.bag')
+        with rosbag.Bag(path, 'w') as bag:
+            for text in ('0', '[]', '{"moment": 1}', '{', json.dumps({'moment': 'start', 'topics': [], 'parameters': 7})):
+                bag.write('/run_recorder/info', String(text), rospy.Time(100))
+            bag.write('/a/run_recorder/info', PoseStamped(), rospy.Time(100))
+            bag.write('/tf', synthetic_bag.transform('map', 'base_footprint', 0.0, 0.0), rospy.Time(101))
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        self.assertIsNone(run.start_info)
 
     def test_a_clock_that_is_set_during_the_run_does_not_fill_the_axis_with_ticks(self):
         with drawing.styled():

@@ -15,9 +15,6 @@ constexpr double kListenPeriod = 0.01;                   // [s]
 constexpr std::uint32_t kTfQueue = 100;                  // as in tf2_ros::TransformListener
 constexpr Duration kMargin = std::chrono::seconds(600);  // before the end of ROS time, for what tf2 adds to a stamp
 
-/// The frame without a leading slash: to tf2 "/base" and "base" are the same frame.
-std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
-
 bool isPrintable(const std::string& frame) { return printable(frame, bounds::kMostName) == frame; }
 
 }  // namespace
@@ -84,9 +81,8 @@ void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
   for (const geometry_msgs::TransformStamped& transform : msg.transforms) {
     if (const char* why = problemOf(transform, now, is_static)) {
       refuse(why);
-    } else if (contradictsAFixedOne(transform, is_static)) {
-      refuse("'" + plain(transform.child_frame_id) +
-             "' already has another static transform: restart the nodes if it has been moved");
+    } else if (const std::string objection = fixed_.objection(transform, is_static, steadyNow()); !objection.empty()) {
+      refuse(objection);
     } else if (!mayKeep(transform)) {
       refuse("more than 1000 frames");
     } else if (isOfItsTime(transform, is_static, now)) {
@@ -127,20 +123,6 @@ bool TfListener::mayKeep(const geometry_msgs::TransformStamped& transform) {
     frames_.insert(frame);
   }
   return true;
-}
-
-bool TfListener::contradictsAFixedOne(const geometry_msgs::TransformStamped& transform, bool is_static) {
-  const std::string child = plain(transform.child_frame_id);
-  const auto known = fixed_.find(child);
-  if (known == fixed_.end()) {
-    if (is_static && frames_.size() < bounds::kMostFrames) fixed_.emplace(child, transform);
-    return false;
-  }
-  if (plain(known->second.header.frame_id) != plain(transform.header.frame_id)) return true;
-  if (!is_static) return false;
-  constexpr double kSame = 1e-3;  // greatest difference of an entry of the matrices: [m], and about [rad]
-  const auto before = toIsometry(known->second.transform), now = toIsometry(transform.transform);
-  return !before || !now || (before->matrix() - now->matrix()).cwiseAbs().maxCoeff() > kSame;
 }
 
 void TfListener::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {

@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <cstddef>
-#include <map>
 #include <mutex>
 #include <set>
 #include <string>
@@ -18,6 +17,7 @@
 #include "ros/common/callback_guard.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/messages/checked_subscription.h"
+#include "ros/common/tf/fixed_frames.h"
 #include "ros/common/tf/stamp_order.h"
 
 namespace frontier_pilot {
@@ -27,8 +27,7 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
 
 /// Fills a TF buffer from /tf and /tf_static on a thread of its own, as tf2_ros::TransformListener does. Unlike that
 /// one it refuses and counts invalid transforms, keeps a bounded number of frames, clears the buffer when the clock
-/// jumps, and never throws. If two static transforms of one frame differ, the first one holds: a message of another
-/// node that turned the scanner would make the robot drive into walls. [FLT-1]
+/// jumps, and never throws. [FLT-1]
 class TfListener {
  public:
   explicit TfListener(tf2_ros::Buffer& buffer);
@@ -45,8 +44,6 @@ class TfListener {
   void take(const tf2_msgs::TFMessage& msg, bool is_static);
   void refuse(const std::string& why);
   bool mayKeep(const geometry_msgs::TransformStamped& transform);
-  /// Whether the child frame already has a static transform that differs from this one.
-  bool contradictsAFixedOne(const geometry_msgs::TransformStamped& transform, bool is_static);
   /// Whether its stamp is plausible. If an earlier stamp turns out to have been in the future, the buffer is cleared.
   bool isOfItsTime(const geometry_msgs::TransformStamped& transform, bool is_static, Time now);
 
@@ -57,8 +54,8 @@ class TfListener {
   UnreadableMessages unreadable_;
   mutable std::mutex mutex_;  ///< guards the rejections
   Rejections rejections_{"transform"};
-  std::set<std::string> frames_;                                  ///< known to the buffer
-  std::map<std::string, geometry_msgs::TransformStamped> fixed_;  ///< the static ones, by child
+  std::set<std::string> frames_;  ///< known to the buffer
+  FixedFrames fixed_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::Subscriber transforms_, static_transforms_;

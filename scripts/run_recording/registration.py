@@ -1,0 +1,45 @@
+"""Registers nodes of Python and rosbag again at a new master, which knows nothing of those that the old one had."""
+import xmlrpc.client
+
+import rosgraph
+
+from .node_load import PatientTransport
+
+ANY = '*'  # the type of a subscription that takes whatever is published
+
+
+class Registration:
+    """What a node of this name publishes and subscribes to, by the master's API. Whoever knows the address of a node may register
+    it, so this works for a rosbag of ours as well. Connections that exist are not touched."""
+
+    def __init__(self, name, publications=(), subscriptions=()):
+        self.master = rosgraph.Master(name)
+        self.name = name
+        self.publications = list(publications)  # (topic, type)
+        self.subscriptions = list(subscriptions)  # topics
+        self.uri = None  # of the node, as the last master knew it
+
+    def keep(self):
+        """Looks whether the master knows the node, and registers it if a new one does not. Returns whether it was registered
+        again. To be called now and then; does nothing while there is no master."""
+        try:
+            self.uri = self.master.lookupNode(self.name)
+            return False
+        except rosgraph.MasterError:
+            if self.uri is None:
+                return False  # it has not begun yet
+        except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+            return False
+        try:
+            self._register()
+        except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+            return False  # the next time
+        return True
+
+    def _register(self):
+        for topic, kind in self.publications:
+            self.master.registerPublisher(topic, kind, self.uri)
+        node = xmlrpc.client.ServerProxy(self.uri, transport=PatientTransport())
+        for topic in self.subscriptions:
+            publishers = self.master.registerSubscriber(topic, ANY, self.uri)
+            node.publisherUpdate('/master', topic, publishers)

@@ -1,0 +1,46 @@
+#include "ros/common/tf/fixed_frames.h"
+
+#include <gtest/gtest.h>
+
+namespace frontier_pilot {
+namespace {
+
+geometry_msgs::TransformStamped link(const std::string& parent, const std::string& child, double x = 0.0) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = parent;
+  transform.child_frame_id = child;
+  transform.transform.translation.x = x;
+  transform.transform.rotation.w = 1.0;
+  return transform;
+}
+
+SteadyTime at(double seconds) { return SteadyTime() + fromSeconds(seconds); }
+
+// [FLT-1]
+TEST(FixedFrames, TheFirstStaticTransformOfAFrameHolds_FLT_1) {
+  FixedFrames frames;
+  EXPECT_EQ(frames.objection(link("base", "scan", 0.1), true, at(0.0)), "");
+  EXPECT_EQ(frames.objection(link("/base", "/scan", 0.1), true, at(1.0)), "") << "the same again";
+  EXPECT_NE(frames.objection(link("base", "scan", 0.2), true, at(1.0)), "");
+  EXPECT_NE(frames.objection(link("other", "scan"), false, at(1.0)), "");
+  EXPECT_NE(frames.objection(link("base", "scan", 0.2), false, at(1.0)), "") << "tf2 would take it over for all times";
+  EXPECT_EQ(frames.objection(link("base", "scan", 0.1), false, at(1.0)), "");
+}
+
+// [FLT-1] It would nail the robot to the floor for good: the transforms of its odometry would be refused.
+TEST(FixedFrames, AFrameThatMovesDoesNotBecomeFixed_FLT_1) {
+  FixedFrames frames;
+  EXPECT_EQ(frames.objection(link("odom", "base"), false, at(0.0)), "");
+  EXPECT_NE(frames.objection(link("nowhere", "base"), true, at(4.9)), "");
+  EXPECT_NE(frames.objection(link("odom", "base"), true, at(4.9)), "");
+  EXPECT_EQ(frames.objection(link("odom", "base", 1.0), false, at(4.9)), "") << "the robot goes on";
+}
+
+TEST(FixedFrames, AFrameThatHasStoodStillForLongMayBecomeFixed) {
+  FixedFrames frames;
+  EXPECT_EQ(frames.objection(link("odom", "base"), false, at(0.0)), "");
+  EXPECT_EQ(frames.objection(link("odom", "base"), true, at(5.1)), "");
+}
+
+}  // namespace
+}  // namespace frontier_pilot
