@@ -207,8 +207,8 @@ class Run {
     };
     return static_cast<std::size_t>(
         std::count_if(mapped.closures.begin(), mapped.closures.end(), [&](const slam::LoopClosure& closure) {
-          const Pose2 really = truthAt(closure.submap_stamp).inverse() * truthAt(closure.keyframe_stamp);
-          return isJump(really, closure.T_submap_keyframe, kFalseDistance, kFalseAngle);
+          const Pose2 really = truthAt(closure.reference_stamp).inverse() * truthAt(closure.keyframe_stamp);
+          return isJump(really, closure.T_reference_keyframe, kFalseDistance, kFalseAngle);
         }));
   }
 

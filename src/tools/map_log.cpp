@@ -76,7 +76,7 @@ std::vector<std::pair<Vec2, Vec2>> closuresOf(const MappedDrive& drive) {
   };
   std::vector<std::pair<Vec2, Vec2>> lines;
   for (const slam::LoopClosure& closure : drive.closures)
-    lines.emplace_back(at(closure.submap_stamp), at(closure.keyframe_stamp));
+    lines.emplace_back(at(closure.reference_stamp), at(closure.keyframe_stamp));
   return lines;
 }
 

@@ -137,7 +137,7 @@ struct LoopCloserParameters {
   void describe(Visitor& v) {
     v.fixed({"min_gap",        "reach",          "sigmas",        "min_window",     "max_window",   "min_angle",
              "max_angle",      "known_position", "known_yaw",     "max_candidates", "max_per_pair", "confirmations",
-             "confirm_travel", "confirm_jump",   "confirm_share", "confirm_within", "verify_jump",  "max_contradiction",
+             "confirm_travel", "confirm_jump",   "confirm_share", "confirm_within", "verify_jump",  "max_inconsistency",
              "agree_distance", "agree_angle"});
     v.group("search", search, "the search for one keyframe in one submap");
   }
@@ -156,6 +156,21 @@ struct RenderingParameters {
   }
 };
 
+/// When past closures are searched for again in bent submaps, see Refinement.
+struct RefinementParameters {
+  double weak_share = 0.02;  ///< if at least this share of the steps between keyframes is mostly by odometry,
+  int min_keyframes = 30;    ///< there are so many keyframes,
+  double growth = 1.15;      ///< and so many times as many as the last time
+  int max_candidates = 4;    ///< number of submaps that are then searched for each keyframe
+  double position = 0.005;   ///< standard deviation of each step that remains where a match determines it fully [m]
+  double yaw = 0.0015;       ///< the same for its yaw [rad]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.fixed({"weak_share", "min_keyframes", "growth", "max_candidates", "position", "yaw"});
+  }
+};
+
 /// All parameters of GraphSlam.
 struct GraphSlamParameters {
   surfaces::SurfaceParameters surface;
@@ -163,6 +178,7 @@ struct GraphSlamParameters {
   SubmapDrift drift;
   PoseGraphParameters graph;
   LoopCloserParameters loops;
+  RefinementParameters refinement;
   RenderingParameters rendering;
 
   template <class Visitor>
@@ -172,6 +188,7 @@ struct GraphSlamParameters {
     v.group("drift", drift, "the drift of the local map from submap to submap");
     v.group("graph", graph, "the pose graph");
     v.group("loops", loops, "loop closing");
+    v.group("refinement", refinement, "the refinement of drives with few scans");
     v.group("rendering", rendering, "when the map is rendered again");
   }
 };

@@ -27,13 +27,15 @@ enum class ClosureVerdict {
 constexpr std::size_t kClosureVerdicts = 7;
 const char* toString(ClosureVerdict verdict);
 
-/// A loop closure: the pose of a keyframe relative to an older submap.
+/// A loop closure: a keyframe was recognised in an older submap. Its pose is given relative to that keyframe of the
+/// submap which is nearest to it, because what the submap has bent since then matters least there.
 struct LoopClosure {
   std::size_t keyframe = 0;
   std::size_t submap = 0;
-  Pose2 T_submap_keyframe;
+  std::size_t reference = 0;  ///< the nearest keyframe of the submap
+  Pose2 T_reference_keyframe;
   Time keyframe_stamp;
-  Time submap_stamp;  ///< of the submap's first keyframe, whose base frame is the submap's frame
+  Time reference_stamp;
 };
 
 /// The number of attempts by verdict.

@@ -12,21 +12,23 @@ GraphBackEnd::GraphBackEnd(const GraphSlamParameters& parameters, const occupanc
       inserter_(insertion),
       base_(std::move(base)),
       graph_(parameters.drift, parameters.graph),
-      closer_(parameters.loops, parameters.surface) {}
+      closer_(parameters.loops, parameters.surface),
+      refinement_(parameters) {}
 
 MapRevision GraphBackEnd::update(std::vector<PlacedKeyframe> batch) {
   MapRevision revision;
-  const Pose2 T_map_local = graph_.T_map_local();
+  const Pose2 T_map_front = this->T_map_front();
   const std::size_t known = closures_.size();
   for (PlacedKeyframe& placed : batch) {
     const surfaces::SurfacePoints points = std::exchange(placed.keyframe.points, {});
     rendered_.push_back(placed.T_map_base);
-    graph_.add(std::move(placed));
-    for (const LoopClosure& closure : closer_.update(graph_, points)) closures_.push_back(closure);
+    add(std::move(placed));
+    for (const LoopClosure& closure : closer_.update(graph_, points)) report(closure);
   }
+  if (closures_.size() > known && refinement_.isDue()) refine();
   // A new submap is placed by the present estimate of the local frame, so only closures move that frame.
   if (closures_.size() > known) {
-    const Pose2 jump = graph_.T_map_local() * T_map_local.inverse();
+    const Pose2 jump = this->T_map_front() * T_map_front.inverse();
     T_new_old_ = withheld_ ? jump * T_new_old_ : jump;
     moved_ = true;
   }
@@ -36,6 +38,24 @@ MapRevision GraphBackEnd::update(std::vector<PlacedKeyframe> batch) {
   revision.closures = std::exchange(closures_, {});
   revision.T_new_old = std::exchange(T_new_old_, Pose2());
   return revision;
+}
+
+void GraphBackEnd::add(PlacedKeyframe placed) {
+  refinement_.note(placed.step);
+  T_front_last_ = placed.keyframe.T_local_base;
+  placed.keyframe.T_local_base = T_local_front_ * T_front_last_;
+  for (PlacedKeyframe::Place& place : placed.places) place.T_local_submap = T_local_front_ * place.T_local_submap;
+  graph_.add(std::move(placed));
+}
+
+void GraphBackEnd::report(LoopClosure closure) {
+  if (reported_.emplace(closure.submap, closure.keyframe).second) closures_.push_back(closure);
+}
+
+void GraphBackEnd::refine() {
+  for (const LoopClosure& closure : refinement_.refine(graph_, closer_)) report(closure);
+  const std::size_t last = graph_.keyframeCount() - 1;
+  T_local_front_ = graph_.keyframe(last).T_local_base * T_front_last_.inverse();
 }
 
 void GraphBackEnd::takeBack(const MapRevision& refused) {

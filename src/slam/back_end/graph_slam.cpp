@@ -1,6 +1,7 @@
 #include "frontier_pilot/slam/graph_slam.h"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "slam/back_end/graph_back_end.h"
@@ -44,10 +45,12 @@ struct GraphSlam::Impl {
         back_end(setup.backEnd()) {}
 
   void keep(LocalSlamOutput& output);
+  KeyframeStep stepTo(const Keyframe& keyframe, const Track& track);
 
   Setup setup;
   LocalSlam local;
   DriftCovariance drift;
+  std::optional<Pose2> T_local_keyframe;  ///< of the last keyframe
   Pose2 T_map_local;
   std::shared_ptr<GraphBackEnd> back_end;  ///< while work is under way, only that work accesses it
   std::vector<PlacedKeyframe> inbox;       ///< keyframes for the next work
@@ -61,11 +64,20 @@ GraphSlam::GraphSlam(const GraphSlamParameters& parameters, const occupancy::Occ
     : impl_(std::make_unique<Impl>(Setup{parameters, map, insertion, std::move(base)})) {}
 GraphSlam::~GraphSlam() = default;
 
+KeyframeStep GraphSlam::Impl::stepTo(const Keyframe& keyframe, const Track& track) {
+  KeyframeStep step;
+  if (T_local_keyframe) step.motion = T_local_keyframe->inverse() * keyframe.T_local_base;
+  step.drift = drift.step(keyframe, track);
+  step.weak = track.verdict == MatchVerdict::kExtended;
+  T_local_keyframe = keyframe.T_local_base;
+  return step;
+}
+
 void GraphSlam::Impl::keep(LocalSlamOutput& output) {
   PlacedKeyframe placed;
   placed.keyframe = std::move(*output.keyframe);
   output.keyframe.reset();
-  placed.drift = drift.step(placed.keyframe, output.track);
+  placed.step = stepTo(placed.keyframe, output.track);
   placed.T_map_base = T_map_local * placed.keyframe.T_local_base;
   for (const auto& submap : output.finished) addPlace(submap, placed);
   for (const auto& submap : local.active()) addPlace(submap, placed);

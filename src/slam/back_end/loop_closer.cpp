@@ -193,6 +193,18 @@ bool LoopCloser::makesSense(const SubmapGraph& graph, const PoseGraph& before, c
   return worse <= parameters_.max_inconsistency * views;
 }
 
+LoopClosure LoopCloser::closureOf(const SubmapGraph& graph, const Hypothesis& hypothesis) {
+  const Pose2& T_submap_keyframe = hypothesis.T_submap_keyframe.pose;
+  const std::size_t reference = graph.nearestKeyframe(hypothesis.submap, T_submap_keyframe);
+  const Pose2 T_submap_reference = graph.T_submap_keyframe(hypothesis.submap, reference);
+  return {hypothesis.keyframe,
+          hypothesis.submap,
+          reference,
+          T_submap_reference.inverse() * T_submap_keyframe,
+          graph.keyframe(hypothesis.keyframe).scan.stamp,
+          graph.keyframe(reference).scan.stamp};
+}
+
 std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen) {
   const PoseGraph before = graph.graph();
   const std::vector<Pose2> then = sampledPoses(graph);
@@ -201,9 +213,7 @@ std::vector<LoopClosure> LoopCloser::accept(SubmapGraph& graph, const std::vecto
     Hypothesis& hypothesis = hypotheses_[index];
     graph.close(hypothesis.submap, hypothesis.of, hypothesis.keyframe, hypothesis.T_submap_keyframe);
     hypothesis.certain = true;
-    const std::size_t first = graph.submap(hypothesis.submap).keyframes.front();
-    closures.push_back({hypothesis.keyframe, hypothesis.submap, hypothesis.T_submap_keyframe.pose,
-                        graph.keyframe(hypothesis.keyframe).scan.stamp, graph.keyframe(first).scan.stamp});
+    closures.push_back(closureOf(graph, hypothesis));
   }
   graph.optimize();
   ClosureVerdict verdict = ClosureVerdict::kAccepted;

@@ -23,6 +23,8 @@ class LoopCloser {
 
   /// The number of attempts so far, by verdict.
   const ClosureCounts& counts() const { return counts_; }
+  /// Goes on from the counts of another one.
+  void setCounts(const ClosureCounts& counts) { counts_ = counts; }
 
  private:
   /// A match: waiting for others that agree with it or, if `certain`, accepted already and able to confirm others.
@@ -51,6 +53,7 @@ class LoopCloser {
   /// Whether the sampled keyframes, which were at `then` in `before`, are now about as consistent with the rest of the
   /// map as they were.
   bool makesSense(const SubmapGraph& graph, const PoseGraph& before, const std::vector<Pose2>& then);
+  static LoopClosure closureOf(const SubmapGraph& graph, const Hypothesis& hypothesis);
   std::vector<LoopClosure> accept(SubmapGraph& graph, const std::vector<std::size_t>& chosen);
 
   LoopCloserParameters parameters_;

@@ -2,7 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -24,14 +26,25 @@ SubmapGraph::SubmapGraph(const SubmapDrift& drift, const PoseGraphParameters& pa
 
 void SubmapGraph::add(PlacedKeyframe placed) {
   const std::size_t id = keyframes_.size();
-  drift_since_ += placed.drift;
-  ++steps_;
+  drift_since_ += placed.step.drift;
+  ++steps_since_;
   for (const PlacedKeyframe::Place& place : placed.places) {
     if (place.submap == submaps_.size()) begin(place);
     submaps_[place.submap].keyframes.push_back(id);
   }
   places_.push_back({placed.places.front().submap, placed.places.back().submap});
   keyframes_.push_back(std::move(placed.keyframe));
+  steps_.push_back(placed.step);
+}
+
+PlacedKeyframe SubmapGraph::placed(std::size_t keyframe) const {
+  PlacedKeyframe placed;
+  placed.keyframe = keyframes_[keyframe];
+  placed.step = steps_[keyframe];
+  for (std::size_t submap = places_[keyframe].first; submap <= places_[keyframe].last; ++submap) {
+    placed.places.push_back({submap, submaps_[submap].T_local_submap});
+  }
+  return placed;
 }
 
 void SubmapGraph::begin(const PlacedKeyframe::Place& place) {
@@ -41,9 +54,9 @@ void SubmapGraph::begin(const PlacedKeyframe::Place& place) {
   if (node == 0) return;
   const Pose2& T_local_before = submaps_[node - 1].T_local_submap;
   // Odometry's errors persist for a while: their standard deviations add up, not their variances.
-  const Eigen::Matrix3d drifted = static_cast<double>(steps_) * drift_since_;
+  const Eigen::Matrix3d drifted = static_cast<double>(steps_since_) * drift_since_;
   drift_since_.setZero();
-  steps_ = 0;
+  steps_since_ = 0;
   const Eigen::Matrix3d covariance =
       alongAxes(drifted, T_local_before.yaw) + diagonalCovariance(drift_.position, drift_.yaw);
   graph_.addConstraint({node - 1, node, T_local_before.inverse() * place.T_local_submap, covariance.inverse(), false});
@@ -57,6 +70,19 @@ std::size_t SubmapGraph::gap(std::size_t submap, std::size_t keyframe) const {
 
 Pose2 SubmapGraph::T_submap_keyframe(std::size_t submap, std::size_t keyframe) const {
   return submaps_[submap].T_local_submap.inverse() * keyframes_[keyframe].T_local_base;
+}
+
+std::size_t SubmapGraph::nearestKeyframe(std::size_t submap, const Pose2& T_submap_base) const {
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t keyframe : submaps_[submap].keyframes) {
+    const Pose2 apart = T_submap_keyframe(submap, keyframe).inverse() * T_submap_base;
+    const double distance = apart.position().norm() + std::abs(apart.yaw);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = keyframe;
+  }
+  return nearest;
 }
 
 Pose2 SubmapGraph::T_map_keyframe(std::size_t keyframe) const {
@@ -117,6 +143,14 @@ void SubmapGraph::close(std::size_t submap, std::size_t of, std::size_t keyframe
   const Eigen::Matrix3d covariance =
       compounded(T_submap_keyframe.pose, T_submap_keyframe.covariance, T_submap_of, Eigen::Matrix3d::Zero());
   graph_.addConstraint({submap, of, T_submap_of, covariance.inverse(), true});
+  closures_.push_back({submap, keyframe, T_submap_keyframe});
+}
+
+void SubmapGraph::setGraph(const PoseGraph& graph) {
+  graph_ = graph;
+  const auto closures = std::count_if(graph_.constraints().begin(), graph_.constraints().end(),
+                                      [](const PoseConstraint& constraint) { return constraint.robust; });
+  closures_.resize(static_cast<std::size_t>(closures));
 }
 
 }  // namespace frontier_pilot::slam

@@ -57,15 +57,23 @@ inline std::vector<Pose2> ringPoses(double side, double step, double laps) {
   return poses;
 }
 
+/// Steps that no match confirms: each `every`-th one, 0 for none, with an error of its own.
+struct WeakSteps {
+  std::size_t every = 0;
+  Pose2 error;
+};
+
 /// The output of a LocalSlam on a drive: keyframes in submaps that overlap by half, in a frame that drifts.
 class DriftingDrive {
  public:
-  /// `error` is added to the estimate of each step.
-  DriftingDrive(std::vector<Pose2> truth, const Grid<std::uint8_t>& world, const Pose2& error)
-      : truth_(std::move(truth)), scanner_(world, 0.01), error_(error) {
+  /// `error` is added to the estimate of each step that is not weak.
+  DriftingDrive(std::vector<Pose2> truth, const Grid<std::uint8_t>& world, const Pose2& error,
+                const WeakSteps& weak = {})
+      : truth_(std::move(truth)), scanner_(world, 0.01), weak_(weak) {
     T_local_base_ = {Pose2()};
     for (std::size_t i = 1; i < truth_.size(); ++i) {
-      T_local_base_.push_back(T_local_base_.back() * truth_[i - 1].inverse() * truth_[i] * error_);
+      const Pose2& added = isWeak(i) ? weak.error : error;
+      T_local_base_.push_back(T_local_base_.back() * truth_[i - 1].inverse() * truth_[i] * added);
     }
   }
 
@@ -82,8 +90,10 @@ class DriftingDrive {
     placed.keyframe.points = surfaces::thinned(placed.keyframe.scan.points);
     placed.keyframe.T_local_base = T_local_base_[i];
     placed.T_map_base = T_local_base_[i];
-    const Eigen::Vector3d sigma(0.01, 0.01, 0.004);
-    placed.drift = sigma.cwiseProduct(sigma).asDiagonal();
+    if (i > 0) placed.step.motion = T_local_base_[i - 1].inverse() * T_local_base_[i];
+    const Eigen::Vector3d sigma = isWeak(i) ? Eigen::Vector3d(0.03, 0.03, 0.03) : Eigen::Vector3d(0.01, 0.01, 0.004);
+    placed.step.drift = sigma.cwiseProduct(sigma).asDiagonal();
+    placed.step.weak = isWeak(i);
     constexpr std::size_t kHalf = 10;
     const std::size_t younger = i / kHalf;
     if (younger > 0) placed.places.push_back({younger - 1, T_local_base_[(younger - 1) * kHalf]});
@@ -92,10 +102,12 @@ class DriftingDrive {
   }
 
  private:
+  bool isWeak(std::size_t i) const { return weak_.every > 0 && i > 0 && i % weak_.every == 0; }
+
   std::vector<Pose2> truth_;
   std::vector<Pose2> T_local_base_;
   Scanner scanner_;
-  Pose2 error_;
+  WeakSteps weak_;
 };
 
 }  // namespace frontier_pilot::test

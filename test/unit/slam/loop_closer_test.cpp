@@ -48,7 +48,7 @@ TEST(LoopCloser, ClosesTheLoopAndCountsEachClosure_MAP_1) {
   EXPECT_FALSE(lap.moved_without_closure);
   for (const slam::LoopClosure& closure : lap.closures) {
     EXPECT_GE(lap.graph.gap(closure.submap, closure.keyframe), 2U) << "what was just left is no loop";
-    EXPECT_GT(closure.keyframe_stamp, closure.submap_stamp);
+    EXPECT_GT(closure.keyframe_stamp, closure.reference_stamp);
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 slam::PlacedKeyframe along(std::size_t i, double sigma) {
   slam::PlacedKeyframe placed;
   placed.keyframe.T_local_base = Pose2(static_cast<double>(i), 0.0, 0.0);
-  placed.drift = Eigen::Vector3d(sigma * sigma, sigma * sigma, 1e-12).asDiagonal();
+  placed.step.drift = Eigen::Vector3d(sigma * sigma, sigma * sigma, 1e-12).asDiagonal();
   const std::size_t younger = i / 2;
   if (younger > 0) placed.places.push_back({younger - 1, Pose2(2.0 * static_cast<double>(younger - 1), 0.0, 0.0)});
   placed.places.push_back({younger, Pose2(2.0 * static_cast<double>(younger), 0.0, 0.0)});
