@@ -44,6 +44,8 @@ constexpr const char* kPauseSimulator = "simulator/pause";
 constexpr const char* kArbiterStatus = "cmd_vel_arbiter/status";
 constexpr const char* kEmergencyStopState = "emergency_stop_state";
 constexpr const char* kEmergencyStop = "emergency_stop";
+constexpr const char* kFleetEmergencyStop = "fleet/emergency_stop";
+constexpr const char* kFleetStopStatus = "fleet/stop_status";
 constexpr const char* kSetEmergencyStop = "set_emergency_stop";
 /// The service that enables or disables a source of the arbiter.
 inline std::string setEnabled(const std::string& source) { return "set_" + source + "_enabled"; }
