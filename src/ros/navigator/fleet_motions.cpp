@@ -1,5 +1,7 @@
 #include "ros/navigator/fleet_motions.h"
 
+#include <limits>
+
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 
