@@ -94,7 +94,7 @@ constexpr const char* kClearInspections = "frontier_explorer/clear_inspections";
 constexpr const char* kSetReturnToStart = "frontier_explorer/set_return_to_start";
 constexpr const char* kClickedPoint = "clicked_point";  // rviz' own name
 constexpr const char* kBatteryState = "battery_state";
-constexpr const char* kFleetClaims = "/fleet/claims";  // shared by all robots
+constexpr const char* kFleetClaims = "/fleet/claims";    // shared by all robots
 constexpr const char* kFleetMotions = "/fleet/motions";  // shared by all robots
 constexpr const char* kSetExplorationEnabled = "set_exploration_enabled";
 
