@@ -14,6 +14,7 @@
 #include "frontier_pilot/sim/simulator.h"
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
+#include "support/closed_loop/standing_watch.h"
 #include "support/cpu_time.h"
 #include "support/driving_meter.h"
 #include "support/explore_options.h"
@@ -47,7 +48,8 @@ class Run {
         driving_(robotOf(options), loop_.simulator().map()),
         svg_(options.svg.empty() ? "" : svgPath(options.svg, world, seed)),
         tracks_(loop_.robotCount()),
-        contacts_(loop_.robotCount(), 0) {
+        contacts_(loop_.robotCount(), 0),
+        standing_(loop_.robotCount()) {
     report_.world = std::filesystem::path(world).stem().string();
     report_.seed = seed;
     report_.area = meter_.area();
@@ -98,6 +100,8 @@ class Run {
       std::printf("    %.2f contact%s at (%.2f, %.2f)\n", toSeconds(loop_.now()), nameOf(robot).c_str(), position.x(),
                   position.y());
     }
+    const bool drives = loop_.status(robot).state == exploration::ExplorerState::kNavigating;
+    standing_[robot].observe(simulator.pose(robot), !drives || !loop_.navigation(robot).traffic.empty(), loop_.now());
     contacts_[robot] += more;
     report_.contacts += more;
   }
@@ -159,6 +163,8 @@ class Run {
     report_.hash = loop_.hash();
     bool complete = loop_.done();
     for (std::size_t robot = 0; robot < loop_.robotCount(); ++robot) {
+      if (loop_.robotCount() > 1)
+        report_.standing = std::max(report_.standing.value_or(0.0), standing_[robot].longest());
       report_.decisions += static_cast<int>(loop_.status(robot).goals_sent);
       complete = complete && loop_.status(robot).reason == exploration::ExplorerReason::kNoReachableFrontier;
     }
@@ -176,6 +182,7 @@ class Run {
   ProgressTrack progress_;
   std::vector<SvgTrack> tracks_;  ///< by robot, as are the next two
   std::vector<int> contacts_;
+  std::vector<test::StandingWatch> standing_;
   std::vector<Vec2> last_;
   std::string last_remark_;
   double metering_ = 0.0;

@@ -37,6 +37,7 @@ void takeWord(const std::string& word, tools::Arguments& arguments, ExploreOptio
   if (word == "--driving") return void(o.driving = true);
   if (word == "--decisions") return void(o.decisions = true);
   if (word == "--no-agreement") return void(o.no_agreement = true);
+  if (word == "--no-rule") return void(o.no_rule = true);
   if (word == "--log") return void(o.log = true);
   if (word == "--twice") return void(o.twice = true);
   if (word == "--omniscient") return void(o.omniscient = true);
@@ -81,6 +82,7 @@ system::ClosedLoopParameters parametersFor(const ExploreOptions& options, const 
   if (options.odom_noise) parameters.head_start = kLook;
   parameters.explorer.strategy = options.strategy;
   parameters.agree = !options.no_agreement;
+  parameters.give_way = !options.no_rule;
   parameters.latency = options.latency;
   if (options.start) {
     parameters.simulator.x = options.start->x;

@@ -21,6 +21,7 @@ struct ExploreOptions {
   double until = 2.0, limit = 7200.0, latency = 0.0;
   bool at_once = false, skewed = false, odom_noise = false, curve = false, log = false, twice = false,
        omniscient = false, no_agreement = false, driving = false, decisions = false;
+  bool no_rule = false;
   std::string svg;
 };
 

@@ -48,7 +48,8 @@ std::string ExploreReport::text() const {
   out += format("                   %8.2f %4.2f %4.2f %5.2f %4.2f |", ms * times.simulator, ms * times.mapper,
                 ms * times.navigator, ms * times.explorer, ms * times.arbiter);
   out += format(" %016llx ", static_cast<unsigned long long>(hash));
-  return out + (tour ? format("%-27s %7.1f %9.2f", end.c_str(), *tour, distance / *tour) : end);
+  out += tour ? format("%-27s %7.1f %9.2f", end.c_str(), *tour, distance / *tour) : end;
+  return out + (standing ? format("; stood without a reason for %.1f s", *standing) : "");
 }
 
 std::string ExploreReport::decisionText() const {

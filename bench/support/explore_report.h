@@ -19,7 +19,8 @@ struct ExploreReport {
   double simulated = 0.0;  ///< [s]
   double distance = 0.0;   ///< by the ground truth [m]
   int contacts = 0;
-  int decisions = 0;  ///< goals sent
+  std::optional<double> standing;  ///< of several robots: longest time that one stood without a reason [s]
+  int decisions = 0;               ///< goals sent
   bool ended_well = false;
   std::string end;   ///< why it ended
   double cpu = 0.0;  ///< of the whole loop [s]

@@ -33,6 +33,7 @@ planning::PlanResult Navigator::makePlan(const planning::PlanRequest& request) {
 void Navigator::clearObstacles() { impl_->clearObstacles(); }
 bool Navigator::hasGoal() const { return impl_->hasGoal(); }
 const planning::Path& Navigator::path() const { return impl_->follower().path(); }
+std::vector<Vec2> Navigator::wayAhead() const { return impl_->wayAhead(); }
 double Navigator::progress() const { return impl_->follower().progress(); }
 const std::vector<Vec2>& Navigator::prediction() const { return impl_->follower().prediction(); }
 const planning::ClearanceMap& Navigator::clearanceMap() const { return impl_->clearanceMap(); }
@@ -80,7 +81,7 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
   last_update_ = now;
   takeIn(inputs, now);
   takeEvents(inputs, now);
-  if (!goal_) return output_;
+  if (obey(inputs, now) || !goal_) return output_;
   if (const auto missing = missingData(inputs, now)) {
     wait(*missing, now);
   } else {
@@ -101,6 +102,7 @@ void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   if (!T_map_base) return;
   scan_stamp_ = inputs.scan->stamp;
   scan_ = scanPoints(*inputs.scan, *T_map_base, outline_);
+  obstacles_.setMakingWay(inputs.order.making_way);
   if (clearance_.empty()) return;
   obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
 }

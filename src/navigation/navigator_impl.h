@@ -16,7 +16,7 @@
 namespace frontier_pilot::navigation {
 
 /// The navigator's state machine: inputs, events and ends of goals in navigator.cpp, the way to a goal in
-/// navigator_steps.cpp.
+/// navigator_steps.cpp, what it does for other robots in navigator_traffic.cpp.
 class Navigator::Impl {
  public:
   Impl(const NavigatorParams& params, std::vector<RecoveryRung> ladder);
@@ -26,6 +26,7 @@ class Navigator::Impl {
   planning::PlanResult makePlan(const planning::PlanRequest& request);
   void clearObstacles();
 
+  std::vector<Vec2> wayAhead() const;
   bool hasGoal() const { return goal_.has_value(); }
   const PathFollower& follower() const { return follower_; }
   const planning::ClearanceMap& clearanceMap() const { return clearance_; }
@@ -51,6 +52,10 @@ class Navigator::Impl {
   void continueRecovery(Time now);
   void refreshMap(Time now);
   bool isAtGoal() const;
+  bool obey(const NavigatorInputs& inputs, Time now);
+  void driveAside(const Vec2& place, const NavigatorInputs& inputs, Time now);
+  bool planAside(const Vec2& place, Time now);
+  void resume(Time now);
   void command(const Twist2& twist, NavState state, NavReason reason);
 
   NavigatorParams params_;
@@ -83,6 +88,9 @@ class Navigator::Impl {
   std::size_t rung_ = 0;
   Recovery recovery_;
   NavReason trouble_ = NavReason::kBlocked;
+  bool obeying_ = false;
+  std::optional<Vec2> aside_;  ///< the place that the path leads to
+  bool aside_failed_ = false;
   std::optional<Time> last_update_;
   NavigatorOutput output_;
 };

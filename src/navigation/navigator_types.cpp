@@ -58,6 +58,8 @@ const char* toString(NavReason reason) {
       return "oscillating";
     case NavReason::kClockJumped:
       return "the clock jumped";
+    case NavReason::kTraffic:
+      return "gives way to another robot";
   }
   return "unknown";
 }

@@ -43,7 +43,8 @@ bool ObstacleLayer::update(const LaserScan2& scan, const ScanPoints& points, con
   for (auto it = seen_.begin(); it != seen_.end();) {
     const Cell cell = map.geometry().cell(it->first);
     const bool old = toSeconds(now - it->second) > params_.memory;
-    if (old || isGone(scan, T_map_base, T_map_sensor, map.geometry().centre(cell))) {
+    if (old || isMakingWay(map.geometry().centre(cell)) ||
+        isGone(scan, T_map_base, T_map_sensor, map.geometry().centre(cell))) {
       map.setLive(cell, false);
       it = seen_.erase(it);
       changed = true;
@@ -60,6 +61,7 @@ bool ObstacleLayer::mark(const ScanPoints& points, const Vec2& robot, planning::
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2 point(static_cast<double>(points.x[i]), static_cast<double>(points.y[i]));
     if ((point - robot).squaredNorm() > params_.range * params_.range) continue;
+    if (isMakingWay(point)) continue;
     const Cell cell = grid.cellAt(point);
     if (!map.isKnownFree(cell) || map.isMapOccupiedNear(cell, params_.map_tolerance)) continue;
     const bool fresh = seen_.insert_or_assign(grid.index(cell), now).second;
@@ -87,6 +89,11 @@ bool ObstacleLayer::isGone(const LaserScan2& scan, const Pose2& T_map_base, cons
     if (reading.kind == RangeKind::kInvalid || reading.distance < range + params_.seen_through) return false;
   }
   return true;
+}
+
+bool ObstacleLayer::isMakingWay(const Vec2& point) const {
+  return std::any_of(making_way_.begin(), making_way_.end(),
+                     [&](const Disc& disc) { return (point - disc.centre).norm() < disc.radius; });
 }
 
 bool ObstacleLayer::clear(planning::ClearanceMap& map) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/navigation/navigator_types.h"
 #include "frontier_pilot/navigation/parameters.h"
 #include "frontier_pilot/planning/clearance_map.h"
 #include "navigation/scan_points.h"
@@ -20,6 +23,8 @@ class ObstacleLayer {
               Time now);
   /// Removes all marks. Returns whether there were any.
   bool clear(planning::ClearanceMap& map);
+  /// From now on nothing is marked inside these discs: robots that are about to leave.
+  void setMakingWay(std::vector<Disc> discs) { making_way_ = std::move(discs); }
   /// Forgets the marks of a map that is gone.
   void forget() { seen_.clear(); }
   bool empty() const { return seen_.empty(); }
@@ -29,7 +34,10 @@ class ObstacleLayer {
   bool mark(const ScanPoints& points, const Vec2& robot, planning::ClearanceMap& map, Time now);
   bool isGone(const LaserScan2& scan, const Pose2& T_map_base, const Pose2& T_map_sensor, const Vec2& obstacle) const;
 
+  bool isMakingWay(const Vec2& point) const;
+
   ObstacleLayerParams params_;
+  std::vector<Disc> making_way_;
   std::map<std::size_t, Time> seen_;  ///< index of the cell and when it was last hit
 };
 

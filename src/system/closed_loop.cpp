@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint64_t kStepsPerControl = 10;   // the explorer's and the navigator's 10 Hz
 constexpr std::uint64_t kStepsPerMessage = 100;  // maps and claims go to the others at 1 Hz
+constexpr std::uint64_t kStepsPerMotion = 50;    // who goes where at 2 Hz
 constexpr std::uint64_t kStepsPerTick = 5;       // the arbiter's 20 Hz
 
 void add(const ModuleTimes& times, ModuleTimes& sum) {
@@ -34,7 +35,10 @@ void ClosedLoopParameters::setLimits(const RobotLimits& limits) {
 }
 
 ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters, double (*wall_clock)())
-    : simulator_(std::move(world), parameters.simulator), agree_(parameters.agree), wall_clock_(wall_clock) {
+    : simulator_(std::move(world), parameters.simulator),
+      agree_(parameters.agree),
+      give_way_(parameters.give_way),
+      wall_clock_(wall_clock) {
   for (std::size_t robot = 0; robot < simulator_.robotCount(); ++robot) {
     unshared_.emplace_back();
     stacks_.push_back(std::make_unique<RobotStack>(simulator_, robot, parameters, wall_clock));
@@ -56,6 +60,7 @@ void ClosedLoop::step() {
   };
   forEach(&RobotStack::sense);
   if (steps_ % kStepsPerMessage == 0 && agree_) shareClaims();
+  if (steps_ % kStepsPerMotion == 0 && give_way_ && stacks_.size() > 1) shareMotions();
   if (steps_ % kStepsPerControl == 0) {
     shareMaps();
     forEach(&RobotStack::control);
@@ -94,6 +99,15 @@ void ClosedLoop::shareClaims() {
   }
   for (const fleet::ClaimsMessage& message : messages) {
     for (const auto& stack : stacks_) stack->hear(message);
+  }
+}
+
+void ClosedLoop::shareMotions() {
+  for (const auto& sender : stacks_) {
+    const auto message = sender->powered() ? sender->motion() : std::nullopt;
+    for (const auto& stack : stacks_) {
+      if (message) stack->hear(*message);
+    }
   }
 }
 

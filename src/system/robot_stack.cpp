@@ -25,6 +25,8 @@ RobotStack::RobotStack(sim::Simulator& simulator, std::size_t robot, const Close
       robot_(robot),
       T_common_map_(simulator.startPose(0).inverse() * simulator.startPose(robot)),
       book_(simulator.name(robot)),
+      gives_way_(parameters.give_way && simulator.robotCount() > 1),
+      rule_(simulator.name(robot), parameters.navigator.robot.drivenOutline().circumscribedRadius()),
       mapper_(parameters.mapper),
       navigator_(parameters.navigator,
                  behaviorLadder(parameters.navigator.recovery, parameters.navigator.robot, kControlFrequency)),
@@ -136,6 +138,8 @@ void RobotStack::navigate() {
     if (pending_.kind == exploration::GoalCommand::Kind::kSend)
       inputs.new_goal = navigation::NavGoal{pending_.goal_id, pending_.goal, false};
     inputs.cancel = pending_.kind == exploration::GoalCommand::Kind::kCancel;
+    if (inputs.new_goal) goal_ = inputs.new_goal;
+    if (gives_way_) inputs.order = giveWay();
     pending_ = {};
     navigation_ = navigator_.update(inputs, now());
     noteGoals(navigation_);
@@ -149,8 +153,26 @@ void RobotStack::navigate() {
   }
 }
 
+navigation::NavOrder RobotStack::giveWay() {
+  fleet::TrafficInputs inputs;
+  inputs.T_map_base = lastPose().pose;
+  if (goal_) inputs.goal = goal_->T_map_goal.position();
+  inputs.path = navigator_.wayAhead();
+  inputs.aside_failed = navigation_.aside_failed;
+  inputs.map = &view();
+  inputs.T_map_common = T_common_map_.inverse();
+  const fleet::TrafficOrder order = rule_.update(inputs, now());
+  navigation::NavOrder asked;
+  asked.hold = order.kind == fleet::TrafficOrder::Kind::kHold;
+  if (order.kind == fleet::TrafficOrder::Kind::kAside) asked.aside = order.place;
+  asked.why = order.text();
+  for (const auto& body : order.making_way) asked.making_way.push_back({body.position, body.radius});
+  return asked;
+}
+
 void RobotStack::noteGoals(const navigation::NavigatorOutput& output) {
   for (const navigation::NavFinished& finished : output.finished) {
+    if (goal_ && goal_->id == finished.id) goal_.reset();
     goal_events_.push_back(
         {static_cast<std::uint32_t>(finished.id), eventKind(finished.result), toString(finished.reason)});
     log("goal " + std::to_string(finished.id) + " " + toString(finished.result) + ": " + toString(finished.reason));

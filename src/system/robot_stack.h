@@ -11,6 +11,7 @@
 #include "frontier_pilot/exploration/explorer.h"
 #include "frontier_pilot/fleet/claims.h"
 #include "frontier_pilot/fleet/merged_map.h"
+#include "frontier_pilot/fleet/traffic.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/navigation/navigator.h"
 #include "frontier_pilot/sim/simulator.h"
@@ -37,6 +38,9 @@ class RobotStack {
   /// What it tells the others, in the map frame of the first robot.
   fleet::ClaimsMessage claims() const;
   void hear(const fleet::ClaimsMessage& message) { book_.take(message, now()); }
+  /// Where it is going to drive, in the same frame; nothing as long as it does not know. [MUL-3]
+  std::optional<fleet::MotionMessage> motion() const { return rule_.message(); }
+  void hear(const fleet::MotionMessage& message) { rule_.hear(message, now()); }
   bool powered() const { return powered_; }
   void setPowered(bool on) { powered_ = on; }
   /// One cycle of the explorer and of the navigator.
@@ -68,6 +72,7 @@ class RobotStack {
   void map(const LaserScan2& scan);
   void explore();
   void navigate();
+  navigation::NavOrder giveWay();
   void noteGoals(const navigation::NavigatorOutput& output);
   Instant instant() const;
   StampedPose2 lastPose() const;
@@ -79,6 +84,8 @@ class RobotStack {
   bool powered_ = true;
   Pose2 T_common_map_;
   fleet::ClaimBook book_;
+  bool gives_way_;
+  fleet::TrafficRule rule_;
   mapping::Mapper mapper_;
   fleet::MergedMap view_{fleet::FirstSource::kPrevails};  ///< empty while the robot is alone
   navigation::Navigator navigator_;
@@ -94,6 +101,7 @@ class RobotStack {
   ScanPlacer placer_;
   LaserScan2 scan_;
   exploration::GoalCommand pending_;
+  std::optional<navigation::NavGoal> goal_;  ///< of the navigator
   navigation::NavigatorOutput navigation_;
   std::vector<exploration::GoalEvent> goal_events_;
   exploration::ExplorerProgress status_;

@@ -10,7 +10,7 @@ from rosgraph_msgs.msg import Clock
 from wire import Node, Record, wait_for
 
 NODES = ('cmd_vel_arbiter', 'obstacle_avoider', 'patrol_server', 'behavior_server', 'mapper', 'map_merger', 'navigator',
-         'frontier_explorer')
+         'frontier_explorer', 'fleet_stop')
 
 
 class ClockStandstill(unittest.TestCase):

@@ -19,7 +19,7 @@ sys.path.insert(0, ROOT + '/scripts')
 import robots_launcher  # noqa: E402
 
 FILES = sorted(glob.glob(ROOT + '/launch/*.launch'))
-NEEDS_NOTHING = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'robots_launcher.py'}  # all the others know the robot
+NEEDS_NOTHING = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py'}  # all the others know the robot
 OWN_ROBOT = {'turtlebot2.launch', 'turtlebot3.launch'}  # their default need not be a Burger
 TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch', 'gui_turtlebot_system.launch',
                'real_robot.launch', 'check_robot.launch'}
@@ -29,7 +29,7 @@ NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
 NEEDS_ODOM_FRAME = {'mapper', 'behavior_server'}
 PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server'}
 LDS_01 = {'scanner/time_increment': 0.000556, 'scanner/reversed': True}
-OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'robots_launcher.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
+OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
 
 
 def flat(values, prefix=''):
@@ -210,7 +210,7 @@ class LaunchFilesTest(unittest.TestCase):
         for robots, names in (('3', ['robot1', 'robot2', 'robot3']), (ROOT + '/config/robots.yaml', ['robot1', 'robot2'])):
             config = self.config(ROOT + '/launch/robots.launch', robots=robots)
             remaps = {node.namespace + node.name: dict(node.remap_args) for node in config.nodes}
-            for node in ('simulator', 'map_merger'):
+            for node in ('simulator', 'map_merger', 'fleet_stop'):
                 listed = config.params['/%s/robots' % node].value
                 self.assertEqual([robot['name'] for robot in listed], names)
             for name in names:

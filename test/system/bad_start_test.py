@@ -11,7 +11,7 @@ import rospy
 import rostest
 
 NODES = ('simulator', 'cmd_vel_arbiter', 'obstacle_avoider', 'mapper', 'map_merger', 'navigator', 'frontier_explorer', 'patrol_server',
-         'behavior_server')
+         'behavior_server', 'fleet_stop')
 WORLDS = os.path.join(rospkg.RosPack().get_path('frontier_pilot'), 'config/worlds')
 
 

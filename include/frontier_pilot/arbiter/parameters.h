@@ -49,6 +49,7 @@ struct ArbiterParameters {
   double clear_quiet_time = 0.5;
   double clock_stall_time = 0.5;
   bool stand_when_contested = true;
+  std::string fleet_stop_status;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -61,6 +62,10 @@ struct ArbiterParameters {
             Bounds{0.0, 60.0, true});
     v.field("stand_when_contested", stand_when_contested, "",
             "send zeros while another node offers one of the arbiter's services and could receive an emergency stop");
+    v.field(
+        "fleet_stop_status", fleet_stop_status, "",
+        "topic on which fleet_stop says which robots it reaches; the diagnostics report an error while it is silent "
+        "or does not reach this robot; empty: the robot belongs to no fleet");
   }
   /// Names, topics and priorities must be unique, and no source may read `cmd_vel` itself.
   void check(Problems& problems) const;

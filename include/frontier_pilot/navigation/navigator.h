@@ -41,6 +41,8 @@ class Navigator {
   bool hasGoal() const;
   /// The path being followed, or the last one; empty before the first.
   const planning::Path& path() const;
+  /// What is left of the path being followed, with the robot's position first; empty while there is none.
+  std::vector<Vec2> wayAhead() const;
   /// How far the robot has come along the path [m].
   double progress() const;
   /// Where the robot is expected to be over the follower's horizon, in the map's frame.

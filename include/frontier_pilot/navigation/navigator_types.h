@@ -19,6 +19,22 @@ struct NavGoal {
   bool use_yaw = false;
 };
 
+/// A round place [m], for example where another robot is.
+struct Disc {
+  Vec2 centre = Vec2::Zero();
+  double radius = 0.0;
+};
+
+/// What the traffic between several robots asks of the navigator. The goal stays, and is pursued again afterwards. In
+/// the map's frame. [MUL-3]
+struct NavOrder {
+  bool hold = false;             ///< stand still
+  std::optional<Vec2> aside;     ///< drive there, and wait; also without a goal
+  std::string why;               ///< in words, while one of the two is asked for
+  std::vector<Disc> making_way;  ///< robots that are leaving: plans may lead through them, motions may not
+  bool empty() const { return !hold && !aside; }
+};
+
 /// Inputs of one tick. A missing input is absent; an old one is recognised by its stamp.
 struct NavigatorInputs {
   std::optional<StampedPose2> pose;  ///< T_map_base
@@ -27,6 +43,7 @@ struct NavigatorInputs {
   Twist2 twist;                      ///< current one, from odometry
   std::optional<NavGoal> new_goal;   ///< an event: preempts the current goal
   bool cancel = false;               ///< an event; acts before `new_goal`
+  NavOrder order;                    ///< holds for this tick; empty for a robot that is alone
 };
 
 enum class NavState { kIdle, kDriving, kTurning, kRecovering, kWaiting };
@@ -53,6 +70,7 @@ enum class NavReason {
   kBlocked,
   kOscillating,
   kClockJumped,
+  kTraffic,
 };
 /// The text of results and status, e.g. "goal occupied".
 const char* toString(NavReason reason);
@@ -73,6 +91,8 @@ struct NavigatorOutput {
   NavReason reason = NavReason::kNone;
   std::string recovery;               ///< what the recovery in progress is doing [NAV-3]
   std::vector<NavFinished> finished;  ///< goals that ended in this tick, the oldest first
+  std::string traffic;                ///< what it does for another robot, e.g. "waits for robot2"; empty: nothing
+  bool aside_failed = false;          ///< there is no way to the place that the order names
   bool plan_changed = false;          ///< `Navigator::path` has been replaced or is no longer followed
 };
 

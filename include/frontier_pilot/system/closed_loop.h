@@ -24,6 +24,7 @@ struct ClosedLoopParameters {
   arbiter::ArbiterParameters arbiter;
   double latency = 0.0;     ///< from a measurement to its use [s]
   bool agree = true;        ///< whether several robots agree who goes where [MUL-2]
+  bool give_way = true;     ///< whether several robots agree who goes first [MUL-3]
   double head_start = 0.0;  ///< how much later than everything else the explorer starts [s]
 
   static mapping::MapperParameters trustingOdometry() {
@@ -94,9 +95,11 @@ class ClosedLoop {
   void shareMaps();
   void shareMap(std::size_t source, const CellRect& changed);
   void shareClaims();
+  void shareMotions();
 
   sim::Simulator simulator_;
   bool agree_;
+  bool give_way_;
   std::vector<std::unique_ptr<RobotStack>> stacks_;
   std::vector<CellRect> unshared_;  ///< by robot, what it has mapped since the others followed
   double (*wall_clock_)();

@@ -100,6 +100,7 @@ std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapsho
   if (!around.memory_problem.empty()) {
     problems.push_back({Level::ERROR, "an emergency stop would not survive this node: " + around.memory_problem});
   }
+  if (!around.fleet_problem.empty()) problems.push_back({Level::ERROR, around.fleet_problem});
   if (!snapshot.stop_cause.empty()) problems.push_back({Level::WARN, "emergency stop: " + snapshot.stop_cause});
   for (const arbiter::SourceStatus& source : snapshot.sources) findSourceProblems(source, around, problems);
   if (!around.master_answers) {

@@ -22,6 +22,7 @@ struct ArbiterConnections {
   std::vector<std::string> registration_problems;     ///< one sentence each
   bool master_answers = true;
   std::string memory_problem;  ///< why a stop would not survive the node; empty if it would
+  std::string fleet_problem;   ///< why a stop of the whole fleet would not reach this robot; empty if it would
 };
 
 /// A problem with its severity, a level of diagnostic_msgs/DiagnosticStatus.

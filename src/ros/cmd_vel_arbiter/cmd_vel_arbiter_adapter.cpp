@@ -112,6 +112,7 @@ void CmdVelArbiterAdapter::takeMasterReport() {
     takeOverStop();  // before driving is allowed again because a rival has ended
     publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
   }
+  around_.fleet_problem = fleet_.problem(steadyNow());
   around_.registration_problems = connections_.master().problems();
   around_.master_answers = steadyNow() - connections_.master().lastAnswer() < kMasterPatience;
   const auto session = session_.take();

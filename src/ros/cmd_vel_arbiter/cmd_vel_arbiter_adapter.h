@@ -14,6 +14,7 @@
 #include "frontier_pilot/arbiter/arbiter.h"
 #include "ros/cmd_vel_arbiter/arbiter_report.h"
 #include "ros/cmd_vel_arbiter/arrival_queue.h"
+#include "ros/cmd_vel_arbiter/fleet_stop_watch.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/publish_flush.h"
@@ -81,6 +82,7 @@ class CmdVelArbiterAdapter {
   ArrivalQueue calls_, clears_;
   ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: see takeItsPlace()
   PublishFlush flush_;
+  FleetStopWatch fleet_{arbiter_.parameters().fleet_stop_status};
   NodeDiagnostics diagnostics_;
   std::string last_summary_, last_content_;
   SteadyTime last_seen_ = steadyNow(), woken_until_{};

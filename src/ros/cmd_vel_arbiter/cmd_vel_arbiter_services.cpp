@@ -35,6 +35,7 @@ void CmdVelArbiterAdapter::addStopServices() {
   set.initBySpecType<SetBoolCall>(names::kSetEmergencyStop, [this](SetBoolCall& call) { return handleSetStop(call); });
   set.callback_queue = &clears_;
   connections_.serve(set);
+  fleet_.listen(connections_, node_.resolveName(names::kEmergencyStop));
   if (!arbiter_.stopped()) return;
   // An arbiter that starts stopped does not know yet which sources command motion. A call that may clear the stop waits
   // until the arbiter has listened to the sources for as long as they have to be quiet before a clear. [ARB-8]

@@ -44,6 +44,8 @@ constexpr const char* kPauseSimulator = "simulator/pause";
 constexpr const char* kArbiterStatus = "cmd_vel_arbiter/status";
 constexpr const char* kEmergencyStopState = "emergency_stop_state";
 constexpr const char* kEmergencyStop = "emergency_stop";
+constexpr const char* kFleetEmergencyStop = "fleet/emergency_stop";
+constexpr const char* kFleetStopStatus = "fleet/stop_status";
 constexpr const char* kSetEmergencyStop = "set_emergency_stop";
 /// The service that enables or disables a source of the arbiter.
 inline std::string setEnabled(const std::string& source) { return "set_" + source + "_enabled"; }
@@ -92,7 +94,8 @@ constexpr const char* kClearInspections = "frontier_explorer/clear_inspections";
 constexpr const char* kSetReturnToStart = "frontier_explorer/set_return_to_start";
 constexpr const char* kClickedPoint = "clicked_point";  // rviz' own name
 constexpr const char* kBatteryState = "battery_state";
-constexpr const char* kFleetClaims = "/fleet/claims";  // shared by all robots
+constexpr const char* kFleetClaims = "/fleet/claims";    // shared by all robots
+constexpr const char* kFleetMotions = "/fleet/motions";  // shared by all robots
 constexpr const char* kSetExplorationEnabled = "set_exploration_enabled";
 
 // Actions

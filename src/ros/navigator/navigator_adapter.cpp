@@ -16,6 +16,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       base_frame_(parameters_.robot.baseFrameOr(parameters_.base_frame)),
       navigator_(parameters_, system::behaviorLadder(parameters_.recovery, parameters_.robot, parameters_.rate)),
       server_(node, tf_, parameters_.map_frame, parameters_.use_goal_yaw),
+      motions_(parameters_.fleet, parameters_.map_frame, parameters_.robot.drivenOutline().circumscribedRadius(), tf_),
       publisher_(node, parameters_.map_frame, parameters_.robot.limits.max_linear),
       diagnostics_(node, private_node),
       connections_(node) {
@@ -24,6 +25,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   map_.subscribe(connections_, parameters_.map_frame);
   server_.subscribe(connections_);
+  motions_.connect(connections_, node, diagnostics_);
   connections_.subscribeToScanner(tf_, base_frame_, 1, &NavigatorAdapter::handleScan, this);
   connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
   followOdometry(connections_, tf_, parameters_.robot, base_frame_, 20, &NavigatorAdapter::handleOdometry, this);
@@ -78,7 +80,7 @@ void NavigatorAdapter::takeMap() {
   if (!changed.empty()) navigator_.setMap(map_.map(), changed);
 }
 
-navigation::NavigatorInputs NavigatorAdapter::gather() {
+navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   takeMap();
   navigation::NavigatorInputs inputs;
   inputs.pose = pose();
@@ -86,13 +88,15 @@ navigation::NavigatorInputs NavigatorAdapter::gather() {
   inputs.map_alive = map_.published() || !parameters_.map_must_live;
   inputs.twist = twist_.fresh(steadyNow(), fromSeconds(parameters_.max_age)).value_or(Twist2{});
   server_.fill(inputs);
+  inputs.order = motions_.order(navigator_, inputs.pose, server_.goal(), map_.map(), now);
   return inputs;
 }
 
 void NavigatorAdapter::tick(Time now) {
-  const navigation::NavigatorInputs inputs = gather();
+  const navigation::NavigatorInputs inputs = gather(now);
   const navigation::NavigatorOutput output = navigator_.update(inputs, now);
   state_ = output.state;
+  motions_.note(output);
   // The zero is published before the result is sent to the client. [NAV-1]
   if (output.command) command_.publish(toTwistMsg(*output.command));
   for (const navigation::NavFinished& finished : output.finished) {
@@ -102,34 +106,6 @@ void NavigatorAdapter::tick(Time now) {
   const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->pose) : std::nullopt;
   if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
   publisher_.publish(navigator_, output, server_.goal(), T_map_base, now);
-}
-
-bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response) {
-  takeMap();
-  const auto in_map = [&](const geometry_msgs::PoseStamped& msg) -> std::optional<Vec2> {
-    const auto T_map_frame = tf_.lookup(parameters_.map_frame, msg.header.frame_id, Time{});
-    const auto given = toPose(msg.pose);
-    if (!T_map_frame || !given) return std::nullopt;
-    return *T_map_frame * given->position();
-  };
-  // As in move_base: without a frame, the start is the robot's position.
-  const auto start = request.start.header.frame_id.empty() ? positionNow() : in_map(request.start);
-  const auto goal = in_map(request.goal);
-  response.plan.header.frame_id = parameters_.map_frame;
-  if (!start || !goal) {
-    THROTTLED_WARN("make_plan: start or goal is malformed or in an unknown frame");
-    return false;
-  }
-  const double tolerance = request.tolerance > 0.0F ? static_cast<double>(request.tolerance) : -1.0;
-  const planning::PlanResult result = navigator_.makePlan({*start, *goal, tolerance});
-  if (!result.found()) THROTTLED_WARN("make_plan: " << toString(result.status));
-  response.plan = toPathMsg(withYaw(result.path.sampled(0.1)), parameters_.map_frame, rosNow());
-  return true;
-}
-
-bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
-  navigator_.clearObstacles();
-  return true;
 }
 
 void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {

@@ -17,6 +17,7 @@
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/navigator/fleet_motions.h"
 #include "ros/navigator/navigator_action.h"
 #include "ros/navigator/navigator_publisher.h"
 
@@ -28,6 +29,7 @@ struct NavigatorNodeParameters : navigation::NavigatorParams {
   double rate = 20.0;         ///< of the control loop [Hz]
   bool use_goal_yaw = true;   ///< whether a goal's direction matters
   bool map_must_live = true;  ///< stand still while the map has no publisher
+  TrafficParameters fleet;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -37,6 +39,7 @@ struct NavigatorNodeParameters : navigation::NavigatorParams {
     v.field("rate", rate, "Hz", "control cycles per second", between(1.0, 100.0));
     v.field("use_goal_yaw", use_goal_yaw, "", "whether a goal's direction matters");
     v.field("map_must_live", map_must_live, "", "stand still while the map has no publisher");
+    v.group("fleet", fleet, "other robots that drive in the same building");
   }
 };
 
@@ -52,7 +55,7 @@ class NavigatorAdapter {
 
  private:
   void tick(Time now);
-  navigation::NavigatorInputs gather();
+  navigation::NavigatorInputs gather(Time now);
   void handleScan(const sensor_msgs::LaserScan& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);
   bool handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
@@ -68,6 +71,7 @@ class NavigatorAdapter {
   TfBridge tf_;
   MapMirror map_;
   MoveBaseServer server_;
+  FleetMotions motions_;
   NavigatorPublisher publisher_;
   NodeDiagnostics diagnostics_;
   Rejections bad_scans_{"scan"};

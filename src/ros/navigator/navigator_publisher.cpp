@@ -109,6 +109,7 @@ bool NavigatorPublisher::publishStatus(const navigation::NavigatorOutput& output
   std::string text = toString(output.state);
   if (!output.recovery.empty()) text += " (" + output.recovery + ")";
   text += std::string(": ") + toString(output.reason);
+  if (!output.traffic.empty()) text += " (" + output.traffic + ")";
   // In IDLE the reason for which the last goal ended stays until the next change.
   if (text == status_ || (output.state == navigation::NavState::kIdle && output.finished.empty() && !status_.empty()))
     return false;

@@ -1,5 +1,6 @@
 #include "ros/common/help/usages.h"
 
+#include <frontier_pilot/FleetMotion.h>
 #include <frontier_pilot/NavigatorProgress.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
@@ -29,7 +30,7 @@ NodeUsage navigatorUsage() {
       port<nav_msgs::OccupancyGrid>(names::kMap),           port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
       port<sensor_msgs::LaserScan>(names::kScan),           port<nav_msgs::Odometry>(names::kOdom),
       port<geometry_msgs::PoseStamped>(names::kSimpleGoal), port<tf2_msgs::TFMessage>(names::kTf),
-      port<tf2_msgs::TFMessage>(names::kTfStatic)};
+      port<tf2_msgs::TFMessage>(names::kTfStatic),          port<FleetMotion>(names::kFleetMotions)};
   usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelNav),
                      port<nav_msgs::Path>(names::kPlan),
                      port<nav_msgs::Path>(names::kLocalPlan),
@@ -37,7 +38,8 @@ NodeUsage navigatorUsage() {
                      port<nav_msgs::OccupancyGrid>(names::kGlobalCostmap),
                      port<std_msgs::String>(names::kNavigatorStatus),
                      port<NavigatorProgress>(names::kNavigatorProgress),
-                     port<geometry_msgs::PoseStamped>(names::kCurrentGoal)};
+                     port<geometry_msgs::PoseStamped>(names::kCurrentGoal),
+                     port<FleetMotion>(names::kFleetMotions)};
   usage.services = {servicePort<nav_msgs::GetPlan>(names::kMakePlan),
                     servicePort<std_srvs::Empty>(names::kClearCostmaps)};
   usage.actions = {port<move_base_msgs::MoveBaseAction>(names::kMoveBase)};

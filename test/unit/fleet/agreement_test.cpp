@@ -1,4 +1,4 @@
-#include "frontier_pilot/fleet/agreement.h"
+#include "frontier_pilot/fleet/map_merger.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include "ros/behavior_server/behavior_server_adapter.h"
 #include "ros/check_robot/check_robot_adapter.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/fleet_stop/fleet_stop_adapter.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 #include "ros/map_merger/map_merger_adapter.h"
 #include "ros/mapper/mapper_adapter.h"
@@ -41,6 +42,7 @@ std::vector<Row> rowsOfAllNodes() {
   appendRows<BehaviorServerParameters>("behavior_server", rows);
   appendRows<MapperNodeParameters>("mapper", rows);
   appendRows<MapMergerNodeParameters>("map_merger", rows);
+  appendRows<FleetStopParameters>("fleet_stop", rows);
   appendRows<NavigatorNodeParameters>("navigator", rows);
   appendRows<ExplorerNodeParameters>("frontier_explorer", rows);
   appendRows<teleop::TeleopParameters>("teleop_gui", rows);

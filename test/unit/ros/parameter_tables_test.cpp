@@ -98,7 +98,7 @@ std::string allTables() {
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
          robotTable() + frameTable() + table(simulatorUsage()) + table(cmdVelArbiterUsage()) +
          table(obstacleAvoiderUsage()) + table(patrolServerUsage()) + table(behaviorServerUsage()) +
-         table(mapperUsage()) + table(mapMergerUsage()) + table(navigatorUsage()) + table(frontierExplorerUsage()) +
+         table(mapperUsage()) + table(mapMergerUsage()) + table(fleetStopUsage()) + table(navigatorUsage()) + table(frontierExplorerUsage()) +
          table(teleopGuiUsage()) + table(checkRobotUsage());
 }
 

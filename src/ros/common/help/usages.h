@@ -13,6 +13,7 @@ NodeUsage patrolClientUsage();
 NodeUsage behaviorServerUsage();
 NodeUsage mapperUsage();
 NodeUsage mapMergerUsage();
+NodeUsage fleetStopUsage();
 NodeUsage navigatorUsage();
 NodeUsage frontierExplorerUsage();
 NodeUsage teleopGuiUsage();

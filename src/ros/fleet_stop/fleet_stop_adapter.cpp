@@ -1,0 +1,103 @@
+#include "ros/fleet_stop/fleet_stop_adapter.h"
+
+#include <frontier_pilot/FleetStopStatus.h>
+#include <ros/console.h>
+#include <ros/names.h>
+
+#include <algorithm>
+
+#include "ros/common/clock.h"
+#include "ros/common/names.h"
+#include "ros/common/parameters.h"
+#include "ros/fleet_stop/stop_answer.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kPublished = std::chrono::seconds(1);
+
+/// The service of the arbiter that publishes the status `topic`; empty if it is another topic.
+std::string serviceBeside(const std::string& topic) {
+  const std::string end = std::string("/") + names::kArbiterStatus;
+  if (topic.size() < end.size() || topic.compare(topic.size() - end.size(), end.size(), end) != 0) return {};
+  return topic.substr(0, topic.size() - end.size()) + "/" + names::kEmergencyStop;
+}
+
+}  // namespace
+
+void FleetStopParameters::check(Problems& problems) const {
+  for (const fleet::FleetRobot& robot : robots) {
+    std::string why;
+    if (robot.name.empty() || !ros::names::validate(robot.name, why))
+      problems.push_back("robots: '" + robot.name + "' is no name of a namespace: " + why);
+  }
+}
+
+FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : parameters_(loadNodeParameters<FleetStopParameters>(private_node)),
+      node_(node),
+      status_(node.advertise<FleetStopStatus>(names::kFleetStopStatus, 1, true)),
+      diagnostics_(node, private_node),
+      connections_(node) {
+  for (const fleet::FleetRobot& robot : parameters_.robots)
+    addRobot(node.resolveName(names::ofRobot(robot.name, names::kEmergencyStop)));
+  ros::AdvertiseServiceOptions stop;
+  stop.initBySpecType<Call>(names::kFleetEmergencyStop, [this](Call& call) { return handleStop(call); });
+  connections_.serve(stop);
+  diagnostics_.add("robots", [this](auto& status) { report(status); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  connections_.everySteady(ros::WallDuration(0.2), [this] { tick(); });
+}
+
+void FleetStopAdapter::addRobot(const std::string& service) {
+  const auto is_it = [&](const auto& line) { return line->service() == service; };
+  if (std::any_of(lines_.begin(), lines_.end(), is_it)) return;
+  lines_.push_back(std::make_unique<StopLine>(node_, service));
+}
+
+bool FleetStopAdapter::handleStop(Call& call) {
+  takeMasterReport();
+  for (const auto& line : lines_) line->ask();
+  const SteadyTime deadline = steadyNow() + fromSeconds(parameters_.patience);
+  std::vector<RobotAnswer> answers;
+  for (const auto& line : lines_) answers.push_back({line->service(), line->answerUntil(deadline)});
+  const FleetAnswer answer = summarize(answers);
+  call.getResponse().success = answer.success ? 1 : 0;
+  call.getResponse().message = last_stop_ = answer.message;
+  ROS_WARN_STREAM(names::kFleetEmergencyStop << " called by " << call.getCallerName() << ": " << answer.message);
+  return true;
+}
+
+void FleetStopAdapter::takeMasterReport() {
+  const auto seen = connections_.master().take();
+  if (!seen) return;
+  for (const auto& [topic, nodes] : seen->publishers) {
+    const std::string service = serviceBeside(topic);
+    if (!service.empty()) addRobot(service);
+  }
+}
+
+void FleetStopAdapter::tick() {
+  takeMasterReport();
+  FleetStopStatus msg;
+  msg.stamp = ros::Time::now();
+  for (const auto& line : lines_) (line->connected() ? msg.reached : msg.not_reached).push_back(line->service());
+  if (steadyNow() - published_ < kPublished && msg.not_reached == not_reached_) return;
+  published_ = steadyNow();
+  not_reached_ = msg.not_reached;
+  status_.publish(msg);
+}
+
+void FleetStopAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  std::string missing;
+  for (const std::string& service : not_reached_) missing += (missing.empty() ? "" : ", ") + robotOf(service);
+  const std::string reached = std::to_string(lines_.size() - not_reached_.size()) + " of " +
+                              std::to_string(lines_.size()) + " robots can be stopped together";
+  status.summary(lines_.empty() || !missing.empty() ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+                 lines_.empty() ? "no robot is listed or known"
+                                : reached + (missing.empty() ? "" : "; no connection to " + missing));
+  if (!last_stop_.empty()) status.add("last stop", last_stop_);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/fleet/parameters.h"
+#include "ros/common/diagnostics.h"
+#include "ros/common/node_connections.h"
+#include "ros/fleet_stop/stop_line.h"
+
+namespace frontier_pilot {
+
+struct FleetStopParameters {
+  std::vector<fleet::FleetRobot> robots;
+  double patience = 1.0;  ///< [s]
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.list("robots", robots,
+           "the robots; only their names count here. Robots whose arbiters the master knows are stopped as well");
+    v.field("patience", patience, "s", "a robot that has not answered a stop after this time counts as silent",
+            between(0.1, 10.0));
+  }
+  void check(Problems& problems) const;
+};
+
+/// The node `fleet_stop`: `fleet/emergency_stop` stops every robot, and answers when each has confirmed it or after
+/// `patience`, naming those that have not. It keeps no stop itself: that is in each robot's arbiter, and is cleared
+/// there. The arbiters listen to its status, so that its death does not go unnoticed. [MUL-4]
+class FleetStopAdapter {
+ public:
+  FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  FleetStopAdapter(const FleetStopAdapter&) = delete;
+  FleetStopAdapter& operator=(const FleetStopAdapter&) = delete;
+
+ private:
+  using Call = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
+
+  bool handleStop(Call& call);
+  void addRobot(const std::string& service);
+  /// Adds the robots whose arbiters the master knows.
+  void takeMasterReport();
+  void tick();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  FleetStopParameters parameters_;
+  ros::NodeHandle node_;
+  std::vector<std::unique_ptr<StopLine>> lines_;  ///< by service
+  ros::Publisher status_;
+  std::vector<std::string> not_reached_;  ///< as published last
+  SteadyTime published_{};
+  std::string last_stop_;  ///< the answer to the last call; empty before the first
+  NodeDiagnostics diagnostics_;
+  NodeConnections connections_;
+};
+
+}  // namespace frontier_pilot

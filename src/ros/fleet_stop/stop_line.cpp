@@ -1,0 +1,92 @@
+#include "ros/fleet_stop/stop_line.h"
+
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ros/common/clock.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr auto kRetry = std::chrono::milliseconds(500);
+constexpr Duration kGivenUp = std::chrono::seconds(5);
+
+}  // namespace
+
+StopLine::StopLine(const ros::NodeHandle& node, std::string service)
+    : node_(node), service_(std::move(service)), thread_([this] { run(); }) {}
+
+StopLine::~StopLine() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ending_ = true;
+    client_.shutdown();  // ends the call that waits for an answer
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void StopLine::ask() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool waits = asked_ != answered_;
+    if (waits && steadyNow() - asked_at_ < kGivenUp) return;
+    if (waits) client_.shutdown();
+    ++asked_;
+    asked_at_ = steadyNow();
+  }
+  wake_.notify_all();
+}
+
+StopAnswer StopLine::answerUntil(SteadyTime deadline) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto patience = std::max(Duration::zero(), Duration(deadline - steadyNow()));
+  if (wake_.wait_for(lock, patience, [this] { return answered_ == asked_; })) return answer_;
+  return {connected_ ? StopOutcome::kSilent : StopOutcome::kNoService, {}};
+}
+
+void StopLine::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ending_) {
+    lock.unlock();
+    guard_.run("connecting to " + service_, [this] { connect(); });
+    lock.lock();
+    wake_.wait_for(lock, kRetry, [this] { return asked_ != answered_ || ending_; });
+    if (asked_ == answered_ || ending_) continue;
+    const std::uint64_t number = asked_;
+    lock.unlock();
+    StopAnswer answer{StopOutcome::kRefused, "the call failed"};
+    guard_.run("a call of " + service_, [&] { answer = call(); });
+    lock.lock();
+    answered_ = number;
+    answer_ = std::move(answer);
+    wake_.notify_all();
+  }
+}
+
+void StopLine::connect() {
+  if (!client_.isValid()) {
+    // Persistent: such a client keeps its connection, and can be shut down in the middle of a call.
+    ros::ServiceClient fresh = node_.serviceClient<std_srvs::Trigger>(service_, true);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ending_) client_ = fresh;
+  }
+  connected_ = client_.isValid();
+}
+
+StopAnswer StopLine::call() {
+  connect();
+  if (!connected_) return {StopOutcome::kNoService, {}};
+  std_srvs::Trigger stop;
+  ros::ServiceClient client = client_;
+  if (!client.call(stop)) {
+    connected_ = client.isValid();
+    return connected_ ? StopAnswer{StopOutcome::kRefused, "the call failed"} : StopAnswer{StopOutcome::kNoService, {}};
+  }
+  if (stop.response.success == 0) return {StopOutcome::kRefused, stop.response.message};
+  return {StopOutcome::kConfirmed, stop.response.message};
+}
+
+}  // namespace frontier_pilot

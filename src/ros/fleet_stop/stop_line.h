@@ -1,0 +1,57 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/service_client.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "frontier_pilot/core/time.h"
+#include "ros/common/callback_guard.h"
+#include "ros/fleet_stop/stop_answer.h"
+
+namespace frontier_pilot {
+
+/// The line to the service `emergency_stop` of one robot. It is connected before it is needed, so that a stop costs no
+/// question to the master and reaches the robot even while the master is gone; a line that breaks is connected again.
+/// Calls are made on a thread of the line's own, so that a robot that does not answer delays no other. [MUL-4]
+class StopLine {
+ public:
+  StopLine(const ros::NodeHandle& node, std::string service);
+  ~StopLine();
+  StopLine(const StopLine&) = delete;
+  StopLine& operator=(const StopLine&) = delete;
+
+  const std::string& service() const { return service_; }
+  bool connected() const { return connected_; }
+  /// Begins a call. One that waits for its answer counts for this one too, because the robot has been told; after some
+  /// seconds it is given up, and made again over a new connection.
+  void ask();
+  /// The answer to the call begun last; kSilent if there is none at `deadline`.
+  StopAnswer answerUntil(SteadyTime deadline);
+
+ private:
+  void run();
+  void connect();
+  StopAnswer call();
+
+  ros::NodeHandle node_;
+  std::string service_;
+  CallbackGuard guard_;
+  std::atomic<bool> connected_{false};
+  std::mutex mutex_;  ///< guards all that follow
+  std::condition_variable wake_;
+  bool ending_ = false;
+  std::uint64_t asked_ = 0;     ///< calls begun
+  std::uint64_t answered_ = 0;  ///< calls that have ended
+  SteadyTime asked_at_{};
+  StopAnswer answer_;  ///< to the last call that has ended
+  ros::ServiceClient client_;
+  std::thread thread_;  ///< the last member: it starts when all others are constructed
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,36 @@
+#include "ros/common/clock.h"
+#include "ros/common/messages/conversions.h"
+#include "ros/common/throttled_log.h"
+#include "ros/navigator/navigator_adapter.h"
+
+namespace frontier_pilot {
+
+bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response) {
+  takeMap();
+  const auto in_map = [&](const geometry_msgs::PoseStamped& msg) -> std::optional<Vec2> {
+    const auto T_map_frame = tf_.lookup(parameters_.map_frame, msg.header.frame_id, Time{});
+    const auto given = toPose(msg.pose);
+    if (!T_map_frame || !given) return std::nullopt;
+    return *T_map_frame * given->position();
+  };
+  // As in move_base: without a frame, the start is the robot's position.
+  const auto start = request.start.header.frame_id.empty() ? positionNow() : in_map(request.start);
+  const auto goal = in_map(request.goal);
+  response.plan.header.frame_id = parameters_.map_frame;
+  if (!start || !goal) {
+    THROTTLED_WARN("make_plan: start or goal is malformed or in an unknown frame");
+    return false;
+  }
+  const double tolerance = request.tolerance > 0.0F ? static_cast<double>(request.tolerance) : -1.0;
+  const planning::PlanResult result = navigator_.makePlan({*start, *goal, tolerance});
+  if (!result.found()) THROTTLED_WARN("make_plan: " << toString(result.status));
+  response.plan = toPathMsg(withYaw(result.path.sampled(0.1)), parameters_.map_frame, rosNow());
+  return true;
+}
+
+bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+  navigator_.clearObstacles();
+  return true;
+}
+
+}  // namespace frontier_pilot

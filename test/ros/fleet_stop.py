@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""One call stops all robots, and names those that have not confirmed it: two arbiters, of which one hangs or dies. [MUL-4]"""
+import signal
+import time
+import unittest
+
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from frontier_pilot.msg import ArbiterStatus, FleetStopStatus
+from std_srvs.srv import SetBool, Trigger
+
+from wire import Node, Record, call, wait_for
+
+ROBOTS = ('robot1', 'robot2')
+SERVICES = {'/%s/emergency_stop' % robot for robot in ROBOTS}
+
+
+class FleetStop(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.set_param('/fleet_stop/robots', [{'name': robot} for robot in ROBOTS])
+        cls.status = {robot: Record('/%s/cmd_vel_arbiter/status' % robot, ArbiterStatus) for robot in ROBOTS}
+        cls.fleet = Record('/fleet/stop_status', FleetStopStatus)
+        cls.diagnostics = Record('/diagnostics', DiagnosticArray)
+
+    def setUp(self):
+        self.fleet.items.clear()
+        self.diagnostics.items.clear()
+        self.arbiters = {robot: self.arbiter(robot) for robot in ROBOTS}
+        self.node = self.start()
+        self.assertTrue(self.reaches(SERVICES))
+        for robot in ROBOTS:
+            self.clear(robot)
+
+    def arbiter(self, robot):
+        for record in self.status.values():
+            record.items.clear()
+        node = Node('cmd_vel_arbiter', '__ns:=/' + robot, '_fleet_stop_status:=/fleet/stop_status')
+        self.addCleanup(node.end)
+        return node
+
+    def start(self):
+        node = Node('fleet_stop')
+        self.addCleanup(node.end)
+        return node
+
+    def reaches(self, services):
+        return wait_for(lambda: self.fleet.last is not None and set(self.fleet.last.reached) == services, 10.0)
+
+    def clear(self, robot):
+        self.assertTrue(wait_for(lambda: call('/%s/set_emergency_stop' % robot, SetBool, False).success, 5.0))
+
+    def stopped(self, robot):
+        return wait_for(lambda: self.status[robot].last is not None and self.status[robot].last.emergency_stop, 3.0)
+
+    def stop(self):
+        began = time.monotonic()
+        answer = call('/fleet/emergency_stop', Trigger)
+        return answer, time.monotonic() - began
+
+    def test_every_robot_confirms_and_each_is_cleared_by_itself(self):
+        answer, _ = self.stop()
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.message, '2 of 2 robots stopped')
+        for robot in ROBOTS:
+            self.assertTrue(self.stopped(robot))
+        self.assertIn('/fleet_stop', self.status['robot1'].last.emergency_stop_cause)
+        self.clear('robot1')
+        self.assertTrue(wait_for(lambda: not self.status['robot1'].last.emergency_stop))
+        self.assertTrue(self.status['robot2'].last.emergency_stop)
+
+    def test_the_stop_of_one_robot_is_that_robots_alone(self):
+        self.assertTrue(call('/robot1/emergency_stop', Trigger).success)
+        self.assertTrue(self.stopped('robot1'))
+        rospy.sleep(0.5)
+        self.assertFalse(self.status['robot2'].last.emergency_stop)
+
+    def test_a_robot_that_hangs_is_named_within_the_bound_and_stops_when_it_wakes(self):
+        self.arbiters['robot2'].signal(signal.SIGSTOP)
+        self.addCleanup(self.arbiters['robot2'].signal, signal.SIGCONT)
+        answer, took = self.stop()
+        self.assertFalse(answer.success)
+        self.assertEqual(answer.message, '1 of 2 robots stopped; not confirmed by robot2: silent')
+        self.assertLess(took, 1.5)
+        self.assertTrue(self.stopped('robot1'))
+        self.arbiters['robot2'].signal(signal.SIGCONT)
+        self.assertTrue(self.stopped('robot2'))
+
+    def test_a_robot_that_was_killed_is_named_at_once(self):
+        self.arbiters['robot2'].signal(signal.SIGKILL)
+        answer, took = self.stop()
+        self.assertFalse(answer.success)
+        self.assertEqual(answer.message, '1 of 2 robots stopped; not confirmed by robot2: no service')
+        self.assertLess(took, 1.5)
+        self.assertTrue(self.stopped('robot1'))
+        self.assertTrue(wait_for(lambda: self.fleet.last.not_reached == ['/robot2/emergency_stop'], 5.0))
+        self.arbiters['robot2'] = self.arbiter('robot2')
+        self.assertTrue(self.reaches(SERVICES))
+        self.assertTrue(self.stop()[0].success)
+
+    def test_a_robot_that_is_not_listed_is_found_and_stopped(self):
+        robot3 = Node('cmd_vel_arbiter', '__ns:=/robot3')
+        self.addCleanup(robot3.end)
+        self.assertTrue(self.reaches(SERVICES | {'/robot3/emergency_stop'}))
+        answer, _ = self.stop()
+        self.assertEqual(answer.message, '3 of 3 robots stopped')
+
+    def test_every_arbiter_says_when_the_stop_for_all_is_gone_or_hangs(self):
+        for number in (signal.SIGKILL, signal.SIGSTOP):
+            self.node.signal(number)
+            for robot in ROBOTS:
+                self.assertTrue(self.complains(robot, True, 8.0), (number, robot))
+            if number == signal.SIGKILL:
+                self.node = self.start()
+            else:
+                self.node.signal(signal.SIGCONT)
+            for robot in ROBOTS:
+                self.assertTrue(self.complains(robot, False, 8.0), (number, robot))
+        said = [status.message for _, array in list(self.diagnostics.items) for status in array.status
+                if status.level == DiagnosticStatus.ERROR]
+        self.assertTrue(any('fleet/emergency_stop does not stop this robot' in text for text in said))
+
+    def complains(self, robot, expected, timeout):
+        record = self.status[robot]
+        return wait_for(lambda: any('fleet/emergency_stop' in text for text in record.last.problems) == expected, timeout)
+
+
+if __name__ == '__main__':
+    rospy.init_node('fleet_stop_test')
+    rostest.rosrun('frontier_pilot', 'fleet_stop', FleetStop)
