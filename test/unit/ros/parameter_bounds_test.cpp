@@ -18,6 +18,7 @@
 #include "ros/patrol_server/patrol_server_adapter.h"
 #include "ros/simulator/simulator_adapter.h"
 #include "teleop/parameters.h"
+#include "waypoints/waypoint_follower.h"
 
 namespace frontier_pilot {
 namespace {
@@ -42,6 +43,7 @@ std::vector<Row> rowsOfAllNodes() {
   appendRows<MapperNodeParameters>("mapper", rows);
   appendRows<MapMergerNodeParameters>("map_merger", rows);
   appendRows<NavigatorNodeParameters>("navigator", rows);
+  appendRows<waypoints::WaypointParameters>("waypoint_follower", rows);
   appendRows<ExplorerNodeParameters>("frontier_explorer", rows);
   appendRows<teleop::TeleopParameters>("teleop_gui", rows);
   appendRows<CheckRobotParameters>("check_robot", rows);

@@ -14,6 +14,7 @@ NodeUsage behaviorServerUsage();
 NodeUsage mapperUsage();
 NodeUsage mapMergerUsage();
 NodeUsage navigatorUsage();
+NodeUsage waypointFollowerUsage();
 NodeUsage frontierExplorerUsage();
 NodeUsage teleopGuiUsage();
 NodeUsage checkRobotUsage();
