@@ -11,8 +11,8 @@
 namespace frontier_pilot::gui {
 namespace {
 
-const QString kIntroduction = "Wheel: zoom. Drag: move. Double click: show all. Shift and click: waypoint.";
-const QString kAiming = "Press where the robot is to go, and drag to where it is to look. Esc: no.";
+const QString kIntroduction = "Wheel: zoom. Drag: move. Shift and click: waypoint.";
+const QString kAiming = "Press there, drag to where it looks. Esc: no goal.";
 
 /// The size of the map, for the remark of the card.
 QString sizeOf(const GridGeometry& geometry) {

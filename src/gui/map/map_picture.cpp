@@ -10,6 +10,7 @@ namespace frontier_pilot::gui {
 MapPicture::MapPicture(const Outline& robot, QWidget* parent) : QWidget(parent), robot_(robot) {
   setObjectName("map_picture");
   setAccessibleName("Map with the robot, its track and the frontiers");
+  setToolTip("A double click shows all that is known.");
   setFocusPolicy(Qt::ClickFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setMinimumHeight(emOf(*this) * 9);
