@@ -114,7 +114,8 @@ void MapDrawing::scaleBar(const QRect& area) const {
 
 void MapDrawing::words(const QRect& area, const QString& text, bool in_the_middle) const {
   const QRect room = area.adjusted(em_, em_ / 2, -em_, -em_ / 2);
-  const int flags = Qt::TextWordWrap | Qt::AlignHCenter | (in_the_middle ? Qt::AlignVCenter : Qt::AlignTop);
+  const Qt::Alignment place = Qt::AlignHCenter | (in_the_middle ? Qt::AlignVCenter : Qt::AlignTop);
+  const int flags = static_cast<int>(place) | static_cast<int>(Qt::TextWordWrap);
   const QRect box = painter_.boundingRect(room, flags, text);
   if (!in_the_middle) {
     painter_.setPen(Qt::NoPen);
