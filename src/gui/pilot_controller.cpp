@@ -47,6 +47,8 @@ void PilotController::refresh() {
   }
   for (const teleop::OperatorLogLine& line : link_.takeLog()) widget_.appendLog(line);
   widget_.setState(link_.state());
+  if (map_is_due_) widget_.setMap(link_.takeMap());
+  map_is_due_ = !map_is_due_;
 }
 
 }  // namespace frontier_pilot::gui

@@ -9,9 +9,9 @@
 
 namespace frontier_pilot::gui {
 
-/// Connects a PilotWidget to a link: passes on the set-point every 50 ms, shows the state ten times a second, and
-/// passes on the operator's requests. It runs in the GUI thread, so that its beat shows that the window responds.
-/// [GUI-3]
+/// Connects a PilotWidget to a link: passes on the set-point every 50 ms, shows the state ten times a second and the
+/// map five times, and passes on the operator's requests. It runs in the GUI thread, so that its beat shows that the
+/// window responds. [GUI-3]
 class PilotController : public QObject {
   Q_OBJECT
 
@@ -37,6 +37,7 @@ class PilotController : public QObject {
   Duration liveness_timeout_;
   QTimer beat_timer_, refresh_timer_;
   QElapsedTimer since_beat_;
+  bool map_is_due_ = true;  ///< at every second refresh
   bool closed_ = false;
 };
 

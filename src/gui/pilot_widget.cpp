@@ -1,22 +1,19 @@
 #include "gui/pilot_widget.h"
 
 #include <QApplication>
-#include <QResizeEvent>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "gui/cards/cards.h"
 #include "gui/cards/header_card.h"
+#include "gui/cards/map_card.h"
 #include "gui/cards/scan_card.h"
 #include "teleop/operator_events.h"
 
 namespace frontier_pilot::gui {
 namespace {
 
-constexpr int kMostColumns = 3;
-// The least width for two and for three columns, in line heights.
-constexpr int kTwoColumns = 38, kThreeColumns = 54;
 // What drives needs a moment to end, and the arbiter half a second without motion before it clears a stop.
 constexpr int kRefreshesToHalt = 10;  // about a second
 constexpr int kMostClears = 3;
@@ -51,6 +48,7 @@ void PilotWidget::build() {
   header_ = new HeaderCard;
   drive_card_ = new DriveCard(parameters_);
   scan_card_ = new ScanCard(parameters_.robot.exactOutline());
+  map_card_ = new MapCard(parameters_.robot.exactOutline());
   sources_card_ = new SourcesCard;
   patrol_card_ = new PatrolCard(parameters_);
   spin_card_ = new SpinCard;
@@ -106,6 +104,7 @@ void PilotWidget::connectCards() {
     send({Kind::kEnableSource, on, name.toStdString(), 0, 0.0, 0, 0.0});
   });
   connect(scan_card_, &ScanCard::avoiderAsked, this, [ask](bool on) { ask(Kind::kEnableAvoider, on); });
+  connectMap();
   connect(patrol_card_, &PatrolCard::startAsked, this, [this](int shape, double side, int laps) {
     press(teleop::Motion::kStop);
     send({Kind::kPatrol, true, {}, shape, side, laps, 0.0});
@@ -133,32 +132,28 @@ void PilotWidget::connectCards() {
   connect(explorer_card_, &ExplorerCard::returnAsked, this, [ask](bool on) { ask(Kind::kReturnToStart, on); });
 }
 
-void PilotWidget::layOut(int columns) {
-  if (columns == columns_) return;
-  columns_ = columns;
-  using Column = std::vector<QWidget*>;
-  const std::vector<std::vector<Column>> plans{
-      {{drive_card_, sources_card_, scan_card_, patrol_card_, spin_card_, navigation_card_, explorer_card_, log_card_},
-       {},
-       {}},
-      {{drive_card_, scan_card_, log_card_},
-       {sources_card_, patrol_card_, spin_card_, navigation_card_, explorer_card_},
-       {}},
-      {{drive_card_, patrol_card_, spin_card_},
-       {scan_card_, navigation_card_, log_card_},
-       {sources_card_, explorer_card_}}};
-  const std::vector<Column>& plan = plans[static_cast<std::size_t>(columns - 1)];
-  for (QVBoxLayout* layout : column_layouts_) {
-    while (QLayoutItem* item = layout->takeAt(0)) delete item;
-  }
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    for (QWidget* card : plan[i]) {
-      const bool grows = card == log_card_ || (columns > 1 && card == scan_card_);
-      column_layouts_[i]->addWidget(card, grows ? 1 : 0);
-    }
-    if (!plan[i].empty() && plan[i].back() != log_card_) column_layouts_[i]->addStretch();
-    body_->setStretch(static_cast<int>(i), plan[i].empty() ? 0 : 1);
-  }
+void PilotWidget::connectMap() {
+  using Kind = teleop::OperatorRequest::Kind;
+  connect(map_card_, &MapCard::goAsked, this, [this](const Pose2& goal) {
+    press(teleop::Motion::kStop);
+    send({Kind::kGoTo, true, {}, 0, 0.0, 0, 0.0, {goal}});
+  });
+  connect(map_card_, &MapCard::waypointsAsked, this, [this](const std::vector<Pose2>& poses) {
+    press(teleop::Motion::kStop);
+    send({Kind::kFollowWaypoints, true, {}, 0, 0.0, 0, 0.0, poses});
+  });
+  // The map has its origin where mapping began. An explorer would drive off again.
+  connect(map_card_, &MapCard::returnAsked, this, [this] {
+    press(teleop::Motion::kStop);
+    if (last_state_.explorer_service_up) send({Kind::kExplore, false, {}, 0, 0.0, 0, 0.0});
+    send({Kind::kGoTo, true, {}, 0, 0.0, 0, 0.0, {Pose2()}});
+  });
+  connect(map_card_, &MapCard::saveAsked, this, [this](const QString& path) {
+    send({Kind::kSaveMap, true, path.toStdString(), 0, 0.0, 0, 0.0});
+  });
+  connect(map_card_, &MapCard::loadAsked, this, [this](const QString& path) {
+    send({Kind::kLoadMap, true, path.toStdString(), 0, 0.0, 0, 0.0});
+  });
 }
 
 void PilotWidget::applyTheme() {
@@ -196,8 +191,11 @@ void PilotWidget::showCards(const teleop::OperatorState& state) {
   patrol_card_->setState(state);
   spin_card_->setState(state);
   navigation_card_->setState(state);
+  map_card_->setState(state);
   explorer_card_->setState(state);
 }
+
+void PilotWidget::setMap(const teleop::MapView& view) { map_card_->setView(view); }
 
 void PilotWidget::appendLog(const teleop::OperatorLogLine& line) { log_card_->append(line); }
 
@@ -254,12 +252,6 @@ void PilotWidget::showSetPoint() {
   if (drive_.setPoint() == shown_) return;
   shown_ = drive_.setPoint();
   emit setPointChanged(shown_);
-}
-
-void PilotWidget::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  const int width = event->size().width() / emOf(*this);
-  layOut(width >= kThreeColumns ? 3 : (width >= kTwoColumns ? 2 : 1));
 }
 
 void PilotWidget::changeEvent(QEvent* event) {

@@ -18,6 +18,7 @@ class DriveCard;
 class ExplorerCard;
 class HeaderCard;
 class LogCard;
+class MapCard;
 class NavigationCard;
 class PatrolCard;
 class ScanCard;
@@ -27,7 +28,7 @@ class SpinCard;
 /// The content of the operator's window, on the desktop and in rviz alike.
 ///
 /// State comes in as plain data, requests go out as signals; nothing here uses ROS, waits or blocks. A control always
-/// shows the state that the system last reported, never the click. The cards are laid out in one to three columns.
+/// shows the state that the system last reported, never the click. The cards are laid out in one to four columns.
 class PilotWidget : public QWidget {
   Q_OBJECT
 
@@ -36,6 +37,7 @@ class PilotWidget : public QWidget {
   ~PilotWidget() override;
 
   void setState(const teleop::OperatorState& state);
+  void setMap(const teleop::MapView& view);
   void appendLog(const teleop::OperatorLogLine& line);
   /// The manual set-point, in the base frame.
   Twist2 setPoint() const { return drive_.setPoint(); }
@@ -55,8 +57,12 @@ class PilotWidget : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  static constexpr int kMostColumns = 4;
+
   void build();
   void connectCards();
+  void connectMap();
+  std::vector<std::vector<QWidget*>> planOf(int columns) const;
   void layOut(int columns);
   void applyTheme();
   void press(teleop::Motion motion);
@@ -82,6 +88,7 @@ class PilotWidget : public QWidget {
   HeaderCard* header_ = nullptr;
   DriveCard* drive_card_ = nullptr;
   ScanCard* scan_card_ = nullptr;
+  MapCard* map_card_ = nullptr;
   SourcesCard* sources_card_ = nullptr;
   PatrolCard* patrol_card_ = nullptr;
   SpinCard* spin_card_ = nullptr;

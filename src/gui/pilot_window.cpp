@@ -10,10 +10,10 @@
 namespace frontier_pilot::gui {
 namespace {
 
-/// Wide enough for three columns, if the screen is wide enough.
+/// Wide enough for four columns, if the screen is wide enough.
 QSize windowSize(const QWidget& widget) {
   const int em = emOf(widget);
-  const QSize wanted(em * 66, em * 42);
+  const QSize wanted(em * 86, em * 46);
   const QScreen* screen = QGuiApplication::primaryScreen();
   return screen == nullptr ? wanted : wanted.boundedTo(screen->availableSize() * 0.95);
 }

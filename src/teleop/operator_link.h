@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
+#include "teleop/map_view.h"
 #include "teleop/operator_state.h"
 
 namespace frontier_pilot::teleop {
@@ -25,6 +26,10 @@ struct OperatorRequest {
     kSpin,  ///< `angle`
     kStopSpin,
     kStopNavigation,
+    kGoTo,             ///< the only one of `poses`
+    kFollowWaypoints,  ///< `poses` in their order
+    kSaveMap,          ///< `name`: its path without extension
+    kLoadMap,          ///< `name`: its path
   };
   Kind kind = Kind::kEmergencyStop;
   bool on = false;
@@ -32,7 +37,8 @@ struct OperatorRequest {
   int shape = 0;  ///< as in Patrol.action: 1 square, 2 triangle, 3 circle
   double side = 0.0;
   int laps = 0;
-  double angle = 0.0;  ///< [rad], positive is to the left
+  double angle = 0.0;          ///< [rad], positive is to the left
+  std::vector<Pose2> poses{};  ///< in the frame of the map
 };
 
 /// A line for the operator's log.
@@ -51,6 +57,8 @@ class OperatorLink {
   /// The window's heartbeat, with its set-point. Expected every 50 ms.
   virtual void beat(const Twist2& set_point) = 0;
   virtual void request(const OperatorRequest& request) = 0;
+  /// The map, with what has changed in it since the last call. Expected at most five times a second.
+  virtual MapView takeMap() = 0;
   /// The lines since the last call.
   virtual std::vector<OperatorLogLine> takeLog() = 0;
   /// False when the system wants the window to close.

@@ -97,6 +97,13 @@ struct ActionView {
   std::string result;    ///< of the last goal; empty while one is active
 };
 
+/// The answer to a request.
+struct OperatorAnswer {
+  std::uint64_t count = 0;  ///< of all answers so far; 0: there is none
+  bool success = false;
+  std::string text;
+};
+
 struct ScanView {
   double age = 0.0;
   LaserScan2 scan;
@@ -118,6 +125,9 @@ struct OperatorState {
   std::optional<ExplorerView> explorer;
   std::optional<NavigationView> navigation;
   ActionView patrol, spin;
+  ActionView navigate, waypoints;  ///< goals of all clients
+  bool save_map_up = false, load_map_up = false;
+  OperatorAnswer map_answer;  ///< to the last request to save or to load a map
   std::optional<ScanView> scan;
 
   /// The source of that name; nullptr where there is none.

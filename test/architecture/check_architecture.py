@@ -22,6 +22,7 @@ MAY_INCLUDE = {
     'patrol': {'core'},
     'behavior': {'core', 'grids'},
     'teleop': {'core'},
+    'waypoints': {'core'},
     'surfaces': {'core'},
     'scan_matching': {'core', 'grids', 'surfaces'},
     'occupancy': {'core', 'grids', 'surfaces'},
@@ -42,7 +43,7 @@ MAY_INCLUDE = {
     'rviz': {'*'},
 }
 # Programs: nobody builds upon them, so all their headers lie beside their sources; who may include those.
-PROGRAMS = {'tools': {'ros', 'nodes'}, 'robot_check': {'ros', 'nodes'}, 'teleop': {'gui', 'ros', 'rviz', 'nodes'}, 'gui': {'nodes', 'rviz'}, 'ros': {'nodes', 'rviz'}, 'nodes': set(), 'rviz': set()}
+PROGRAMS = {'tools': {'ros', 'nodes'}, 'waypoints': {'ros', 'nodes'}, 'robot_check': {'ros', 'nodes'}, 'teleop': {'gui', 'ros', 'rviz', 'nodes'}, 'gui': {'nodes', 'rviz'}, 'ros': {'nodes', 'rviz'}, 'nodes': set(), 'rviz': set()}
 SEES_ROS = {'ros', 'nodes', 'rviz'}
 MAY_PRINT = SEES_ROS | {'tools'}
 # Modules that other packages use and this one does not need to.

@@ -11,7 +11,7 @@ import rostest
 from wire import Node, find_node, wait_for
 
 NODES = ('cmd_vel_arbiter', 'obstacle_avoider', 'patrol_server', 'behavior_server', 'mapper', 'navigator', 'frontier_explorer',
-         'fleet_stop', 'teleop_gui')
+         'waypoint_follower', 'fleet_stop', 'teleop_gui')
 
 
 def is_up(name):

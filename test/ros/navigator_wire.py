@@ -212,6 +212,18 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.assertTrue(wait_for(lambda: 'goal reached' in self.status.last.data and
                                  abs(self.odom.last.pose.pose.position.x - NEAR[0]) < 0.2, 30.0))
 
+    def test_a_goal_from_rviz_is_in_the_status_and_is_cancelled_like_any_other(self):  # [NAV-1] [EXP-11]
+        goals = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1)
+        cancels = rospy.Publisher('move_base/cancel', GoalID, queue_size=1)
+        self.assertTrue(wait_for(lambda: goals.get_num_connections() > 0 and cancels.get_num_connections() > 0))
+        goals.publish(pose(FAR))
+        self.assertTrue(wait_for(self.drives))
+        active = [goal.goal_id.id for goal in self.goals.last.status_list if goal.status == GoalStatus.ACTIVE]
+        self.assertEqual(1, len(active), self.goals.last)
+        cancels.publish(GoalID())
+        self.assertTrue(wait_for(lambda: self.status_of(active[0]) == GoalStatus.PREEMPTED), self.goals.last)
+        self.expect_standstill()
+
     def test_make_plan_plans_without_driving(self):
         result = call('make_plan', GetPlan, pose((0.0, 0.0)), pose(FAR), 0.0)
         self.assertGreater(len(result.plan.poses), 20)

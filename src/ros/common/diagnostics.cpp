@@ -20,6 +20,7 @@ void Rejections::add(const std::string& reason) {
   ++total_;
   const std::string why = printable(reason, bounds::kMostReason);
   if (by_reason_.count(why) == 0 && by_reason_.size() >= bounds::kMostReasons) forgetRarest();
+  last_ = why;
   const std::uint64_t count = ++by_reason_[why];
   const SteadyTime now = steadyNow();
   if (last_warning_ && now - *last_warning_ < std::chrono::seconds(5)) return;

@@ -24,6 +24,8 @@ class Rejections {
 
   void add(const std::string& reason);
   std::uint64_t total() const { return total_; }
+  /// The reason of the last one; empty if nothing was refused.
+  const std::string& last() const { return last_; }
   /// Adds the total, and a line `what refused: reason` with its count for each reason.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
@@ -32,6 +34,7 @@ class Rejections {
 
   std::string what_;
   std::uint64_t total_ = 0;
+  std::string last_;
   std::map<std::string, std::uint64_t> by_reason_;
   std::uint64_t for_other_reasons_ = 0;
   std::optional<SteadyTime> last_warning_;

@@ -81,9 +81,17 @@ constexpr const char* kNavigatorStatus = "navigator/status";
 constexpr const char* kNavigatorProgress = "navigator/progress";
 constexpr const char* kCurrentGoal = "move_base/current_goal";
 
+// Waypoint follower
+constexpr const char* kFollowWaypoints = "follow_waypoints";  // action
+constexpr const char* kAddWaypoint = "waypoint_follower/add";
+constexpr const char* kStartWaypoints = "waypoint_follower/start";
+constexpr const char* kClearWaypoints = "waypoint_follower/clear";
+constexpr const char* kWaypoints = "waypoint_follower/waypoints";
+
 // Explorer
 constexpr const char* kExplorerStatus = "frontier_explorer/status";
 constexpr const char* kFrontiers = "frontier_explorer/frontiers";
+constexpr const char* kFrontierCells = "cells";  // namespace of the markers of cells
 constexpr const char* kExplorerGoal = "frontier_explorer/goal";
 constexpr const char* kExplainExplorer = "frontier_explorer/explain";
 constexpr const char* kResetExplorer = "frontier_explorer/reset";
@@ -99,6 +107,7 @@ constexpr const char* kFleetMotions = "/fleet/motions";  // shared by all robots
 constexpr const char* kSetExplorationEnabled = "set_exploration_enabled";
 
 // Actions
+constexpr const char* kGoalOfAction = "/goal";  // after the action's name
 constexpr const char* kPatrol = "turtlebot3";
 constexpr const char* kPatrolStatus = "turtlebot3/status";
 constexpr const char* kSpin = "spin";

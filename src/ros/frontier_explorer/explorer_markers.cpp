@@ -4,6 +4,7 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
 #include "ros/frontier_explorer/explorer_markers.h"
 
 namespace frontier_pilot {
@@ -116,7 +117,7 @@ class MarkerWriter {
 };
 
 void writeSelectable(MarkerWriter& writer, const exploration::Frontier& frontier, const ExplorerScene& scene) {
-  writer.cells("cells", frontier.cells, scene.geometry, kGreen);
+  writer.cells(names::kFrontierCells, frontier.cells, scene.geometry, kGreen);
   writer.sphere("centroids", frontier.centroid, 0.15 + 0.2 * std::sqrt(frontier.info.area), kBlue);
   // On a tour the place in it, the expected area and the time until then say more than the score, which then decides
   // nothing.

@@ -14,6 +14,8 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
     : tf_(tf),
       map_frame_(std::move(map_frame)),
       use_yaw_(use_yaw),
+      simple_goals_(
+          node.advertise<move_base_msgs::MoveBaseActionGoal>(std::string(names::kMoveBase) + names::kGoalOfAction, 5)),
       current_goal_(node.advertise<geometry_msgs::PoseStamped>(names::kCurrentGoal, 1)),
       server_(
           node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
@@ -49,11 +51,11 @@ void MoveBaseServer::handleGoal(const Server::GoalHandle& offered) {
 
 void MoveBaseServer::handleSimple(const geometry_msgs::PoseStamped& msg) {
   std::string why;
-  if (const auto goal = read(msg, why)) {
-    submit(*goal);
-  } else {
-    bad_simple_goals_.add(why);
-  }
+  if (!read(msg, why)) return bad_simple_goals_.add(why);
+  move_base_msgs::MoveBaseActionGoal goal;
+  goal.goal_id.id = ids_.generateID().id;  // without a stamp: it is sent now
+  goal.goal.target_pose = msg;
+  simple_goals_.publish(goal);
 }
 
 void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <actionlib/goal_id_generator.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
@@ -23,7 +24,8 @@ class MoveBaseServer {
  public:
   MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw);
 
-  /// Subscribes to `move_base_simple/goal`, which rviz publishes.
+  /// Subscribes to `move_base_simple/goal`, which rviz publishes. As in move_base, its goals become goals of the
+  /// action.
   void subscribe(NodeConnections& connections);
   /// Moves a new goal and a cancel since the last call into `inputs`.
   void fill(navigation::NavigatorInputs& inputs);
@@ -57,10 +59,12 @@ class MoveBaseServer {
   std::uint64_t active_id_ = 0;  ///< 0: none
   std::optional<navigation::NavGoal> pending_;
   std::optional<Pose2> goal_;
+  actionlib::GoalIDGenerator ids_;
+  ros::Publisher simple_goals_;  ///< of the action itself: they are seen and cancelled like all others
   ros::Publisher current_goal_;
   bool cancel_ = false;
   Rejections bad_simple_goals_{"goal of move_base_simple"};
-  std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< by id; goals of move_base_simple have none
+  std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< by id
   Server server_;
 };
 

@@ -24,13 +24,19 @@ std::string textOf(const SpinResult& result) {
   const bool moved = std::lround(result.angular_distance_traveled * 180.0 / kPi) != 0;
   return (moved ? turned(result.angular_distance_traveled) : "Not turned") + ": " + result.error_msg;
 }
+std::string textOf(const FollowWaypointsFeedback& feedback) {
+  return "on the way to waypoint " + std::to_string(feedback.current_waypoint + std::uint64_t{1});
+}
+std::string textOf(const FollowWaypointsResult& result) { return result.error_msg; }
+std::string textOf(const move_base_msgs::MoveBaseFeedback&) { return {}; }
+std::string textOf(const move_base_msgs::MoveBaseResult&) { return {}; }
 
 }  // namespace
 
 template <class Action>
 ActionLink<Action>::ActionLink(ros::NodeHandle& node, NodeConnections& connections, const std::string& action,
-                               std::string name, OperatorLog log)
-    : name_(std::move(name)), log_(std::move(log)) {
+                               std::string name, OperatorLog log, Logs logs)
+    : name_(std::move(name)), log_(std::move(log)), logs_(logs) {
   const std::string goal = action + "/goal", cancel = action + "/cancel", status = action + "/status";
   const std::string feedback = action + "/feedback", result = action + "/result";
   goal_publisher_ = node.advertise<ActionGoal>(goal, 2);
@@ -99,13 +105,17 @@ void ActionLink<Action>::onFeedback(const ActionFeedback& msg) {
 template <class Action>
 void ActionLink<Action>::onResult(const ActionResult& msg) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (msg.status.goal_id.id == own_id_) own_id_.clear();
+  const bool is_own = msg.status.goal_id.id == own_id_;
+  if (is_own) own_id_.clear();
   view_.result = textOf(msg.result).empty() ? msg.status.text : textOf(msg.result);
+  if (!is_own && logs_ == Logs::kOwn) return;
   const bool good = msg.status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
   log_(good ? teleop::Severity::kGood : teleop::Severity::kWarning, name_ + ": " + view_.result);
 }
 
 template class ActionLink<PatrolAction>;
 template class ActionLink<SpinAction>;
+template class ActionLink<FollowWaypointsAction>;
+template class ActionLink<move_base_msgs::MoveBaseAction>;
 
 }  // namespace frontier_pilot

@@ -3,8 +3,10 @@
 #include <actionlib/action_definition.h>
 #include <actionlib/goal_id_generator.h>
 #include <actionlib_msgs/GoalStatusArray.h>
+#include <frontier_pilot/FollowWaypointsAction.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <frontier_pilot/SpinAction.h>
+#include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
 
 #include <mutex>
@@ -16,15 +18,18 @@
 namespace frontier_pilot {
 
 /// The operator's access to an action. Unlike a SimpleActionClient it shows and cancels the goals of all clients, not
-/// only its own. May be used from any thread. For PatrolAction and SpinAction.
+/// only its own. May be used from any thread. For the actions below.
 template <class Action>
 class ActionLink {
  public:
   ACTION_DEFINITION(Action)
 
+  /// Whose results are logged: those of all clients, or only those of the goals that were sent here.
+  enum class Logs { kAll, kOwn };
+
   /// `name` is the action's name in the log.
   ActionLink(ros::NodeHandle& node, NodeConnections& connections, const std::string& action, std::string name,
-             OperatorLog log);
+             OperatorLog log, Logs logs = Logs::kAll);
 
   void start(const Goal& goal);
   /// Cancels all goals, whichever client sent them.
@@ -40,6 +45,7 @@ class ActionLink {
 
   std::string name_;
   OperatorLog log_;
+  Logs logs_;
   actionlib::GoalIDGenerator ids_;
   mutable std::mutex mutex_;  ///< guards the two that follow
   std::string own_id_;        ///< of the goal sent here; empty if there is none or it has ended
@@ -50,5 +56,7 @@ class ActionLink {
 
 using PatrolLink = ActionLink<PatrolAction>;
 using SpinLink = ActionLink<SpinAction>;
+using WaypointsLink = ActionLink<FollowWaypointsAction>;
+using NavigationLink = ActionLink<move_base_msgs::MoveBaseAction>;
 
 }  // namespace frontier_pilot

@@ -13,11 +13,6 @@ namespace {
 constexpr std::size_t kMostLogLines = 200;  // kept for a window that does not fetch them
 constexpr Duration kMotionLinger = std::chrono::seconds(1);
 
-ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
-  node.setCallbackQueue(&queue);
-  return node;
-}
-
 PatrolGoal toPatrolGoal(const teleop::OperatorRequest& request) {
   PatrolGoal goal;
   goal.goal.x = request.shape;
@@ -44,14 +39,17 @@ GuiBridge::GuiBridge(const ros::NodeHandle& node, const teleop::TeleopParameters
       connections_(node_),
       patrol_(node_, connections_, names::kPatrol, "patrol", logger()),
       spin_(node_, connections_, names::kSpin, "spin", logger()),
+      navigate_(node_, connections_, names::kMoveBase, "navigation", logger(), NavigationLink::Logs::kOwn),
+      map_(node, tf_, parameters.robot.base_frame),
+      waypoints_(node_, connections_, names::kFollowWaypoints, "waypoints", logger()),
       caller_(node_, logger(),
               [this](const auto& service, bool success, const auto& message) { onAnswer(service, success, message); }),
       stop_caller_(node_, logger()),
+      map_caller_(node_, logger(),
+                  [this](const auto&, bool success, const auto& message) { onMapAnswer(success, message); }),
       watch_(node_, [this](const std::string& service) { onServiceUp(service); }),
       spinner_(1, &queue_) {
   watchServices();
-  const std::string cancel = std::string(names::kMoveBase) + "/cancel";
-  cancel_navigation_ = node_.advertise<actionlib_msgs::GoalID>(cancel, 2);
   subscribe();
   connections_.everySteady(ros::WallDuration(1.0 / parameters_.publish_rate), [this] { publishManual(); });
   spinner_.start();
@@ -63,9 +61,9 @@ GuiBridge::~GuiBridge() {
 }
 
 void GuiBridge::watchServices() {
-  for (const char* service :
-       {names::kEmergencyStop, names::kSetEmergencyStop, names::kSetObstacleAvoidEnabled, names::kSetExplorationEnabled,
-        names::kResetExplorer, names::kClearExplorationBounds, names::kClearInspections, names::kSetReturnToStart}) {
+  for (const char* service : {names::kEmergencyStop, names::kSetEmergencyStop, names::kSetObstacleAvoidEnabled,
+                              names::kSetExplorationEnabled, names::kResetExplorer, names::kClearExplorationBounds,
+                              names::kClearInspections, names::kSetReturnToStart, names::kSaveMap, names::kLoadMap}) {
     watch_.watch(service);
   }
 }
@@ -105,6 +103,20 @@ void GuiBridge::close() {
   if (manual_publisher_) manual_publisher_.publish(toTwistMsg(zero));
   patrol_.cancelOwn();
   spin_.cancelOwn();
+  waypoints_.cancelOwn();
+  navigate_.cancelOwn();
+}
+
+void GuiBridge::goTo(const Pose2& goal) {
+  move_base_msgs::MoveBaseGoal msg;
+  msg.target_pose = toPoseStampedMsg(goal, map_.frame(), rosNow());
+  navigate_.start(msg);
+}
+
+void GuiBridge::followWaypoints(const std::vector<Pose2>& poses) {
+  FollowWaypointsGoal msg;
+  for (const Pose2& pose : poses) msg.poses.push_back(toPoseStampedMsg(pose, map_.frame(), rosNow()));
+  waypoints_.start(msg);
 }
 
 void GuiBridge::request(const teleop::OperatorRequest& request) {
@@ -137,7 +149,16 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
     case Kind::kStopSpin:
       return spin_.cancelAll();
     case Kind::kStopNavigation:
-      return cancel_navigation_.publish(actionlib_msgs::GoalID());  // an empty id cancels all goals
+      if (waypoints_.view().active) waypoints_.cancelAll();  // first, so that they do not go on with the next one
+      return navigate_.cancelAll();
+    case Kind::kGoTo:
+      return request.poses.empty() ? void() : goTo(request.poses.front());
+    case Kind::kFollowWaypoints:
+      return followWaypoints(request.poses);
+    case Kind::kSaveMap:
+      return map_caller_.saveMap(names::kSaveMap, request.name);
+    case Kind::kLoadMap:
+      return map_caller_.loadMap(names::kLoadMap, request.name);
   }
 }
 

@@ -21,6 +21,7 @@
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/teleop_gui/action_link.h"
+#include "ros/teleop_gui/map_link.h"
 #include "ros/teleop_gui/service_caller.h"
 #include "teleop/manual_output.h"
 #include "teleop/operator_link.h"
@@ -28,9 +29,10 @@
 
 namespace frontier_pilot {
 
-/// Connects the operator's window to ROS. It has one thread for the topics and `cmd_vel_manual`, one for service calls,
-/// one for the emergency stop alone, so that a stop never waits behind another call, and one that watches which
-/// services are available. The window's thread only copies data. [GUI-3]
+/// Connects the operator's window to ROS. It has one thread for the topics and `cmd_vel_manual`, one for the map, one
+/// for service calls, one for the emergency stop alone, so that a stop never waits behind another call, one for maps
+/// that are saved and loaded, which takes seconds, and one that watches which services are available. The window's
+/// thread only copies data. [GUI-3]
 class GuiBridge : public teleop::OperatorLink {
  public:
   /// When `cmd_vel_manual` is published: always at the rate, or only from the first motion until a second after the
@@ -45,6 +47,7 @@ class GuiBridge : public teleop::OperatorLink {
   teleop::OperatorState state() override;
   void beat(const Twist2& set_point) override;
   void request(const teleop::OperatorRequest& request) override;
+  teleop::MapView takeMap() override { return map_.take(); }
   std::vector<teleop::OperatorLogLine> takeLog() override;
   bool running() const override { return running_(); }
   void close() override;
@@ -52,10 +55,13 @@ class GuiBridge : public teleop::OperatorLink {
  private:
   void subscribe();
   void watchServices();
+  void goTo(const Pose2& goal);
+  void followWaypoints(const std::vector<Pose2>& poses);
   void onScan(const sensor_msgs::LaserScan& msg);
   void onArbiter(const ArbiterStatus& msg);
   void refuseClear(const std::string& reason);
   void onAnswer(const std::string& service, bool success, const std::string& message);
+  void onMapAnswer(bool success, const std::string& message);
   void watchSwitchOf(const std::string& source);
   void onServiceUp(const std::string& service);
   void publishManual();
@@ -76,6 +82,7 @@ class GuiBridge : public teleop::OperatorLink {
   Latest<NavigatorProgress> navigation_;
   Latest<bool> stop_, contact_;
   std::string clear_refusal_;
+  teleop::OperatorAnswer map_answer_;
   Latest<Twist2> command_;
   Latest<LaserScan2> scan_;
   teleop::AvoiderSectors sectors_;
@@ -88,12 +95,15 @@ class GuiBridge : public teleop::OperatorLink {
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   TfBridge tf_;
-  ros::Publisher manual_publisher_, cancel_navigation_;
+  ros::Publisher manual_publisher_;
   ros::Subscriber stop_subscriber_, navigation_subscriber_;
   NodeConnections connections_;
   PatrolLink patrol_;
   SpinLink spin_;
-  ServiceCaller caller_, stop_caller_;
+  NavigationLink navigate_;
+  MapLink map_;
+  WaypointsLink waypoints_;
+  ServiceCaller caller_, stop_caller_, map_caller_;
   ServiceWatch watch_;
   ros::AsyncSpinner spinner_;
 };

@@ -81,6 +81,11 @@ void GuiBridge::onAnswer(const std::string& service, bool success, const std::st
   refuseClear(success ? "" : printable(message.substr(begin, end - begin), bounds::kMostReason));
 }
 
+void GuiBridge::onMapAnswer(bool success, const std::string& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  map_answer_ = {map_answer_.count + 1, success, printable(message, bounds::kMostReason)};
+}
+
 void GuiBridge::onArbiter(const ArbiterStatus& msg) {
   if (!isShown(msg)) return;
   for (const ArbiterSource& source : msg.sources) watchSwitchOf(source.name);
@@ -145,10 +150,15 @@ teleop::OperatorState GuiBridge::state() {
   state.explorer_return_up = watch_.up(names::kSetReturnToStart);
   state.patrol = patrol_.view();
   state.spin = spin_.view();
+  state.navigate = navigate_.view();
+  state.waypoints = waypoints_.view();
+  state.save_map_up = watch_.up(names::kSaveMap);
+  state.load_map_up = watch_.up(names::kLoadMap);
   const SteadyTime now = steadyNow();
   const std::lock_guard<std::mutex> lock(mutex_);
   state.emergency_stop = stopState(now);
   state.clear_refusal = clear_refusal_;
+  state.map_answer = map_answer_;
   state.contact = contact_.fresh(now, kFresh);
   state.sectors = sectors_;
   show(arbiter_, now, state.arbiter);

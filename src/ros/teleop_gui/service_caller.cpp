@@ -1,5 +1,7 @@
 #include "ros/teleop_gui/service_caller.h"
 
+#include <frontier_pilot/LoadMap.h>
+#include <frontier_pilot/SaveMap.h>
 #include <ros/master.h>
 #include <ros/names.h>
 #include <ros/service.h>
@@ -38,8 +40,14 @@ ServiceCaller::~ServiceCaller() {
   thread_.join();
 }
 
-void ServiceCaller::set(const std::string& service, bool value) { post({service, value}); }
-void ServiceCaller::trigger(const std::string& service) { post({service, std::nullopt}); }
+void ServiceCaller::set(const std::string& service, bool value) { post({service, Call::Type::kSetBool, value, {}}); }
+void ServiceCaller::trigger(const std::string& service) { post({service, Call::Type::kTrigger, false, {}}); }
+void ServiceCaller::saveMap(const std::string& service, const std::string& path) {
+  post({service, Call::Type::kSaveMap, false, path});
+}
+void ServiceCaller::loadMap(const std::string& service, const std::string& path) {
+  post({service, Call::Type::kLoadMap, false, path});
+}
 
 void ServiceCaller::post(Call call) {
   {
@@ -76,6 +84,11 @@ bool ServiceCaller::begin(const ros::ServiceClient& client) {
   return !stopping_;
 }
 
+bool ServiceCaller::isEnding() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return stopping_;
+}
+
 void ServiceCaller::tryPerform(const Call& call) {
   if (!isServiceName(call.service))
     return log_(teleop::Severity::kError, "'" + call.service + "' is not a valid service name");
@@ -83,22 +96,43 @@ void ServiceCaller::tryPerform(const Call& call) {
   if (!came_to_its_end) log_(teleop::Severity::kError, call.service + " failed");
 }
 
-void ServiceCaller::perform(const Call& call) {
-  std_srvs::SetBool set;
-  std_srvs::Trigger trigger;
+template <class Service>
+std::optional<ServiceCaller::Answer> ServiceCaller::ask(const std::string& name, Service& service) {
   // Persistent, because only such a client can be shut down in the middle of a call.
-  ros::ServiceClient client = call.value ? node_.serviceClient<std_srvs::SetBool>(call.service, true)
-                                         : node_.serviceClient<std_srvs::Trigger>(call.service, true);
-  if (!begin(client)) return;
-  if (call.value) set.request.data = *call.value ? 1 : 0;
-  const bool answered = client.isValid() && (call.value ? client.call(set) : client.call(trigger));
-  if (!answered) return log_(teleop::Severity::kError, call.service + ": no such service, or it died");
-  const bool success = (call.value ? set.response.success : trigger.response.success) != 0;
-  const std::string& message = call.value ? set.response.message : trigger.response.message;
-  if (answered_) answered_(call.service, success, message);
-  log_(success ? teleop::Severity::kGood : teleop::Severity::kError,
-       call.service + (call.value ? (*call.value ? " on: " : " off: ") : ": ") +
-           (message.empty() ? (success ? "done" : "refused") : message));
+  ros::ServiceClient client = node_.serviceClient<Service>(name, true);
+  if (!begin(client) || !client.isValid() || !client.call(service)) return std::nullopt;
+  return Answer{service.response.success != 0, service.response.message};
+}
+
+std::optional<ServiceCaller::Answer> ServiceCaller::ask(const Call& call) {
+  if (call.type == Call::Type::kSetBool) {
+    std_srvs::SetBool set;
+    set.request.data = call.value ? 1 : 0;
+    return ask(call.service, set);
+  }
+  if (call.type == Call::Type::kSaveMap) {
+    SaveMap save;
+    save.request.path = call.path;
+    return ask(call.service, save);
+  }
+  if (call.type == Call::Type::kLoadMap) {
+    LoadMap load;
+    load.request.path = call.path;
+    return ask(call.service, load);
+  }
+  std_srvs::Trigger trigger;
+  return ask(call.service, trigger);
+}
+
+void ServiceCaller::perform(const Call& call) {
+  const std::optional<Answer> answer = ask(call);
+  if (isEnding()) return;
+  const std::string none = "no such service, or it died";
+  if (answered_) answered_(call.service, answer && answer->success, answer ? answer->message : none);
+  if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
+  const std::string value = call.type != Call::Type::kSetBool ? "" : (call.value ? " on" : " off");
+  const std::string said = !answer->message.empty() ? answer->message : (answer->success ? "done" : "refused");
+  log_(answer->success ? teleop::Severity::kGood : teleop::Severity::kError, call.service + value + ": " + said);
 }
 
 void ServiceCaller::reportSlow(SteadyTime now) {

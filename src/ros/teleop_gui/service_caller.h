@@ -21,7 +21,8 @@ namespace frontier_pilot {
 /// Adds a line to the operator's log; may be called from any thread.
 using OperatorLog = std::function<void(teleop::Severity, const std::string&)>;
 
-/// Told of the answer to a call: whether it succeeded, and its message; may be called from any thread.
+/// Told of the answer to a call, or why there is none: whether it succeeded, and a message; may be called from any
+/// thread.
 using ServiceAnswered = std::function<void(const std::string& service, bool success, const std::string& message)>;
 
 /// Whether `service` is a valid ROS name. For an invalid one roscpp throws, also in threads where nothing catches it.
@@ -40,21 +41,36 @@ class ServiceCaller {
   void set(const std::string& service, bool value);
   /// Calls a std_srvs/Trigger.
   void trigger(const std::string& service);
+  /// Calls the mapper's SaveMap or LoadMap with a path.
+  void saveMap(const std::string& service, const std::string& path);
+  void loadMap(const std::string& service, const std::string& path);
   /// Logs, once for each call, that it has been without an answer for too long. To be called periodically.
   void reportSlow(SteadyTime now);
 
  private:
   struct Call {
+    enum class Type { kSetBool, kTrigger, kSaveMap, kLoadMap };
     std::string service;
-    std::optional<bool> value;  ///< nothing: a Trigger
+    Type type = Type::kTrigger;
+    bool value = false;  ///< of a SetBool
+    std::string path;    ///< of a map
+  };
+  struct Answer {
+    bool success = false;
+    std::string message;
   };
 
   void post(Call call);
   void run();
   void tryPerform(const Call& call);
   void perform(const Call& call);
+  /// The server's answer; nothing if there is none.
+  std::optional<Answer> ask(const Call& call);
+  template <class Service>
+  std::optional<Answer> ask(const std::string& name, Service& service);
   /// False if this object is being destroyed.
   bool begin(const ros::ServiceClient& client);
+  bool isEnding();
 
   ros::NodeHandle node_;
   OperatorLog log_;

@@ -13,6 +13,7 @@ class RecordingLink : public teleop::OperatorLink {
   teleop::OperatorState state() override { return test::exampleState(); }
   void beat(const Twist2& set_point) override { beats.push_back(set_point); }
   void request(const teleop::OperatorRequest& request) override { requests.push_back(request); }
+  teleop::MapView takeMap() override { return {}; }
   std::vector<teleop::OperatorLogLine> takeLog() override { return std::exchange(log, {}); }
   bool running() const override { return is_running; }
   void close() override { ++closed; }

@@ -19,6 +19,7 @@
 #include "ros/patrol_server/patrol_server_adapter.h"
 #include "ros/simulator/simulator_adapter.h"
 #include "teleop/parameters.h"
+#include "waypoints/waypoint_follower.h"
 
 namespace frontier_pilot {
 namespace {
@@ -44,6 +45,7 @@ std::vector<Row> rowsOfAllNodes() {
   appendRows<MapMergerNodeParameters>("map_merger", rows);
   appendRows<FleetStopParameters>("fleet_stop", rows);
   appendRows<NavigatorNodeParameters>("navigator", rows);
+  appendRows<waypoints::WaypointParameters>("waypoint_follower", rows);
   appendRows<ExplorerNodeParameters>("frontier_explorer", rows);
   appendRows<teleop::TeleopParameters>("teleop_gui", rows);
   appendRows<CheckRobotParameters>("check_robot", rows);

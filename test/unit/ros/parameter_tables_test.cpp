@@ -24,6 +24,7 @@
 #include "ros/patrol_server/patrol_server_adapter.h"
 #include "ros/simulator/simulator_adapter.h"
 #include "teleop/parameters.h"
+#include "waypoints/waypoint_follower.h"
 
 namespace frontier_pilot {
 namespace {
@@ -98,8 +99,9 @@ std::string allTables() {
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
          robotTable() + frameTable() + table(simulatorUsage()) + table(cmdVelArbiterUsage()) +
          table(obstacleAvoiderUsage()) + table(patrolServerUsage()) + table(behaviorServerUsage()) +
-         table(mapperUsage()) + table(mapMergerUsage()) + table(fleetStopUsage()) + table(navigatorUsage()) + table(frontierExplorerUsage()) +
-         table(teleopGuiUsage()) + table(checkRobotUsage());
+         table(mapperUsage()) + table(mapMergerUsage()) + table(fleetStopUsage()) + table(navigatorUsage()) +
+         table(waypointFollowerUsage()) + table(frontierExplorerUsage()) + table(teleopGuiUsage()) +
+         table(checkRobotUsage());
 }
 
 TEST(ParameterTables, TheDocumentedOnesAreThoseOfTheStructs) {
@@ -161,6 +163,7 @@ TEST(ShippedConfigurations, AreAllAcceptedByTheNodesTheyAreFor) {
   expectGood<MapperNodeParameters>("mapper.yaml");
   expectGood<MapMergerNodeParameters>("robots.yaml");
   expectGood<NavigatorNodeParameters>("navigator.yaml");
+  expectGood<waypoints::WaypointParameters>("waypoints.yaml");
   expectGood<ExplorerNodeParameters>("explorer.yaml");
   expectGood<teleop::TeleopParameters>("teleop.yaml");
   expectGood<RobotLimits>("limits_fast.yaml");

@@ -18,6 +18,7 @@
 #include "ros/obstacle_avoider/obstacle_avoider_adapter.h"
 #include "ros/patrol_server/patrol_server_adapter.h"
 #include "teleop/parameters.h"
+#include "waypoints/waypoint_follower.h"
 
 namespace frontier_pilot {
 namespace {
@@ -104,6 +105,7 @@ TEST(UsualParameters, AreListedWithTheirDefaultsInTheConfigurationOfEachNode) {
   expectListed<BehaviorServerParameters>(behaviorServerUsage(), "behavior.yaml");
   expectListed<MapperNodeParameters>(mapperUsage(), "mapper.yaml");
   expectListed<NavigatorNodeParameters>(navigatorUsage(), "navigator.yaml");
+  expectListed<waypoints::WaypointParameters>(waypointFollowerUsage(), "waypoints.yaml");
   expectListed<ExplorerNodeParameters>(frontierExplorerUsage(), "explorer.yaml");
   expectListed<teleop::TeleopParameters>(teleopGuiUsage(), "teleop.yaml");
 }

@@ -86,8 +86,9 @@ class ActionClient {
   void cancel() {
     if (!handle_.isExpired()) handle_.cancel();
   }
-  /// Whether the server's latest status shows a goal of another client that has not ended.
-  bool servesOthers() const { return serves_others_; }
+  /// Whether the server's status shows a goal of another client that has not ended, or did a moment ago: a client that
+  /// sends its goals one after the other leaves short gaps between them.
+  bool servesOthers() const { return others_seen_ && steadyNow() - *others_seen_ < kGapOfOthers; }
   /// From now on nothing is reported about that goal.
   void forget() { handle_.reset(); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
@@ -103,9 +104,10 @@ class ActionClient {
   using Connection = ros::SingleSubscriberPublisher;
 
   static constexpr std::uint32_t kQueue = 50;
-  static constexpr std::size_t kRemembered = 100;                       ///< more than a server's status lists
-  static constexpr Duration kResultPatience = std::chrono::seconds(1);  ///< of the steady clock
-  static constexpr Duration kServerPatience = std::chrono::seconds(2);  ///< the same; a status comes at 5 Hz
+  static constexpr std::size_t kRemembered = 100;                           ///< more than a server's status lists
+  static constexpr Duration kResultPatience = std::chrono::seconds(1);      ///< of the steady clock
+  static constexpr Duration kGapOfOthers = std::chrono::milliseconds(700);  ///< more than three statuses
+  static constexpr Duration kServerPatience = std::chrono::seconds(2);      ///< the same; a status comes at 5 Hz
 
   template <class Msg>
   ros::Subscriber listen(const std::string& topic, void (ActionClient::*take)(const ros::MessageEvent<const Msg>&)) {
@@ -131,7 +133,7 @@ class ActionClient {
     if (taker != takers_.end()) takers_.erase(taker);
     if (takers_.count(server_) == 0) {
       server_heard_.reset();
-      serves_others_ = false;
+      others_seen_.reset();
     }
     monitor_.goalDisconnectCallback(connection);
   }
@@ -170,7 +172,7 @@ class ActionClient {
                            status.status == Status::PREEMPTING || status.status == Status::RECALLING;
       return pursued && !wasSent(status.goal_id.id) && !isOwn(status.goal_id.id);
     };
-    serves_others_ = std::any_of(statuses.status_list.begin(), statuses.status_list.end(), of_others);
+    if (std::any_of(statuses.status_list.begin(), statuses.status_list.end(), of_others)) others_seen_ = steadyNow();
   }
   /// Cancels goals that are still active and were sent by an earlier process of the same name, which was killed before
   /// it could cancel them itself. [FLT-2]
@@ -207,7 +209,7 @@ class ActionClient {
   std::multiset<std::string> takers_;  ///< the nodes that subscribe to the goals, once for each connection
   std::string server_;                 ///< the node whose statuses are believed
   std::optional<SteadyTime> server_heard_;
-  bool serves_others_ = false;
+  std::optional<SteadyTime> others_seen_;  ///< when the status last showed a goal of another client
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::deque<std::string> sent_;        ///< the ids of the last goals, the newest last

@@ -15,6 +15,7 @@ NodeUsage mapperUsage();
 NodeUsage mapMergerUsage();
 NodeUsage fleetStopUsage();
 NodeUsage navigatorUsage();
+NodeUsage waypointFollowerUsage();
 NodeUsage frontierExplorerUsage();
 NodeUsage teleopGuiUsage();
 NodeUsage checkRobotUsage();

@@ -57,7 +57,7 @@ std::optional<Time> RecentUpdates::applyTo(OccupancyGrid& map) const {
   return last;
 }
 
-void MapMirror::subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot) {
+void MapMirror::subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot, Need need) {
   frame_ = frame;
   topic_ = names::ofRobot(robot, names::kMap);
   map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
@@ -65,7 +65,8 @@ void MapMirror::subscribe(NodeConnections& connections, const std::string& frame
   connections.subscribeToEvents<map_msgs::OccupancyGridUpdate>(
       names::ofRobot(robot, names::kMapUpdates), 100,
       [this](const auto& event) { handleUpdate(*event.getConstMessage(), event.getPublisherName()); });
-  connections.inputs().need([this](const InputWatch::Topics& topics) { return missing(topics); });
+  if (need == Need::kNeeded)
+    connections.inputs().need([this](const InputWatch::Topics& topics) { return missing(topics); });
 }
 
 std::string MapMirror::missing(const InputWatch::Topics& topics) const {
@@ -110,6 +111,7 @@ void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string&
   if (stamp == Time{} || went_back || publisher != publisher_) startOver();
   publisher_ = publisher;
   owner_heard_ = steadyNow();
+  heard_frame_ = msg.header.frame_id;
   takeWhole(std::move(*map), stamp);
 }
 

@@ -53,8 +53,9 @@ class RecentUpdates {
 class MapMirror {
  public:
   /// Begins to listen to the topics in the namespace `robot`, by default the node's own. Maps in another frame than
-  /// `frame` are refused.
-  void subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot = {});
+  /// `frame` are refused, unless that is empty. The node waits for a map if it is `need`ed.
+  void subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot = {},
+                 Need need = Need::kNeeded);
 
   /// `publisher` is the name of the node that sent the message.
   void handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher = {});
@@ -65,6 +66,8 @@ class MapMirror {
   /// Whether a map has been received.
   bool ready() const { return !map_.empty(); }
   const OccupancyGrid& map() const { return map_; }
+  /// The frame of the map; empty before the first one.
+  const std::string& frame() const { return heard_frame_; }
   /// The stamp of the last map or update in the copy.
   Time stamp() const { return stamp_; }
   /// The cells that may have changed since the last call; all cells if the geometry has changed.
@@ -89,7 +92,7 @@ class MapMirror {
   void replace(OccupancyGrid map);
 
   std::string topic_;
-  std::string frame_;
+  std::string frame_, heard_frame_;
   OccupancyGrid map_;
   CellRect changed_;
   Time stamp_{};

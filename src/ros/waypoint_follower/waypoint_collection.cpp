@@ -1,0 +1,75 @@
+#include <geometry_msgs/PoseArray.h>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/throttled_log.h"
+#include "ros/waypoint_follower/waypoint_follower_adapter.h"
+
+/// Waypoints that are collected one by one, and what the node says of itself.
+namespace frontier_pilot {
+
+std::string problemOfWaypoint(const geometry_msgs::PoseStamped& msg) {
+  std::string why;
+  if (!toPose(msg.pose, &why)) return why;
+  return msg.header.frame_id.empty() ? "no frame" : "";
+}
+
+void WaypointFollowerAdapter::handleAdd(const geometry_msgs::PoseStamped& msg) {
+  std::string why = problemOfWaypoint(msg);
+  const bool other_frame = !collected_.empty() && msg.header.frame_id != collected_.front().header.frame_id;
+  if (why.empty() && other_frame)
+    why = "in frame '" + msg.header.frame_id + "', the others are in '" + collected_.front().header.frame_id + "'";
+  if (why.empty() && collected_.size() >= static_cast<std::size_t>(parameters_.max_waypoints))
+    why = "more than max_waypoints";
+  if (!why.empty()) return bad_poses_.add(why);
+  collected_.push_back(msg);
+  publishCollected();
+}
+
+/// Sends the collected waypoints as a goal of the node's own action, where they are seen and cancelled like others.
+bool WaypointFollowerAdapter::handleStart(Trigger::Request&, Trigger::Response& response) {
+  response.success = collected_.empty() ? 0 : 1;
+  response.message = collected_.empty() ? std::string("no waypoints were added")
+                                        : "follows " + std::to_string(collected_.size()) + " waypoints";
+  if (collected_.empty()) return true;
+  FollowWaypointsActionGoal goal;
+  goal.goal_id.id = ids_.generateID().id;  // without a stamp: it is sent now
+  goal.goal.poses = collected_;
+  own_goals_.publish(goal);
+  return true;
+}
+
+bool WaypointFollowerAdapter::handleClear(Trigger::Request&, Trigger::Response& response) {
+  response.success = 1;
+  response.message = std::to_string(collected_.size()) + " waypoints taken back";
+  collected_.clear();
+  publishCollected();
+  return true;
+}
+
+void WaypointFollowerAdapter::publishCollected() {
+  geometry_msgs::PoseArray msg;
+  msg.header.stamp = toRosTime(rosNow());
+  if (!collected_.empty()) msg.header.frame_id = collected_.front().header.frame_id;
+  for (const geometry_msgs::PoseStamped& pose : collected_) msg.poses.push_back(pose.pose);
+  collected_publisher_.publish(msg);
+}
+
+void WaypointFollowerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  if (follower_.active() && !inputs_.navigation_up) {
+    status.summary(Level::WARN, "waits: nothing serves move_base");
+  } else if (follower_.active()) {
+    status.summary(Level::OK,
+                   "waypoint " + std::to_string(follower_.current() + 1) + " of " + std::to_string(follower_.count()));
+  } else {
+    status.summary(Level::OK, "ready");
+  }
+  status.add("last waypoints", last_text_);
+  status.add("waypoints collected", collected_.size());
+  bad_poses_.report(status);
+  navigation_.report(status);
+  server_.report(status);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,149 @@
+#include "ros/waypoint_follower/waypoint_follower_adapter.h"
+
+#include <geometry_msgs/PoseArray.h>
+
+#include "ros/common/messages/conversions.h"
+#include "ros/common/names.h"
+#include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kPeriod = 0.1;  // [s]
+
+waypoints::LegEnd::Kind kindOf(const actionlib::TerminalState& state) {
+  using State = actionlib::TerminalState;
+  using Kind = waypoints::LegEnd::Kind;
+  switch (state.state_) {
+    case State::SUCCEEDED:
+      return Kind::kReached;
+    case State::PREEMPTED:
+    case State::RECALLED:
+      return Kind::kReplaced;
+    case State::LOST:
+      return Kind::kLost;
+    default:
+      return Kind::kFailed;
+  }
+}
+
+std::uint16_t codeOf(waypoints::WaypointOutcome outcome) {
+  using Outcome = waypoints::WaypointOutcome;
+  switch (outcome) {
+    case Outcome::kCanceled:
+      return FollowWaypointsResult::CANCELED;
+    case Outcome::kInvalidGoal:
+      return FollowWaypointsResult::INVALID_GOAL;
+    case Outcome::kEmergencyStop:
+      return FollowWaypointsResult::EMERGENCY_STOP;
+    case Outcome::kNavigationGone:
+      return FollowWaypointsResult::NAVIGATION_GONE;
+    case Outcome::kReplaced:
+      return FollowWaypointsResult::REPLACED;
+    case Outcome::kWaypointMissed:
+      return FollowWaypointsResult::WAYPOINT_MISSED;
+    default:
+      return FollowWaypointsResult::NONE;
+  }
+}
+
+}  // namespace
+
+WaypointFollowerAdapter::WaypointFollowerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
+    : parameters_(loadNodeParameters<waypoints::WaypointParameters>(private_node)),
+      follower_(parameters_),
+      own_goals_(
+          node.advertise<FollowWaypointsActionGoal>(std::string(names::kFollowWaypoints) + names::kGoalOfAction, 1)),
+      collected_publisher_(node.advertise<geometry_msgs::PoseArray>(names::kWaypoints, 1, true)),
+      navigation_(node, names::kMoveBase),
+      server_(
+          node, names::kFollowWaypoints, [this](const FollowWaypointsGoal& goal) { handleGoal(goal); },
+          [this](bool) { put(follower_.cancel()); }),
+      diagnostics_(node, private_node),
+      connections_(node) {
+  diagnostics_.add("waypoints", [this](auto& status) { diagnose(status); });
+  diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
+  connections_.subscribe(names::kEmergencyStopState, 1, &WaypointFollowerAdapter::handleStop, this,
+                         ros::TransportHints().tcpNoDelay());
+  connections_.subscribe(names::kAddWaypoint, 20, &WaypointFollowerAdapter::handleAdd, this);
+  connections_.serve(names::kStartWaypoints, &WaypointFollowerAdapter::handleStart, this);
+  connections_.serve(names::kClearWaypoints, &WaypointFollowerAdapter::handleClear, this);
+  connections_.every(ros::Duration(kPeriod), [this] { tick(); });
+}
+
+void WaypointFollowerAdapter::sayLastWords() {
+  if (follower_.active()) put(follower_.cancel());
+}
+
+void WaypointFollowerAdapter::handleGoal(const FollowWaypointsGoal& goal) {
+  // The action server has already ended the waypoints that were under way.
+  inputs_.ended.clear();
+  poses_ = goal.poses;
+  const waypoints::WaypointOutput output = follower_.start(poses_.size(), rosNow());
+  if (output.ended) return put(output);
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const std::string why = problemOfWaypoint(poses_[i]);
+    if (!why.empty()) return put(follower_.refuse("waypoint " + std::to_string(i + 1) + ": " + why));
+  }
+  THROTTLED_INFO("follows " << poses_.size() << " waypoints");
+  tick();
+}
+
+void WaypointFollowerAdapter::handleStop(const std_msgs::Bool& msg) {
+  inputs_.emergency_stop = msg.data != 0;
+  if (inputs_.emergency_stop) tick();
+}
+
+void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state) {
+  inputs_.ended.push_back({leg, kindOf(state), state.getText().empty() ? state.toString() : state.getText()});
+  tick();  // at once, so that an explorer finds no gap between two goals
+}
+
+void WaypointFollowerAdapter::tick() {
+  const auto now = connections_.clock().now();
+  if (!now) return;
+  inputs_.navigation_up = navigation_.isServerConnected();
+  const waypoints::WaypointOutput output = follower_.update(inputs_, *now);
+  inputs_.ended.clear();
+  put(output);
+}
+
+void WaypointFollowerAdapter::put(const waypoints::WaypointOutput& output) {
+  if (output.cancel) {
+    navigation_.cancel();
+    navigation_.forget();
+  }
+  if (output.send) send(*output.send);
+  if (output.ended) finish(output);
+}
+
+void WaypointFollowerAdapter::send(const waypoints::Leg& leg) {
+  move_base_msgs::MoveBaseGoal goal;
+  goal.target_pose = poses_.at(leg.waypoint);
+  goal.target_pose.header.stamp = toRosTime(rosNow());
+  FollowWaypointsFeedback feedback;
+  feedback.current_waypoint = static_cast<std::uint32_t>(leg.waypoint);
+  server_.publishFeedback(feedback);
+  navigation_.send(goal, [this, id = leg.leg](const auto& state, const auto&) { handleLegEnd(id, state); });
+}
+
+void WaypointFollowerAdapter::finish(const waypoints::WaypointOutput& output) {
+  last_text_ = output.text;
+  FollowWaypointsResult result;
+  result.error_code = codeOf(output.outcome);
+  if (result.error_code != FollowWaypointsResult::NONE) result.error_msg = output.text;
+  for (const std::size_t waypoint : follower_.missed())
+    result.missed_waypoints.push_back(static_cast<std::uint32_t>(waypoint));
+  if (output.outcome == waypoints::WaypointOutcome::kCompleted) {
+    server_.setSucceeded(result, output.text);
+  } else if (output.outcome == waypoints::WaypointOutcome::kCanceled) {
+    server_.setPreempted(result, output.text);
+  } else {
+    server_.setAborted(result, output.text);
+  }
+  THROTTLED_INFO("waypoints: " << output.text);
+  diagnostics_.publish();
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/time.h"
+
+namespace frontier_pilot::waypoints {
+
+/// How waypoints are followed.
+struct WaypointParameters {
+  bool stop_on_failure = false;
+  double navigation_timeout = 10.0;
+  int max_waypoints = 1000;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("stop_on_failure", stop_on_failure, "",
+            "whether the rest is given up when a waypoint cannot be reached; otherwise the robot goes on to the next");
+    v.field("navigation_timeout", navigation_timeout, "s",
+            "time without a server of move_base after which the waypoints are given up", timeSpan());
+    v.field("max_waypoints", max_waypoints, "", "greatest number of waypoints that is accepted", between(1, 10000));
+  }
+};
+
+/// The state, or how the last waypoints ended.
+enum class WaypointOutcome {
+  kIdle,  ///< none yet
+  kRunning,
+  kCompleted,  ///< the robot went to all of them, except those that it missed
+  kCanceled,
+  kInvalidGoal,
+  kEmergencyStop,
+  kNavigationGone,
+  kReplaced,  ///< another client sent a goal, or cancelled that of a waypoint
+  kWaypointMissed,
+};
+
+/// How the goal of a waypoint ended.
+struct LegEnd {
+  enum class Kind {
+    kReached,
+    kFailed,
+    kReplaced,
+    kLost,  ///< the server died: the goal is sent again
+  };
+  std::uint32_t leg = 0;  ///< as in WaypointOutput::send
+  Kind kind = Kind::kFailed;
+  std::string text;  ///< why
+};
+
+struct WaypointInputs {
+  bool navigation_up = false;  ///< move_base is served now
+  bool emergency_stop = false;
+  std::vector<LegEnd> ended;  ///< since the last update
+};
+
+/// A goal that is to be sent.
+struct Leg {
+  std::uint32_t leg = 0;     ///< of this goal alone, whatever was sent before
+  std::size_t waypoint = 0;  ///< counted from 0
+};
+
+struct WaypointOutput {
+  WaypointOutcome outcome = WaypointOutcome::kIdle;
+  std::optional<Leg> send;
+  bool cancel = false;  ///< the goal that was sent last is to be cancelled
+  bool ended = false;   ///< the waypoints ended in this update
+  std::string text;     ///< how, once they have ended
+};
+
+/// Goes through waypoints in their order, each as a goal of the navigation. It knows them by number only. Whatever ends
+/// it cancels the goal that is under way, except another goal that has replaced it. [NAV-5]
+class WaypointFollower {
+ public:
+  explicit WaypointFollower(const WaypointParameters& parameters) : parameters_(parameters) {}
+
+  /// Begins with new waypoints; those before must have ended. The first goal comes with the next update.
+  WaypointOutput start(std::size_t count, Time now);
+  WaypointOutput update(const WaypointInputs& inputs, Time now);
+  /// Ends them before they have begun, because there is something wrong with them.
+  WaypointOutput refuse(const std::string& why) { return end(WaypointOutcome::kInvalidGoal, why); }
+  WaypointOutput cancel() { return active() ? end(WaypointOutcome::kCanceled, "canceled") : unchanged(); }
+
+  bool active() const { return outcome_ == WaypointOutcome::kRunning; }
+  /// The waypoint that the robot is sent to now, counted from 0; after the last one their number.
+  std::size_t current() const { return current_; }
+  std::size_t count() const { return count_; }
+  /// Those that could not be reached.
+  const std::vector<std::size_t>& missed() const { return missed_; }
+
+ private:
+  WaypointOutput unchanged() const;
+  WaypointOutput end(WaypointOutcome outcome, const std::string& text);
+  std::optional<WaypointOutput> take(const LegEnd& ended);
+  std::optional<WaypointOutput> miss(const std::string& why);
+  std::string inWords(std::size_t waypoint) const;
+
+  WaypointParameters parameters_;
+  WaypointOutcome outcome_ = WaypointOutcome::kIdle;
+  std::size_t count_ = 0, current_ = 0;
+  std::vector<std::size_t> missed_;
+  std::uint32_t last_leg_ = 0;
+  bool under_way_ = false;  ///< the goal `last_leg_` was sent and has not ended
+  std::optional<Time> up_;  ///< when the navigation was last up
+};
+
+}  // namespace frontier_pilot::waypoints

@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Waypoints on the wire: their order, and what a missed one, a cancel, a stop and a goal of somebody else do to them."""
+import math
+import unittest
+
+import actionlib
+import rosnode
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from frontier_pilot.msg import FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult
+from geometry_msgs.msg import PoseArray, PoseStamped
+from nav_msgs.msg import Odometry
+from std_srvs.srv import Trigger
+
+from wire import Record, call, clear, emergency_stop, wait_for
+
+# In the room where the robot starts, which is the origin.
+NEAR, MIDDLE, FAR = (0.4, 0.0), (0.9, 0.0), (1.4, 0.0)
+OUTSIDE = (30.0, 0.0)
+
+
+def pose(place, frame='map'):
+    msg = PoseStamped()
+    msg.header.frame_id = frame
+    msg.pose.position.x, msg.pose.position.y = place
+    msg.pose.orientation.w = 1.0
+    return msg
+
+
+class WaypointsOnTheWire(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('waypoints_wire')
+        cls.odom = Record('odom', Odometry)
+        cls.goals = Record('move_base/status', GoalStatusArray)
+        cls.collected = Record('waypoint_follower/waypoints', PoseArray)
+        cls.client = actionlib.SimpleActionClient('follow_waypoints', FollowWaypointsAction)
+        assert cls.client.wait_for_server(rospy.Duration(60.0))
+        assert wait_for(lambda: cls.goals.last and cls.odom.last, 60.0)
+
+    def setUp(self):
+        self.assertTrue(clear())
+        self.visited = []
+
+    def tearDown(self):
+        self.client.cancel_all_goals()
+        self.assertTrue(wait_for(lambda: not self.active(), 10.0))
+
+    def follow(self, *places):
+        self.client.send_goal(FollowWaypointsGoal(poses=[pose(place) for place in places]),
+                              feedback_cb=lambda feedback: self.visited.append(feedback.current_waypoint))
+
+    def active(self):
+        return [goal for goal in self.goals.last.status_list if goal.status in (GoalStatus.PENDING, GoalStatus.ACTIVE)]
+
+    def at(self):
+        position = self.odom.last.pose.pose.position
+        return position.x, position.y
+
+    def is_at(self, place):
+        return math.dist(self.at(), place) < 0.3
+
+    def drives(self):
+        return self.odom.last.twist.twist.linear.x > 0.1
+
+    def stands(self):
+        twist = self.odom.last.twist.twist
+        return abs(twist.linear.x) < 1e-6 and abs(twist.angular.z) < 1e-6
+
+    def expect_end(self, state, code, timeout=60.0):
+        done = actionlib.SimpleGoalState.DONE
+        self.assertTrue(wait_for(lambda: self.client.simple_state == done, timeout), self.at())
+        self.assertEqual(state, self.client.get_state(), self.client.get_goal_status_text())
+        self.assertEqual(code, self.client.get_result().error_code, self.client.get_result())
+        return self.client.get_result()
+
+    def expect_standstill(self):
+        self.assertTrue(wait_for(lambda: self.stands() and not self.active(), 5.0))
+        self.assertFalse(wait_for(lambda: not self.stands(), 1.0), 'nothing goes on')
+
+    def start_driving(self):
+        self.follow(FAR if self.is_at(NEAR) or self.at()[0] < 0.7 else NEAR, MIDDLE)
+        self.assertTrue(wait_for(lambda: self.drives() or abs(self.odom.last.twist.twist.angular.z) > 0.1, 20.0))
+
+    def test_are_gone_to_in_their_order_without_those_that_cannot_be_reached(self):  # [NAV-5]
+        self.follow(MIDDLE, OUTSIDE, FAR, NEAR)
+        result = self.expect_end(GoalStatus.SUCCEEDED, FollowWaypointsResult.NONE, 90.0)
+        self.assertEqual([0, 1, 2, 3], self.visited)
+        self.assertEqual([1], list(result.missed_waypoints))
+        self.assertEqual('3 of 4 waypoints reached, missed: 2', self.client.get_goal_status_text())
+        self.assertTrue(self.is_at(NEAR), self.at())
+
+    def test_a_cancel_stops_the_robot(self):  # [NAV-5]
+        self.start_driving()
+        self.client.cancel_goal()
+        self.expect_end(GoalStatus.PREEMPTED, FollowWaypointsResult.CANCELED, 5.0)
+        self.expect_standstill()
+
+    def test_an_emergency_stop_ends_them_and_nothing_goes_on_when_it_is_cleared(self):  # [NAV-5]
+        self.start_driving()
+        self.assertTrue(emergency_stop().success)
+        self.expect_end(GoalStatus.ABORTED, FollowWaypointsResult.EMERGENCY_STOP, 5.0)
+        self.assertTrue(clear())
+        self.expect_standstill()
+
+    def test_a_goal_of_somebody_else_wins(self):  # [NAV-5]
+        goals = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1)
+        self.assertTrue(wait_for(lambda: goals.get_num_connections() > 0))
+        self.start_driving()
+        goals.publish(pose(MIDDLE))
+        result = self.expect_end(GoalStatus.ABORTED, FollowWaypointsResult.REPLACED, 5.0)
+        self.assertIn('preempted', result.error_msg)
+        self.assertTrue(wait_for(lambda: self.is_at(MIDDLE) and not self.active(), 40.0), 'the other goal is gone to')
+
+    def test_a_cancel_of_the_navigation_ends_them(self):  # [NAV-5]
+        cancels = rospy.Publisher('move_base/cancel', GoalID, queue_size=1)
+        self.assertTrue(wait_for(lambda: cancels.get_num_connections() > 0))
+        self.start_driving()
+        cancels.publish(GoalID())
+        self.expect_end(GoalStatus.ABORTED, FollowWaypointsResult.REPLACED, 5.0)
+        self.expect_standstill()
+
+    def test_a_navigator_that_is_restarted_gets_the_goal_again(self):  # [NAV-5] [FLT-2]
+        self.start_driving()
+        rosnode.kill_nodes(['/navigator'])
+        result = self.expect_end(GoalStatus.SUCCEEDED, FollowWaypointsResult.NONE, 60.0)
+        self.assertEqual([], list(result.missed_waypoints))
+        self.assertTrue(self.is_at(MIDDLE))
+
+    def test_malformed_ones_are_refused_with_the_reason(self):  # [FLT-1]
+        self.client.send_goal(FollowWaypointsGoal(poses=[pose(NEAR), pose((float('nan'), 0.0))]))
+        result = self.expect_end(GoalStatus.ABORTED, FollowWaypointsResult.INVALID_GOAL, 5.0)
+        self.assertIn('waypoint 2: ', result.error_msg)
+        self.client.send_goal(FollowWaypointsGoal())
+        result = self.expect_end(GoalStatus.ABORTED, FollowWaypointsResult.INVALID_GOAL, 5.0)
+        self.assertEqual('there are no waypoints', result.error_msg)
+
+    def test_may_be_collected_one_by_one_as_rviz_publishes_them(self):  # [NAV-5]
+        self.assertFalse(call('waypoint_follower/start', Trigger).success)
+        add = rospy.Publisher('waypoint_follower/add', PoseStamped, queue_size=10)
+        self.assertTrue(wait_for(lambda: add.get_num_connections() > 0))
+        places = (FAR, NEAR)
+        for msg in (pose(FAR), pose(NEAR, 'odom'), pose((float('inf'), 0.0)), pose(NEAR)):
+            add.publish(msg)
+        self.assertTrue(wait_for(lambda: self.collected.last and len(self.collected.last.poses) == 2))
+        self.assertEqual(places, tuple((at.position.x, at.position.y) for at in self.collected.last.poses))
+        self.assertTrue(call('waypoint_follower/start', Trigger).success)
+        for place in places:
+            self.assertTrue(wait_for(lambda at=place: self.is_at(at), 40.0), self.at())
+        self.assertTrue(wait_for(lambda: not self.active(), 20.0))
+        self.assertTrue(call('waypoint_follower/clear', Trigger).success)
+        self.assertTrue(wait_for(lambda: not self.collected.last.poses))
+
+
+if __name__ == '__main__':
+    rostest.rosrun('frontier_pilot', 'waypoints', WaypointsOnTheWire)
