@@ -20,6 +20,7 @@ import rospkg
 import yaml
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
+import leftovers  # noqa: E402
 from command_line import CommandLine  # noqa: E402
 from robot_starts import StartsError, draw_starts, read_world  # noqa: E402
 from robots_rviz import view_of, write_configuration  # noqa: E402
@@ -27,6 +28,7 @@ from robots_rviz import view_of, write_configuration  # noqa: E402
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 OF_THE_WORLD = ('world', 'known_starts', 'robot', 'limits', 'speed', 'seed', 'odom_noise')
 OF_A_ROBOT = ('explore', 'robot', 'limits', 'map_file', 'localize_only')
+MARK = 'FRONTIER_PILOT_ROBOTS'  # in the environment of all that is started here
 PATIENCE = (8.0, 2.0)  # for a node to end on SIGINT, and on SIGTERM [s]: together less than roslaunch gives to this program
 
 
@@ -114,6 +116,7 @@ def main():
     arguments = read_command_line()
     end_with_the_parent()
     with tempfile.TemporaryDirectory() as folder:
+        os.environ[MARK] = folder
         try:
             run_id = rosgraph.Master('/robots_launcher').getParam('/run_id')
             files = launches(arguments, folder)
@@ -124,6 +127,8 @@ def main():
             print('robots_launcher: %s' % error, file=sys.stderr)
             return 1
         parent.spin()  # rviz reads its file from the folder after it has started
+        # When the simulator ends while nodes are being started, roslaunch forgets those that come after.
+        leftovers.end(MARK, folder)
     return 0
 
 

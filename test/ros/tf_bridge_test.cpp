@@ -129,8 +129,7 @@ TEST(TfBridge, KeepsAScannerWhereItIsFixedWhateverComesLater) {
   const auto T_base_scan = bridge.lookup("base", "fixed_scan", Time{});
   ASSERT_TRUE(T_base_scan);
   EXPECT_NEAR(T_base_scan->yaw, 0.0, 1e-9);
-  EXPECT_NE(reportOf(bridge).find("'fixed_scan' has another static transform"), std::string::npos)
-      << reportOf(bridge);
+  EXPECT_NE(reportOf(bridge).find("'fixed_scan' has another static transform"), std::string::npos) << reportOf(bridge);
 }
 
 // [FLT-1]

@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """What no node can go on with: each a message that names it, and an exit code that is not zero."""
 import os
+import socket
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -9,6 +11,9 @@ import roslib.packages
 import rospkg
 import rospy
 import rostest
+
+sys.path.insert(0, os.path.join(rospkg.RosPack().get_path('frontier_pilot'), 'scripts'))
+import leftovers  # noqa: E402
 
 NODES = ('simulator', 'cmd_vel_arbiter', 'obstacle_avoider', 'mapper', 'map_merger', 'navigator', 'frontier_explorer', 'patrol_server',
          'behavior_server', 'fleet_stop')
@@ -58,6 +63,30 @@ class BadStart(unittest.TestCase):
 
     def test_a_start_in_a_wall_is_refused(self):  # [SIM-1]
         self.simulator(['start'], os.path.join(WORLDS, 'small.yaml'), '_x:=0.02', '_y:=0.02')
+
+    def roslaunch(self, *words):
+        """What a launch on a master of its own, which runs on, says on its way to its end."""
+        process = subprocess.run(['roslaunch', 'frontier_pilot', *words], env=self.environment, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT, universal_newlines=True, timeout=90)
+        return process.stdout
+
+    def test_two_robots_at_one_place_are_refused_and_leave_neither_a_node_nor_a_parameter(self):  # [SIM-1] [MUL-1]
+        with socket.socket() as probe:
+            probe.bind(('127.0.0.1', 0))
+            port = probe.getsockname()[1]
+        self.environment = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:%d' % port, BAD_START='%d' % port)
+        master = subprocess.Popen(['roscore', '-p', str(port)], env=dict(self.environment, BAD_START=''),
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(master.wait)
+        self.addCleanup(master.terminate)
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+            file.write('robots: [{name: a, x: 1.2, y: 8.65, yaw: 0}, {name: b, x: 1.2, y: 8.66, yaw: 0}]')
+            file.flush()
+            said = self.roslaunch('--wait', 'robots.launch', 'robots:=' + file.name)
+        self.assertIn("robot 'b' cannot start at (1.2, 8.66)", said)
+        self.assertEqual(leftovers.find('BAD_START', port), [])
+        said = self.roslaunch('--wait', 'simulator.launch', 'x:=999', 'y:=999')
+        self.assertIn('(999, 999)', said)
 
     def test_every_unknown_and_bad_parameter_is_named_at_once(self):
         self.simulator(['sped', 'seed'], os.path.join(WORLDS, 'small.yaml'), '_sped:=2', '_seed:=-1')
