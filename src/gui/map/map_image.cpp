@@ -77,8 +77,9 @@ CellRect MapImage::reduce(std::size_t level, const CellRect& finer) {
     const std::int8_t* high = rowOf(from, std::min(2 * y + 1, from.height() - 1));
     std::int8_t* out = rowOf(to, y);
     for (int x = rect.x; x < rect.x + rect.width; ++x) {
-      const int right = std::min(2 * x + 1, from.width() - 1);
-      out[x] = std::max(std::max(low[2 * x], high[2 * x]), std::max(low[right], high[right]));
+      const int left = 2 * x;
+      const int right = std::min(left + 1, from.width() - 1);
+      out[x] = std::max(std::max(low[left], high[left]), std::max(low[right], high[right]));
     }
   }
   return rect;
