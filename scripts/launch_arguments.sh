@@ -32,6 +32,7 @@ check_value() {
         wrong_argument "$value" \
           "robot: there is neither a robot nor a file '$value'; robots are $(names_in "$root/config/robots")" ;;
     map)
+      [ ! -d "$value" ] || wrong_argument "$value" "map: '$value' is a folder; give the path of the map's files, such as ${value%/}/floor"
       mkdir -p "$(dirname "$value")" 2>/dev/null && [ -w "$(dirname "$value")" ] ||
         wrong_argument "$value" "map: nothing can be written to the folder of '$value'" ;;
     limits)

@@ -1,10 +1,12 @@
 """Registers nodes of Python and rosbag again at a new master, which knows nothing of those that the old one had."""
+import http.client
 import xmlrpc.client
 
 import rosgraph
 
 from .node_load import PatientTransport
 
+FAILURES = (OSError, http.client.HTTPException, rosgraph.MasterException, xmlrpc.client.Error)
 ANY = '*'  # the type of a subscription that takes whatever is published
 
 
@@ -18,22 +20,26 @@ class Registration:
         self.publications = list(publications)  # (topic, type)
         self.subscriptions = list(subscriptions)  # topics
         self.uri = None  # of the node, as the last master knew it
+        self.complete = True  # whether the last registration reached its end
 
     def keep(self):
         """Looks whether the master knows the node, and registers it if a new one does not. Returns whether it was registered
         again. To be called now and then; does nothing while there is no master."""
         try:
             self.uri = self.master.lookupNode(self.name)
-            return False
+            if self.complete:
+                return False
         except rosgraph.MasterError:
             if self.uri is None:
                 return False  # it has not begun yet
-        except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+        except FAILURES:
             return False
+        self.complete = False
         try:
             self._register()
-        except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+        except FAILURES:
             return False  # the next time
+        self.complete = True
         return True
 
     def _register(self):

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMostHeard = 100;
 constexpr std::size_t kLongestName = 256;
 constexpr double kFarthest = 1e6;       // [m]
-constexpr double kWidest = 10.0;        // [m]
+constexpr double kWidest = 1.0;         // [m]
 constexpr double kLongestValid = 60.0;  // [s]
 
 bool isPlace(const Vec2& place) { return place.allFinite() && place.cwiseAbs().maxCoeff() <= kFarthest; }
@@ -66,6 +66,10 @@ void TrafficRule::listen(const TrafficInputs& inputs, Time now) {
     const double valid = std::min(it->second.message.valid_for, MotionMessage::kValidFor);
     it = age < 0.0 || age > valid ? heard_.erase(it) : std::next(it);
   }
+  for (auto it = memories_.begin(); it != memories_.end();) {
+    const bool ignored = it->second.ignored_until && now < *it->second.ignored_until;
+    it = ignored || heard_.count(it->first) > 0 ? std::next(it) : memories_.erase(it);
+  }
   if (!inputs.T_map_common) return;
   for (const auto& [name, heard] : heard_) {
     const MotionMessage& message = heard.message;
@@ -91,7 +95,7 @@ std::optional<MotionMessage> TrafficRule::message() const {
   message.position = T_common_map * position_;
   message.radius = radius_;
   message.path = told(path_, T_common_map);
-  message.cannot_yield = cannot_yield_;
+  message.cannot_yield = cannot_yield_ || !goal_;  // without a goal it is not going to drive
   for (const Other& other : others_) {
     if (other.relation == Relation::kYields && message.yields_to.size() < MotionMessage::kMostNames)
       message.yields_to.push_back(other.name);

@@ -24,7 +24,10 @@ constexpr double kIgnored = 20.0;      ///< for how long the rule then takes it 
 constexpr double kSearchPeriod = 1.0;  ///< between two searches for a place to wait at [s]
 constexpr double kNewGoal = 0.5;       ///< [m]
 constexpr double kBlur = 0.3;          ///< how far a robot may have come since its last message [m]
-constexpr double kIdle = 3.0;          ///< a robot without a goal that has stood for this long may be sent aside [s]
+constexpr double kIdle = 3.0;          ///< a robot without a way that has stood for this long may be sent aside [s]
+constexpr double kStuck = 5.0;         ///< for how long a robot that found no place to wait at says so [s]
+constexpr double kReach = 10.0;        ///< a robot that is farther away is not waited for [m]
+constexpr double kLongest = 60.0;      ///< nor is one that was waited for so long [s]
 
 TrafficOrder hold(const std::string& other) { return {TrafficOrder::Kind::kHold, Vec2::Zero(), other, {}}; }
 
@@ -42,14 +45,31 @@ std::string TrafficOrder::text() const {
   return {};
 }
 
+bool TrafficRule::isAlone() const {
+  return std::none_of(others_.begin(), others_.end(),
+                      [](const Other& other) { return other.relation != Relation::kNone; });
+}
+
 double TrafficRule::apartFrom(const Other& other) const { return radius_ + other.radius + kApart; }
 
 TrafficOrder TrafficRule::update(const TrafficInputs& inputs, Time now) {
+  if (decided_ && now < *decided_) forget();  // the clock was set back
   position_ = inputs.T_map_base.position();
-  if (!astray_ || !inputs.path.empty()) path_ = inputs.path;
-  const bool due = !decided_ || now < *decided_ || toSeconds(now - *decided_) >= kPeriod;
+  if (!goal_ || !inputs.path.empty()) path_ = inputs.path;
+  const bool due = !decided_ || toSeconds(now - *decided_) >= kPeriod;
   if (due) decide(inputs, now);
   return order_;
+}
+
+void TrafficRule::forget() {
+  heard_.clear();
+  memories_.clear();
+  others_.clear();
+  order_ = {};
+  astray_ = cannot_yield_ = false;
+  decided_.reset();
+  searched_.reset();
+  stands_since_ = Time{};
 }
 
 void TrafficRule::decide(const TrafficInputs& inputs, Time now) {
@@ -71,7 +91,10 @@ void TrafficRule::decide(const TrafficInputs& inputs, Time now) {
     if (other.relation == Relation::kPasses) order_.making_way.push_back({other.position, other.radius + kBlur});
   }
   if (order_.kind == TrafficOrder::Kind::kAside) astray_ = true;
-  if (order_.kind == TrafficOrder::Kind::kFree) astray_ = cannot_yield_ = false;
+  if (order_.kind == TrafficOrder::Kind::kFree) astray_ = false;
+  if (new_goal ||
+      (order_.kind == TrafficOrder::Kind::kFree && isAlone() && toSeconds(now - searched_.value_or(now)) > kStuck))
+    cannot_yield_ = false;
 }
 
 /// Keeps the way to the goal: a robot that is sent aside, or whose navigator finds no path because another robot stands
@@ -105,12 +128,16 @@ void TrafficRule::relate(Other& other, const TrafficInputs& inputs, Time now) {
 bool TrafficRule::runsOutOfPatience(const Other& other, Memory& memory, Time now) const {
   const bool waited_for = order_.kind == TrafficOrder::Kind::kHold && order_.other == other.name;
   if (!waited_for && other.relation != Relation::kNone) memory.anchored = std::max(memory.anchored, now);
-  return waited_for && toSeconds(now - memory.anchored) > kStands;
+  if (!waited_for) memory.waited_since.reset();
+  if (!waited_for) return false;
+  if (!memory.waited_since) memory.waited_since = now;
+  return toSeconds(now - memory.anchored) > kStands || toSeconds(now - *memory.waited_since) > kLongest;
 }
 
 TrafficRule::Relation TrafficRule::relationTo(const Other& other, Relation before, const TrafficInputs& inputs,
                                               Time now, double& entry) const {
   const PassingRoom room{apartFrom(other), 2.0 * (radius_ + other.radius) + 3.0 * kRoom};
+  if (!goal_) return Relation::kNone;
   if (way_.size() < 2) {  // it stands, and may stand in the other's way
     const bool stands = astray_ || toSeconds(now - stands_since_) > kIdle;
     if (!stands || cannot_yield_ || !other.has_way) return Relation::kNone;
@@ -122,7 +149,8 @@ TrafficRule::Relation TrafficRule::relationTo(const Other& other, Relation befor
   const bool beside = (other.position - position_).norm() < apartFrom(other) + kBeside;
   if (!conflict && beside && before == Relation::kYields && order_.kind != TrafficOrder::Kind::kFree)
     return Relation::kYields;
-  if (!conflict) return other.passes_this && !other.yields_to_this ? Relation::kYields : Relation::kNone;
+  const bool near = (other.position - position_).norm() < kReach;
+  if (!conflict) return near && other.passes_this && !other.yields_to_this ? Relation::kYields : Relation::kNone;
   const double more = conflict->own_exit - conflict->other_exit;
   return precedence(other, before, std::abs(more) < kEqual ? own_name_ < other.name : more < 0.0);
 }

@@ -142,7 +142,7 @@ void PilotWidget::connectMap() {
     press(teleop::Motion::kStop);
     send({Kind::kFollowWaypoints, true, {}, 0, 0.0, 0, 0.0, poses});
   });
-  // The map has its origin where mapping began. An explorer would drive off again.
+  // An explorer that is not paused would drive off again.
   connect(map_card_, &MapCard::returnAsked, this, [this] {
     press(teleop::Motion::kStop);
     if (last_state_.explorer_service_up) send({Kind::kExplore, false, {}, 0, 0.0, 0, 0.0});

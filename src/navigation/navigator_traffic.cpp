@@ -17,18 +17,19 @@ std::vector<Vec2> Navigator::Impl::wayAhead() const {
 
 /// Whether an order determines what the robot does in this cycle. [MUL-3]
 bool Navigator::Impl::obey(const NavigatorInputs& inputs, Time now) {
-  if (inputs.order.empty()) {
+  // Without a goal the robot does not move by itself: it is an obstacle to the others.
+  if (inputs.order.empty() || !goal_) {
     if (obeying_) resume(now);
     return false;
   }
-  if (missingData(inputs, now)) return false;  // with a goal the robot waits for them, and without one it stands
+  if (missingData(inputs, now)) return false;  // the robot waits for them
   obeying_ = true;
   waiting_since_.reset();
   recovery_ = nullptr;
   output_.traffic = inputs.order.why;
   if (inputs.order.aside) {
     driveAside(*inputs.order.aside, inputs, now);
-  } else if (goal_ || aside_) {
+  } else {
     command({}, NavState::kWaiting, NavReason::kTraffic);
   }
   if (output_.command) predictor_.commanded(*output_.command, now);
@@ -46,11 +47,9 @@ void Navigator::Impl::driveAside(const Vec2& place, const NavigatorInputs& input
   const bool there = (pose_->pose.position() - place).norm() <= params_.goal_tolerance;
   if (!there && !has_path_) aside_failed_ = !planAside(place, now);
   output_.aside_failed = aside_failed_;
-  if (there || !has_path_ || follower_.remaining() <= params_.goal_tolerance) {
-    if (goal_ || has_path_) command({}, NavState::kWaiting, NavReason::kTraffic);
-    has_path_ = has_path_ && goal_;  // without a goal the wheels are left to others once the robot stands
-    return;
-  }
+  const bool at_its_end = has_path_ && follower_.remaining() <= params_.goal_tolerance;
+  if (at_its_end && !there) aside_failed_ = output_.aside_failed = true;  // the path led to a place beside it
+  if (there || !has_path_ || at_its_end) return command({}, NavState::kWaiting, NavReason::kTraffic);
   const FollowerOutput step = follower_.update(followerInputs(predictor_.predict(*pose_, inputs.twist, now), now));
   if (!step.blocked) blocked_since_.reset();
   if (step.blocked && !blocked_since_) blocked_since_ = now;

@@ -89,7 +89,7 @@ struct NavigationView {
   std::string status;                   ///< what it does and why; without a goal, how the last one ended
 };
 
-/// A patrol or a spin.
+/// An action: a patrol, a spin, a goal of the navigation, or waypoints.
 struct ActionView {
   bool server_up = false;
   bool active = false;

@@ -19,7 +19,7 @@ WaypointOutput WaypointFollower::start(std::size_t count, Time now) {
   count_ = count;
   current_ = 0;
   missed_.clear();
-  under_way_ = false;
+  under_way_ = pursued_ = false;
   up_ = now;
   outcome_ = WaypointOutcome::kRunning;
   if (count == 0) return end(WaypointOutcome::kInvalidGoal, "there are no waypoints");
@@ -38,11 +38,11 @@ WaypointOutput WaypointFollower::unchanged() const {
 
 WaypointOutput WaypointFollower::end(WaypointOutcome outcome, const std::string& text) {
   WaypointOutput output;
-  output.cancel = under_way_;
+  output.cancel = pursued_;
   output.outcome = outcome_ = outcome;
   output.ended = true;
   output.text = text;
-  under_way_ = false;
+  under_way_ = pursued_ = false;
   return output;
 }
 
@@ -59,7 +59,7 @@ WaypointOutput WaypointFollower::update(const WaypointInputs& inputs, Time now) 
     return end(WaypointOutcome::kNavigationGone, "aborted: nothing serves move_base");
   }
   if (under_way_) return unchanged();
-  under_way_ = true;
+  under_way_ = pursued_ = true;
   WaypointOutput output = unchanged();
   output.send = Leg{++last_leg_, current_};
   return output;
@@ -69,18 +69,20 @@ WaypointOutput WaypointFollower::update(const WaypointInputs& inputs, Time now) 
 std::optional<WaypointOutput> WaypointFollower::take(const LegEnd& ended) {
   if (!under_way_ || ended.leg != last_leg_) return std::nullopt;
   under_way_ = false;
+  pursued_ = ended.kind == LegEnd::Kind::kLost;  // another server may still pursue it
   switch (ended.kind) {
     case LegEnd::Kind::kLost:
       return std::nullopt;
     case LegEnd::Kind::kReplaced:
       return end(WaypointOutcome::kReplaced, "aborted: the goal of " + inWords(current_) + " ended: " + ended.text);
     case LegEnd::Kind::kFailed:
-      if (const auto output = miss(ended.text)) return output;
+      if (auto output = miss(ended.text)) return output;
       break;
     case LegEnd::Kind::kReached:
       break;
   }
   if (++current_ < count_) return std::nullopt;
+  if (missed_.size() == count_) return end(WaypointOutcome::kWaypointMissed, "aborted: no waypoint could be reached");
   const std::string reached = std::to_string(count_ - missed_.size()) + " of " + std::to_string(count_);
   return end(WaypointOutcome::kCompleted,
              reached + " waypoints reached" + (missed_.empty() ? "" : ", missed: " + listed(missed_)));

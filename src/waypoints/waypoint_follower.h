@@ -84,6 +84,10 @@ class WaypointFollower {
   WaypointOutput update(const WaypointInputs& inputs, Time now);
   /// Ends them before they have begun, because there is something wrong with them.
   WaypointOutput refuse(const std::string& why) { return end(WaypointOutcome::kInvalidGoal, why); }
+  /// Ends them because the clock has jumped: what the navigation does then is an end of its goal, not of a waypoint.
+  WaypointOutput abortByClockJump() {
+    return active() ? end(WaypointOutcome::kNavigationGone, "aborted: the clock jumped") : unchanged();
+  }
   WaypointOutput cancel() { return active() ? end(WaypointOutcome::kCanceled, "canceled") : unchanged(); }
 
   bool active() const { return outcome_ == WaypointOutcome::kRunning; }
@@ -106,6 +110,7 @@ class WaypointFollower {
   std::vector<std::size_t> missed_;
   std::uint32_t last_leg_ = 0;
   bool under_way_ = false;  ///< the goal `last_leg_` was sent and has not ended
+  bool pursued_ = false;    ///< the same, also while the navigation seems to be gone: it may be only hard to hear
   std::optional<Time> up_;  ///< when the navigation was last up
 };
 

@@ -35,8 +35,7 @@ using test::Window;
 TEST_F(GuiOnTheWire, ButtonsMoveTheRobotThroughTheArbiterAtTenHertz) {
   Window window;
   ASSERT_TRUE(ready(window));
-  window.click("Go");
-  window.click("Go");
+  for (int i = 0; i < 2; ++i) window.click("Go");
   EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed - 0.10) < 0.01; }));
   EXPECT_NEAR(robot_.command, 0.10, 1e-9);
   const SteadyTime start = steadyNow();
@@ -174,22 +173,24 @@ TEST_F(GuiOnTheWire, SourcesThatNoServiceCanBeNamedAfterAreShownAndDoNotEndTheWi
 TEST_F(GuiOnTheWire, AServiceThatNeverAnswersHoldsNeitherTheWindowNorTheEmergencyStop) {
   Window window;
   ASSERT_TRUE(ready(window));
-  ros::NodeHandle node;
   std::atomic<bool> hang{true};
-  const test::Switch handle = [&hang](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
-    while (hang) usleep(10000);
+  std::atomic<int> calls{0};
+  const test::Switch handle = [&hang, &calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
+    for (++calls; hang;) usleep(10000);
     return true;
   };
-  ros::ServiceServer server = node.advertiseService(names::kSetExplorationEnabled, handle);
+  ros::ServiceServer server = ros::NodeHandle().advertiseService(names::kSetExplorationEnabled, handle);
   ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
   window.click("explore_start");
-  window.click("Go");
+  EXPECT_TRUE(waitFor([&] { return calls == 1; }));
+  for (const char* button : {"explore_start", "explore_start", "Go"}) window.click(button);
   EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; })) << "the window still drives";
   window.click("emergency_stop");
   EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
   EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed) < 1e-6; }));
   hang = false;
   EXPECT_TRUE(clears(window));
+  EXPECT_EQ(calls, 1) << "a call that waits for its answer is not made again";
 }
 
 // [GUI-1] [GUI-3]

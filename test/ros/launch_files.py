@@ -19,7 +19,8 @@ sys.path.insert(0, ROOT + '/scripts')
 import robots_launcher  # noqa: E402
 
 FILES = sorted(glob.glob(ROOT + '/launch/*.launch'))
-NEEDS_NOTHING = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py'}  # all the others know the robot
+# All the others know the robot.
+NEEDS_NOTHING = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'waypoint_follower'}
 OWN_ROBOT = {'turtlebot2.launch', 'turtlebot3.launch'}  # their default need not be a Burger
 TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch', 'gui_turtlebot_system.launch',
                'real_robot.launch', 'check_robot.launch'}
@@ -29,7 +30,8 @@ NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
 NEEDS_ODOM_FRAME = {'mapper', 'behavior_server'}
 PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server'}
 LDS_01 = {'scanner/time_increment': 0.000556, 'scanner/reversed': True}
-OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider'}
+OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider',
+                   'waypoint_follower'}
 
 
 def flat(values, prefix=''):

@@ -75,7 +75,7 @@ class RunScript(unittest.TestCase):
     def test_it_refuses_what_the_launch_file_does_not_have_and_says_what_there_is(self):
         for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
-                            ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
+                            ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
                 code, out, err = self.run_to_the_end(word)
                 self.assertEqual((code, out), (2, ''))

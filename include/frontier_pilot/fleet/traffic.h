@@ -101,6 +101,7 @@ class TrafficRule {
     Relation relation = Relation::kNone;
     Vec2 anchor = Vec2::Zero();  ///< where it was when it had moved last
     Time anchored;
+    std::optional<Time> waited_since;
     std::optional<Time> ignored_until;
   };
   struct Heard {
@@ -120,6 +121,9 @@ class TrafficRule {
   TrafficOrder orderToYield(const TrafficInputs& inputs, Time now);
   const Other* inTheWay(const Vec2& place, double margin) const;
   double apartFrom(const Other& other) const;
+  /// Whether no other robot matters at present.
+  bool isAlone() const;
+  void forget();
 
   std::string own_name_;
   double radius_;

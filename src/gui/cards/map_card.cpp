@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -29,7 +30,7 @@ MapCard::MapCard(const Outline& robot, QWidget* parent)
       go_(new QPushButton("Go here")),
       follow_(new QPushButton),
       forget_(new QPushButton("Forget")),
-      return_(new QPushButton("To start")),
+      return_(new QPushButton("To origin")),
       save_(new QPushButton("Save map")),
       load_(new QPushButton("Load map")),
       dot_(new Dot),
@@ -78,22 +79,27 @@ void MapCard::connectPicture() {
   });
   connect(picture_, &MapPicture::refused, this,
           [this](const QString& why) { say("Not sent: " + why + ".", teleop::Severity::kWarning); });
+  connect(picture_, &MapPicture::waypointsChanged, this, &MapCard::showWaypointCount);
   connect(picture_, &MapPicture::aimingEnded, this, [this] { go_->setChecked(false); });
 }
 
 void MapCard::askForFile(bool to_save) {
-  QDir folder = QDir::current();
-  if (to_save && folder.mkpath("maps")) folder.cd("maps");
-  auto* dialog = new QFileDialog(this, to_save ? "Save the map as" : "Load a map", folder.path(), "Maps (*.yaml)");
+  const QString maps = QDir::current().absoluteFilePath("maps");
+  const bool has_maps = QFileInfo(maps).isDir();
+  auto* dialog = new QFileDialog(this, to_save ? "Save the map as" : "Load a map",
+                                 has_maps ? maps : QDir::currentPath(), "Maps (*.yaml)");
   dialog->setObjectName("map_file");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  // The dialog itself asks nothing: a question before a file is replaced or deleted would block the whole window.
+  dialog->setOptions(QFileDialog::DontUseNativeDialog | QFileDialog::DontConfirmOverwrite | QFileDialog::ReadOnly);
   dialog->setAcceptMode(to_save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-  dialog->setFileMode(to_save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+  dialog->setFileMode(QFileDialog::AnyFile);  // the path is one of the mapper's machine
   dialog->setDefaultSuffix("yaml");
-  if (to_save) dialog->selectFile("map.yaml");
-  connect(dialog, &QFileDialog::fileSelected, this, [this, to_save](const QString& file) {
+  if (to_save) dialog->selectFile(has_maps ? "map.yaml" : "maps/map.yaml");
+  connect(dialog, &QFileDialog::fileSelected, this, [this, to_save, maps](const QString& file) {
     say(to_save ? "Saving the map." : "Loading the map.", teleop::Severity::kActive);
     if (!to_save) return emit loadAsked(file);
+    if (QFileInfo(file).absolutePath() == maps) QDir().mkpath(maps);
     emit saveAsked(file.endsWith(".yaml") ? file.chopped(5) : file);
   });
   dialog->setModal(false);
@@ -119,7 +125,7 @@ void MapCard::setState(const teleop::OperatorState& state) {
   const bool navigation_up = state.navigate.server_up;
   enable(go_, navigation_up, "The navigation is down.");
   enable(return_, navigation_up, "The navigation is down.");
-  if (navigation_up) return_->setToolTip("Pause the explorer, and drive back to where the mapping began.");
+  if (navigation_up) return_->setToolTip("Pause the explorer, and drive to the origin of the map.");
   enable(save_, state.save_map_up, "mapper/save_map is down.");
   enable(load_, state.load_map_up, "mapper/load_map is down.");
   if (!navigation_up) go_->setChecked(false);
@@ -130,13 +136,18 @@ void MapCard::setState(const teleop::OperatorState& state) {
       state.map_answer.success ? teleop::Severity::kGood : teleop::Severity::kError);
 }
 
-void MapCard::showWaypoints(const teleop::OperatorState& state) {
+void MapCard::showWaypointCount() {
   const int count = static_cast<int>(picture_->waypoints().size());
   follow_->setText(count == 0 ? QString("Follow") : QString("Follow %1").arg(count));
-  follow_->setEnabled(count > 0 && state.waypoints.server_up);
-  follow_->setToolTip(!state.waypoints.server_up ? QString("waypoint_follower is down.")
-                                                 : QString("Add waypoints with the Shift key and a click on the map."));
+  follow_->setEnabled(count > 0 && follower_up_);
+  follow_->setToolTip(!follower_up_ ? QString("waypoint_follower is down.")
+                                    : QString("Add waypoints with the Shift key and a click on the map."));
   forget_->setEnabled(count > 0);
+}
+
+void MapCard::showWaypoints(const teleop::OperatorState& state) {
+  follower_up_ = state.waypoints.server_up;
+  showWaypointCount();
   const std::string& news = state.waypoints.active ? state.waypoints.feedback : state.waypoints.result;
   if (news == waypoints_told_) return;
   waypoints_told_ = news;

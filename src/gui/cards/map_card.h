@@ -25,6 +25,8 @@ class MapCard : public Card {
 
  private:
   QLayout* makeButtons();
+  /// Shows on the buttons how many waypoints there are.
+  void showWaypointCount();
   void showWaypoints(const teleop::OperatorState& state);
   /// Asks for a file without keeping the window from being used: its emergency stop has to work meanwhile.
   void askForFile(bool to_save);
@@ -41,6 +43,7 @@ class MapCard : public Card {
   QPushButton* save_;
   QPushButton* load_;
   std::uint64_t answers_ = 0;  ///< that have been shown
+  bool follower_up_ = false;   ///< the node that follows the waypoints
   std::string waypoints_told_;
   Dot* dot_;
   ElidedLabel* message_;

@@ -23,8 +23,8 @@ class MapImage {
   const GridGeometry& geometry() const { return geometry_; }
   /// The value of a cell, as in OccupancyGrid; unknown outside of the map.
   std::int8_t at(Cell cell) const;
-  /// The smallest rectangle in the map's frame that contains all known cells, to `step` cells [m]; all of the map if
-  /// nothing is known.
+  /// A rectangle in the map's frame [m] that contains all known cells and at each side exceeds the smallest one by less
+  /// than a pixel of the coarsest image; all of the map if nothing is known.
   QRectF knownArea() const;
   /// The colour of cells of which nothing is known.
   static QColor unknownColor(const Theme& theme);

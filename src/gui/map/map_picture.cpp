@@ -22,14 +22,23 @@ QSize MapPicture::sizeHint() const {
 }
 
 void MapPicture::setView(const teleop::MapView& view) {
-  if (view.scene.frame != scene_.frame) track_.clear();
+  if (view.scene.frame != scene_.frame) forgetPlaces();
   if (view.change) {
+    // While a place is being chosen, the map stays where it is below the pointer.
+    const bool may_move = image_.empty() || (press_ == Press::kNone && !aiming_);
     image_.apply(*view.change);
-    if (fitted_ && press_ == Press::kNone) fit();
+    if (fitted_ && may_move) fit();
   }
   scene_ = view.scene;
   if (scene_.T_map_base) track_.add(scene_.T_map_base->position());
   update();
+}
+
+/// In another frame the same coordinates are another place.
+void MapPicture::forgetPlaces() {
+  track_.clear();
+  press_ = Press::kNone;
+  clearWaypoints();
 }
 
 void MapPicture::fit() {

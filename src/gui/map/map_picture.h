@@ -23,9 +23,10 @@ class MapPicture : public QWidget {
  public:
   explicit MapPicture(const Outline& robot, QWidget* parent = nullptr);
 
-  /// Only what has changed in the map is drawn into its image again.
+  /// Only what has changed in the map is drawn into its image again. If the frame of the map has changed, the track,
+  /// the waypoints and a press in progress are dropped.
   void setView(const teleop::MapView& view);
-  /// Whether the next press of the left button chooses a goal.
+  /// Whether the next press of the left button chooses a goal. Ending it drops a press that was to become one.
   void setAiming(bool aiming);
   const std::vector<Pose2>& waypoints() const { return waypoints_; }
   void clearWaypoints();
@@ -57,6 +58,7 @@ class MapPicture : public QWidget {
  private:
   enum class Press { kNone, kMove, kGoal, kWaypoint };
 
+  void forgetPlaces();
   void fit();
   void follow(const QPointF& pointer);
   /// Why the robot cannot be sent to the place; empty if it may be.
@@ -73,7 +75,9 @@ class MapPicture : public QWidget {
   bool fitted_ = true;  ///< the view follows the size of the map until it is zoomed or moved
   bool aiming_ = false;
   Press press_ = Press::kNone;
-  QPointF pressed_at_, pointer_;
+  Qt::MouseButton button_ = Qt::NoButton;  ///< of the last press; others are ignored while it lasts
+  QPointF pressed_at_, pointer_;           ///< [px]
+  Vec2 pressed_place_ = Vec2::Zero();      ///< where on the map it was pressed: the view may be zoomed meanwhile
 };
 
 }  // namespace frontier_pilot::gui

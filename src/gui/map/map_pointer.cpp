@@ -19,7 +19,9 @@ double length(const QPointF& offset) { return std::hypot(offset.x(), offset.y())
 
 void MapPicture::setAiming(bool aiming) {
   aiming_ = aiming;
+  if (!aiming && press_ == Press::kGoal) press_ = Press::kNone;
   setCursor(aiming ? Qt::CrossCursor : Qt::ArrowCursor);
+  update();
 }
 
 void MapPicture::resizeEvent(QResizeEvent* event) {
@@ -36,12 +38,15 @@ void MapPicture::wheelEvent(QWheelEvent* event) {
 }
 
 void MapPicture::mousePressEvent(QMouseEvent* event) {
+  if (press_ != Press::kNone && event->button() != button_) return;
+  button_ = event->button();
   pressed_at_ = pointer_ = event->localPos();
+  pressed_place_ = viewport_.place(pressed_at_);
   press_ = Press::kMove;
   if (event->button() != Qt::LeftButton) return;
   const bool waypoint = (event->modifiers() & Qt::ShiftModifier) != 0;
   if (!waypoint && !aiming_) return;
-  const QString why = whyNot(viewport_.place(pressed_at_));
+  const QString why = whyNot(pressed_place_);
   press_ = !why.isEmpty() ? Press::kNone : (waypoint ? Press::kWaypoint : Press::kGoal);
   if (!why.isEmpty()) emit refused(why);
   update();
@@ -61,6 +66,7 @@ void MapPicture::follow(const QPointF& pointer) {
 
 void MapPicture::mouseReleaseEvent(QMouseEvent* event) {
   follow(event->localPos());
+  if (event->button() != button_) return;
   const Pose2 pose = aimedPose();
   const Press press = std::exchange(press_, Press::kNone);
   if (press == Press::kGoal || press == Press::kWaypoint) choose(pose, press);
@@ -83,7 +89,7 @@ void MapPicture::keyPressEvent(QKeyEvent* event) {
 /// Where it was pressed, in the direction of the drag; without a drag, in that of the way from the robot or from the
 /// waypoint before.
 Pose2 MapPicture::aimedPose() const {
-  const Vec2 place = viewport_.place(pressed_at_);
+  const Vec2& place = pressed_place_;
   const QPointF drag = pointer_ - pressed_at_;
   if (length(drag) >= kLeastDrag) return {place, std::atan2(-drag.y(), drag.x())};
   std::optional<Vec2> from;
@@ -95,8 +101,10 @@ Pose2 MapPicture::aimedPose() const {
 QString MapPicture::whyNot(const Vec2& place) const {
   if (image_.empty()) return "there is no map yet";
   const GridGeometry& geometry = image_.geometry();
-  const bool near = viewport_.visible().contains(place.x(), place.y());  // whose cell has an index in any case
-  const Cell cell = near ? geometry.cellAt(place) : Cell{-1, -1};
+  const QRectF map(geometry.origin.x(), geometry.origin.y(), geometry.width * geometry.resolution,
+                   geometry.height * geometry.resolution);
+  // Far outside of it, a place has no cell. Its right and its upper edge belong to no cell of the map.
+  const Cell cell = map.contains(place.x(), place.y()) ? geometry.cellAt(place) : Cell{-1, -1};
   if (!geometry.contains(cell)) return "that is outside of the map";
   const std::int8_t value = image_.at(cell);
   if (isUnknown(value)) return "nothing is known of that place yet";

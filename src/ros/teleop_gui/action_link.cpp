@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/text.h"
 
 namespace frontier_pilot {
 namespace {
@@ -99,7 +101,7 @@ void ActionLink<Action>::onStatus(const actionlib_msgs::GoalStatusArray& msg) {
 template <class Action>
 void ActionLink<Action>::onFeedback(const ActionFeedback& msg) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  view_.feedback = textOf(msg.feedback);
+  view_.feedback = printable(textOf(msg.feedback), bounds::kMostReason);
 }
 
 template <class Action>
@@ -107,7 +109,8 @@ void ActionLink<Action>::onResult(const ActionResult& msg) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool is_own = msg.status.goal_id.id == own_id_;
   if (is_own) own_id_.clear();
-  view_.result = textOf(msg.result).empty() ? msg.status.text : textOf(msg.result);
+  const std::string text = textOf(msg.result);
+  view_.result = printable(text.empty() ? msg.status.text : text, bounds::kMostReason);
   if (!is_own && logs_ == Logs::kOwn) return;
   const bool good = msg.status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
   log_(good ? teleop::Severity::kGood : teleop::Severity::kWarning, name_ + ": " + view_.result);

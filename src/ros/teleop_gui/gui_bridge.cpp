@@ -83,6 +83,7 @@ void GuiBridge::publishManual() {
   const SteadyTime now = steadyNow();
   caller_.reportSlow(now);
   stop_caller_.reportSlow(now);
+  map_caller_.reportSlow(now);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!manualWanted(now)) return manual_publisher_.shutdown();
   const auto before = manual_output_.state();
@@ -149,7 +150,7 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
     case Kind::kStopSpin:
       return spin_.cancelAll();
     case Kind::kStopNavigation:
-      if (waypoints_.view().active) waypoints_.cancelAll();  // first, so that they do not go on with the next one
+      if (waypoints_.view().server_up) waypoints_.cancelAll();  // first, so that they do not go on with the next one
       return navigate_.cancelAll();
     case Kind::kGoTo:
       return request.poses.empty() ? void() : goTo(request.poses.front());

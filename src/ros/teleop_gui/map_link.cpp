@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 
@@ -46,9 +47,9 @@ MapLink::MapLink(const ros::NodeHandle& node, const TfBridge& tf, std::string ba
       connections_(node_, kMasterPeriod),
       spinner_(1, &queue_) {
   map_.subscribe(connections_, {}, {}, Need::kOptional);
-  connections_.subscribe(names::kPlan, 1, &MapLink::handlePlan, this);
-  connections_.subscribe(names::kNavigatorProgress, 1, &MapLink::handleProgress, this);
-  connections_.subscribe(names::kFrontiers, 1, &MapLink::handleMarkers, this);
+  plan_subscriber_ = connections_.subscribe(names::kPlan, 1, &MapLink::handlePlan, this);
+  goal_subscriber_ = connections_.subscribe(names::kNavigatorProgress, 1, &MapLink::handleProgress, this);
+  frontiers_subscriber_ = connections_.subscribe(names::kFrontiers, 1, &MapLink::handleMarkers, this);
   connections_.everySteady(ros::WallDuration(kPeriod), [this] { collect(); });
   spinner_.start();
 }
@@ -94,9 +95,17 @@ void MapLink::collect() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (view_.change) return;  // the window is busy: what changes meanwhile is handed over together
   }
+  forgetGone();
   teleop::MapView view{takeChange(), scene()};
+  view.scene.problem = printable(view.scene.problem, bounds::kMostReason);  // frames in it may have any length
   const std::lock_guard<std::mutex> lock(mutex_);
   view_ = std::move(view);
+}
+
+void MapLink::forgetGone() {
+  if (plan_subscriber_.getNumPublishers() == 0) plan_ = {};
+  if (goal_subscriber_.getNumPublishers() == 0) goal_.reset();
+  if (frontiers_subscriber_.getNumPublishers() == 0) frontiers_ = {};
 }
 
 std::optional<teleop::MapChange> MapLink::takeChange() {

@@ -50,6 +50,8 @@ class MapLink {
   void handleMarkers(const visualization_msgs::MarkerArray& msg);
   /// Prepares the next view.
   void collect();
+  /// A navigator or an explorer that has ended leaves nothing on the map.
+  void forgetGone();
   std::optional<teleop::MapChange> takeChange();
   teleop::MapScene scene() const;
   std::optional<Pose2> toMap(const std::string& frame, const char* what, std::string& problem) const;
@@ -64,6 +66,7 @@ class MapLink {
   std::optional<Pose2> goal_;
   std::string goal_frame_;
   Rejections bad_plans_{"plan"};
+  ros::Subscriber plan_subscriber_, goal_subscriber_, frontiers_subscriber_;
   mutable std::mutex mutex_;  ///< guards the view
   teleop::MapView view_;
   NodeConnections connections_;

@@ -49,7 +49,18 @@ void ServiceCaller::loadMap(const std::string& service, const std::string& path)
   post({service, Call::Type::kLoadMap, false, path});
 }
 
+bool ServiceCaller::isUnderWay(const Call& call) const {
+  return call.type == Call::Type::kSetBool && under_way_ && under_way_->service == call.service &&
+         under_way_->value == call.value;
+}
+
 void ServiceCaller::post(Call call) {
+  bool waits = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waits = isUnderWay(call);
+  }
+  if (waits) return log_(teleop::Severity::kWarning, call.service + " has not answered the last call yet");
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto same = [&call](const Call& other) { return other.service == call.service; };
@@ -68,12 +79,13 @@ void ServiceCaller::run() {
     }
     const Call call = calls_.front();
     calls_.pop_front();
-    current_ = call.service;
+    under_way_ = call;
     since_ = steadyNow();
     lock.unlock();
     tryPerform(call);
     lock.lock();
     since_.reset();
+    under_way_.reset();
     client_ = {};
   }
 }
@@ -139,8 +151,9 @@ void ServiceCaller::reportSlow(SteadyTime now) {
   std::string slow;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!since_ || now - *since_ < kSlow || current_.empty()) return;
-    slow.swap(current_);
+    if (!since_ || now - *since_ < kSlow) return;
+    since_.reset();
+    slow = under_way_->service;
   }
   log_(teleop::Severity::kWarning, slow + " does not answer");
 }

@@ -37,7 +37,9 @@ class ServiceCaller {
   ServiceCaller(const ServiceCaller&) = delete;
   ServiceCaller& operator=(const ServiceCaller&) = delete;
 
-  /// Calls a std_srvs/SetBool. A call of the same service that is still queued is replaced.
+  /// Calls a std_srvs/SetBool. A call of the same service that is still queued is replaced. While a call with the same
+  /// value waits for its answer, another one is not made: it would be carried out later than what others have asked for
+  /// meanwhile, and might clear a stop that nobody has seen here.
   void set(const std::string& service, bool value);
   /// Calls a std_srvs/Trigger.
   void trigger(const std::string& service);
@@ -61,6 +63,7 @@ class ServiceCaller {
   };
 
   void post(Call call);
+  bool isUnderWay(const Call& call) const;
   void run();
   void tryPerform(const Call& call);
   void perform(const Call& call);
@@ -80,8 +83,8 @@ class ServiceCaller {
   std::condition_variable wake_;
   std::deque<Call> calls_;
   ros::ServiceClient client_;  ///< of the call in progress
-  std::string current_;
-  std::optional<SteadyTime> since_;
+  std::optional<Call> under_way_;
+  std::optional<SteadyTime> since_;  ///< when the call that is under way was begun; none once it was called slow
   bool stopping_ = false;
   std::thread thread_;
 };

@@ -70,6 +70,7 @@ WaypointFollowerAdapter::WaypointFollowerAdapter(ros::NodeHandle& node, ros::Nod
   connections_.serve(names::kStartWaypoints, &WaypointFollowerAdapter::handleStart, this);
   connections_.serve(names::kClearWaypoints, &WaypointFollowerAdapter::handleClear, this);
   connections_.every(ros::Duration(kPeriod), [this] { tick(); });
+  connections_.clock().onJump([this] { put(follower_.abortByClockJump()); });
 }
 
 void WaypointFollowerAdapter::sayLastWords() {
@@ -80,8 +81,7 @@ void WaypointFollowerAdapter::handleGoal(const FollowWaypointsGoal& goal) {
   // The action server has already ended the waypoints that were under way.
   inputs_.ended.clear();
   poses_ = goal.poses;
-  const waypoints::WaypointOutput output = follower_.start(poses_.size(), rosNow());
-  if (output.ended) return put(output);
+  if (const auto output = follower_.start(poses_.size(), rosNow()); output.ended) return put(output);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const std::string why = problemOfWaypoint(poses_[i]);
     if (!why.empty()) return put(follower_.refuse("waypoint " + std::to_string(i + 1) + ": " + why));

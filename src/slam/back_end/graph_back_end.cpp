@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "slam/graph/covariance.h"
+
 namespace frontier_pilot::slam {
 
 GraphBackEnd::GraphBackEnd(const GraphSlamParameters& parameters, const occupancy::OccupancyMapParameters& map,
@@ -44,6 +46,7 @@ void GraphBackEnd::add(PlacedKeyframe placed) {
   refinement_.note(placed.step);
   T_front_last_ = placed.keyframe.T_local_base;
   placed.keyframe.T_local_base = T_local_front_ * T_front_last_;
+  if (T_local_front_.yaw != 0.0) placed.step.drift = alongAxes(placed.step.drift, -T_local_front_.yaw);
   for (PlacedKeyframe::Place& place : placed.places) place.T_local_submap = T_local_front_ * place.T_local_submap;
   graph_.add(std::move(placed));
 }

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "slam/graph/covariance.h"
 #include "slam/graph/keyframe_graph.h"
 
 namespace frontier_pilot::slam {
@@ -30,6 +31,10 @@ std::vector<LoopClosure> Refinement::refine(SubmapGraph& graph, LoopCloser& clos
   for (std::size_t i = 0; i < graph.keyframeCount(); ++i) {
     PlacedKeyframe placed = graph.placed(i);
     placed.keyframe.T_local_base = T_map_base[i];
+    if (i > 0) {  // the drift lies along the axes of the local frame, in which the step before has been turned
+      const double turned = T_map_base[i - 1].yaw - graph.keyframe(i - 1).T_local_base.yaw;
+      placed.step.drift = alongAxes(placed.step.drift, -turned);
+    }
     for (PlacedKeyframe::Place& place : placed.places) {
       place.T_local_submap = T_map_base[graph.submap(place.submap).keyframes.front()];
     }
@@ -37,6 +42,8 @@ std::vector<LoopClosure> Refinement::refine(SubmapGraph& graph, LoopCloser& clos
     bent.add(std::move(placed));
     for (const LoopClosure& closure : again.update(bent, points)) closures.push_back(closure);
   }
+  // A graph that has lost its closures would be bent for good.
+  if (2 * bent.closures().size() < graph.closures().size()) return {};
   again.setCounts(closer.counts());
   graph = std::move(bent);
   closer = std::move(again);

@@ -22,7 +22,8 @@ class Refinement {
   /// Whether there is enough that is new, so that all refinements of a drive cost a bounded multiple of the last one.
   bool isDue() const;
   /// Replaces `graph` by one whose local frame is the map, with bent submaps, and `closer` by the one that has closed
-  /// its loops. The counts of `closer` stay. Returns all closures of the new graph.
+  /// its loops. The counts of `closer` stay. If that loses more than half of the closures, both stay as they are.
+  /// Returns all closures of the new graph.
   std::vector<LoopClosure> refine(SubmapGraph& graph, LoopCloser& closer);
 
  private:

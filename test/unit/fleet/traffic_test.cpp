@@ -125,11 +125,13 @@ TEST(TrafficRule, ARobotThatShouldGoAndStandsIsWaitedForNoLongerThanAQuarterOfAM
 }
 
 // [MUL-3]
-TEST(TrafficRule, ARobotWithoutAGoalMakesWayToo_MUL_3) {
+TEST(TrafficRule, ARobotWithoutAGoalDoesNotMoveByItselfAndIsNotWaitedFor_MUL_3) {
   Robot a("a", {5.0, 1.5}, std::nullopt);
   Robot b("b", {8.0, 1.5}, Vec2(1.0, 1.5));
   talk(a, b, 0.0, 6.0);
-  EXPECT_EQ(a.order.kind, Kind::kAside);
+  EXPECT_EQ(a.order.kind, Kind::kFree);
+  EXPECT_EQ(b.order.kind, Kind::kFree) << "it is an obstacle like any other";
+  EXPECT_TRUE(b.order.making_way.empty());
 }
 
 // [MUL-3]

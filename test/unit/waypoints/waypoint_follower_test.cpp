@@ -134,6 +134,34 @@ TEST_F(Waypoints, WaitForANavigationThatIsRestartedAndSendTheGoalAgain) {
 }
 
 // [NAV-5]
+TEST_F(Waypoints, AreCancelledAlsoWhileTheNavigationSeemsToBeGone) {
+  follower_.start(2, now_);
+  ASSERT_TRUE(update().send);
+  inputs_.navigation_up = false;
+  update();
+  EXPECT_TRUE(follower_.cancel().cancel) << "it may drive on and only be hard to hear";
+}
+
+// [NAV-5]
+TEST_F(Waypoints, OfWhichNoneIsReachedAreNoSuccess) {
+  follower_.start(2, now_);
+  update();
+  EXPECT_FALSE(ends(LegEnd::Kind::kFailed).ended);
+  const WaypointOutput output = ends(LegEnd::Kind::kFailed);
+  EXPECT_TRUE(output.ended);
+  EXPECT_EQ(output.outcome, WaypointOutcome::kWaypointMissed);
+}
+
+// [NAV-5]
+TEST_F(Waypoints, EndWhenTheClockJumps) {
+  follower_.start(2, now_);
+  ASSERT_TRUE(update().send);
+  const WaypointOutput output = follower_.abortByClockJump();
+  EXPECT_TRUE(output.ended && output.cancel);
+  EXPECT_FALSE(follower_.active());
+}
+
+// [NAV-5]
 TEST_F(Waypoints, AreGivenUpWhenNothingServesTheNavigation) {
   inputs_.navigation_up = false;
   follower_.start(1, now_);

@@ -88,7 +88,7 @@ class ActionClient {
   }
   /// Whether the server's status shows a goal of another client that has not ended, or did a moment ago: a client that
   /// sends its goals one after the other leaves short gaps between them.
-  bool servesOthers() const { return others_seen_ && steadyNow() - *others_seen_ < kGapOfOthers; }
+  bool servesOthers() const { return others_now_ || (others_gone_ && steadyNow() - *others_gone_ < kGapOfOthers); }
   /// From now on nothing is reported about that goal.
   void forget() { handle_.reset(); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
@@ -133,7 +133,8 @@ class ActionClient {
     if (taker != takers_.end()) takers_.erase(taker);
     if (takers_.count(server_) == 0) {
       server_heard_.reset();
-      others_seen_.reset();
+      others_now_ = false;
+      others_gone_.reset();
     }
     monitor_.goalDisconnectCallback(connection);
   }
@@ -172,7 +173,9 @@ class ActionClient {
                            status.status == Status::PREEMPTING || status.status == Status::RECALLING;
       return pursued && !wasSent(status.goal_id.id) && !isOwn(status.goal_id.id);
     };
-    if (std::any_of(statuses.status_list.begin(), statuses.status_list.end(), of_others)) others_seen_ = steadyNow();
+    const bool before =
+        std::exchange(others_now_, std::any_of(statuses.status_list.begin(), statuses.status_list.end(), of_others));
+    if (before && !others_now_) others_gone_ = steadyNow();
   }
   /// Cancels goals that are still active and were sent by an earlier process of the same name, which was killed before
   /// it could cancel them itself. [FLT-2]
@@ -209,7 +212,8 @@ class ActionClient {
   std::multiset<std::string> takers_;  ///< the nodes that subscribe to the goals, once for each connection
   std::string server_;                 ///< the node whose statuses are believed
   std::optional<SteadyTime> server_heard_;
-  std::optional<SteadyTime> others_seen_;  ///< when the status last showed a goal of another client
+  bool others_now_ = false;                ///< whether the last status showed a goal of another client
+  std::optional<SteadyTime> others_gone_;  ///< when a status was the first that showed none any more
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
   std::deque<std::string> sent_;        ///< the ids of the last goals, the newest last
