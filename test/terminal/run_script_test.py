@@ -51,6 +51,11 @@ def command_of(environ):
         return environ  # it has ended meanwhile
 
 
+def heed_ctrl_c():
+    """A shell starts what runs in its background with SIGINT ignored, and bash cannot trap what was ignored when it began."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 class RunScript(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -59,7 +64,8 @@ class RunScript(unittest.TestCase):
 
     def start(self, *words):
         return subprocess.Popen([RUN, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(self.port, self.folder.name),
-                                cwd=self.folder.name, stdin=subprocess.DEVNULL, universal_newlines=True, start_new_session=True)
+                                cwd=self.folder.name, stdin=subprocess.DEVNULL, universal_newlines=True, start_new_session=True,
+                                preexec_fn=heed_ctrl_c)
 
     def run_to_the_end(self, *words):
         process = self.start(*words)
