@@ -1,6 +1,7 @@
 #include <ros/callback_queue.h>
 #include <ros/init.h>
 #include <ros/master.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <iostream>
@@ -23,7 +24,10 @@ constexpr int kExitBySignal = 128;  // added to the signal, as by a shell
 
 volatile std::sig_atomic_t interrupts = 0;
 volatile std::sig_atomic_t last_signal = SIGINT;
+volatile std::sig_atomic_t asks_the_master = 1;
 void handleInterrupt(int signal) {
+  // A master that does not answer would be waited for, and there is no patrol yet that would have to be cancelled.
+  if (asks_the_master != 0) _exit(kExitBySignal + signal);
   interrupts = interrupts + 1;
   last_signal = signal;
 }
@@ -31,9 +35,7 @@ void handleInterrupt(int signal) {
 int codeOf(patrol::PatrolExit exit) {
   return exit == patrol::PatrolExit::kInterrupted ? kExitBySignal + last_signal : static_cast<int>(exit);
 }
-/// A signal interrupts what waits for the master, which then seems to be none: the signal is the reason.
 int fail(const std::string& text, patrol::PatrolExit exit) {
-  if (interrupts > 0) return codeOf(patrol::PatrolExit::kInterrupted);
   PatrolClientAdapter::complain(text);
   return codeOf(exit);
 }
@@ -74,6 +76,7 @@ int runPatrolClient(int argc, char** argv) {
     if (std::signal(SIGHUP, handleInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
     if (!ros::master::check()) return fail("no ROS master at " + ros::master::getURI(), patrol::PatrolExit::kNoServer);
     refuseANamesake();
+    asks_the_master = 0;
   } catch (const std::runtime_error& error) {
     return fail(error.what(), patrol::PatrolExit::kUsage);
   }
