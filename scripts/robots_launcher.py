@@ -123,12 +123,13 @@ def main():
             parent = roslaunch.parent.ROSLaunchParent(run_id, files, is_core=False, show_summary=False,
                                                       sigint_timeout=PATIENCE[0], sigterm_timeout=PATIENCE[1])
             parent.start()
+            parent.spin()  # rviz reads its file from the folder after it has started
         except (OSError, StartsError, rosgraph.MasterException, roslaunch.core.RLException) as error:
             print('robots_launcher: %s' % error, file=sys.stderr)
             return 1
-        parent.spin()  # rviz reads its file from the folder after it has started
-        # When the simulator ends while nodes are being started, roslaunch forgets those that come after.
-        leftovers.end(MARK, folder)
+        finally:
+            # When the simulator ends while nodes are being started, roslaunch forgets those that come after.
+            leftovers.end(MARK, folder)
     return 0
 
 
