@@ -24,8 +24,7 @@ def find(name, value):
 
 
 def end(name, value):
-    """Ends them by SIGTERM, and by SIGKILL if that takes too long. Returns how many there were."""
-    count = len(find(name, value))
+    """Ends them by SIGTERM, and by SIGKILL if that takes too long."""
     for number in (signal.SIGTERM, signal.SIGKILL):
         for process in find(name, value):
             try:
@@ -35,4 +34,3 @@ def end(name, value):
         deadline = time.monotonic() + PATIENCE
         while find(name, value) and time.monotonic() < deadline:
             time.sleep(0.05)
-    return count

@@ -127,9 +127,11 @@ void TrafficRule::relate(Other& other, const TrafficInputs& inputs, Time now) {
 
 bool TrafficRule::runsOutOfPatience(const Other& other, Memory& memory, Time now) const {
   const bool waited_for = order_.kind == TrafficOrder::Kind::kHold && order_.other == other.name;
-  if (!waited_for && other.relation != Relation::kNone) memory.anchored = std::max(memory.anchored, now);
-  if (!waited_for) memory.waited_since.reset();
-  if (!waited_for) return false;
+  if (!waited_for) {
+    if (other.relation != Relation::kNone) memory.anchored = std::max(memory.anchored, now);
+    memory.waited_since.reset();
+    return false;
+  }
   if (!memory.waited_since) memory.waited_since = now;
   return toSeconds(now - memory.anchored) > kStands || toSeconds(now - *memory.waited_since) > kLongest;
 }

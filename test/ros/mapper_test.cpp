@@ -29,8 +29,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scan of a round room of 3 m, taken from wherever the robot is: what matters is that the map follows. One beam has
-/// a little noise: a scanner that repeated itself to the last bit while the robot drives would be taken for frozen.
+/// A scan of a round room of 3 m, taken from wherever the robot is: what matters is that the map follows. One beam
+/// differs a little in every scan: a scanner that repeated itself to the last bit while the robot drives would be
+/// taken for frozen.
 sensor_msgs::LaserScan roundRoom(const ros::Time& stamp, float range = 3.0F) {
   sensor_msgs::LaserScan scan;
   scan.header.stamp = stamp;
@@ -42,7 +43,7 @@ sensor_msgs::LaserScan roundRoom(const ros::Time& stamp, float range = 3.0F) {
   scan.range_max = 8.0F;
   static int scans = 0;
   scan.ranges.assign(360, range);
-  scan.ranges[90] += 1e-4F * static_cast<float>(++scans % 10);
+  scan.ranges[90] += 1e-6F * static_cast<float>(++scans);
   return scan;
 }
 

@@ -16,6 +16,9 @@ import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / 'scripts'))
+import leftovers  # noqa: E402
+
 RUN = str(ROOT / 'scripts/run')
 BUILD = ROOT / 'build'
 
@@ -32,23 +35,11 @@ def environment(port, home):
                 FRONTIER_PILOT_BUILD=str(BUILD))
 
 
-def descendants(marker):
-    """The processes that a run with this marker in its environment has left."""
-    found = []
-    for path in glob.glob('/proc/[0-9]*/environ'):
-        try:
-            if marker in pathlib.Path(path).read_bytes():
-                found.append(path)
-        except OSError:
-            pass
-    return found
-
-
-def command_of(environ):
+def command_of(process):
     try:
-        return pathlib.Path(environ).with_name('cmdline').read_bytes().replace(b'\0', b' ')
+        return pathlib.Path('/proc/%d/cmdline' % process).read_bytes().replace(b'\0', b' ')
     except OSError:
-        return environ  # it has ended meanwhile
+        return process  # it has ended meanwhile
 
 
 def heed_ctrl_c():
@@ -72,9 +63,12 @@ class RunScript(unittest.TestCase):
         out, err = process.communicate(timeout=300)
         return process.returncode, out, err
 
+    def processes(self):
+        """Those of the run: they have its master's address in their environment."""
+        return leftovers.find('ROS_MASTER_URI', 'http://127.0.0.1:%d' % self.port)
+
     def assert_nothing_is_left(self):
-        left = descendants(b'ROS_MASTER_URI=http://127.0.0.1:%d' % self.port)
-        self.assertEqual([command_of(path) for path in left], [])
+        self.assertEqual([command_of(process) for process in self.processes()], [])
         with socket.socket() as probe:
             self.assertNotEqual(probe.connect_ex(('127.0.0.1', self.port)), 0, 'a master is left')
 
@@ -129,9 +123,8 @@ class RunScript(unittest.TestCase):
 
     def test_another_ctrl_c_ends_everything_although_the_mapper_hangs(self):
         process, said = self.start_exploring(os.path.join(self.folder.name, 'floor'))
-        ours = [path.parent for path in map(pathlib.Path, descendants(b'ROS_MASTER_URI=http://127.0.0.1:%d' % self.port))]
-        mapper, = [path.name for path in ours if path.joinpath('cmdline').read_bytes().split(b'\0')[0].endswith(b'/mapper')]
-        os.kill(int(mapper), signal.SIGSTOP)
+        mapper, = [process for process in self.processes() if command_of(process).split()[0].endswith(b'/mapper')]
+        os.kill(mapper, signal.SIGSTOP)
         for _ in range(20):
             process.send_signal(signal.SIGINT)
             try:

@@ -82,7 +82,8 @@ StopAnswer StopLine::call() {
   std_srvs::Trigger stop;
   ros::ServiceClient client = client_;
   if (!client.call(stop)) {
-    connected_ = client.isValid();
+    // A connection that is just being closed still counts as valid, so the service itself is asked.
+    connected_ = ros::service::exists(client.getService(), false);
     return connected_ ? StopAnswer{StopOutcome::kRefused, "the call failed"} : StopAnswer{StopOutcome::kNoService, {}};
   }
   if (stop.response.success == 0) return {StopOutcome::kRefused, stop.response.message};

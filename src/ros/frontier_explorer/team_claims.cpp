@@ -58,11 +58,7 @@ void TeamClaims::hear(const FleetClaims& msg) {
 /// T_common_map by the latest transform; nothing if that is old: then the robots' maps are not merged any more.
 std::optional<Pose2> TeamClaims::mapInCommon() const {
   constexpr Duration kOldest = std::chrono::seconds(5);
-  if (parameters_.frame == map_frame_) return Pose2();
-  const auto stamp = tf_.latestStamp(parameters_.frame, map_frame_);
-  const bool is_static = stamp && *stamp == Time{};
-  if (!stamp || (!is_static && rosNow() - *stamp > kOldest)) return std::nullopt;
-  return tf_.lookup(parameters_.frame, map_frame_, *stamp);
+  return tf_.latest(parameters_.frame, map_frame_, kOldest);
 }
 
 std::vector<exploration::Teammate> TeamClaims::others(Time now) {

@@ -69,11 +69,7 @@ void FleetMotions::hear(const FleetMotion& msg) {
 /// T_map_common by the latest transform; nothing if that is old: then the robots' maps are not merged any more.
 std::optional<Pose2> FleetMotions::commonInMap() const {
   constexpr Duration kOldest = std::chrono::seconds(5);
-  if (parameters_.frame == map_frame_) return Pose2();
-  const auto stamp = tf_.latestStamp(parameters_.frame, map_frame_);
-  const bool is_static = stamp && *stamp == Time{};
-  if (!stamp || (!is_static && rosNow() - *stamp > kOldest)) return std::nullopt;
-  return tf_.lookup(map_frame_, parameters_.frame, *stamp);
+  return tf_.latest(map_frame_, parameters_.frame, kOldest);
 }
 
 navigation::NavOrder FleetMotions::order(const navigation::Navigator& navigator,

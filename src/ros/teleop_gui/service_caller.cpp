@@ -54,19 +54,18 @@ bool ServiceCaller::isUnderWay(const Call& call) const {
          under_way_->value == call.value;
 }
 
-void ServiceCaller::post(Call call) {
+void ServiceCaller::post(const Call& call) {
   bool waits = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waits = isUnderWay(call);
+    if (!waits) {
+      const auto same = [&call](const Call& other) { return other.service == call.service; };
+      calls_.erase(std::remove_if(calls_.begin(), calls_.end(), same), calls_.end());
+      calls_.push_back(call);
+    }
   }
   if (waits) return log_(teleop::Severity::kWarning, call.service + " has not answered the last call yet");
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto same = [&call](const Call& other) { return other.service == call.service; };
-    calls_.erase(std::remove_if(calls_.begin(), calls_.end(), same), calls_.end());
-    calls_.push_back(std::move(call));
-  }
   wake_.notify_all();
 }
 

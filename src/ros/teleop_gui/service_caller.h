@@ -62,7 +62,7 @@ class ServiceCaller {
     std::string message;
   };
 
-  void post(Call call);
+  void post(const Call& call);
   bool isUnderWay(const Call& call) const;
   void run();
   void tryPerform(const Call& call);

@@ -21,8 +21,8 @@ class FrozenScanWatch {
  public:
   /// Whether `scan` repeats one of the last 64 different ones, and the robot is 0.05 m or 0.1 rad from where it was
   /// when that came first. A scan without any return is never frozen, because open ground looks the same from
-  /// everywhere, parts of the robot that are too near to the scanner do too; nor is one without a pose. Logs an error,
-  /// throttled.
+  /// everywhere; what is too near to be measured, such as parts of the robot, is no return. A scan without a pose is
+  /// not judged. Logs an error, throttled.
   bool isFrozen(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base);
   /// An error as long as the last scan was frozen.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;

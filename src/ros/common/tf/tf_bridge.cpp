@@ -61,6 +61,14 @@ std::optional<Time> TfBridge::latestStamp(const std::string& target, const std::
   return msg ? std::optional<Time>(toTime(msg->header.stamp)) : std::nullopt;
 }
 
+std::optional<Pose2> TfBridge::latest(const std::string& target, const std::string& source, Duration oldest) const {
+  if (target == source) return Pose2();
+  const auto stamp = latestStamp(target, source);
+  const bool is_static = stamp && *stamp == Time{};
+  if (!stamp || (!is_static && rosNow() - *stamp > oldest)) return std::nullopt;
+  return lookup(target, source, *stamp);
+}
+
 std::set<std::string> TfBridge::frames() const {
   std::vector<std::string> names;
   buffer_._getFrameStrings(names);

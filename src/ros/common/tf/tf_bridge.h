@@ -30,6 +30,9 @@ class TfBridge {
                                             Duration timeout = Duration::zero(), std::string* why = nullptr) const;
   /// The stamp of the latest `T_target_source`, for judging its age.
   std::optional<Time> latestStamp(const std::string& target, const std::string& source) const;
+  /// T_target_source by the latest transform; nothing if that is older than `oldest`. Static ones do not age, and a
+  /// frame is always at itself.
+  std::optional<Pose2> latest(const std::string& target, const std::string& source, Duration oldest) const;
   /// All frames that are known.
   std::set<std::string> frames() const;
 
