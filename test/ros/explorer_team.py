@@ -83,11 +83,12 @@ class ExplorerTeam(ExplorerCase):
         self.assertTrue(wait_for(lambda: any(claims.claims for claims in self.own())))
         places = [(claim.x, claim.y) for claim in self.own()[-1].claims]
         self.status.items.clear()
-        self.tell(places, version=2)
-        self.tell(places + [(math.nan, 0.0)])
-        self.tell(places, frame='elsewhere')
-        for word in ('another version of the protocol', 'not finite', "in the frame 'elsewhere'"):
-            self.assertTrue(wait_for(lambda: self.refused(word)), word)
+        cases = (('another version of the protocol', {'version': 2}),
+                 ('not finite', {'places': places + [(math.nan, 0.0)]}),
+                 ("in the frame 'elsewhere'", {'frame': 'elsewhere'}))
+        for word, change in cases:
+            # Told until it is refused: the explorer may not be connected yet.
+            self.assertTrue(wait_for(lambda: self.tell(**{'places': places, **change}) or self.refused(word)), word)
         self.assertFalse(self.comes(lambda status: status.reason == Status.LEFT_TO_OTHERS, 3.0))
 
     # [MUL-2]
