@@ -70,6 +70,7 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
   output_ = {};
   if (last_update_ && now < *last_update_) {
     poses_.clear();
+    track_.clear();
     predictor_.clear();
     pose_.reset();
     scan_stamp_.reset();
@@ -96,6 +97,7 @@ void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   if (inputs.pose && inputs.pose->pose.isFinite()) {
     pose_ = inputs.pose;
     poses_.add(pose_->stamp, pose_->pose);
+    track_.add(pose_->pose);
   }
   if (inputs.scan == nullptr || (scan_stamp_ && inputs.scan->stamp == *scan_stamp_) || !isUsable(*inputs.scan)) return;
   const auto T_map_base = poses_.at(inputs.scan->stamp);

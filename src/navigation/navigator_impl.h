@@ -7,6 +7,7 @@
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/navigation/navigator.h"
 #include "frontier_pilot/planning/outline_check.h"
+#include "navigation/driven_track.h"
 #include "navigation/motion_predictor.h"
 #include "navigation/obstacle_layer.h"
 #include "navigation/path_follower.h"
@@ -70,6 +71,7 @@ class Navigator::Impl {
   ProgressWatchdog watchdog_;
 
   PoseHistory poses_;
+  DrivenTrack track_;
   std::optional<StampedPose2> pose_;
   std::optional<Time> scan_stamp_;
   ScanPoints scan_;

@@ -158,7 +158,9 @@ void Navigator::Impl::continueRecovery(Time now) {
   const ScanDistance scan_distance = [this](const Outline& outline, const Pose2& T_map_base) {
     return scan_.distance(outline, T_map_base);
   };
-  const RecoveryStep step = recovery_({pose_->pose, scan_distance}, now);
+  const bool can_turn = outline_on_map_.canTurnRound(clearance_, pose_->pose.position());
+  const auto path_exists = [this] { return planner_.plan(clearance_, requestFrom(*pose_)).found(); };
+  const RecoveryStep step = recovery_({pose_->pose, scan_distance, track_.poses(), can_turn, path_exists}, now);
   command(step.command, NavState::kRecovering, trouble_);
   output_.recovery = ladder_[rung_ - 1].name;
   if (!step.done) return;

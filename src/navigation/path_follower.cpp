@@ -14,6 +14,7 @@ constexpr double kNarrowSpeed = 0.12;     ///< without extra clearance: narrow p
 constexpr double kMinGap = 0.004;         ///< least gap between a disc and scan points [m]
 constexpr double kMinSideGap = 0.01;      ///< and a straight side, which is close to many noisy points [m]
 constexpr double kMapSlack = 0.02;        ///< a follower may be this much nearer to walls than a path [m]
+constexpr double kLongestBraking = 10.0;  ///< [s]
 constexpr double kCreep = 0.02;           ///< speed at the end of a path [m/s]
 constexpr double kBehind = 2.6;           ///< beyond this bearing a target is neither left nor right [rad]
 constexpr double kContactPenalty = 0.2;   ///< [m of progress]
@@ -149,17 +150,28 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
   return trial;
 }
 
-bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs) const {
-  // A disc sweeps no new ground when it turns on the spot.
-  if (outline_.isDisc() && trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
-  const double speed = std::max(inputs.twist.linear, trial.command.linear);
-  double braking = speed / limits_.max_linear_acc;
-  if (!outline_.isDisc()) {
-    const double rate = std::max(std::abs(inputs.twist.angular), std::abs(trial.command.angular));
-    braking = std::max(braking, rate / limits_.max_angular_acc);
-  }
+bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs, const Vicinity& around) const {
   // The next data are assumed to be as old as these.
-  return trial.free_time >= params_.reaction_time + inputs.age + braking;
+  const double reaction = params_.reaction_time + inputs.age;
+  if (!outline_.isDisc()) return canStop(trial.command, reaction, inputs, around);
+  // A disc sweeps no new ground when it turns on the spot.
+  if (trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
+  const double speed = std::max(inputs.twist.linear, trial.command.linear);
+  return trial.free_time >= reaction + speed / limits_.max_linear_acc;
+}
+
+bool PathFollower::canStop(const Twist2& command, double reaction, const FollowerInputs& inputs,
+                           const Vicinity& around) const {
+  Pose2 pose = inputs.T_map_base;
+  Twist2 twist = inputs.twist;
+  const auto moves = [&] { return twist.linear != 0.0 || twist.angular != 0.0; };
+  for (double t = 0.0; t < reaction || moves(); t += kStep) {
+    if (t > reaction + kLongestBraking) return false;
+    twist = limitAcceleration(t < reaction ? command : Twist2{}, twist, limits_, kStep);
+    pose = integrate(pose, twist, kStep);
+    if (!around.isFree(pose, std::abs(twist.linear))) return false;
+  }
+  return true;
 }
 
 FollowerOutput PathFollower::turn(double angle, const FollowerInputs& inputs) const {
@@ -193,7 +205,7 @@ FollowerOutput PathFollower::update(const FollowerInputs& inputs) {
   bool found = false;
   for (const Policy& policy : policies) {
     Trial trial = tryOut(policy, inputs, around);
-    if (!isSafe(trial, inputs)) continue;
+    if (!isSafe(trial, inputs, around)) continue;
     if (!found || trial.score() > best.score()) best = std::move(trial);
     found = true;
     if (best.score() >= kGoodEnough * possible) break;

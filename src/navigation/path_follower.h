@@ -89,7 +89,10 @@ class PathFollower {
   Twist2 pursue(const Policy& policy, const Pose2& pose, const Twist2& twist, double along) const;
   double turnRate(double angle, const Twist2& twist) const;
   Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Vicinity& around) const;
-  bool isSafe(const Trial& trial, const FollowerInputs& inputs) const;
+  bool isSafe(const Trial& trial, const FollowerInputs& inputs, const Vicinity& around) const;
+  /// Whether the robot touches nothing when it follows `command` for `reaction` [s] and then brakes to a standstill. An
+  /// outline needs that: while it brakes it may turn where the rest of the trial would not.
+  bool canStop(const Twist2& command, double reaction, const FollowerInputs& inputs, const Vicinity& around) const;
 
   FollowerParams params_;
   RobotLimits limits_;

@@ -73,8 +73,11 @@ std::vector<navigation::RecoveryRung> behaviorLadder(const navigation::RecoveryP
   const behavior::BehaviorGoal back_up{behavior::BehaviorKind::kBackUp, params.back_up_distance, 0.0,
                                        params.time_allowance, true};
   const behavior::BehaviorGoal spin{behavior::BehaviorKind::kSpin, params.spin_angle, 0.0, params.time_allowance, true};
+  const auto backing_up = [=] {
+    return robot.drivenOutline().isDisc() ? recoveryBy(back_up, behavior, outline) : navigation::backOut(params, robot);
+  };
   return {{"clearing the local costmap", true, {}},
-          {"backing up", false, [=] { return recoveryBy(back_up, behavior, outline); }},
+          {"backing up", false, backing_up},
           {"spinning", true, [=] { return recoveryBy(spin, behavior, outline); }}};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/core/time.h"
+#include "frontier_pilot/navigation/parameters.h"
 
 namespace frontier_pilot::navigation {
 
@@ -17,7 +19,10 @@ using ScanDistance = std::function<double(const Outline& outline, const Pose2& T
 /// Inputs of a recovery, in the map frame.
 struct RecoveryInputs {
   Pose2 T_map_base;
-  ScanDistance scan_distance;  ///< of the latest scan; valid in this tick only
+  ScanDistance scan_distance;              ///< of the latest scan; valid in this tick only
+  std::deque<Pose2> track = {};            ///< the way that the robot has come, the oldest pose first
+  bool can_turn = true;                    ///< whether the map leaves room to turn right round where the robot is
+  std::function<bool()> path_exists = {};  ///< whether the planner finds a path from there; takes milliseconds
 };
 
 struct RecoveryStep {
@@ -35,6 +40,12 @@ struct RecoveryRung {
   bool clears_obstacles = false;
   std::function<Recovery()> begin;  ///< empty: no motion
 };
+
+/// Backs up along the way that the robot has come, for one that is not a disc and may stand where it cannot turn: by
+/// `params.back_up_distance` and until it can turn or there is a path, as far as the scan shows room. The way ends
+/// where the robot last turned on the spot; from there on, and if no way is known, it backs up straight. Pure pursuit
+/// (Coulter, CMU-RI-TR-92-01, 1992), backwards.
+Recovery backOut(const RecoveryParams& params, const RobotModel& robot);
 
 /// A ladder without motions: it only removes the live obstacles. system/behavior_ladder.h combines this with motions.
 std::vector<RecoveryRung> clearingLadder();

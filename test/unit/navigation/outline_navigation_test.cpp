@@ -54,5 +54,31 @@ TEST(OutlineNavigation, TouchesNothingWhereItCannotTurn) {
   EXPECT_EQ(robot.contacts(), 0);
 }
 
+/// A room, and a dead end of `length` cells of 5 cm, 40 cm wide, that leads out of it along x.
+OccupancyGrid deadEnd(int length) {
+  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 40 + length, 40}, kOccupied);
+  for (int y = 2; y < 38; ++y) {
+    for (int x = 2; x < 32 + length; ++x) {
+      if (x < 32 || (y >= 16 && y < 24)) map[Cell{x, y}] = kFree;
+    }
+  }
+  return map;
+}
+
+// [ROB-1] [NAV-3] It can turn in the room only, and comes into the dead end at an angle.
+TEST(OutlineNavigation, BacksOutOfADeadEndAlongTheWayThatItCame) {
+  for (const int length : {12, 24, 36}) {
+    test::DrivenRobot robot(deadEnd(length), {0.6, 0.6, 0.5}, forWaffle());
+    robot.send({1.4 + 0.05 * length, 1.0});
+    ASSERT_TRUE(robot.runUntilFinished(60.0));
+    ASSERT_GT(robot.pose().x, 1.2 + 0.05 * length);
+    robot.send({0.6, 1.4}, 2);
+    const auto finished = robot.runUntilFinished(120.0);
+    ASSERT_TRUE(finished) << length;
+    EXPECT_EQ(finished->result, navigation::NavResult::kSucceeded) << length << ": " << toString(finished->reason);
+    EXPECT_EQ(robot.contacts(), 0) << length;
+  }
+}
+
 }  // namespace
 }  // namespace frontier_pilot

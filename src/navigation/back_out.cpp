@@ -1,0 +1,89 @@
+#include "navigation/back_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "frontier_pilot/core/motion.h"
+
+namespace frontier_pilot::navigation {
+namespace {
+
+constexpr double kLookahead = 0.15;   ///< [m]
+constexpr double kMostBearing = 0.8;  ///< of the target from straight behind [rad]
+constexpr double kMostTurn = 0.8;     ///< between two places of the way; beyond it the robot turned on the spot [rad]
+constexpr double kSpacing = 0.02;     ///< of different places [m]
+constexpr double kCheckEvery = 0.1;   ///< a path is looked for [m]
+constexpr double kAhead = 0.5;        ///< of motion whose poses are looked at [s]
+constexpr double kStep = 0.1;         ///< between two of them [s]
+constexpr double kNoise = 0.003;      ///< by which the distance from the scan may shrink from pose to pose [m]
+constexpr double kNearest = 0.01;     ///< that the outline with its margin may reach beyond a scan point [m]
+constexpr double kPatience = 1.0;     ///< with an obstacle in the way [s]
+
+}  // namespace
+
+BackOut::BackOut(const RecoveryParams& params, const RobotModel& robot)
+    : params_(params), limits_(robot.limits), outline_(robot.drivenOutline().padded(params.margin)) {}
+
+void BackOut::begin(const RecoveryInputs& in) {
+  start_ = in.T_map_base.position();
+  could_turn_ = in.can_turn;
+  Pose2 last = in.T_map_base;
+  for (auto pose = in.track.rbegin(); pose != in.track.rend(); ++pose) {
+    const Vec2 before = last.inverse() * pose->position();
+    if (before.x() > 0.5 * kLookahead || std::abs(angleDifference(pose->yaw, last.yaw)) > kMostTurn) break;
+    way_.push_back(pose->position());
+    if (before.norm() > kSpacing) last = *pose;
+  }
+  way_.push_back(last * Vec2(-kLookahead - params_.back_up_distance, 0.0));
+}
+
+bool BackOut::hasBackedEnough(const RecoveryInputs& in) {
+  const double backed = (in.T_map_base.position() - start_).norm();
+  if (in.can_turn && backed >= params_.back_up_distance) return true;
+  if (could_turn_ || !in.path_exists || backed < checked_ + kCheckEvery) return false;
+  checked_ = backed;
+  return in.path_exists();
+}
+
+std::optional<Vec2> BackOut::target(const Pose2& T_map_base) {
+  const auto distance = [&](std::size_t i) { return (way_[i] - T_map_base.position()).norm(); };
+  while (next_ < way_.size() && distance(next_) < kLookahead) ++next_;
+  if (next_ == way_.size()) return std::nullopt;
+  const Vec2 target = T_map_base.inverse() * way_[next_];
+  const double off = std::abs(angleDifference(bearing(target), kPi));
+  return off > kMostBearing ? std::nullopt : std::optional<Vec2>(target);
+}
+
+bool BackOut::isFree(const Twist2& command, const RecoveryInputs& in) const {
+  const double now = in.scan_distance(outline_, in.T_map_base);
+  const double least = std::min({0.0, now, std::max(now - kNoise, -kNearest)});
+  for (double t = kStep; t < kAhead + 0.5 * kStep; t += kStep) {
+    if (in.scan_distance(outline_, integrate(in.T_map_base, command, t)) < least) return false;
+  }
+  return true;
+}
+
+RecoveryStep BackOut::update(const RecoveryInputs& in, Time now) {
+  if (way_.empty()) begin(in);
+  if (hasBackedEnough(in)) return {Twist2{}, true};
+  const std::optional<Vec2> behind = target(in.T_map_base);
+  if (!behind) return {Twist2{}, true};
+  const double speed = std::min(params_.back_up_speed, limits_.max_linear);
+  const double curvature = 2.0 * behind->y() / behind->squaredNorm();
+  const double rate = std::clamp(-speed * curvature, -limits_.max_angular, limits_.max_angular);
+  const Twist2 command{-speed, rate};
+  if (isFree(command, in)) {
+    blocked_since_.reset();
+    return {command, false};
+  }
+  if (!blocked_since_) blocked_since_ = now;
+  return {Twist2{}, toSeconds(now - *blocked_since_) > kPatience};
+}
+
+Recovery backOut(const RecoveryParams& params, const RobotModel& robot) {
+  const auto core = std::make_shared<BackOut>(params, robot);  // a std::function must be copyable
+  return [core](const RecoveryInputs& in, Time now) { return core->update(in, now); };
+}
+
+}  // namespace frontier_pilot::navigation

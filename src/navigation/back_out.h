@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/navigation/recovery.h"
+
+namespace frontier_pilot::navigation {
+
+/// The recovery that backs up along the way that the robot has come (recovery.h).
+class BackOut {
+ public:
+  BackOut(const RecoveryParams& params, const RobotModel& robot);
+
+  RecoveryStep update(const RecoveryInputs& in, Time now);
+
+ private:
+  void begin(const RecoveryInputs& in);
+  bool hasBackedEnough(const RecoveryInputs& in);
+  /// The point of the way to steer for, in the base frame; nullopt at its end, and if it is not behind the robot.
+  std::optional<Vec2> target(const Pose2& T_map_base);
+  /// Whether backing up by `command` until the next scan counts brings the outline no nearer to an obstacle than it is
+  /// and than it may be.
+  bool isFree(const Twist2& command, const RecoveryInputs& in) const;
+
+  RecoveryParams params_;
+  RobotLimits limits_;
+  Outline outline_;        ///< with the margin of recoveries
+  std::vector<Vec2> way_;  ///< back to where the robot came from, the nearest first; begun when not empty
+  std::size_t next_ = 0;
+  Vec2 start_ = Vec2::Zero();
+  bool could_turn_ = true;  ///< where it began
+  double checked_ = 0.0;    ///< how far the robot had backed up when a path was last looked for [m]
+  std::optional<Time> blocked_since_;
+};
+
+}  // namespace frontier_pilot::navigation

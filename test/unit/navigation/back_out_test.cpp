@@ -1,0 +1,77 @@
+// The recovery that backs up along the way that the robot came.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "frontier_pilot/navigation/recovery.h"
+#include "support/shipped_robot.h"
+
+namespace frontier_pilot::navigation {
+namespace {
+
+/// A Waffle that backs up without a simulator: it moves exactly as commanded.
+class BackOutTest : public ::testing::Test {
+ protected:
+  BackOutTest() {
+    in_.T_map_base = {0.3, 0.0, 0.0};
+    in_.can_turn = false;
+    in_.scan_distance = [](const Outline& /*outline*/, const Pose2& /*T_map_base*/) { return 1.0; };
+    in_.path_exists = [] { return false; };
+  }
+
+  /// The seconds that it took until it was done, at most 60.
+  double run() {
+    Recovery recovery = backOut(RecoveryParams(), test::shippedRobot("waffle"));
+    for (int tick = 0; tick < 600; ++tick) {
+      const RecoveryStep step = recovery(in_, Time(std::chrono::milliseconds(100 * tick)));
+      EXPECT_LE(step.command.linear, 0.0);
+      if (step.done) return 0.1 * tick;
+      in_.T_map_base = integrate(in_.T_map_base, step.command, 0.1);
+    }
+    return 60.0;
+  }
+
+  RecoveryInputs in_;
+};
+
+// [NAV-3]
+TEST_F(BackOutTest, FollowsACurveBackwards) {
+  for (double angle = -1.2; angle <= 1e-9; angle += 0.05) {
+    in_.track.emplace_back(0.3 + std::sin(angle), 1.0 - std::cos(angle), angle);
+  }
+  in_.path_exists = [this] { return in_.T_map_base.yaw < -1.0; };
+  EXPECT_LT(run(), 59.0);
+  EXPECT_NEAR((in_.T_map_base.position() - Vec2(0.3, 1.0)).norm(), 1.0, 0.03) << "on the circle";
+  EXPECT_LT(in_.T_map_base.yaw, -1.0);
+}
+
+TEST_F(BackOutTest, EndsAsSoonAsThereIsAPath) {
+  in_.path_exists = [this] { return in_.T_map_base.x < 0.0; };
+  in_.track = {{-2.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}};
+  run();
+  EXPECT_NEAR(in_.T_map_base.x, 0.0, 0.15);
+}
+
+TEST_F(BackOutTest, BacksUpStraightWhereItHadTurnedRoundAndWithoutAKnownWay) {
+  in_.track = {{0.6, 0.0, kPi}, {0.3, 0.0, kPi}, {0.0, 0.0, kPi}, {0.0, 0.0, 1.5}, {0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}};
+  EXPECT_LT(run(), 59.0);
+  EXPECT_NEAR(in_.T_map_base.x, -RecoveryParams().back_up_distance, 0.05);
+  in_.T_map_base = {0.3, 0.0, 0.0};
+  in_.track.clear();
+  EXPECT_LT(run(), 59.0);
+  EXPECT_NEAR(in_.T_map_base.x, 0.3 - RecoveryParams().back_up_distance, 0.05);
+}
+
+TEST_F(BackOutTest, StopsBeforeAnObstacleBehindItAndGivesUp) {
+  in_.scan_distance = [](const Outline& outline, const Pose2& T_map_base) {
+    return T_map_base.x - outline.rear() - (-0.5);
+  };
+  in_.track = {{-2.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}};
+  EXPECT_LT(run(), 59.0);
+  EXPECT_GT(in_.T_map_base.x - test::shippedRobot("waffle").exactOutline().rear(), -0.5);
+}
+
+}  // namespace
+}  // namespace frontier_pilot::navigation
