@@ -95,6 +95,12 @@ class FleetStop(unittest.TestCase):
         self.assertLess(took, 1.5)
         self.assertTrue(self.stopped('robot1'))
         self.assertTrue(wait_for(lambda: self.fleet.last.not_reached == ['/robot2/emergency_stop'], 5.0))
+        # Its service stays at the master: a connection to where it was must never count.
+        self.fleet.items.clear()
+        rospy.sleep(4.0)
+        self.assertTrue(self.fleet.items)
+        for _, status in list(self.fleet.items):
+            self.assertEqual(status.not_reached, ['/robot2/emergency_stop'])
         self.arbiters['robot2'] = self.arbiter('robot2')
         self.assertTrue(self.reaches(SERVICES))
         self.assertTrue(self.stop()[0].success)

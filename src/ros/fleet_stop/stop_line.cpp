@@ -1,5 +1,6 @@
 #include "ros/fleet_stop/stop_line.h"
 
+#include <ros/service.h>
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
@@ -67,7 +68,9 @@ void StopLine::run() {
 }
 
 void StopLine::connect() {
-  if (!client_.isValid()) {
+  // A killed node's service stays at the master, and a client that connects to where it was counts as valid until the
+  // refusal has come, in a race with roscpp for ever; so the service is asked first whether it is there.
+  if (!client_.isValid() && ros::service::exists(node_.resolveName(service_), false)) {
     // Persistent: such a client keeps its connection, and can be shut down in the middle of a call.
     ros::ServiceClient fresh = node_.serviceClient<std_srvs::Trigger>(service_, true);
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -76,18 +79,24 @@ void StopLine::connect() {
   connected_ = client_.isValid();
 }
 
+void StopLine::disconnect() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  client_.shutdown();
+}
+
 StopAnswer StopLine::call() {
-  connect();
-  if (!connected_) return {StopOutcome::kNoService, {}};
-  std_srvs::Trigger stop;
-  ros::ServiceClient client = client_;
-  if (!client.call(stop)) {
-    // A connection that is just being closed still counts as valid, so the service itself is asked.
-    connected_ = ros::service::exists(client.getService(), false);
-    return connected_ ? StopAnswer{StopOutcome::kRefused, "the call failed"} : StopAnswer{StopOutcome::kNoService, {}};
+  // The connection may have been lost unnoticed: a call that fails is made once more, by a new one.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    connect();
+    if (!connected_) return {StopOutcome::kNoService, {}};
+    std_srvs::Trigger stop;
+    ros::ServiceClient client = client_;
+    if (client.call(stop)) {
+      return {stop.response.success == 0 ? StopOutcome::kRefused : StopOutcome::kConfirmed, stop.response.message};
+    }
+    disconnect();
   }
-  if (stop.response.success == 0) return {StopOutcome::kRefused, stop.response.message};
-  return {StopOutcome::kConfirmed, stop.response.message};
+  return {StopOutcome::kRefused, "the call failed"};
 }
 
 }  // namespace frontier_pilot

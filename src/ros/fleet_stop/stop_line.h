@@ -37,6 +37,7 @@ class StopLine {
  private:
   void run();
   void connect();
+  void disconnect();
   StopAnswer call();
 
   ros::NodeHandle node_;
