@@ -27,7 +27,7 @@ const char* toString(MergeState state) {
     case MergeState::kNoMap:
       return "no map yet";
     case MergeState::kPlaceUnknown:
-      return "its place is not known";
+      return "its place is not known yet";
     case MergeState::kMerged:
       return "merged";
     case MergeState::kContradicted:
@@ -128,6 +128,11 @@ void MapMerger::judge(std::size_t robot, Time now) {
   const bool contradicted = agreement.contradictedShare() > limit;
   if (contradicted == own.contradicted) return;
   own.contradicted = contradicted;
+  if (contradicted && !parameters_.known_starts) {
+    own.candidate.reset();
+    own.status.windows = own.searches = 0;
+    return setPlace(robot, std::nullopt, now);  // it is looked for anew
+  }
   share(robot, wholeOf(*own.map), now);
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The node map_merger on the wire: two robots' maps become one, and each robot's view of it. [MUL-1]"""
 import math
+import random
 import signal
 import unittest
 
@@ -165,6 +166,56 @@ class MapMerger(unittest.TestCase):
         self.assertTrue(wait_for(self.is_complete, 30.0), self.node.said())
 
 
+class Hall:
+    """The maps that two robots have of one hall with boxes, each in the frame of its own start."""
+    SIDE = 200  # [cells] of a robot's map, which lies around its start
+    STARTS = {'left': (4.0, 5.0, 0.3), 'right': (7.0, 6.0, 2.0)}
+
+    def __init__(self):
+        draw = random.Random(5)
+        self.boxes = [(draw.uniform(0.5, 11.0), draw.uniform(0.5, 11.0), draw.uniform(0.2, 1.0), draw.uniform(0.2, 1.0))
+                      for _ in range(30)]
+
+    def is_occupied(self, x, y):
+        return not (0.2 < x < 12.0 and 0.2 < y < 12.0) or any(
+            left < x < left + width and below < y < below + height for left, below, width, height in self.boxes)
+
+    def publish(self, robot):
+        grid = OccupancyGrid()
+        grid.header.frame_id, grid.header.stamp = robot + '/map', rospy.Time.now()
+        grid.info.resolution, grid.info.width, grid.info.height = RESOLUTION, self.SIDE, self.SIDE
+        grid.info.origin.position.x = grid.info.origin.position.y = -0.5 * self.SIDE * RESOLUTION
+        grid.info.origin.orientation.w = 1.0
+        centres = [(i + 0.5 - 0.5 * self.SIDE) * RESOLUTION for i in range(self.SIDE)]
+        cells = (between((0.0, 0.0, 0.0), self.STARTS[robot], (x, y)) for y in centres for x in centres)
+        grid.data = [100 if self.is_occupied(*cell) else 0 for cell in cells]
+        publisher = rospy.Publisher(robot + '/map', OccupancyGrid, queue_size=1, latch=True)
+        publisher.publish(grid)
+        return publisher
+
+
+class UnknownStarts(unittest.TestCase):
+    def test_are_found_once_the_maps_overlap(self):
+        rospy.set_param('/map_merger', {'known_starts': False, 'robots': [{'name': name} for name in Hall.STARTS]})
+        publishers = [Hall().publish(name) for name in Hall.STARTS]
+        diagnostics = Record('/diagnostics', DiagnosticArray)
+        node = Node('map_merger')
+        buffer = tf2_ros.Buffer()
+        listener = tf2_ros.TransformListener(buffer)
+        for end in [node.end, listener.unregister, diagnostics.subscriber.unregister] + [each.unregister for each in publishers]:
+            self.addCleanup(end)
+        self.assertTrue(wait_for(lambda: buffer.can_transform('map', 'right/map', rospy.Time(0)), 60.0), node.said())
+        place = buffer.lookup_transform('map', 'right/map', rospy.Time(0)).transform
+        x, y = between(Hall.STARTS['left'], Hall.STARTS['right'], (0.0, 0.0))
+        self.assertLess(math.hypot(place.translation.x - x, place.translation.y - y), 0.05)
+        self.assertAlmostEqual(2.0 * math.atan2(place.rotation.z, place.rotation.w), 1.7, delta=0.009)
+
+        def told():
+            return [pair.value for _, array in list(diagnostics.items) for status in array.status
+                    for pair in status.values if pair.key == 'right']
+        self.assertTrue(wait_for(lambda: any('parts of its map lead' in text and 'overlap' in text for text in told())), told())
+
+
 class RefusesToStart(unittest.TestCase):
     def test_with_a_list_that_makes_no_sense(self):
         rospy.set_param('/bad_merger/robots', [{'name': 'one'}, {'name': 'one'}, {'name': 'no robot'}])
@@ -177,7 +228,7 @@ class RefusesToStart(unittest.TestCase):
 class All(unittest.TestSuite):
     def __init__(self):
         load = unittest.TestLoader().loadTestsFromTestCase
-        super().__init__([load(MapMerger), load(RefusesToStart)])
+        super().__init__([load(MapMerger), load(UnknownStarts), load(RefusesToStart)])
 
 
 if __name__ == '__main__':

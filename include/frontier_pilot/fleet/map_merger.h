@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/grid.h"
@@ -33,10 +35,27 @@ struct Agreement {
 /// transform puts walls of one map into the free space of the other. [MUL-1]
 Agreement compare(const OccupancyGrid& a, const OccupancyGrid& b, const Pose2& T_a_b);
 
+/// A transform under which two maps agree.
+struct PlaceMatch {
+  Pose2 T_a_b;
+  Agreement agreement;
+  std::size_t supported = 0;  ///< points of `b`'s walls that lie on walls of `a`
+};
+
+/// What a search for a robot's place has found.
+struct PlaceFinding {
+  std::size_t reference = 0;  ///< the robot whose map is `a` of the matches
+  std::size_t robot = 0;      ///< the one whose map is `b`
+  bool refined = false;       ///< it was not looked for, but its present place was corrected
+  std::vector<PlaceMatch> matches;
+};
+/// Such a search; to be called once. It holds copies of the maps, and may run on any thread.
+using PlaceWork = std::function<PlaceFinding()>;
+
 /// Whether a robot's map is part of the common one.
 enum class MergeState {
   kNoMap,         ///< none has come yet
-  kPlaceUnknown,  ///< it is not known where the robot started
+  kPlaceUnknown,  ///< it is not known yet where the robot started; it is looked for
   kMerged,
   kContradicted,     ///< its walls lie in the free space of others: its place is wrong, or its map
   kOtherResolution,  ///< see SourceResult
@@ -49,6 +68,7 @@ struct MergeStatus {
   MergeState state = MergeState::kNoMap;
   Time since{};         ///< when the state began
   Agreement agreement;  ///< with the merged maps of the robots before it in the list, at the last check
+  int windows = 0;      ///< parts of its map that lead to the place at which it is looked for, or was found
 };
 
 /// Several robots' maps as one: the common map, in the frame of the first robot, and a view for each robot in its own
@@ -68,6 +88,13 @@ class MapMerger {
   /// Where robot `robot` started, in the frame of the first one; or that this is not known any more. The first robot's
   /// place is fixed.
   void setPlace(std::size_t robot, const std::optional<Pose2>& T_map_robot, Time now);
+  /// A search for the place of a robot that is not known, or for a better estimate of one that was found, if it is time
+  /// for one and two maps overlap that may. Without `known_starts` only. Its result goes to `accept`; only then another
+  /// one is begun.
+  std::optional<PlaceWork> takeWork(Time now);
+  /// A place counts as found when several windows of the robot's map lead to it, in more than one search, and no other
+  /// one does.
+  void accept(const PlaceFinding& finding, Time now);
   /// Checks a merge, if it is time to. To be called regularly.
   void update(Time now);
 
@@ -84,6 +111,10 @@ class MapMerger {
     bool contradicted = false;
     MergedMap view{FirstSource::kPrevails};
     MergeStatus status;
+    // The search for its place.
+    std::size_t next_window = 0;
+    std::optional<PlaceMatch> candidate;  ///< its transform is T_map_robot
+    int searches = 0;                     ///< in which parts of its map led there
   };
 
   bool isMerged(std::size_t robot) const { return robots_[robot].status.state == MergeState::kMerged; }
@@ -94,12 +125,16 @@ class MapMerger {
   void show(std::size_t other, std::size_t robot, const CellRect& changed);
   void enter(std::size_t robot, MergeState state, Time now);
   void judge(std::size_t robot, Time now);
+  static void weigh(Robot& robot, const PlaceFinding& finding, const Pose2& T_map_reference);
 
   MapMergerParameters parameters_;
   std::deque<Robot> robots_;
   MergedMap common_{FirstSource::kIsEqual};
   std::optional<Time> last_check_;
   std::size_t next_check_ = 0;
+  bool searching_ = false;
+  std::optional<Time> last_search_;
+  std::size_t next_search_ = 0;
 };
 
 }  // namespace frontier_pilot::fleet

@@ -40,7 +40,7 @@ struct MapMergerParameters {
   void describe(Visitor& v) {
     v.list("robots", robots, "the robots; the common map lies where the first one started");
     v.field("known_starts", known_starts, "",
-            "whether the robots' starts are those of `robots`; if not, each is alone");
+            "whether the robots' starts are those of `robots`; if not, they are found once the maps overlap");
     v.field(
         "max_contradicted", max_contradicted, "",
         "share of a robot's walls in the free space of others, and the other way round, beyond which its map is left "

@@ -2,6 +2,7 @@
 
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "ros/common/clock.h"
 #include "ros/common/parameters.h"
@@ -50,6 +51,7 @@ void MapMergerAdapter::tick(Time now) {
     if (!changed.empty()) merger_.setMap(i, robot.map.map(), changed, now);
     ++i;
   }
+  searchPlaces(now);
   merger_.update(now);
   common_.publish(merger_.common().map(), merger_.common().takeChanged(), now);
   i = 0;
@@ -61,6 +63,17 @@ void MapMergerAdapter::tick(Time now) {
     }
     ++i;
   }
+}
+
+/// Starts that are not known are looked for on a thread of its own: large maps take long.
+void MapMergerAdapter::searchPlaces(Time now) {
+  if (const auto finding = searcher_.take()) merger_.accept(*finding, now);
+  if (const auto failure = searcher_.takeFailure()) {
+    THROTTLED_ERROR("the search for a robot's place failed: " << *failure);
+    merger_.accept({}, now);
+  }
+  if (!searcher_.idle()) return;
+  if (auto work = merger_.takeWork(now)) searcher_.start(std::move(*work));
 }
 
 void MapMergerAdapter::takeRivals() {
@@ -96,6 +109,7 @@ std::string MapMergerAdapter::describeMerge(std::size_t robot) const {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << toString(merge.state);
   if (merge.state != fleet::MergeState::kNoMap) text << " for " << toSeconds(rosNow() - merge.since) << " s";
+  if (merge.windows > 0) text << ", to which " << merge.windows << " parts of its map lead";
   if (merge.agreement.known == 0) return text.str();
   text << ", overlap " << merge.agreement.overlap << " m2, of which " << 100.0 * merge.agreement.agreeingShare()
        << " % agree, " << 100.0 * merge.agreement.contradictedShare() << " % of the walls contradict";

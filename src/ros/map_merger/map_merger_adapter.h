@@ -13,6 +13,7 @@
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/common/worker.h"
 #include "ros/map_merger/grid_publisher.h"
 
 namespace frontier_pilot {
@@ -60,6 +61,7 @@ class MapMergerAdapter {
   };
 
   void tick(Time now);
+  void searchPlaces(Time now);
   void takeRivals();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   std::string describeMerge(std::size_t robot) const;
@@ -73,6 +75,7 @@ class MapMergerAdapter {
   std::string rival_;  ///< a node that publishes it as well; empty if there is none
   NodeDiagnostics diagnostics_;
   NodeConnections connections_;
+  Worker<fleet::PlaceFinding> searcher_;
 };
 
 }  // namespace frontier_pilot

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "unit/fleet/seen_from.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -35,20 +37,6 @@ OccupancyGrid hall() {
   return map;
 }
 
-/// What a robot that started at `start` knows of `world`, up to `range` [m] from there, in its own map's frame.
-OccupancyGrid seenFrom(const OccupancyGrid& world, const Pose2& start, double range) {
-  const int half = static_cast<int>(range / 0.05);
-  GridGeometry geometry;
-  geometry.width = geometry.height = 2 * half;
-  geometry.origin = Vec2(-half, -half) * geometry.resolution;
-  OccupancyGrid map(geometry, kUnknown);
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    const Vec2 point = geometry.centre(geometry.cell(i));
-    if (point.norm() < range) map[i] = world.get(world.geometry().cellAt(start * point), kUnknown);
-  }
-  return map;
-}
-
 std::int8_t cellAt(const OccupancyGrid& map, const Vec2& point) {
   return map.get(map.geometry().cellAt(point), kUnknown);
 }
@@ -63,8 +51,8 @@ const Pose2 kTwo(6.0, 5.0, -2.0);
 // [MUL-1]
 TEST(MapMerger, PutsMapsFromKnownStartsTogetherInEachFrame) {
   const OccupancyGrid world = hall();
-  const OccupancyGrid one = seenFrom(world, kOne, 3.0);
-  const OccupancyGrid two = seenFrom(world, kTwo, 3.0);
+  const OccupancyGrid one = test::seenFrom(world, kOne, 3.0);
+  const OccupancyGrid two = test::seenFrom(world, kTwo, 3.0);
   MapMerger merger(twoRobots(kOne, kTwo));
   give(merger, 0, one);
   give(merger, 1, two);
@@ -85,8 +73,8 @@ TEST(MapMerger, PutsMapsFromKnownStartsTogetherInEachFrame) {
 
 TEST(MapMerger, ARobotOfUnknownPlaceWorksAlone) {
   const OccupancyGrid world = hall();
-  const OccupancyGrid one = seenFrom(world, kOne, 3.0);
-  const OccupancyGrid two = seenFrom(world, kTwo, 3.0);
+  const OccupancyGrid one = test::seenFrom(world, kOne, 3.0);
+  const OccupancyGrid two = test::seenFrom(world, kTwo, 3.0);
   MapMergerParameters parameters = twoRobots(kOne, kTwo);
   parameters.known_starts = false;
   MapMerger merger(parameters);
@@ -111,9 +99,9 @@ TEST(MapMerger, ARobotOfUnknownPlaceWorksAlone) {
 // [MUL-1]
 TEST(MapMerger, GivesUpAMergeThatContradictsWhatBothHaveSeenUntilItDoesNotAnyMore) {
   const OccupancyGrid world = hall();
-  const OccupancyGrid one = seenFrom(world, kOne, 5.0);
+  const OccupancyGrid one = test::seenFrom(world, kOne, 5.0);
   const Pose2 wrong = kTwo * Pose2(1.0, 0.7, 0.5);
-  OccupancyGrid two = seenFrom(world, wrong, 5.0);
+  OccupancyGrid two = test::seenFrom(world, wrong, 5.0);
   MapMerger merger(twoRobots(kOne, kTwo));
   give(merger, 0, one);
   give(merger, 1, two);
@@ -123,7 +111,7 @@ TEST(MapMerger, GivesUpAMergeThatContradictsWhatBothHaveSeenUntilItDoesNotAnyMor
   EXPECT_FALSE(merger.place(1));
   EXPECT_EQ(merger.common().map().cells(), one.cells());
   EXPECT_EQ(merger.view(1).map().cells(), two.cells());
-  two = seenFrom(world, kTwo, 5.0);  // the robot's mapper has corrected its map
+  two = test::seenFrom(world, kTwo, 5.0);  // the robot's mapper has corrected its map
   give(merger, 1, two);
   EXPECT_EQ(merger.status(1).state, MergeState::kContradicted);
   merger.update(kStart + std::chrono::seconds(2));
@@ -134,8 +122,8 @@ TEST(MapMerger, GivesUpAMergeThatContradictsWhatBothHaveSeenUntilItDoesNotAnyMor
 
 TEST(MapMerger, ARobotThatWasMergedBeforeIsSeenByOneThatComesLater) {
   const OccupancyGrid world = hall();
-  const OccupancyGrid one = seenFrom(world, kOne, 3.0);
-  const OccupancyGrid two = seenFrom(world, kTwo, 3.0);
+  const OccupancyGrid one = test::seenFrom(world, kOne, 3.0);
+  const OccupancyGrid two = test::seenFrom(world, kTwo, 3.0);
   MapMerger early(twoRobots(kOne, kTwo));
   give(early, 0, one);
   give(early, 1, two);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "frontier_pilot/core/geometry.h"
+#include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/fleet/map_merger.h"
+
+namespace frontier_pilot::fleet {
+
+/// Looks for the transform between the frames of two maps that know some of the same rooms. [MUL-1]
+///
+/// Windows of `b`, some metres wide, are searched for all over `a`, in any direction, by branch and bound over a
+/// likelihood field (Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016). What is found is refined on
+/// all that both maps know, and held against it: the walls of one must lie on walls of the other where that knows the
+/// place, and none in its free space. A window that fits at two places is no match. The maps have to outlive this
+/// object.
+class PlaceSearch {
+ public:
+  PlaceSearch(const OccupancyGrid& a, const OccupancyGrid& b);
+  ~PlaceSearch();
+  PlaceSearch(const PlaceSearch&) = delete;
+  PlaceSearch& operator=(const PlaceSearch&) = delete;
+
+  /// The places at which up to `most` windows of `b` fit, beginning with window `first` of those that it has, which are
+  /// counted in a circle.
+  std::vector<PlaceMatch> search(std::size_t first, std::size_t most) const;
+  /// The match near `T_a_b`; nothing if the maps do not agree there.
+  std::optional<PlaceMatch> refine(const Pose2& T_a_b) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Whether two transforms are the same but for the errors of a match.
+bool areAlike(const PlaceMatch& one, const PlaceMatch& other);
+
+}  // namespace frontier_pilot::fleet

@@ -1,0 +1,194 @@
+// Where a robot is whose start nobody knows, by what its map and another one have in common.
+#include "fleet/place_search.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "frontier_pilot/fleet/map_merger.h"
+#include "unit/fleet/seen_from.h"
+
+namespace frontier_pilot {
+namespace {
+
+using fleet::MapMerger;
+using fleet::MergeState;
+using fleet::PlaceMatch;
+using fleet::PlaceSearch;
+
+void fill(OccupancyGrid& map, const CellRect& cells) {
+  for (int y = cells.y; y < cells.y + cells.height; ++y) {
+    for (int x = cells.x; x < cells.x + cells.width; ++x) map[Cell{x, y}] = kOccupied;
+  }
+}
+
+OccupancyGrid emptyHall() {
+  GridGeometry geometry;
+  geometry.width = 400;
+  geometry.height = 300;
+  OccupancyGrid map(geometry, kFree);
+  fill(map, {0, 0, 400, 2});
+  fill(map, {0, 298, 400, 2});
+  fill(map, {0, 0, 2, 300});
+  fill(map, {398, 0, 2, 300});
+  return map;
+}
+
+/// A hall of 20 m x 15 m with boxes of all sizes.
+OccupancyGrid furnished(unsigned seed) {
+  OccupancyGrid map = emptyHall();
+  std::mt19937 random(seed);
+  for (int i = 0; i < 40; ++i) {
+    const int width = 4 + static_cast<int>(random() % 20);
+    const int height = 4 + static_cast<int>(random() % 20);
+    const int x = 10 + static_cast<int>(random() % 360U);
+    const int y = 10 + static_cast<int>(random() % 260U);
+    fill(map, CellRect{x, y, width, height});
+  }
+  return map;
+}
+
+const Pose2 kFirstStart(8.0, 7.0, 0.4);
+const Pose2 kSecondStart(12.0, 8.0, -2.0);
+
+void expectNear(const Pose2& found, const Pose2& truth) {
+  const Pose2 error = truth.inverse() * found;
+  EXPECT_LT(error.position().norm(), 0.05);
+  EXPECT_LT(std::abs(error.yaw), 0.0087);
+}
+
+// [MUL-1]
+TEST(PlaceSearch, FindsHowTwoMapsOfOneBuildingLieToEachOther) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const OccupancyGrid world = furnished(seed);
+    const OccupancyGrid one = test::seenFrom(world, kFirstStart, 6.0);
+    const OccupancyGrid two = test::seenFrom(world, kSecondStart, 6.0);
+    const std::vector<PlaceMatch> matches = PlaceSearch(one, two).search(0, 100);
+    ASSERT_GE(matches.size(), 2U) << seed;
+    for (const PlaceMatch& match : matches) expectNear(match.T_a_b, kFirstStart.inverse() * kSecondStart);
+  }
+}
+
+TEST(PlaceSearch, FindsNothingWhereTwoMapsShowDifferentPlaces) {
+  const OccupancyGrid one = test::seenFrom(furnished(1), kFirstStart, 6.0);
+  const OccupancyGrid two = test::seenFrom(furnished(2), kSecondStart, 6.0);
+  EXPECT_TRUE(PlaceSearch(one, two).search(0, 100).empty());
+}
+
+TEST(PlaceSearch, FindsNothingInMapsWithoutWallsOrWithoutCells) {
+  const OccupancyGrid open(GridGeometry{0.05, Vec2::Zero(), 100, 100}, kFree);
+  EXPECT_TRUE(PlaceSearch(open, open).search(0, 100).empty());
+  EXPECT_TRUE(PlaceSearch(OccupancyGrid(), OccupancyGrid()).search(0, 100).empty());
+}
+
+// [MUL-1] Pillars on a lattice look the same from many places.
+TEST(PlaceSearch, RefusesAPlaceThatFitsTwice) {
+  OccupancyGrid world = emptyHall();
+  for (int x = 20; x < 380; x += 30) {
+    for (int y = 20; y < 280; y += 30) fill(world, {x, y, 8, 8});
+  }
+  const OccupancyGrid one = test::seenFrom(world, {8.0, 7.0, 0.0}, 5.0);
+  const OccupancyGrid two = test::seenFrom(world, {11.0, 7.0, 0.0}, 5.0);
+  EXPECT_TRUE(PlaceSearch(one, two).search(0, 100).empty());
+}
+
+// [MUL-1] One robot has seen a wall of 10 cm from this side, the other one from that side as well.
+TEST(PlaceSearch, DoesNotTakeOneSideOfAThinWallForTheOther) {
+  OccupancyGrid world = furnished(4);
+  fill(world, {200, 0, 2, 300});
+  OccupancyGrid one = test::seenFrom(world, {7.0, 7.0, 0.0}, 6.0);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (one.geometry().centre(one.geometry().cell(i)).x() > 3.05) one[i] = kUnknown;  // beyond its side of the wall
+  }
+  const OccupancyGrid two = test::seenFrom(world, {9.5, 8.0, 0.7}, 6.0);
+  const Pose2 truth = Pose2(7.0, 7.0, 0.0).inverse() * Pose2(9.5, 8.0, 0.7);
+  const auto match = PlaceSearch(one, two).refine(truth * Pose2(0.05, -0.04, 0.01));
+  ASSERT_TRUE(match);
+  EXPECT_LT((match->T_a_b.position() - truth.position()).norm(), 0.02);
+}
+
+class UnknownStarts : public ::testing::Test {
+ protected:
+  static fleet::MapMergerParameters parameters(std::size_t count) {
+    fleet::MapMergerParameters parameters;
+    for (std::size_t i = 0; i < count; ++i) parameters.robots.push_back({"robot_" + std::to_string(i), 0.0, 0.0, 0.0});
+    parameters.known_starts = false;
+    return parameters;
+  }
+  void give(std::size_t robot, const OccupancyGrid& map) { merger_.setMap(robot, map, map.geometry().rect(), now_); }
+  void run(int seconds) {
+    for (int i = 0; i < seconds; ++i) {
+      now_ += std::chrono::seconds(1);
+      if (const auto work = merger_.takeWork(now_)) merger_.accept((*work)(), now_);
+      merger_.update(now_);
+    }
+  }
+
+  OccupancyGrid world_ = furnished(5);
+  MapMerger merger_{parameters(2)};
+  Time now_{std::chrono::seconds(100)};
+};
+
+// [MUL-1]
+TEST_F(UnknownStarts, AreFoundOnceTheMapsOverlap) {
+  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
+  const OccupancyGrid apart = test::seenFrom(world_, {17.0, 12.0, 1.0}, 2.0);
+  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
+  give(0, one);
+  give(1, apart);
+  run(5);
+  EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
+  give(1, two);
+  run(8);
+  ASSERT_EQ(merger_.status(1).state, MergeState::kMerged);
+  expectNear(*merger_.place(1), kFirstStart.inverse() * kSecondStart);
+}
+
+// [MUL-1] The maps change as loops are closed, and a place with them.
+TEST_F(UnknownStarts, AreCorrectedAsTheMapsAre) {
+  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
+  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
+  const Pose2 corrected = kSecondStart * Pose2(0.06, -0.05, 0.02);
+  const OccupancyGrid later = test::seenFrom(world_, corrected, 6.0);
+  give(0, one);
+  give(1, two);
+  run(8);
+  ASSERT_EQ(merger_.status(1).state, MergeState::kMerged);
+  give(1, later);
+  run(3);
+  expectNear(*merger_.place(1), kFirstStart.inverse() * corrected);
+}
+
+// [MUL-1]
+TEST_F(UnknownStarts, ArePartOfTheSearchAgainAfterAMergeWasGivenUp) {
+  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
+  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
+  const OccupancyGrid elsewhere = test::seenFrom(furnished(6), kSecondStart, 6.0);
+  give(0, one);
+  give(1, two);
+  run(8);
+  ASSERT_EQ(merger_.status(1).state, MergeState::kMerged);
+  give(1, elsewhere);
+  run(3);
+  EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
+  give(1, two);
+  run(8);
+  EXPECT_EQ(merger_.status(1).state, MergeState::kMerged);
+}
+
+// [MUL-1]
+TEST_F(UnknownStarts, AreNotLookedForTwiceAtATime) {
+  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
+  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
+  give(0, one);
+  give(1, two);
+  const auto work = merger_.takeWork(now_);
+  ASSERT_TRUE(work);
+  EXPECT_FALSE(merger_.takeWork(now_ + std::chrono::seconds(5)));
+  merger_.accept({}, now_);
+  EXPECT_TRUE(merger_.takeWork(now_ + std::chrono::seconds(5)));
+}
+
+}  // namespace
+}  // namespace frontier_pilot
