@@ -36,10 +36,19 @@ TEST(FixedFrames, AFrameThatMovesDoesNotBecomeFixed_FLT_1) {
   EXPECT_EQ(frames.objection(link("odom", "base", 1.0), false, at(4.9)), "") << "the robot goes on";
 }
 
-TEST(FixedFrames, AFrameThatHasStoodStillForLongMayBecomeFixed) {
+// [FLT-1] A simulator that is paused, or a driver that is restarted, is silent for longer than a few seconds.
+TEST(FixedFrames, AFrameThatHasMovedForAWhileNeverBecomesFixed_FLT_1) {
   FixedFrames frames;
-  EXPECT_EQ(frames.objection(link("odom", "base"), false, at(0.0)), "");
-  EXPECT_EQ(frames.objection(link("odom", "base"), true, at(5.1)), "");
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(frames.objection(link("odom", "base", 0.01 * i), false, at(0.02 * i)), "");
+  EXPECT_NE(frames.objection(link("nowhere", "base"), true, at(600.0)), "");
+  EXPECT_EQ(frames.objection(link("odom", "base", 1.0), false, at(601.0)), "") << "the robot goes on";
+}
+
+// [FLT-1] One message before the static one has come must not keep that out for good.
+TEST(FixedFrames, AFrameOfWhichASingleTransformWasHeardLongAgoMayBecomeFixed_FLT_1) {
+  FixedFrames frames;
+  EXPECT_EQ(frames.objection(link("base", "scan", 7.0), false, at(0.0)), "");
+  EXPECT_EQ(frames.objection(link("base", "scan", 0.1), true, at(5.1)), "");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "ros/common/tf/fixed_frames.h"
 
+#include <algorithm>
+
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/messages/conversions.h"
 
@@ -7,6 +9,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kMoves = std::chrono::seconds(5);
+constexpr int kEnough = 20;  ///< transforms that make it certain that a frame moves
 
 bool areSame(const geometry_msgs::TransformStamped& a, const geometry_msgs::TransformStamped& b) {
   constexpr double kSame = 1e-3;  // greatest difference of an entry of the matrices: [m], and about [rad]
@@ -18,6 +21,10 @@ bool areSame(const geometry_msgs::TransformStamped& a, const geometry_msgs::Tran
 
 std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
 
+bool FixedFrames::moves(const Motion& motion, SteadyTime now) {
+  return motion.heard >= kEnough || now - motion.last < kMoves;
+}
+
 std::string FixedFrames::objection(const geometry_msgs::TransformStamped& transform, bool is_static, SteadyTime now) {
   const std::string child = plain(transform.child_frame_id);
   const auto fixed = fixed_.find(child);
@@ -27,12 +34,16 @@ std::string FixedFrames::objection(const geometry_msgs::TransformStamped& transf
     return "'" + child + "' has another static transform: restart the nodes if it has been moved";
   }
   const auto moved = moved_.find(child);
-  if (is_static && moved != moved_.end() && now - moved->second < kMoves) {
-    return "'" + child + "' moves, so a static transform of it cannot be right";
+  if (is_static && moved != moved_.end() && moves(moved->second, now)) {
+    return "'" + child + "' moves, so a static transform of it cannot be right: restart the nodes if it is fixed now";
   }
   const bool room = fixed_.size() + moved_.size() < 2 * bounds::kMostFrames;
   if (is_static && room) fixed_.emplace(child, transform);
-  if (!is_static && (room || moved != moved_.end())) moved_[child] = now;
+  if (!is_static && (room || moved != moved_.end())) {
+    Motion& motion = moved_[child];
+    motion.last = now;
+    motion.heard = std::min(motion.heard + 1, kEnough);
+  }
   return {};
 }
 

@@ -18,12 +18,19 @@ std::string plain(const std::string& frame);
 class FixedFrames {
  public:
   /// What speaks against taking over this transform, whose numbers are valid; empty if nothing does, and then it is
-  /// remembered. A frame moves if a transform of it that is not static was taken over in the last 5 s.
+  /// remembered. A frame moves if a transform of it that is not static was taken over in the last 5 s; after twenty of
+  /// them it moves for good, so that a pause is no occasion to fix it.
   std::string objection(const geometry_msgs::TransformStamped& transform, bool is_static, SteadyTime now);
 
  private:
   std::map<std::string, geometry_msgs::TransformStamped> fixed_;  ///< by child
-  std::map<std::string, SteadyTime> moved_;                       ///< by child: when it was heard last
+  struct Motion {
+    SteadyTime last;
+    int heard = 0;
+  };
+  static bool moves(const Motion& motion, SteadyTime now);
+
+  std::map<std::string, Motion> moved_;  ///< by child
 };
 
 }  // namespace frontier_pilot
