@@ -1,5 +1,7 @@
 #include "frontier_pilot/fleet/map_merger.h"
 
+#include <algorithm>
+
 namespace frontier_pilot::fleet {
 namespace {
 
@@ -124,7 +126,11 @@ void MapMerger::judge(std::size_t robot, Time now) {
     agreement += compare(*robots_[other].map, *own.map, robots_[other].T_map_robot->inverse() * *own.T_map_robot);
   }
   own.status.agreement = agreement;
-  const double limit = own.contradicted ? 0.5 * parameters_.max_contradicted : parameters_.max_contradicted;
+  // A place that was found, and not given, may belong to another room of the same shape.
+  constexpr double kMostOfAFoundPlace = 0.12;
+  const double most = parameters_.known_starts ? parameters_.max_contradicted
+                                               : std::min(kMostOfAFoundPlace, parameters_.max_contradicted);
+  const double limit = own.contradicted ? 0.5 * most : most;
   const bool contradicted = agreement.contradictedShare() > limit;
   if (contradicted == own.contradicted) return;
   own.contradicted = contradicted;

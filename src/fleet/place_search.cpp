@@ -32,8 +32,9 @@ constexpr double kPeakDistance = 0.6;       // places nearer than that and kPeak
 constexpr double kPeakAngle = 0.3;          // [rad]
 constexpr double kLeastOverlap = 15.0;      // [m^2]
 constexpr std::size_t kLeastKnown = 150;    // points of walls in the overlap, 5 cm apart
-constexpr double kLeastSupported = 0.75;    // share of them on walls of the other map
-constexpr double kMostContradicted = 0.06;  // share of walls in the other map's free space
+constexpr double kLeastSupported = 0.92;    // share of them on walls of the other map: 0.97 at true places
+constexpr double kMostContradicted = 0.03;  // share of walls in the other map's free space: 0.01 at true places
+constexpr std::size_t kLeastWalls = 200;    // cells of walls without which that says nothing
 constexpr std::uint8_t kOnWall = 60;        // likelihood within about 10 cm of a wall
 constexpr int kSteps = 15;                  // of the refinement
 
@@ -181,8 +182,8 @@ struct PlaceSearch::Impl {
       return std::nullopt;
     }
     match.agreement = compare(a, b, match.T_a_b);
-    const bool agrees =
-        match.agreement.overlap >= kLeastOverlap && match.agreement.contradictedShare() <= kMostContradicted;
+    const bool agrees = match.agreement.overlap >= kLeastOverlap && match.agreement.walls >= kLeastWalls &&
+                        match.agreement.contradictedShare() <= kMostContradicted;
     return agrees ? std::optional<PlaceMatch>(match) : std::nullopt;
   }
 

@@ -10,6 +10,7 @@ import unittest
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from frontier_pilot.msg import ArbiterStatus
 from std_srvs.srv import SetBool, Trigger
 
 from wire import Node, Record, call, wait_for
@@ -23,10 +24,11 @@ class LostMemory(unittest.TestCase):
         self.folder = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, self.folder)
         self.home = os.path.join(self.folder, 'home')
+        self.runtime = '/proc/nowhere'  # no spare place for a stop
         self.diagnostics = Record('/diagnostics', DiagnosticArray)
 
     def start(self, executable):
-        node = Node(executable, environment=dict(os.environ, ROS_HOME=self.home))
+        node = Node(executable, environment=dict(os.environ, ROS_HOME=self.home, XDG_RUNTIME_DIR=self.runtime))
         self.addCleanup(node.end)
         return node
 
@@ -60,6 +62,21 @@ class LostMemory(unittest.TestCase):
             pass
         for node, what in KEEPERS.items():
             self.assertTrue(self.says(node, DiagnosticStatus.WARN, *what), '%s: %s' % (node, self.memory(node)))
+
+    # [ARB-7]
+    def test_a_stop_is_kept_although_the_home_cannot_be_written(self):
+        with open(self.home, 'w'):
+            pass
+        self.runtime = self.folder
+        arbiter = self.start('cmd_vel_arbiter')
+        answer = call('emergency_stop', Trigger)
+        self.assertNotIn('would not survive', answer.message)
+        arbiter.signal(signal.SIGKILL)
+        arbiter.finish()
+        self.start('cmd_vel_arbiter')
+        status = Record('cmd_vel_arbiter/status', ArbiterStatus)
+        self.assertTrue(wait_for(lambda: status.last is not None and status.last.emergency_stop))
+        self.assertTrue(call('set_emergency_stop', SetBool, False).success)
 
     def mapper_without_its_map(self):
         """One whose predecessor died, and left a map that cannot be read."""

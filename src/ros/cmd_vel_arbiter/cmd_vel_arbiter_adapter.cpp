@@ -26,7 +26,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
     : node_(node),
       arbiter_(loadNodeParameters<arbiter::ArbiterParameters>(private_node)),
       memory_(rosHome(), rosSessions(), "stopped", node.resolveName(names::kEmergencyStop),
-              SessionMemory::Owner::kService),
+              SessionMemory::Owner::kService, spareFolder()),
       status_(takeItsPlace(node_)),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),

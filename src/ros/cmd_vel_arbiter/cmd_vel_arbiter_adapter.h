@@ -16,6 +16,7 @@
 #include "ros/cmd_vel_arbiter/arrival_queue.h"
 #include "ros/cmd_vel_arbiter/fleet_stop_watch.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/master/ros_sessions.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/publish_flush.h"
 #include "ros/common/safe_switch.h"

@@ -1,4 +1,5 @@
 #include "ros/common/safe_switch.h"
+#include "ros/common/master/ros_sessions.h"
 
 #include <ros/console.h>
 #include <ros/names.h>

@@ -1,8 +1,5 @@
-#include <ros/master.h>
-#include <ros/param.h>
-#include <ros/this_node.h>
+#include <sys/stat.h>
 #include <unistd.h>
-#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -110,6 +107,18 @@ std::string removeAll(const std::vector<fs::path>& files) {
   return problem;
 }
 
+/// Tries `attempt`, which returns what went wrong, for each of `files`. Returns why one cannot be written; empty if all
+/// can.
+template <class Attempt>
+std::string tryAll(const std::vector<fs::path>& files, Attempt attempt) {
+  std::string problem = files.empty() ? kNoSession : "";
+  for (const fs::path& file : files) {
+    const std::string why = attempt(file);
+    if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
+  }
+  return problem;
+}
+
 /// The files of `folder` that processes have written under `name`.
 std::vector<fs::path> ofProcesses(const fs::path& folder, const std::string& name) {
   const std::string beginning = name + kOfProcess;
@@ -137,27 +146,45 @@ std::vector<fs::path> leftBehind(std::vector<fs::path> files) {
 
 }  // namespace
 
-SessionMemory::SessionMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions,
-                             std::string what, std::string owner, Owner kind)
-    : ros_home_(ros_home), name_(std::move(what) + asFileName(std::move(owner))), kind_(kind) {
+SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& sessions, std::string what,
+                             std::string owner, Owner kind, fs::path spare)
+    : ros_home_(std::move(ros_home)),
+      spare_(std::move(spare)),
+      name_(std::move(what) + asFileName(std::move(owner))),
+      kind_(kind) {
   enter(sessions);
   std::vector<fs::path> elsewhere;
-  std::error_code error;
-  for (const auto& session : fs::directory_iterator(ros_home_ / "frontier_pilot", error)) {
-    if (isSessionOf(session.path(), files_)) continue;
-    append(elsewhere,
-           kind_ == Owner::kNode ? std::vector<fs::path>{session.path() / name_} : ofProcesses(session.path(), name_));
+  for (const fs::path& root : {ros_home_, spare_}) {
+    std::error_code error;
+    if (root.empty()) continue;
+    for (const auto& session : fs::directory_iterator(root / "frontier_pilot", error)) {
+      if (isSessionOf(session.path(), own())) continue;
+      append(elsewhere, kind_ == Owner::kNode ? std::vector<fs::path>{session.path() / name_}
+                                              : ofProcesses(session.path(), name_));
+    }
   }
   elsewhere_ = leftBehind(std::move(elsewhere));
 }
 
-bool SessionMemory::enter(const std::vector<std::string>& sessions) {
-  const std::vector<std::filesystem::path> before = std::exchange(files_, {});
+std::vector<fs::path> SessionMemory::filesIn(const fs::path& root, const std::vector<std::string>& sessions) const {
+  std::vector<fs::path> files;
+  if (root.empty()) return files;
   const std::string name = kind_ == Owner::kNode ? name_ : name_ + kOfProcess + std::to_string(getpid());
-  for (const std::string& session : sessions) {
-    files_.push_back(ros_home_ / "frontier_pilot" / asFileName(session) / name);
-  }
-  if (files_ == before) return false;
+  for (const std::string& session : sessions) files.push_back(root / "frontier_pilot" / asFileName(session) / name);
+  return files;
+}
+
+std::vector<fs::path> SessionMemory::own() const {
+  std::vector<fs::path> files = files_;
+  append(files, spares_);
+  return files;
+}
+
+bool SessionMemory::enter(const std::vector<std::string>& sessions) {
+  const std::vector<fs::path> before = own();
+  files_ = filesIn(ros_home_, sessions);
+  spares_ = filesIn(spare_, sessions);
+  if (own() == before) return false;
   elsewhere_ = before;
   return true;
 }
@@ -165,16 +192,16 @@ bool SessionMemory::enter(const std::vector<std::string>& sessions) {
 std::vector<fs::path> SessionMemory::others() const {
   std::vector<fs::path> found;
   if (kind_ == Owner::kNode) return found;
-  for (const fs::path& own : files_) {
-    for (fs::path& file : ofProcesses(own.parent_path(), name_)) {
-      if (file != own) found.push_back(std::move(file));
+  for (const fs::path& mine : own()) {
+    for (fs::path& file : ofProcesses(mine.parent_path(), name_)) {
+      if (file != mine) found.push_back(std::move(file));
     }
   }
   return found;
 }
 
 std::vector<fs::path> SessionMemory::all() const {
-  std::vector<fs::path> files = files_;
+  std::vector<fs::path> files = own();
   append(files, others());
   append(files, elsewhere_);
   files.erase(std::remove_if(files.begin(), files.end(), [](const fs::path& file) { return !isThere(file); }),
@@ -206,26 +233,23 @@ std::optional<std::string> SessionMemory::recallOthers() const {
 std::string SessionMemory::remember(const std::string& text) const {
   const std::string content = text + "\n" + std::to_string(getpid()) + " " + std::to_string(getppid()) + " " +
                               std::to_string(beginOf(getpid())) + "\n";
-  std::string problem = files_.empty() ? kNoSession : "";
-  for (const fs::path& file : files_) {
+  const auto write = [&content](const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     // It has to survive the process but not a power failure: after that a new master starts without a stop. And the
     // zeros must not be delayed by waiting for the disk.
-    const std::string why = error ? error.message() : writeFile(file, content, Survives::kProcessDeath);
-    if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
-  }
+    return error ? error.message() : writeFile(file, content, Survives::kProcessDeath);
+  };
+  std::string problem = tryAll(files_, write);
+  if (!spares_.empty() && tryAll(spares_, write).empty()) problem.clear();
   if (problem.empty()) removeThoseOfTheDead();
   return problem;
 }
 
 std::string SessionMemory::problem() const {
-  if (files_.empty()) return kNoSession;
-  for (const fs::path& file : files_) {
-    const std::string why = whyNotWritable(file.parent_path());
-    if (!why.empty()) return "cannot write " + file.string() + ": " + why;
-  }
-  return {};
+  const auto look = [](const fs::path& file) { return whyNotWritable(file.parent_path()); };
+  const std::string problem = tryAll(files_, look);
+  return !spares_.empty() && tryAll(spares_, look).empty() ? std::string() : problem;
 }
 
 std::string SessionMemory::removeThoseOfTheDead() const {
@@ -238,13 +262,13 @@ std::string SessionMemory::removeThoseOfTheDead() const {
 
 std::string SessionMemory::forget() const {
   const std::string problem = removeThoseOfTheDead();
-  const std::string own = removeAll(files_);
-  return own.empty() ? problem : own;
+  const std::string mine = removeAll(own());
+  return mine.empty() ? problem : mine;
 }
 
 void SessionMemory::endInOrder() const {
   std::error_code ignored;
-  for (const fs::path& file : files_) fs::last_write_time(file, fs::file_time_type::min(), ignored);
+  for (const fs::path& file : own()) fs::last_write_time(file, fs::file_time_type::min(), ignored);
 }
 
 std::filesystem::path rosHome() {
@@ -253,18 +277,14 @@ std::filesystem::path rosHome() {
   return std::filesystem::path(home != nullptr ? home : "/") / ".ros";
 }
 
-std::vector<std::string> rosSessions() {
-  std::vector<std::string> sessions;
-  std::string run_id;
-  if (ros::param::get("/run_id", run_id) && !run_id.empty()) sessions.push_back(run_id);
-  XmlRpc::XmlRpcValue request, response, pid;
-  request[0] = ros::this_node::getName();
-  if (!ros::master::execute("getPid", request, response, pid, true)) return sessions;
-  // Process ids start again after a reboot, so the boot id is part of the name.
-  std::string boot;
-  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
-  sessions.push_back("master-" + std::to_string(static_cast<int>(pid)) + "-" + boot);
-  return sessions;
+fs::path spareFolder() {
+  if (const char* runtime = std::getenv("XDG_RUNTIME_DIR")) return runtime;
+  const fs::path folder = "/dev/shm/frontier_pilot-" + std::to_string(getuid());
+  mkdir(folder.c_str(), S_IRWXU);
+  struct stat status {};
+  const bool ours = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == getuid() &&
+                    (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+  return ours ? folder : fs::path();
 }
 
 }  // namespace frontier_pilot

@@ -25,10 +25,12 @@ class SessionMemory {
                ///< process writes a file of its own, and none removes the file of a living process [ARB-12]
   };
 
-  /// `sessions` are the names of the ROS session, see rosSessions(), of which one may change without the other. `what`
-  /// names what is remembered and has to be usable in a file name.
-  SessionMemory(const std::filesystem::path& ros_home, const std::vector<std::string>& sessions, std::string what,
-                std::string owner, Owner kind);
+  /// `sessions` are the names of the ROS session, see master/ros_sessions.h, of which one may change without the other.
+  /// `what` names what is remembered and has to be usable in a file name. With `spare`, a folder on another file
+  /// system, such as spareFolder(), everything is written there too, and a home that is full or read-only loses
+  /// nothing.
+  SessionMemory(std::filesystem::path ros_home, const std::vector<std::string>& sessions, std::string what,
+                std::string owner, Owner kind, std::filesystem::path spare = {});
 
   /// Changes to the ROS session with these names; returns whether it is another one than before.
   bool enter(const std::vector<std::string>& sessions);
@@ -54,22 +56,27 @@ class SessionMemory {
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
+  std::vector<std::filesystem::path> filesIn(const std::filesystem::path& root,
+                                             const std::vector<std::string>& sessions) const;
+  /// Those of this process, at both places.
+  std::vector<std::filesystem::path> own() const;
   std::vector<std::filesystem::path> others() const;
   std::vector<std::filesystem::path> all() const;
   /// Returns what went wrong; empty if nothing did.
   std::string removeThoseOfTheDead() const;
 
   std::filesystem::path ros_home_;
+  std::filesystem::path spare_;                   ///< empty if there is none
   std::string name_;                              ///< of the files; with kService the process id follows it
   Owner kind_;                                    ///< what kind of name the owner has
   std::vector<std::filesystem::path> files_;      ///< of this process, one for each name of the session
+  std::vector<std::filesystem::path> spares_;     ///< the same files below spare_
   std::vector<std::filesystem::path> elsewhere_;  ///< of other sessions, removed once this process stores or forgets
 };
 
 /// ROS_HOME, or ROS' default, ~/.ros.
 std::filesystem::path rosHome();
-/// The names that identify this ROS session: the run id that roslaunch sets, a parameter that can be deleted, and the
-/// process id of the master with the machine's boot id.
-std::vector<std::string> rosSessions();
-
+/// A folder of this user's own in memory, which can be written when the disk cannot: XDG_RUNTIME_DIR, or one below
+/// /dev/shm if that is not set. Empty if there is none, or if it belongs to somebody else.
+std::filesystem::path spareFolder();
 }  // namespace frontier_pilot

@@ -4,6 +4,7 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/clock_monitor.h"
+#include "ros/common/master/ros_sessions.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/tf/odometry_source.h"

@@ -52,6 +52,29 @@ TEST_F(SessionMemoryFile, IsFoundUnderEitherNameOfTheSessionAndNotInAnother_ARB_
 }
 
 // [ARB-7]
+TEST_F(SessionMemoryFile, IsKeptAtTheSparePlaceIfTheHomeCannotBeWritten_ARB_7) {
+  std::ofstream(home / "file") << "no folder";
+  const auto withSpare = [&] {
+    return SessionMemory(home / "file", {"session"}, "stopped", "/stop", SessionMemory::Owner::kService, home / "spare");
+  };
+  EXPECT_NE(SessionMemory(home / "file", {"session"}, "stopped", "/stop", SessionMemory::Owner::kService).problem(), "");
+  EXPECT_EQ(withSpare().problem(), "");
+  EXPECT_EQ(withSpare().remember("called by /me"), "");
+  EXPECT_EQ(withSpare().recall(), "called by /me");
+  withSpare().forget();
+  EXPECT_FALSE(withSpare().recall());
+}
+
+// [ARB-7] The two places may not disagree: whatever was cleared is cleared at both.
+TEST_F(SessionMemoryFile, IsForgottenAtBothPlaces_ARB_7) {
+  const SessionMemory memory(home, {"session"}, "stopped", "/stop", SessionMemory::Owner::kService, home / "spare");
+  EXPECT_EQ(memory.remember("called by /me"), "");
+  EXPECT_EQ(memory.forget(), "");
+  EXPECT_FALSE(forService(home, {"session"}).recall());
+  EXPECT_FALSE(memory.recall());
+}
+
+// [ARB-7]
 TEST_F(SessionMemoryFile, IsThereUntilItIsForgotten_ARB_7) {
   EXPECT_FALSE(memory().recall());
   EXPECT_EQ(memory().remember("called by /me"), "");

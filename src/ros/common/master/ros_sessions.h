@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace frontier_pilot {
+
+/// The names that identify this ROS session: the run id that roslaunch sets, a parameter that can be deleted, and the
+/// process id of the master with the machine's boot id.
+std::vector<std::string> rosSessions();
+
+}  // namespace frontier_pilot
