@@ -9,7 +9,7 @@ import rospy
 
 from run_attack import environment, services, table
 from run_attack.phases import PHASES, Phases
-from run_attack.robot_watch import Lag, RobotWatch
+from run_attack.robot_watch import RobotWatch
 from run_attack.system import NODES, System, join, pid_of, provider, wait_until
 
 WORLD = str(environment.ROOT / 'config/worlds/small.yaml')
@@ -29,7 +29,7 @@ USUALLY_KEPT = 0.98
 
 
 def standing_limit(node, fault, phase):
-    """How long after the fault the base may move [s]; None where it need not stand, or the node is back before."""
+    """How long after the fault the base may go on before it brakes [s]; None where the node is back before, or need not be."""
     limit = MUST_STAND.get((node, phase))
     length = FAULTS[fault]
     if limit is None or (length is not None and length <= limit + MARGIN):
@@ -45,10 +45,10 @@ def drawn_cells(seed):
 
 
 class Cell:
-    """One fault of one node in one phase. `run` gives what the table says of it."""
+    """One fault of one node in one phase. `run` gives what the table says of it, `failures` has what did not hold."""
 
-    def __init__(self, watch, phases, lag, node, fault, phase):
-        self.watch, self.phases, self.lag = watch, phases, lag
+    def __init__(self, watch, phases, node, fault, phase):
+        self.watch, self.phases = watch, phases
         self.node, self.fault, self.phase = node, fault, phase
         self.failures = []
 
@@ -58,9 +58,9 @@ class Cell:
         return held
 
     def run(self):
-        if not (self.expect(self.phases.rest(), 'the robot did not come to rest before') and
-                self.expect(self.phases.enter(self.phase), 'the phase was not reached')):
-            return '; '.join(self.failures)
+        """None where the robot could not be brought into the phase."""
+        if not (self.phases.rest() and self.phases.enter(self.phase)):
+            return None
         contacts, known, maps = self.watch.contacts, self.watch.known, self.watch.maps
         pid, begin = pid_of(self.node), time.monotonic()
         self.strike(pid)
@@ -91,9 +91,9 @@ class Cell:
         limit = standing_limit(self.node, self.fault, self.phase)
         if limit is None:
             return 'held'
+        limit += self.watch.braking_time(begin, limit)
         stood = self.watch.stood_after(begin)
         words = 'still moving' if stood is None else '%.2f s' % stood
-        limit += self.lag.worst(begin, begin + limit)
         self.expect(stood is not None and stood <= limit, 'stood after %s instead of %.2f s' % (words, limit))
         return words
 
@@ -117,20 +117,31 @@ class Cell:
 
 
 def draw_cells(watch, phases, seconds, seed, outcome):
-    """Visits cells until the time is over: {(node, fault, phase): text}."""
-    results, end, lag = {}, time.monotonic() + seconds, Lag()
-    for cell in drawn_cells(seed):
-        if time.monotonic() > end:
-            break
-        visit = Cell(watch, phases, lag, *cell)
-        try:
-            results[cell] = visit.run()
-        except services.NoAnswer as error:
-            visit.expect(False, str(error))
-            results[cell] = 'FAILED: %s' % error
-        for words in visit.failures:
-            outcome.expect(False, '%s %s while %s: %s' % (*cell, words))
+    """Visits cells until the time is over: {(node, fault, phase): text}. One whose phase is not reached comes again at the end."""
+    results, end, cells, missed = {}, time.monotonic() + seconds, drawn_cells(seed), []
+    while cells and time.monotonic() < end:
+        cell = cells.pop(0)
+        text = visit(watch, phases, cell, outcome)
+        if text is not None:
+            results[cell] = text
+        elif cell not in missed:
+            missed.append(cell)
+            cells.append(cell)
+    outcome.expect(len(missed) <= 2 + 0.2 * len(results), 'in %d cells the robot did not reach the phase' % len(missed))
     return results
+
+
+def visit(watch, phases, cell, outcome):
+    """The text of a cell, None where its phase was not reached."""
+    visited = Cell(watch, phases, *cell)
+    try:
+        text = visited.run()
+    except services.NoAnswer as error:
+        visited.expect(False, str(error))
+        text = 'FAILED: %s' % error
+    for words in visited.failures:
+        outcome.expect(False, '%s %s while %s: %s' % (*cell, words))
+    return text
 
 
 def heading(results, seed, seconds):

@@ -9,6 +9,7 @@ import threading
 import time
 
 import rospy
+from std_srvs.srv import Trigger
 
 from run_attack import fuzz_plan, fuzz_sender, interfaces, judge, services
 from run_attack.environment import ROOT
@@ -19,10 +20,11 @@ from run_attack.stops import start_module
 from run_attack.system import System, join, pids, resident_memory, wait_until
 
 WORLD = str(ROOT / 'config/worlds/small.yaml')
-RATE = 2500.0  # messages per second, if the machine and the nodes keep up
+RATE = 4000.0  # messages per second, if the machine and the nodes keep up
 LEAST = 1e5  # messages in a minute that an attack needs on a quiet machine
 TURN = 6.0  # [s] for which some topics and services are used; with all at once there would always be a cancel
-HOLD = 1.0  # [s] for which a stop is held now and then
+STOPPED = 0.6  # after this share of a turn the robot is stopped
+TO_WORK = 5.0  # [s] that the robot has before a turn to drive again
 MOST_GROWTH = 250.0  # [MB] of a node's memory over a round: the largest map and message that it takes, see docs/limits.md
 GOES_ON = 30.0  # [s] after the fuzz within which the robot explores again
 
@@ -77,7 +79,11 @@ class Calls:
 
     def _run(self):
         while not self._ending.is_set():
-            name = self._draw.choice(self.names)
+            names = self.names
+            if not names:
+                time.sleep(0.1)
+                continue
+            name = self._draw.choice(names)
             request = self._generator.message(self._kinds[name]._request_class)
             self.last = {'service': name, 'request': str(request)[:5000]}
             try:
@@ -89,43 +95,6 @@ class Calls:
     def end(self):
         self._ending.set()
         self._thread.join(2.0 * services.PATIENCE)
-
-
-class StopsInBetween:
-    """A thread that lets the robot explore, and stops it now and then for a while."""
-
-    def __init__(self):
-        self.caller = Caller(persistent=False)
-        self.unanswered = 0
-        self._goals = services.Goals()
-        self._ending = threading.Event()
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
-
-    def _run(self):
-        while not self._ending.wait(0.5):
-            self.unanswered += not self.caller.stop()
-            self._ending.wait(HOLD)
-            for _ in range(8):  # whatever has stopped the robot meanwhile
-                self._let_it_explore()
-                if self._ending.wait(0.8):
-                    break
-
-    def _let_it_explore(self):
-        """As an operator does: a clear is refused while a goal makes the navigation ask to move."""
-        try:
-            if not self.caller.clear():
-                services.explore(False)
-                self._goals.cancel()
-                time.sleep(0.6)
-                self.caller.clear()
-            services.explore(True)
-        except services.NoAnswer:
-            pass  # counted by who calls the services one by one
-
-    def end(self):
-        self._ending.set()
-        self._thread.join(30.0)
 
 
 class Round:
@@ -141,6 +110,8 @@ class Round:
         self.samples = interfaces.samples(topics, 2.0)
         self.sender = fuzz_sender.Sender(self.topics)
         self.calls = None
+        self.caller, self.goals = Caller(persistent=False), services.Goals()
+        self.turns = self.driving_turns = self.unanswered = 0
 
     def generator(self, paths):
         return Generator(self.draw.getrandbits(32), rospy.get_time(), ('map', 'odom', 'base_footprint', 'base_scan', 'base_link'),
@@ -158,17 +129,13 @@ class Round:
         """Sends for so long, and says what did not hold."""
         lives, contacts, driven = Lives(self.keep), self.watch.contacts, self.watch.distance
         probe_log = self.system.path('probe_%s.json' % self.name)
-        probe = start_module('probe', seconds + 12.0, probe_log)
+        probe = start_module('probe', seconds + TURN + TO_WORK + 8.0, probe_log)
         self.calls = Calls(self.called, self.generator(paths=False), random.Random(self.draw.random()))
-        stops = StopsInBetween()
         begin = time.monotonic()
         while time.monotonic() < begin + seconds:
-            self.sender.fill_pools(self.generator(paths=True), self.honest, some_of(self.topics, self.draw))
-            self.calls.names = some_of(self.called, self.draw)
-            self.sender.send_for(min(TURN, begin + seconds - time.monotonic()), RATE, self.draw)
+            self.take_turn(min(TURN, begin + seconds - time.monotonic()))
         last = time.monotonic()
         self.calls.end()
-        stops.end()
         self.sender.close()
         self.outcome.figure('%s round: %d messages on %d topics in %.0f s (%.0f a minute), %d calls of %d services' % (
             self.name, self.sender.sent, len(self.topics), last - begin, 60.0 * self.sender.sent / (last - begin),
@@ -177,11 +144,41 @@ class Round:
         self.judge_lives(lives)
         self.judge_services()
         if self.honest:
-            self.outcome.figure('%s round: the robot drove %.1f m' % (self.name, self.watch.distance - driven))
+            self.outcome.figure('%s round: the robot explored at the begin of %d of %d turns, and drove %.1f m' % (
+                self.name, self.driving_turns, self.turns, self.watch.distance - driven))
             self.outcome.expect(self.watch.contacts == contacts, 'the robot touched something in the honest round')
         probe.wait(30.0)
         with open(probe_log) as file:
-            self.judge_stops(json.load(file), stops)
+            self.judge_stops(json.load(file))
+
+    def take_turn(self, seconds):
+        """Some topics and services for so long, while the robot drives at first and is then stopped."""
+        self.calls.names = []
+        self.turns += 1
+        self.driving_turns += self.set_to_work()
+        self.sender.fill_pools(self.generator(paths=True), self.honest, some_of(self.topics, self.draw))
+        self.calls.names = some_of(self.called, self.draw)
+        stopping = threading.Timer(STOPPED * seconds, self.stop)
+        stopping.start()
+        self.sender.send_for(seconds, RATE, self.draw)
+        stopping.join()
+
+    def stop(self):
+        self.unanswered += not self.caller.stop()
+
+    def set_to_work(self):
+        """Takes back what the last turn has asked for; gives whether the robot explores. A goal would refuse the clear."""
+        try:
+            services.explore(False)
+            self.goals.cancel()
+            for name in ('frontier_explorer/clear_bounds', 'waypoint_follower/clear'):
+                services.call(name, Trigger)
+            services.switch('set_nav_enabled', True)
+            wait_until(self.caller.clear, 1.5)
+            services.explore(True)
+        except services.NoAnswer:
+            return False  # counted where the services are called one by one
+        return wait_until(lambda: self.watch.speed is not None and self.watch.speed > 0.05, TO_WORK)
 
     def judge_lives(self, lives):
         now = pids()
@@ -204,20 +201,21 @@ class Round:
             except services.NoAnswer:
                 silent.add(name)
         for name in sorted(silent):
-            self.outcome.expect(False, '%s did not answer within %.0f s after the %s round' % (name, services.PATIENCE, self.name))
+            self.outcome.expect(False, '%s did not answer within %.0f s after the %s round' % (
+                name, services.PATIENCE, self.name))
         if self.calls.silent - silent:
             self.outcome.figure('%s round: while it lasted, %s took longer than %.0f s' % (
                 self.name, ', '.join(sorted(self.calls.silent - silent)), services.PATIENCE))
 
-    def judge_stops(self, probe, stops):
+    def judge_stops(self, probe):
         messages = [judge.Message(*message) for message in probe['moving']]
-        calls = [judge.Call(*call) for call in stops.caller.log]
+        calls = [judge.Call(*call) for call in self.caller.log]
         spans, judged = judge.stopped_spans(calls)
         found = judge.violations(messages, calls)
         self.outcome.figure('%s round: %d stops held against %d messages at the base, %d of which move' % (
             self.name, judged, probe['messages'], len(messages)))
         self.outcome.expect(not found, '%d commands that move left the arbiter while a stop held' % len(found))
-        self.outcome.expect(stops.unanswered == 0, '%d stops were not answered in the %s round' % (stops.unanswered, self.name))
+        self.outcome.expect(self.unanswered == 0, '%d stops were not answered in the %s round' % (self.unanswered, self.name))
         self.outcome.expect(judged > 0, 'no stop could be judged in the %s round' % self.name)
 
 

@@ -2,7 +2,8 @@
 import re
 
 # What tells the robot where it is and what is around it, and the simulator what the world is. Lies there may move it into a wall.
-WORLD = re.compile(r'/(clock|tf|tf_static|scan|odom|simulator/.*|reset_positions)$')
+# The mapper withdraws its map as long as somebody else publishes one. [MAP-3]
+WORLD = re.compile(r'/(clock|tf|tf_static|scan|odom|map|map_updates|simulator/.*|reset_positions)$')
 # Who publishes these drives the robot, with no look at the scan.
 WHEELS = re.compile(r'/cmd_vel(_[a-z]+)?$')
 # A report of another arbiter that the robot is stopped, true or not, stops it: nothing would move any more.

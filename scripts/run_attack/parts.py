@@ -57,7 +57,7 @@ def interrupt(number, _):
 
 def run(arguments):
     """Gives the exit code."""
-    for number in (signal.SIGTERM, signal.SIGHUP):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # SIGINT is ignored at first in a shell's background
         signal.signal(number, interrupt)
     folder = tempfile.mkdtemp(prefix='frontier_pilot_attack.')
     failures = []
@@ -69,7 +69,7 @@ def run(arguments):
             said = outcome_of(part, inner, seconds_of(part, parts, arguments.minutes), arguments)
             failures += ['%s: %s' % (part, words) for words in said]
     except KeyboardInterrupt as interruption:
-        return 128 + (interruption.args[0] if interruption.args else signal.SIGINT)
+        return 128 + interruption.args[0]
     finally:
         keep = arguments.keep or failures
         if keep:

@@ -50,7 +50,7 @@ class System:
     def start_launch(self):
         reading, writing = os.pipe()
         bounded = str(environment.ROOT / 'scripts' / 'bounded_log.py')
-        self.writer = subprocess.Popen([sys.executable, bounded, self.path('log'), LOG_SIZE], stdin=reading, start_new_session=True)
+        subprocess.Popen([sys.executable, bounded, self.path('log'), LOG_SIZE], stdin=reading, start_new_session=True)
         os.close(reading)
         self.launch = subprocess.Popen(['roslaunch', 'frontier_pilot', 'system.launch', *self.words], stdin=subprocess.DEVNULL,
                                        stdout=writing, stderr=subprocess.STDOUT, start_new_session=True,

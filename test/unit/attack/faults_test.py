@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 """The matrix of faults, its table, and what the fuzzer keeps to itself."""
 import pathlib
+import signal
+import subprocess
 import sys
 import tempfile
+import threading
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / 'scripts'))
 from run_attack import fuzz_plan, table  # noqa: E402
@@ -62,32 +66,55 @@ class Faults(unittest.TestCase):
         self.assertIsNone(limit('navigator', 'killed', 'idle'))
 
     def cell(self, motion, fault='killed'):
-        """A cell that was judged on a motion of the base, (time, speed), with the fault at 10.0."""
+        """A cell that was judged on a motion of the base, (time, speed), with the fault at 10.0, in a slow simulation."""
         class Watch:
             stood_after = self.robot_watch.RobotWatch.stood_after
+            braking_time = self.robot_watch.RobotWatch.braking_time
+            _stamp_at = self.robot_watch.RobotWatch._stamp_at
             moved_since = self.robot_watch.RobotWatch.moved_since
         watch = Watch()
-        watch.motion = motion
-        return self.faults.Cell(watch, None, self.lag, 'navigator', fault, 'exploring')
+        watch.motion = [(at, 5.0 + 0.5 * at, speed, speed / 2.0) for at, speed in motion]
+        return self.faults.Cell(watch, None, 'navigator', fault, 'exploring')
 
     # [FLT-2]
     def test_a_base_that_moves_on_for_too_long_fails(self):
         from run_attack import robot_watch
         self.robot_watch = robot_watch
-        self.lag = robot_watch.Lag()
-        self.lag.delays = [(10.1, 0.01), (15.0, 5.0)]
-        moving = [(10.0 + 0.1 * i, 0.2) for i in range(30)]
-        in_time = self.cell(moving[:9] + [(10.9, 0.0)] + moving[10:])
-        self.assertEqual((in_time.judge_standing(10.0), in_time.failures), ('0.90 s', []))
-        late = self.cell(moving[:20] + [(12.0, 0.0)])
-        late.judge_standing(10.0)
-        self.assertEqual(late.failures, ['stood after 2.00 s instead of 1.23 s'])
+        moving = [(10.0 + 0.1 * i, 0.2) for i in range(60)]
+        in_time = self.cell(moving[:19] + [(11.9, 0.0)] + moving[20:])
+        self.assertEqual((in_time.judge_standing(10.05), in_time.failures), ('0.95 s', []))
+        late = self.cell(moving[:40] + [(14.0, 0.0)])
+        late.judge_standing(10.05)
+        self.assertEqual(late.failures, ['stood after 2.00 s instead of 1.30 s'])
         never = self.cell(moving)
-        never.judge_standing(10.0)
-        self.assertEqual(never.failures, ['stood after still moving instead of 1.23 s'])
+        never.judge_standing(10.05)
+        self.assertEqual(never.failures, ['stood after still moving instead of 1.30 s'])
         stopped = self.cell([(9.0, 0.2), (10.5, 0.0)])
         self.assertFalse(stopped.watch.moved_since(10.0))
         self.assertTrue(self.cell([(11.0, 0.1)]).watch.moved_since(10.0))
+
+
+class Lives(unittest.TestCase):
+    # [FLT-1]
+    def test_a_node_that_dies_is_noticed_and_its_last_messages_are_kept(self):
+        try:
+            from run_attack import fuzz
+        except ImportError as error:
+            self.skipTest('needs the messages of a build: %s' % error)
+        nodes = {name: subprocess.Popen(['sleep', '60']) for name in ('mapper', 'navigator')}
+        for process in nodes.values():
+            self.addCleanup(process.wait)
+            self.addCleanup(process.kill)
+        told = threading.Event()
+        with unittest.mock.patch.object(fuzz, 'pids', lambda: {name: process.pid for name, process in nodes.items()}):
+            lives = fuzz.Lives(lambda node: told.set())
+            self.addCleanup(lives.end)
+            self.assertEqual(lives.dead, {})
+            nodes['mapper'].send_signal(signal.SIGSEGV)
+            nodes['mapper'].wait()
+            self.assertTrue(told.wait(10.0))
+        self.assertEqual(set(lives.dead), {'mapper'})
+        self.assertLess(abs(lives.growth()['navigator']), 10.0)
 
 
 class Plan(unittest.TestCase):
