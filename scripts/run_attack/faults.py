@@ -117,7 +117,10 @@ class Cell:
 
 
 def draw_cells(watch, phases, seconds, seed, outcome):
-    """Visits cells until the time is over: {(node, fault, phase): text}. One whose phase is not reached comes again at the end."""
+    """Visits cells until the time is over: {(node, fault, phase): text}.
+
+    A cell whose phase was not reached is visited again at the end.
+    """
     results, end, cells, missed = {}, time.monotonic() + seconds, drawn_cells(seed), []
     while cells and time.monotonic() < end:
         cell = cells.pop(0)

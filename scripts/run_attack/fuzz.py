@@ -208,12 +208,12 @@ class Round:
                 self.name, ', '.join(sorted(self.calls.silent - silent)), services.PATIENCE))
 
     def judge_stops(self, probe):
-        messages = [judge.Message(*message) for message in probe['moving']]
+        messages = [judge.Message(*message) for message in probe['messages']]
         calls = [judge.Call(*call) for call in self.caller.log]
         spans, judged = judge.stopped_spans(calls)
         found = judge.violations(messages, calls)
         self.outcome.figure('%s round: %d stops held against %d messages at the base, %d of which move' % (
-            self.name, judged, probe['messages'], len(messages)))
+            self.name, judged, len(messages), sum(message.moves for message in messages)))
         self.outcome.expect(not found, '%d commands that move left the arbiter while a stop held' % len(found))
         self.outcome.expect(self.unanswered == 0, '%d stops were not answered in the %s round' % (self.unanswered, self.name))
         self.outcome.expect(judged > 0, 'no stop could be judged in the %s round' % self.name)
@@ -241,7 +241,8 @@ def explores_again(system, watch, outcome, name):
         again = False
     if again:
         return outcome.figure('%s round: the robot explores again' % name)
-    outcome.figure('%s round: the launch has to be started again' % name)
+    said = watch.explorer.reason_text if watch.explorer else 'nothing'
+    outcome.figure('%s round: the launch has to be started again; the explorer says: %s' % (name, said))
     system.end_launch()
     system.start_launch()
     outcome.expect(wait_until(system.is_up, 60.0) and goes_on(), 'the robot does not explore again after the %s round' % name)

@@ -1,4 +1,6 @@
 """Brings the robot into each phase of its work, and out of it."""
+import time
+
 import actionlib
 import rospy
 from frontier_pilot.msg import PatrolAction, PatrolGoal, SpinAction, SpinGoal
@@ -74,4 +76,13 @@ class Phases:
         return False
 
     def _on_the_way(self, seconds):
-        return wait_until(lambda: self._watch.speed is not None and self._watch.speed > MOVING, seconds)
+        """Whether the base moves within so many seconds, and not only for a moment."""
+        def moves():
+            return self._watch.speed is not None and self._watch.speed > MOVING
+
+        def goes_on_moving():
+            if not moves():
+                return False
+            time.sleep(0.3)
+            return moves()
+        return wait_until(goes_on_moving, seconds)

@@ -20,6 +20,7 @@ from run_attack.velocity_sources import SOURCES
 
 THREADS = 8
 UNCHANGED = 'not stopped'  # the answer to a clear that has changed nothing
+UNSENT = 'may not have been sent yet'  # the answer to a stop on an overloaded machine, whose zero is still to be written
 
 
 class Caller:
@@ -27,7 +28,7 @@ class Caller:
 
     def __init__(self, persistent):
         self.log = []
-        self.refused = self.unanswered = 0
+        self.refused = self.unanswered = self.unsent = 0
         self._persistent = persistent
         self._connect()
 
@@ -42,7 +43,9 @@ class Caller:
         except (rospy.ServiceException, OSError):
             self._lost()
             return False
-        if answer.success:
+        if answer.success and UNSENT in answer.message:
+            self.unsent += 1
+        elif answer.success:
             self.log.append((True, begin, time.monotonic()))
         return answer.success
 
@@ -104,6 +107,7 @@ def main(seed, start, seconds, out):
     with open(out, 'w') as file:
         json.dump({'calls': [call for caller in callers for call in caller.log],
                    'refused': sum(caller.refused for caller in callers),
+                   'unsent': sum(caller.unsent for caller in callers),
                    'unanswered': sum(caller.unanswered for caller in callers),
                    'hanging': sum(thread.is_alive() for thread in threads)}, file)
 

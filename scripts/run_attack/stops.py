@@ -16,6 +16,7 @@ from run_attack.system import System, join, pid_of, provider, wait_until
 WORLD = str(ROOT / 'config/worlds/small.yaml')
 RATE = 1000.0  # [Hz] that each source aims at
 LEAD = 4.0  # [s] in which the processes of the attack start
+REPORTED = 4.0  # [s] within which a stranger is an error: 2 s, and what a busy machine adds
 SERVICES = ('/emergency_stop', '/set_emergency_stop')
 
 
@@ -48,8 +49,9 @@ def attack_from_outside(system, watch, start, seconds, outcome):
         time.sleep(max(0.0, start + share * seconds - time.monotonic()))
     wait_for_share(0.15)
     intruder = start_module('stranger')
-    outcome.expect(wait_until(lambda: watch.names('/' + stranger.NAME), 6.0),
-                   'the arbiter does not report a stranger on cmd_vel as ERROR by its name')
+    outcome.expect(wait_until(lambda: pid_of(stranger.NAME) is not None, 20.0) and
+                   wait_until(lambda: watch.names('/' + stranger.NAME), REPORTED),
+                   'the arbiter does not report a stranger on cmd_vel as ERROR by its name within %.0f s' % REPORTED)
     processes.end(intruder)
     wait_for_share(0.4)
     before = pid_of('cmd_vel_arbiter')
@@ -73,23 +75,26 @@ def attack_from_outside(system, watch, start, seconds, outcome):
 
 def judge_logs(probe, callers, sources, seconds, outcome):
     """Writes the figures, and fails for each command that left while the stop held, and for an attack that was none."""
-    messages = [judge.Message(*message) for message in probe['moving']]
+    messages = [judge.Message(*message) for message in probe['messages']]
     calls = [judge.Call(*call) for call in callers['calls']]
+    moving = sum(message.moves for message in messages)
     found = judge.violations(messages, calls)
     spans, judged = judge.stopped_spans(calls)
     stops = sum(call.stop for call in calls)
     held = judge.held_time(calls, max([call.answer for call in calls], default=0.0))
     rate = sources['sent'] / max(0.1, sources['driving'])
     outcome.figure('%.0f commands/s of all sources together while they drive; %d messages at the base, %d of them move' %
-                   (rate, probe['messages'], len(messages)))
-    outcome.figure('%d stops answered, %d of them judged, %d clears succeeded, %d were refused; the stop certainly held for '
-                   '%.1f s in %d spans' % (stops, judged, len(calls) - stops, callers['refused'], held, len(spans)))
+                   (rate, len(messages), moving))
+    outcome.figure('%d stops answered without reserve, %d of them judged, %d with the reserve that the zero may not have '
+                   'been sent yet; %d clears succeeded, %d were refused; the stop certainly held for '
+                   '%.1f s in %d spans' % (
+                       stops, judged, callers['unsent'], len(calls) - stops, callers['refused'], held, len(spans)))
     for message in found[:3]:
         outcome.expect(False, 'a command that moves left the arbiter between a stop and the next clear: read at the base at '
                        '%.4f s of the steady clock' % message.latest)
     outcome.expect(len(found) <= 3, '... and %d more' % (len(found) - 3))
     outcome.expect(callers['hanging'] == 0, '%d calls of a stop or a clear were never answered' % callers['hanging'])
-    outcome.expect(judged >= seconds and len(spans) >= seconds / 10.0 and len(messages) >= 20.0 * seconds / 10.0,
+    outcome.expect(judged >= seconds and len(spans) >= seconds / 10.0 and moving >= 2.0 * seconds,
                    'the attack was too weak to show anything: see its figures')
 
 
