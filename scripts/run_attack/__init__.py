@@ -1,0 +1,1 @@
+"""The attack on the whole system: see scripts/attack."""

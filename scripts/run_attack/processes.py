@@ -1,0 +1,45 @@
+"""Processes of the attack: they end with the process that has started them, and by a mark that they inherit."""
+import ctypes
+import os
+import signal
+import socket
+import subprocess
+
+MARK = 'FRONTIER_PILOT_ATTACK'  # in the environment of everything that an attack starts
+_SET_PARENT_DEATH_SIGNAL = 1
+_prctl = ctypes.CDLL(None).prctl
+
+
+def end_with_the_parent():
+    """The kernel sends SIGTERM to this process when its parent dies without a word."""
+    _prctl(_SET_PARENT_DEATH_SIGNAL, signal.SIGTERM)
+
+
+def start(words, log=None, **environment):
+    """Starts a program in a session of its own, whose output goes to the file `log`, or nowhere."""
+    output = open(log, 'ab') if log else subprocess.DEVNULL
+    try:
+        return subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
+                                start_new_session=True, preexec_fn=end_with_the_parent,
+                                env=dict(os.environ, **environment))
+    finally:
+        if log:
+            output.close()
+
+
+def end(process, number=signal.SIGINT, patience=20.0):
+    """Ends a process by a signal, and by SIGKILL if that takes longer than `patience` [s]. Gives its exit code."""
+    if process.poll() is None:
+        process.send_signal(number)
+        try:
+            process.wait(patience)
+        except subprocess.TimeoutExpired:
+            process.kill()
+    return process.wait()
+
+
+def free_port():
+    """A port of the loopback interface on which nothing listens."""
+    with socket.socket() as listener:
+        listener.bind(('127.0.0.1', 0))
+        return listener.getsockname()[1]

@@ -1,0 +1,65 @@
+"""Calls with a limit of time, and those that bring the system back to work."""
+import threading
+
+import genpy
+import rospy
+from actionlib_msgs.msg import GoalID
+from std_srvs.srv import SetBool, Trigger
+
+from run_attack.velocity_sources import SOURCES
+
+PATIENCE = 5.0  # [s] within which every service has to answer
+ACTIONS = ('move_base', 'follow_waypoints', 'turtlebot3', 'spin', 'back_up', 'drive_on_heading', 'wait')
+
+
+class NoAnswer(Exception):
+    """A service has not answered in time."""
+
+
+def call(name, kind, request=None, patience=PATIENCE):
+    """The response, None where the service has refused the request or is not there; NoAnswer after `patience` [s]."""
+    answer = []
+
+    def ask():
+        try:
+            answer.append(rospy.ServiceProxy(name, kind).call(request if request is not None else kind._request_class()))
+        except (rospy.ServiceException, rospy.exceptions.ROSException, genpy.SerializationError, OSError):
+            answer.append(None)
+    thread = threading.Thread(target=ask, daemon=True)
+    thread.start()
+    thread.join(patience)
+    if not answer:
+        raise NoAnswer('%s does not answer within %.0f s' % (name, patience))
+    return answer[0]
+
+
+def switch(name, on):
+    return call(name, SetBool, SetBool._request_class(on))
+
+
+def explore(on):
+    return switch('set_exploration_enabled', on)
+
+
+class Goals:
+    """Cancels the goals of all actions."""
+
+    def __init__(self):
+        self._cancels = [rospy.Publisher(name + '/cancel', GoalID, queue_size=5) for name in ACTIONS]
+
+    def cancel(self):
+        for publisher in self._cancels:
+            publisher.publish(GoalID())
+
+
+def set_upright(goals):
+    """Takes back what an operator may have switched, bounded or asked for, and begins a new map; the stop is not cleared."""
+    goals.cancel()
+    for source in SOURCES:
+        switch('set_%s_enabled' % source, True)
+    switch('simulator/pause', False)
+    switch('set_obstacle_avoid_enabled', False)
+    switch('frontier_explorer/set_return_to_start', False)
+    for name in ('waypoint_follower/clear', 'frontier_explorer/clear_bounds', 'frontier_explorer/clear_inspections',
+                 'mapper/reset', 'frontier_explorer/reset'):
+        call(name, Trigger)
