@@ -176,6 +176,14 @@ std::optional<Twist2> Arbiter::contest(const std::string& rival, const Instant& 
   return makeOutput(decide(now.ros), true);
 }
 
+std::optional<Twist2> Arbiter::setLimits(const RobotLimits& limits, const Instant& now) {
+  parameters_.robot.limits = limits;
+  for (Source& source : sources_) {
+    if (source.command) source.command = clamp(*source.command, limits);
+  }
+  return update(now);
+}
+
 std::string Arbiter::refusalToClear(SteadyTime requested, const Instant& now) const {
   if (last_stop_ >= requested) return "a stop was given while this call was under way";
   for (const Source& source : sources_) {

@@ -35,6 +35,7 @@ class Avoider::Impl {
   std::optional<AvoiderCommand> update(Time now);
   std::optional<AvoiderCommand> tick(Time now);
   std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
+  void setParameters(const AvoiderParameters& parameters);
 
   bool enabled() const { return state_ != AvoiderState::kIdle; }
   AvoiderState state() const { return state_; }
@@ -117,6 +118,12 @@ std::optional<AvoiderCommand> Avoider::Impl::setEnabled(bool enable, Time now) {
   enter(enable ? AvoiderState::kWaiting : AvoiderState::kIdle, enable ? "no scan yet" : "switched off", now);
   last_ = command();
   return last_;
+}
+
+void Avoider::Impl::setParameters(const AvoiderParameters& parameters) {
+  parameters_ = checked(parameters);
+  distances_ = AvoiderDistances(parameters_);
+  reader_ = SectorReader(parameters_);
 }
 
 void Avoider::Impl::observe(Time now) {
@@ -250,6 +257,7 @@ std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time no
 std::optional<AvoiderCommand> Avoider::update(Time now) { return impl_->update(now); }
 std::optional<AvoiderCommand> Avoider::tick(Time now) { return impl_->tick(now); }
 std::optional<AvoiderCommand> Avoider::setEnabled(bool enable, Time now) { return impl_->setEnabled(enable, now); }
+void Avoider::setParameters(const AvoiderParameters& parameters) { impl_->setParameters(parameters); }
 bool Avoider::enabled() const { return impl_->enabled(); }
 AvoiderState Avoider::state() const { return impl_->state(); }
 AvoiderSnapshot Avoider::status(Time now) const { return impl_->status(now); }

@@ -58,6 +58,7 @@ class TimedBehavior::Impl {
   BehaviorOutput update(const BehaviorInputs& inputs, Time now);
   BehaviorOutput cancel(const std::string& why, Time now);
   BehaviorOutput abortByClockJump();
+  void setParameters(const BehaviorParameters& parameters) { parameters_ = parameters; }
 
   bool active() const { return active_; }
   const BehaviorGoal& goal() const { return goal_; }
@@ -257,6 +258,7 @@ BehaviorOutput TimedBehavior::start(const BehaviorGoal& goal, Time now) { return
 BehaviorOutput TimedBehavior::update(const BehaviorInputs& inputs, Time now) { return impl_->update(inputs, now); }
 BehaviorOutput TimedBehavior::cancel(const std::string& why, Time now) { return impl_->cancel(why, now); }
 BehaviorOutput TimedBehavior::abortByClockJump() { return impl_->abortByClockJump(); }
+void TimedBehavior::setParameters(const BehaviorParameters& parameters) { impl_->setParameters(parameters); }
 bool TimedBehavior::active() const { return impl_->active(); }
 const BehaviorGoal& TimedBehavior::goal() const { return impl_->goal(); }
 

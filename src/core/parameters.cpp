@@ -86,8 +86,8 @@ std::string tabulateRows(const std::vector<detail::Describer::Row>& rows) {
   std::ostringstream out;
   out << "| parameter | type | default | unit | allowed | meaning |\n|---|---|---|---|---|---|\n";
   for (const auto& row : rows) {
-    out << "| `" << row.name << "` | " << row.type << " | " << row.value << " | " << row.unit << " | " << row.bounds
-        << " | " << row.doc << " |\n";
+    out << "| `" << row.name << (row.tunable ? "` ↻ | " : "` | ") << row.type << " | " << row.value << " | " << row.unit
+        << " | " << row.bounds << " | " << row.doc << " |\n";
   }
   return out.str();
 }
@@ -195,6 +195,13 @@ void Loader::field(const char* name, std::vector<std::vector<double>>& field, co
     if (!bad.empty()) return problem(name + ("[" + std::to_string(read.size() - 1) + "]"), bad);
   }
   field = read;
+}
+
+void Describer::tunable(std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == prefix_ + name; });
+    if (row != rows.end()) row->tunable = true;
+  }
 }
 
 void Describer::field(const char* name, bool& field, const char* unit, const char* doc) {

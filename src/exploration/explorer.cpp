@@ -1,6 +1,8 @@
 #include "frontier_pilot/exploration/explorer.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "exploration/explorer_impl.h"
@@ -49,6 +51,7 @@ void Explorer::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& m
 const ExplorationBounds& Explorer::bounds() const { return impl_->evaluator().map().bounds(); }
 void Explorer::setReturnToStart(bool on) { impl_->setReturnToStart(on); }
 bool Explorer::returnsToStart() const { return impl_->returnsToStart(); }
+void Explorer::setParameters(const ExplorerParameters& parameters) { impl_->setParameters(parameters); }
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
 std::string Explorer::inspect(const Pose2& pose) { return impl_->inspect(pose); }
 void Explorer::clearInspections() { impl_->clearInspections(); }
@@ -74,6 +77,14 @@ Explorer::Impl::Impl(const ExplorerParameters& parameters)
       strategy_(makeStrategy(parameters_)),
       rules_(parameters_.until) {
   evaluator_.setBounds(parameters_.bounds.polygons());
+}
+
+void Explorer::Impl::setParameters(const ExplorerParameters& parameters) {
+  parameters_.goal_timeout = parameters.goal_timeout;
+  parameters_.frontier = withScannersRange(parameters).frontier;
+  evaluator_.setParameters(parameters_.frontier);
+  constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+  if (status_.state != ExplorerState::kDone) judged_changes_ = kNever;  // the same map is to be judged again
 }
 
 void Explorer::Impl::setMap(const OccupancyGrid& map, const CellRect& changed) {

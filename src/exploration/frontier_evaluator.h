@@ -26,6 +26,8 @@ class FrontierEvaluator {
   /// Paths to goals leave `clearance_margin` [m] on either side of a robot with the outline `driven`.
   FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven);
 
+  /// Other filters and weights, from the next evaluation on; distances and clearances have to be the same.
+  void setParameters(const FrontierParameters& parameters) { parameters_ = parameters; }
   /// Takes over a map that may differ from the last one within `changed`. Returns whether any cell changed class.
   bool setMap(const OccupancyGrid& map, const CellRect& changed);
   /// Takes effect with the next map, of which all cells may differ.

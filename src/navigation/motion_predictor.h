@@ -21,6 +21,7 @@ class MotionPredictor {
 
   explicit MotionPredictor(const RobotLimits& limits) : limits_(limits) {}
 
+  void setLimits(const RobotLimits& limits) { limits_ = limits; }
   /// Records that the base is sent `command` at `now`.
   void commanded(const Twist2& command, Time now);
   void clear() { commands_.clear(); }

@@ -31,6 +31,9 @@ void Navigator::setMap(const OccupancyGrid& map, const CellRect& changed) { impl
 NavigatorOutput Navigator::update(const NavigatorInputs& inputs, Time now) { return impl_->update(inputs, now); }
 planning::PlanResult Navigator::makePlan(const planning::PlanRequest& request) { return impl_->makePlan(request); }
 void Navigator::clearObstacles() { impl_->clearObstacles(); }
+void Navigator::setParameters(const NavigatorParams& params, std::vector<RecoveryRung> ladder) {
+  impl_->setParameters(params, std::move(ladder));
+}
 bool Navigator::hasGoal() const { return impl_->hasGoal(); }
 const planning::Path& Navigator::path() const { return impl_->follower().path(); }
 std::vector<Vec2> Navigator::wayAhead() const { return impl_->wayAhead(); }
@@ -65,6 +68,15 @@ planning::PlanResult Navigator::Impl::makePlan(const planning::PlanRequest& requ
 }
 
 void Navigator::Impl::clearObstacles() { obstacles_changed_ = obstacles_.clear(clearance_) || obstacles_changed_; }
+
+void Navigator::Impl::setParameters(const NavigatorParams& params, std::vector<RecoveryRung> ladder) {
+  params_ = params;
+  ladder_ = std::move(ladder);
+  follower_.setLimits(params.robot.limits);
+  predictor_.setLimits(params.robot.limits);
+  if (!clearance_.setParams(params.clearance)) return;
+  has_path_ = has_path_ && arrived_;  // where only the yaw is left, no path is needed
+}
 
 NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now) {
   output_ = {};

@@ -26,6 +26,7 @@ class Navigator::Impl {
   NavigatorOutput update(const NavigatorInputs& inputs, Time now);
   planning::PlanResult makePlan(const planning::PlanRequest& request);
   void clearObstacles();
+  void setParameters(const NavigatorParams& params, std::vector<RecoveryRung> ladder);
 
   std::vector<Vec2> wayAhead() const;
   bool hasGoal() const { return goal_.has_value(); }

@@ -35,6 +35,8 @@ class PathFollower {
  public:
   explicit PathFollower(const FollowerParams& params = {}, const RobotModel& robot = {});
 
+  /// Other limits, from the next update on.
+  void setLimits(const RobotLimits& limits) { limits_ = limits; }
   /// Starts on a new path; must not be empty. The robot need not stop.
   void setPath(planning::Path path);
   FollowerOutput update(const FollowerInputs& inputs);

@@ -47,6 +47,7 @@ class Patrol::Impl {
   PatrolOutput update(const PatrolInputs& inputs, Time now);
   PatrolOutput cancel();
   PatrolOutput abortByClockJump();
+  void setParameters(const PatrolParameters& parameters);
   bool active() const { return active_; }
 
  private:
@@ -96,6 +97,11 @@ PatrolOutput Patrol::Impl::start(const PatrolOrder& goal, Time now) {
   obstructed_since_.reset();
   started_ = last_update_ = progressed_ = now;
   return running({});
+}
+
+void Patrol::Impl::setParameters(const PatrolParameters& parameters) {
+  parameters_ = parameters;
+  driver_.setParameters(withinLimits(parameters));
 }
 
 PatrolOutput Patrol::Impl::cancel() {
@@ -252,6 +258,7 @@ PatrolOutput Patrol::start(const PatrolOrder& goal, Time now) { return impl_->st
 PatrolOutput Patrol::update(const PatrolInputs& inputs, Time now) { return impl_->update(inputs, now); }
 PatrolOutput Patrol::cancel() { return impl_->cancel(); }
 PatrolOutput Patrol::abortByClockJump() { return impl_->abortByClockJump(); }
+void Patrol::setParameters(const PatrolParameters& parameters) { impl_->setParameters(parameters); }
 bool Patrol::active() const { return impl_->active(); }
 
 }  // namespace frontier_pilot::patrol

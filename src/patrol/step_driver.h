@@ -12,6 +12,7 @@ namespace frontier_pilot::patrol {
 class StepDriver {
  public:
   explicit StepDriver(const PatrolParameters& parameters) : parameters_(parameters) {}
+  void setParameters(const PatrolParameters& parameters) { parameters_ = parameters; }
 
   /// `T_odom_plan` is where the patrol began. An error that the previous step left is corrected in this one.
   void begin(const PatrolStep& step, const Pose2& T_odom_plan, const MotionSample& sample);

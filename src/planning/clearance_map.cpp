@@ -95,7 +95,6 @@ bool ClearanceMap::setMap(const OccupancyGrid& map, const CellRect& changed) {
 void ClearanceMap::reset(const OccupancyGrid& map) {
   required_ = params_.inscribed_radius + kDiscretisation * map.resolution() - kRounding;
   least_ = params_.tight_weight > 0.0 ? params_.inscribed_radius + kTightDiscretisation * map.resolution() : required_;
-  const double preferred = std::max(params_.preferred_clearance, required_);
   weights_[kTightClass] = std::max(params_.tight_weight, 1.0 + params_.wall_weight);
   for (int i = 1; i < kTightClass; ++i) {
     const double nearness = 1.0 - static_cast<double>(i - 1) / (kTightClass - 2);
@@ -108,9 +107,24 @@ void ClearanceMap::reset(const OccupancyGrid& map) {
   cost_ = Grid<std::uint8_t>(cells, 0);
   dirty_tiles_ = Grid<std::uint8_t>(tileGeometry(cells, kTile), kTileClean);
   for (int y = 0; y < cells.height; ++y) takeRow(map.row(y), {0, y}, cells.width);
-  field_ = grids::DistanceField(obstacle_, preferred + cells.resolution);
+  measure();
+}
+
+/// Computes field and costs of the whole map.
+void ClearanceMap::measure() {
+  const GridGeometry& cells = geometry();
+  field_ = grids::DistanceField(obstacle_, std::max(params_.preferred_clearance, required_) + cells.resolution);
   std::fill(dirty_tiles_.cells().begin(), dirty_tiles_.cells().end(), static_cast<std::uint8_t>(kTileClean));
   rateCells(cells.rect());
+}
+
+bool ClearanceMap::setParams(const ClearanceParams& params) {
+  const bool differs = params.preferred_clearance != params_.preferred_clearance ||
+                       params.unknown_is_traversable != params_.unknown_is_traversable;
+  params_.preferred_clearance = params.preferred_clearance;
+  params_.unknown_is_traversable = params.unknown_is_traversable;
+  if (differs && !empty()) measure();
+  return differs;
 }
 
 void ClearanceMap::takeRow(const std::int8_t* map, Cell from, int count) {

@@ -51,7 +51,7 @@ FOR_OTHERS = {'system'}
 # Whose headers these are, and the folders that may include them.
 FOREIGN = (
     ('ROS', re.compile(r'^(ros|ros[a-z]+|tf2?|tf2_\w+|actionlib|diagnostic_updater|pluginlib|rviz|xmlrpcpp|message_filters|'
-                       r'\w+_msgs|std_srvs|topic_tools)/|^frontier_pilot/[A-Z]\w*\.h$'), SEES_ROS),
+                       r'\w+_msgs|std_srvs|topic_tools|dynamic_reconfigure)/|^frontier_pilot/[A-Z]\w*\.h$'), SEES_ROS),
     ('OMPL', re.compile(r'^ompl/'), {'planning'}),
     ('OctoMap', re.compile(r'^octomap/'), {'occupancy'}),
     ('Qt', re.compile(r'^Q[A-Z]|^Qt\w+/'), {'gui', 'rviz', 'nodes', 'ros'}),

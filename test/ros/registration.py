@@ -200,6 +200,26 @@ class Registration(unittest.TestCase):
         self.assertEqual(server.getParam('/cmd_vel_arbiter'), {'limits': {'max_linear': 0.17}})
         self.assertTrue(wait_for(lambda: server.hasParam('/use_sim_time') and server.getParam('/use_sim_time')))
 
+    # [FLT-1] [FLT-2]
+    def test_a_new_master_gets_what_was_changed_while_the_node_ran_and_the_service_that_changes_it(self):
+        server = rosgraph.Master('/test', master_uri=self.uri)
+        server.setParam('/cmd_vel_arbiter', {'limits': {'max_linear': 0.17, 'max_angular': 2.0}})
+        self.node('cmd_vel_arbiter')
+        service = '/cmd_vel_arbiter/set_parameters'
+        self.assertTrue(wait_for(lambda: service in self.services(), 20.0))
+        change = ['rosservice', 'call', service, 'config: {doubles: [{name: limits/max_angular, value: %s}]}']
+        subprocess.run(change[:3] + [change[3] % 1.5], env=self.environment, stdout=subprocess.DEVNULL, check=True, timeout=20.0)
+        self.assertTrue(wait_for(lambda: server.getParam('/cmd_vel_arbiter/limits/max_angular') == 1.5, 5.0))
+        self.master.kill()
+        self.master.wait()
+        self.new_master()
+        self.assertTrue(wait_for(lambda: service in self.services(), 10.0), '[FLT-1]')
+        expected = {'limits': {'max_linear': 0.17, 'max_angular': 1.5}}
+        self.assertTrue(wait_for(lambda: server.hasParam('/cmd_vel_arbiter/limits/max_linear')
+                                 and server.getParam('/cmd_vel_arbiter') == expected, 10.0), '[FLT-2]')
+        subprocess.run(change[:3] + [change[3] % 1.0], env=self.environment, stdout=subprocess.DEVNULL, check=True, timeout=20.0)
+        self.assertTrue(wait_for(lambda: server.getParam('/cmd_vel_arbiter/limits/max_angular') == 1.0, 5.0))
+
     # [ARB-12] [FLT-1]
     def test_a_service_whose_calls_the_master_sends_elsewhere_is_taken_back(self):
         self.node('cmd_vel_arbiter')

@@ -55,6 +55,10 @@ class Arbiter {
   /// dropped. [ARB-12]
   std::optional<Twist2> contest(const std::string& rival, const Instant& now);
 
+  /// Other limits of the speed, from now on. Commands that are in force are reduced to them, never increased; a stop
+  /// stays latched. [ARB-5] [ARB-7]
+  std::optional<Twist2> setLimits(const RobotLimits& limits, const Instant& now);
+
   bool stopped() const { return latched_; }
   const std::string& stopCause() const { return stop_cause_; }
   const ArbiterParameters& parameters() const { return parameters_; }

@@ -66,6 +66,7 @@ struct ArbiterParameters {
         "fleet_stop_status", fleet_stop_status, "",
         "topic on which fleet_stop says which robots it reaches; the diagnostics report an error while it is silent "
         "or does not reach this robot; empty: the robot belongs to no fleet");
+    v.tunable({"limits/max_linear", "limits/max_angular"});
   }
   /// Names, topics and priorities must be unique, and no source may read `cmd_vel` itself.
   void check(Problems& problems) const;

@@ -88,6 +88,10 @@ class Avoider {
   /// Switching off returns one zero, and nothing from then on; switching on waits for a new scan. [AVO-6]
   std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
 
+  /// Other parameters, which take effect at the next update. Throws std::invalid_argument when they do not pass their
+  /// own check; the old ones then stay in force.
+  void setParameters(const AvoiderParameters& parameters);
+
   bool enabled() const;
   AvoiderState state() const;
   AvoiderSnapshot status(Time now) const;

@@ -67,6 +67,7 @@ struct AvoiderParameters {
     v.field("max_scan_age", max_scan_age, "s", "an older scan is a fault", Bounds{0.0, 60.0, true});
     v.field("max_invalid_share", max_invalid_share, "", "greatest share of invalid beams; a scan with more is a fault",
             between(0.0, 1.0));
+    v.tunable({"stop_distance", "clear_distance", "rear_stop_distance", "reverse_speed", "turn_speed"});
   }
   /// Sectors must be narrower than half a turn, `stop_distance` beyond the robot's front and `clear_distance` beyond
   /// that.

@@ -66,6 +66,8 @@ struct BehaviorParameters {
     v.fixed({"settle_timeout", "jump_distance", "jump_angle"});
     v.moved("rotational_acc_lim", "robot/limits/max_angular_acc");
     v.moved("max_linear_vel", "robot/limits/max_linear");
+    v.tunable({"max_rotational_vel", "default_linear_vel", "linear_acc_lim", "limits/max_linear",
+               "limits/max_linear_acc", "limits/max_angular", "limits/max_angular_acc"});
   }
   void check(Problems& problems) const;
 };

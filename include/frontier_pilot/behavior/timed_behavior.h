@@ -99,6 +99,9 @@ class TimedBehavior {
   /// Ends it because the clock has jumped, so that the time that has passed is not known.
   BehaviorOutput abortByClockJump();
 
+  /// Other speeds, accelerations and limits, also for a running behaviour, from its next cycle on.
+  void setParameters(const BehaviorParameters& parameters);
+
   bool active() const;
   const BehaviorGoal& goal() const;
 

@@ -82,6 +82,8 @@ class Loader {
   void moved(const char* name, const char* now);
   /// Names of parameters of an earlier version that are constants now. Setting one of them is a problem.
   void fixed(std::initializer_list<const char*> names);
+  /// Names of parameters that may change while the node runs: fields that `describe` names, also in its groups ("a/b").
+  void tunable(std::initializer_list<const char*>) {}
 
   template <class P>
   void load(P& parameters);
@@ -102,6 +104,7 @@ class Describer {
  public:
   struct Row {
     std::string name, type, unit, value, bounds, doc;
+    bool tunable = false;  ///< may change while the node runs
   };
   explicit Describer(std::string prefix = {}) : prefix_(std::move(prefix)) {}
 
@@ -121,6 +124,8 @@ class Describer {
   void alias(const char*, P&) {}
   void moved(const char*, const char*) {}
   void fixed(std::initializer_list<const char*>) {}
+  /// Marks the rows of fields that were described before; those of an alias have no row.
+  void tunable(std::initializer_list<const char*> names);
 
   std::vector<Row> rows;
 
@@ -153,7 +158,7 @@ std::vector<detail::Describer::Row> describeParameters(P parameters) {
 /// `name: value unit` lines, for logging the effective configuration.
 std::string printRows(const std::vector<detail::Describer::Row>& rows);
 
-/// A Markdown table, for the documentation.
+/// A Markdown table, for the documentation; the sign ↻ marks what may change while the node runs.
 std::string tabulateRows(const std::vector<detail::Describer::Row>& rows);
 
 /// Reads a YAML text into a map. Throws std::invalid_argument with the parser's message and position.

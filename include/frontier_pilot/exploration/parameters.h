@@ -246,6 +246,8 @@ struct ExplorerParameters {
     v.group("bounds", bounds, "where to explore");
     v.group("until", until, "when to end");
     v.group("inspect", inspect, "poses to take on the way");
+    v.tunable({"goal_timeout", "frontier/min_frontier_cells", "frontier/max_obstacle_density", "frontier/min_info_area",
+               "frontier/score/w_info", "frontier/score/w_dist", "frontier/score/w_obs", "frontier/score/w_visit"});
   }
   void check(Problems& problems) const {
     if (strategy == "tour" || strategy == "greedy" || strategy == "nearest") return;

@@ -32,6 +32,10 @@ class Navigator {
   void setMap(const OccupancyGrid& map, const CellRect& changed);
   NavigatorOutput update(const NavigatorInputs& inputs, Time now);
 
+  /// Other limits, clearance and tolerances, from the next update on. With another clearance the path is planned anew.
+  /// A recovery that has begun ends as it began; `ladder` gives the next ones.
+  void setParameters(const NavigatorParams& params, std::vector<RecoveryRung> ladder);
+
   /// Plans a path on the current map and live obstacles, for example for make_plan; pursuit of the goal is not
   /// affected.
   planning::PlanResult makePlan(const planning::PlanRequest& request);

@@ -116,6 +116,8 @@ struct NavigatorParams {
             timeSpanOrNone());
     v.field("replan_period", replan_period, "s", "time between two searches for a better path", timeSpan());
     v.fixed({"map_period"});
+    v.tunable({"limits/max_linear", "limits/max_linear_acc", "limits/max_angular", "limits/max_angular_acc",
+               "clearance/preferred_clearance", "clearance/unknown_is_traversable", "goal_tolerance", "yaw_tolerance"});
   }
 };
 

@@ -49,6 +49,8 @@ struct PatrolParameters {
             "how far ahead, in time at full speed, the way must be free of obstacles", timeSpan());
     v.field("obstacle_timeout", obstacle_timeout, "s",
             "how long the robot stands before an obstacle until the patrol is given up", timeSpanOrNone());
+    v.tunable({"linear_speed", "linear_acc", "turn_speed", "turn_acc", "limits/max_linear", "limits/max_linear_acc",
+               "limits/max_angular", "limits/max_angular_acc"});
   }
   void check(Problems& problems) const {
     if (min_linear_speed > linear_speed)

@@ -83,6 +83,8 @@ class Patrol {
   PatrolOutput cancel();
   /// Ends the patrol because the clock has jumped.
   PatrolOutput abortByClockJump();
+  /// Other speeds, accelerations and limits, also for a patrol that is being driven, from its next cycle on.
+  void setParameters(const PatrolParameters& parameters);
   bool active() const;
 
  private:

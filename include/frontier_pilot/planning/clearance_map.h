@@ -49,6 +49,9 @@ class ClearanceMap {
   /// Takes over the differences inside `changed`, or the whole map if its geometry is new, which also removes the live
   /// obstacles. Returns whether the geometry was new.
   bool setMap(const OccupancyGrid& map, const CellRect& changed);
+  /// Another preferred clearance, and other rules for unknown cells; the radius of the lane stays. The whole map is
+  /// rated anew at once. Returns whether anything differs.
+  bool setParams(const ClearanceParams& params);
   /// Adds or removes an obstacle that is missing from the map. `cell` must be in the map.
   void setLive(Cell cell, bool obstacle);
   /// Brings field and costs up to date. Returns the block of cells whose clearance may have changed.
@@ -97,6 +100,7 @@ class ClearanceMap {
   enum : std::uint8_t { kTileClean = 0, kTileCost = 1, kTileField = 2 };
 
   void reset(const OccupancyGrid& map);
+  void measure();
   void takeRow(const std::int8_t* map, Cell from, int count);
   void setCell(Cell cell, std::uint8_t state);
   void refreshTiles(Cell first_tile, int count, std::uint8_t level, CellRect& touched);

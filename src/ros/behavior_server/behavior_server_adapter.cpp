@@ -24,6 +24,8 @@ BehaviorServerAdapter::BehaviorServerAdapter(ros::NodeHandle& node, ros::NodeHan
       diagnostics_(node, private_node),
       connections_(node) {
   around_.subscribe(connections_);
+  tuning_.emplace(parameters_, connections_,
+                  [this](const auto& changed) { behavior_.setParameters(changed.behavior); });
   connections_.subscribe(names::kEmergencyStopState, 1, &BehaviorServerAdapter::handleStop, this,
                          ros::TransportHints().tcpNoDelay());
   diagnostics_.add("behaviours", [this](auto& status) { fillDiagnostics(status); });

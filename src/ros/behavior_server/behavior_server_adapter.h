@@ -13,6 +13,7 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/common/tuning/reconfigure_server.h"
 
 namespace frontier_pilot {
 
@@ -63,6 +64,7 @@ class BehaviorServerAdapter {
   BehaviorPort* port_ = nullptr;  ///< the port of the latest goal
   std::vector<std::unique_ptr<BehaviorPort>> ports_;
   NodeDiagnostics diagnostics_;
+  std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;
 };
 

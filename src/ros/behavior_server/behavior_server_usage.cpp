@@ -27,6 +27,7 @@ NodeUsage behaviorServerUsage() {
                      port<geometry_msgs::PolygonStamped>(names::kFootprint)};
   usage.actions = {port<SpinAction>(names::kSpin), port<BackUpAction>(names::kBackUp),
                    port<DriveOnHeadingAction>(names::kDriveOnHeading), port<WaitAction>(names::kWait)};
+  addTuningPorts(usage);
   usage.main_parameters = {"max_rotational_vel", "default_linear_vel", "simulate_ahead_time", "footprint/padding"};
   usage.parameters = describeParameters(BehaviorServerParameters());
   usage.example = "rosrun frontier_pilot behavior_server _max_rotational_vel:=0.8";

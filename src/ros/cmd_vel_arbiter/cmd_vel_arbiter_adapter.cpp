@@ -38,7 +38,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
   around_.emergency_stop_state = stop_state_.getTopic();
   restoreStop();
   for (std::size_t i = 0; i < arbiter_.parameters().sources.size(); ++i) addSource(i);
-  addStopServices();
+  addServices();
   connections_.subscribeToEvents<std_msgs::Bool>(
       names::kEmergencyStopState, 10, [this](const auto& event) { handleStopState(event); },
       ros::TransportHints().tcpNoDelay());

@@ -21,6 +21,7 @@
 #include "ros/common/publish_flush.h"
 #include "ros/common/safe_switch.h"
 #include "ros/common/session_memory.h"
+#include "ros/common/tuning/reconfigure_server.h"
 
 namespace frontier_pilot {
 
@@ -55,6 +56,7 @@ class CmdVelArbiterAdapter {
   void takeOverStop();
   void addSource(std::size_t source);
   void restoreSwitch(std::size_t source);
+  void addServices();
   void addStopServices();
   /// Ends the listening phase of an arbiter that started stopped, and serves the calls that have waited for it.
   void endListening();
@@ -89,6 +91,7 @@ class CmdVelArbiterAdapter {
   SteadyTime last_seen_ = steadyNow(), woken_until_{};
   std::deque<SafeSwitch> switches_;            ///< of the sources; the safe side is disabled
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
+  std::optional<ReconfigureServer> tuning_;
   std::optional<SteadyTime> listening_until_;  ///< until then calls of `set_emergency_stop` wait
   NodeConnections connections_;
 };

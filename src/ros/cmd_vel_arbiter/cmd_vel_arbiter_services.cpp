@@ -43,6 +43,13 @@ void CmdVelArbiterAdapter::addStopServices() {
   listening_until_ = steadyNow() + fromSeconds(arbiter_.parameters().clear_quiet_time) + kConnectTime;
 }
 
+void CmdVelArbiterAdapter::addServices() {
+  addStopServices();
+  tuning_.emplace(arbiter_.parameters(), connections_, [this](const arbiter::ArbiterParameters& parameters) {
+    publish(arbiter_.setLimits(parameters.robot.limits, instantNow()));
+  });
+}
+
 void CmdVelArbiterAdapter::endListening() {
   if (!listening_until_ || steadyNow() < *listening_until_) return;
   listening_until_.reset();

@@ -26,6 +26,7 @@ NodeUsage cmdVelArbiterUsage() {
                     servicePort<std_srvs::SetBool>(names::kSetEmergencyStop)};
   for (const arbiter::SourceParameters& source : arbiter::ArbiterParameters().sources)
     usage.services.push_back(servicePort<std_srvs::SetBool>(names::setEnabled(source.name)));
+  addTuningPorts(usage);
   usage.main_parameters = {"sources[i]/name", "sources[i]/topic", "sources[i]/priority", "sources[i]/timeout"};
   usage.parameters = describeParameters(arbiter::ArbiterParameters());
   usage.example = "rosrun frontier_pilot cmd_vel_arbiter cmd_vel:=/base/cmd_vel";

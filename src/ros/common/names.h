@@ -116,6 +116,11 @@ constexpr const char* kDriveOnHeading = "drive_on_heading";
 constexpr const char* kWait = "wait";
 constexpr const char* kFootprint = "footprint";  // topic: the robot's outline in its base frame
 
+// dynamic_reconfigure's own, in the private namespace of a node
+constexpr const char* kParameterDescriptions = "parameter_descriptions";
+constexpr const char* kParameterUpdates = "parameter_updates";
+constexpr const char* kSetParameters = "set_parameters";
+
 // Frames (REP 103, REP 105); `world` is the simulator's
 constexpr const char* kWorldFrame = "world";
 constexpr const char* kMapFrame = "map";

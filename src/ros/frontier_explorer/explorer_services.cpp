@@ -1,7 +1,16 @@
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
-/// The switches of the explorer. Those of its bounds are in explorer_bounds.cpp.
+/// The switches and the tunable parameters of the explorer. Those of its bounds are in explorer_bounds.cpp.
 namespace frontier_pilot {
+
+void FrontierExplorerAdapter::addServices() {
+  connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
+  connections_.serve(names::kSetReturnToStart, &FrontierExplorerAdapter::handleReturnToStart, this);
+  connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
+  connections_.serve(names::kExplainExplorer, &FrontierExplorerAdapter::handleExplain, this);
+  tuning_.emplace(parameters_, connections_,
+                  [this](const ExplorerNodeParameters& changed) { explorer_.setParameters(changed.explorer); });
+}
 
 bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   const bool before = enabled_;

@@ -40,13 +40,10 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   status_publisher_ = node.advertise<ExplorerStatus>(names::kExplorerStatus, 20, true);
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
-  connections_.serve(names::kSetExplorationEnabled, &FrontierExplorerAdapter::handleEnable, this);
+  addServices();
   connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
   connections_.serve(names::kClearExplorationBounds, &FrontierExplorerAdapter::handleClearBounds, this);
   connections_.serve(names::kClearInspections, &FrontierExplorerAdapter::handleClearInspections, this);
-  connections_.serve(names::kSetReturnToStart, &FrontierExplorerAdapter::handleReturnToStart, this);
-  connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
-  connections_.serve(names::kExplainExplorer, &FrontierExplorerAdapter::handleExplain, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
   connections_.clock().onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });

@@ -21,6 +21,7 @@
 #include "ros/common/node_connections.h"
 #include "ros/common/safe_switch.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/common/tuning/reconfigure_server.h"
 #include "ros/frontier_explorer/clicked_polygon.h"
 #include "ros/frontier_explorer/move_base_client.h"
 #include "ros/frontier_explorer/save_map_caller.h"
@@ -77,6 +78,7 @@ class FrontierExplorerAdapter {
   bool handleSetBounds(SetBounds::Request& request, SetBounds::Response& response);
   bool handleClearBounds(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleReturnToStart(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  void addServices();
   BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
   void closePolygon();
   void expireClicks();
@@ -129,6 +131,7 @@ class FrontierExplorerAdapter {
   ros::Publisher markers_publisher_;
   ros::Publisher goal_publisher_;
   std::optional<SafeSwitch> paused_;
+  std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;
 };
 

@@ -47,6 +47,7 @@ NodeUsage frontierExplorerUsage() {
                     servicePort<std_srvs::Trigger>(names::kResetExplorer),
                     servicePort<std_srvs::Trigger>(names::kExplainExplorer)};
   usage.calls = {port<move_base_msgs::MoveBaseAction>(names::kMoveBase), servicePort<SaveMap>(names::kSaveMap)};
+  addTuningPorts(usage);
   usage.main_parameters = {"autostart",
                            "strategy",
                            "goal_timeout",

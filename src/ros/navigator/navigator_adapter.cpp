@@ -29,6 +29,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.subscribeToScanner(tf_, base_frame_, 1, &NavigatorAdapter::handleScan, this);
   connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
   followOdometry(connections_, tf_, parameters_.robot, base_frame_, 20, &NavigatorAdapter::handleOdometry, this);
+  tuning_.emplace(parameters_, connections_, [this](const auto& changed) { take(changed); });
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {

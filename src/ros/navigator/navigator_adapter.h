@@ -17,6 +17,7 @@
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/common/tuning/reconfigure_server.h"
 #include "ros/navigator/fleet_motions.h"
 #include "ros/navigator/navigator_action.h"
 #include "ros/navigator/navigator_publisher.h"
@@ -60,6 +61,7 @@ class NavigatorAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   bool handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
   bool handleClear(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
+  void take(const NavigatorNodeParameters& changed);
   std::optional<StampedPose2> pose() const;
   std::optional<Vec2> positionNow() const;
   void takeMap();
@@ -83,6 +85,7 @@ class NavigatorAdapter {
   navigation::NavState state_ = navigation::NavState::kIdle;
   std::string failure_;  ///< why the last goal that ended was aborted; empty if it was not
   ros::Publisher command_;
+  std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;
 };
 

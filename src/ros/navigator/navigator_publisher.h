@@ -21,6 +21,7 @@ class NavigatorPublisher {
   /// `max_linear` [m/s] of the robot, for the time that is left.
   NavigatorPublisher(ros::NodeHandle& node, std::string map_frame, double max_linear);
 
+  void setMaxLinear(double max_linear) { max_linear_ = max_linear; }
   /// `goal`: the one that is being pursued, in the map's frame.
   void publish(const navigation::Navigator& navigator, const navigation::NavigatorOutput& output,
                const std::optional<Pose2>& goal, const std::optional<Pose2>& T_map_base, Time now);

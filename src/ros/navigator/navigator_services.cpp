@@ -1,3 +1,4 @@
+#include "frontier_pilot/system/behavior_ladder.h"
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/throttled_log.h"
@@ -26,6 +27,11 @@ bool NavigatorAdapter::handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs:
   if (!result.found()) THROTTLED_WARN("make_plan: " << toString(result.status));
   response.plan = toPathMsg(withYaw(result.path.sampled(0.1)), parameters_.map_frame, rosNow());
   return true;
+}
+
+void NavigatorAdapter::take(const NavigatorNodeParameters& changed) {
+  navigator_.setParameters(changed, system::behaviorLadder(changed.recovery, changed.robot, changed.rate));
+  publisher_.setMaxLinear(changed.robot.limits.max_linear);
 }
 
 bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {

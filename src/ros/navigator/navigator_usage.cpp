@@ -43,6 +43,7 @@ NodeUsage navigatorUsage() {
   usage.services = {servicePort<nav_msgs::GetPlan>(names::kMakePlan),
                     servicePort<std_srvs::Empty>(names::kClearCostmaps)};
   usage.actions = {port<move_base_msgs::MoveBaseAction>(names::kMoveBase)};
+  addTuningPorts(usage);
   usage.main_parameters = {"clearance/preferred_clearance", "clearance/unknown_is_traversable", "goal_tolerance",
                            "yaw_tolerance", "use_goal_yaw"};
   usage.parameters = describeParameters(NavigatorNodeParameters());

@@ -36,6 +36,7 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
       connections_(node) {
   switched_on_.emplace(kSafeState, names::kSetObstacleAvoidEnabled, connections_);
   if (!switched_on_->wasLeftSafe().value_or(parameters_.enabled)) avoider_.setEnabled(false, rosNow());
+  tuning_.emplace(parameters_, connections_, [this](const auto& changed) { avoider_.setParameters(changed.avoider); });
   connections_.serve(names::kSetObstacleAvoidEnabled, &ObstacleAvoiderAdapter::handleEnable, this);
   connections_.subscribeToScanner(tf_, base_frame_, 1, &ObstacleAvoiderAdapter::handleScan, this,
                                   ros::TransportHints().tcpNoDelay());

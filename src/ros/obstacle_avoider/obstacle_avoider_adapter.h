@@ -15,6 +15,7 @@
 #include "ros/common/node_connections.h"
 #include "ros/common/safe_switch.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/common/tuning/reconfigure_server.h"
 
 namespace frontier_pilot {
 
@@ -64,6 +65,7 @@ class ObstacleAvoiderAdapter {
   NodeDiagnostics diagnostics_;
   std::string last_summary_;
   std::optional<SafeSwitch> switched_on_;
+  std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;
 };
 

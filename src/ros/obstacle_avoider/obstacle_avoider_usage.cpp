@@ -22,6 +22,7 @@ NodeUsage obstacleAvoiderUsage() {
                  port<tf2_msgs::TFMessage>(names::kTf), port<tf2_msgs::TFMessage>(names::kTfStatic)};
   usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelAvoid), port<AvoiderStatus>(names::kAvoiderStatus)};
   usage.services = {servicePort<std_srvs::SetBool>(names::kSetObstacleAvoidEnabled)};
+  addTuningPorts(usage);
   usage.main_parameters = {"stop_distance", "clear_distance", "reverse_speed", "enabled"};
   usage.parameters = describeParameters(ObstacleAvoiderNodeParameters());
   usage.example = "rosrun frontier_pilot obstacle_avoider _stop_distance:=0.3";

@@ -13,6 +13,7 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "ros/common/tuning/reconfigure_server.h"
 #include "ros/patrol_server/patrol_surroundings.h"
 
 namespace frontier_pilot {
@@ -64,6 +65,7 @@ class PatrolServerAdapter {
   NodeDiagnostics diagnostics_;
   TfBridge tf_;
   PatrolSurroundings surroundings_;
+  std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;
 };
 

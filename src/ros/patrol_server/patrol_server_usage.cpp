@@ -28,6 +28,7 @@ NodeUsage patrolServerUsage() {
                  port<tf2_msgs::TFMessage>(names::kTfStatic)};
   usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelPatrol)};
   usage.actions = {port<PatrolAction>(names::kPatrol)};
+  addTuningPorts(usage);
   usage.main_parameters = {"linear_speed", "turn_speed", "max_side", "max_laps", "check_collisions"};
   usage.parameters = describeParameters(PatrolServerParameters());
   usage.example = "rosrun frontier_pilot patrol_server _linear_speed:=0.1";

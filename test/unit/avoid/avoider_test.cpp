@@ -1,6 +1,8 @@
 // The recovery, the faults and the switch of the avoider, tick by tick.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "frontier_pilot/avoid/avoider.h"
 #include "scan_maker.h"
 
@@ -264,6 +266,27 @@ TEST(AvoiderParameters, ImpossibleOnesAreRefusedByName) {
       parseYaml("{clear_distance: 0.5, rear: {from: -2.0, to: 2.0}, reverse_speed: -0.1, turn_sped: 1.0}"), parameters);
   ASSERT_EQ(problems.size(), 4U);
   EXPECT_THROW(avoid::Avoider{parameters}, std::invalid_argument);
+}
+
+// [AVO-3]
+TEST_F(AvoiderTest, OtherDistancesAndSpeedsHoldFromTheNextUpdateOn_AVO_3) {
+  left = 0.7;
+  EXPECT_EQ(tick(), kHeartbeat);
+  avoid::AvoiderParameters changed;
+  changed.stop_distance = 0.8, changed.clear_distance = 0.9, changed.reverse_speed = 0.05;
+  avoider.setParameters(changed);
+  EXPECT_EQ(tick(), (avoid::AvoiderCommand{{-0.05, 0.0}, false}));
+  changed.stop_distance = 0.3, changed.clear_distance = 0.4;
+  avoider.setParameters(changed);
+  EXPECT_EQ(tick(), kHeartbeat) << "what was near is not near any more";
+}
+
+TEST_F(AvoiderTest, KeepsItsParametersWhenOthersDoNotPassTheCheck) {
+  left = 0.4;
+  avoid::AvoiderParameters bad;
+  bad.stop_distance = 0.2, bad.clear_distance = 0.1;
+  EXPECT_THROW(avoider.setParameters(bad), std::invalid_argument);
+  EXPECT_EQ(tick(), kBack) << "by the distance it was made with";
 }
 
 }  // namespace

@@ -156,5 +156,24 @@ TEST(Parameters, TheDescriptionHasARowPerFieldWithUnitsAndDefaults) {
   EXPECT_NE(printRows(rows).find("rate: 10 Hz\n"), std::string::npos);
 }
 
+struct Tuned : Wheel {
+  Wheel spare;
+  template <class V>
+  void describe(V& v) {
+    Wheel::describe(v);
+    v.group("spare", spare, "another wheel");
+    v.tunable({"spare/radius"});
+  }
+};
+
+TEST(Parameters, WhatMayChangeWhileTheNodeRunsIsMarkedInTheDescriptionAndInTheTable) {
+  const auto rows = describeParameters(Tuned());
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_FALSE(rows[0].tunable);
+  EXPECT_TRUE(rows[1].tunable);
+  EXPECT_NE(tabulateRows(rows).find("| `spare/radius` ↻ | double"), std::string::npos);
+  EXPECT_NE(tabulateRows(rows).find("| `radius` | double"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -226,6 +227,40 @@ TEST(Navigator, EndsEveryGoalExactlyOnce_NAV_1) {
   robot.cancel();
   for (const navigation::NavFinished& finished : robot.tick().finished) ended.insert(finished.id);
   for (std::uint64_t id = 1; id <= 40; ++id) EXPECT_EQ(ended.count(id), 1U) << id;
+}
+
+TEST(Navigator, ASlowerLimitHoldsWhileItDrives) {
+  navigation::NavigatorParams params = DrivenRobot::fast();
+  DrivenRobot robot(twoRooms(14), {1.0, 1.5, 0.0}, params);
+  robot.send(kRight);
+  robot.run(3.0);
+  EXPECT_GT(robot.speed(), 0.3);
+  params.robot.limits.max_linear = 0.1;
+  robot.navigator().setParameters(params, navigation::clearingLadder());
+  EXPECT_LE(robot.tick().command->linear, 0.1);
+  expectFinished(robot.runUntilFinished(90.0), navigation::NavResult::kSucceeded, navigation::NavReason::kReached);
+  EXPECT_EQ(robot.contacts(), 0);
+}
+
+TEST(Navigator, AnotherClearanceMovesThePathAndTheRobotDoesNotStopForIt) {
+  const AsciiWorld world = twoRooms(14);
+  const Vec2 along_the_wall(2.6, 0.3);
+  navigation::NavigatorParams params;
+  params.clearance.preferred_clearance = 0.0;
+  DrivenRobot robot(world, {0.3, 0.3, 0.0}, params);
+  robot.send(along_the_wall);
+  robot.run(2.0);
+  const auto nearest = [&] {
+    double most = 0.0;
+    for (const Vec2& point : robot.navigator().path().sampled(0.1)) most = std::max(most, point.y());
+    return most;
+  };
+  EXPECT_LT(nearest(), 0.4) << "straight along the wall";
+  params.clearance.preferred_clearance = 0.6;
+  robot.navigator().setParameters(params, navigation::clearingLadder());
+  EXPECT_FALSE(robot.tick().command->isZero());
+  EXPECT_GT(nearest(), 0.45) << "farther from it";
+  expectFinished(robot.runUntilFinished(60.0), navigation::NavResult::kSucceeded, navigation::NavReason::kReached);
 }
 
 }  // namespace

@@ -127,5 +127,21 @@ TEST(PatrolParameters, AreCutToWhatTheRobotCanDo_ROB_1) {
   EXPECT_EQ(cut.turn_acc, 0.3);
 }
 
+TEST(Patrol, OtherSpeedsAndLimitsHoldFromTheNextCycleOn) {
+  PatrolLoop loop;
+  loop.start({1.0, 2.0, 1.0});
+  loop.run(3.0);
+  EXPECT_GT(loop.fastest.linear, 0.17);
+  patrol::PatrolParameters slower = PatrolLoop::parameters(20.0);
+  slower.robot.limits.max_linear = 0.1;
+  slower.turn_speed = 0.5;
+  loop.patrol.setParameters(slower);
+  loop.fastest = {};
+  expectEnd(loop.run(200.0), patrol::PatrolOutcome::kCompleted);
+  EXPECT_LE(loop.fastest.linear, 0.1);
+  EXPECT_LE(loop.fastest.angular, 0.5);
+  expectClosed(loop, {});
+}
+
 }  // namespace
 }  // namespace frontier_pilot

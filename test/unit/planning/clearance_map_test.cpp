@@ -141,5 +141,27 @@ TEST(ClearanceMap, LeadsNoPathThroughUnknownCellsUnlessTold_NAV_2) {
   EXPECT_TRUE(bold.isValid({0.5, 0.02}, {0.5, 0.13}));
 }
 
+TEST(ClearanceMap, WithOtherParametersIsTheMapThatWouldHaveBeenMadeWithThem) {
+  std::mt19937 random(5);
+  for (const double preferred : {0.0, 0.2, 0.8}) {
+    for (const bool unknown : {false, true}) {
+      const OccupancyGrid map = randomWorld(random, 60, 40);
+      planning::ClearanceMap changed;
+      changed.setMap(map, map.geometry().rect());
+      changed.setLive({30, 30}, true);
+      planning::ClearanceParams params;
+      params.preferred_clearance = preferred;
+      params.unknown_is_traversable = unknown;
+      EXPECT_TRUE(changed.setParams(params));
+      EXPECT_FALSE(changed.setParams(params)) << "nothing differs";
+      planning::ClearanceMap made(params);
+      made.setMap(map, map.geometry().rect());
+      made.setLive({30, 30}, true);
+      made.refresh();
+      EXPECT_EQ(changed.costs().cells(), made.costs().cells()) << preferred << " m, unknown " << unknown;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace frontier_pilot

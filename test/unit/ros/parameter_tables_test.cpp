@@ -88,7 +88,8 @@ std::string robotTable() {
   return "\n## The robot\n\n"
          "Every node reads these, from the file that the launch files' argument `robot` names: see "
          "[robots](robots.md).\n"
-         "`limits/...` beside `robot/...` overrides `robot/limits/...`. The defaults are a TurtleBot3 Burger's.\n\n" +
+         "`limits/...` beside `robot/...` overrides `robot/limits/...`. The defaults are a TurtleBot3 Burger's.\n"
+         "Under that name ↻ they may change while the nodes run that command the base.\n\n" +
          tabulateRows(describeParameters(RobotGroup()));
 }
 
@@ -96,6 +97,7 @@ std::string allTables() {
   return "# Parameters\n\n"
          "Each stands in its node's private namespace; `a/b` is the key `b` in the dictionary `a`. A key that is not\n"
          "here, a value of the wrong type or out of bounds stops the node at start, all of them named at once.\n"
+         "A parameter with the sign ↻ may change while its node runs: see [tuning](tuning.md#while-it-runs).\n"
          "This page is made from the parameter structs; `scripts/test` fails when it is not up to date.\n" +
          robotTable() + frameTable() + table(simulatorUsage()) + table(cmdVelArbiterUsage()) +
          table(obstacleAvoiderUsage()) + table(patrolServerUsage()) + table(behaviorServerUsage()) +

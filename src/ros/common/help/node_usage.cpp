@@ -1,8 +1,13 @@
 #include "ros/common/help/node_usage.h"
 
+#include <dynamic_reconfigure/ConfigDescription.h>
+#include <dynamic_reconfigure/Reconfigure.h>
+
 #include <algorithm>
 #include <iostream>
 #include <sstream>
+
+#include "ros/common/names.h"
 
 namespace frontier_pilot {
 namespace {
@@ -47,6 +52,13 @@ std::string withoutIndex(const std::string& name) {
 }
 
 }  // namespace
+
+void addTuningPorts(NodeUsage& usage) {
+  const std::string node = usage.name + "/";
+  usage.publishes.push_back(port<dynamic_reconfigure::ConfigDescription>(node + names::kParameterDescriptions));
+  usage.publishes.push_back(port<dynamic_reconfigure::Config>(node + names::kParameterUpdates));
+  usage.services.push_back(servicePort<dynamic_reconfigure::Reconfigure>(node + names::kSetParameters));
+}
 
 std::vector<Row> withOneItem(const std::vector<Row>& rows) {
   std::vector<Row> merged;

@@ -45,6 +45,9 @@ struct NodeUsage {
   std::vector<std::string> library_options;  ///< options with a value that a library of the node reads
 };
 
+/// Adds the topics and the service of a node whose parameters may change while it runs (ReconfigureServer).
+void addTuningPorts(NodeUsage& usage);
+
 /// The rows of `rows` that `names` lists, in the order of `rows`. Items of a list match the name `list[i]/...`: the
 /// first one stands for all, with their values side by side where they differ.
 std::vector<detail::Describer::Row> rowsNamed(const std::vector<detail::Describer::Row>& rows,

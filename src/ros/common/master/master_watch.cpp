@@ -84,14 +84,35 @@ void MasterWatch::onRenewal(std::function<void()> f) {
   renewals_.push_back(std::move(f));
 }
 
+void MasterWatch::setParameter(const std::string& name, const XmlRpc::XmlRpcValue& value) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    new_parameters_[name] = value;
+  }
+  wake_.notify_all();
+}
+
+void MasterWatch::sendParameters() {
+  std::map<std::string, XmlRpc::XmlRpcValue> changed;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    changed.swap(new_parameters_);
+  }
+  for (const auto& [name, value] : changed) parameters_.change(name, value);
+  parameters_.sendChanges();
+}
+
 void MasterWatch::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
     lock.unlock();
-    guard_.run("the watch on the master", [this] { look(); });
+    guard_.run("the watch on the master", [this] {
+      sendParameters();
+      look();
+    });
     lock.lock();
     const Duration pause = missing_.empty() ? period_ : std::min(period_, kSecondLook);
-    wake_.wait_for(lock, pause, [this] { return ending_; });
+    wake_.wait_for(lock, pause, [this] { return ending_ || !new_parameters_.empty(); });
   }
 }
 

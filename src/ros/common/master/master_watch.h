@@ -50,6 +50,9 @@ class MasterWatch {
   /// `f` is called, on the watch's thread, after something was registered again: the master may have been restarted.
   /// Functions that were given earlier are still called.
   void onRenewal(std::function<void()> f);
+  /// Sets a parameter of this node's private namespace at the master, on the watch's thread: a caller never waits for a
+  /// master that is gone. A restarted master is given it as well.
+  void setParameter(const std::string& name, const XmlRpc::XmlRpcValue& value);
   /// When the master answered last; the start of the watch if it never did.
   SteadyTime lastAnswer() const { return last_answer_; }
   /// The latest report, once; nothing if there was no new one since the last call.
@@ -67,6 +70,7 @@ class MasterWatch {
  private:
   void run();
   void look();
+  void sendParameters();
   struct Claims {
     std::vector<std::string> services;
     std::vector<std::vector<std::string>> topics;
@@ -92,13 +96,14 @@ class MasterWatch {
   CallbackGuard guard_;
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
-  mutable std::mutex mutex_;  ///< guards the six that follow
+  mutable std::mutex mutex_;  ///< guards the seven that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
   std::vector<std::string> problems_;
   std::vector<robot_check::Topic> topics_;
   std::vector<std::function<void()>> renewals_;
+  std::map<std::string, XmlRpc::XmlRpcValue> new_parameters_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow
   std::map<std::string, std::string> rivals_;
   std::vector<std::string> renewed_;                      ///< registered again in this look
