@@ -39,7 +39,7 @@ def is_simulated(run):
 
 def subject(run):
     """The robot and where it was."""
-    robot = os.path.basename((run.start_info or {}).get('robot', '')).replace('.yaml', '')
+    robot = os.path.basename(str((run.start_info or {}).get('robot') or '')).replace('.yaml', '')
     words = 'The robot' + (' (%s)' % robot if robot else '')
     if is_simulated(run):
         return words + ', simulated in the world “%s”,' % os.path.splitext(os.path.basename(

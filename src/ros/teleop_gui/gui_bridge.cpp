@@ -124,8 +124,9 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
   using Kind = teleop::OperatorRequest::Kind;
   switch (request.kind) {
     case Kind::kEmergencyStop:
-      return stop_caller_.trigger(names::kEmergencyStop);
+      return stop_caller_.insist(names::kEmergencyStop);
     case Kind::kClearEmergencyStop:
+      stop_caller_.withdraw();
       return caller_.set(names::kSetEmergencyStop, false);
     case Kind::kEnableSource:
       return caller_.set(names::setEnabled(request.name), request.on);

@@ -17,6 +17,8 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kSlow = std::chrono::seconds(2);
+constexpr Duration kInsists = std::chrono::seconds(10);
+constexpr auto kBetweenCalls = std::chrono::milliseconds(200);
 constexpr auto kWatchPeriod = std::chrono::seconds(1);
 
 }  // namespace
@@ -40,13 +42,25 @@ ServiceCaller::~ServiceCaller() {
   thread_.join();
 }
 
-void ServiceCaller::set(const std::string& service, bool value) { post({service, Call::Type::kSetBool, value, {}}); }
-void ServiceCaller::trigger(const std::string& service) { post({service, Call::Type::kTrigger, false, {}}); }
+void ServiceCaller::set(const std::string& service, bool value) {
+  post({service, Call::Type::kSetBool, value, {}, false});
+}
+void ServiceCaller::trigger(const std::string& service) { post({service, Call::Type::kTrigger, false, {}, false}); }
+void ServiceCaller::insist(const std::string& service) { post({service, Call::Type::kTrigger, false, {}, true}); }
+void ServiceCaller::withdraw() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    withdrawn_ = true;
+    calls_.erase(std::remove_if(calls_.begin(), calls_.end(), [](const Call& call) { return call.insists; }),
+                 calls_.end());
+  }
+  wake_.notify_all();
+}
 void ServiceCaller::saveMap(const std::string& service, const std::string& path) {
-  post({service, Call::Type::kSaveMap, false, path});
+  post({service, Call::Type::kSaveMap, false, path, false});
 }
 void ServiceCaller::loadMap(const std::string& service, const std::string& path) {
-  post({service, Call::Type::kLoadMap, false, path});
+  post({service, Call::Type::kLoadMap, false, path, false});
 }
 
 bool ServiceCaller::isUnderWay(const Call& call) const {
@@ -80,6 +94,7 @@ void ServiceCaller::run() {
     calls_.pop_front();
     under_way_ = call;
     since_ = steadyNow();
+    withdrawn_ = false;
     lock.unlock();
     tryPerform(call);
     lock.lock();
@@ -135,10 +150,27 @@ std::optional<ServiceCaller::Answer> ServiceCaller::ask(const Call& call) {
   return ask(call.service, trigger);
 }
 
+std::optional<ServiceCaller::Answer> ServiceCaller::askAgain(const Call& call) {
+  const SteadyTime end = steadyNow() + kInsists;
+  std::optional<Answer> answer;
+  while (!answer && steadyNow() < end) {
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      if (wake_.wait_for(lock, kBetweenCalls, [this] { return stopping_ || withdrawn_; })) return std::nullopt;
+    }
+    answer = ask(call);
+  }
+  return answer;
+}
+
 void ServiceCaller::perform(const Call& call) {
-  const std::optional<Answer> answer = ask(call);
-  if (isEnding()) return;
   const std::string none = "no such service, or it died";
+  std::optional<Answer> answer = ask(call);
+  if (!answer && call.insists && !isEnding()) {
+    log_(teleop::Severity::kError, call.service + ": " + none + ", trying again for 10 s");
+    answer = askAgain(call);
+  }
+  if (isEnding()) return;
   if (answered_) answered_(call.service, answer && answer->success, answer ? answer->message : none);
   if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
   const std::string value = call.type != Call::Type::kSetBool ? "" : (call.value ? " on" : " off");

@@ -43,6 +43,10 @@ class ServiceCaller {
   void set(const std::string& service, bool value);
   /// Calls a std_srvs/Trigger.
   void trigger(const std::string& service);
+  /// Calls a std_srvs/Trigger again and again for ten seconds until there is an answer, or until `withdraw`: whoever
+  /// presses stop while the arbiter is being restarted has pressed it.
+  void insist(const std::string& service);
+  void withdraw();
   /// Calls the mapper's SaveMap or LoadMap with a path.
   void saveMap(const std::string& service, const std::string& path);
   void loadMap(const std::string& service, const std::string& path);
@@ -56,6 +60,7 @@ class ServiceCaller {
     Type type = Type::kTrigger;
     bool value = false;  ///< of a SetBool
     std::string path;    ///< of a map
+    bool insists = false;
   };
   struct Answer {
     bool success = false;
@@ -69,6 +74,7 @@ class ServiceCaller {
   void perform(const Call& call);
   /// The server's answer; nothing if there is none.
   std::optional<Answer> ask(const Call& call);
+  std::optional<Answer> askAgain(const Call& call);
   template <class Service>
   std::optional<Answer> ask(const std::string& name, Service& service);
   /// False if this object is being destroyed.
@@ -85,6 +91,7 @@ class ServiceCaller {
   ros::ServiceClient client_;  ///< of the call in progress
   std::optional<Call> under_way_;
   std::optional<SteadyTime> since_;  ///< when the call that is under way was begun; none once it was called slow
+  bool withdrawn_ = false;
   bool stopping_ = false;
   std::thread thread_;
 };

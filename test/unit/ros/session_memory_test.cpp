@@ -55,9 +55,11 @@ TEST_F(SessionMemoryFile, IsFoundUnderEitherNameOfTheSessionAndNotInAnother_ARB_
 TEST_F(SessionMemoryFile, IsKeptAtTheSparePlaceIfTheHomeCannotBeWritten_ARB_7) {
   std::ofstream(home / "file") << "no folder";
   const auto withSpare = [&] {
-    return SessionMemory(home / "file", {"session"}, "stopped", "/stop", SessionMemory::Owner::kService, home / "spare");
+    return SessionMemory(home / "file", {"session"}, "stopped", "/stop", SessionMemory::Owner::kService,
+                         home / "spare");
   };
-  EXPECT_NE(SessionMemory(home / "file", {"session"}, "stopped", "/stop", SessionMemory::Owner::kService).problem(), "");
+  EXPECT_NE(SessionMemory(home / "file", {"session"}, "stopped", "/stop", SessionMemory::Owner::kService).problem(),
+            "");
   EXPECT_EQ(withSpare().problem(), "");
   EXPECT_EQ(withSpare().remember("called by /me"), "");
   EXPECT_EQ(withSpare().recall(), "called by /me");
