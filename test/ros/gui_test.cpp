@@ -21,7 +21,6 @@
 #include "ros/gui_robot.h"
 #include "ros/gui_window.h"
 #include "ros/gui_window_process.h"
-#include "ros/teleop_gui/service_caller.h"
 
 namespace frontier_pilot {
 namespace {
@@ -192,32 +191,6 @@ TEST_F(GuiOnTheWire, AServiceThatNeverAnswersHoldsNeitherTheWindowNorTheEmergenc
   hang = false;
   EXPECT_TRUE(clears(window));
   EXPECT_EQ(calls, 1) << "a call that waits for its answer is not made again";
-}
-
-// [GUI-2] Pressed between the death of an arbiter and its return.
-TEST_F(GuiOnTheWire, AStopIsAskedForAgainUntilThereIsSomebodyToAnswerOrItIsWithdrawn) {
-  std::atomic<int> calls{0};
-  const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> handle =
-      [&calls](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-        ++calls;
-        return response.success = 1;
-      };
-  ros::NodeHandle node;
-  std::atomic<int> lines{0};
-  ServiceCaller caller(node, [&lines](teleop::Severity, const std::string&) { ++lines; });
-  caller.insist("late_stop");
-  EXPECT_TRUE(waitFor([&] { return lines == 1; })) << "it says that it tries again";
-  ros::ServiceServer late = node.advertiseService("late_stop", handle);
-  EXPECT_TRUE(waitFor([&] { return calls == 1 && lines == 2; }));
-  late.shutdown();
-  caller.insist("late_stop");
-  EXPECT_TRUE(waitFor([&] { return lines == 3; }));
-  caller.withdraw();
-  EXPECT_TRUE(waitFor([&] { return lines == 4; })) << "it says that there was no answer";
-  late = node.advertiseService("late_stop", handle);
-  const ros::WallTime begin = ros::WallTime::now();
-  EXPECT_TRUE(waitFor([&] { return ros::WallTime::now() - begin > ros::WallDuration(1.0); }));
-  EXPECT_EQ(calls, 1);
 }
 
 // [GUI-1] [GUI-3]
