@@ -95,7 +95,7 @@ Tunables tunablesOf(const P& parameters, std::function<void(const P&)> apply) {
   return {tunableFields(P()), [in_force] { return tunableFields(*in_force); },
           [in_force, apply = std::move(apply)](const ParameterMap& changes) {
             P changed = *in_force;
-            const Problems problems = loadParameters(changes, changed);
+            Problems problems = loadParameters(changes, changed);
             if (!problems.empty()) return problems;
             apply(changed);
             *in_force = changed;
