@@ -7,9 +7,7 @@ launch files as roslaunch does, and ends them when it is ended or when roslaunch
 Exit code: 0 when it was ended or the simulator has ended, 1 when it could not start: the reason is printed,
 2 for wrong arguments.
 """
-import ctypes
 import os
-import signal
 import sys
 import tempfile
 
@@ -94,12 +92,6 @@ def arguments_in(words):
     return {name: value for name, value in pairs if not name.startswith('__')}
 
 
-def end_with_the_parent():
-    """The kernel sends SIGTERM when roslaunch, the parent of this process, dies without a word."""
-    set_parent_death_signal = 1
-    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGTERM)
-
-
 def read_command_line():
     parser = CommandLine(__doc__, 'roslaunch frontier_pilot robots.launch robots:=3')
     parser.add_argument('arguments', nargs='*', metavar='NAME:=VALUE', help='those of robots.launch')
@@ -114,7 +106,7 @@ def read_command_line():
 
 def main():
     arguments = read_command_line()
-    end_with_the_parent()
+    leftovers.end_with_the_parent()  # which is roslaunch
     with tempfile.TemporaryDirectory() as folder:
         os.environ[MARK] = folder
         try:
