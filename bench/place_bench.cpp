@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "frontier_pilot/fleet/map_merger.h"
-#include "frontier_pilot/grids/distance_field.h"
 #include "frontier_pilot/system/closed_loop.h"
-#include "sim/reachable_floor.h"
 #include "support/cpu_time.h"
+#include "support/fleet_starts.h"
 #include "support/named_limits.h"
 #include "tools/arguments.h"
 #include "tools/program.h"
@@ -65,17 +64,10 @@ Options parse(const std::vector<std::string>& words) {
 
 /// A place with room for a robot, connected with `first`, in any direction.
 Pose2 drawStart(const OccupancyGrid& truth, const Vec2& first, std::mt19937_64& random) {
-  constexpr double kRoom = 0.4;  // [m]
-  const grids::DistanceField walls(sim::notFree(truth), kRoom + truth.resolution());
-  Grid<std::uint8_t> blocked(truth.geometry(), 1);
-  for (std::size_t i = 0; i < blocked.size(); ++i) blocked[i] = walls.grid()[i] >= kRoom ? 0 : 1;
-  blocked[truth.geometry().cellAt(first)] = 0;
-  const Grid<std::uint8_t> connected = sim::connectedCells(blocked, truth.geometry().cellAt(first));
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < connected.size(); ++i) {
-    if (connected[i] != 0) places.push_back(i);
-  }
-  const Vec2 place = truth.geometry().centre(truth.geometry().cell(places[random() % places.size()]));
+  constexpr double kRoom = 0.4;                                                   // [m]
+  const double anywhere = truth.resolution() * (truth.width() + truth.height());  // [m]
+  const std::vector<Cell> places = placesAround(truth, first, kRoom, anywhere);
+  const Vec2 place = truth.geometry().centre(places[random() % places.size()]);
   return {place, kPi * (static_cast<double>(random() % 360) / 180.0 - 1.0)};
 }
 

@@ -85,13 +85,12 @@ def read_world(path):
         raise StartsError('world:=%s cannot be read: %s' % (path, error))
 
 
-def draw_starts(path, count, seed):
-    """`count` robots (robot1, robot2, ...) with starts in the world of the map_server YAML `path`: near each other, apart from
-    walls, and with a way from one to the next. The same seed gives the same."""
+def draw_starts(world, count, seed):
+    """`count` robots (robot1, robot2, ...) with starts in a World: near each other, apart from walls, and with a way from one to
+    the next. The same seed gives the same."""
     if not 1 <= count <= MOST_ROBOTS:
         raise StartsError('robots:=%d: from 1 to %d can be drawn' % (count, MOST_ROBOTS))
     generator = random.Random(seed)
-    world = read_world(path)
     starts = []
     for cell in near_cells(world, first_cell(world, generator)):
         point = world.centre(cell)

@@ -7,9 +7,7 @@ launch files as roslaunch does, and ends them when it is ended or when roslaunch
 Exit code: 0 when it was ended or the simulator has ended, 1 when it could not start: the reason is printed,
 2 for wrong arguments.
 """
-import ctypes
 import os
-import signal
 import sys
 import tempfile
 
@@ -37,13 +35,13 @@ def absolute(path):
     return os.path.join(os.environ.get('PWD', '.'), path)
 
 
-def robots_of(arguments):
-    """The list of the robots with their starts: of the file, or that many at free places."""
+def robots_of(arguments, world):
+    """The list of the robots with their starts: of the file, or that many at free places of the World."""
     robots = arguments['robots']
     if robots.isdigit():
         if not arguments['seed'].isdigit():
             raise StartsError('seed:=%s is not a whole number' % arguments['seed'])
-        return draw_starts(absolute(arguments['world']), int(robots), int(arguments['seed']))
+        return draw_starts(world, int(robots), int(arguments['seed']))
     try:
         with open(absolute(robots)) as file:
             listed = yaml.safe_load(file)['robots']
@@ -62,7 +60,10 @@ def write_list(folder, name, robots):
 
 def launches(arguments, folder):
     """The launch files that are to run, each with its arguments; the files that they read are written into `folder`."""
-    robots = robots_of(arguments)
+    in_rviz = arguments['rviz'].lower() == 'true'
+    # Its picture is large: it is read once, and only if it is asked for.
+    world = read_world(absolute(arguments['world'])) if in_rviz or arguments['robots'].isdigit() else None
+    robots = robots_of(arguments, world)
     if not robots:
         raise StartsError('robots:=%s: the list is empty' % arguments['robots'])
     kinds = {robot.pop('robot', arguments['robot']) for robot in robots}
@@ -73,16 +74,16 @@ def launches(arguments, folder):
     in_one_frame = arguments['map_file'] not in ('', 'none')
     places = [dict(robot, x=0.0, y=0.0, yaw=0.0) for robot in robots] if in_one_frame else robots
     words = {name: '%s:=%s' % (name, arguments[name]) for name in set(OF_THE_WORLD + OF_A_ROBOT)}
-    world = [words[name] for name in OF_THE_WORLD] + ['starts:=' + write_list(folder, 'starts.yaml', robots),
-                                                      'places:=' + write_list(folder, 'places.yaml', places)]
+    of_world = [words[name] for name in OF_THE_WORLD] + ['starts:=' + write_list(folder, 'starts.yaml', robots),
+                                                         'places:=' + write_list(folder, 'places.yaml', places)]
     trust = 'trust_odometry:=%s' % ('false' if arguments['odom_noise'].lower() == 'true' else 'true')
-    files = [(ROOT + '/launch/robots_world.launch', world)]
+    files = [(ROOT + '/launch/robots_world.launch', of_world)]
     for robot in robots:
         own = ['name:=' + robot['name'], trust] + [words[name] for name in OF_A_ROBOT]
         files.append((ROOT + '/launch/robot.launch', own))
-    if arguments['rviz'].lower() == 'true':
+    if in_rviz:
         shown = os.path.join(folder, 'robots.rviz')
-        view = view_of(read_world(absolute(arguments['world'])), places[0])
+        view = view_of(world, places[0])
         write_configuration(ROOT + '/rviz/robots.rviz', shown, [robot['name'] for robot in robots], view)
         files.append((ROOT + '/launch/robots_rviz.launch', ['configuration:=' + shown]))
     return files
@@ -92,12 +93,6 @@ def arguments_in(words):
     """NAME:=VALUE as a dictionary, without those that roslaunch adds."""
     pairs = (word.split(':=', 1) for word in words if ':=' in word)
     return {name: value for name, value in pairs if not name.startswith('__')}
-
-
-def end_with_the_parent():
-    """The kernel sends SIGTERM when roslaunch, the parent of this process, dies without a word."""
-    set_parent_death_signal = 1
-    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGTERM)
 
 
 def read_command_line():
@@ -114,7 +109,7 @@ def read_command_line():
 
 def main():
     arguments = read_command_line()
-    end_with_the_parent()
+    leftovers.end_with_the_parent()  # which is roslaunch
     with tempfile.TemporaryDirectory() as folder:
         os.environ[MARK] = folder
         try:

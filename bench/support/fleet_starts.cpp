@@ -13,29 +13,6 @@ namespace {
 constexpr double kTogether = 3.0;  // [m]: the greatest distance between two starts
 constexpr double kApart = 0.3;     // [m]: between a robot and what is around it
 
-/// The cells around `first` where a robot has room, connected with it.
-std::vector<Cell> placesAround(const OccupancyGrid& truth, const Vec2& first, double radius) {
-  const GridGeometry& geometry = truth.geometry();
-  const grids::DistanceField walls(sim::notFree(truth), radius + kApart + geometry.resolution);
-  const Cell start = geometry.cellAt(first);
-  Grid<std::uint8_t> blocked(geometry, 1);
-  const CellRect box = CellRect{start.x, start.y, 1, 1}.grown(static_cast<int>(kTogether / geometry.resolution) + 1);
-  const CellRect inside = box.intersection(geometry.rect());
-  for (int y = inside.y; y < inside.y + inside.height; ++y) {
-    for (int x = inside.x; x < inside.x + inside.width; ++x) {
-      const Cell cell{x, y};
-      const bool near = (geometry.centre(cell) - first).norm() <= kTogether;
-      if (near && (cell == start || walls.grid()[cell] >= radius + kApart)) blocked[cell] = 0;
-    }
-  }
-  const Grid<std::uint8_t> connected = sim::connectedCells(blocked, start);
-  std::vector<Cell> places;
-  for (std::size_t i = 0; i < connected.size(); ++i) {
-    if (connected[i] != 0) places.push_back(geometry.cell(i));
-  }
-  return places;
-}
-
 bool hasRoomBeside(const Vec2& place, const std::vector<sim::RobotSpec>& robots, double radius) {
   for (const sim::RobotSpec& robot : robots) {
     const double distance = (place - Vec2(robot.x, robot.y)).norm();
@@ -46,10 +23,32 @@ bool hasRoomBeside(const Vec2& place, const std::vector<sim::RobotSpec>& robots,
 
 }  // namespace
 
+std::vector<Cell> placesAround(const OccupancyGrid& truth, const Vec2& first, double radius, double distance) {
+  const GridGeometry& geometry = truth.geometry();
+  const grids::DistanceField walls(sim::notFree(truth), radius + geometry.resolution);
+  const Cell start = geometry.cellAt(first);
+  Grid<std::uint8_t> blocked(geometry, 1);
+  const CellRect box = CellRect{start.x, start.y, 1, 1}.grown(static_cast<int>(distance / geometry.resolution) + 1);
+  const CellRect inside = box.intersection(geometry.rect());
+  for (int y = inside.y; y < inside.y + inside.height; ++y) {
+    for (int x = inside.x; x < inside.x + inside.width; ++x) {
+      const Cell cell{x, y};
+      const bool near = (geometry.centre(cell) - first).norm() <= distance;
+      if (near && (cell == start || walls.grid()[cell] >= radius)) blocked[cell] = 0;
+    }
+  }
+  const Grid<std::uint8_t> connected = sim::connectedCells(blocked, start);
+  std::vector<Cell> places;
+  for (std::size_t i = 0; i < connected.size(); ++i) {
+    if (connected[i] != 0) places.push_back(geometry.cell(i));
+  }
+  return places;
+}
+
 std::vector<sim::RobotSpec> fleetStarts(const OccupancyGrid& truth, const Pose2& first, std::size_t count,
                                         double radius, int seed) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-  const std::vector<Cell> places = placesAround(truth, first.position(), radius);
+  const std::vector<Cell> places = placesAround(truth, first.position(), radius + kApart, kTogether);
   std::vector<sim::RobotSpec> robots{{"robot_1", first.x, first.y, first.yaw}};
   while (robots.size() < count) {
     std::vector<Vec2> left;

@@ -8,6 +8,10 @@
 
 namespace frontier_pilot::bench {
 
+/// The cells within `distance` [m] of `first` around which a disc of `radius` [m] is free, and to which it can be moved
+/// from `first` over such cells alone; that of `first` in any case. `truth` and `first` are in the world's frame.
+std::vector<Cell> placesAround(const OccupancyGrid& truth, const Vec2& first, double radius, double distance);
+
 /// The starts of `count` robots, named robot_1 and so on: the first one at `first`, the others drawn at random by
 /// `seed` from the free places within 3 m of all drawn before, that the disc of `radius` [m] around a robot can be
 /// moved to from `first` without leaving that distance. They keep 0.3 m from each other and from walls. `truth` and

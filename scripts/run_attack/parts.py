@@ -22,7 +22,7 @@ def seconds_of(part, parts, minutes):
 
 def run_part(part, folder, seconds, arguments, answers):
     """In the process of the part: runs it, and sends what came of it."""
-    processes.end_with_the_parent()
+    leftovers.end_with_the_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that started this one decides
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(143))
     outcome = Outcome(part, lambda words: print(words, flush=True))

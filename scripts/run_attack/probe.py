@@ -17,7 +17,7 @@ import rosgraph
 import rosgraph.network
 from geometry_msgs.msg import Twist
 
-from run_attack.processes import end_with_the_parent
+from leftovers import end_with_the_parent
 
 ARBITER, TOPIC, CALLER = '/cmd_vel_arbiter', '/cmd_vel', '/attack_probe'
 

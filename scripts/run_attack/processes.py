@@ -1,18 +1,12 @@
 """Processes of the attack: they end with the process that has started them, and by a mark that they inherit."""
-import ctypes
 import os
 import signal
 import socket
 import subprocess
 
+import leftovers
+
 MARK = 'FRONTIER_PILOT_ATTACK'  # in the environment of everything that an attack starts
-_SET_PARENT_DEATH_SIGNAL = 1
-_prctl = ctypes.CDLL(None).prctl
-
-
-def end_with_the_parent():
-    """The kernel sends SIGTERM to this process when its parent dies without a word."""
-    _prctl(_SET_PARENT_DEATH_SIGNAL, signal.SIGTERM)
 
 
 def start(words, log=None, **environment):
@@ -20,7 +14,7 @@ def start(words, log=None, **environment):
     output = open(log, 'ab') if log else subprocess.DEVNULL
     try:
         return subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
-                                start_new_session=True, preexec_fn=end_with_the_parent,
+                                start_new_session=True, preexec_fn=leftovers.end_with_the_parent,
                                 env=dict(os.environ, **environment))
     finally:
         if log:

@@ -13,7 +13,7 @@ import time
 import rospy
 from std_srvs.srv import SetBool, Trigger
 
-from run_attack.processes import end_with_the_parent
+from leftovers import end_with_the_parent
 from run_attack.system import join
 from run_attack.timetable import Timetable
 from run_attack.velocity_sources import SOURCES

@@ -5,7 +5,7 @@ Usage: python3 -m run_attack.stranger
 import rospy
 from geometry_msgs.msg import Twist, Vector3
 
-from run_attack.processes import end_with_the_parent
+from leftovers import end_with_the_parent
 
 NAME = 'attack_stranger'
 

@@ -54,7 +54,7 @@ class System:
         os.close(reading)
         self.launch = subprocess.Popen(['roslaunch', 'frontier_pilot', 'system.launch', *self.words], stdin=subprocess.DEVNULL,
                                        stdout=writing, stderr=subprocess.STDOUT, start_new_session=True,
-                                       preexec_fn=processes.end_with_the_parent)
+                                       preexec_fn=leftovers.end_with_the_parent)
         os.close(writing)
 
     def kill_master(self):

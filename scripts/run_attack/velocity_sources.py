@@ -10,7 +10,7 @@ import time
 import rospy
 from geometry_msgs.msg import Twist
 
-from run_attack.processes import end_with_the_parent
+from leftovers import end_with_the_parent
 from run_attack.system import join
 from run_attack.timetable import Timetable
 

@@ -15,7 +15,6 @@
 namespace frontier_pilot::fleet {
 namespace {
 
-using scan_matching::SurfaceMap;
 using surfaces::SurfacePoints;
 
 constexpr double kCoarse = 0.1;             // side of the cells that are searched [m]
@@ -101,8 +100,7 @@ class Faces {
       for (const surfaces::SurfacePoint& point : surface) {
         if (point.normal.dot(kAxes[i]) > 0.5) facing.push_back(point);
       }
-      maps_[i] = SurfaceMap({kFine, kCapture});
-      maps_[i].add(facing, Pose2());
+      fields_[i] = scan_matching::likelihoodField(facing, {kFine, kCapture});
     }
   }
 
@@ -119,7 +117,7 @@ class Faces {
         const Vec2 normal = rotation.applied(point.normal, Vec2::Zero());
         for (std::size_t i = 0; i < kAxes.size(); ++i) {
           const double facing = normal.dot(kAxes[i]);
-          if (facing > 0.2) add(maps_[i].field(), there, there - T_a_b.position(), square(facing), hessian, slope);
+          if (facing > 0.2) add(fields_[i], there, there - T_a_b.position(), square(facing), hessian, slope);
         }
       }
       const Eigen::Vector3d change = hessian.ldlt().solve(slope);
@@ -143,7 +141,28 @@ class Faces {
   }
 
   static inline const std::array<Vec2, 4> kAxes = {Vec2(1.0, 0.0), Vec2(-1.0, 0.0), Vec2(0.0, 1.0), Vec2(0.0, -1.0)};
-  std::array<SurfaceMap, 4> maps_;
+  std::array<Grid<std::uint8_t>, 4> fields_;
+};
+
+scan_matching::SearchRequest anywhereOn(const GridGeometry& geometry) {
+  const Vec2 half = 0.5 * geometry.resolution * Vec2(geometry.width, geometry.height);
+  scan_matching::SearchRequest request;
+  request.expected = Pose2(geometry.origin + half, 0.0);
+  request.window = {half.x(), half.y(), kPi};
+  request.min_score = kMinScore;
+  return request;
+}
+
+/// A map on which windows are searched for: all over it, and in any direction.
+struct WholeMap {
+  explicit WholeMap(const SurfacePoints& surface)
+      : WholeMap(scan_matching::likelihoodField(surface, {kCoarse, 1.2 * kCoarse})) {}
+  explicit WholeMap(const Grid<std::uint8_t>& field)
+      : anywhere(anywhereOn(field.geometry())),
+        pyramid(field, scan_matching::pyramidTop(anywhere.window, field.geometry().resolution)) {}
+
+  scan_matching::SearchRequest anywhere;
+  scan_matching::MaxPyramid pyramid;
 };
 
 }  // namespace
@@ -155,18 +174,7 @@ struct PlaceSearch::Impl {
         surface_a(surfaces::surfaceOf(a)),
         surface(surfaces::surfaceOf(b)),
         faces(surface_a),
-        fine({kFine, 1.2 * kFine}),
-        coarse({kCoarse, 1.2 * kCoarse}) {
-    fine.add(surface_a, Pose2());
-    coarse.add(surface_a, Pose2());
-    if (coarse.empty()) return;
-    const GridGeometry& geometry = coarse.field().geometry();
-    const Vec2 half = 0.5 * geometry.resolution * Vec2(geometry.width, geometry.height);
-    whole.expected = Pose2(geometry.origin + half, 0.0);
-    whole.window = {half.x(), half.y(), kPi};
-    whole.min_score = kMinScore;
-    pyramid.emplace(coarse.field(), scan_matching::pyramidTop(whole.window, geometry.resolution));
-  }
+        walls(scan_matching::likelihoodField(surface_a, {kFine, 1.2 * kFine})) {}
 
   /// The match near `T_a_b`, if there is one.
   std::optional<PlaceMatch> matchNear(const Pose2& T_a_b) const {
@@ -174,7 +182,7 @@ struct PlaceSearch::Impl {
     std::size_t known = 0;
     for (const surfaces::SurfacePoint& point : surface) {
       const Vec2 there = match.T_a_b * point.position;
-      const bool on_wall = fine.field().get(fine.field().geometry().cellAt(there), 0) >= kOnWall;
+      const bool on_wall = walls.get(walls.geometry().cellAt(there), 0) >= kOnWall;
       if (on_wall || !isUnknown(a.get(a.geometry().cellAt(there), kUnknown))) ++known;
       if (on_wall) ++match.supported;
     }
@@ -187,13 +195,13 @@ struct PlaceSearch::Impl {
     return agrees ? std::optional<PlaceMatch>(match) : std::nullopt;
   }
 
-  /// The only place at which the window around `centre` fits.
-  std::optional<PlaceMatch> placeOf(const Vec2& centre) const {
+  /// The only place on `whole`, which is `a`, at which the window around `centre` fits.
+  std::optional<PlaceMatch> placeOf(const Vec2& centre, const WholeMap& whole) const {
     const SurfacePoints points = windowAround(centre, surface);
     if (points.size() < kFewPoints) return std::nullopt;
     const Pose2 T_centre_b(-centre, 0.0);
-    scan_matching::SearchRequest request = whole;
-    std::optional<PlaceMatch> best;
+    scan_matching::SearchRequest request = whole.anywhere;
+    std::optional<PlaceMatch> best, accepted;
     // Several poses around a peak may be asked for: one that has been refused tells of its neighbours, too.
     std::vector<Pose2> refused;
     request.accept = [&](const Pose2& pose) {
@@ -202,31 +210,30 @@ struct PlaceSearch::Impl {
                std::abs(angleDifference(other.yaw, pose.yaw)) < 0.1;
       };
       if (std::any_of(refused.begin(), refused.end(), near)) return false;
-      auto match = matchNear(pose * T_centre_b);
+      const auto match = matchNear(pose * T_centre_b);
       if (!match || (best && static_cast<double>(match->supported) < kAsGood * static_cast<double>(best->supported))) {
         refused.push_back(pose);
         return false;
       }
+      accepted = match;
       return true;
     };
-    const auto found = scan_matching::correlativeSearch(*pyramid, points, request);
+    const auto found = scan_matching::correlativeSearch(whole.pyramid, points, request);
     if (!found) return std::nullopt;
-    best = matchNear(found->pose * T_centre_b);
+    best = accepted;  // what is accepted last is what was found
     request.exclusions = {{found->pose, kPeakDistance, kPeakAngle}};
     request.min_score = kRival * found->score;
     refused.clear();
-    const bool ambiguous = scan_matching::correlativeSearch(*pyramid, points, request).has_value();
+    const bool ambiguous = scan_matching::correlativeSearch(whole.pyramid, points, request).has_value();
     return ambiguous ? std::nullopt : best;
   }
 
   const OccupancyGrid& a;
   const OccupancyGrid& b;
   SurfacePoints surface_a;
-  SurfacePoints surface;  ///< of b
-  Faces faces;            ///< of a
-  SurfaceMap fine, coarse;
-  scan_matching::SearchRequest whole;
-  std::optional<scan_matching::MaxPyramid> pyramid;
+  SurfacePoints surface;     ///< of b
+  Faces faces;               ///< of a
+  Grid<std::uint8_t> walls;  ///< of a: their likelihood
 };
 
 PlaceSearch::PlaceSearch(const OccupancyGrid& a, const OccupancyGrid& b) : impl_(std::make_unique<Impl>(a, b)) {}
@@ -234,23 +241,17 @@ PlaceSearch::~PlaceSearch() = default;
 
 std::vector<PlaceMatch> PlaceSearch::search(std::size_t first, std::size_t most) const {
   std::vector<PlaceMatch> matches;
-  if (!impl_->pyramid) return matches;
+  if (impl_->surface_a.empty()) return matches;
+  const WholeMap whole(impl_->surface_a);
   const std::vector<Vec2> centres = windowCentres(impl_->surface);
   for (std::size_t i = 0; i < std::min(most, centres.size()); ++i) {
-    if (auto match = impl_->placeOf(centres[(first + i) % centres.size()])) matches.push_back(*match);
+    if (auto match = impl_->placeOf(centres[(first + i) % centres.size()], whole)) matches.push_back(*match);
   }
   return matches;
 }
 
 std::optional<PlaceMatch> PlaceSearch::refine(const Pose2& T_a_b) const {
-  return impl_->pyramid ? impl_->matchNear(T_a_b) : std::nullopt;
-}
-
-bool areAlike(const PlaceMatch& one, const PlaceMatch& other) {
-  constexpr double kDistance = 0.15;  // [m]
-  constexpr double kAngle = 0.03;     // [rad]
-  return (one.T_a_b.position() - other.T_a_b.position()).norm() < kDistance &&
-         std::abs(angleDifference(one.T_a_b.yaw, other.T_a_b.yaw)) < kAngle;
+  return impl_->surface_a.empty() ? std::nullopt : impl_->matchNear(T_a_b);
 }
 
 }  // namespace frontier_pilot::fleet

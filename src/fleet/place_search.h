@@ -36,7 +36,4 @@ class PlaceSearch {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether two transforms are the same but for the errors of a match.
-bool areAlike(const PlaceMatch& one, const PlaceMatch& other);
-
 }  // namespace frontier_pilot::fleet

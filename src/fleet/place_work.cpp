@@ -28,6 +28,14 @@ PlaceFinding find(PlaceFinding finding, const OccupancyGrid& a, const OccupancyG
   return finding;
 }
 
+/// Whether two transforms are the same but for the errors of a match.
+bool areAlike(const PlaceMatch& one, const PlaceMatch& other) {
+  constexpr double kDistance = 0.15;  // [m]
+  constexpr double kAngle = 0.03;     // [rad]
+  return (one.T_a_b.position() - other.T_a_b.position()).norm() < kDistance &&
+         std::abs(angleDifference(one.T_a_b.yaw, other.T_a_b.yaw)) < kAngle;
+}
+
 }  // namespace
 
 std::optional<PlaceWork> MapMerger::takeWork(Time now) {

@@ -29,7 +29,9 @@ void BackOut::begin(const RecoveryInputs& in) {
   start_ = in.T_map_base.position();
   could_turn_ = in.can_turn;
   Pose2 last = in.T_map_base;
-  for (auto pose = in.track.rbegin(); pose != in.track.rend(); ++pose) {
+  const std::deque<Pose2> unknown;
+  const std::deque<Pose2>& track = in.track != nullptr ? *in.track : unknown;
+  for (auto pose = track.rbegin(); pose != track.rend(); ++pose) {
     const Vec2 before = last.inverse() * pose->position();
     if (before.x() > 0.5 * kLookahead || std::abs(angleDifference(pose->yaw, last.yaw)) > kMostTurn) break;
     way_.push_back(pose->position());

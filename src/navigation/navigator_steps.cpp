@@ -160,7 +160,7 @@ void Navigator::Impl::continueRecovery(Time now) {
   };
   const bool can_turn = outline_on_map_.canTurnRound(clearance_, pose_->pose.position());
   const auto path_exists = [this] { return planner_.plan(clearance_, requestFrom(*pose_)).found(); };
-  const RecoveryStep step = recovery_({pose_->pose, scan_distance, track_.poses(), can_turn, path_exists}, now);
+  const RecoveryStep step = recovery_({pose_->pose, scan_distance, &track_.poses(), can_turn, path_exists}, now);
   command(step.command, NavState::kRecovering, trouble_);
   output_.recovery = ladder_[rung_ - 1].name;
   if (!step.done) return;

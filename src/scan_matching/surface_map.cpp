@@ -6,6 +6,16 @@
 #include "scan_matching/surfel_map.h"
 
 namespace frontier_pilot::scan_matching {
+namespace {
+
+std::vector<Vec2> positionsOf(const surfaces::SurfacePoints& points, const Pose2& T_map_points) {
+  std::vector<Vec2> positions;
+  positions.reserve(points.size());
+  for (const surfaces::SurfacePoint& point : points) positions.push_back(T_map_points * point.position);
+  return positions;
+}
+
+}  // namespace
 
 struct SurfaceMap::Impl {
   explicit Impl(const LikelihoodParameters& parameters) : likelihood(parameters) {}
@@ -20,10 +30,7 @@ SurfaceMap::SurfaceMap(SurfaceMap&&) noexcept = default;
 SurfaceMap& SurfaceMap::operator=(SurfaceMap&&) noexcept = default;
 
 void SurfaceMap::add(const surfaces::SurfacePoints& points, const Pose2& T_map_points) {
-  std::vector<Vec2> positions;
-  positions.reserve(points.size());
-  for (const surfaces::SurfacePoint& point : points) positions.push_back(T_map_points * point.position);
-  impl_->likelihood.add(positions);
+  impl_->likelihood.add(positionsOf(points, T_map_points));
   impl_->surfels.add(points, T_map_points);
 }
 
@@ -36,5 +43,11 @@ const Grid<std::uint8_t>& SurfaceMap::field() const { return impl_->likelihood.g
 const SurfelMap& SurfaceMap::surfels() const { return impl_->surfels; }
 
 std::size_t SurfaceMap::memory() const { return field().size() + impl_->surfels.memory(); }
+
+Grid<std::uint8_t> likelihoodField(const surfaces::SurfacePoints& points, const LikelihoodParameters& parameters) {
+  LikelihoodGrid likelihood(parameters);
+  likelihood.add(positionsOf(points, Pose2()));
+  return likelihood.grid();
+}
 
 }  // namespace frontier_pilot::scan_matching

@@ -8,6 +8,7 @@ import shutil
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import rospkg
 import roslaunch.config
@@ -16,6 +17,7 @@ import yaml
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 sys.path.insert(0, ROOT + '/scripts')
+import robot_starts  # noqa: E402
 import robots_launcher  # noqa: E402
 
 FILES = sorted(glob.glob(ROOT + '/launch/*.launch'))
@@ -239,13 +241,19 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_drawn_starts_are_apart_and_the_same_for_a_seed(self):
         for world in ('office', 'cave'):
-            path = ROOT + '/config/worlds/%s.yaml' % world
-            starts = robots_launcher.draw_starts(path, 6, 4)
-            self.assertEqual(starts, robots_launcher.draw_starts(path, 6, 4))
-            self.assertNotEqual(starts, robots_launcher.draw_starts(path, 6, 5))
+            read = robot_starts.read_world(ROOT + '/config/worlds/%s.yaml' % world)
+            starts = robot_starts.draw_starts(read, 6, 4)
+            self.assertEqual(starts, robot_starts.draw_starts(read, 6, 4))
+            self.assertNotEqual(starts, robot_starts.draw_starts(read, 6, 5))
             gaps = [math.dist((a['x'], a['y']), (b['x'], b['y'])) for a in starts for b in starts if a is not b]
             self.assertGreaterEqual(min(gaps), 0.8)
             self.assertLess(max(gaps), 4.0)
+
+    def test_the_picture_of_the_world_is_read_once_and_only_for_what_needs_it(self):
+        for robots, rviz, times in (('3', 'true', 1), ('3', 'false', 1), (ROOT + '/config/robots.yaml', 'false', 0)):
+            with mock.patch('robot_starts.read_picture', wraps=robot_starts.read_picture) as read:
+                self.config(ROOT + '/launch/robots.launch', robots=robots, rviz=rviz)
+            self.assertEqual(read.call_count, times, (robots, rviz))
 
     def test_robots_that_cannot_be_started_are_named(self):
         for robots, why in (('0', 'from 1 to'), ('30', 'from 1 to'), ('/no/robots.yaml', '/no/robots.yaml')):

@@ -19,8 +19,9 @@ using ScanDistance = std::function<double(const Outline& outline, const Pose2& T
 /// Inputs of a recovery, in the map frame.
 struct RecoveryInputs {
   Pose2 T_map_base;
-  ScanDistance scan_distance;              ///< of the latest scan; valid in this tick only
-  std::deque<Pose2> track = {};            ///< the way that the robot has come, the oldest pose first
+  ScanDistance scan_distance;  ///< of the latest scan; valid in this tick only
+  /// The way that the robot has come, the oldest pose first; nullptr if it is not known. Valid in this tick only.
+  const std::deque<Pose2>* track = nullptr;
   bool can_turn = true;                    ///< whether the map leaves room to turn right round where the robot is
   std::function<bool()> path_exists = {};  ///< whether the planner finds a path from there; takes milliseconds
 };

@@ -43,4 +43,7 @@ class SurfaceMap {
   std::unique_ptr<Impl> impl_;
 };
 
+/// The likelihood field alone, for a search that no refinement on surfels follows. `points` [m] are in its frame.
+Grid<std::uint8_t> likelihoodField(const surfaces::SurfacePoints& points, const LikelihoodParameters& parameters);
+
 }  // namespace frontier_pilot::scan_matching

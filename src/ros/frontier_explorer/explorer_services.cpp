@@ -1,6 +1,7 @@
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
-/// The switches and the tunable parameters of the explorer. Those of its bounds are in explorer_bounds.cpp.
+/// What the explorer serves, with its switches, and its tunable parameters. The handlers of the bounds are in
+/// explorer_bounds.cpp, that of the poses to be inspected is in explorer_inspections.cpp.
 namespace frontier_pilot {
 
 void FrontierExplorerAdapter::addServices() {
@@ -8,6 +9,9 @@ void FrontierExplorerAdapter::addServices() {
   connections_.serve(names::kSetReturnToStart, &FrontierExplorerAdapter::handleReturnToStart, this);
   connections_.serve(names::kResetExplorer, &FrontierExplorerAdapter::handleReset, this);
   connections_.serve(names::kExplainExplorer, &FrontierExplorerAdapter::handleExplain, this);
+  connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
+  connections_.serve(names::kClearExplorationBounds, &FrontierExplorerAdapter::handleClearBounds, this);
+  connections_.serve(names::kClearInspections, &FrontierExplorerAdapter::handleClearInspections, this);
   tuning_.emplace(parameters_, connections_,
                   [this](const ExplorerNodeParameters& changed) { explorer_.setParameters(changed.explorer); });
 }

@@ -41,9 +41,6 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
   addServices();
-  connections_.serve(names::kSetExplorationBounds, &FrontierExplorerAdapter::handleSetBounds, this);
-  connections_.serve(names::kClearExplorationBounds, &FrontierExplorerAdapter::handleClearBounds, this);
-  connections_.serve(names::kClearInspections, &FrontierExplorerAdapter::handleClearInspections, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
   connections_.clock().onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });

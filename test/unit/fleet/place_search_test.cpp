@@ -124,37 +124,37 @@ class UnknownStarts : public ::testing::Test {
       merger_.update(now_);
     }
   }
+  /// Gives both maps, and says whether they are merged after some searches.
+  bool merge(const OccupancyGrid& one, const OccupancyGrid& two) {
+    give(0, one);
+    give(1, two);
+    run(8);
+    return merger_.status(1).state == MergeState::kMerged;
+  }
 
   OccupancyGrid world_ = furnished(5);
+  OccupancyGrid one_ = test::seenFrom(world_, kFirstStart, 6.0);
+  OccupancyGrid two_ = test::seenFrom(world_, kSecondStart, 6.0);
   MapMerger merger_{parameters(2)};
   Time now_{std::chrono::seconds(100)};
 };
 
 // [MUL-1]
 TEST_F(UnknownStarts, AreFoundOnceTheMapsOverlap) {
-  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
   const OccupancyGrid apart = test::seenFrom(world_, {17.0, 12.0, 1.0}, 2.0);
-  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
-  give(0, one);
+  give(0, one_);
   give(1, apart);
   run(5);
   EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
-  give(1, two);
-  run(8);
-  ASSERT_EQ(merger_.status(1).state, MergeState::kMerged);
+  ASSERT_TRUE(merge(one_, two_));
   expectNear(*merger_.place(1), kFirstStart.inverse() * kSecondStart);
 }
 
 // [MUL-1] The maps change as loops are closed, and a place with them.
 TEST_F(UnknownStarts, AreCorrectedAsTheMapsAre) {
-  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
-  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
   const Pose2 corrected = kSecondStart * Pose2(0.06, -0.05, 0.02);
   const OccupancyGrid later = test::seenFrom(world_, corrected, 6.0);
-  give(0, one);
-  give(1, two);
-  run(8);
-  ASSERT_EQ(merger_.status(1).state, MergeState::kMerged);
+  ASSERT_TRUE(merge(one_, two_));
   give(1, later);
   run(3);
   expectNear(*merger_.place(1), kFirstStart.inverse() * corrected);
@@ -162,27 +162,18 @@ TEST_F(UnknownStarts, AreCorrectedAsTheMapsAre) {
 
 // [MUL-1]
 TEST_F(UnknownStarts, ArePartOfTheSearchAgainAfterAMergeWasGivenUp) {
-  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
-  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
   const OccupancyGrid elsewhere = test::seenFrom(furnished(6), kSecondStart, 6.0);
-  give(0, one);
-  give(1, two);
-  run(8);
-  ASSERT_EQ(merger_.status(1).state, MergeState::kMerged);
+  ASSERT_TRUE(merge(one_, two_));
   give(1, elsewhere);
   run(3);
   EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
-  give(1, two);
-  run(8);
-  EXPECT_EQ(merger_.status(1).state, MergeState::kMerged);
+  EXPECT_TRUE(merge(one_, two_));
 }
 
 // [MUL-1]
 TEST_F(UnknownStarts, AreNotLookedForTwiceAtATime) {
-  const OccupancyGrid one = test::seenFrom(world_, kFirstStart, 6.0);
-  const OccupancyGrid two = test::seenFrom(world_, kSecondStart, 6.0);
-  give(0, one);
-  give(1, two);
+  give(0, one_);
+  give(1, two_);
   const auto work = merger_.takeWork(now_);
   ASSERT_TRUE(work);
   EXPECT_FALSE(merger_.takeWork(now_ + std::chrono::seconds(5)));

@@ -62,18 +62,26 @@ TEST(OccupancyMap, KeepsItsProjectionUpToDateAfterTheFirstCall_MAP_2) {
   EXPECT_TRUE(map.grid().cells() == map.projection().cells());
 }
 
-// Numbers of scans have 16 bits.
-TEST(OccupancyMap, TakesHitsBeforeMissesAlsoAfterManyScans) {
-  occupancy::OccupancyMap map = smallMap();
-  const Cell cell = cellAt(map, 0.2, 0.2);
-  for (int i = 0; i < 70000; ++i) {
+// Numbers of scans have 16 bits: they begin anew, at 1, since 0 stands in cells that no scan has updated.
+TEST(OccupancyMap, CountsAHitWhateverTheNumberOfTheScanThatUpdatedTheCellBefore) {
+  for (const int later : {65535, 65536}) {
+    occupancy::OccupancyMap map = smallMap();
+    const Cell cell = cellAt(map, 0.2, 0.2);
+    const Cell fresh = cellAt(map, 0.4, 0.2);
+    hit(map, cell);
+    for (int i = 1; i < later; ++i) map.beginScan();
     map.beginScan();
-    map.hit(cell);
-    map.miss(cell);
+    for (const Cell each : {cell, fresh}) {
+      map.hit(each);
+      map.miss(each);  // of a beam that passed it: the hit takes precedence
+    }
+    const float one_hit = occupancy::logOdds(map.parameters().model.hit);
+    float log_odds = 0.0F;
+    ASSERT_TRUE(map.logOdds(cell, log_odds)) << later;
+    EXPECT_FLOAT_EQ(log_odds, 2.0F * one_hit) << later;
+    ASSERT_TRUE(map.logOdds(fresh, log_odds)) << later;
+    EXPECT_FLOAT_EQ(log_odds, one_hit) << later;
   }
-  float log_odds = 0.0F;
-  ASSERT_TRUE(map.logOdds(cell, log_odds));
-  EXPECT_FLOAT_EQ(log_odds, occupancy::logOdds(0.97));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "frontier_pilot/scan_matching/correlative_search.h"
+#include "frontier_pilot/scan_matching/surface_map.h"
 
 namespace frontier_pilot {
 namespace {
@@ -38,6 +39,15 @@ TEST(LikelihoodGrid, KeepsWhatItHasWhenItGrows) {
   EXPECT_GT(valueAt(field, {0.025, 0.025}), 0.98);
   EXPECT_GT(valueAt(field, {-20.0, 7.0}), 0.7);
   EXPECT_EQ(valueAt(field, {1.0, 1.0}), 0.0);
+}
+
+TEST(LikelihoodGrid, IsTheSameAloneAsInAMapOfSurfaces) {
+  const surfaces::SurfacePoints points = {{{0.3, 0.2}, {1.0, 0.0}}, {{-4.0, 2.0}, {0.0, 1.0}}};
+  scan_matching::SurfaceMap map({0.1, 0.12});
+  map.add(points, Pose2());
+  const Grid<std::uint8_t> alone = scan_matching::likelihoodField(points, {0.1, 0.12});
+  EXPECT_TRUE(alone.geometry() == map.field().geometry());
+  EXPECT_TRUE(alone.cells() == map.field().cells());
 }
 
 TEST(MaxPyramid, HoldsTheGreatestValueOfEachSquare) {
