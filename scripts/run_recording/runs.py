@@ -6,7 +6,7 @@ import shutil
 
 BAG = 'run'  # rosbag adds the number of the part
 NAME = re.compile(r'^\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d(_\d+)?$')
-PART = re.compile(r'^%s_(\d+)\.bag(\.active)?$' % BAG)
+PART = re.compile(r'^%s_(?:(\d+)_)?(\d+)\.bag(\.active)?$' % BAG)  # the number of the stretch, unless it is the first, and of the part
 
 
 def default_folder():
@@ -50,18 +50,32 @@ def keep_newest(folder, count, spared=()):
     return removed
 
 
+def bag_of(run, stretch):
+    """What rosbag is told to write. Each time that it is started in the same run it writes a stretch of its own, because it
+    numbers its parts from zero. The first stretch has the number 1."""
+    return os.path.join(run, BAG + ('_%d' % stretch if stretch > 1 else ''))
+
+
+def stretch_of(part):
+    """The number of the stretch to which a bag belongs; 1 for one that the recorder has not written."""
+    match = PART.match(os.path.basename(part))
+    return int(match.group(1) or 1) if match else 1
+
+
 def parts_of(run):
-    """The bags of a run in the order in which they were written; the last one ends with .active if it was not closed."""
-    names = [(int(match.group(1)), match.group(0)) for match in map(PART.match, os.listdir(run)) if match]
-    return [os.path.join(run, name) for _, name in sorted(names)]
+    """The bags of a run in the order in which they were written. One that is open or was not closed ends with .active, which
+    can be the last one of each stretch."""
+    names = [(int(match.group(1) or 1), int(match.group(2)), match.group(0)) for match in map(PART.match, os.listdir(run)) if match]
+    return [os.path.join(run, name) for _, _, name in sorted(names)]
 
 
 def is_being_recorded(run):
     """Whether a process has an open part of this run."""
-    return any(_is_open(part) for part in parts_of(run) if part.endswith('.active'))
+    return any(is_open(part) for part in parts_of(run) if part.endswith('.active'))
 
 
-def _is_open(path):
+def is_open(path):
+    """Whether a process has this file open."""
     path = os.path.realpath(path)
     return any(path == link for process in filter(str.isdigit, os.listdir('/proc')) for link in _open_files(process))
 
