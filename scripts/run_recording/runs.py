@@ -20,13 +20,14 @@ def default_folder():
 
 
 def all_runs(folder):
-    """The folders of the recorded runs, the oldest one first."""
+    """The folders of the recorded runs in the order in which they began. The date in the name says it only of those of earlier
+    versions, which come first: clocks are put back."""
     try:
         names = sorted(name for name in os.listdir(folder) if NAME.match(name))
     except FileNotFoundError:
         return []
     paths = [os.path.join(folder, name) for name in names]
-    return [path for path in paths if os.path.isdir(path) and not os.path.islink(path)]
+    return sorted((path for path in paths if os.path.isdir(path) and not os.path.islink(path)), key=number_of)
 
 
 def begin(folder, now=None):
@@ -45,7 +46,7 @@ def begin(folder, now=None):
 
 def _marked(run):
     """Marks a folder that has just been made; one that cannot be marked is removed."""
-    number = 1 + max(map(number_of, all_runs(os.path.dirname(run))))
+    number = 1 + max(map(number_of, all_runs(os.path.dirname(run))), default=0)
     try:
         with open(os.path.join(run, 'made_by_run_recorder.%d' % number), 'x'):
             return run

@@ -29,6 +29,20 @@ class Runs(FolderCase):
         self.assertTrue(os.path.exists(precious))
         self.assertEqual(len(runs.all_runs(self.folder)), 2)
 
+    def test_runs_come_in_the_order_in_which_they_began_whatever_the_clock_said(self):
+        """[REC-1] The clock is put back in autumn, and a computer without a battery begins anywhere."""
+        older = self.touch('2031-01-01_00-00-00', 'run_0.bag')  # of a recorder that did not number its runs
+        times = ((2030, 10, 27, 2, 50), (2030, 10, 27, 2, 10), (1970, 1, 1, 0, 0), (2030, 10, 27, 2, 50))
+        begun = [runs.begin(self.folder, datetime.datetime(*time)) for time in times]
+        self.assertEqual(runs.all_runs(self.folder), [os.path.dirname(older)] + begun)
+        runs.keep_newest(self.folder, 2)
+        self.assertEqual(runs.all_runs(self.folder), begun[2:])
+
+    def test_of_the_same_second_more_than_ten_runs_keep_their_order(self):
+        now = datetime.datetime(2030, 2, 3, 4, 5, 6)
+        begun = [runs.begin(self.folder, now) for _ in range(12)]
+        self.assertEqual(runs.all_runs(self.folder), begun)
+
     def test_a_run_that_is_still_being_recorded_is_not_removed(self):
         """[REC-1]"""
         open_part = self.touch('2030-01-01_00-00-00', 'run_0.bag.active')
