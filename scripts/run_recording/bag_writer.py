@@ -1,18 +1,20 @@
-"""The rosbag process that writes a run, and what is wrong with it."""
+"""The rosbag processes that write a run one after the other, and what is wrong with them."""
 import os
 import shutil
 import signal
 import subprocess
+import time
 
 import rosgraph
 import roslib.packages
 
 from .registration import Registration
-from .runs import BAG, parts_of
+from .runs import bag_of, parts_of, stretch_of
 
 PARTS = 8  # in which a run is written, besides the open one: when the run is full, the oldest is removed
 MEGA = 1 << 20
 PATIENCE = 8.0  # for rosbag to close its file [s]
+PAUSE = 10.0  # between two starts of rosbag, in case that it always ends at once [s]
 
 
 def part_size(limit):
@@ -20,7 +22,7 @@ def part_size(limit):
     return max(1, int(limit) // (PARTS + 1))
 
 
-def command_of(topics, run, limit, min_space, name):
+def command_of(topics, bag, limit, min_space, name):
     """The command line of rosbag."""
     found = roslib.packages.find_node('rosbag', 'record')
     if not found:
@@ -28,37 +30,92 @@ def command_of(topics, run, limit, min_space, name):
     # The signal is for the case that the recorder is killed: nobody else would then end rosbag.
     return ['setpriv', '--pdeathsig', 'INT', '--', found[0],
             '--quiet', '--split', '--size=%d' % part_size(limit), '--max-splits=%d' % PARTS, '--repeat-latched', '--lz4',
-            '--chunksize=256', '--buffsize=64', '--min-space=%dM' % min_space, '-O', os.path.join(run, BAG),
-            *topics, '__name:=' + name]
+            '--chunksize=256', '--buffsize=64', '--min-space=%dM' % min_space, '-O', bag, *topics, '__name:=' + name]
+
+
+def free_on_the_disk_of(folder):
+    """[bytes]. Throws OSError."""
+    return shutil.disk_usage(folder).free
+
+
+def start_in_a_session_of_its_own(command):
+    """So that a Ctrl-C reaches the recorder first."""
+    return subprocess.Popen(command, stdin=subprocess.DEVNULL, start_new_session=True)
 
 
 class BagWriter:
-    """Runs rosbag in a session of its own, so that a Ctrl-C reaches the recorder first. rosbag would end if there were no room
-    when it begins, so it is started once there is."""
+    """Runs rosbag while there is room. rosbag ends when the disk is full; then it is started again once a whole part fits, and
+    writes a further stretch of the run."""
 
-    def __init__(self, topics, run, limit, min_space, name):
-        self.run, self.min_space = run, min_space
-        self.command = command_of(topics, run, limit, min_space, name)
-        self.registration = Registration(rosgraph.names.resolve_name(name, rosgraph.names.get_ros_namespace()),
-                                         subscriptions=topics)
-        self.process = None
+    def __init__(self, topics, run, limit, min_space, name, free=free_on_the_disk_of, start=start_in_a_session_of_its_own,
+                 clock=time.monotonic):
+        self.run, self.limit, self.min_space = run, limit, min_space
+        self.free, self.start, self.clock = free, start, clock
+        self.command = lambda bag: command_of(topics, bag, limit, min_space, name)
+        resolved = rosgraph.names.resolve_name(name, rosgraph.names.get_ros_namespace())
+        self.new_registration = lambda: Registration(resolved, subscriptions=topics)
+        self.registration, self.process = None, None
+        self.stretch = 0  # the one that is written, or was written last
+        self.started = -PAUSE
+        self.room = min_space  # that has to be free before rosbag is started [MB]
+        self.why_ended = ''
         self.problem()
 
     def problem(self):
-        """Why nothing is written; empty if all is well. Starts rosbag as soon as there is room."""
-        code = self.process.poll() if self.process else None
-        if code is not None:
-            return 'rosbag has ended (exit code %d): nothing is recorded any more' % code
+        """Why nothing is written; empty if all is well. Starts rosbag as soon as there is room. To be called now and then."""
+        if not self.process:
+            return self._begin()
+        code = self.process.poll()
+        if code is None:
+            return self._keep_to_the_limit()
+        if code == 0:  # by rosnode kill for example
+            return 'somebody has ended rosbag: nothing is recorded any more'
+        self.process, self.registration = None, None
+        self.room = self.min_space + part_size(self.limit)  # with less it would soon end again
+        self.why_ended = 'rosbag has ended (exit code %d), so nothing is recorded until it is started again' % code
+        return self._shortage() or self.why_ended
+
+    def _begin(self):
+        """Starts rosbag, if it may be. Returns why not."""
+        shortage = self._shortage()
+        if shortage or self.clock() - self.started < PAUSE:
+            return shortage or self.why_ended
+        self.started = self.clock()
         try:
-            free = shutil.disk_usage(self.run).free
+            self.process = self.start(self.command(bag_of(self.run, self.stretch + 1)))
+        except OSError as error:
+            self.why_ended = 'rosbag cannot be started, so nothing is recorded: %s' % error
+            return self.why_ended
+        self.stretch += 1
+        self.registration = self.new_registration()
+        return ''
+
+    def _shortage(self):
+        """What is wrong with the disk; empty if there is room."""
+        try:
+            if self.free(self.run) >= self.room * MEGA:
+                return ''
         except OSError as error:
             return 'the folder of the record is gone: %s' % error
-        if free < self.min_space * MEGA:
-            return 'the disk of %s is full: %d MB are free, less than min_space (%d MB), so nothing is recorded until there ' \
-                   'is room' % (self.run, free // MEGA, self.min_space)
-        if not self.process:
-            self.process = subprocess.Popen(self.command, stdin=subprocess.DEVNULL, start_new_session=True)
+        return 'the disk of %s is full: less than %d MB are free (min_space is %d MB), so nothing is recorded until there is room' \
+            % (self.run, self.room, self.min_space)
+
+    def _keep_to_the_limit(self):
+        """Removes the oldest parts of earlier stretches, because rosbag knows only those that it has written itself. Returns what
+        is wrong."""
+        try:
+            for part in parts_of(self.run):
+                if stretch_of(part) == self.stretch or self.size() <= self.limit * MEGA:
+                    break
+                os.remove(part)
+        except OSError as error:
+            return 'the folder of the record is gone: %s' % error
         return ''
+
+    def stay_registered(self):
+        """To be called now and then: a new master does not know rosbag."""
+        if self.registration:
+            self.registration.keep()
 
     def size(self):
         """What the record has on the disk [bytes]."""

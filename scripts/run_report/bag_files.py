@@ -12,6 +12,8 @@ import rosbag
 
 from run_recording import runs
 
+from .drawing import clock
+
 DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationException, OSError, EOFError, ValueError, KeyError,
           IndexError, TypeError, AttributeError, struct.error, zlib.error, RuntimeError)
 
@@ -44,6 +46,7 @@ class BagFiles:
 
     def __init__(self, paths):
         self.paths, self.notes, self.bags = paths, [], []
+        self.stretches = {}  # of a run to which the bags belong
         self.closer = contextlib.ExitStack()
 
     def __enter__(self):
@@ -53,6 +56,7 @@ class BagFiles:
         if not self.bags:
             self.closer.close()
             raise ReportError('; '.join(self.notes) or 'the bag is empty')
+        self.notes += self._gaps()
         return self
 
     def __exit__(self, *_):
@@ -66,6 +70,7 @@ class BagFiles:
                 return self.notes.append('%s: it holds no message' % name)
             self.closer.enter_context(bag)
             self.bags.append(bag)
+            self.stretches[bag] = runs.stretch_of(path)
         except DAMAGE as error:
             self.notes.append('%s: it cannot be read: %s' % (name, error or type(error).__name__))
 
@@ -77,7 +82,7 @@ class BagFiles:
             bag.close()
         except rosbag.ROSBagUnindexedException:
             pass
-        if runs.is_being_recorded(os.path.dirname(os.path.abspath(path))):
+        if runs.is_open(path):
             self.notes.append('%s is still being recorded: the page shows what was on the disk' % name)
         else:
             self.notes.append('%s was not closed, because the recorder was killed or the computer switched off, or it is damaged: '
@@ -88,6 +93,13 @@ class BagFiles:
             for _ in broken.reindex():
                 pass
         return rosbag.Bag(copy)
+
+    def _gaps(self):
+        """Where the recorder had to begin again."""
+        first, _ = self.span()
+        return ['Nothing was recorded from %s to %s: the disk was full, or rosbag had ended for another reason.' % (
+            clock(before.get_end_time() - first), clock(after.get_start_time() - first))
+                for before, after in zip(self.bags, self.bags[1:]) if self.stretches[before] != self.stretches[after]]
 
     def topics(self):
         """The types of the topics, by name."""

@@ -7,14 +7,18 @@ import signal
 import subprocess
 import tempfile
 import unittest
+import xmlrpc.client
 
 import rosbag
+import rosgraph
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from frontier_pilot.msg import ProcessLoads
 from nav_msgs.msg import OccupancyGrid
 from std_msgs.msg import Bool, String
+
+from rosgraph_msgs.msg import Log
 
 from wire import find_node, wait_for
 
@@ -26,8 +30,9 @@ class RunRecorder(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = os.path.join(folder.name, 'runs')
-        self.said, self.loads = [], []
+        self.said, self.loads, self.log = [], [], []
         for topic, kind, take in (('/diagnostics', DiagnosticArray, self.take_diagnostics),
+                                  ('/rosout', Log, lambda line: self.log.append((line.name, line.msg))),
                                   ('run_recorder/load', ProcessLoads, self.loads.append)):
             subscriber = rospy.Subscriber(topic, kind, take)
             self.addCleanup(subscriber.unregister)
@@ -116,6 +121,45 @@ class RunRecorder(unittest.TestCase):
         process = self.start()
         self.assertTrue(wait_for(lambda: any(level == 2 and self.folder in text for level, text in self.said), 60.0), self.said)
         self.assertIsNone(process.poll())
+
+    def has_logged(self, words):
+        return any(name == '/run_recorder' and words in text for name, text in self.log)
+
+    def test_a_rosbag_that_is_killed_is_started_again_and_the_run_goes_on(self):
+        stalled = rospy.Publisher('simulator/stalled', Bool, queue_size=1, latch=True)
+        process = self.start()
+        self.assertTrue(self.is_recording(stalled))
+        rosbag_node = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode('/run_recorder_rosbag'))
+        os.kill(rosbag_node.getPid(rospy.get_name())[2], signal.SIGKILL)
+        self.assertTrue(wait_for(lambda: any('rosbag has ended (exit code -9)' in text for _, text in self.said), 30.0), self.said)
+        self.assertTrue(wait_for(lambda: glob.glob(self.folder + '/*/run_2_0.bag.active'), 60.0), self.parts())
+        self.assertTrue(wait_for(lambda: self.has_logged('recording goes on'), 30.0), self.log)
+        self.assertTrue(wait_for(lambda: stalled.get_num_connections() > 0, 30.0))
+        stalled.publish(True)
+        process.send_signal(signal.SIGINT)
+        process.wait(30)
+        second = glob.glob(self.folder + '/*/run_2_0.bag')
+        self.assertEqual(len(second), 1, self.parts())
+        with rosbag.Bag(second[0]) as bag:
+            found = [topic for topic, _, _ in bag.read_messages()]
+        self.assertIn('/run_recorder/info', found, 'the second stretch does not say what the run is')
+
+    def test_a_record_that_ended_on_a_full_disk_goes_on_when_there_is_room_again(self):
+        os.makedirs(self.folder)
+        if subprocess.call(['mount', '-t', 'tmpfs', '-o', 'size=60m', 'tmpfs', self.folder], stderr=subprocess.DEVNULL):
+            self.skipTest('only root may make a small disk')
+        self.addCleanup(subprocess.call, ['umount', '--lazy', self.folder])
+        process = self.start(min_space=30, size=10)
+        self.assertTrue(wait_for(lambda: glob.glob(self.folder + '/*/run_0.bag.active'), 60.0))
+        other = self.folder + '/something_else'
+        with open(other, 'wb') as file:
+            file.write(bytes(35 * MEGA))
+        self.assertTrue(wait_for(lambda: self.has_logged('is full'), 90.0), self.log)  # rosbag looks at the disk every 20 s
+        os.remove(other)
+        self.assertTrue(wait_for(lambda: glob.glob(self.folder + '/*/run_2_0.bag.active'), 60.0), self.parts())
+        self.assertTrue(wait_for(lambda: self.has_logged('recording goes on'), 30.0), self.log)
+        self.end(process)
+        self.assertEqual(len(glob.glob(self.folder + '/*/run_*.bag')), 2, self.parts())
 
     def test_a_recorder_that_is_killed_leaves_a_bag_and_no_process(self):
         info = rospy.Subscriber('run_recorder/info', String, lambda message: None)

@@ -8,6 +8,10 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
+#include <optional>
+
+#include "ros/common/publish_flush.h"
 
 namespace frontier_pilot {
 namespace {
@@ -44,6 +48,34 @@ TEST(ServiceCallerOnTheWire, AStopIsAskedForAgainUntilThereIsSomebodyToAnswerOrI
   const ros::WallTime begin = ros::WallTime::now();
   EXPECT_TRUE(waitFor([&] { return ros::WallTime::now() - begin > ros::WallDuration(1.0); }));
   EXPECT_EQ(calls, 1);
+}
+
+// [ARB-7] [GUI-2] The stop holds, but the robot may still drive.
+TEST(ServiceCallerOnTheWire, AStopWhoseZeroMayNotHaveBeenSentYetIsAWarning_ARB_7_GUI_2) {
+  bool sent = false;
+  const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> handle =
+      [&sent](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+        response.message = answerOfStop("stopped", sent);
+        return response.success = 1;
+      };
+  ros::NodeHandle node;
+  const ros::ServiceServer server = node.advertiseService("a_stop", handle);
+  std::mutex mutex;
+  std::optional<teleop::Severity> severity;
+  ServiceCaller caller(node, [&](teleop::Severity of_line, const std::string&) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    severity = of_line;
+  });
+  const auto isLogged = [&](teleop::Severity expected) {
+    caller.trigger("a_stop");
+    return waitFor([&] {
+      const std::lock_guard<std::mutex> lock(mutex);
+      return severity == expected;
+    });
+  };
+  EXPECT_TRUE(isLogged(teleop::Severity::kWarning));
+  sent = true;
+  EXPECT_TRUE(isLogged(teleop::Severity::kGood));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::signedBy(arbiter::ArbiterAnswer ans
 arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
   arbiter::ArbiterAnswer answer = arbiter_.stop(cause, instantNow());
   publish(answer.publish);
-  if (!flush_.wait(kFlushPatience)) answer.message += "; the zero velocity may not have been sent yet";
+  answer.message = answerOfStop(answer.message, flush_.wait(kFlushPatience));
   around_.memory_problem = memory_.remember(arbiter_.stopCause());
   if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
   publishStopState();

@@ -13,6 +13,8 @@ namespace {
 /// written.
 constexpr std::uint64_t kRounds = 3;
 
+constexpr const char* kMayBeUnsent = "the zero velocity may not have been sent yet";
+
 }  // namespace
 
 PublishFlush::PublishFlush() {
@@ -44,5 +46,11 @@ bool PublishFlush::wait(Duration patience) {
   }
   return true;
 }
+
+std::string answerOfStop(const std::string& said, bool sent) {
+  return sent ? said : said + ", but " + kMayBeUnsent + ": make sure that the robot stands";
+}
+
+bool mayBeUnsent(const std::string& answer) { return answer.find(kMayBeUnsent) != std::string::npos; }
 
 }  // namespace frontier_pilot

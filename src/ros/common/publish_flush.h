@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <string>
 
 #include "frontier_pilot/core/time.h"
 
@@ -33,5 +34,11 @@ class PublishFlush {
   std::uint64_t rounds_ = 0;
   boost::signals2::connection listener_;
 };
+
+/// The answer to a stop that said `said`, whose zero was written to the sockets in time if `sent`. The stop holds in
+/// either case, so that it is a success, but where the zero was not written the base may still drive. [ARB-7]
+std::string answerOfStop(const std::string& said, bool sent);
+/// Whether a stop was answered with that reserve.
+bool mayBeUnsent(const std::string& answer);
 
 }  // namespace frontier_pilot

@@ -26,6 +26,13 @@ std::string asFileName(std::string name) {
   return name;
 }
 
+/// Whether a folder of this name lies where it is put: the run id is a parameter, which anybody can set. [FLT-1]
+bool isPlainName(const std::string& session) {
+  constexpr std::size_t kLongestName = 200;  // [bytes], of the 255 that a file system takes
+  return !session.empty() && session.front() != '.' && session.find('/') == std::string::npos &&
+         printable(session, kLongestName) == session;
+}
+
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kRestart(10);  // within which roslaunch restarts a node that has died
@@ -170,7 +177,9 @@ std::vector<fs::path> SessionMemory::filesIn(const fs::path& root, const std::ve
   std::vector<fs::path> files;
   if (root.empty()) return files;
   const std::string name = kind_ == Owner::kNode ? name_ : name_ + kOfProcess + std::to_string(getpid());
-  for (const std::string& session : sessions) files.push_back(root / "frontier_pilot" / asFileName(session) / name);
+  for (const std::string& session : sessions) {
+    if (isPlainName(session)) files.push_back(root / "frontier_pilot" / session / name);
+  }
   return files;
 }
 

@@ -25,7 +25,8 @@ class SessionMemory {
                ///< process writes a file of its own, and none removes the file of a living process [ARB-12]
   };
 
-  /// `sessions` are the names of the ROS session, see master/ros_sessions.h, of which one may change without the other.
+  /// `sessions` are the names of the ROS session, see master/ros_sessions.h, of which one may change without the other;
+  /// what is no plain name of a folder names no session.
   /// `what` names what is remembered and has to be usable in a file name. With `spare`, a folder on another file
   /// system, such as spareFolder(), everything is written there too, and a home that is full or read-only loses
   /// nothing.

@@ -39,8 +39,11 @@ FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
       status_(node.advertise<FleetStopStatus>(names::kFleetStopStatus, 1, true)),
       diagnostics_(node, private_node),
       connections_(node) {
-  for (const fleet::FleetRobot& robot : parameters_.robots)
-    addRobot(node.resolveName(names::ofRobot(robot.name, names::kEmergencyStop)));
+  for (const fleet::FleetRobot& robot : parameters_.robots) {
+    const std::string service = node.resolveName(names::ofRobot(robot.name, names::kEmergencyStop));
+    known_.list(service);
+    addRobot(service);
+  }
   ros::AdvertiseServiceOptions stop;
   stop.initBySpecType<Call>(names::kFleetEmergencyStop, [this](Call& call) { return handleStop(call); });
   connections_.serve(stop);
@@ -73,12 +76,28 @@ void FleetStopAdapter::takeMasterReport() {
   if (!seen) return;
   for (const auto& [topic, nodes] : seen->publishers) {
     const std::string service = serviceBeside(topic);
-    if (!service.empty()) addRobot(service);
+    if (service.empty()) continue;
+    known_.see(service, steadyNow());
+    addRobot(service);
+  }
+}
+
+void FleetStopAdapter::forgetRobots() {
+  const SteadyTime now = steadyNow();
+  for (const auto& line : lines_) {
+    if (line->connected()) known_.see(line->service(), now);
+  }
+  for (const std::string& service : known_.forget(now)) {
+    ROS_INFO_STREAM(
+        robotOf(service) << " has been gone for an hour, and is not stopped together with the others any more");
+    const auto is_it = [&](const auto& line) { return line->service() == service; };
+    lines_.erase(std::remove_if(lines_.begin(), lines_.end(), is_it), lines_.end());
   }
 }
 
 void FleetStopAdapter::tick() {
   takeMasterReport();
+  forgetRobots();
   FleetStopStatus msg;
   msg.stamp = ros::Time::now();
   for (const auto& line : lines_) (line->connected() ? msg.reached : msg.not_reached).push_back(line->service());

@@ -11,6 +11,7 @@
 #include "frontier_pilot/fleet/parameters.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/node_connections.h"
+#include "ros/fleet_stop/known_robots.h"
 #include "ros/fleet_stop/stop_line.h"
 
 namespace frontier_pilot {
@@ -45,12 +46,15 @@ class FleetStopAdapter {
   void addRobot(const std::string& service);
   /// Adds the robots whose arbiters the master knows.
   void takeMasterReport();
+  /// Drops the lines to robots that have been gone for long.
+  void forgetRobots();
   void tick();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   FleetStopParameters parameters_;
   ros::NodeHandle node_;
-  std::vector<std::unique_ptr<StopLine>> lines_;  ///< by service
+  KnownRobots known_;
+  std::vector<std::unique_ptr<StopLine>> lines_;  ///< to each that is known
   ros::Publisher status_;
   std::vector<std::string> not_reached_;  ///< as published last
   SteadyTime published_{};

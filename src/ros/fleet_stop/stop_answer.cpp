@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ros/common/names.h"
+#include "ros/common/publish_flush.h"
 
 namespace frontier_pilot {
 namespace {
@@ -40,8 +41,12 @@ FleetAnswer summarize(const std::vector<RobotAnswer>& answers) {
   answer.success = confirmed == static_cast<std::ptrdiff_t>(answers.size());
   answer.message = std::to_string(confirmed) + " of " + std::to_string(answers.size()) + " robots stopped";
   for (const RobotAnswer& robot : answers) {
-    if (robot.answer.outcome == StopOutcome::kConfirmed) continue;
-    answer.message += "; not confirmed by " + robotOf(robot.service) + ": " + reasonOf(robot.answer);
+    const std::string name = robotOf(robot.service);
+    if (robot.answer.outcome != StopOutcome::kConfirmed) {
+      answer.message += "; not confirmed by " + name + ": " + reasonOf(robot.answer);
+    } else if (mayBeUnsent(robot.answer.text)) {
+      answer.message += "; " + name + ": " + robot.answer.text;
+    }
   }
   return answer;
 }

@@ -15,7 +15,7 @@ enum class StopOutcome {
 
 struct StopAnswer {
   StopOutcome outcome = StopOutcome::kSilent;
-  std::string text;  ///< of a robot that refused
+  std::string text;  ///< what the robot has said
 };
 
 /// The answer of one robot, by the name of its service.
@@ -27,7 +27,7 @@ struct RobotAnswer {
 /// The answer of fleet/emergency_stop: a success only if there is a robot and all have confirmed.
 struct FleetAnswer {
   bool success = false;
-  std::string message;  ///< names the robots that have not confirmed, and why
+  std::string message;  ///< names the robots that have not confirmed, and why, or that have done so with a reserve
 };
 FleetAnswer summarize(const std::vector<RobotAnswer>& answers);
 

@@ -12,6 +12,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/clock.h"
+#include "ros/common/publish_flush.h"
 
 namespace frontier_pilot {
 namespace {
@@ -20,6 +21,11 @@ constexpr Duration kSlow = std::chrono::seconds(2);
 constexpr Duration kInsists = std::chrono::seconds(10);
 constexpr auto kBetweenCalls = std::chrono::milliseconds(200);
 constexpr auto kWatchPeriod = std::chrono::seconds(1);
+
+teleop::Severity severityOf(bool success, const std::string& said) {
+  if (!success) return teleop::Severity::kError;
+  return mayBeUnsent(said) ? teleop::Severity::kWarning : teleop::Severity::kGood;
+}
 
 }  // namespace
 
@@ -175,7 +181,7 @@ void ServiceCaller::perform(const Call& call) {
   if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
   const std::string value = call.type != Call::Type::kSetBool ? "" : (call.value ? " on" : " off");
   const std::string said = !answer->message.empty() ? answer->message : (answer->success ? "done" : "refused");
-  log_(answer->success ? teleop::Severity::kGood : teleop::Severity::kError, call.service + value + ": " + said);
+  log_(severityOf(answer->success, said), call.service + value + ": " + said);
 }
 
 void ServiceCaller::reportSlow(SteadyTime now) {

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """The folder of recorded runs, and the load of processes."""
 import datetime
+import errno
 import os
 import subprocess
 import unittest
+import unittest.mock
 
 from folder_case import FolderCase
 from run_recording import bag_writer, runs
@@ -27,6 +29,20 @@ class Runs(FolderCase):
         self.assertTrue(os.path.exists(precious))
         self.assertEqual(len(runs.all_runs(self.folder)), 2)
 
+    def test_runs_come_in_the_order_in_which_they_began_whatever_the_clock_said(self):
+        """[REC-1] The clock is put back in autumn, and a computer without a battery begins anywhere."""
+        older = self.touch('2031-01-01_00-00-00', 'run_0.bag')  # of a recorder that did not number its runs
+        times = ((2030, 10, 27, 2, 50), (2030, 10, 27, 2, 10), (1970, 1, 1, 0, 0), (2030, 10, 27, 2, 50))
+        begun = [runs.begin(self.folder, datetime.datetime(*time)) for time in times]
+        self.assertEqual(runs.all_runs(self.folder), [os.path.dirname(older)] + begun)
+        runs.keep_newest(self.folder, 2)
+        self.assertEqual(runs.all_runs(self.folder), begun[2:])
+
+    def test_of_the_same_second_more_than_ten_runs_keep_their_order(self):
+        now = datetime.datetime(2030, 2, 3, 4, 5, 6)
+        begun = [runs.begin(self.folder, now) for _ in range(12)]
+        self.assertEqual(runs.all_runs(self.folder), begun)
+
     def test_a_run_that_is_still_being_recorded_is_not_removed(self):
         """[REC-1]"""
         open_part = self.touch('2030-01-01_00-00-00', 'run_0.bag.active')
@@ -34,6 +50,39 @@ class Runs(FolderCase):
         with open(open_part):
             self.assertEqual(runs.keep_newest(self.folder, 1), [])
         self.assertEqual(len(runs.keep_newest(self.folder, 1)), 1)
+
+    def test_a_run_that_waits_for_room_is_not_removed(self):
+        """[REC-1]"""
+        run = runs.begin(self.folder)
+        with runs.held(run):
+            self.assertEqual(runs.keep_newest(self.folder, 0), [])
+        self.assertEqual(runs.keep_newest(self.folder, 0), [run])
+
+    def test_a_folder_that_somebody_else_has_made_is_not_removed_whatever_its_name(self):
+        """[REC-1]"""
+        os.mkdir(self.path('2026-01-01_00-00-00'))
+        self.touch('2026-01-02_00-00-00', 'thesis.txt')
+        self.touch('2026-01-03_00-00-00', 'run_0.bag')
+        self.touch('2026-01-03_00-00-00', 'thesis.txt')
+        self.touch('2026-01-04_00-00-00', 'report.html')
+        theirs = set(os.listdir(self.folder))
+        ours = runs.begin(self.folder)
+        self.touch(ours, 'notes.txt')
+        self.assertEqual(runs.keep_newest(self.folder, 0), [ours])
+        self.assertEqual(set(os.listdir(self.folder)), theirs)
+
+    def test_a_run_without_the_file_that_marks_it_is_known_by_what_is_in_it(self):
+        """[REC-1]"""
+        for name in ('run_0.bag', 'run_2_0.bag.active', 'report.html'):
+            self.touch('2026-01-01_00-00-00', name)
+        self.assertEqual(runs.keep_newest(self.folder, 0), [self.path('2026-01-01_00-00-00')])
+
+    def test_a_folder_in_which_nothing_can_be_written_is_not_left_behind(self):
+        def refuse(*_):
+            raise OSError(errno.ENOSPC, 'No space left on device')
+        with unittest.mock.patch('run_recording.runs.open', refuse, create=True), self.assertRaises(OSError):
+            runs.begin(self.folder)
+        self.assertEqual(os.listdir(self.folder), [])
 
     def test_parts_come_in_the_order_in_which_they_were_written(self):
         for name in ('run_10.bag.active', 'run_9.bag', 'run_2.bag', 'report.html'):

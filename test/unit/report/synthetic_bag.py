@@ -84,15 +84,15 @@ def last_messages():
     yield '/run_recorder/info', info('end', navigator={'goal_tolerance': 0.4})
 
 
-def write(path, seconds=SECONDS, with_end=True, namespace=''):
-    """Writes the run, or its first seconds, to `path`."""
+def write(path, seconds=SECONDS, with_end=True, namespace='', begin=0):
+    """Writes the run, or its seconds from `begin` on and before `seconds`, to `path`."""
     with rosbag.Bag(path, 'w', compression='lz4', chunk_threshold=4096) as bag:
         def put(messages, time):
             for topic, message in messages:
                 is_global = topic in ('/tf', '/diagnostics', '/rosout')
                 bag.write(topic if is_global else namespace + topic, message, rospy.Time.from_sec(BEGIN + time))
-        put(first_messages(), 0.0)
-        for second in range(seconds):
+        put(first_messages(), float(begin))
+        for second in range(begin, seconds):
             put(messages_at(second), second + 0.001)
         if with_end:
             put(last_messages(), float(SECONDS))

@@ -242,5 +242,17 @@ TEST_F(SessionMemoryFile, SaysWhyNothingCouldBeRememberedBeforeAnythingIs_FLT_1)
   EXPECT_NE(forNode(home, {}, "/arbiter").remember("called by /me"), "") << "there is no session to remember it in";
 }
 
+// [FLT-1] Anybody may set the run id, a parameter.
+TEST_F(SessionMemoryFile, LeavesNoFileOutsideOfTheFolderOfASession_FLT_1) {
+  for (const std::string name : {"..", ".", "", "../..", "/tmp", "a/b", "a/../..", "two\nlines", ".hidden"}) {
+    const SessionMemory memory = forNode(home, {name, "master"}, "/arbiter");
+    EXPECT_EQ(memory.files(), forNode(home, {"master"}, "/arbiter").files()) << name;
+    EXPECT_EQ(memory.remember("called by /me"), "") << name;
+    EXPECT_NE(forNode(home, {name}, "/arbiter").remember("called by /me"), "") << name << " names no session";
+  }
+  EXPECT_NE(forNode(home, {std::string(300, 'a')}, "/arbiter").remember("x"), "");
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(home), {}), 3) << "home/frontier_pilot/master/<the file>";
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ros/common/publish_flush.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -24,6 +26,19 @@ TEST(StopAnswer, NamesEachRobotThatHasNotConfirmedWithTheReason_MUL_4) {
   EXPECT_EQ(answer.message,
             "1 of 4 robots stopped; not confirmed by robot2: silent; not confirmed by floor/robot3: no service; "
             "not confirmed by /: refused: not now");
+}
+
+// [ARB-7] [MUL-4] It is latched, so that it is a success; but nobody may take it for a robot that stands.
+TEST(StopAnswer, SaysOfEachRobotWhetherItsZeroMayNotHaveBeenSentYet_ARB_7_MUL_4) {
+  const std::string late = answerOfStop("stopped", false);
+  EXPECT_EQ(late, "stopped, but the zero velocity may not have been sent yet: make sure that the robot stands");
+  EXPECT_EQ(answerOfStop("stopped", true), "stopped");
+  EXPECT_TRUE(mayBeUnsent(late));
+  EXPECT_FALSE(mayBeUnsent("stopped already: emergency_stop called by /me"));
+  const FleetAnswer answer =
+      summarize({{"/robot1/emergency_stop", kConfirmed}, {"/robot2/emergency_stop", {StopOutcome::kConfirmed, late}}});
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.message, "2 of 2 robots stopped; robot2: " + late);
 }
 
 // [MUL-4]
