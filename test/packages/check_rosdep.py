@@ -66,6 +66,14 @@ def asked_for(field):
     return {entry.split()[0] for text in fields for entry in text.replace('\n', ' ').split(',') if entry.split()}
 
 
+def not_needed():
+    """What keys name and we do not use: also the definitions of messages (ros-nav-msgs), but for those that ours are made of."""
+    with open(os.path.join(ROOT, 'CMakeLists.txt'), encoding='utf-8') as file:
+        ours = re.search(r'generate_messages\(DEPENDENCIES ([^)]*)\)', file.read()).group(1).split()
+    definitions = {'ros-' + name.replace('_', '-') for name in ours} | {'ros-message-generation'}
+    return lambda name: name in NOT_USED or (name.startswith('ros-') and name not in definitions)
+
+
 def problems():
     if not os.path.exists(SOURCES[0]):
         yield 'rosdep is missing: apt-get install python3-rosdep2'
@@ -85,11 +93,11 @@ def problems():
         for package in packages:
             if not known_to_debian(package):
                 yield f'package.xml: {key} leads to {package}, which Debian 12 does not have'
-    for kinds, field, wanted in ((TO_BUILD, 'Build-Depends', lambda name: not name.startswith('python3-')),
-                                 (TO_RUN, 'Depends', lambda name: not name.startswith('lib'))):
+    unused = not_needed()
+    for kinds, field, other in ((TO_BUILD, 'Build-Depends', ('python3-',)), (TO_RUN, 'Depends', ('lib', 'ros-'))):
         for key in keys(*kinds):
             for package in every.get(key, ()):
-                if wanted(package) and not package.startswith('ros-') and package not in NOT_USED | asked_for(field):
+                if not package.startswith(other) and not unused(package) and package not in asked_for(field):
                     yield f'debian/control: {package}, for {key} of package.xml, is not in {field}'
 
 
