@@ -2,17 +2,18 @@
 if(WITH_ROS)
   export(EXPORT frontier_pilotTargets NAMESPACE frontier_pilot::
     FILE ${CATKIN_DEVEL_PREFIX}/share/${PROJECT_NAME}/cmake/frontier_pilotTargets.cmake)
+  # It lies beside the file of catkin that reads it: Debian's catkin puts that elsewhere when it installs into /usr.
   set(config_destination ${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
+  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr" AND CMAKE_LIBRARY_ARCHITECTURE)
+    set(config_destination ${CATKIN_GLOBAL_LIB_DESTINATION}/cmake/${PROJECT_NAME})
+  endif()
 else()
   set(config_destination ${CMAKE_INSTALL_LIBDIR}/cmake/frontier_pilot)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/frontier_pilot-extras.cmake.in DESTINATION ${config_destination}
     RENAME frontier_pilotConfig.cmake)
-  # catkin reads the version from package.xml itself.
-  file(STRINGS ${PROJECT_SOURCE_DIR}/package.xml version_element REGEX "<version>")
-  string(REGEX MATCH "[0-9]+\\.[0-9]+\\.[0-9]+" version "${version_element}")
-  include(CMakePackageConfigHelpers)
+  include(CMakePackageConfigHelpers)  # catkin writes this file itself
   write_basic_package_version_file(${CMAKE_BINARY_DIR}/frontier_pilotConfigVersion.cmake
-    VERSION ${version} COMPATIBILITY SameMinorVersion)
+    VERSION ${FRONTIER_PILOT_VERSION} COMPATIBILITY SameMinorVersion)
   install(FILES ${CMAKE_BINARY_DIR}/frontier_pilotConfigVersion.cmake DESTINATION ${config_destination})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/frontier_pilot DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()

@@ -9,6 +9,11 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
+# The version is that of package.xml. As long as it begins with 0, each second number has a binary interface of its own.
+file(STRINGS ${PROJECT_SOURCE_DIR}/package.xml version_element REGEX "<version>")
+string(REGEX MATCH "[0-9]+\\.[0-9]+\\.[0-9]+" FRONTIER_PILOT_VERSION "${version_element}")
+string(REGEX MATCH "^[0-9]+\\.[0-9]+" FRONTIER_PILOT_SOVERSION "${FRONTIER_PILOT_VERSION}")
+
 find_package(Eigen3 REQUIRED)
 if(WITH_TESTS)
   find_package(GTest REQUIRED)
@@ -35,10 +40,16 @@ function(frontier_pilot_target_options target)
     $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
+# frontier_pilot_shared_library(<target>): the version that programs look for, and no undefined symbol, which would fail the
+# build: a missing dependency is found at once.
+function(frontier_pilot_shared_library target)
+  target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  set_target_properties(${target} PROPERTIES VERSION ${FRONTIER_PILOT_VERSION} SOVERSION ${FRONTIER_PILOT_SOVERSION})
+endfunction()
+
 # frontier_pilot_module(<name> SOURCES <files> [DEPENDS <modules>] [LIBRARIES <others, linked privately>] [PROGRAM]):
-# the library frontier_pilot_<name>; an undefined symbol in it fails the build, so a missing dependency is found at
-# once. Other packages link it as frontier_pilot::<name>, unless it is the library of a PROGRAM, which has no public
-# headers.
+# the library frontier_pilot_<name>. Other packages link it as frontier_pilot::<name>, unless it is the library of a
+# PROGRAM, which has no public headers and nothing to link it by.
 function(frontier_pilot_module name)
   cmake_parse_arguments(ARG "PROGRAM" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
   set(target frontier_pilot_${name})
@@ -46,10 +57,10 @@ function(frontier_pilot_module name)
   frontier_pilot_target_options(${target})
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_LIBRARIES})
-  target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  frontier_pilot_shared_library(${target})
   set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")  # installed libraries find each other in any folder
   if(ARG_PROGRAM)
-    install(TARGETS ${target} LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION})
+    install(TARGETS ${target} LIBRARY DESTINATION ${FRONTIER_PILOT_LIBRARY_DESTINATION} NAMELINK_SKIP)
     return()
   endif()
   add_library(frontier_pilot::${name} ALIAS ${target})
