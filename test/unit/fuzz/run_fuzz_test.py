@@ -6,10 +6,11 @@ import re
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / 'scripts'))
-from run_fuzz import bags, targets  # noqa: E402
+from run_fuzz import bags, build, targets  # noqa: E402
 
 
 class Bags(unittest.TestCase):
@@ -54,6 +55,18 @@ class Targets(unittest.TestCase):
     def test_each_dictionary_belongs_to_a_target(self):
         for path in (ROOT / 'test/fuzz/dictionaries').iterdir():
             self.assertIn(path.stem, targets.names())
+
+    # [FLT-1]
+    def test_a_finding_is_kept_and_named(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(build, 'BUILD', pathlib.Path(folder)):
+            build.program('octree').parent.mkdir()
+            build.program('octree').write_text('#!/bin/sh\necho "does not hold: a refusal changes nothing" >&2\n'
+                                               'touch %s/findings/octree-crash-1\nexit 77\n' % folder)
+            build.program('octree').chmod(0o755)
+            held, words = targets.fuzz('octree', 1.0, 1)
+            self.assertFalse(held)
+            self.assertIn('does not hold: a refusal changes nothing', words)
+            self.assertIn('scripts/fuzz --replay %s/findings/octree-crash-1 octree' % folder, words)
 
     def test_the_reason_of_a_finding_is_the_first_line_that_gives_one(self):
         self.assertIn('out of bounds', targets.reason('#1 INITED\nx.cpp:3:4: runtime error: index 8 out of bounds\nSUMMARY: a\n'))
