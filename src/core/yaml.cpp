@@ -27,7 +27,11 @@ class Copy {
  public:
   ParameterMap map(const YAML::Node& node) {
     ParameterMap map;
-    for (const auto& entry : node) map[entry.first.Scalar()] = value(entry.second);
+    for (const auto& entry : node) {
+      if (!entry.first.IsScalar())
+        throw std::invalid_argument("a key is a list, a dictionary or empty, and not a word");
+      map[entry.first.Scalar()] = value(entry.second);
+    }
     return map;
   }
 
@@ -70,9 +74,18 @@ ParameterMap parseYaml(const std::string& text) {
 }
 
 std::string yamlText(const std::string& text) {
-  YAML::Emitter emitter;
-  emitter << text;
-  return emitter.c_str();
+  YAML::Emitter plain;
+  plain << text;
+  try {
+    const ParameterMap map = parseYaml(std::string("key: ") + plain.c_str());
+    const auto* read = std::get_if<std::string>(&map.at("key").value);
+    if (read != nullptr && *read == text) return plain.c_str();
+  } catch (const std::exception&) {
+    // it is quoted then
+  }
+  YAML::Emitter quoted;
+  quoted << YAML::DoubleQuoted << text;
+  return quoted.c_str();
 }
 
 ParameterMap loadYamlFile(const std::string& path) {

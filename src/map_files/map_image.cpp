@@ -1,20 +1,19 @@
 #include "frontier_pilot/map_files/map_image.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
+#include "map_files/pgm.h"
 
 namespace frontier_pilot::map_files {
 namespace {
@@ -22,7 +21,6 @@ namespace {
 constexpr unsigned char kFreePixel = 254;
 constexpr unsigned char kOccupiedPixel = 0;
 constexpr unsigned char kUnknownPixel = 205;
-constexpr std::streamsize kLongestHeader = 4096;  // of an image [bytes]
 
 // The keys of a map_server YAML. Required keys have invalid defaults, so that their absence is noticed.
 struct MapYaml {
@@ -112,21 +110,11 @@ MapYaml readYaml(const std::string& path) {
   return file;
 }
 
-// The size in an image's header, read before the image is decoded; nothing if it is neither PGM nor PNG.
+// The size in an image's header, read before the image is decoded.
 struct ImageSize {
   std::uint64_t width = 0;
   std::uint64_t height = 0;
 };
-
-std::optional<ImageSize> sizeOfPgm(const std::string& bytes) {
-  std::istringstream header(bytes.substr(2, kLongestHeader));
-  std::array<std::uint64_t, 2> sides{};
-  for (std::uint64_t& side : sides) {
-    while ((header >> std::ws).peek() == '#') header.ignore(kLongestHeader, '\n');
-    if (!(header >> side)) return std::nullopt;
-  }
-  return ImageSize{sides[0], sides[1]};
-}
 
 std::optional<ImageSize> sizeOfPng(const std::string& bytes) {
   const auto number = [&](std::size_t at) {
@@ -134,13 +122,8 @@ std::optional<ImageSize> sizeOfPng(const std::string& bytes) {
     for (std::size_t i = at; i < at + 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes[i]);
     return value;
   };
-  if (bytes.size() < 24 || bytes.compare(12, 4, "IHDR") != 0) return std::nullopt;
+  if (bytes.rfind(kPngHead, 0) != 0 || bytes.size() < 24 || bytes.compare(12, 4, "IHDR") != 0) return std::nullopt;
   return ImageSize{number(16), number(20)};
-}
-
-std::optional<ImageSize> sizeOf(const std::string& bytes) {
-  if (bytes.rfind("P2", 0) == 0 || bytes.rfind("P5", 0) == 0) return sizeOfPgm(bytes);
-  return bytes.rfind(kPngHead, 0) == 0 ? sizeOfPng(bytes) : std::nullopt;
 }
 
 void checkSize(const ImageSize& size, double resolution, const std::string& yaml_path, const std::string& image) {
@@ -153,22 +136,37 @@ void checkSize(const ImageSize& size, double resolution, const std::string& yaml
          image + " is longer than " + std::to_string(static_cast<int>(bounds::kMostWorldSide)) + " m on one side");
 }
 
+/// The grey values of an image, from 0 to 255.
+cv::Mat decodePgm(const std::string& bytes, const PgmHeader& header) {
+  cv::Mat image(static_cast<int>(header.height), static_cast<int>(header.width), CV_8U);
+  return readPgm(bytes, header, image.data) ? image : cv::Mat();
+}
+
+cv::Mat decodePng(const std::string& bytes, const ImageSize& size) {
+  const std::vector<char> buffer(bytes.begin(), bytes.end());
+  const cv::Mat image = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+  const bool fits =
+      static_cast<std::uint64_t>(image.cols) == size.width && static_cast<std::uint64_t>(image.rows) == size.height;
+  return fits ? image : cv::Mat();
+}
+
 cv::Mat readImage(const std::string& yaml_path, const MapYaml& file) {
   const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / file.image;
   const std::string name = "its image " + path.string();
   const FileContent content = readFile(path, bounds::kMostImageBytes);
   if (content.status == FileContent::Status::kMissing) fail(yaml_path, name + " does not exist");
   if (!content.ok()) fail(yaml_path, name + " cannot be read: " + content.problem);
-  const std::optional<ImageSize> size = sizeOf(content.bytes);
+  const std::optional<PgmHeader> pgm = pgmHeader(content.bytes);
+  const std::optional<ImageSize> size = pgm ? ImageSize{pgm->width, pgm->height} : sizeOfPng(content.bytes);
   if (!size) fail(yaml_path, name + " cannot be read as PGM or PNG");
   checkSize(*size, file.resolution, yaml_path, name);
   cv::Mat image;
   try {
-    image = cv::imdecode(std::vector<char>(content.bytes.begin(), content.bytes.end()), cv::IMREAD_GRAYSCALE);
+    image = pgm ? decodePgm(content.bytes, *pgm) : decodePng(content.bytes, *size);
   } catch (const cv::Exception& error) {
     fail(yaml_path, name + " cannot be read: " + error.what());
   }
-  if (image.empty()) fail(yaml_path, name + " cannot be read as PGM or PNG");
+  if (image.empty()) fail(yaml_path, name + " cannot be read as PGM or PNG: it is damaged or incomplete");
   return image;
 }
 

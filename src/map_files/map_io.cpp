@@ -207,6 +207,7 @@ MapIoResult loadPicture(const std::string& yaml_path, occupancy::OccupancyMap& m
     const std::optional<OccupancyGrid> fitting = same ? std::nullopt : resampled(image.map, resolution);
     occupancy::OccupancyMap drawn(map.parameters());
     const bool has_room = (same || fitting) && draw(same ? image.map : *fitting, drawn);
+    if (has_room && drawn.isBlank()) return failure(MapIoStatus::kBroken, yaml_path, "its image holds no known cell");
     if (!has_room || !map.exchange(drawn)) return failure(MapIoStatus::kBroken, yaml_path, "is too large");
     if (!same) change = "; its cells of " + inMetres(image.map.resolution()) + " have become " + inMetres(resolution);
   } catch (const std::runtime_error& error) {

@@ -260,7 +260,7 @@ double ClearanceMap::segmentCost(const Vec2& from, const Vec2& to, double limit)
       valid = distance >= least_ - kRounding;
       if (distance < required_ - kRounding) cost = kTightClass;
     }
-    extra += weights_[std::max(1, cost & kClassMask)] - 1.0;
+    extra += weights_[static_cast<std::size_t>(std::max(1, cost & kClassMask))] - 1.0;
     return valid && extra <= most_extra;
   });
   return valid ? length * (1.0 + extra / count) : -1.0;

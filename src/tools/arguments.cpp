@@ -2,10 +2,13 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 namespace frontier_pilot::tools {
 namespace {
+
+constexpr std::int64_t kMostNumbers = 100'000;  // of a range
 
 template <class T>
 T parse(const std::string& option, const std::string& word, const char* what) {
@@ -47,8 +50,10 @@ std::vector<int> Arguments::range() {
   const int last = dash == std::string::npos ? first : parse<int>(option_, word.substr(dash + 1), "A or A-B");
   if (last < first)
     throw std::invalid_argument(option_ + ": " + word + " is empty, the second number is the smaller one");
+  const std::int64_t count = std::int64_t{last} - first + 1;
+  if (count > kMostNumbers) throw std::invalid_argument(option_ + ": " + word + " is more than 100000 numbers");
   std::vector<int> numbers;
-  for (int i = first; i <= last; ++i) numbers.push_back(i);
+  for (std::int64_t i = first; i <= last; ++i) numbers.push_back(static_cast<int>(i));
   return numbers;
 }
 

@@ -21,7 +21,7 @@ class Arguments {
   const std::string& text();
   double number();
   int integer();
-  /// `A` or `A-B`: the numbers from A to B.
+  /// `A` or `A-B`: the numbers from A to B, at most 100000.
   std::vector<int> range();
 
  private:

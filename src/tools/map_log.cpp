@@ -21,8 +21,6 @@ namespace frontier_pilot::tools {
 namespace {
 
 constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kUsage = 2;
 
 double cpuSeconds() {
   timespec time{};

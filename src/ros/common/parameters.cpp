@@ -2,7 +2,7 @@
 
 #include <ros/console.h>
 
-#include "ros/common/master/xml_rpc.h"
+#include "ros/common/master/parameter_values.h"
 
 namespace frontier_pilot {
 
@@ -14,41 +14,10 @@ std::string joined(const std::string& where, const Problems& problems) {
   return text;
 }
 
-ParameterList toList(XmlRpc::XmlRpcValue& value) {
-  ParameterList list;
-  for (XmlRpc::XmlRpcValue& item : elements(value)) list.push_back(toParameterValue(item));
-  return list;
-}
-
-ParameterMap toMap(XmlRpc::XmlRpcValue& value) {
-  ParameterMap map;
-  for (auto& [name, item] : value) map[name] = toParameterValue(item);
-  return map;
-}
-
 }  // namespace
 
 ConfigurationError::ConfigurationError(const std::string& where, const Problems& problems)
     : std::runtime_error(joined(where, problems)) {}
-
-ParameterValue toParameterValue(XmlRpc::XmlRpcValue& value) {
-  switch (value.getType()) {
-    case XmlRpc::XmlRpcValue::TypeBoolean:
-      return {static_cast<bool>(value)};
-    case XmlRpc::XmlRpcValue::TypeInt:
-      return {std::int64_t{static_cast<int>(value)}};
-    case XmlRpc::XmlRpcValue::TypeDouble:
-      return {static_cast<double>(value)};
-    case XmlRpc::XmlRpcValue::TypeString:
-      return {static_cast<std::string>(value)};
-    case XmlRpc::XmlRpcValue::TypeArray:
-      return {toList(value)};
-    case XmlRpc::XmlRpcValue::TypeStruct:
-      return {toMap(value)};
-    default:
-      return {};
-  }
-}
 
 ParameterMap readParameters(const ros::NodeHandle& node) {
   XmlRpc::XmlRpcValue value;
@@ -56,7 +25,11 @@ ParameterMap readParameters(const ros::NodeHandle& node) {
   if (value.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
     throw ConfigurationError(node.getNamespace(), {"is a single value, not a dictionary of parameters"});
   }
-  return toMap(value);
+  try {
+    return std::get<ParameterMap>(toParameterValue(value).value);
+  } catch (const std::length_error& error) {
+    throw ConfigurationError(node.getNamespace(), {error.what()});
+  }
 }
 
 void logParameters(const std::string& where, const std::vector<detail::Describer::Row>& rows) {

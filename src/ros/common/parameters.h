@@ -6,10 +6,6 @@
 
 #include "frontier_pilot/core/parameters.h"
 
-namespace XmlRpc {
-class XmlRpcValue;
-}
-
 namespace frontier_pilot {
 
 /// An invalid configuration; `what()` has one line for each problem.
@@ -19,10 +15,6 @@ class ConfigurationError : public std::runtime_error {
   /// `where` is the namespace that the parameters were read from.
   ConfigurationError(const std::string& where, const Problems& problems);
 };
-
-/// Converts a parameter to the core's type. Types without a counterpart (dates, binary data) become the empty
-/// alternative, which no field accepts.
-ParameterValue toParameterValue(XmlRpc::XmlRpcValue& value);
 
 /// All parameters in the namespace of `node`, which is usually the private one; empty if there are none.
 ParameterMap readParameters(const ros::NodeHandle& node);

@@ -13,10 +13,11 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
-#include <type_traits>
+#include <string_view>
 
 #include "ros/common/clock.h"
 #include "ros/map_log/bag_log.h"
+#include "ros/map_log/packed_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -25,105 +26,6 @@ namespace {
 constexpr char kRead = 'R';
 constexpr char kRefused = 'E';
 constexpr char kNoMemory = 'M';
-
-/// Writes a log as bytes, from a child process to its parent; no other program ever reads them.
-class Packer {
- public:
-  explicit Packer(std::string& bytes) : bytes_(bytes) {}
-  template <class T>
-  void number(const T& value) {
-    static_assert(std::is_arithmetic_v<T>, "numbers only");
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  void text(const std::string& text) {
-    number(text.size());
-    bytes_ += text;
-  }
-  void pose(const Pose2& pose) {
-    for (const double value : {pose.x, pose.y, pose.yaw}) number(value);
-  }
-  void record(const logs::LogRecord& record) {
-    const LaserScan2& scan = record.scan;
-    pose(record.T_odom_base);
-    pose(scan.T_base_sensor);
-    number(scan.stamp.time_since_epoch().count());
-    for (const double value : {scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max}) number(value);
-    number(scan.ranges.size());
-    for (const float range : scan.ranges) number(range);
-    number(scan.moving_mounts.size());
-    for (const Pose2& mount : scan.moving_mounts) pose(mount);
-  }
-
- private:
-  std::string& bytes_;
-};
-
-/// Reads what a Packer has written; throws std::length_error if bytes are missing.
-class Unpacker {
- public:
-  explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
-  template <class T>
-  T number() {
-    T value{};
-    std::memcpy(&value, take(sizeof value), sizeof value);
-    return value;
-  }
-  std::string text() {
-    const auto size = number<std::size_t>();
-    return {take(size), size};
-  }
-  Pose2 pose() {
-    const auto x = number<double>();
-    const auto y = number<double>();
-    return {x, y, number<double>()};
-  }
-  logs::LogRecord record() {
-    logs::LogRecord record;
-    LaserScan2& scan = record.scan;
-    record.T_odom_base = pose();
-    scan.T_base_sensor = pose();
-    scan.stamp = Time(Duration(number<Duration::rep>()));
-    for (double* value : {&scan.angle_min, &scan.angle_increment, &scan.range_min, &scan.range_max}) {
-      *value = number<double>();
-    }
-    const auto ranges = number<std::size_t>();
-    if (ranges > bytes_.size()) throw std::length_error("ranges");
-    scan.ranges.resize(ranges);
-    for (float& range : scan.ranges) range = number<float>();
-    const auto mounts = number<std::size_t>();
-    if (mounts != 0 && mounts != ranges) throw std::length_error("mounts");
-    for (std::size_t i = 0; i < mounts; ++i) scan.moving_mounts.push_back(pose());
-    return record;
-  }
-
- private:
-  const char* take(std::size_t size) {
-    if (size > bytes_.size() - next_) throw std::length_error("the end");
-    next_ += size;
-    return bytes_.data() + next_ - size;
-  }
-
-  const std::string& bytes_;
-  std::size_t next_ = 1;
-};
-
-std::string pack(const logs::ScanLog& log) {
-  std::string bytes(1, kRead);
-  Packer packer(bytes);
-  packer.number(log.notes.size());
-  for (const std::string& note : log.notes) packer.text(note);
-  packer.number(log.records.size());
-  for (const logs::LogRecord& record : log.records) packer.record(record);
-  return bytes;
-}
-
-logs::ScanLog unpack(const std::string& bytes) {
-  Unpacker unpacker(bytes);
-  logs::ScanLog log;
-  for (auto notes = unpacker.number<std::size_t>(); notes > 0; --notes) log.notes.push_back(unpacker.text());
-  for (auto left = unpacker.number<std::size_t>(); left > 0; --left) log.records.push_back(unpacker.record());
-  return log;
-}
 
 /// The present size of this process's address space [bytes].
 std::uint64_t addressSpace() {
@@ -166,7 +68,9 @@ void send(int pipe, const std::string& bytes) {
   dup2(nowhere, STDERR_FILENO);
   restrict(limits);
   try {
-    send(pipe, pack(readBagLog(path, topics)));
+    const std::string log = packLog(readBagLog(path, topics));
+    send(pipe, std::string(1, kRead));
+    send(pipe, log);
   } catch (const std::bad_alloc&) {
     send(pipe, std::string(1, kNoMemory));
   } catch (const logs::LogError& error) {
@@ -249,7 +153,7 @@ logs::ScanLog readBagLogApart(const std::string& path, const tools::BagTopics& t
   if (said[0] == kNoMemory) throw logs::LogError(path + ": takes more memory than " + megabytes);
   if (said[0] != kRead) throw logs::LogError(said.substr(1));
   try {
-    return unpack(said);
+    return unpackLog(std::string_view(said).substr(1));
   } catch (const std::length_error&) {
     throw logs::LogError(path + ": the process that reads it did not finish");
   }

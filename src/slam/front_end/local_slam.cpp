@@ -29,7 +29,8 @@ LocalSlamOutput LocalSlam::update(const surfaces::SurfaceScan& scan, const Pose2
     if (isMatched(output.track.verdict)) updateKnown(scan.points, output.track.T_local_base.pose);
     return output;
   }
-  if (output.track.verdict == MatchVerdict::kLost) output.finished = takeOldest(active_.size());
+  const bool elsewhere = output.track.verdict == MatchVerdict::kLost || leavesSubmaps(output.track.T_local_base.pose);
+  if (elsewhere) output.finished = takeOldest(active_.size());
   output.keyframe = Keyframe{keyframes_++, scan, std::move(points), output.track.T_local_base.pose, T_odom_base};
   insert(*output.keyframe);
   const bool replaced = active_.size() > 1 && isHalfFull(*active_.back());
@@ -55,6 +56,12 @@ bool LocalSlam::isKeyframe(const Track& track) const {
   const double share = known ? 1.0 : kSoon;
   return isPlaced(track.verdict) && isJump(*T_local_keyframe_, track.T_local_base.pose,
                                            share * parameters_.keyframe_distance, share * parameters_.keyframe_angle);
+}
+
+/// Whether odometry has jumped so far that no submap can hold both ends: its grid covers all that lies between them.
+bool LocalSlam::leavesSubmaps(const Pose2& T_local_base) const {
+  return T_local_keyframe_ &&
+         (T_local_base.position() - T_local_keyframe_->position()).norm() > parameters_.submap_length;
 }
 
 void LocalSlam::insert(const Keyframe& keyframe) {

@@ -61,6 +61,7 @@ class LocalSlam {
 
  private:
   bool isKeyframe(const Track& track) const;
+  bool leavesSubmaps(const Pose2& T_local_base) const;
   void insert(const Keyframe& keyframe);
   void updateKnown(const surfaces::SurfacePoints& surface, const Pose2& T_local_base);
   bool isHalfFull(const Submap& submap) const;

@@ -145,6 +145,25 @@ TEST(Parameters, FLT_1_YamlWhoseAliasesMakeACycleOrABombIsAnError) {
   EXPECT_EQ(parseYaml("a: &a [1, 2]\nb: *a").size(), 2U) << "an alias by itself is fine";
 }
 
+// [FLT-1]
+TEST(Parameters, FLT_1_AKeyOfYamlIsAWord) {
+  for (const char* text : {"[1, 2]: 3", "{a: 1}: 2", "? \n: 1", "a: {[1]: 2}"}) {
+    EXPECT_THROW(parseYaml(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(Parameters, ATextWrittenAsYamlIsReadAsTheSameText) {
+  for (const char* text :
+       {"floor", "1", "-2.5e3", "0x10", "true", "no", "~",  "null", ".nan", "",           " ",    "a: b", "# a",
+        "- a",   "[", "\"",     "'",    "!x",   "&a", "*a", "%",    "@",    "K\u00fcche", "a\nb", "<<"}) {
+    const ParameterMap map = parseYaml("key: " + yamlText(text));
+    const auto* read = std::get_if<std::string>(&map.at("key").value);
+    ASSERT_NE(read, nullptr) << text;
+    EXPECT_EQ(*read, text);
+  }
+  EXPECT_EQ(yamlText("floor.pgm"), "floor.pgm") << "quotes only where they are needed";
+}
+
 TEST(Parameters, TheDescriptionHasARowPerFieldWithUnitsAndDefaults) {
   const auto rows = describeParameters(Sample{});
   ASSERT_EQ(rows.size(), 7U);

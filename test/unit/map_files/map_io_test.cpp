@@ -227,6 +227,17 @@ TEST_F(MapIo, KeepsTheMapWhenAPictureCannotBeLoaded_MAP_5) {
 }
 
 // [MAP-5]
+TEST_F(MapIo, KeepsTheMapWhenAPictureHoldsNoKnownCell_MAP_5) {
+  const auto before = map.grid().cells();
+  write("grey.yaml", "image: grey.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  write("grey.pgm", "P2 2 2 255 205 205 205 205\n");
+  const map_files::MapIoResult result = map_files::loadMap(path("grey"), map);
+  EXPECT_EQ(result.status, map_files::MapIoStatus::kBroken) << result.text;
+  EXPECT_NE(result.text.find("no known cell"), std::string::npos) << result.text;
+  EXPECT_TRUE(map.grid().cells() == before);
+}
+
+// [MAP-5]
 TEST_F(MapIo, KeepsTheMapWhenAnotherCannotBeLoaded_MAP_5) {
   const auto before = map.grid().cells();
   EXPECT_EQ(map_files::loadMap("", map).status, map_files::MapIoStatus::kBadPath);

@@ -230,6 +230,19 @@ TEST_F(BagLog, IsReadOrRefusedWhateverItHolds_FLT_1) {
   EXPECT_GT(refused, 0U);
 }
 
+// [FLT-1] Those of scripts/fuzz, and with them all in which it has found a defect.
+TEST(BagCorpus, IsReadOrRefused_FLT_1) {
+  std::size_t read = 0;
+  for (const auto& entry : fs::directory_iterator(std::string(PROJECT_ROOT) + "/test/fuzz/corpus/bags")) {
+    try {
+      read += readBagLogApart(entry.path().string(), {}).records.size();
+    } catch (const logs::LogError& error) {
+      EXPECT_NE(std::string(error.what()).find(entry.path().filename().string()), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GE(read, 12U) << "two bags are whole";
+}
+
 // [FLT-1] A compressed bag may be far larger inside than outside.
 TEST_F(BagLog, IsRefusedWhenItNeedsTooMuch_FLT_1) {
   writeMounts();

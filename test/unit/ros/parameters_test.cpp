@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <stdexcept>
+
 #include "frontier_pilot/core/robot_model.h"
+#include "ros/common/master/parameter_values.h"
 
 namespace frontier_pilot {
 namespace {
@@ -52,6 +55,21 @@ TEST(Parameters, AnErrorListsEveryProblemByName) {
   for (const char* part : {"/robot", "max_linear", "max_anglar"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " missing in: " << text;
   }
+}
+
+// [FLT-1]
+TEST(Parameters, TooDeepOnesAndTooManyAreRefused) {
+  XmlRpc::XmlRpcValue deep;
+  XmlRpc::XmlRpcValue* inner = &deep;
+  for (int i = 0; i < 40; ++i) inner = &(*inner)["a"];
+  *inner = 1;
+  EXPECT_THROW(toParameterValue(deep), std::length_error);
+  XmlRpc::XmlRpcValue many;
+  many["list"].setSize(100'001);
+  for (int i = 0; i < many["list"].size(); ++i) many["list"][i] = i;
+  EXPECT_THROW(toParameterValue(many), std::length_error);
+  EXPECT_EQ(std::get<ParameterMap>(toParameterValue(deep["a"]["a"]["a"]["a"]["a"]["a"]["a"]["a"]["a"]).value).size(),
+            1U);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <vector>
 
 namespace frontier_pilot::sim {
 namespace {
@@ -121,6 +122,52 @@ TEST_F(WorldFiles, AreOfASizeThatCanBeHeld_FLT_1_SIM_1) {
   EXPECT_NE(refusal(writeYaml(std::string(200000, '['))), "");
   EXPECT_NE(refusal(writeYaml(std::string(2000000, ' ') + "image: world.pgm\n" + rest_)).find("larger"),
             std::string::npos);
+}
+
+// [FLT-1] [SIM-1] A comment ends with CR, too: OpenCV knows that, and would have read another size than the one
+// checked.
+TEST_F(WorldFiles, HaveTheSizeThatWasChecked_FLT_1_SIM_1) {
+  write("comment.pgm", "P5\n#\r60000 1\n2 2\n255\n" + std::string(60000, 'x'));
+  EXPECT_NE(refusal(writeYaml("image: comment.pgm\n" + rest_)).find("longer than 5000 m"), std::string::npos)
+      << refusal(writeYaml("image: comment.pgm\n" + rest_));
+}
+
+// [SIM-1] as map_server does
+TEST_F(WorldFiles, AreAsDarkAsTheGreatestValueOfTheImageSays_SIM_1) {
+  const std::vector<std::int8_t> cells = {kOccupied, kUnknown, kFree};
+  for (const std::string& image :
+       {std::string("P2 3 1 15 0 9 # nine\n 15"), std::string("P5 3 1 15\n\0\x09\x0f", 13),
+        std::string("P5 3 1 1500\n\0\0\x03\x84\x05\xdc", 18), std::string("P2\r#\r3\r1\r1000\r0 600 2000\r")}) {
+    write("shades.pgm", image);
+    EXPECT_EQ(loadWorld(writeYaml("image: shades.pgm\n" + rest_)).map.cells(), cells) << image;
+  }
+}
+
+// [FLT-1] [SIM-1]
+TEST_F(WorldFiles, HaveAllPixelsThatTheImageAnnounces_FLT_1_SIM_1) {
+  for (const std::string& image :
+       {std::string("P2 3 1 255 0 1"), std::string("P2 3 1 255 0 1 x"), std::string("P2 3 1 255 0 1 -1"),
+        std::string("P5 3 1 255\nab"), std::string("P5 3 1 256\nabcde"), std::string("P5 3 1 0\nabc"),
+        std::string("P5 0 1 255\n"), std::string("P5 3 1 65536\nabcdef"), std::string("P5 3 1 255"),
+        std::string("P5x3 1 255\nabc")}) {
+    write("short.pgm", image);
+    EXPECT_NE(refusal(writeYaml("image: short.pgm\n" + rest_)).find("cannot be read as PGM or PNG"), std::string::npos)
+        << image;
+  }
+}
+
+// [SIM-1] map_server takes no notice of what a camera writes into a picture.
+TEST_F(WorldFiles, AreNotTurnedByTheImagesOrientation_SIM_1) {
+  write("turned.png",
+        std::string(
+            "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\003\000\000\000\001\010\000"
+            "\000\000\000\076\213\113\150\000\000\000\032\145\130\111\146\115\115\000\052\000\000\000\010\000\001\001"
+            "\022\000\003\000\000\000\001\000\003\000\000\000\000\000\000\204\137\144\316\000\000\000\014\111\104\101"
+            "\124\170\332\143\370\167\226\001\000\004\230\001\314\204\216\266\044\000\000\000\000\111\105\116\104\256"
+            "\102\140\202",
+            107));
+  EXPECT_EQ(loadWorld(writeYaml("image: turned.png\n" + rest_)).map.cells(),
+            (std::vector<std::int8_t>{kFree, kUnknown, kOccupied}));
 }
 
 // [FLT-1] [SIM-1]

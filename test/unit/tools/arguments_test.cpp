@@ -44,5 +44,17 @@ TEST(Arguments, NameTheOptionThatLacksItsValue) {
   EXPECT_EQ(problemOf({"--range", "inf"}), "--range needs a finite number");
 }
 
+// [FLT-1]
+TEST(Arguments, RefuseARangeThatWouldNotEnd_FLT_1) {
+  for (const char* range : {"1-2147483647", "-2147483648-2147483647", "0-100000"}) {
+    tools::Arguments arguments({"--seeds", range});
+    arguments.next();
+    EXPECT_THROW(arguments.range(), std::invalid_argument) << range;
+  }
+  tools::Arguments last({"--seeds", "2147483646-2147483647"});
+  last.next();
+  EXPECT_EQ(last.range().size(), 2U);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -45,5 +45,24 @@ TEST(BentOdometry, SpreadsADisagreementOverTheWayBetweenTwoAnchors) {
   EXPECT_NEAR((bent[6].pose.position() - odometry[6].pose.position()).norm(), 0.2, 0.05);
 }
 
+// [FLT-1] A submap that held both ends of the jump would need more memory than there is.
+TEST(LogMapping, OutlivesOdometryThatJumpsAcrossTheCountry_FLT_1) {
+  logs::ScanLog log;
+  for (const double x : {999'999.0, -999'999.0, 0.0, 0.5, 5e5}) {
+    logs::LogRecord record;
+    record.T_odom_base = {x, -x, 0.0};
+    record.scan.stamp = timeFromSeconds(static_cast<double>(log.records.size()));
+    record.scan.angle_min = -1.0;
+    record.scan.angle_increment = 0.02;
+    record.scan.range_max = 10.0;
+    record.scan.ranges.assign(100, 2.0F);
+    log.records.push_back(record);
+  }
+  mapping::Mapper mapper;
+  const tools::MappedDrive drive = tools::mapLog(log, mapper);
+  ASSERT_EQ(drive.corrected.size(), log.records.size());
+  for (const StampedPose2& entry : drive.corrected) EXPECT_TRUE(entry.pose.isFinite());
+}
+
 }  // namespace
 }  // namespace frontier_pilot

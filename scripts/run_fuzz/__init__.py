@@ -1,0 +1,1 @@
+"""The fuzzing of the parsers: see scripts/fuzz."""
