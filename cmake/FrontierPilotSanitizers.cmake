@@ -19,6 +19,9 @@ else()
   if(undefined IN_LIST SANITIZER)
     # A number that does not fit into an integer type is not part of `undefined`.
     add_compile_options(-fsanitize=float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow)
+    # Beside AddressSanitizer's library the shared one of GCC 12 writes to stderr, whatever its log_path is: the two have
+    # functions of the same names.
+    add_link_options(-static-libubsan -Wl,--exclude-libs,libubsan.a)
   endif()
   add_link_options(-fsanitize=${sanitizers})
 endif()
