@@ -6,6 +6,7 @@ if the modules together have less than 95 % of the lines or 85 % of the branches
 import collections
 import datetime
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -49,7 +50,7 @@ def shares_of(export, root):
     """The shares by module and by file, from the summary that `llvm-cov export` gives."""
     modules, files = collections.defaultdict(Share), {}
     for file in export['data'][0]['files']:
-        path = pathlib.Path(file['filename'])
+        path = pathlib.Path(os.path.normpath(file['filename']))  # a compiler cache makes names relative to the build
         if root not in path.parents:
             continue
         path = path.relative_to(root)

@@ -31,7 +31,8 @@ class CoverageTable(unittest.TestCase):
         self.assertEqual(shares(file('/usr/include/eigen3/Eigen/Core', (10, 1), (2, 1))), ({}, {}))
 
     def test_the_files_of_a_module_are_added(self):
-        modules, files = shares(file('/house/src/core/a.cpp', (10, 9), (4, 2)), file('/house/src/core/b.cpp', (30, 21), (0, 0)))
+        modules, files = shares(file('/house/build/coverage/../../src/core/a.cpp', (10, 9), (4, 2)),
+                                file('/house/src/core/b.cpp', (30, 21), (0, 0)))
         self.assertAlmostEqual(modules['core'].percent('lines'), 75.0)
         self.assertAlmostEqual(modules['core'].percent('branches'), 50.0)
         self.assertEqual(sorted(files), ['src/core/a.cpp', 'src/core/b.cpp'])
