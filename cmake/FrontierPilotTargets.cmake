@@ -88,7 +88,11 @@ function(frontier_pilot_add_test target)
     add_test(NAME ${name}
       COMMAND ${target} --gtest_output=xml:${CMAKE_BINARY_DIR}/test_results/${PROJECT_NAME}/gtest-${target}.xml)
   endif()
-  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS unit)
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${FRONTIER_PILOT_UNIT_TIMEOUT} LABELS unit)
+  if(NOT TARGET unit_tests)
+    add_custom_target(unit_tests)
+  endif()
+  add_dependencies(unit_tests ${target})
 endfunction()
 
 # frontier_pilot_unit_test(<module> [DEPENDS <modules>] [LIBRARIES <others>]): test/unit/<module>/*_test.cpp as one

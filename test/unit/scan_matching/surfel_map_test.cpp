@@ -11,11 +11,11 @@ namespace {
 /// Points every centimetre along 3 m of a wall at `y` that faces +y, seen `times` times with noise [m].
 scan_matching::SurfelMap wallAt(double y, int times, double noise) {
   std::mt19937 random(1);
-  std::normal_distribution<double> off(0.0, noise);
+  std::normal_distribution<double> off;
   scan_matching::SurfelMap map;
   for (int i = 0; i < times; ++i) {
     surfaces::SurfacePoints points;
-    for (int k = 0; k < 300; ++k) points.push_back({Vec2(0.01 * k, y + off(random)), Vec2(0.0, 1.0)});
+    for (int k = 0; k < 300; ++k) points.push_back({Vec2(0.01 * k, y + noise * off(random)), Vec2(0.0, 1.0)});
     map.add(points, Pose2());
   }
   return map;
