@@ -42,7 +42,8 @@ class Conversion {
   }
   ParameterList list(XmlRpcValue& array) {
     ParameterList list;
-    for (int i = 0; i < array.size(); ++i) list.push_back(value(array[i]));
+    const int size = array.size();  // XmlRpcValue's iterators are those of dictionaries
+    for (int i = 0; i < size; ++i) list.push_back(value(array[i]));
     return list;
   }
   ParameterMap map(XmlRpcValue& dictionary) {
