@@ -35,6 +35,8 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   ways_home_ = situation.home ? distances_.to(*situation.home) : std::vector<double>(viewpoints_.size(), kNoWay);
   measureOpenAreas();
   findSlivers();
+  expectAreas();
+  putOffSmallOnes();
   if (situation.shared != nullptr) leaveToOthers(*situation.shared);
   const Plan plan = choosePlan(situation);
   if (!plan.stops.empty()) return goalOf(plan, situation);
@@ -153,13 +155,13 @@ TourStrategy::Plan TourStrategy::plan(std::optional<std::size_t> first) {
   }
   if (first) return plan;
   shorten(plan);
-  takeNearSliver(plan);
+  takeNearOne(plan);
   return plan;
 }
 
-/// Chooses viewpoints that together show every frontier but slivers: `first`, then always the one that shows most of
-/// what is not yet shown by others for the way to it. Chvatal, "A Greedy Heuristic for the Set-Covering Problem",
-/// Mathematics of Operations Research 4(3), 1979.
+/// Chooses viewpoints that together show every frontier that is not put off: `first`, then always the one that shows
+/// most of what is not yet shown by others for the way to it. Chvatal, "A Greedy Heuristic for the Set-Covering
+/// Problem", Mathematics of Operations Research 4(3), 1979.
 std::vector<TourStrategy::Stop> TourStrategy::cover(std::optional<std::size_t> first) const {
   constexpr std::size_t kMostStops = 40;
   std::vector<bool> shown(evaluator_->frontiers().size(), false);
@@ -186,7 +188,7 @@ double TourStrategy::worthOf(std::size_t viewpoint, const std::vector<bool>& sho
   constexpr double kNear = 3.0;            // [m], added to the way
   double worth = 0.0;
   for (const Sight& sight : viewpoints_[viewpoint].sights) {
-    if (!shown[sight.frontier] && !slivers_[sight.frontier] && !left_[sight.frontier])
+    if (!shown[sight.frontier] && !put_off_[sight.frontier] && !left_[sight.frontier])
       worth += 1.0 + sight.area / kAreaOfOneMore;
   }
   return worth / (kNear + wayTo(viewpoint));
@@ -256,34 +258,6 @@ void TourStrategy::shorten(Plan& plan) {
     least = length(v);
     first.viewpoint = v;
   }
-}
-
-/// Puts the viewpoint of a sliver first if the detour over it is short enough.
-void TourStrategy::takeNearSliver(Plan& plan) {
-  std::vector<bool> shown(evaluator_->frontiers().size(), false);
-  for (const Stop& stop : plan.stops) {
-    for (const Sight& sight : viewpoints_[stop.viewpoint].sights) shown[sight.frontier] = true;
-  }
-  const std::size_t first = plan.stops.front().viewpoint;
-  const std::vector<double>& from_first = distances_.from(first);
-  double least = parameters_.sliver_detour;
-  std::optional<std::size_t> best;
-  for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
-    const auto isNews = [&](const Sight& sight) {
-      return slivers_[sight.frontier] && !shown[sight.frontier] && !left_[sight.frontier];
-    };
-    const std::vector<Sight>& sights = viewpoints_[v].sights;
-    if (std::none_of(sights.begin(), sights.end(), isNews)) continue;
-    const double detour = secondsFor(wayTo(v) + from_first[v] - wayTo(first));
-    if (detour >= least) continue;
-    least = detour;
-    best = v;
-  }
-  if (!best) return;
-  plan.cost += least;
-  for (Stop& stop : plan.stops) stop.arrival += least;
-  plan.stops.insert(plan.stops.begin(), stopAt(*best, shown));
-  plan.stops.front().arrival = secondsFor(wayTo(*best));
 }
 
 }  // namespace frontier_pilot::exploration

@@ -15,7 +15,7 @@ namespace frontier_pilot::exploration {
 /// The first stop of a short tour that sees every frontier, priced in seconds. Viewpoints are chosen so that each
 /// frontier is seen whole from one of them; the stops are ordered as an open travelling salesman's tour; the first one
 /// is moved to where the detour is least. Slivers, behind which next to nothing is left to see, are only looked at in
-/// passing. [EXP-9]
+/// passing; so are small frontiers, behind which little is expected, until no others are left. [EXP-9]
 /// The order of decisions follows Kulich, Faigl & Preucil, "On Distance Utility in the Exploration Task", ICRA 2011,
 /// who plan a travelling salesman's tour over representatives of the frontiers.
 class TourStrategy : public GoalStrategy {
@@ -52,6 +52,10 @@ class TourStrategy : public GoalStrategy {
   void measureOpenAreas();
   double openAreaAt(std::size_t frontier);
   void findSlivers();
+  double expectedAreaAt(std::size_t frontier) const;
+  bool isInPassage(std::size_t frontier) const;
+  void expectAreas();
+  void putOffSmallOnes();
   std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
   void leaveToOthers(SharedWork& shared);
   Plan choosePlan(const Situation& situation);
@@ -64,7 +68,8 @@ class TourStrategy : public GoalStrategy {
   double secondsFor(double distance) const;
   double wayTo(std::size_t viewpoint) const;
   void shorten(Plan& plan);
-  void takeNearSliver(Plan& plan);
+  double detourFor(const Viewpoint& viewpoint, const std::vector<bool>& shown) const;
+  void takeNearOne(Plan& plan);
   bool shows(std::size_t viewpoint, const std::vector<std::size_t>& frontiers) const;
   ChosenGoal goalAt(const Vec2& position, const Situation& situation) const;
   ChosenGoal goalOf(const Plan& plan, const Situation& situation);
@@ -76,13 +81,15 @@ class TourStrategy : public GoalStrategy {
   ViewpointSearch search_;
   ViewpointDistances distances_;
   UnknownRegions regions_;
-  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next six
+  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next eight
   std::vector<SoughtFrontier> sought_;
   bool all_sought_ = true;  ///< false: farther frontiers are left out of the tour
   std::vector<Viewpoint> viewpoints_;
   std::vector<double> ways_home_;   ///< from each viewpoint [m]; negative where none leads or none is wanted
   std::vector<double> open_areas_;  ///< unknown area around each frontier [m^2]
   std::vector<bool> slivers_;       ///< by frontier
+  std::vector<double> expected_;    ///< floor behind each frontier, if it can be told [m^2]; else infinite
+  std::vector<bool> put_off_;       ///< by frontier: a sliver, or a small one that waits or is left
   std::vector<bool> left_;          ///< by frontier: to other robots
   int changes_of_mind_ = 0;         ///< goals in a row that were left while they still had something to show
   std::vector<Vec2> aimed_at_;      ///< anchors of the frontiers that the last goal should show

@@ -61,6 +61,7 @@ class ExplorerTest : public ::testing::Test {
   static exploration::ExplorerParameters shortSighted() {
     exploration::ExplorerParameters parameters;
     parameters.frontier.view.sensor_range = 1.0;
+    parameters.tour.put_off_share = parameters.tour.left_share = 0.0;  // the drawings are small
     return parameters;
   }
 

@@ -14,6 +14,7 @@ namespace frontier_pilot::test {
 inline exploration::ExplorerParameters touring() {
   exploration::ExplorerParameters parameters;
   parameters.robot.limits.max_linear = 0.5;
+  parameters.tour.put_off_share = parameters.tour.left_share = 0.0;  // the drawings are small
   return parameters;
 }
 
