@@ -5,7 +5,6 @@ import random
 import signal
 import time
 
-import rospy
 
 from run_attack import environment, services, table
 from run_attack.phases import PHASES, Phases

@@ -83,16 +83,16 @@ class Search {
     const surfaces::SurfacePoints surface = surfaces::surfaceOf(grid);
     map_.add(surface, Pose2());
     if (map_.empty()) return;
-    scan_matching::SurfaceMap coarse(coarser(parameters.likelihood, grid.resolution()));
-    coarse.add(surface, Pose2());
-    const GridGeometry& geometry = coarse.field().geometry();
+    const Grid<std::uint8_t> coarse =
+        scan_matching::likelihoodField(surface, coarser(parameters.likelihood, grid.resolution()));
+    const GridGeometry& geometry = coarse.geometry();
     const Vec2 half = 0.5 * geometry.resolution * Vec2(geometry.width, geometry.height);
     whole_.expected = Pose2(geometry.origin + half, 0.0);
     whole_.window = {half.x(), half.y(), kPi};
     whole_.min_score = kMinScore;
     whole_.stop = stop;
     const int top = scan_matching::pyramidTop(whole_.window, geometry.resolution);
-    pyramid_.emplace(coarse.field(), top);
+    pyramid_.emplace(coarse, top);
     free_.emplace(freeCells(grid), top);
   }
 

@@ -2,17 +2,10 @@
 
 #include "logs/carmen_log.h"
 
-#include <sstream>
-
 #include "fuzz/check_log.h"
-#include "fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace frontier_pilot;  // NOLINT(google-build-using-namespace): a program of its own
-  std::istringstream file(fuzz::textOf(data, size));
-  try {
-    fuzz::checkLog(logs::readCarmenLog(file, "log", {}));
-  } catch (const logs::LogError&) {
-  }
+  fuzz::readLog(data, size, [](std::istream& file) { return logs::readCarmenLog(file, "log", {}); });
   return 0;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <sstream>
 
 #include "frontier_pilot/logs/scan_log.h"
 #include "fuzz/fuzz.h"
@@ -21,6 +22,16 @@ inline void checkLog(const logs::ScanLog& log) {
     require(std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment), "angles are finite");
     require(scan.angle_increment != 0.0, "there is an angle between two beams");
     require(scan.range_max > 0.0, "the longest range is positive");
+  }
+}
+
+/// Reads the input as a log by `read`, which may refuse it.
+template <class Read>
+void readLog(const std::uint8_t* data, std::size_t size, Read read) {
+  std::istringstream file(textOf(data, size));
+  try {
+    checkLog(read(file));
+  } catch (const logs::LogError&) {
   }
 }
 

@@ -65,10 +65,9 @@ struct TourParameters {
   double small_area = 1.2;        ///< a frontier behind which less floor is expected is small [m^2]
   double small_detour = 3.0;      ///< a small one that is put off is looked at on the way if that takes less than ...
   double detour_per_area = 12.0;  ///< ... this [s], and this for each square metre expected behind it [s/m^2]
-  double put_off_share =
-      0.03;                  ///< small ones are put off while less than this share of the known floor is expected there
-  double left_share = 0.01;  ///< in the end they are left while less than this share is
-  double most_left = 0.8;    ///< but not one behind which more is expected: it may be a door [m^2]
+  double put_off_share = 0.03;    ///< share of the known floor that may be expected behind all that are put off
+  double left_share = 0.01;       ///< the same of those that are left in the end
+  double most_left = 0.8;         ///< one behind which more is expected is never left: it may be a door [m^2]
 };
 
 /// Which frontiers can be chosen. [EXP-2] [EXP-3]

@@ -43,10 +43,12 @@ double TourStrategy::expectedAreaAt(std::size_t frontier) const {
   constexpr double kLeastSight = 0.4;  // [m^2/m]
   const int cells = evaluator_->clusters().clusters[frontier].component_cells;
   const double width = cells * evaluator_->map().geometry().resolution;
-  if (width >= kWide || isInPassage(frontier)) return kNotTold;
+  if (width >= kWide) return kNotTold;
   const double in_sight = std::max(search_.mostOf(frontier), kLeastSight * width);
   const double openness = std::min(1.0, width / kOpenWidth * std::max(1.0, in_sight / kOpenSight));
-  return std::min(open_areas_[frontier], kFree * in_sight * openness * openness);
+  const double area = std::min(open_areas_[frontier], kFree * in_sight * openness * openness);
+  return area < parameters_.small_area && isInPassage(frontier) ? kNotTold
+                                                                : area;  // what is not small is not put off anyway
 }
 
 /// Whether the known floor near a frontier, as far as it is in sight, is nowhere wider than a passage. In a maze, whose
@@ -84,8 +86,8 @@ void TourStrategy::putOffSmallOnes() {
     return expected_[i] / (kNear + evaluator_->frontiers()[i].distance);
   };
   std::stable_sort(small.begin(), small.end(), [&](std::size_t a, std::size_t b) { return worth(a) < worth(b); });
-  double share = others_left ? parameters_.put_off_share : parameters_.left_share;
-  if (!others_left && !all_sought_) share = 0.0;
+  const double left_share = all_sought_ ? parameters_.left_share : 0.0;
+  const double share = others_left ? parameters_.put_off_share : left_share;
   double room = share * evaluator_->map().freeArea();
   put_off_ = slivers_;
   for (const std::size_t i : small) {

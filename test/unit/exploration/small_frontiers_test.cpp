@@ -1,3 +1,5 @@
+#include <string>
+
 #include "strategy_fixture.h"
 
 namespace frontier_pilot {
@@ -14,56 +16,36 @@ exploration::ExplorerParameters largeFirst() {
   return parameters;
 }
 
-/// A niche on the left, nearer to the robot than the open end on the right.
-constexpr const char* kNicheAndOpenEnd = R"(
-  ##########################################################################????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #..n....................................................................w.????????????????
-  #.................................r.......................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  ##??????##################################################################????????????????
-  ##??????##
-  ##??????##
-  ##########
-)";
-
-/// The same in a corridor that is hardly wider than the niche.
-constexpr const char* kNicheOfACorridor = R"(
-  ##########################################################################????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #..n....................................................................w.????????????????
-  #.........................r...............................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  #.........................................................................????????????????
-  ##??????##################################################################????????????????
-  ##??????##
-  ##??????##
-  ##########
-)";
+/// A corridor of `rows` cells with a niche on the left, nearer to the robot at column `robot` than the open end on the
+/// right.
+std::string nicheAndOpenEnd(int rows, std::size_t robot) {
+  constexpr std::size_t kLength = 73;
+  const std::string unknown(16, '?');
+  std::string drawing = "#" + std::string(kLength, '#') + unknown + "\n";
+  for (int row = 0; row < rows; ++row) {
+    std::string floor(kLength, '.');
+    if (row == rows / 2 - 1) floor[2] = 'n', floor[kLength - 2] = 'w';
+    if (row == rows / 2) floor[robot] = 'r';
+    drawing += "#" + floor + unknown + "\n";
+  }
+  return drawing + "##??????" + std::string(kLength - 7, '#') + unknown + "\n##??????##\n##??????##\n##########\n";
+}
 
 // [EXP-9]
 TEST_F(Strategies, ASmallNicheWaitsForWhatIsLarge_EXP_9) {
-  const auto at_once = choose(kNicheAndOpenEnd);
+  const std::string roomy = nicheAndOpenEnd(11, 33);
+  const auto at_once = choose(roomy);
   ASSERT_TRUE(at_once);
   EXPECT_LT(distanceTo(*at_once, 'n'), distanceTo(*at_once, 'w'));
   strategy.reset();
-  const auto later = choose(kNicheAndOpenEnd, largeFirst());
+  const auto later = choose(roomy, largeFirst());
   ASSERT_TRUE(later);
   EXPECT_LT(distanceTo(*later, 'w'), distanceTo(*later, 'n'));
 }
 
 // [EXP-9]
 TEST_F(Strategies, ANicheOfAPassageDoesNotWaitBecauseAnythingMayLieBehindIt_EXP_9) {
-  const auto goal = choose(kNicheOfACorridor, largeFirst());
+  const auto goal = choose(nicheAndOpenEnd(7, 25), largeFirst());
   ASSERT_TRUE(goal);
   EXPECT_LT(distanceTo(*goal, 'n'), distanceTo(*goal, 'w'));
 }
