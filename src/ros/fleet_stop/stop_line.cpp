@@ -70,13 +70,18 @@ void StopLine::run() {
 void StopLine::connect() {
   // A killed node's service stays at the master, and a client that connects to where it was counts as valid until the
   // refusal has come, in a race with roscpp for ever; so the service is asked first whether it is there.
-  if (!client_.isValid() && ros::service::exists(node_.resolveName(service_), false)) {
+  if (!isConnected() && ros::service::exists(node_.resolveName(service_), false)) {
     // Persistent: such a client keeps its connection, and can be shut down in the middle of a call.
     ros::ServiceClient fresh = node_.serviceClient<std_srvs::Trigger>(service_, true);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!ending_) client_ = fresh;
   }
-  connected_ = client_.isValid();
+  connected_ = isConnected();
+}
+
+bool StopLine::isConnected() {
+  const std::lock_guard<std::mutex> lock(mutex_);  // a client must not be asked while another thread shuts it down
+  return client_.isValid();
 }
 
 void StopLine::disconnect() {

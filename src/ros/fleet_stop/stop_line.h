@@ -37,6 +37,7 @@ class StopLine {
  private:
   void run();
   void connect();
+  bool isConnected();
   void disconnect();
   StopAnswer call();
 

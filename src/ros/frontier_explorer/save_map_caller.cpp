@@ -29,15 +29,16 @@ std::optional<SaveMapCaller::End> SaveMapCaller::take() {
 SaveMapCaller::End SaveMapCaller::call(const std::string& path) {
   // Persistent, because only such a client can be shut down in the middle of a call.
   ros::ServiceClient client = node_.serviceClient<SaveMap>(names::kSaveMap, true);
+  bool connected = false;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<std::mutex> lock(mutex_);  // the client is not asked while another thread shuts it down
     if (ending_) return {};
     client_ = client;
+    connected = client.isValid();
   }
   SaveMap service;
   service.request.path = path;
-  const bool answered = client.isValid() && client.call(service);
-  if (!answered) return {false, client.getService() + kNoAnswer};
+  if (!connected || !client.call(service)) return {false, client.getService() + kNoAnswer};
   return {service.response.success != 0, service.response.message};
 }
 

@@ -113,7 +113,7 @@ void ServiceCaller::run() {
 bool ServiceCaller::begin(const ros::ServiceClient& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   client_ = client;
-  return !stopping_;
+  return !stopping_ && client_.isValid();
 }
 
 bool ServiceCaller::isEnding() {
@@ -132,7 +132,7 @@ template <class Service>
 std::optional<ServiceCaller::Answer> ServiceCaller::ask(const std::string& name, Service& service) {
   // Persistent, because only such a client can be shut down in the middle of a call.
   ros::ServiceClient client = node_.serviceClient<Service>(name, true);
-  if (!begin(client) || !client.isValid() || !client.call(service)) return std::nullopt;
+  if (!begin(client) || !client.call(service)) return std::nullopt;
   return Answer{service.response.success != 0, service.response.message};
 }
 

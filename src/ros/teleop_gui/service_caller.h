@@ -77,7 +77,7 @@ class ServiceCaller {
   std::optional<Answer> askAgain(const Call& call);
   template <class Service>
   std::optional<Answer> ask(const std::string& name, Service& service);
-  /// False if this object is being destroyed.
+  /// False if the service could not be connected to, or if this object is being destroyed.
   bool begin(const ros::ServiceClient& client);
   bool isEnding();
 
