@@ -6,6 +6,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <boost/make_shared.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,8 +29,8 @@ class ActionServers : public ::testing::Test {
   }
 
   template <class Condition>
-  static bool comes(const Condition& condition) {
-    const SteadyTime end = steadyNow() + std::chrono::seconds(10);
+  static bool comes(const Condition& condition, Duration patience = std::chrono::seconds(10)) {
+    const SteadyTime end = steadyNow() + patience;
     while (!condition() && steadyNow() < end) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
     return condition();
   }
@@ -97,6 +98,35 @@ TEST_F(ActionServers, RecallAGoalWhoseCancelCameFirst) {
   sendGoal("early");
   EXPECT_TRUE(endsAs("early", GoalStatus::RECALLED));
   EXPECT_EQ(begun_, 0);
+}
+
+// A goal from rviz and the cancel of all goals that follows it arrive on two topics. [NAV-1]
+TEST_F(ActionServers, BeginAGoalFromWithinTheNodeAtOnceAndOnlyOnce) {
+  int begun = 0;
+  std::vector<ActionServer<WaitAction>::GoalHandle> handles;
+  ActionServer<WaitAction> server(
+      node_, "within",
+      [&](ActionServer<WaitAction>::GoalHandle handle) {
+        ++begun;
+        handle.setAccepted();
+        handles.push_back(handle);
+      },
+      [&](ActionServer<WaitAction>::GoalHandle handle) { handle.setCanceled(); }, [] {});
+  std::vector<GoalStatus> ended;
+  const ros::Subscriber results = node_.subscribe<WaitActionResult>(
+      "within/result", 10, [&](const WaitActionResult::ConstPtr& result) { ended.push_back(result->status); });
+  const ros::Publisher goals = node_.advertise<WaitActionGoal>("within/goal", 10);
+  const ros::Publisher cancels = node_.advertise<GoalID>("within/cancel", 10);
+  ASSERT_TRUE(comes([&] { return goals.getNumSubscribers() > 0 && cancels.getNumSubscribers() > 0; }));
+  const auto goal = boost::make_shared<WaitActionGoal>();
+  goal->goal_id = named("a");
+  server.offer(goal);
+  EXPECT_EQ(begun, 1) << "before any callback is called";
+  goals.publish(goal);
+  cancels.publish(GoalID());
+  ASSERT_TRUE(comes([&] { return !ended.empty(); }));
+  EXPECT_EQ(ended.back().status, GoalStatus::PREEMPTED);
+  EXPECT_FALSE(comes([&] { return begun > 1 || ended.size() > 1; }, std::chrono::seconds(1)));
 }
 
 }  // namespace

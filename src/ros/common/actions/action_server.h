@@ -48,6 +48,12 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     Base::start();
   }
 
+  /// Takes a goal that comes from within the node, as if it had come over the topic but at once: a cancel that arrives
+  /// after it finds it. When the same goal comes over the topic as well, it is ignored.
+  void offer(const typename Base::ActionGoalConstPtr& goal) {
+    callbacks_.run(name_ + "/goal", [&] { takeGoal(goal); });
+  }
+
   const Rejections& rejections() const { return rejections_; }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
     rejections_.report(status);
@@ -229,6 +235,8 @@ class SingleGoalServer {
   void setPreempted(const Result& result, const std::string& text) {
     if (auto handle = release()) handle->setCanceled(result, text);
   }
+  /// As ActionServer::offer.
+  void offer(const typename Action::_action_goal_type::ConstPtr& goal) { server_.offer(goal); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { server_.report(status); }
 
  private:
