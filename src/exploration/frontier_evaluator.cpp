@@ -10,19 +10,6 @@
 namespace frontier_pilot::exploration {
 namespace {
 
-/// Offsets within `radius` cells, nearest first; equally near ones row by row.
-std::vector<Cell> discOffsets(int radius) {
-  std::vector<Cell> offsets;
-  for (int y = -radius; y <= radius; ++y) {
-    for (int x = -radius; x <= radius; ++x) {
-      if (x * x + y * y <= radius * radius) offsets.push_back({x, y});
-    }
-  }
-  std::stable_sort(offsets.begin(), offsets.end(),
-                   [](Cell a, Cell b) { return a.x * a.x + a.y * a.y < b.x * b.x + b.y * b.y; });
-  return offsets;
-}
-
 /// Clearance [m] of the paths that are tried first: with trap_margin against dead ends, and room for a full turn
 /// everywhere.
 double roomyClearance(const FrontierParameters& parameters, const Outline& driven) {
@@ -42,9 +29,8 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   const bool is_new = map.geometry() != map_.geometry() || map_.empty();
   const CellRect differing = map_.update(map, changed);
   if (is_new) {
-    rings_ = discOffsets(static_cast<int>(std::lround(parameters_.goal_search_radius / map.resolution())));
+    goals_.restart();
     views_.clear();
-    goals_.clear();
     frontiers_.clear();
   }
   if (differing.empty() && !is_new) return false;
@@ -96,6 +82,7 @@ bool FrontierEvaluator::judgeAll(const TraversableSpace& space, const Vec2& from
   judged_space_ = &space;
   history_ = context.history;
   travel_.compute(space, map_.grid(), map_.geometry().cellAt(from), parameters_.escape_radius);
+  goals_.setTravel(space, map_.geometry().cellAt(from));
   frontiers_.clear();
   frontiers_.reserve(clusters_.clusters.size());
   for (const FrontierCluster& cluster : clusters_.clusters) frontiers_.push_back(outline(cluster));
@@ -120,7 +107,8 @@ Frontier FrontierEvaluator::outline(const FrontierCluster& cluster) const {
     frontier.rejection = Rejection::kTooSmall;
     return frontier;
   }
-  const int radius = rings_.empty() ? 0 : std::abs(rings_.back().x) + std::abs(rings_.back().y);
+  const std::vector<Cell>& offsets = goals_.offsets();
+  const int radius = offsets.empty() ? 0 : std::abs(offsets.back().x) + std::abs(offsets.back().y);
   if (!travel_.anyReached(cluster.box.grown(radius))) frontier.rejection = Rejection::kUnreachable;
   return frontier;
 }
@@ -145,7 +133,7 @@ void FrontierEvaluator::leaveOutAllBut(std::size_t most, const Vec2& robot) {
 }
 
 void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context) {
-  const GoalCell goal = findGoal(cluster, frontier.anchor);
+  const GoalCell goal = goals_.find(cluster, frontier.anchor);
   frontier.rejection = goal.rejection;
   if (goal.rejection == Rejection::kUnreachable) return;
   adoptGoal(frontier, goal, context);
@@ -159,65 +147,8 @@ void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster
   }
 }
 
-/// If no suitable cell sees the anchor, for example in a corner, a few other cells of the cluster are tried as targets,
-/// the first and the last of them too: a strip seen through a door can only be seen better from the door.
-FrontierEvaluator::GoalCell FrontierEvaluator::findGoal(const FrontierCluster& cluster, Cell anchor) {
-  constexpr int kOtherTargets = 3;
-  if (const std::optional<GoalCell> known = recallGoal(anchor)) return *known;
-  GoalCell best = findGoalFor(anchor);
-  for (int k = 0; k <= kOtherTargets && best.rejection != Rejection::kNone; ++k) {
-    const int cell = std::min(cluster.cells * k / kOtherTargets, cluster.cells - 1);
-    const GoalCell other = findGoalFor(cellOf(clusters_, cluster, cell));
-    if (best.rejection == Rejection::kUnreachable || other.rejection == Rejection::kNone) best = other;
-  }
-  if (best.rejection == Rejection::kNone) goals_[map_.geometry().index(anchor)] = best.cell;
-  return best;
-}
-
-/// The goal found earlier for this anchor, if it is still reachable, sees the anchor and passes the filters: most
-/// frontiers do not change from one decision to the next.
-std::optional<FrontierEvaluator::GoalCell> FrontierEvaluator::recallGoal(Cell anchor) const {
-  const auto known = goals_.find(map_.geometry().index(anchor));
-  if (known == goals_.end() || !travel_.reached(known->second) || !inSight(map_.grid(), known->second, anchor)) {
-    return std::nullopt;
-  }
-  const GoalCell goal = judgeGoal(known->second);
-  return goal.rejection == Rejection::kNone ? std::optional<GoalCell>(goal) : std::nullopt;
-}
-
-/// The nearest reachable cell that sees `target` and passes the filters; else the nearest that sees it. So a frontier
-/// close to the robot or to a wall gets a goal farther away before it is rejected.
-FrontierEvaluator::GoalCell FrontierEvaluator::findGoalFor(Cell target) const {
-  constexpr int kMaxLooks = 60;  // of near and of other cells: bounds the cost if none of many cells sees it
-  GoalCell first;
-  int looks_from_near = 0;
-  int looks = 0;
-  for (const Cell offset : rings_) {
-    const Cell cell{target.x + offset.x, target.y + offset.y};
-    if (!travel_.reached(cell)) continue;
-    const bool near = travel_.distance(cell) < parameters_.min_distance;
-    if (near && (first.rejection != Rejection::kUnreachable || ++looks_from_near > kMaxLooks)) continue;
-    if (!near && ++looks > kMaxLooks) break;
-    if (!inSight(map_.grid(), cell, target)) continue;
-    const GoalCell goal = judgeGoal(cell);
-    if (goal.rejection == Rejection::kNone) return goal;
-    if (first.rejection == Rejection::kUnreachable) first = goal;
-  }
-  return first;
-}
-
-FrontierEvaluator::GoalCell FrontierEvaluator::judgeGoal(Cell cell) const {
-  GoalCell goal{cell, Rejection::kNone, obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells)};
-  if (travel_.distance(cell) < parameters_.min_distance) {
-    goal.rejection = Rejection::kTooNear;
-  } else if (goal.obstacle_density > parameters_.max_obstacle_density) {
-    goal.rejection = Rejection::kCluttered;
-  }
-  return goal;
-}
-
 bool FrontierEvaluator::allowsGoal(Cell cell) const {
-  if (!travel_.reached(cell) || judgeGoal(cell).rejection != Rejection::kNone) return false;
+  if (!travel_.reached(cell) || goals_.judge(cell).rejection != Rejection::kNone) return false;
   return history_ == nullptr || history_->judge(map_.geometry().centre(cell)) == Rejection::kNone;
 }
 
@@ -283,7 +214,7 @@ void FrontierEvaluator::listCells() {
 std::optional<Vec2> FrontierEvaluator::placeToStepBackTo(const Vec2& robot) const {
   if (map_.empty()) return std::nullopt;
   const Cell here = map_.geometry().cellAt(robot);
-  for (const Cell offset : rings_) {
+  for (const Cell offset : goals_.offsets()) {
     const Cell cell{here.x + offset.x, here.y + offset.y};
     if (travel_.reached(cell) && travel_.distance(cell) > 1.5 * parameters_.min_distance) {
       return map_.geometry().centre(cell);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "exploration/frontier_goals.h"
 #include "exploration/frontier_search.h"
 #include "exploration/goal_score.h"
 #include "exploration/history/goal_history.h"
@@ -27,7 +28,10 @@ class FrontierEvaluator {
   FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven);
 
   /// Other filters and weights, from the next evaluation on; distances and clearances have to be the same.
-  void setParameters(const FrontierParameters& parameters) { parameters_ = parameters; }
+  void setParameters(const FrontierParameters& parameters) {
+    parameters_ = parameters;
+    goals_.forgetFailures();
+  }
   /// Takes over a map that may differ from the last one within `changed`. Returns whether any cell changed class.
   bool setMap(const OccupancyGrid& map, const CellRect& changed);
   /// Takes effect with the next map, of which all cells may differ.
@@ -114,11 +118,6 @@ class FrontierEvaluator {
   void listCells();
 
  private:
-  struct GoalCell {
-    Cell cell;
-    Rejection rejection = Rejection::kUnreachable;
-    double obstacle_density = 0.0;
-  };
   struct CachedView {
     std::uint64_t changes = 0;
     ViewGain gain;
@@ -134,10 +133,6 @@ class FrontierEvaluator {
   Frontier outline(const FrontierCluster& cluster) const;
   void leaveOutAllBut(std::size_t most, const Vec2& robot);
   void judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context);
-  GoalCell findGoal(const FrontierCluster& cluster, Cell anchor);
-  std::optional<GoalCell> recallGoal(Cell anchor) const;
-  GoalCell findGoalFor(Cell target) const;
-  GoalCell judgeGoal(Cell cell) const;
   void adoptGoal(Frontier& frontier, const GoalCell& goal, const Context& context);
   Rejection judgeView(Frontier& frontier, const Context& context);
   ViewGain cachedView(Cell cell);
@@ -160,9 +155,8 @@ class FrontierEvaluator {
   std::size_t left_out_ = 0;
   bool blacklisted_in_the_open_ = false;
   bool has_ground_ = false;  ///< the robot, in the space judged last; the ways from the start say nothing of it
-  std::vector<Cell> rings_;  ///< offsets within goal_search_radius, nearest first
   std::unordered_map<std::size_t, CachedView> views_;
-  std::unordered_map<std::size_t, Cell> goals_;  ///< the last goal found, by the index of the frontier's anchor
+  FrontierGoals goals_{parameters_, map_, clusters_, travel_};
 };
 
 }  // namespace frontier_pilot::exploration

@@ -44,11 +44,18 @@ struct Census {
 Census countDisc(const OccupancyGrid& map, Cell centre, int radius) {
   Census census;
   const CellRect box = CellRect{centre.x, centre.y, 1, 1}.grown(radius).intersection(map.geometry().rect());
+  int half_width = 0;  // of the disc's row, which grows and shrinks by a few cells from one row to the next
+  const auto isInside = [&](int dx, int dy) { return dx * dx + dy * dy <= radius * radius; };
   for (int y = box.y; y < box.y + box.height; ++y) {
-    for (int x = box.x; x < box.x + box.width; ++x) {
-      if ((x - centre.x) * (x - centre.x) + (y - centre.y) * (y - centre.y) > radius * radius) continue;
-      const std::int8_t value = map[Cell{x, y}];
-      ++(isUnknown(value) ? census.unknown : (isFree(value) ? census.free : census.occupied));
+    while (half_width < radius && isInside(half_width + 1, y - centre.y)) ++half_width;
+    while (!isInside(half_width, y - centre.y)) --half_width;
+    const int begin = std::max(box.x, centre.x - half_width);
+    const int end = std::min(box.x + box.width, centre.x + half_width + 1);
+    for (int x = begin; x < end; ++x) {
+      const std::int8_t value = map.row(y)[x];
+      census.unknown += isUnknown(value) ? 1 : 0;
+      census.free += isFree(value) ? 1 : 0;
+      census.occupied += isOccupied(value) ? 1 : 0;
     }
   }
   return census;

@@ -54,34 +54,50 @@ void FrontierViews::drawRays(double resolution) {
 }
 
 void FrontierViews::look(Cell viewpoint, const ObservedMap& map, View& view) const {
+  const OccupancyGrid& grid = map.grid();
+  const int reach = static_cast<int>(rangeOf(parameters_) / grid.resolution()) + 1;
+  const CellRect box = CellRect{viewpoint.x, viewpoint.y, 1, 1}.grown(reach);
+  if (box.intersection(grid.geometry().rect()) == box) {  // the usual case, in which no cell can lie outside of the map
+    const std::int8_t* from = &grid[viewpoint];
+    const int width = grid.width();
+    look(viewpoint, map, view, [=](const RayCell& at) { return from[at.y * width + at.x]; });
+  } else {
+    look(viewpoint, map, view, [&](const RayCell& at) {
+      return grid.get({viewpoint.x + at.x, viewpoint.y + at.y}, kOccupied);
+    });
+  }
+}
+
+template <class ValueAt>
+void FrontierViews::look(Cell viewpoint, const ObservedMap& map, View& view, ValueAt value_at) const {
   view.glimpses.clear();
   view.area = 0.0;
   for (const std::vector<RayCell>& ray : rays_) {
-    Cell last_free = viewpoint;
-    const auto twice_area_per_radian = unknownAlong(ray, viewpoint, map.grid(), last_free);
+    RayCell last_free;
+    const auto twice_area_per_radian = unknownAlong(ray, value_at, last_free);
     if (twice_area_per_radian <= 0.0F) continue;
     const auto area = static_cast<float>(twice_area_per_radian * kPi / parameters_.rays);
+    const Cell seen_through{viewpoint.x + last_free.x, viewpoint.y + last_free.y};
     view.area += area;
-    view.glimpses.push_back({static_cast<std::uint32_t>(map.geometry().index(last_free)), area});
+    view.glimpses.push_back({static_cast<std::uint32_t>(map.geometry().index(seen_through)), area});
   }
 }
 
 /// Twice the unknown area per radian along a ray [m^2], up to `unknown_depth` behind the first unknown cell;
 /// `last_free` is the last known one before that.
-float FrontierViews::unknownAlong(const std::vector<RayCell>& ray, Cell viewpoint, const OccupancyGrid& map,
-                                  Cell& last_free) const {
+template <class ValueAt>
+float FrontierViews::unknownAlong(const std::vector<RayCell>& ray, ValueAt value_at, RayCell& last_free) const {
   const auto depth = static_cast<float>(parameters_.unknown_depth);
   float end = std::numeric_limits<float>::infinity();
   float reached = 0.0F, twice_area = 0.0F;
   for (const RayCell& at : ray) {
-    const Cell cell{viewpoint.x + at.x, viewpoint.y + at.y};
-    const std::int8_t value = map.get(cell, kOccupied);
+    const std::int8_t value = value_at(at);
     if (isOccupied(value)) break;
     if (isUnknown(value)) {
       end = std::min(end, at.along + depth);
       twice_area += at.along * at.along - reached * reached;
     } else if (std::isinf(end)) {
-      last_free = cell;
+      last_free = at;
     }
     reached = at.along;
     if (reached >= end) break;

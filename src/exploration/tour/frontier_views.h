@@ -39,7 +39,11 @@ class FrontierViews {
   };
   void drawRays(double resolution);
   void look(Cell viewpoint, const ObservedMap& map, View& view) const;
-  float unknownAlong(const std::vector<RayCell>& ray, Cell viewpoint, const OccupancyGrid& map, Cell& last_free) const;
+  /// The same with the map's value at a cell of a ray given by `value_at`.
+  template <class ValueAt>
+  void look(Cell viewpoint, const ObservedMap& map, View& view, ValueAt value_at) const;
+  template <class ValueAt>
+  float unknownAlong(const std::vector<RayCell>& ray, ValueAt value_at, RayCell& last_free) const;
 
   ViewParameters parameters_;
   double resolution_ = 0.0;                 ///< that the rays are drawn for [m]

@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "exploration/tour/tour_strategy.h"
-#include "exploration/view_gain.h"
 
 /// The frontiers behind which little is expected: which of them wait until no others are left, which are left for good,
 /// and which are taken on the way. [EXP-9]
@@ -10,16 +9,6 @@ namespace frontier_pilot::exploration {
 namespace {
 
 constexpr double kNotTold = std::numeric_limits<double>::infinity();
-
-bool isFreeDisc(const OccupancyGrid& map, Cell centre, int radius) {
-  for (int dy = -radius; dy <= radius; ++dy) {
-    for (int dx = -radius; dx <= radius; ++dx) {
-      const bool inside = dx * dx + dy * dy <= radius * radius;
-      if (inside && !isFree(map.get({centre.x + dx, centre.y + dy}, kOccupied))) return false;
-    }
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -35,7 +24,7 @@ void TourStrategy::expectAreas() {
 /// hit is taken to show as much as one of its width usually does. Fitted to what lay behind the frontiers of the
 /// invented buildings for tuning (docs/decisions/0025-large-areas-first.md). Behind a wide frontier, or at the end of a
 /// passage, anything may lie.
-double TourStrategy::expectedAreaAt(std::size_t frontier) const {
+double TourStrategy::expectedAreaAt(std::size_t frontier) {
   constexpr double kWide = 3.0;        // [m]
   constexpr double kFree = 0.4;        // share of what is in sight that turns out to be floor
   constexpr double kOpenWidth = 1.2;   // [m]: from which on that holds
@@ -47,26 +36,8 @@ double TourStrategy::expectedAreaAt(std::size_t frontier) const {
   const double in_sight = std::max(search_.mostOf(frontier), kLeastSight * width);
   const double openness = std::min(1.0, width / kOpenWidth * std::max(1.0, in_sight / kOpenSight));
   const double area = std::min(open_areas_[frontier], kFree * in_sight * openness * openness);
-  return area < parameters_.small_area && isInPassage(frontier) ? kNotTold
-                                                                : area;  // what is not small is not put off anyway
-}
-
-/// Whether the known floor near a frontier, as far as it is in sight, is nowhere wider than a passage. In a maze, whose
-/// corridors lead on behind every corner, the area in sight tells nothing.
-bool TourStrategy::isInPassage(std::size_t frontier) const {
-  constexpr double kRoomy = 0.45;  // [m], radius of a disc
-  constexpr double kNear = 1.2;    // [m]
-  constexpr int kStep = 2;         // cells
-  const OccupancyGrid& map = evaluator_->map().grid();
-  const Cell anchor = evaluator_->frontiers()[frontier].anchor;
-  const int near = static_cast<int>(kNear / map.resolution());
-  const int radius = static_cast<int>(kRoomy / map.resolution());
-  for (int y = anchor.y - near; y <= anchor.y + near; y += kStep) {
-    for (int x = anchor.x - near; x <= anchor.x + near; x += kStep) {
-      if (isFreeDisc(map, {x, y}, radius) && inSight(map, {x, y}, anchor)) return false;
-    }
-  }
-  return true;
+  const bool small = area < parameters_.small_area;  // what is not small is not put off anyway
+  return small && passages_.contains(evaluator_->frontiers()[frontier].anchor, evaluator_->map()) ? kNotTold : area;
 }
 
 /// Puts off the small ones with the least expected area for the way to them, as long as all of them together are a

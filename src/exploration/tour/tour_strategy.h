@@ -6,6 +6,7 @@
 #include "exploration/goal_strategy.h"
 #include "exploration/history/blacklist.h"
 #include "exploration/tour/open_tour.h"
+#include "exploration/tour/passages.h"
 #include "exploration/tour/unknown_region.h"
 #include "exploration/tour/viewpoint_distances.h"
 #include "exploration/tour/viewpoints.h"
@@ -52,8 +53,7 @@ class TourStrategy : public GoalStrategy {
   void measureOpenAreas();
   double openAreaAt(std::size_t frontier);
   void findSlivers();
-  double expectedAreaAt(std::size_t frontier) const;
-  bool isInPassage(std::size_t frontier) const;
+  double expectedAreaAt(std::size_t frontier);
   void expectAreas();
   void putOffSmallOnes();
   std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
@@ -81,6 +81,7 @@ class TourStrategy : public GoalStrategy {
   ViewpointSearch search_;
   ViewpointDistances distances_;
   UnknownRegions regions_;
+  Passages passages_;
   FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next eight
   std::vector<SoughtFrontier> sought_;
   bool all_sought_ = true;  ///< false: farther frontiers are left out of the tour

@@ -17,6 +17,7 @@ constexpr double kLatticeRadius = 3.5;     // [m]: how far from a frontier viewp
 
 /// The reached cell nearest to `node` within a square; `node` itself if there is none.
 Cell reachedNear(Cell node, int reach, const TravelField& travel) {
+  if (travel.reached(node) || !travel.anyReached(CellRect{node.x, node.y, 1, 1}.grown(reach))) return node;
   Cell best = node;
   int least = std::numeric_limits<int>::max();
   for (int dy = -reach; dy <= reach; ++dy) {
@@ -113,7 +114,8 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
     if (known.insert(geometry.index(cell)).second) cells.push_back(cell);
   };
   if (present && travel.reached(*present)) add(*present);
-  std::unordered_set<std::size_t> nodes;
+  const int nodes_per_row = geometry.width / step + 1;
+  std::vector<bool> visited(static_cast<std::size_t>(nodes_per_row) * (geometry.height / step + 1), false);
   for (const SoughtFrontier& each : sought) {
     const Frontier& frontier = evaluator.frontiers()[each.index];
     add(geometry.cellAt(frontier.goal));
@@ -122,7 +124,9 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
         CellRect{frontier.anchor.x, frontier.anchor.y, 1, 1}.grown(radius).intersection(geometry.rect());
     for (int y = (box.y + step - 1) / step * step; y < box.y + box.height; y += step) {
       for (int x = (box.x + step - 1) / step * step; x < box.x + box.width; x += step) {
-        if (!nodes.insert(geometry.index({x, y})).second) continue;
+        const auto node = static_cast<std::size_t>(y / step * nodes_per_row + x / step);
+        if (visited[node]) continue;
+        visited[node] = true;
         const Cell cell = reachedNear({x, y}, step / 3, travel);
         if (evaluator.allowsGoal(cell)) add(cell);
       }

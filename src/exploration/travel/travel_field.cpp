@@ -114,6 +114,16 @@ bool TravelField::anyReached(const CellRect& rect) const {
   return false;
 }
 
+std::size_t TravelField::countReached(const CellRect& rect) const {
+  const CellRect box = rect.intersection(geometry().rect());
+  std::uint32_t count = 0;
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    const std::uint32_t* row = units_.row(y) + box.x;
+    for (int x = 0; x < box.width; ++x) count += row[x] != kUnreached ? 1U : 0U;
+  }
+  return count;
+}
+
 double TravelField::distance(Cell c) const {
   const std::uint32_t units = units_.get(c, kUnreached);
   if (units == kUnreached) return std::numeric_limits<double>::infinity();

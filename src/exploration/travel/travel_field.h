@@ -70,6 +70,8 @@ class TravelField {
   bool reached(Cell c) const { return units_.get(c, kUnreached) != kUnreached; }
   /// Whether any cell of `rect` is reached.
   bool anyReached(const CellRect& rect) const;
+  /// Number of cells of `rect` that are reached.
+  std::size_t countReached(const CellRect& rect) const;
   /// Travel distance [m]; infinite if the cell is not reached.
   double distance(Cell c) const;
   std::size_t reachedCount() const { return reached_count_; }

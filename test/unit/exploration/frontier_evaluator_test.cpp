@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "exploration/view_gain.h"
 #include "frontier_pilot/core/robot_model.h"
@@ -24,12 +25,12 @@ class FrontierJudgement : public ::testing::Test {
   const exploration::Frontier& judge(const std::string& drawing,
                                      exploration::FrontierParameters parameters = smallWorld()) {
     world = test::drawWorld(drawing);
-    evaluator = exploration::FrontierEvaluator(parameters, robot.drivenOutline());
-    evaluator.setPlan(plan);
-    evaluator.setMap(world.map, world.map.geometry().rect());
+    evaluator.emplace(parameters, robot.drivenOutline());
+    evaluator->setPlan(plan);
+    evaluator->setMap(world.map, world.map.geometry().rect());
     const exploration::FrontierEvaluator::Context context{world.point('r'), world.point('r'), &history, 0.0};
-    if (!evaluator.evaluate(context)) evaluator.evaluateTightWays(context);
-    const auto& all = evaluator.frontiers();
+    if (!evaluator->evaluate(context)) evaluator->evaluateTightWays(context);
+    const auto& all = evaluator->frontiers();
     largest = *std::max_element(
         all.begin(), all.end(),
         [](const exploration::Frontier& a, const exploration::Frontier& b) { return a.cell_count < b.cell_count; });
@@ -40,7 +41,7 @@ class FrontierJudgement : public ::testing::Test {
   exploration::GoalHistory history{exploration::BlacklistParameters{}, 1};
   exploration::PlanFn plan;
   RobotModel robot;
-  exploration::FrontierEvaluator evaluator{smallWorld(), robot.drivenOutline()};
+  std::optional<exploration::FrontierEvaluator> evaluator;
   exploration::Frontier largest;
 };
 
@@ -226,7 +227,7 @@ TEST_F(FrontierJudgement, AWayThroughAGapThatIsNotYetSeenCountsOnlyWhenNothingEl
   )";
   judge(both);
   bool right = false;
-  for (const exploration::Frontier& f : evaluator.frontiers()) right = right || (f.selectable() && f.goal.x() > 1.6);
+  for (const exploration::Frontier& f : evaluator->frontiers()) right = right || (f.selectable() && f.goal.x() > 1.6);
   EXPECT_FALSE(right);
 }
 
