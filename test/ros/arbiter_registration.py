@@ -118,6 +118,17 @@ class ArbiterRegistration(unittest.TestCase):
         self.assertTrue(call('/killed/set_emergency_stop', SetBool, True).success, '[ARB-12]')
 
     # [ARB-12]
+    def test_a_service_of_a_dead_provider_is_taken_back_even_if_its_node_cannot_be_asked(self):
+        _, out, _, _ = self.driven_arbiter('/ghost')
+        living = rosgraph.Master('/test').lookupNode('/ghost/cmd_vel_arbiter')
+        for address in ('http://no-such-host.invalid:5/', living):
+            ghost = rosgraph.Master('/departed')
+            ghost.registerService('/ghost/emergency_stop', 'rosrpc://127.0.0.1:1', address)
+            self.assertTrue(wait_for(lambda: provider('/ghost/emergency_stop') == '/ghost/cmd_vel_arbiter', 10.0), address)
+            self.assertTrue(call('/ghost/emergency_stop', Trigger).success, '[ARB-12]')
+            self.assertTrue(self.stands(out), '[ARB-7]')
+
+    # [ARB-12]
     def test_while_somebody_takes_the_stop_away_again_and_again_only_zeros_leave(self):
         _, out, status, _ = self.driven_arbiter('/taken')
         arbiter = rosgraph.Master('/taken/cmd_vel_arbiter')

@@ -105,6 +105,15 @@ class FleetStop(unittest.TestCase):
         self.assertTrue(self.reaches(SERVICES))
         self.assertTrue(self.stop()[0].success)
 
+    def test_a_robot_that_was_restarted_during_the_stop_is_stopped_when_it_is_back(self):
+        self.arbiters['robot2'].signal(signal.SIGKILL)
+        self.assertFalse(self.stop()[0].success)
+        self.arbiters['robot2'] = self.arbiter('robot2')
+        self.assertTrue(self.stopped('robot2'), '[MUL-4]')
+        self.clear('robot2')
+        rospy.sleep(1.5)
+        self.assertFalse(self.status['robot2'].last.emergency_stop, 'it is asked only until it has confirmed')
+
     def test_a_robot_that_is_not_listed_is_found_and_stopped(self):
         robot3 = Node('cmd_vel_arbiter', '__ns:=/robot3')
         self.addCleanup(robot3.end)

@@ -22,9 +22,10 @@ std::string findArbiter() {
   const std::optional<MasterState> state = askMaster();
   if (!state) return {};
   std::vector<std::string> found = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
-  for (const char* service : {names::kEmergencyStop, names::kSetEmergencyStop}) {
-    const std::vector<std::string> providers = nodesOf(state->providers, ros::names::resolve(service));
-    found.insert(found.end(), providers.begin(), providers.end());
+  for (const char* name : {names::kEmergencyStop, names::kSetEmergencyStop}) {
+    const std::string service = ros::names::resolve(name);
+    const std::vector<std::string> providers = nodesOf(state->providers, service);
+    if (!providers.empty() && serviceMayAnswer(service)) found.insert(found.end(), providers.begin(), providers.end());
   }
   return firstLiving(found);
 }

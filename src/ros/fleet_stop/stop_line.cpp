@@ -1,5 +1,6 @@
 #include "ros/fleet_stop/stop_line.h"
 
+#include <ros/console.h>
 #include <ros/service.h>
 #include <std_srvs/Trigger.h>
 
@@ -12,7 +13,9 @@ namespace frontier_pilot {
 namespace {
 
 constexpr auto kRetry = std::chrono::milliseconds(500);
+constexpr auto kRetryWhileOwed = std::chrono::milliseconds(100);
 constexpr Duration kGivenUp = std::chrono::seconds(5);
+constexpr Duration kOwed = std::chrono::seconds(30);  // how long a robot that was not reached is asked again
 
 }  // namespace
 
@@ -54,17 +57,35 @@ void StopLine::run() {
     lock.unlock();
     guard_.run("connecting to " + service_, [this] { connect(); });
     lock.lock();
-    wake_.wait_for(lock, kRetry, [this] { return asked_ != answered_ || ending_; });
-    if (asked_ == answered_ || ending_) continue;
+    wake_.wait_for(lock, owed_until_ ? kRetryWhileOwed : kRetry, [this] { return asked_ != answered_ || ending_; });
+    if (owed_until_ && steadyNow() > *owed_until_) owed_until_.reset();
+    const bool late = asked_ == answered_;
+    if (ending_ || (late && !(owed_until_ && connected_))) continue;
     const std::uint64_t number = asked_;
     lock.unlock();
     StopAnswer answer{StopOutcome::kRefused, "the call failed"};
     guard_.run("a call of " + service_, [&] { answer = call(); });
     lock.lock();
-    answered_ = number;
-    answer_ = std::move(answer);
-    wake_.notify_all();
+    if (late) {
+      settleLate(number, answer);
+    } else {
+      settle(number, std::move(answer));
+    }
   }
+}
+
+void StopLine::settle(std::uint64_t number, StopAnswer answer) {
+  answered_ = number;
+  answer_ = std::move(answer);
+  owed_until_.reset();
+  if (answer_.outcome != StopOutcome::kConfirmed) owed_until_ = steadyNow() + kOwed;
+  wake_.notify_all();
+}
+
+void StopLine::settleLate(std::uint64_t number, const StopAnswer& answer) {
+  if (answer.outcome != StopOutcome::kConfirmed || number != asked_) return;
+  owed_until_.reset();
+  ROS_WARN_STREAM(service_ << " has confirmed the stop that it could not be asked for when it was called");
 }
 
 void StopLine::connect() {

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -18,6 +19,7 @@ namespace frontier_pilot {
 
 /// The line to the service `emergency_stop` of one robot. It is connected before it is needed, so that a stop costs no
 /// question to the master and reaches the robot even while the master is gone; a line that breaks is connected again.
+/// A robot that does not confirm a stop, because its arbiter is being restarted, is asked again for half a minute.
 /// Calls are made on a thread of the line's own, so that a robot that does not answer delays no other. [MUL-4]
 class StopLine {
  public:
@@ -36,6 +38,9 @@ class StopLine {
 
  private:
   void run();
+  void settle(std::uint64_t number, StopAnswer answer);
+  /// Of a call that was made again because the robot had not confirmed the last one.
+  void settleLate(std::uint64_t number, const StopAnswer& answer);
   void connect();
   bool isConnected();
   void disconnect();
@@ -51,7 +56,8 @@ class StopLine {
   std::uint64_t asked_ = 0;     ///< calls begun
   std::uint64_t answered_ = 0;  ///< calls that have ended
   SteadyTime asked_at_{};
-  StopAnswer answer_;  ///< to the last call that has ended
+  StopAnswer answer_;                     ///< to the last call that has ended
+  std::optional<SteadyTime> owed_until_;  ///< until when a call that was not confirmed is made again
   ros::ServiceClient client_;
   std::thread thread_;  ///< the last member: it starts when all others are constructed
 };

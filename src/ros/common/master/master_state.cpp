@@ -56,17 +56,31 @@ class Socket {
   int descriptor_;
 };
 
-/// True also where the host's address cannot be resolved.
-bool takesConnections(const std::string& host, std::uint32_t port) {
+enum class Reach { kUnknownHost, kRefused, kMayConnect };
+
+Reach reach(const std::string& host, std::uint32_t port) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  if (getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) return true;
+  if (getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) return Reach::kUnknownHost;
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, freeaddrinfo);
   for (const addrinfo* address = found; address != nullptr; address = address->ai_next) {
-    if (Socket(*address).mayConnect(*address)) return true;
+    if (Socket(*address).mayConnect(*address)) return Reach::kMayConnect;
   }
-  return false;
+  return Reach::kRefused;
+}
+
+/// Asks the master with `method`, `lookupNode` or `lookupService`, for the address of `name`; nothing if it has none.
+std::optional<Reach> reach(const char* method, const std::string& name) {
+  XmlRpc::XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  std::optional<XmlRpc::XmlRpcValue> uri = requestFromMaster(method, request);
+  std::string host;
+  std::uint32_t port = 0;
+  if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return std::nullopt;
+  if (!ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return std::nullopt;
+  return reach(host, port);
 }
 
 }  // namespace
@@ -89,16 +103,11 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
 }
 
 bool nodeLives(const std::string& node) {
-  XmlRpc::XmlRpcValue request;
-  request[0] = ros::this_node::getName();
-  request[1] = node;
-  std::optional<XmlRpc::XmlRpcValue> uri = requestFromMaster("lookupNode", request);
-  std::string host;
-  std::uint32_t port = 0;
-  if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return false;
-  if (!ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return false;
-  return takesConnections(host, port);
+  const std::optional<Reach> address = reach("lookupNode", node);
+  return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
 }
+
+bool serviceMayAnswer(const std::string& service) { return reach("lookupService", service) == Reach::kMayConnect; }
 
 std::string firstLiving(const std::vector<std::string>& nodes) {
   const auto living = std::find_if(nodes.begin(), nodes.end(), nodeLives);

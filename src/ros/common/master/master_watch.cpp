@@ -143,12 +143,14 @@ std::map<std::string, std::string> MasterWatch::findRivals(const MasterState& st
   const Claims own = claims();
   LivingNodes known;
   std::map<std::string, std::string> rivals;
-  const auto note = [&](const std::string& what, const std::vector<std::string>& nodes) {
-    const std::string other = findOther(nodes, known);
-    if (!other.empty()) rivals[what] = other;
-  };
-  for (const std::string& service : own.services) note(service, nodesOf(state.providers, service));
-  for (const auto& topics : own.topics) note(topics.front(), publishersOfAll(topics, state.publishers));
+  for (const std::string& service : own.services) {
+    const std::string other = findOther(nodesOf(state.providers, service), known);
+    if (!other.empty() && serviceMayAnswer(service)) rivals[service] = other;
+  }
+  for (const auto& topics : own.topics) {
+    const std::string other = findOther(publishersOfAll(topics, state.publishers), known);
+    if (!other.empty()) rivals[topics.front()] = other;
+  }
   return rivals;
 }
 
