@@ -83,6 +83,18 @@ TEST_F(ActionClients, WaitAMomentForAResultThatComesAfterTheStatus) {
   EXPECT_EQ(ends_, std::vector<std::string>{"SUCCEEDED, no such shape, with its result"});
 }
 
+// The server may pursue a goal whose end somebody else has announced. [FLT-2]
+TEST_F(ActionClients, CancelAGoalThatIsPursuedAfterItsEndWasTold) {
+  WaitActionResult result;
+  result.status = end(GoalStatus::ABORTED);
+  results_.publish(result);
+  ASSERT_TRUE(comes([this] { return !ends_.empty(); }));
+  status_.status_list = {end(GoalStatus::ACTIVE)};
+  comes([] { return false; }, 0.5);
+  EXPECT_EQ(canceled_, 0) << "the status may be older than the end";
+  EXPECT_TRUE(comes([this] { return canceled_ > 0; }, 5.0));
+}
+
 }  // namespace
 }  // namespace frontier_pilot
 

@@ -149,7 +149,7 @@ class ActionClient {
     monitor_.processStatus(event.getConstMessage(), event.getPublisherName());
     manager_.updateStatuses(event.getConstMessage());
     endWithoutResult(*event.getConstMessage());
-    cancelPredecessors(*event.getConstMessage());
+    cancelStrays(*event.getConstMessage());
     lookForOthers(*event.getConstMessage());
   }
   /// Whether a status comes from the server: a node that takes this client's goals, and of several the one that was
@@ -177,13 +177,18 @@ class ActionClient {
         std::exchange(others_now_, std::any_of(statuses.status_list.begin(), statuses.status_list.end(), of_others));
     if (before && !others_now_) others_gone_ = steadyNow();
   }
-  /// Cancels goals that are still active and were sent by an earlier process of the same name, which was killed before
-  /// it could cancel them itself. [FLT-2]
-  void cancelPredecessors(const actionlib_msgs::GoalStatusArray& statuses) {
+  /// Cancels goals that are still pursued although nobody waits for them: those of an earlier process of the same name,
+  /// which was killed before it could cancel them itself, and those whose end this client was told by somebody else
+  /// than the server, once no goal has been under way for a moment. [FLT-2]
+  void cancelStrays(const actionlib_msgs::GoalStatusArray& statuses) {
     using Status = actionlib_msgs::GoalStatus;
+    const bool idle = handle_.isExpired() || handle_.getCommState() == actionlib::CommState::DONE;
+    if (!idle) idle_since_.reset();
+    if (idle && !idle_since_) idle_since_ = steadyNow();
+    const bool long_idle = idle && steadyNow() - *idle_since_ >= kResultPatience;
     for (const Status& status : statuses.status_list) {
       const bool pursued = status.status == Status::PENDING || status.status == Status::ACTIVE;
-      if (!pursued || wasSent(status.goal_id.id) || !isOwn(status.goal_id.id)) continue;
+      if (!pursued || !isOwn(status.goal_id.id) || (wasSent(status.goal_id.id) && !long_idle)) continue;
       GoalID goal;  // without a stamp, which would cancel every goal that is older
       goal.id = status.goal_id.id;
       cancel_.publish(goal);
@@ -216,9 +221,10 @@ class ActionClient {
   std::optional<SteadyTime> others_gone_;  ///< when a status was the first that showed none any more
   actionlib::GoalManager<Action> manager_;
   GoalHandle handle_;
-  std::deque<std::string> sent_;        ///< the ids of the last goals, the newest last
-  Done done_;                           ///< called when a goal has ended but its result was lost
-  std::optional<SteadyTime> ended_at_;  ///< since when the status has shown the end while the result is missing
+  std::deque<std::string> sent_;          ///< the ids of the last goals, the newest last
+  Done done_;                             ///< called when a goal has ended but its result was lost
+  std::optional<SteadyTime> ended_at_;    ///< since when the status has shown the end while the result is missing
+  std::optional<SteadyTime> idle_since_;  ///< since when no goal is under way, as far as this client was told
   // Callbacks run on the node's own thread, so none can arrive before all of these members are constructed.
   ros::Subscriber status_, feedback_, result_;
   Monitor monitor_;  ///< recognises a server by its publishers and its subscriptions

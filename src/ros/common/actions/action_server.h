@@ -146,6 +146,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
       it->status_.goal_id.stamp = stampOrNow(it->status_.goal_id.stamp, now);
       const bool has_ended = it->handle_tracker_.expired();
       ros::Time& ended = it->handle_destruction_time_;
+      if (has_ended) it->goal_.reset();  // which may be large; nobody can ask for it any more
       if (has_ended) ended = ended.isZero() ? toRosTime(now) : stampOrNow(ended, now);
       if (has_ended && (excess > 0 || now - toTime(ended) > kMemory)) {
         it = list.erase(it);

@@ -5,6 +5,8 @@
 #include <thread>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 
@@ -22,7 +24,7 @@ std::optional<geometry_msgs::TransformStamped> wait(const tf2_ros::Buffer& buffe
       return buffer.lookupTransform(target, source, toRosTime(stamp));
     } catch (const std::exception& error) {  // not only TF's exceptions: the arithmetic of ROS time throws, too
       if (steadyNow() >= deadline) {
-        if (why != nullptr) *why = error.what();
+        if (why != nullptr) *why = printable(error.what(), bounds::kMostLine);  // it names the frames, however long
         return std::nullopt;
       }
     }
