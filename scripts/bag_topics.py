@@ -6,6 +6,8 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
 
+from readable_bag import DAMAGE, is_no_file
+
 SAMPLES = 50  # of a topic's scans, whose field of view is looked at
 FEW = 0.1  # a topic with a smaller share of the most frequent one's messages is not chosen
 
@@ -65,6 +67,8 @@ def read_bag(path):
     classes = {'sensor_msgs/LaserScan': LaserScan, 'nav_msgs/Odometry': Odometry, 'tf2_msgs/TFMessage': TFMessage,
                'tf/tfMessage': TFMessage}
     topics, others = {}, {}
+    if is_no_file(path):
+        raise BagError('%s: it is not a regular file' % path)
     try:
         with rosbag.Bag(path) as bag:
             # Raw, because the bag may hold types whose definition nobody has.
@@ -74,8 +78,8 @@ def read_bag(path):
                     others[name] = kind
                     continue
                 topics.setdefault(name, Topic(name, message_class)).raw.append((recorded.to_sec(), data))
-    except (rosbag.ROSBagException, OSError, ValueError) as error:
-        raise BagError('%s: %s' % (path, error))
+    except DAMAGE as error:
+        raise BagError('%s: %s' % (path, error or type(error).__name__))
     return topics, others
 
 

@@ -2,20 +2,14 @@
 import contextlib
 import os
 import shutil
-import struct
 import tempfile
-import zlib
 
-import genmsg
-import genpy
 import rosbag
 
+from readable_bag import DAMAGE, is_no_file
 from run_recording import runs
 
 from .drawing import clock
-
-DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationException, OSError, EOFError, ValueError, KeyError,
-          IndexError, TypeError, AttributeError, struct.error, zlib.error, RuntimeError)
 
 
 class ReportError(Exception):
@@ -64,6 +58,8 @@ class BagFiles:
 
     def _take(self, path):
         name = os.path.basename(path)
+        if is_no_file(path):
+            return self.notes.append('%s: it is not a regular file' % name)
         try:
             bag = self._open(path, name)
             if bag.get_message_count() == 0:

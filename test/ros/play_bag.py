@@ -165,6 +165,18 @@ class PlayBag(unittest.TestCase):
             self.assertIn(words, player.said())
             self.assertNotIn('Traceback', player.said())
 
+    def test_what_is_no_bag_is_named_and_not_waited_for(self):  # [FLT-1]
+        pipe, junk = os.path.join(self.folder, 'pipe.bag'), os.path.join(self.folder, 'junk.bag')
+        os.mkfifo(pipe)
+        with open(junk, 'wb') as file:
+            file.write(b'#ROSBAG V2.0\n' + bytes(range(256)) * 40)
+        for path, words in ((pipe, 'is not a regular file'), (junk, junk)):
+            player = Node('bag_player.py', '_bag:=' + path, '__name:=another_player')
+            self.assertTrue(wait_for(player.has_ended, 60.0), path)
+            self.assertEqual(1, player.process.returncode, player.said())
+            self.assertIn(words, player.said())
+            self.assertNotIn('Traceback', player.said())
+
     def test_the_recorded_correction_of_another_mapper_is_not_published(self):
         corrections = [transform for _, message in self.transforms.items for transform in message.transforms
                        if transform.child_frame_id == 'odom']

@@ -13,7 +13,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / 'build'
 # Scripts without a command line of their own: they are imported.
-MODULES = {'bag_drive.py', 'bag_topics.py', 'command_line.py'}
+MODULES = {'bag_drive.py', 'bag_topics.py', 'command_line.py', 'readable_bag.py'}
 
 
 def call(program, *words, master='http://127.0.0.1:9'):

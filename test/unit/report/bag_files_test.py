@@ -74,6 +74,17 @@ class Reading(FolderCase):
             with BagFiles([self.touch('junk.bag')]):
                 pass
 
+    def test_what_is_no_regular_file_is_named_and_never_opened(self):
+        """[REC-2] [FLT-1]"""
+        pipe = self.path('pipe.bag')
+        os.mkfifo(pipe)
+        device = self.path('device.bag')
+        os.symlink('/dev/zero', device)
+        for path in (pipe, device):
+            with self.assertRaisesRegex(ReportError, 'not a regular file'):
+                with BagFiles([path]):
+                    pass
+
     def test_a_part_that_cannot_be_read_does_not_hide_the_others(self):
         """[REC-2]"""
         with BagFiles([self.touch('run_1.bag'), self.bag]) as bags:
