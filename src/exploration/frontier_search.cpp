@@ -9,6 +9,11 @@
 #include "frontier_pilot/core/bounds.h"
 
 namespace frontier_pilot::exploration {
+namespace {
+
+constexpr int kMarksAtOnce = 8;  ///< that are looked at when the runs of a row are collected
+
+}  // namespace
 
 void markFrontierCells(const std::int8_t* below, const std::int8_t* row, const std::int8_t* above, int width,
                        std::vector<std::int8_t>& scratch, std::uint8_t* out) {
@@ -33,11 +38,15 @@ void FrontierSearch::update(const OccupancyGrid& map, const CellRect& changed) {
   if (map.geometry() != geometry_) {
     geometry_ = map.geometry();
     rows_.assign(static_cast<std::size_t>(map.height()), {});
-    marks_.assign(static_cast<std::size_t>(map.width()) + 8, 0);
+    marks_.assign(static_cast<std::size_t>(map.width()) + kMarksAtOnce, 0);
     cells_in_row_.assign(static_cast<std::size_t>(map.height()), 0);
     cell_count_ = 0;
     rows_kept_ = true;
     area = geometry_.rect();
+  }
+  if (!rows_kept_) {  // what a row holds outside of the area is not known
+    area.x = 0;
+    area.width = map.width();
   }
   searchRows(map, area);
   if (tooMany()) {
@@ -52,42 +61,69 @@ bool FrontierSearch::tooMany() const { return cell_count_ > bounds::kMostFrontie
 
 void FrontierSearch::searchRows(const OccupancyGrid& map, const CellRect& area) {
   for (int y = area.y; y < area.y + area.height; ++y) {
-    countRow(map, y);
+    countRow(map, y, {area.x, area.x + area.width});
     if (tooMany()) {
       rows_kept_ = false;
     } else {
-      keepRow(rows_[static_cast<std::size_t>(y)], map.width());
+      keepRow(rows_[static_cast<std::size_t>(y)], {area.x, area.x + area.width});
     }
   }
 }
 
-void FrontierSearch::countRow(const OccupancyGrid& map, int y) {
-  const int width = map.width();
-  markFrontierCells(y > 0 ? map.row(y - 1) : nullptr, map.row(y), y + 1 < map.height() ? map.row(y + 1) : nullptr,
-                    width, scratch_, marks_.data());
+/// Marks the frontier cells of a row within `columns`; all other marks next to these are 0.
+void FrontierSearch::countRow(const OccupancyGrid& map, int y, const Span& columns) {
+  const int begin = std::max(columns.begin - 1, 0);  // one more column on either side, for the neighbours
+  const int end = std::min(columns.end + 1, map.width());
+  const auto rowAt = [&](int row) { return row >= 0 && row < map.height() ? map.row(row) + begin : nullptr; };
+  std::uint8_t* marks = marks_.data();
+  markFrontierCells(rowAt(y - 1), rowAt(y), rowAt(y + 1), end - begin, scratch_, marks + begin);
+  std::fill(marks + begin, marks + columns.begin, std::uint8_t{0});
+  std::fill_n(marks + columns.end, kMarksAtOnce, std::uint8_t{0});
+  const std::size_t found = std::accumulate(marks + columns.begin, marks + columns.end, std::size_t{0});
   std::size_t& cells = cells_in_row_[static_cast<std::size_t>(y)];
   cell_count_ -= cells;
-  cells = std::accumulate(marks_.begin(), marks_.begin() + width, std::size_t{0});
+  cells = columns.end - columns.begin == map.width()
+              ? found
+              : cells + found - cellsWithin(rows_[static_cast<std::size_t>(y)], columns);
   cell_count_ += cells;
 }
 
-/// Writes the runs of the row that was marked last to `spans`.
-void FrontierSearch::keepRow(std::vector<Span>& spans, int width) const {
-  spans.clear();
-  int x = 0;
-  while (x < width) {
+std::size_t FrontierSearch::cellsWithin(const std::vector<Span>& spans, const Span& columns) {
+  int cells = 0;
+  for (const Span& span : spans) {
+    cells += std::max(0, std::min(span.end, columns.end) - std::max(span.begin, columns.begin));
+  }
+  return static_cast<std::size_t>(cells);
+}
+
+/// Replaces the runs of the row that was marked last within `columns`.
+void FrontierSearch::keepRow(std::vector<Span>& spans, const Span& columns) {
+  spans_.clear();
+  const auto add = [this](int begin, int end) {
+    if (begin >= end) return;
+    if (!spans_.empty() && spans_.back().end == begin) {
+      spans_.back().end = end;
+    } else {
+      spans_.push_back({begin, end});
+    }
+  };
+  for (const Span& span : spans) add(span.begin, std::min(span.end, columns.begin));
+  int x = columns.begin;
+  while (x < columns.end) {
     std::uint64_t eight = 0;
-    std::memcpy(&eight, marks_.data() + x, sizeof eight);  // eight cells at once: frontier cells are rare
+    std::memcpy(&eight, marks_.data() + x, sizeof eight);  // frontier cells are rare
     if (eight == 0) {
-      x += 8;
+      x += kMarksAtOnce;
       continue;
     }
     while (marks_[static_cast<std::size_t>(x)] == 0) ++x;
-    if (x >= width) break;
+    if (x >= columns.end) break;
     const int begin = x;
-    while (x < width && marks_[static_cast<std::size_t>(x)] != 0) ++x;
-    spans.push_back({begin, x});
+    while (x < columns.end && marks_[static_cast<std::size_t>(x)] != 0) ++x;
+    add(begin, x);
   }
+  for (const Span& span : spans) add(std::max(span.begin, columns.end), span.end);
+  spans.assign(spans_.begin(), spans_.end());
 }
 
 FrontierClusters FrontierSearch::clusters(int min_cells, int max_extent) const {

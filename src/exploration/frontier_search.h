@@ -36,14 +36,14 @@ struct FrontierClusters {
 void markFrontierCells(const std::int8_t* below, const std::int8_t* row, const std::int8_t* above, int width,
                        std::vector<std::int8_t>& scratch, std::uint8_t* out);
 
-/// The frontier of a map, kept up to date row by row. After a change only the rows it touches are searched again; the
+/// The frontier of a map, kept up to date row by row. After a change only the block it touches is searched again; the
 /// clusters are then joined from runs of cells, at a cost that depends on the length of the frontier and not on the
 /// size of the map. The result is that of a breadth-first search over 8-neighbours. [EXP-2]
 /// A map of noise may have millions of frontier cells: beyond the bound they are only counted. [FLT-1]
 /// He, Chao & Suzuki, "A Run-Based Two-Scan Labeling Algorithm", IEEE Trans. Image Processing 17(5), 2008.
 class FrontierSearch {
  public:
-  /// Searches the rows again that a change of `map` within `changed` can affect; all rows if the geometry is new.
+  /// Searches the cells again that a change of `map` within `changed` can affect; all cells if the geometry is new.
   void update(const OccupancyGrid& map, const CellRect& changed);
 
   /// Clusters of at least `min_cells`. One wider or higher than `max_extent` cells is cut across its longer side into
@@ -57,8 +57,9 @@ class FrontierSearch {
     int begin, end;
   };
   void searchRows(const OccupancyGrid& map, const CellRect& area);
-  void countRow(const OccupancyGrid& map, int y);
-  void keepRow(std::vector<Span>& spans, int width) const;
+  void countRow(const OccupancyGrid& map, int y, const Span& columns);
+  void keepRow(std::vector<Span>& spans, const Span& columns);
+  static std::size_t cellsWithin(const std::vector<Span>& spans, const Span& columns);
   bool tooMany() const;
 
   GridGeometry geometry_;
@@ -68,6 +69,7 @@ class FrontierSearch {
   bool rows_kept_ = true;  ///< false: there were too many, and some rows are missing
   std::vector<std::int8_t> scratch_;
   std::vector<std::uint8_t> marks_;
+  std::vector<Span> spans_;
 };
 
 /// The cell of a cluster nearest to its centroid.
