@@ -9,7 +9,7 @@ unset(CMAKE_REQUIRED_FLAGS)
 unset(CMAKE_REQUIRED_QUIET)
 if(NOT HAS_LIBFUZZER)
   message(FATAL_ERROR "WITH_FUZZERS needs clang with libFuzzer, which ${CMAKE_CXX_COMPILER} is not: "
-    "apt-get install clang libclang-rt-14-dev, and -DCMAKE_CXX_COMPILER=clang++")
+    "scripts/setup installs it, and -DCMAKE_CXX_COMPILER=clang++ selects it")
 endif()
 # Of the checks, the first is in neither of the two sanitizers. A finding ends the program, so that its input is kept.
 add_compile_options(-fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all

@@ -2,7 +2,7 @@
 """Watches an exploration, prints its progress periodically, and saves the map when it is done or on Ctrl-C. A second
 Ctrl-C does not wait until it is saved.
 
-Exit code: 0 when everything within reach was explored and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 1 otherwise.
+Exit code: 0 when no reachable frontier is left and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 1 otherwise.
 """
 import datetime
 import math

@@ -26,7 +26,7 @@ def run(what, words):
 
 
 def missing():
-    return 'clang with libFuzzer is missing: apt-get install clang libclang-rt-14-dev'
+    return 'clang with libFuzzer is missing: scripts/setup installs it'
 
 
 def make(names):

@@ -68,6 +68,8 @@ const char* toString(Rejection rejection) {
       return "blacklisted";
     case Rejection::kNothingToSee:
       return "nothing to see";
+    case Rejection::kSmallCorner:
+      return "in a small corner not worth a trip";
     case Rejection::kNotRich:
       return "not rich";
     case Rejection::kFruitless:

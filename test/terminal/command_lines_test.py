@@ -39,9 +39,9 @@ def scripts():
     return sorted(path for path in (ROOT / 'scripts').iterdir() if path.is_file() and os.access(path, os.X_OK))
 
 
-def rows_of_readme():
-    """The names of topics, services and actions of each node in the table of README.md."""
-    table = (ROOT / 'README.md').read_text().split('\n## Nodes\n')[1].split('\n## ')[0]
+def rows_of_nodes():
+    """The names of topics, services and actions of each node in the table of docs/nodes.md."""
+    table = (ROOT / 'docs/nodes.md').read_text().split('\n## Nodes\n')[1].split('\n## ')[0]
     for row in re.findall(r'^\| (`.*?)\|(.*)\|$', table, re.MULTILINE):
         names = [name for name in re.findall(r'`([^`]+)`', row[1]) if re.match(r'/?[a-z][a-z0-9_/]*$', name)]
         for node in re.findall(r'`(\w+)`', row[0]):
@@ -82,9 +82,9 @@ class CommandLines(unittest.TestCase):
             with self.subTest(program=program.name):
                 self.assertRegex(call(program, '--help')[1], r'(?im)^example')
 
-    def test_help_names_the_topics_services_and_actions_of_the_readme(self):
+    def test_help_names_the_topics_services_and_actions_in_the_table_of_nodes(self):
         nodes = {path.name for path in installed()}
-        rows = list(rows_of_readme())
+        rows = list(rows_of_nodes())
         self.assertGreater(len(rows), 8)
         for node, names in rows:
             self.assertIn(node, nodes)

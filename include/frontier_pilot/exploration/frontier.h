@@ -16,6 +16,7 @@ enum class Rejection {
   kCluttered,     ///< every goal tried fails a filter; the first one has more than max_obstacle_density around it
   kBlacklisted,   ///< near a blacklisted goal
   kNothingToSee,  ///< the unknown area expected to be seen from the goal is below the minimum
+  kSmallCorner,   ///< little floor is expected behind it, too little for a trip
   kNotRich,       ///< in phase RICH: information density below rich_min_density
   kFruitless,     ///< near an earlier goal that did not show the area expected of it
   kClaimed,       ///< another robot claims it and sees it sooner

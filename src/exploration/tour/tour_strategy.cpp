@@ -40,8 +40,16 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   if (situation.shared != nullptr) leaveToOthers(*situation.shared);
   const Plan plan = choosePlan(situation);
   if (!plan.stops.empty()) return goalOf(plan, situation);
-  evaluator.rejectAll(Rejection::kNothingToSee);
+  rejectRest();
   return std::nullopt;
+}
+
+/// Nothing is left that is worth a trip: says of each frontier why.
+void TourStrategy::rejectRest() {
+  for (const SoughtFrontier& each : sought_) {
+    if (put_off_[each.index] && !left_[each.index]) evaluator_->reject(each.index, Rejection::kSmallCorner);
+  }
+  evaluator_->rejectAll(Rejection::kNothingToSee);
 }
 
 void TourStrategy::stayedUnknown() {

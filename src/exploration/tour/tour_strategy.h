@@ -58,6 +58,7 @@ class TourStrategy : public GoalStrategy {
   void putOffSmallOnes();
   std::optional<std::size_t> presentViewpoint(const Situation& situation) const;
   void leaveToOthers(SharedWork& shared);
+  void rejectRest();
   Plan choosePlan(const Situation& situation);
   Plan plan(std::optional<std::size_t> first);
   std::vector<Stop> cover(std::optional<std::size_t> first) const;

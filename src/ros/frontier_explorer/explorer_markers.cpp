@@ -116,24 +116,27 @@ class MarkerWriter {
   std::map<std::string, std::size_t> points_;
 };
 
+/// Of a frontier on the tour its place there and the time until then, after the robot's namespace; of one that waits
+/// nothing; of one that is chosen by its score that.
+std::string wordsOf(const exploration::Frontier& frontier, const std::string& owner) {
+  if (frontier.place == 0) return frontier.score == 0.0 ? "" : text("%.2f", frontier.score);
+  const std::string name = owner.size() > 1 ? owner.substr(1) + " " : "";
+  return name + std::to_string(frontier.place) + text(": %.0f s", frontier.cost);
+}
+
 void writeSelectable(MarkerWriter& writer, const exploration::Frontier& frontier, const ExplorerScene& scene) {
   writer.cells(names::kFrontierCells, frontier.cells, scene.geometry, kGreen);
   writer.sphere("centroids", frontier.centroid, 0.15 + 0.2 * std::sqrt(frontier.info.area), kBlue);
-  // On a tour the place in it, the expected area and the time until then say more than the score, which then decides
-  // nothing.
-  const std::string owner = scene.owner.size() > 1 ? scene.owner.substr(1) + " " : "";
-  const std::string words = frontier.place == 0
-                                ? text("%.2f", frontier.score)
-                                : owner + std::to_string(frontier.place) + ": " + text("%.1f m2", frontier.info.area) +
-                                      text(", %.0f s", frontier.cost);
-  writer.text("scores", frontier.centroid, words, kInk);
+  const std::string words = wordsOf(frontier, scene.owner);
+  if (!words.empty()) writer.text("scores", frontier.centroid, words, kInk);
 }
 
 void writeRejected(MarkerWriter& writer, const exploration::Frontier& frontier, const GridGeometry& geometry) {
   const std::string reason = toString(frontier.rejection);
   writer.cells("rejected: " + reason, frontier.cells, geometry, kGrey);
-  const bool one_of_many =
-      frontier.rejection == exploration::Rejection::kTooSmall || frontier.rejection == exploration::Rejection::kLeftOut;
+  using exploration::Rejection;
+  const bool one_of_many = frontier.rejection == Rejection::kTooSmall || frontier.rejection == Rejection::kLeftOut ||
+                           frontier.rejection == Rejection::kSmallCorner;
   if (!one_of_many) writer.text("reasons", frontier.centroid, reason, kGrey);
 }
 

@@ -25,12 +25,12 @@ struct ExplorerScene {
 };
 
 /// The markers of an exploration for rviz, each kind in a namespace of its own: the `cells` and `centroids` of
-/// selectable frontiers (spheres that grow with the expected information), their `scores` or their `places` in the
-/// tour with the robot's namespace, the `tour` as a line through its stops, blacklisted places in red, and the rejected
-/// frontiers in grey, with the reason in the namespace (`rejected: too near`) and as text. Frontiers that are too small
-/// or left out, of which there can be thousands, have no text. `bounds` and `keep out` are the sides of the polygons,
-/// `new bounds` the corners of a polygon that is being clicked, and `to inspect` arrows at the poses to take on the
-/// way.
+/// selectable frontiers (spheres that grow with the expected information), their `scores`, which on a tour are the
+/// place in it and the time until then, after the robot's namespace, the `tour` as a line through its stops,
+/// blacklisted places in red, and the rejected frontiers in grey, with the reason in the namespace (`rejected: too
+/// near`) and as text. Frontiers that are too small, left out or in small corners, of which there can be many, have no
+/// text. `bounds` and `keep out` are the sides of the polygons, `new bounds` the corners of a polygon that is being
+/// clicked, and `to inspect` arrows at the poses to take on the way.
 visualization_msgs::MarkerArray makeExplorerMarkers(const ExplorerScene& scene, const std::string& frame, Time stamp);
 
 }  // namespace frontier_pilot

@@ -75,6 +75,8 @@ TEST_F(Strategies, ASmallNicheIsSeenInTheEndUnlessItIsLittleOfTheFloor_EXP_9) {
   strategy.reset();
   parameters.tour.left_share = 0.1;
   EXPECT_FALSE(choose(kRoomWithANiche, parameters));
+  ASSERT_EQ(evaluator.frontiers().size(), 1U);
+  EXPECT_STREQ(toString(evaluator.frontiers().front().rejection), "in a small corner not worth a trip");
 }
 
 // [EXP-9]
