@@ -114,8 +114,10 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
     if (known.insert(geometry.index(cell)).second) cells.push_back(cell);
   };
   if (present && travel.reached(*present)) add(*present);
-  const int nodes_per_row = geometry.width / step + 1;
-  std::vector<bool> visited(static_cast<std::size_t>(nodes_per_row) * (geometry.height / step + 1), false);
+  GridGeometry lattice;
+  lattice.width = geometry.width / step + 1;
+  lattice.height = geometry.height / step + 1;
+  std::vector<bool> visited(lattice.size(), false);
   for (const SoughtFrontier& each : sought) {
     const Frontier& frontier = evaluator.frontiers()[each.index];
     add(geometry.cellAt(frontier.goal));
@@ -124,7 +126,7 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
         CellRect{frontier.anchor.x, frontier.anchor.y, 1, 1}.grown(radius).intersection(geometry.rect());
     for (int y = (box.y + step - 1) / step * step; y < box.y + box.height; y += step) {
       for (int x = (box.x + step - 1) / step * step; x < box.x + box.width; x += step) {
-        const auto node = static_cast<std::size_t>(y / step * nodes_per_row + x / step);
+        const std::size_t node = lattice.index({x / step, y / step});
         if (visited[node]) continue;
         visited[node] = true;
         const Cell cell = reachedNear({x, y}, step / 3, travel);
