@@ -16,6 +16,20 @@ def end_with_the_parent():
     _prctl(_SET_PARENT_DEATH_SIGNAL, signal.SIGTERM)
 
 
+def end_after_this_process(name, value):
+    """Starts a process that waits until this one has ended, in whatever way, and then ends all that have name=value in their
+    environment."""
+    reading, writing = os.pipe()
+    if os.fork() > 0:
+        os.close(reading)  # the other end stays open for as long as this process lives
+        return
+    os.setsid()  # a Ctrl-C does not reach it
+    os.close(writing)
+    os.read(reading, 1)
+    end(name, value)
+    os._exit(0)
+
+
 def find(name, value):
     """The numbers of all processes of this user whose environment, as they were started, has name=value, but for this one."""
     entry = os.fsencode('%s=%s' % (name, value))

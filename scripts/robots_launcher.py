@@ -111,6 +111,7 @@ def main():
     arguments = read_command_line()
     leftovers.end_with_the_parent()  # which is roslaunch
     with tempfile.TemporaryDirectory() as folder:
+        leftovers.end_after_this_process(MARK, folder)
         os.environ[MARK] = folder
         try:
             run_id = rosgraph.Master('/robots_launcher').getParam('/run_id')

@@ -125,6 +125,24 @@ class SecondCopies(unittest.TestCase):
         areas = {round(message.explored_area, 6) for _, message in status.items[heard:]}
         self.assertEqual(areas, {0.25, 0.5}, '[FLT-1]')
 
+    # [FLT-1]
+    def test_a_map_that_was_refused_is_used_once_the_stranger_before_it_has_died(self):
+        status = Record('frontier_explorer/status', ExplorerStatus)
+        stranger = subprocess.Popen([sys.executable, '-c', STRANGER])
+        self.addCleanup(stranger.wait)
+        self.addCleanup(stranger.kill)
+        self.start('frontier_explorer')
+        self.assertTrue(wait_for(lambda: status.last is not None and status.last.explored_area > 0.0, 15.0))
+        of_stranger = status.last.explored_area
+        topic = rospy.Publisher('map', OccupancyGrid, queue_size=1, latch=True)
+        self.addCleanup(topic.unregister)
+        topic.publish(map_with_free_cells(200))
+        self.assertTrue(wait_for(lambda: topic.get_num_connections() > 0))
+        rospy.rostime.wallsleep(1.0)
+        self.assertEqual(status.last.explored_area, of_stranger, 'refused')
+        stranger.kill()
+        self.assertTrue(wait_for(lambda: abs(status.last.explored_area - 0.5) < 1e-6, 15.0), '[FLT-1]')
+
 
 if __name__ == '__main__':
     rospy.init_node('second_copies_test')

@@ -60,8 +60,12 @@ std::optional<Time> RecentUpdates::applyTo(OccupancyGrid& map) const {
 void MapMirror::subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot, Need need) {
   frame_ = frame;
   topic_ = names::ofRobot(robot, names::kMap);
-  map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
-      topic_, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
+  listen_ = [this, &connections] {
+    map_subscriber_.shutdown();
+    map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
+        topic_, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
+  };
+  listen_();
   connections.subscribeToEvents<map_msgs::OccupancyGridUpdate>(
       names::ofRobot(robot, names::kMapUpdates), 100,
       [this](const auto& event) { handleUpdate(*event.getConstMessage(), event.getPublisherName()); });
@@ -101,7 +105,10 @@ void MapMirror::startOver() {
 
 void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
-  if (!mayBelongTo(publisher) && map_subscriber_.getNumPublishers() > 1 && ownerLives()) return refuse(publisher);
+  if (!mayBelongTo(publisher) && map_subscriber_.getNumPublishers() > 1 && ownerLives()) {
+    refused_a_map_ = true;
+    return refuse(publisher);
+  }
   std::string why;
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
@@ -168,6 +175,15 @@ void MapMirror::remember(Time stamp, const GridUpdate& update) {
   if (!isOld(stamp)) recent_.add(stamp, update);
 }
 
-CellRect MapMirror::takeChanged() { return std::exchange(changed_, CellRect{}); }
+void MapMirror::askAgain() {
+  if (!refused_a_map_ || ownerLives()) return;
+  refused_a_map_ = false;
+  listen_();
+}
+
+CellRect MapMirror::takeChanged() {
+  askAgain();
+  return std::exchange(changed_, CellRect{});
+}
 
 }  // namespace frontier_pilot

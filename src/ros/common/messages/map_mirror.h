@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -46,7 +47,8 @@ class RecentUpdates {
 /// the stamps of either topic go back) nor between publishers. A map or update without a stamp is applied as it comes.
 ///
 /// The first node that sends a map owns it: while that node lives, maps and updates of any other node are refused, and
-/// counted by that node's name. A map and its updates come from one node. [FLT-1]
+/// counted by that node's name. A map and its updates come from one node. Once the owner of a map has died, a map that
+/// was refused is asked for again. [FLT-1]
 ///
 /// Malformed messages are counted with a warning and leave the copy as it was. A smaller map (of a mapper that started
 /// over) replaces a larger one, with a warning in the log.
@@ -83,6 +85,8 @@ class MapMirror {
   void refuse(const std::string& publisher);
   /// Whether the owner still lives. If it has been silent for five seconds, its XML-RPC port is tried.
   bool ownerLives();
+  /// Subscribes anew if a map was refused whose rival has died since: publishers send their map to a new subscriber.
+  void askAgain();
   /// Forgets the stamps: later messages are not compared with earlier ones.
   void startOver();
   void takeWhole(OccupancyGrid map, Time stamp);
@@ -103,6 +107,8 @@ class MapMirror {
   RecentUpdates recent_;
   Rejections rejections_{"map message"};
   ros::Subscriber map_subscriber_;
+  std::function<void()> listen_;  ///< subscribes to the map, anew if need be
+  bool refused_a_map_ = false;    ///< since the last time
 };
 
 }  // namespace frontier_pilot
