@@ -33,7 +33,7 @@ def becomes(condition, seconds=10.0):
 
 class Leftovers(unittest.TestCase):
     def test_what_was_started_ends_with_its_parent_also_if_that_was_killed(self):
-        """[MUL-1]"""
+        """[FLT-2]"""
         for number in (signal.SIGKILL, signal.SIGTERM):
             value = '%d-%d' % (os.getpid(), number)
             parent = subprocess.Popen([sys.executable, '-c', PARENT, value], stdout=subprocess.PIPE)
