@@ -113,11 +113,17 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Out
 }
 
 bool isUsable(const LaserScan2& scan) {
-  const auto says_something = [&](float range) {
-    return readRange(range, scan.range_min, scan.range_max).kind != RangeKind::kInvalid;
-  };
-  const auto valid = std::count_if(scan.ranges.begin(), scan.ranges.end(), says_something);
-  return static_cast<std::size_t>(valid) * 10 > scan.ranges.size();
+  constexpr double kAhead = kPi / 6.0;  // to either side
+  std::size_t valid = 0, ahead = 0, valid_ahead = 0;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const std::size_t says_something = readBeam(scan, i).kind != RangeKind::kInvalid ? 1 : 0;
+    const bool is_ahead = std::abs(normalizeAngle(scan.T_base_sensor.yaw + scan.angle(i))) <= kAhead;
+    valid += says_something;
+    ahead += is_ahead ? 1 : 0;
+    valid_ahead += is_ahead ? says_something : 0;
+  }
+  // A scanner that does not look ahead at all is the operator's choice.
+  return valid * 10 > scan.ranges.size() && (ahead == 0 || valid_ahead * 10 > ahead);
 }
 
 void PoseHistory::add(Time stamp, const Pose2& T_map_base) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "frontier_pilot/core/geometry.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -31,6 +33,43 @@ TEST(ScanPoints, TakesATooNearReadingForTheFootprintsEdge_NAV_4) {
   ASSERT_EQ(points.size(), 2U);
   EXPECT_NEAR(static_cast<double>(points.x[0]), 10.97, 1e-5);
   EXPECT_NEAR(static_cast<double>(points.x[1]), 10.0 - 0.105, 1e-5);
+}
+
+LaserScan2 fullCircle(double mounted_at) {
+  LaserScan2 scan;
+  scan.angle_min = -kPi;
+  scan.angle_increment = 2.0 * kPi / 360.0;
+  scan.range_min = 0.12;
+  scan.range_max = 8.0;
+  scan.T_base_sensor = {0.0, 0.0, mounted_at};
+  scan.ranges.assign(360, 2.0F);
+  return scan;
+}
+
+/// The scan with nothing said by the beams within 60 degrees of `direction` in the robot's frame.
+LaserScan2 blindTowards(double direction, double mounted_at, float said) {
+  LaserScan2 scan = fullCircle(mounted_at);
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (std::abs(angleDifference(mounted_at + scan.angle(i), direction)) < kPi / 3.0) scan.ranges[i] = said;
+  }
+  return scan;
+}
+
+// [FLT-1] [NAV-4]
+TEST(ScanPoints, AreNotToDriveByWhenTheScannerSaysNothingOfWhatIsAhead) {
+  const float nan = std::nanf("");
+  for (const double mounted_at : {0.0, kPi, 1.0}) {
+    EXPECT_TRUE(navigation::isUsable(fullCircle(mounted_at)));
+    EXPECT_FALSE(navigation::isUsable(blindTowards(0.0, mounted_at, nan)));
+    EXPECT_TRUE(navigation::isUsable(blindTowards(kPi, mounted_at, nan))) << "only behind";
+    EXPECT_TRUE(navigation::isUsable(blindTowards(0.0, mounted_at, std::numeric_limits<float>::infinity())))
+        << "no return is an answer";
+  }
+  LaserScan2 backwards = fullCircle(0.0);
+  backwards.angle_min = kPi / 2.0;
+  backwards.ranges.resize(180);
+  EXPECT_TRUE(navigation::isUsable(backwards)) << "it never looks ahead";
+  EXPECT_FALSE(navigation::isUsable(LaserScan2()));
 }
 
 }  // namespace
