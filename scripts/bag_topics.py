@@ -79,7 +79,7 @@ def read_bag(path):
                     continue
                 topics.setdefault(name, Topic(name, message_class)).raw.append((recorded.to_sec(), data))
     except DAMAGE as error:
-        raise BagError('%s: %s' % (path, error or type(error).__name__))
+        raise BagError('%s: %s' % (path, str(error) or type(error).__name__))
     return topics, others
 
 

@@ -23,11 +23,13 @@ def end_after_this_process(name, value):
     if os.fork() > 0:
         os.close(reading)  # the other end stays open for as long as this process lives
         return
-    os.setsid()  # a Ctrl-C does not reach it
-    os.close(writing)
-    os.read(reading, 1)
-    end(name, value)
-    os._exit(0)
+    try:
+        os.setsid()  # a Ctrl-C does not reach it
+        os.close(writing)
+        os.read(reading, 1)
+        end(name, value)
+    finally:
+        os._exit(0)  # whatever happens, it must not go on with the work of the process that it was forked from
 
 
 def find(name, value):

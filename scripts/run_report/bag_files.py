@@ -68,7 +68,7 @@ class BagFiles:
             self.bags.append(bag)
             self.stretches[bag] = runs.stretch_of(path)
         except DAMAGE as error:
-            self.notes.append('%s: it cannot be read: %s' % (name, error or type(error).__name__))
+            self.notes.append('%s: it cannot be read: %s' % (name, str(error) or type(error).__name__))
 
     def _open(self, path, name):
         try:
@@ -117,6 +117,6 @@ class BagFiles:
                     yield topic, message, last
             except DAMAGE as error:
                 note = '%s is damaged after %.0f s: %s' % (os.path.basename(bag.filename), last - self.span()[0],
-                                                           error or type(error).__name__)
+                                                           str(error) or type(error).__name__)
                 if note not in self.notes:
                     self.notes.append(note)

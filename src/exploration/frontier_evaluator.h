@@ -26,6 +26,8 @@ class FrontierEvaluator {
  public:
   /// Paths to goals leave `clearance_margin` [m] on either side of a robot with the outline `driven`.
   FrontierEvaluator(const FrontierParameters& parameters, const Outline& driven);
+  FrontierEvaluator(const FrontierEvaluator&) = delete;
+  FrontierEvaluator& operator=(const FrontierEvaluator&) = delete;
 
   /// Other filters and weights, from the next evaluation on; distances and clearances have to be the same.
   void setParameters(const FrontierParameters& parameters) {

@@ -99,7 +99,7 @@ std::optional<FrontierGoals::Surroundings> FrontierGoals::surroundingsOf(const F
   const Vec2 centre =
       geometry.origin + geometry.resolution * Vec2(judged.x + judged.width / 2.0, judged.y + judged.height / 2.0);
   const double half_side = geometry.resolution * std::max(judged.width, judged.height) / 2.0;
-  return Surroundings{space_, map_.changesAround(centre, half_side), travel_.countReached(goals)};
+  return Surroundings{space_, cluster.box, map_.changesAround(centre, half_side), travel_.countReached(goals)};
 }
 
 GoalCell FrontierGoals::judge(Cell cell) const {

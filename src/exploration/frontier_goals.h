@@ -49,13 +49,14 @@ class FrontierGoals {
 
  private:
   /// What the failure to find a goal depends on. Cells are reached or not as a whole region, so that their number
-  /// tells whether they are the same ones as before.
+  /// almost always tells whether they are the same ones as before.
   struct Surroundings {
     const TraversableSpace* space = nullptr;
+    CellRect cluster;
     std::uint64_t changes = 0;  ///< of the map
     std::size_t reached = 0;    ///< cells that can be reached
     bool operator==(const Surroundings& other) const {
-      return space == other.space && changes == other.changes && reached == other.reached;
+      return space == other.space && cluster == other.cluster && changes == other.changes && reached == other.reached;
     }
   };
   struct Failure {

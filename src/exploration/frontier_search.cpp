@@ -70,7 +70,7 @@ void FrontierSearch::searchRows(const OccupancyGrid& map, const CellRect& area) 
   }
 }
 
-/// Marks the frontier cells of a row within `columns`; all other marks next to these are 0.
+/// Marks the frontier cells of a row within `columns`, and clears the marks beside them, which `keepRow` reads.
 void FrontierSearch::countRow(const OccupancyGrid& map, int y, const Span& columns) {
   const int begin = std::max(columns.begin - 1, 0);  // one more column on either side, for the neighbours
   const int end = std::min(columns.end + 1, map.width());

@@ -35,11 +35,10 @@ StopLine::~StopLine() {
 void StopLine::ask() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const bool waits = asked_ != answered_;
-    if (waits && steadyNow() - asked_at_ < kGivenUp) return;
-    if (waits) client_.shutdown();
+    const bool hangs = calling_since_ && steadyNow() - *calling_since_ >= kGivenUp;
+    if (asked_ != answered_ && !hangs) return;
+    if (hangs) client_.shutdown();
     ++asked_;
-    asked_at_ = steadyNow();
   }
   wake_.notify_all();
 }
@@ -62,10 +61,12 @@ void StopLine::run() {
     const bool late = asked_ == answered_;
     if (ending_ || (late && !(owed_until_ && connected_))) continue;
     const std::uint64_t number = asked_;
+    calling_since_ = steadyNow();
     lock.unlock();
     StopAnswer answer{StopOutcome::kRefused, "the call failed"};
     guard_.run("a call of " + service_, [&] { answer = call(); });
     lock.lock();
+    calling_since_.reset();
     if (late) {
       settleLate(number, answer);
     } else {
@@ -85,7 +86,7 @@ void StopLine::settle(std::uint64_t number, StopAnswer answer) {
 void StopLine::settleLate(std::uint64_t number, const StopAnswer& answer) {
   if (answer.outcome != StopOutcome::kConfirmed || number != asked_) return;
   owed_until_.reset();
-  ROS_WARN_STREAM(service_ << " has confirmed the stop that it could not be asked for when it was called");
+  ROS_WARN_STREAM(service_ << " has now confirmed the stop, which it had not confirmed when it was called");
 }
 
 void StopLine::connect() {

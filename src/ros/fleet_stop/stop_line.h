@@ -19,7 +19,8 @@ namespace frontier_pilot {
 
 /// The line to the service `emergency_stop` of one robot. It is connected before it is needed, so that a stop costs no
 /// question to the master and reaches the robot even while the master is gone; a line that breaks is connected again.
-/// A robot that does not confirm a stop, because its arbiter is being restarted, is asked again for half a minute.
+/// A robot that does not confirm a stop, for instance because its arbiter is being restarted, is asked again for half a
+/// minute.
 /// Calls are made on a thread of the line's own, so that a robot that does not answer delays no other. [MUL-4]
 class StopLine {
  public:
@@ -53,11 +54,11 @@ class StopLine {
   std::mutex mutex_;  ///< guards all that follow
   std::condition_variable wake_;
   bool ending_ = false;
-  std::uint64_t asked_ = 0;     ///< calls begun
-  std::uint64_t answered_ = 0;  ///< calls that have ended
-  SteadyTime asked_at_{};
-  StopAnswer answer_;                     ///< to the last call that has ended
-  std::optional<SteadyTime> owed_until_;  ///< until when a call that was not confirmed is made again
+  std::uint64_t asked_ = 0;                  ///< calls begun
+  std::uint64_t answered_ = 0;               ///< calls that have ended
+  std::optional<SteadyTime> calling_since_;  ///< while a call is under way
+  StopAnswer answer_;                        ///< to the last call that has ended
+  std::optional<SteadyTime> owed_until_;     ///< until when a call that was not confirmed is made again
   ros::ServiceClient client_;
   std::thread thread_;  ///< the last member: it starts when all others are constructed
 };

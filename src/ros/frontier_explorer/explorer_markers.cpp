@@ -116,8 +116,8 @@ class MarkerWriter {
   std::map<std::string, std::size_t> points_;
 };
 
-/// Of a frontier on the tour its place there and the time until then, after the robot's namespace; of one that waits
-/// nothing; of one that is chosen by its score that.
+/// The text at a frontier: on a tour the robot's namespace, the place and the time until then; otherwise the score;
+/// nothing while it waits.
 std::string wordsOf(const exploration::Frontier& frontier, const std::string& owner) {
   if (frontier.place == 0) return frontier.score == 0.0 ? "" : text("%.2f", frontier.score);
   const std::string name = owner.size() > 1 ? owner.substr(1) + " " : "";

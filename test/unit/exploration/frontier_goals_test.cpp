@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "exploration/frontier_evaluator.h"
 #include "exploration/tour/passages.h"
@@ -41,14 +42,23 @@ class GoalsOfFrontiers : public ::testing::Test {
   exploration::FrontierEvaluator evaluator_{exploration::FrontierParameters{}, RobotModel{}.drivenOutline()};
 };
 
+// Near the frontier neither the map changes nor what lies on the robot's side of the wall; only what can be reached.
 // [EXP-3]
 TEST_F(GoalsOfFrontiers, AreFoundAsSoonAsAWayOpensFarFromTheFrontier) {
-  const CellRect wall{30, 1, 1, 28};
-  fill(wall, kOccupied);
+  const CellRect door{30, 60, 1, 29};
+  GridGeometry geometry = map_.geometry();
+  geometry.height = 90;
+  const OccupancyGrid hall = std::exchange(map_, OccupancyGrid(geometry, kOccupied));
+  for (int y = 0; y < hall.height(); ++y) std::copy_n(hall.row(y), hall.width(), map_.row(y));
+  fill({98, 1, 1, 28}, kOccupied);  // hides the frontier from the robot's side
+  fill({1, 60, 109, 29}, kFree);    // a corridor beside the hall, with a passage to it at either end
+  fill({1, 29, 20, 31}, kFree);
+  fill({99, 29, 11, 31}, kFree);
+  fill(door, kOccupied);
   EXPECT_FALSE(anySelectable(map_.geometry().rect()));
   EXPECT_FALSE(anySelectable({}));
-  fill(wall, kFree);
-  EXPECT_TRUE(anySelectable(wall));
+  fill(door, kFree);
+  EXPECT_TRUE(anySelectable(door));
 }
 
 // [EXP-3]

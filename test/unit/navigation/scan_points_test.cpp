@@ -64,6 +64,7 @@ TEST(ScanPoints, AreNotToDriveByWhenTheScannerSaysNothingOfWhatIsAhead) {
     EXPECT_TRUE(navigation::isUsable(blindTowards(kPi, mounted_at, nan))) << "only behind";
     EXPECT_TRUE(navigation::isUsable(blindTowards(0.0, mounted_at, std::numeric_limits<float>::infinity())))
         << "no return is an answer";
+    EXPECT_TRUE(navigation::isUsable(blindTowards(0.0, mounted_at, 0.0F))) << "many drivers say 0 for no return";
   }
   LaserScan2 backwards = fullCircle(0.0);
   backwards.angle_min = kPi / 2.0;

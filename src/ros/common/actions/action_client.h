@@ -74,6 +74,7 @@ class ActionClient {
   void send(const Goal& goal, Done done, Heard heard = {}) {
     done_ = done;
     ended_at_.reset();
+    idle_since_.reset();
     const auto changed = [done = std::move(done)](const GoalHandle& handle) {
       if (handle.getCommState() == actionlib::CommState::DONE) done(handle.getTerminalState(), handle.getResult());
     };

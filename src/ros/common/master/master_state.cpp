@@ -62,7 +62,9 @@ Reach reach(const std::string& host, std::uint32_t port) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  if (getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) return Reach::kUnknownHost;
+  const int failure = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
+  if (failure == EAI_AGAIN) return Reach::kMayConnect;  // the name server is silent: nobody knows
+  if (failure != 0) return Reach::kUnknownHost;
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, freeaddrinfo);
   for (const addrinfo* address = found; address != nullptr; address = address->ai_next) {
     if (Socket(*address).mayConnect(*address)) return Reach::kMayConnect;
@@ -107,7 +109,9 @@ bool nodeLives(const std::string& node) {
   return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
 }
 
-bool serviceMayAnswer(const std::string& service) { return reach("lookupService", service) == Reach::kMayConnect; }
+bool serviceMayAnswer(const std::string& service) {
+  return reach("lookupService", service).value_or(Reach::kMayConnect) == Reach::kMayConnect;
+}
 
 std::string firstLiving(const std::vector<std::string>& nodes) {
   const auto living = std::find_if(nodes.begin(), nodes.end(), nodeLives);

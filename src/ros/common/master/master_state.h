@@ -29,7 +29,8 @@ bool nodeLives(const std::string& node);
 
 /// Whether calls of `service` could be answered at the address that the master has for it: not if it refuses
 /// connections, and not if its host is unknown here. So a provider that has died is recognised even if its node's own
-/// address cannot be asked, because the host's name cannot be resolved or another node has the address now.
+/// address cannot be asked, because the host's name cannot be resolved or another node has the address now. In doubt,
+/// as when the master or the name server does not answer, it may.
 bool serviceMayAnswer(const std::string& service);
 
 /// The first of these nodes that lives; empty if none does.

@@ -118,6 +118,7 @@ void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string&
   if (stamp == Time{} || went_back || publisher != publisher_) startOver();
   publisher_ = publisher;
   owner_heard_ = steadyNow();
+  refused_a_map_ = false;
   heard_frame_ = msg.header.frame_id;
   takeWhole(std::move(*map), stamp);
 }
@@ -177,6 +178,7 @@ void MapMirror::remember(Time stamp, const GridUpdate& update) {
 
 void MapMirror::askAgain() {
   if (!refused_a_map_ || ownerLives()) return;
+  if (!askMaster()) return;  // without a master, a new subscription would wait for it and the old one would be lost
   refused_a_map_ = false;
   listen_();
 }

@@ -108,7 +108,7 @@ class MapMirror {
   Rejections rejections_{"map message"};
   ros::Subscriber map_subscriber_;
   std::function<void()> listen_;  ///< subscribes to the map, anew if need be
-  bool refused_a_map_ = false;    ///< since the last time
+  bool refused_a_map_ = false;    ///< since the map was last asked for, or last came from its owner
 };
 
 }  // namespace frontier_pilot
