@@ -5,7 +5,6 @@ import random
 import signal
 import time
 
-
 from run_attack import environment, services, table
 from run_attack.phases import PHASES, Phases
 from run_attack.robot_watch import RobotWatch

@@ -6,7 +6,6 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
-#include <boost/make_shared.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -118,9 +117,7 @@ TEST_F(ActionServers, BeginAGoalFromWithinTheNodeAtOnceAndOnlyOnce) {
   const ros::Publisher goals = node_.advertise<WaitActionGoal>("within/goal", 10);
   const ros::Publisher cancels = node_.advertise<GoalID>("within/cancel", 10);
   ASSERT_TRUE(comes([&] { return goals.getNumSubscribers() > 0 && cancels.getNumSubscribers() > 0; }));
-  const auto goal = boost::make_shared<WaitActionGoal>();
-  goal->goal_id = named("a");
-  server.offer(goal);
+  const auto goal = server.offer({});
   EXPECT_EQ(begun, 1) << "before any callback is called";
   goals.publish(goal);
   cancels.publish(GoalID());

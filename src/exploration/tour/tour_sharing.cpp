@@ -8,7 +8,6 @@ namespace frontier_pilot::exploration {
 void TourStrategy::leaveToOthers(SharedWork& shared) {
   for (bool left_any = true; left_any;) {
     left_any = false;
-    putOffSmallOnes();
     for (const Stop& stop : plan(std::nullopt).stops) {
       for (const std::size_t frontier : stop.frontiers) {
         if (!shared.leaves(evaluator_->frontiers()[frontier].anchor, stop.arrival, evaluator_->map())) continue;
@@ -16,6 +15,7 @@ void TourStrategy::leaveToOthers(SharedWork& shared) {
         evaluator_->reject(frontier, Rejection::kClaimed);
       }
     }
+    if (left_any) putOffSmallOnes();
   }
 }
 

@@ -83,7 +83,7 @@ class TourStrategy : public GoalStrategy {
   ViewpointDistances distances_;
   UnknownRegions regions_;
   Passages passages_;
-  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as are the next eight
+  FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as is all up to left_
   std::vector<SoughtFrontier> sought_;
   bool all_sought_ = true;  ///< false: farther frontiers are left out of the tour
   std::vector<Viewpoint> viewpoints_;

@@ -1,6 +1,5 @@
 #include "ros/navigator/navigator_action.h"
 
-#include <boost/make_shared.hpp>
 #include <utility>
 
 #include "ros/common/clock.h"
@@ -53,11 +52,9 @@ void MoveBaseServer::handleGoal(const Server::GoalHandle& offered) {
 void MoveBaseServer::handleSimple(const geometry_msgs::PoseStamped& msg) {
   std::string why;
   if (!read(msg, why)) return bad_simple_goals_.add(why);
-  const auto goal = boost::make_shared<move_base_msgs::MoveBaseActionGoal>();
-  goal->goal_id.id = ids_.generateID().id;  // without a stamp: it is sent now
-  goal->goal.target_pose = msg;
-  server_.offer(goal);
-  simple_goals_.publish(goal);  // for those who watch the goals
+  move_base_msgs::MoveBaseGoal goal;
+  goal.target_pose = msg;
+  simple_goals_.publish(server_.offer(goal));
 }
 
 void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {

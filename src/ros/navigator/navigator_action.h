@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/goal_id_generator.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
@@ -59,7 +58,6 @@ class MoveBaseServer {
   std::uint64_t active_id_ = 0;  ///< 0: none
   std::optional<navigation::NavGoal> pending_;
   std::optional<Pose2> goal_;
-  actionlib::GoalIDGenerator ids_;
   ros::Publisher simple_goals_;  ///< of the action itself: they are seen and cancelled like all others
   ros::Publisher current_goal_;
   bool cancel_ = false;

@@ -1,7 +1,5 @@
 #include <geometry_msgs/PoseArray.h>
 
-#include <boost/make_shared.hpp>
-
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
@@ -34,11 +32,9 @@ bool WaypointFollowerAdapter::handleStart(Trigger::Request&, Trigger::Response& 
   response.message = collected_.empty() ? std::string("no waypoints were added")
                                         : "follows " + std::to_string(collected_.size()) + " waypoints";
   if (collected_.empty()) return true;
-  const auto goal = boost::make_shared<FollowWaypointsActionGoal>();
-  goal->goal_id.id = ids_.generateID().id;  // without a stamp: it is sent now
-  goal->goal.poses = collected_;
-  server_.offer(goal);
-  own_goals_.publish(goal);  // for those who watch the goals
+  FollowWaypointsGoal goal;
+  goal.poses = collected_;
+  own_goals_.publish(server_.offer(goal));
   return true;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <actionlib/goal_id_generator.h>
 #include <frontier_pilot/FollowWaypointsAction.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
@@ -52,7 +51,6 @@ class WaypointFollowerAdapter {
   std::vector<geometry_msgs::PoseStamped> collected_;  ///< all in one frame
   std::string last_text_ = "no waypoints yet";
   Rejections bad_poses_{"waypoint"};
-  actionlib::GoalIDGenerator ids_;
   ros::Publisher own_goals_, collected_publisher_;
   ActionClient<move_base_msgs::MoveBaseAction> navigation_;
   Server server_;

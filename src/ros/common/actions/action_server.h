@@ -1,5 +1,6 @@
 #pragma once
 
+#include <actionlib/goal_id_generator.h>
 #include <actionlib/server/action_server_base.h>
 #include <actionlib_msgs/GoalID.h>
 #include <actionlib_msgs/GoalStatusArray.h>
@@ -49,9 +50,14 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   }
 
   /// Takes a goal that comes from within the node, as if it had come over the topic but at once: a cancel that arrives
-  /// after it finds it. When the same goal comes over the topic as well, it is ignored.
-  void offer(const typename Base::ActionGoalConstPtr& goal) {
-    callbacks_.run(name_ + "/goal", [&] { takeGoal(goal); });
+  /// after it finds it. Returns it with its id, to be published for those who watch the goals; when it then comes over
+  /// the topic as well, it is ignored.
+  typename Base::ActionGoalConstPtr offer(const Goal& goal) {
+    const auto offered = boost::make_shared<typename Base::ActionGoal>();
+    offered->goal_id.id = ids_.generateID().id;  // without a stamp: it is sent now
+    offered->goal = goal;
+    callbacks_.run(name_ + "/goal", [&] { takeGoal(offered); });
+    return offered;
   }
 
   const Rejections& rejections() const { return rejections_; }
@@ -193,6 +199,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   std::string name_;
   std::function<void()> recalled_;
   Rejections rejections_;
+  actionlib::GoalIDGenerator ids_;  ///< of goals from within the node
   CallbackGuard callbacks_;
   UnreadableMessages unreadable_;
   ros::Publisher result_, feedback_, status_;
@@ -237,7 +244,7 @@ class SingleGoalServer {
     if (auto handle = release()) handle->setCanceled(result, text);
   }
   /// As ActionServer::offer.
-  void offer(const typename Action::_action_goal_type::ConstPtr& goal) { server_.offer(goal); }
+  typename Action::_action_goal_type::ConstPtr offer(const Goal& goal) { return server_.offer(goal); }
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const { server_.report(status); }
 
  private:
