@@ -30,6 +30,8 @@ const char* toString(ScanVerdict verdict) {
       return "fits nowhere";
     case ScanVerdict::kNotLocated:
       return "not localised: the scan fits nowhere on the map here, give a pose";
+    case ScanVerdict::kBlind:
+      return "sees none of the walls around, as a covered or failed scanner";
   }
   return "unknown";
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "frontier_pilot/grids/ray_casting.h"
 #include "navigation/navigator_impl.h"
 
 namespace frontier_pilot::navigation {
@@ -113,12 +114,18 @@ void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   }
   if (inputs.scan == nullptr || (scan_stamp_ && inputs.scan->stamp == *scan_stamp_) || !isUsable(*inputs.scan)) return;
   const auto T_map_base = poses_.at(inputs.scan->stamp);
-  if (!T_map_base) return;
+  if (!T_map_base || isBlind(*inputs.scan, *T_map_base)) return;
   scan_stamp_ = inputs.scan->stamp;
   scan_ = scanPoints(*inputs.scan, *T_map_base, outline_);
   obstacles_.setMakingWay(inputs.order.making_way);
   if (clearance_.empty()) return;
   obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
+}
+
+/// Whether the scanner sees none of the walls that the map has all around.
+bool Navigator::Impl::isBlind(const LaserScan2& scan, const Pose2& T_map_base) const {
+  const auto is_wall = [&](Cell cell) { return clearance_.isMapOccupiedNear(cell, 0); };
+  return !clearance_.empty() && grids::missesWalls(scan, T_map_base, clearance_.geometry(), is_wall);
 }
 
 void Navigator::Impl::takeEvents(const NavigatorInputs& inputs, Time now) {

@@ -35,6 +35,7 @@ class Navigator::Impl {
 
  private:
   void takeIn(const NavigatorInputs& inputs, Time now);
+  bool isBlind(const LaserScan2& scan, const Pose2& T_map_base) const;
   void takeEvents(const NavigatorInputs& inputs, Time now);
   void start(const NavGoal& goal, Time now);
   void finish(NavResult result, NavReason reason);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
+#include "frontier_pilot/core/laser_scan.h"
 
 namespace frontier_pilot::grids {
 
@@ -52,5 +54,12 @@ class RayCaster {
   double cells_per_metre_ = 0.0;
   std::vector<std::uint8_t> leaps_;  ///< one plane per sector: 0 is solid or outside, else 1 + columns surely free
 };
+
+/// Whether a scan has hardly any return although most of its beams meet walls by the map, with the robot at
+/// `T_map_base`: then the scanner is covered or has failed, and what it says of free space is not to be believed.
+/// `is_wall` is asked for cells of a map with this geometry, also for cells outside of it. Walls near the end of the
+/// scanner's range do not count. [FLT-1]
+bool missesWalls(const LaserScan2& scan, const Pose2& T_map_base, const GridGeometry& geometry,
+                 const std::function<bool(Cell)>& is_wall);
 
 }  // namespace frontier_pilot::grids

@@ -35,8 +35,9 @@ enum class ScanVerdict {
   kOutOfBounds,  ///< the map would become too large
   kMisfit,       ///< it fits nowhere near, and would only corrupt the map
   kNotLocated,   ///< the robot is sought on a known map, and the scan does not fit where it is said to be
+  kBlind,        ///< it has hardly any return where the map has walls all around
 };
-constexpr std::size_t kScanVerdicts = 13;
+constexpr std::size_t kScanVerdicts = 14;
 
 const char* toString(ScanVerdict verdict);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -76,6 +77,7 @@ class DrivenRobot {
   bool has_pose = true;
   bool has_scan = true;
   bool has_map = true;
+  bool is_blind = false;             ///< the scanner reports no return from any direction
   std::set<std::string> recoveries;  ///< all that the navigator has reported
 
  private:
@@ -93,6 +95,7 @@ class DrivenRobot {
     placer_.addOdometry(simulator_.now(), simulator_.odometry(0));
     if (const LaserScan2* scan = simulator_.newScan(0)) {
       scan_ = *scan;
+      if (is_blind) scan_->ranges.assign(scan_->ranges.size(), std::numeric_limits<float>::infinity());
       placer_.place(ScanReference::kEnd, *scan_);
     }
     if (std::abs(speed()) < 0.01) standing_ += 0.01;

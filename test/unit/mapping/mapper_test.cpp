@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "support/shipped_robot.h"
 
@@ -17,6 +18,14 @@ LaserScan2 ring(double seconds, float range = 1.0F) {
   scan.range_min = 0.12;
   scan.range_max = 8.0;
   scan.ranges.assign(90, range);
+  return scan;
+}
+
+/// The same with so many beams that the wall around has no gaps.
+LaserScan2 denseRing(double seconds, float range) {
+  LaserScan2 scan = ring(seconds);
+  scan.angle_increment = 2.0 * kPi / 720.0;
+  scan.ranges.assign(720, range);
   return scan;
 }
 
@@ -56,6 +65,15 @@ TEST_F(MapperTest, DropsAndCountsStaleScans_MAP_4) {
   expectDrop(ring(10.5), Pose2(1.0, 0.0, 0.0), 11.6, mapping::ScanVerdict::kStale);
   expectDrop(ring(13.0), Pose2(1.0, 0.0, 0.0), 11.7, mapping::ScanVerdict::kFuture);
   EXPECT_EQ(mapper.counts().dropped(), 3U);
+}
+
+// [MAP-4] [FLT-1]
+TEST_F(MapperTest, KeepsTheWallsThatACoveredScannerDoesNotSee_MAP_4_FLT_1) {
+  ASSERT_EQ(insert(denseRing(1.0, 2.0F)), mapping::ScanVerdict::kInserted);
+  for (const float nothing : {std::numeric_limits<float>::infinity(), 0.0F, 8.0F}) {
+    expectDrop(denseRing(2.0, nothing), Pose2(0.3, 0.0, 0.0), 2.0, mapping::ScanVerdict::kBlind);
+  }
+  EXPECT_EQ(insert(denseRing(3.0, 2.0F), Pose2(0.3, 0.0, 0.0)), mapping::ScanVerdict::kInserted);
 }
 
 // [MAP-4]

@@ -130,6 +130,20 @@ TEST(Navigator, StandsStillWithoutPoseScanOrMapAndGoesOnWhenTheyAreBack_NAV_1) {
   }
 }
 
+// [FLT-1] [NAV-4]
+TEST(Navigator, StandsWhenItsScannerSeesNoneOfTheWallsOfTheMap_FLT_1_NAV_4) {
+  DrivenRobot robot(twoRooms(14), kLeft);
+  robot.send(kRight);
+  robot.run(5.0);
+  robot.is_blind = true;
+  robot.run(1.5);
+  EXPECT_EQ(robot.output().reason, navigation::NavReason::kNoScan);
+  EXPECT_EQ(robot.speed(), 0.0);
+  robot.is_blind = false;
+  expectFinished(robot.runUntilFinished(60.0), navigation::NavResult::kSucceeded, navigation::NavReason::kReached);
+  EXPECT_EQ(robot.contacts(), 0);
+}
+
 TEST(Navigator, AbortsWithLostPoseAfterItsPatience_NAV_1) {
   DrivenRobot robot(twoRooms(14), kLeft);
   robot.send(kRight);
