@@ -21,6 +21,7 @@ TourStrategy::TourStrategy(const ExplorerParameters& parameters)
       min_distance_(parameters.frontier.min_distance),
       limits_(parameters.robot.limits),
       search_(parameters.frontier.view),
+      regions_(std::max({parameters.tour.open_area, parameters.tour.hidden_area, parameters.tour.small_area})),
       distrusted_(distrustParameters(parameters.blacklist)) {}
 
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
@@ -69,7 +70,7 @@ void TourStrategy::expireDistrust() {
 /// Takes the nearest frontiers: farther ones will have changed when the robot gets there. Those that were not seen from
 /// a viewpoint although they should have been are looked at from their own goals.
 void TourStrategy::seek() {
-  constexpr std::size_t kMostFrontiers = 100;
+  constexpr std::size_t kMostFrontiers = 70;
   const std::vector<Frontier>& all = evaluator_->frontiers();
   std::vector<std::size_t> nearest;
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -11,7 +11,7 @@ constexpr double kRadius = 2.5;  // [m]
 
 }  // namespace
 
-std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double radius) {
+std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double radius, std::size_t most) {
   const int reach = static_cast<int>(radius / map.resolution());
   grids::CellWindow<std::uint8_t> seen(frontier, reach, 0);
   std::vector<Cell> open;
@@ -22,7 +22,7 @@ std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double 
     open.push_back(c);
   };
   for (const Cell step : grids::kNeighbourSteps) visit({frontier.x + step.x, frontier.y + step.y});
-  for (std::size_t next = 0; next != open.size();) {
+  for (std::size_t next = 0; next != open.size() && open.size() < most;) {
     const Cell c = open[next++];
     visit({c.x + 1, c.y});
     visit({c.x - 1, c.y});
@@ -39,8 +39,10 @@ double UnknownRegions::areaBehind(Cell frontier, const ObservedMap& map) {
   const std::uint64_t changes = map.changesAround(map.geometry().centre(frontier), kRadius) + 1;
   const double cell_area = map.geometry().resolution * map.geometry().resolution;
   Region& region = regions_[map.geometry().index(frontier)];
-  if (region.changes != changes)
-    region = {changes, static_cast<double>(unknownBehind(map.grid(), frontier, kRadius).size()) * cell_area};
+  if (region.changes != changes) {
+    const auto most = static_cast<std::size_t>(most_ / cell_area) + 1;
+    region = {changes, static_cast<double>(unknownBehind(map.grid(), frontier, kRadius, most).size()) * cell_area};
+  }
   return region.area;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -10,13 +11,17 @@
 namespace frontier_pilot::exploration {
 
 /// The unknown cells that are connected over 4-neighbours with the unknown neighbours of a frontier cell within
-/// `radius` [m] of it.
-std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double radius);
+/// `radius` [m] of it. The search ends when it has found `most` of them.
+std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double radius,
+                                std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The unknown area that is connected over 4-neighbours with the unknown neighbours of a frontier cell, within 2.5 m of
 /// it: small for a pocket behind an object, large where the building goes on. Remembered until the map changes there.
+/// Of what is larger than `most` [m^2] it only says that.
 class UnknownRegions {
  public:
+  explicit UnknownRegions(double most) : most_(most) {}
+
   /// [m^2]
   double areaBehind(Cell frontier, const ObservedMap& map);
 
@@ -26,6 +31,7 @@ class UnknownRegions {
     double area = 0.0;          ///< [m^2]
   };
 
+  double most_;            ///< [m^2]
   GridGeometry geometry_;  ///< of the map, by which cells are numbered
   std::unordered_map<std::size_t, Region> regions_;
 };

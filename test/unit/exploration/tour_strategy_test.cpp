@@ -177,6 +177,8 @@ TEST(StrategyNames, AnUnknownOneIsRefusedWithTheNamesThatThereAre) {
 }
 
 // [EXP-9]
+constexpr double kOpen = 5.0;  ///< [m^2]
+
 TEST(UnknownArea, BehindAFrontierEndsAtWallsAndAtTheRadius_EXP_9) {
   const test::AsciiWorld pocket = test::drawWorld(R"(
     ##########
@@ -186,7 +188,7 @@ TEST(UnknownArea, BehindAFrontierEndsAtWallsAndAtTheRadius_EXP_9) {
   )",
                                                   0.1);
   const test::AsciiWorld open = test::drawWorld("f" + std::string(100, '?'), 0.1);
-  exploration::UnknownRegions regions;
+  exploration::UnknownRegions regions(kOpen);
   exploration::ObservedMap map;
   for (int repeated = 0; repeated < 2; ++repeated) {
     map.update(pocket.map, pocket.map.geometry().rect());
@@ -197,9 +199,17 @@ TEST(UnknownArea, BehindAFrontierEndsAtWallsAndAtTheRadius_EXP_9) {
 }
 
 // [EXP-9]
+TEST(UnknownArea, ThatIsLargerThanAskedForIsNotMeasuredFurther_EXP_9) {
+  const test::AsciiWorld open = test::drawWorld("f" + std::string(100, '?'), 0.1);
+  exploration::ObservedMap map;
+  map.update(open.map, open.map.geometry().rect());
+  EXPECT_NEAR(exploration::UnknownRegions(0.2).areaBehind(open.cell('f'), map), 0.2, 0.011);
+}
+
+// [EXP-9]
 TEST(UnknownArea, IsMeasuredAgainWhenTheMapHasChangedThere_EXP_9) {
   test::AsciiWorld open = test::drawWorld("f" + std::string(100, '?'), 0.1);
-  exploration::UnknownRegions regions;
+  exploration::UnknownRegions regions(kOpen);
   exploration::ObservedMap map;
   map.update(open.map, open.map.geometry().rect());
   EXPECT_NEAR(regions.areaBehind(open.cell('f'), map), 0.25, 1e-9);
