@@ -22,22 +22,27 @@ DiscIndex::DiscIndex(const GridGeometry& geometry)
     : bins_(GridGeometry{kBinSize, geometry.origin, binsAlong(geometry.width, geometry.resolution),
                          binsAlong(geometry.height, geometry.resolution)}) {}
 
-CellRect DiscIndex::binsAround(const Vec2& point, double radius) const {
-  const Vec2 at = point - bins_.geometry().origin;
-  const Cell low{bin(at.x() - radius, bins_.width()), bin(at.y() - radius, bins_.height())};
-  const Cell high{bin(at.x() + radius, bins_.width()), bin(at.y() + radius, bins_.height())};
-  return {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1};
+CellRect DiscIndex::binsIn(const Vec2& low, const Vec2& high) const {
+  const Vec2 origin = bins_.geometry().origin;
+  const Cell first{bin(low.x() - origin.x(), bins_.width()), bin(low.y() - origin.y(), bins_.height())};
+  const Cell last{bin(high.x() - origin.x(), bins_.width()), bin(high.y() - origin.y(), bins_.height())};
+  return {first.x, first.y, last.x - first.x + 1, last.y - first.y + 1};
+}
+
+CellRect DiscIndex::binsOf(const Disc& disc) const {
+  const Vec2 reach(disc.radius, disc.radius);
+  return binsIn(disc.centre - reach, disc.centre + reach);
 }
 
 void DiscIndex::file(Id id) {
-  const CellRect bins = binsAround(discs_[id].centre, discs_[id].radius);
+  const CellRect bins = binsOf(discs_[id]);
   for (int y = bins.y; y < bins.y + bins.height; ++y) {
     for (int x = bins.x; x < bins.x + bins.width; ++x) bins_[Cell{x, y}].push_back(id);
   }
 }
 
 void DiscIndex::unfile(Id id) {
-  const CellRect bins = binsAround(discs_[id].centre, discs_[id].radius);
+  const CellRect bins = binsOf(discs_[id]);
   for (int y = bins.y; y < bins.y + bins.height; ++y) {
     for (int x = bins.x; x < bins.x + bins.width; ++x) {
       std::vector<Id>& ids = bins_[Cell{x, y}];
@@ -60,7 +65,7 @@ DiscIndex::Id DiscIndex::add(const Disc& disc) {
 
 void DiscIndex::move(Id id, const Vec2& centre) {
   Disc& disc = discs_[id];
-  const bool same_bins = binsAround(disc.centre, disc.radius) == binsAround(centre, disc.radius);
+  const bool same_bins = binsOf(disc) == binsOf({centre, disc.radius});
   if (!same_bins) unfile(id);
   disc.centre = centre;
   if (!same_bins) file(id);

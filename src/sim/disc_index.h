@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
@@ -31,7 +32,13 @@ class DiscIndex {
   /// disc that lies in several bins may be visited several times.
   template <class Visit>
   void visitNear(const Vec2& point, double radius, Visit&& visit) const {
-    const CellRect bins = binsAround(point, radius);
+    const Vec2 reach(radius, radius);
+    visitIn(point - reach, point + reach, std::forward<Visit>(visit));
+  }
+  /// The same for every disc that reaches into the box `low`-`high` [m].
+  template <class Visit>
+  void visitIn(const Vec2& low, const Vec2& high, Visit&& visit) const {
+    const CellRect bins = binsIn(low, high);
     for (int y = bins.y; y < bins.y + bins.height; ++y) {
       for (int x = bins.x; x < bins.x + bins.width; ++x) {
         for (const Id id : bins_[Cell{x, y}]) visit(id, discs_[id]);
@@ -40,7 +47,8 @@ class DiscIndex {
   }
 
  private:
-  CellRect binsAround(const Vec2& point, double radius) const;
+  CellRect binsIn(const Vec2& low, const Vec2& high) const;
+  CellRect binsOf(const Disc& disc) const;
   void file(Id id);
   void unfile(Id id);
 

@@ -70,7 +70,14 @@ void Lidar::measure(const Sweep& sweep, const grids::RayCaster& walls, const Dis
   aim(sweep);
   swept_ranges_.assign(swept_.size(), scanner_.range_max);
   walls.castEach(swept_from_, swept_, swept_ranges_);
-  discs.visitNear(swept_from_.front(), scanner_.range_max, [&](DiscIndex::Id id, const Disc& disc) {
+  // The few beams of a sweep point the same way: only what lies in the box around them can shorten one.
+  Vec2 low = swept_from_.front(), high = low;
+  for (std::size_t i = 0; i < swept_.size(); ++i) {
+    const Vec2 end = swept_from_[i] + swept_ranges_[i] * swept_[i];
+    low = low.cwiseMin(end).cwiseMin(swept_from_[i]);
+    high = high.cwiseMax(end).cwiseMax(swept_from_[i]);
+  }
+  discs.visitIn(low, high, [&](DiscIndex::Id id, const Disc& disc) {
     if (id != own) meetMoving(disc);
   });
   for (std::size_t i = 0; i < swept_ranges_.size(); ++i)

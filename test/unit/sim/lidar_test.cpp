@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -62,6 +63,15 @@ TEST(Lidar, SeesDiscsAsAskingEveryOneOfThem_SIM_2) {
                                          walls.cast(sensor.position(), sensor.yaw + scan.angle(i), 8.0));
       const RangeReading reading = readBeam(scan, i);
       ASSERT_NEAR(std::max(expected, scan.range_min), reading.distance, 1e-5) << "world " << world << " beam " << i;
+    }
+    LaserScan2 swept = scan;
+    for (std::size_t first = 0; first < scan.ranges.size(); first += 18) {
+      const std::size_t end = std::min(first + 18, scan.ranges.size());
+      lidar.measure({first, end, base}, walls, index, std::nullopt, noise, swept);
+    }
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+      ASSERT_NEAR(readBeam(scan, i).distance, readBeam(swept, i).distance, 1e-5)
+          << "world " << world << " beam " << i << " of a sweep";
     }
   }
 }
