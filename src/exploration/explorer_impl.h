@@ -102,8 +102,6 @@ class Explorer::Impl {
   FrontierEvaluator::Context context();
   Situation situation(bool keep_present);
 
-  std::optional<ChosenGoal> chooseBy(const FallBack* rules, bool keep_present, Time now);
-  std::optional<ChosenGoal> chooseByUsualRules(bool keep_present, Time now);
   void noteJudgement(Time now);
   const FallBack* fallBack(FallBack::Scope scope, Time now);
   bool judgeTightWays(Time now);
@@ -183,7 +181,6 @@ class Explorer::Impl {
   bool was_running_ = false;
   bool bounds_changed_ = false;  ///< since the last tick
   int step_backs_ = 0;
-  Time usual_rules_at_;                        ///< when the usual rules were last applied
   const FallBack* judged_by_ = nullptr;        ///< fall-back of the last decision; null if none was needed
   std::optional<ExplorerReason> ended_by_;     ///< the stopping rule, until started again
   std::optional<ExplorerReason> done_reason_;  ///< kept while the robot returns to the start

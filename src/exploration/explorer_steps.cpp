@@ -215,41 +215,23 @@ bool Explorer::Impl::anyRich() {
 }
 
 /// With `keep_present` the goal being driven to competes too, even if it fails a filter by now: a robot that has come
-/// nearer to its goal than min_distance must not turn away from it. If a fall-back has found that goal, others compete
-/// with it by the rules of the fall-back alone; and where the usual rules have found nothing a moment ago, they are not
-/// tried again for the next goal. Otherwise nearly every decision at the end of an exploration would judge all twice.
+/// nearer to its goal than min_distance must not turn away from it.
 std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
-  constexpr double kUsualRulesAgain = 10.0;  // [s]
   history_.expire(evaluator_.map());
   shared_.restart();
-  const bool found_nothing = usual_rules_at_ <= now && !passed(usual_rules_at_, kUsualRulesAgain, now);
-  const FallBack* found_by = keep_present || found_nothing ? judged_by_ : nullptr;
-  std::optional<ChosenGoal> chosen;
-  if (found_by != nullptr) chosen = chooseBy(found_by, keep_present, now);
-  if (!chosen) chosen = chooseByUsualRules(keep_present, now);
-  chosen_ = chosen.value_or(ChosenGoal{});
-  noteClaims();
-  if (chosen) estimateWhole();
-  return chosen;
-}
-
-std::optional<ChosenGoal> Explorer::Impl::chooseBy(const FallBack* rules, bool keep_present, Time now) {
-  judged_by_ = rules;
-  if (!(this->*rules->attempt)(now)) return std::nullopt;
-  noteJudgement(now);
-  return strategy_->choose(evaluator_, situation(keep_present));
-}
-
-std::optional<ChosenGoal> Explorer::Impl::chooseByUsualRules(bool keep_present, Time now) {
   judged_by_ = nullptr;
-  usual_rules_at_ = now;
   if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
   noteJudgement(now);
   std::optional<ChosenGoal> chosen = strategy_->choose(evaluator_, situation(keep_present));
   // A strategy may leave all that can be selected; another way of judging may find what it does not leave.
-  if (chosen || judged_by_ != nullptr) return chosen;
-  judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
-  return judged_by_ == nullptr ? std::nullopt : strategy_->choose(evaluator_, situation(keep_present));
+  if (!chosen && judged_by_ == nullptr) {
+    judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
+    if (judged_by_ != nullptr) chosen = strategy_->choose(evaluator_, situation(keep_present));
+  }
+  chosen_ = chosen.value_or(ChosenGoal{});
+  noteClaims();
+  if (chosen) estimateWhole();
+  return chosen;
 }
 
 void Explorer::Impl::noteJudgement(Time now) {
