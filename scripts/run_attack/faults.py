@@ -1,4 +1,5 @@
-"""The matrix of faults: each node is killed and suspended in each phase of the work. [FLT-2]"""
+"""The matrix of faults: each node is killed, suspended and slowed down in each phase of the work. [FLT-2]"""
+import collections
 import datetime
 import os
 import random
@@ -13,7 +14,13 @@ from run_attack.system import NODES, System, join, pid_of, provider, wait_until
 WORLD = str(environment.ROOT / 'config/worlds/small.yaml')
 PAGE = environment.ROOT / 'docs/reliability.md'
 VICTIMS = [node for node in NODES if node != 'simulator']  # which is the world and the base
-FAULTS = {'killed': None, 'suspended 1 s': 1.0, 'suspended 3 s': 3.0, 'suspended 10 s': 10.0}
+# A fault ends a node by a signal, or gives it only a share of its time [0 ... 1] for a while [s].
+Fault = collections.namedtuple('Fault', 'signal length share', defaults=(None, None, 0.0))
+FAULTS = {'killed': Fault(signal.SIGKILL),
+          'aborted': Fault(signal.SIGABRT),  # which is how an exception that nothing catches ends a process
+          'suspended 1 s': Fault(length=1.0), 'suspended 3 s': Fault(length=3.0), 'suspended 10 s': Fault(length=10.0),
+          'slowed 5 s': Fault(length=5.0, share=0.05)}
+SLICE = 0.1  # [s]: a node that is slowed down runs for its share of each
 MARGIN = 0.2  # [s]
 COMMAND_TIMEOUT = 1.0  # [s] of a source at the arbiter
 WATCHDOG = 0.6  # [s] of the simulated base
@@ -27,12 +34,26 @@ USUALLY_KEPT = 0.98
 
 
 def standing_limit(node, fault, phase):
-    """How long after the fault the base may go on before it brakes [s]; None where the node is back before, or need not be."""
+    """How long after the fault the base may go on before it brakes [s]; None where the node is back before, or need not be.
+
+    A node that is slowed down may be in time all the same.
+    """
     limit = MUST_STAND.get((node, phase))
-    length = FAULTS[fault]
-    if limit is None or (length is not None and length <= limit + MARGIN):
+    _, length, share = FAULTS[fault]
+    if limit is None or share > 0.0 or (length is not None and length <= limit + MARGIN):
         return None
     return limit + MARGIN
+
+
+def starve(pid, length, share):
+    """Lets the process run for `share` of the next `length` seconds, a slice at a time; it is left suspended."""
+    end = time.monotonic() + length
+    while time.monotonic() < end:
+        os.kill(pid, signal.SIGSTOP)
+        time.sleep((1.0 - share) * SLICE if share > 0.0 else length)
+        if share > 0.0:
+            os.kill(pid, signal.SIGCONT)
+            time.sleep(share * SLICE)
 
 
 def drawn_cells(seed):
@@ -75,14 +96,15 @@ class Cell:
         return 'FAILED: ' + '; '.join(self.failures) if self.failures else stood
 
     def strike(self, pid):
-        """Kills the node, or suspends it for its time."""
-        length = FAULTS[self.fault]
-        os.kill(pid, signal.SIGKILL if length is None else signal.SIGSTOP)
+        """Ends the node, or suspends it or slows it down for its time."""
+        fault = FAULTS[self.fault]
+        if fault.signal is not None:
+            os.kill(pid, fault.signal)
+            return time.sleep(1.5)
         try:
-            time.sleep(1.5 if length is None else length)
+            starve(pid, fault.length, fault.share)
         finally:
-            if length is not None:
-                os.kill(pid, signal.SIGCONT)
+            os.kill(pid, signal.SIGCONT)
 
     def judge_standing(self, begin):
         """Gives the text of a cell that held."""
@@ -100,15 +122,15 @@ class Cell:
         self.expect(not self.watch.moved_since(begin), 'the robot moved while it was stopped')
 
     def is_back(self, pid):
-        """A killed node is another process that serves, a suspended one the same."""
-        killed = FAULTS[self.fault] is None
+        """A node that was ended is another process that serves, any other one the same."""
+        killed = FAULTS[self.fault].signal is not None
         back = wait_until(lambda: (pid_of(self.node) not in (None, pid)) if killed else pid_of(self.node) == pid, BACK)
         return back and (self.node != 'cmd_vel_arbiter' or
                          wait_until(lambda: provider('/emergency_stop') == '/cmd_vel_arbiter', 5.0))
 
     def judge_map(self, known, maps):
         """Once the mapper has published again, which it does where something has changed."""
-        if self.node == 'mapper' and FAULTS[self.fault] is None:
+        if self.node == 'mapper' and FAULTS[self.fault].signal is not None:
             wait_until(lambda: self.watch.maps > maps, 10.0)
         share = KEPT.get(self.node, USUALLY_KEPT)
         self.expect(self.watch.known >= share * known, 'of %d known cells %d are left' % (known, self.watch.known))

@@ -15,9 +15,9 @@ def render(results, states, heading):
 
 
 def _order(fault):
-    """Kills first, then suspensions by their length."""
+    """What ends a node first, then what it survives, by kind and length."""
     numbers = re.findall(r'\d+', fault)
-    return (bool(numbers), [int(number) for number in numbers])
+    return (bool(numbers), fault.split()[0] != 'suspended', [int(number) for number in numbers], fault)
 
 
 def replaced(page, table):

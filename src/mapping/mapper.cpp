@@ -5,7 +5,6 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/motion.h"
-#include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/occupancy/scan_inserter.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 #include "mapping/corrections.h"
@@ -44,7 +43,6 @@ struct Mapper::Impl {
   void note(ScanVerdict verdict, Time now);
   ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
   ScanVerdict take(const LaserScan2& scan, const Pose2& T_odom_base);
-  bool isBlind(const LaserScan2& scan, const Pose2& T_odom_base) const;
   ScanVerdict integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base);
   ScanVerdict put(const surfaces::SurfaceScan& scan, const Pose2& T_map_base);
   std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
@@ -110,17 +108,10 @@ ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pos
   return take(withAtMost(bounds::kMostMappedBeams, scan), *T_odom_base);
 }
 
-/// By the pose that odometry gives: matching cannot correct it, because such a scan has nothing to match.
-bool Mapper::Impl::isBlind(const LaserScan2& scan, const Pose2& T_odom_base) const {
-  const CellRect inside = map.geometry().rect();
-  const auto is_wall = [&](Cell cell) { return inside.contains(cell) && map.isOccupied(cell); };
-  return !map.isBlank() && grids::missesWalls(scan, T_map_odom * T_odom_base, map.geometry(), is_wall);
-}
-
 ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base) {
   const surfaces::SurfaceScan read = surfaces::readScan(withoutErrors(*correction, scan), parameters.slam.surface);
   usable_share = static_cast<double>(read.usableBeams()) / static_cast<double>(scan.ranges.size());
-  if (isBlind(scan, T_odom_base)) return ScanVerdict::kBlind;
+  if (isBlind(scan, T_map_odom * T_odom_base, map)) return ScanVerdict::kBlind;
   return usable_share > 0.0 ? integrate(read, T_odom_base) : ScanVerdict::kAllInvalid;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/grids/ray_casting.h"
 
 namespace frontier_pilot::mapping {
 
@@ -13,6 +14,12 @@ bool isWellFormed(const LaserScan2& scan) {
   return finite && mounts && scan.angle_increment != 0.0 && scan.range_min >= 0.0 && scan.range_max > scan.range_min &&
          scan.range_max <= bounds::kUsedRange && !scan.ranges.empty() &&
          bounds::isWithin(scan.T_base_sensor.position().norm(), bounds::kMostMount);
+}
+
+bool isBlind(const LaserScan2& scan, const Pose2& T_map_base, const occupancy::OccupancyMap& map) {
+  const CellRect inside = map.geometry().rect();
+  const auto is_wall = [&](Cell cell) { return inside.contains(cell) && map.isOccupied(cell); };
+  return !map.isBlank() && grids::missesWalls(scan, T_map_base, map.geometry(), is_wall);
 }
 
 bool isUsable(const Pose2& T_odom_base) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The matrix of faults, its table, and what the fuzzer keeps to itself."""
+import os
 import pathlib
 import signal
 import subprocess
@@ -51,7 +52,7 @@ class Faults(unittest.TestCase):
 
     def test_all_cells_are_visited_in_an_order_that_the_seed_gives(self):
         cells = self.faults.drawn_cells(1)
-        self.assertEqual(len(cells), 8 * 4 * 5)
+        self.assertEqual(len(cells), 8 * 6 * 5)
         self.assertEqual(len(set(cells)), len(cells))
         self.assertEqual(cells, self.faults.drawn_cells(1))
         self.assertNotEqual(cells, self.faults.drawn_cells(2))
@@ -64,6 +65,20 @@ class Faults(unittest.TestCase):
         self.assertIsNone(limit('navigator', 'suspended 1 s', 'exploring'))
         self.assertIsNone(limit('frontier_explorer', 'killed', 'exploring'))
         self.assertIsNone(limit('navigator', 'killed', 'idle'))
+        self.assertAlmostEqual(limit('patrol_server', 'aborted', 'patrolling'), 1.2)
+        self.assertIsNone(limit('navigator', 'slowed 5 s', 'exploring'), 'it may be in time')
+
+    def test_a_node_that_is_slowed_down_runs_for_its_share_of_the_time(self):
+        busy = subprocess.Popen([sys.executable, '-c', 'while True: pass'])
+        self.addCleanup(busy.wait)
+        self.addCleanup(busy.kill)
+
+        def used():
+            fields = pathlib.Path('/proc/%d/stat' % busy.pid).read_text().rsplit(')', 1)[1].split()
+            return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
+        before = used()
+        self.faults.starve(busy.pid, 2.0, 0.05)
+        self.assertLess(used() - before, 0.6)
 
     def cell(self, motion, fault='killed'):
         """A cell that was judged on a motion of the base, (time, speed), with the fault at 10.0, in a slow simulation."""

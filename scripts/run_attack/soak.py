@@ -1,0 +1,171 @@
+"""A long ordinary life: explorations, patrols, turns, saved, loaded and new maps, over and over. [FLT-1]"""
+import itertools
+import os
+import random
+import statistics
+import time
+
+import rospy
+from frontier_pilot.srv import LoadMap, SaveMap
+from std_srvs.srv import Empty, Trigger
+
+from run_attack import environment, services
+from run_attack.phases import Phases
+from run_attack.robot_watch import RobotWatch
+from run_attack.system import System, join, pids, resident_memory, wait_until
+
+WORLD = str(environment.ROOT / 'config/worlds/small.yaml')
+SPEED = 8  # of the simulation; a busy machine falls behind
+SETTLED = 1800.0  # [s] of the simulation, after which memory has to stay as it is
+MOST_GROWTH = 3.0  # [MB] of a node for each hour of the simulation after that ...
+MOST_NOISE = 6.0  # ... [MB], unless it has grown by less than this in all
+MOST_DRIFT = 1.6  # times the CPU time that a node needs for a second of the simulation
+LEAST_LOAD = 0.02  # [s/s]: of a node that needs less, the drift is noise
+MOST_DISK = 150.0  # [MB] of logs, maps and copies of maps
+
+
+def slope(points):
+    """The median of the slopes between all pairs of points (x, y): Theil and Sen's estimate. 0 for less than two points."""
+    points = points[::max(1, len(points) // 200)]
+    slopes = [(b[1] - a[1]) / (b[0] - a[0]) for a, b in itertools.combinations(points, 2) if b[0] > a[0]]
+    return statistics.median(slopes) if slopes else 0.0
+
+
+def cpu_time(pid):
+    """What a process has used [s]; None if it has ended."""
+    try:
+        with open('/proc/%d/stat' % pid) as stat:
+            fields = stat.read().rsplit(')', 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
+    except OSError:
+        return None
+
+
+def disk_use(folder):
+    """What lies in a folder [MB]."""
+    sizes = (os.path.join(path, name) for path, _, names in os.walk(folder) for name in names)
+    return sum(os.path.getsize(path) for path in sizes if os.path.isfile(path)) / 1e6
+
+
+class Record:
+    """Memory and CPU time of one node over the time of the simulation."""
+
+    def __init__(self):
+        self.memory = []  # (time of the simulation [s], [MB])
+        self.cpu = []  # (time of the simulation [s], [s])
+
+    def growth(self):
+        """After it has settled: [MB] for each hour, and in all."""
+        begin = self.memory[0][0] + min(SETTLED, 0.25 * (self.memory[-1][0] - self.memory[0][0]))
+        settled = [point for point in self.memory if point[0] >= begin]
+        by_hour = 3600.0 * slope(settled)
+        return by_hour, by_hour * (settled[-1][0] - settled[0][0]) / 3600.0
+
+    def load(self):
+        """CPU time for a second of the simulation in the second quarter of the time, and in the last."""
+        def between(begin, end):
+            part = self.cpu[int(begin * (len(self.cpu) - 1)):int(end * (len(self.cpu) - 1)) + 1]
+            took = part[-1][0] - part[0][0]
+            return (part[-1][1] - part[0][1]) / took if took > 0.0 else 0.0
+        return between(0.25, 0.5), between(0.75, 1.0)
+
+
+def judge(records, outcome):
+    """Says what has grown, and how fast."""
+    rates = []
+    for node, record in sorted(records.items()):
+        by_hour, in_all = record.growth()
+        earlier, later = record.load()
+        rates.append('%s %+.1f' % (node, by_hour))
+        outcome.expect(by_hour <= MOST_GROWTH or in_all <= MOST_NOISE,
+                       '%s grows by %.1f MB an hour of the simulation' % (node, by_hour))
+        outcome.expect(later <= MOST_DRIFT * max(earlier, LEAST_LOAD),
+                       '%s needs %.3f s of CPU time a second instead of %.3f' % (node, later, earlier))
+    outcome.figure('memory of the nodes [MB] for each hour of the simulation: ' + ', '.join(rates))
+
+
+class Life:
+    """One job after the other, each for some seconds."""
+
+    def __init__(self, folder, watch, phases, draw):
+        self.jobs = 0
+        self._watch, self._phases, self._draw = watch, phases, draw
+        self._map = os.path.join(folder, 'floor')
+        self._kinds = [self.explore, self.explore, self.patrol, self.turn, self.save, self.load, self.begin_anew, self.put_back]
+
+    def go_on(self):
+        self._draw.choice(self._kinds)()
+        self.jobs += 1
+
+    def explore(self):
+        self._phases.explore()
+        wait_until(self._watch.done, 20.0)
+
+    def patrol(self):
+        self._phases.rest()
+        self._phases.patrol()
+        time.sleep(3.0)
+        self._phases.rest()
+
+    def turn(self):
+        self._phases.rest()
+        self._phases.spin()
+        self._phases.rest()
+
+    def save(self):
+        services.call('mapper/save_map', SaveMap, SaveMap._request_class(self._map), 20.0)
+
+    def load(self):
+        self._phases.rest()
+        services.call('mapper/load_map', LoadMap, LoadMap._request_class(self._map), 20.0)
+        services.call('frontier_explorer/reset', Trigger)
+
+    def begin_anew(self):
+        self._phases.rest()
+        services.call('mapper/reset', Trigger)
+        services.call('frontier_explorer/reset', Trigger)
+
+    def put_back(self):
+        self._phases.rest()
+        services.call('reset_positions', Empty)
+        self.begin_anew()
+
+
+def attack(folder, seconds, arguments, outcome):
+    system = System(folder, WORLD, arguments.seed, ['speed:=%d' % SPEED])
+    try:
+        if not outcome.expect(system.begin(), 'the system does not start'):
+            return
+        join('attack_soak')
+        watch = RobotWatch()
+        phases = Phases(watch)
+        outcome.expect(wait_until(lambda: watch.speed is not None and watch.maps > 0, 30.0), 'there is no map')
+        outcome.expect(phases.wait_for_servers(), 'the actions are not served')
+        live(folder, seconds, Life(folder, watch, phases, random.Random(arguments.seed)), outcome)
+        outcome.expect(watch.contacts == 0, 'the robot touched something')
+    finally:
+        system.end()
+
+
+def live(folder, seconds, life, outcome):
+    nodes = pids()
+    records = {node: Record() for node in nodes}
+    began, end = rospy.get_time(), time.monotonic() + seconds
+    while time.monotonic() < end:
+        try:
+            life.go_on()
+        except services.NoAnswer as error:
+            outcome.expect(False, str(error))
+        now = rospy.get_time()
+        for node, pid in nodes.items():
+            memory, cpu = resident_memory(pid), cpu_time(pid)
+            if memory is not None and cpu is not None:
+                records[node].memory.append((now, memory))
+                records[node].cpu.append((now, cpu))
+    outcome.expect(pids() == nodes, 'a node has died: %s before, %s now' % (nodes, pids()))
+    outcome.figure('%d jobs in %.2f hours of the simulation, at %.1f times real time' % (
+        life.jobs, (now - began) / 3600.0, (now - began) / seconds))
+    used = disk_use(folder)
+    outcome.figure('%.1f MB of logs and maps' % used)
+    outcome.expect(used <= MOST_DISK, 'logs and maps take %.0f MB' % used)
+    judge({node: record for node, record in records.items() if record.memory}, outcome)
