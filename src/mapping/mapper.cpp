@@ -282,8 +282,7 @@ void Mapper::reset() {
   impl_->recent.clear();
   impl_->correction->reset();
   impl_->forgetEarlierPoses();
-  // A known map is forgotten too.
-  if (impl_->epoch > 0) impl_->replace(correctionFor(impl_->parameters, impl_->map));
+  if (impl_->epoch > 0) impl_->replace(correctionFor(impl_->parameters, impl_->map));  // a known map is forgotten too
 }
 
 occupancy::OccupancyMap& Mapper::map() { return impl_->map; }
