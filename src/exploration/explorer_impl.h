@@ -102,7 +102,6 @@ class Explorer::Impl {
   FrontierEvaluator::Context context();
   Situation situation(bool keep_present);
 
-  void noteJudgement(Time now);
   const FallBack* fallBack(FallBack::Scope scope, Time now);
   bool judgeTightWays(Time now);
   bool judgeWaysFromStart(Time now);

@@ -218,10 +218,15 @@ bool Explorer::Impl::anyRich() {
 /// nearer to its goal than min_distance must not turn away from it.
 std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time now) {
   history_.expire(evaluator_.map());
-  shared_.restart();
   judged_by_ = nullptr;
+  shared_.restart();
   if (!evaluator_.evaluate(context())) judged_by_ = fallBack(FallBack::Scope::kEveryDecision, now);
-  noteJudgement(now);
+  const bool selects_by_density = parameters_.rich_min_density > 0.0;  // then COVERAGE is a fall-back
+  const bool judged = evaluator_.allJudged() && evaluator_.robotHasGround();
+  if (!selects_by_density && judged && !anyRich()) goOnToCoverage(now);
+  judged_changes_ = evaluator_.map().changes();
+  last_decision_ = last_check_ = now;
+  out_.frontiers_judged = true;
   std::optional<ChosenGoal> chosen = strategy_->choose(evaluator_, situation(keep_present));
   // A strategy may leave all that can be selected; another way of judging may find what it does not leave.
   if (!chosen && judged_by_ == nullptr) {
@@ -232,15 +237,6 @@ std::optional<ChosenGoal> Explorer::Impl::judgeAndChoose(bool keep_present, Time
   noteClaims();
   if (chosen) estimateWhole();
   return chosen;
-}
-
-void Explorer::Impl::noteJudgement(Time now) {
-  const bool selects_by_density = parameters_.rich_min_density > 0.0;  // then COVERAGE is a fall-back
-  const bool judged = evaluator_.allJudged() && evaluator_.robotHasGround();
-  if (!selects_by_density && judged && !anyRich()) goOnToCoverage(now);
-  judged_changes_ = evaluator_.map().changes();
-  last_decision_ = last_check_ = now;
-  out_.frontiers_judged = true;
 }
 
 }  // namespace frontier_pilot::exploration

@@ -35,7 +35,6 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
   }
   if (differing.empty() && !is_new) return false;
   search_.update(map_.grid(), differing);
-  clusters_outdated_ = true;
   space_changes_.include(space_.update(map_.grid(), differing));
   tight_changes_.include(is_new ? map_.geometry().rect() : differing);
   return !differing.empty();
@@ -44,7 +43,8 @@ bool FrontierEvaluator::setMap(const OccupancyGrid& map, const CellRect& changed
 bool FrontierEvaluator::evaluate(const Context& context) {
   frontiers_.clear();
   if (map_.empty()) return false;
-  findClusters();
+  const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
+  clusters_ = search_.clusters(1, max_extent);
   const bool any = judgeFromRobot(space_, context);
   blacklisted_in_the_open_ = std::any_of(frontiers_.begin(), frontiers_.end(), [](const Frontier& frontier) {
     return frontier.rejection == Rejection::kBlacklisted;
@@ -52,15 +52,7 @@ bool FrontierEvaluator::evaluate(const Context& context) {
   return any;
 }
 
-void FrontierEvaluator::findClusters() {
-  if (!std::exchange(clusters_outdated_, false)) return;
-  const int max_extent = static_cast<int>(parameters_.max_cluster_extent / map_.geometry().resolution);
-  clusters_ = search_.clusters(1, max_extent);
-}
-
 bool FrontierEvaluator::evaluateTightWays(const Context& context) {
-  if (map_.empty()) return false;
-  findClusters();
   updateTightSpace();
   return judgeFromRobot(tight_space_, context);
 }

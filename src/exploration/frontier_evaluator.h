@@ -53,7 +53,7 @@ class FrontierEvaluator {
   /// cells and leave room for a full turn: a gap whose sides have not been seen yet may prove too narrow once the robot
   /// is in it. Returns whether any frontier can be selected.
   bool evaluate(const Context& context);
-  /// Judges the frontiers and also allows paths through gaps that the robot only just fits through.
+  /// Judges the same frontiers again and also allows paths through gaps that the robot only just fits through.
   bool evaluateTightWays(const Context& context);
   /// The same with paths from `context.start`, if the last evaluation found no path from there to the robot and it is
   /// not the bounds that separate them.
@@ -125,7 +125,6 @@ class FrontierEvaluator {
     ViewGain gain;
   };
 
-  void findClusters();
   void updateTightSpace();
   bool judgeAll(const TraversableSpace& space, const Vec2& from, const Context& context);
   bool judgeFromRobot(const TraversableSpace& space, const Context& context) {
@@ -154,7 +153,6 @@ class FrontierEvaluator {
   CellRect tight_space_changes_;          ///< the same of tight_space_
   TravelField travel_;
   FrontierClusters clusters_;
-  bool clusters_outdated_ = true;  ///< the map has changed since they were found
   std::vector<Frontier> frontiers_;
   std::size_t left_out_ = 0;
   bool blacklisted_in_the_open_ = false;

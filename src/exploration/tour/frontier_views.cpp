@@ -20,16 +20,13 @@ double rangeOf(const ViewParameters& parameters) {
 const std::vector<Glimpse>& FrontierViews::from(Cell viewpoint, const ObservedMap& map) {
   constexpr std::size_t kMostViews = 20000;
   constexpr double kTolerance = 0.05;  // share of the area that may have changed
-  constexpr int kMostLooks = 100;      // some 3 ms
   if (views_.size() > kMostViews) views_.clear();
   drawRays(map.geometry().resolution);
   const double cell_area = map.geometry().resolution * map.geometry().resolution;
   const std::uint64_t changes = map.changesAround(map.geometry().centre(viewpoint), rangeOf(parameters_)) + 1;
   View& view = views_[map.geometry().index(viewpoint)];
   const double changed_area = static_cast<double>(changes - view.changes) * cell_area;
-  const bool outdated = view.changes == 0 || changed_area > kTolerance * view.area;
-  if (outdated && looks_ < kMostLooks) {
-    ++looks_;
+  if (view.changes == 0 || changed_area > kTolerance * view.area) {
     view.changes = changes;
     look(viewpoint, map, view);
   }

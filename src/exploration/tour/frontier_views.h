@@ -17,15 +17,12 @@ struct Glimpse {
 
 /// Views from single cells by ray casting, sorted by the frontier cells that the rays leave the known floor through.
 /// Known cells behind the first unknown one count for nothing, in contrast to `viewGain`. Kept until enough of the map
-/// around the viewpoint has changed. In one decision only so many are cast: beyond that, views stay as they were cast
-/// before, and are brought up to date in the next decisions. [FLT-1]
+/// around the viewpoint has changed.
 class FrontierViews {
  public:
   explicit FrontierViews(const ViewParameters& parameters) : parameters_(parameters) {}
 
-  /// Begins a decision. Viewpoints are asked for in the order of their importance.
-  void beginDecision() { looks_ = 0; }
-  /// Valid until the next call. Empty if there is no view from there yet and no more can be cast in this decision.
+  /// Valid until the next call.
   const std::vector<Glimpse>& from(Cell viewpoint, const ObservedMap& map);
   void clear() { views_.clear(); }
 
@@ -49,7 +46,6 @@ class FrontierViews {
   float unknownAlong(const std::vector<RayCell>& ray, ValueAt value_at, RayCell& last_free) const;
 
   ViewParameters parameters_;
-  int looks_ = 0;                           ///< in this decision
   double resolution_ = 0.0;                 ///< that the rays are drawn for [m]
   std::vector<std::vector<RayCell>> rays_;  ///< from the centre of a cell: the same for all viewpoints
   std::unordered_map<std::size_t, View> views_;

@@ -70,7 +70,7 @@ void TourStrategy::expireDistrust() {
 /// Takes the nearest frontiers: farther ones will have changed when the robot gets there. Those that were not seen from
 /// a viewpoint although they should have been are looked at from their own goals.
 void TourStrategy::seek() {
-  constexpr std::size_t kMostFrontiers = 70;
+  constexpr std::size_t kMostFrontiers = 100;
   const std::vector<Frontier>& all = evaluator_->frontiers();
   std::vector<std::size_t> nearest;
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -37,7 +37,6 @@ std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
                                              const std::vector<SoughtFrontier>& sought,
                                              const std::optional<Vec2>& present) {
   label(evaluator, sought);
-  views_.beginDecision();
   const GridGeometry& geometry = evaluator.map().geometry();
   const std::vector<Frontier>& frontiers = evaluator.frontiers();
   const auto present_cell = present ? std::optional<Cell>(geometry.cellAt(*present)) : std::nullopt;
