@@ -1,5 +1,6 @@
 """The matrix of faults: each node is killed, suspended and slowed down in each phase of the work. [FLT-2]"""
 import collections
+import contextlib
 import datetime
 import os
 import random
@@ -28,8 +29,8 @@ WATCHDOG = 0.6  # [s] of the simulated base
 MUST_STAND = {('navigator', 'exploring'): COMMAND_TIMEOUT, ('mapper', 'exploring'): COMMAND_TIMEOUT,
               ('patrol_server', 'patrolling'): COMMAND_TIMEOUT, ('behavior_server', 'spinning'): COMMAND_TIMEOUT}
 MUST_STAND.update({('cmd_vel_arbiter', phase): WATCHDOG for phase in ('exploring', 'patrolling', 'spinning')})
-BACK = 20.0  # [s] for a killed node to serve again
-KEPT = {'mapper': 0.9}  # share of the known cells; of a mapper that is killed, the copy of two seconds before
+BACK = 20.0  # [s] for a node that was ended to serve again
+KEPT = {'mapper': 0.9}  # share of the known cells; of a mapper that is ended, the copy of two seconds before
 USUALLY_KEPT = 0.98
 
 
@@ -46,14 +47,17 @@ def standing_limit(node, fault, phase):
 
 
 def starve(pid, length, share):
-    """Lets the process run for `share` of the next `length` seconds, a slice at a time; it is left suspended."""
-    end = time.monotonic() + length
-    while time.monotonic() < end:
-        os.kill(pid, signal.SIGSTOP)
-        time.sleep((1.0 - share) * SLICE if share > 0.0 else length)
-        if share > 0.0:
+    """Suspends the process for `length` seconds, or lets it run for `share` of them, a slice at a time."""
+    end, pause = time.monotonic() + length, length if share == 0.0 else (1.0 - share) * SLICE
+    try:
+        while time.monotonic() < end:
+            os.kill(pid, signal.SIGSTOP)
+            time.sleep(pause)
             os.kill(pid, signal.SIGCONT)
             time.sleep(share * SLICE)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGCONT)
 
 
 def drawn_cells(seed):
@@ -103,8 +107,8 @@ class Cell:
             return time.sleep(1.5)
         try:
             starve(pid, fault.length, fault.share)
-        finally:
-            os.kill(pid, signal.SIGCONT)
+        except ProcessLookupError:
+            self.expect(False, 'the node has died meanwhile')
 
     def judge_standing(self, begin):
         """Gives the text of a cell that held."""
@@ -123,8 +127,8 @@ class Cell:
 
     def is_back(self, pid):
         """A node that was ended is another process that serves, any other one the same."""
-        killed = FAULTS[self.fault].signal is not None
-        back = wait_until(lambda: (pid_of(self.node) not in (None, pid)) if killed else pid_of(self.node) == pid, BACK)
+        ended = FAULTS[self.fault].signal is not None
+        back = wait_until(lambda: (pid_of(self.node) not in (None, pid)) if ended else pid_of(self.node) == pid, BACK)
         return back and (self.node != 'cmd_vel_arbiter' or
                          wait_until(lambda: provider('/emergency_stop') == '/cmd_vel_arbiter', 5.0))
 

@@ -1,6 +1,7 @@
 """The system that is attacked: launch/system.launch on a master of its own."""
 import logging
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -54,7 +55,7 @@ class System:
         os.close(reading)
         self.launch = subprocess.Popen(['roslaunch', 'frontier_pilot', 'system.launch', *self.words], stdin=subprocess.DEVNULL,
                                        stdout=writing, stderr=subprocess.STDOUT, start_new_session=True,
-                                       preexec_fn=leftovers.end_with_the_parent)
+                                       preexec_fn=prepare_launch)
         os.close(writing)
 
     def kill_master(self):
@@ -78,6 +79,12 @@ class System:
 
     def path(self, name):
         return os.path.join(self.folder, name)
+
+
+def prepare_launch():
+    """In the process of the launch: it ends with this one, and no node that is aborted writes its memory to the disk."""
+    leftovers.end_with_the_parent()
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 def join(name):

@@ -70,7 +70,7 @@ void Lidar::measure(const Sweep& sweep, const grids::RayCaster& walls, const Dis
   aim(sweep);
   swept_ranges_.assign(swept_.size(), scanner_.range_max);
   walls.castEach(swept_from_, swept_, swept_ranges_);
-  // The few beams of a sweep point the same way: only what lies in the box around them can shorten one.
+  // Only what lies in the box around the beams can shorten one, and the few of a sweep usually point the same way.
   Vec2 low = swept_from_.front(), high = low;
   for (std::size_t i = 0; i < swept_.size(); ++i) {
     const Vec2 end = swept_from_[i] + swept_ranges_[i] * swept_[i];

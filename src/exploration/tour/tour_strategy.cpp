@@ -21,7 +21,8 @@ TourStrategy::TourStrategy(const ExplorerParameters& parameters)
       min_distance_(parameters.frontier.min_distance),
       limits_(parameters.robot.limits),
       search_(parameters.frontier.view),
-      regions_(std::max({parameters.tour.open_area, parameters.tour.hidden_area, parameters.tour.small_area})),
+      regions_(std::max({parameters_.open_area, parameters_.hidden_area, parameters_.sliver_area,
+                         parameters_.small_area, parameters_.most_left})),
       distrusted_(distrustParameters(parameters.blacklist)) {}
 
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {

@@ -11,7 +11,7 @@
 namespace frontier_pilot::exploration {
 
 /// The unknown cells that are connected over 4-neighbours with the unknown neighbours of a frontier cell within
-/// `radius` [m] of it. The search ends when it has found `most` of them.
+/// `radius` [m] of it. The search ends when it has found at least `most` of them.
 std::vector<Cell> unknownBehind(const OccupancyGrid& map, Cell frontier, double radius,
                                 std::size_t most = std::numeric_limits<std::size_t>::max());
 

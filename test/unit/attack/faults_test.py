@@ -79,6 +79,11 @@ class Faults(unittest.TestCase):
         before = used()
         self.faults.starve(busy.pid, 2.0, 0.05)
         self.assertLess(used() - before, 0.6)
+        self.assertGreater(used() - before, 0.0)
+        busy.kill()
+        busy.wait()
+        with self.assertRaises(ProcessLookupError):
+            self.faults.starve(busy.pid, 1.0, 0.05)
 
     def cell(self, motion, fault='killed'):
         """A cell that was judged on a motion of the base, (time, speed), with the fault at 10.0, in a slow simulation."""

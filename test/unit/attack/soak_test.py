@@ -45,6 +45,16 @@ class Soak(unittest.TestCase):
         self.assertEqual(len(words), 1)
         self.assertIn('CPU time', words[0])
 
+    def test_a_few_uneven_jobs_are_no_drift(self):
+        self.assertEqual(self.failures(lambda t: 50.0, lambda t: 1e-3 * t * t, hours=0.1), [])
+
+    def test_a_robot_that_does_nothing_is_no_success(self):
+        life, outcome = self.soak.Life('/nowhere', None, None, random.Random(1)), Outcome('soak', lambda words: None)
+        life.tried.update(patrol=10, save=10, turn=2)
+        life.done.update(patrol=3, save=9)
+        life.judge(outcome)
+        self.assertEqual(outcome.failures, ['only 3 of 10 times it could patrol'])
+
     def test_the_slope_is_that_of_most_points(self):
         points = [(float(x), 2.0 * x + (1000.0 if x == 50 else 0.0)) for x in range(100)]
         self.assertAlmostEqual(self.soak.slope(points), 2.0)

@@ -176,9 +176,9 @@ TEST(StrategyNames, AnUnknownOneIsRefusedWithTheNamesThatThereAre) {
   EXPECT_TRUE(loadParameters(parseYaml("strategy: nearest"), loaded).empty());
 }
 
-// [EXP-9]
 constexpr double kOpen = 5.0;  ///< [m^2]
 
+// [EXP-9]
 TEST(UnknownArea, BehindAFrontierEndsAtWallsAndAtTheRadius_EXP_9) {
   const test::AsciiWorld pocket = test::drawWorld(R"(
     ##########

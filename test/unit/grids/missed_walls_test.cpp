@@ -1,4 +1,4 @@
-// A scanner that reports no return at all is open ground, unless the map has walls there.
+// A scan without any return means open ground, unless the map has walls there.
 
 #include <gtest/gtest.h>
 
@@ -55,6 +55,33 @@ TEST(MissedWalls, AreNotThoseBeyondTheScannersReach) {
   EXPECT_FALSE(misses(scanOf(kNothing, 1.5), Pose2()));
   EXPECT_FALSE(misses(scanOf(kNothing, 2.3), Pose2())) << "near the end of its range the map may be off";
   EXPECT_TRUE(misses(scanOf(kNothing, 4.0), Pose2()));
+}
+
+TEST(MissedWalls, AreLookedForWhereTheScannerIsMounted) {
+  LaserScan2 scan = scanOf(kNothing);
+  const Pose2 outside(12.0, 0.0, 0.0);
+  ASSERT_FALSE(misses(scan, outside));
+  scan.T_base_sensor = Pose2(-12.0, 0.5, 1.0);  // no robot is that long, but the room is where it is
+  EXPECT_TRUE(misses(scan, outside));
+  scan.moving_mounts.assign(scan.ranges.size(), Pose2());
+  EXPECT_FALSE(misses(scan, outside)) << "where it was when it measured the beams";
+}
+
+TEST(MissedWalls, AreNotMissedByAScannerThatSeesHalfAsWideAsHalfACircle) {
+  LaserScan2 scan = scanOf(kNothing);
+  scan.ranges.resize(90);
+  EXPECT_FALSE(misses(scan, Pose2())) << "a door that opens may be all that it sees";
+  scan.ranges.resize(180);
+  EXPECT_TRUE(misses(scan, Pose2()));
+}
+
+TEST(MissedWalls, AreNotThoseThatAScannerMayMissBecauseTheyAreFarAway) {
+  const OccupancyGrid map = room();
+  GridGeometry large = map.geometry();
+  large.resolution *= 6.0;  // the same room, of 24 m x 24 m
+  large.origin *= 6.0;
+  EXPECT_FALSE(grids::missesWalls(scanOf(kNothing, 25.0), Pose2(), large,
+                                  [&](Cell cell) { return isOccupied(map.get(cell, kFree)); }));
 }
 
 TEST(MissedWalls, AreBelievedToHaveGoneByAScanThatSeesSomething) {
