@@ -5,6 +5,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/motion.h"
+#include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/occupancy/scan_inserter.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 #include "mapping/corrections.h"
@@ -14,11 +15,6 @@
 
 namespace frontier_pilot::mapping {
 namespace {
-
-/// Whether the scan got as far as to the correction of its pose.
-bool wasCorrected(ScanVerdict verdict) {
-  return verdict == ScanVerdict::kMisfit || verdict == ScanVerdict::kNotLocated || !isDropped(verdict);
-}
 
 MapperParameters withRobotsRadius(MapperParameters parameters) {
   // The robot covers the disc of its inscribed radius whatever its yaw.
@@ -74,6 +70,7 @@ struct Mapper::Impl {
   double usable_share = 1.0;
   MappingHealth health;
   RecentScans recent;
+  grids::BlindnessCheck blindness;
 };
 
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<slam::PoseCorrection> correction)
@@ -111,7 +108,8 @@ ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pos
 ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base) {
   const surfaces::SurfaceScan read = surfaces::readScan(withoutErrors(*correction, scan), parameters.slam.surface);
   usable_share = static_cast<double>(read.usableBeams()) / static_cast<double>(scan.ranges.size());
-  if (isBlind(scan, T_map_odom * T_odom_base, map)) return ScanVerdict::kBlind;
+  const Pose2 T_map_base = T_map_odom * T_odom_base;  // before matching, for which a blind scan has nothing
+  if (blindness.isBlind(scan, T_map_base, map.geometry(), wallsOf(map))) return ScanVerdict::kBlind;
   return usable_share > 0.0 ? integrate(read, T_odom_base) : ScanVerdict::kAllInvalid;
 }
 

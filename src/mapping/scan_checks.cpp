@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "frontier_pilot/core/bounds.h"
-#include "frontier_pilot/grids/ray_casting.h"
 
 namespace frontier_pilot::mapping {
 
@@ -16,15 +15,17 @@ bool isWellFormed(const LaserScan2& scan) {
          bounds::isWithin(scan.T_base_sensor.position().norm(), bounds::kMostMount);
 }
 
-bool isBlind(const LaserScan2& scan, const Pose2& T_map_base, const occupancy::OccupancyMap& map) {
-  const CellRect inside = map.geometry().rect();
-  const auto is_wall = [&](Cell cell) { return inside.contains(cell) && map.isOccupied(cell); };
-  return !map.isBlank() && grids::missesWalls(scan, T_map_base, map.geometry(), is_wall);
-}
-
 bool isUsable(const Pose2& T_odom_base) {
   return T_odom_base.isFinite() &&
          bounds::isWithin(T_odom_base.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate);
+}
+
+bool wasCorrected(ScanVerdict verdict) {
+  return verdict == ScanVerdict::kMisfit || verdict == ScanVerdict::kNotLocated || !isDropped(verdict);
+}
+
+std::function<bool(Cell)> wallsOf(const occupancy::OccupancyMap& map) {
+  return [&map](Cell cell) { return map.geometry().contains(cell) && map.isOccupied(cell); };
 }
 
 ScanVerdict verdictOf(occupancy::Insertion insertion) {

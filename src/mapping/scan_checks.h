@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/occupancy/scan_inserter.h"
@@ -9,12 +11,14 @@ namespace frontier_pilot::mapping {
 /// Whether geometry and mount of `scan` are those of a scan, and within the bounds that the mapper works in.
 bool isWellFormed(const LaserScan2& scan);
 
-/// Whether the scan sees none of the walls that the map has all around `T_map_base`, the pose before matching: such a
-/// scan has nothing by which a match could correct it.
-bool isBlind(const LaserScan2& scan, const Pose2& T_map_base, const occupancy::OccupancyMap& map);
-
 /// Whether a pose by odometry is finite and within the bounds.
 bool isUsable(const Pose2& T_odom_base);
+
+/// Whether the scan got as far as to the correction of its pose.
+bool wasCorrected(ScanVerdict verdict);
+
+/// Tells of any cell whether it is occupied on `map`, which must outlive it.
+std::function<bool(Cell)> wallsOf(const occupancy::OccupancyMap& map);
 
 /// What inserting a scan into the map means for the scan.
 ScanVerdict verdictOf(occupancy::Insertion insertion);

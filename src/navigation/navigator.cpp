@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "frontier_pilot/grids/ray_casting.h"
 #include "navigation/navigator_impl.h"
 
 namespace frontier_pilot::navigation {
@@ -122,10 +121,10 @@ void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
 }
 
-/// Whether the scanner sees none of the walls that the map has all around.
-bool Navigator::Impl::isBlind(const LaserScan2& scan, const Pose2& T_map_base) const {
+/// Whether the scanner suddenly sees none of the walls that the map has all around.
+bool Navigator::Impl::isBlind(const LaserScan2& scan, const Pose2& T_map_base) {
   const auto is_wall = [&](Cell cell) { return clearance_.isMapOccupiedNear(cell, 0); };
-  return !clearance_.empty() && grids::missesWalls(scan, T_map_base, clearance_.geometry(), is_wall);
+  return !clearance_.empty() && blindness_.isBlind(scan, T_map_base, clearance_.geometry(), is_wall);
 }
 
 void Navigator::Impl::takeEvents(const NavigatorInputs& inputs, Time now) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/outline.h"
+#include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/navigation/navigator.h"
 #include "frontier_pilot/planning/outline_check.h"
 #include "navigation/driven_track.h"
@@ -35,7 +36,7 @@ class Navigator::Impl {
 
  private:
   void takeIn(const NavigatorInputs& inputs, Time now);
-  bool isBlind(const LaserScan2& scan, const Pose2& T_map_base) const;
+  bool isBlind(const LaserScan2& scan, const Pose2& T_map_base);
   void takeEvents(const NavigatorInputs& inputs, Time now);
   void start(const NavGoal& goal, Time now);
   void finish(NavResult result, NavReason reason);
@@ -72,6 +73,7 @@ class Navigator::Impl {
   MotionPredictor predictor_;
   ProgressWatchdog watchdog_;
 
+  grids::BlindnessCheck blindness_;
   PoseHistory poses_;
   DrivenTrack track_;
   std::optional<StampedPose2> pose_;

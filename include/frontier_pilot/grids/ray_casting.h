@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "frontier_pilot/core/grid.h"
@@ -55,11 +56,19 @@ class RayCaster {
   std::vector<std::uint8_t> leaps_;  ///< one plane per sector: 0 is solid or outside, else 1 + columns surely free
 };
 
-/// Whether a scan has hardly any return although most of its beams meet walls by the map, with the robot at
-/// `T_map_base`: then the scanner is covered or has failed, and what it says of free space is not to be believed.
-/// `is_wall` is asked for cells of a map with this geometry, also for cells outside of it. Walls near the end of the
-/// scanner's range do not count. [FLT-1]
-bool missesWalls(const LaserScan2& scan, const Pose2& T_map_base, const GridGeometry& geometry,
-                 const std::function<bool(Cell)>& is_wall);
+/// Notices a scanner that has suddenly gone blind: a scan with hardly any return, although most of its beams meet walls
+/// by the map, and although a scan of less than a metre ago had returns. Then the scanner is covered or has failed, and
+/// what it says of free space is not to be believed. Where returns fade out, the robot has come to open ground, also if
+/// its pose is off and the map has walls there. [FLT-1]
+class BlindnessCheck {
+ public:
+  /// `scan` was taken with the robot at `T_map_base`. `is_wall` is asked for cells of a map with this geometry, also
+  /// for cells outside of it. Walls near the end of the scanner's range do not count.
+  bool isBlind(const LaserScan2& scan, const Pose2& T_map_base, const GridGeometry& geometry,
+               const std::function<bool(Cell)>& is_wall);
+
+ private:
+  std::optional<Vec2> saw_at_;  ///< where the last scan with returns was taken
+};
 
 }  // namespace frontier_pilot::grids

@@ -8,6 +8,8 @@ namespace frontier_pilot::grids {
 namespace {
 
 constexpr double kMostReturns = 0.05;     ///< share of the beams; a scan with more is believed
+constexpr double kSeeing = 0.25;          ///< share of the beams of a scanner that sees its surroundings
+constexpr double kMomentAgo = 1.0;        ///< [m]
 constexpr double kLeastView = 0.9 * kPi;  ///< [rad]; a scanner that sees less may look through one open door
 constexpr double kLeastMeeting = 0.67;    ///< share of the beams looked at that meet a wall
 constexpr double kLeastDistance = 0.15;   ///< [m]: what is nearer may be the cell that the scanner itself is in
@@ -20,14 +22,10 @@ bool isReturn(const LaserScan2& scan, std::size_t beam) {
   return kind == RangeKind::kHit || kind == RangeKind::kTooNear;
 }
 
-bool hasReturns(const LaserScan2& scan) {
-  const double most = kMostReturns * static_cast<double>(scan.ranges.size());
+double shareOfReturns(const LaserScan2& scan) {
   std::size_t returns = 0;
-  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
-    returns += isReturn(scan, beam) ? 1 : 0;
-    if (static_cast<double>(returns) > most) return true;
-  }
-  return false;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) returns += isReturn(scan, beam) ? 1 : 0;
+  return scan.ranges.empty() ? 0.0 : static_cast<double>(returns) / static_cast<double>(scan.ranges.size());
 }
 
 bool meetsWall(const Vec2& from, const Vec2& unit, double range, const GridGeometry& geometry,
@@ -36,13 +34,12 @@ bool meetsWall(const Vec2& from, const Vec2& unit, double range, const GridGeome
                      [&](Cell cell) { return !is_wall(cell); });
 }
 
-}  // namespace
-
+/// Whether most of the beams without a return meet walls by the map.
 bool missesWalls(const LaserScan2& scan, const Pose2& T_map_base, const GridGeometry& geometry,
                  const std::function<bool(Cell)>& is_wall) {
   const double range = std::min(kRangeUsed * scan.range_max, kMostReach);
   const double view = std::abs(scan.angle_increment) * static_cast<double>(scan.ranges.size());
-  if (range <= kLeastDistance || view < kLeastView || hasReturns(scan)) return false;
+  if (range <= kLeastDistance || view < kLeastView) return false;
   std::size_t meeting = 0, looked_at = 0;
   const std::size_t stride = (scan.ranges.size() + kBeams - 1) / kBeams;
   for (std::size_t beam = 0; beam < scan.ranges.size(); beam += stride) {
@@ -53,6 +50,16 @@ bool missesWalls(const LaserScan2& scan, const Pose2& T_map_base, const GridGeom
     ++looked_at;
   }
   return static_cast<double>(meeting) > kLeastMeeting * static_cast<double>(looked_at);
+}
+
+}  // namespace
+
+bool BlindnessCheck::isBlind(const LaserScan2& scan, const Pose2& T_map_base, const GridGeometry& geometry,
+                             const std::function<bool(Cell)>& is_wall) {
+  const double returns = shareOfReturns(scan);
+  if (returns >= kSeeing) saw_at_ = T_map_base.position();
+  const bool saw = saw_at_ && (*saw_at_ - T_map_base.position()).norm() < kMomentAgo;
+  return saw && returns <= kMostReturns && missesWalls(scan, T_map_base, geometry, is_wall);
 }
 
 }  // namespace frontier_pilot::grids
