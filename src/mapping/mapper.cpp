@@ -108,9 +108,10 @@ ScanVerdict Mapper::Impl::decide(const LaserScan2& scan, const std::optional<Pos
 ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base) {
   const surfaces::SurfaceScan read = surfaces::readScan(withoutErrors(*correction, scan), parameters.slam.surface);
   usable_share = static_cast<double>(read.usableBeams()) / static_cast<double>(scan.ranges.size());
+  if (usable_share <= 0.0) return ScanVerdict::kAllInvalid;
   const Pose2 T_map_base = T_map_odom * T_odom_base;  // before matching, for which a blind scan has nothing
-  if (blindness.isBlind(scan, T_map_base, map.geometry(), wallsOf(map))) return ScanVerdict::kBlind;
-  return usable_share > 0.0 ? integrate(read, T_odom_base) : ScanVerdict::kAllInvalid;
+  const bool blind = blindness.isBlind(scan, T_map_base, map.geometry(), wallsOf(map));
+  return blind ? ScanVerdict::kBlind : integrate(read, T_odom_base);
 }
 
 ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {
