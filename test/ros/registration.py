@@ -246,6 +246,29 @@ class Registration(unittest.TestCase):
         back = {service: ['/' + node] for service, node in first.items()}
         self.assertTrue(wait_for(lambda: back.items() <= self.services().items(), 10.0), '[FLT-1]')
 
+    # [FLT-1]
+    def test_a_subscriber_that_a_forged_message_disconnects_from_its_publisher_is_connected_again(self):
+        self.node('obstacle_avoider')
+        self.node('cmd_vel_arbiter')
+        topic = '/cmd_vel_avoid'
+
+        def uri_of(node):
+            return rosgraph.Master('/test', master_uri=self.uri).lookupNode(node)
+
+        def connections():
+            """The addresses of the publishers that the arbiter is connected to."""
+            try:
+                words = xmlrpc.client.ServerProxy(uri_of('/cmd_vel_arbiter')).getBusInfo('/test')[2]
+            except (OSError, rosgraph.MasterException):
+                return []
+            return [uri for _, uri, direction, _, name, *_ in words if direction == 'i' and name == topic]
+        self.assertTrue(wait_for(lambda: len(connections()) == 1, 20.0))
+        for forged in [[], ['http://127.0.0.1:%d/' % free_port()]]:
+            arbiter = xmlrpc.client.ServerProxy(uri_of('/cmd_vel_arbiter'))
+            arbiter.publisherUpdate('/master', topic, forged)
+            self.assertTrue(wait_for(lambda: not connections()))
+            self.assertTrue(wait_for(lambda: connections() == [uri_of('/obstacle_avoider')], 20.0), '[FLT-1]')
+
 
 if __name__ == '__main__':
     rospy.init_node('registration_test')

@@ -72,16 +72,20 @@ Reach reach(const std::string& host, std::uint32_t port) {
   return Reach::kRefused;
 }
 
-/// Asks the master with `method`, `lookupNode` or `lookupService`, for the address of `name`; nothing if it has none.
-std::optional<Reach> reach(const char* method, const std::string& name) {
+/// Asks the master with `method`, `lookupNode` or `lookupService`, for the address of `name`; empty if it has none.
+std::string lookUp(const char* method, const std::string& name) {
   XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
   request[1] = name;
   std::optional<XmlRpc::XmlRpcValue> uri = requestFromMaster(method, request);
+  if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return {};
+  return static_cast<std::string>(*uri);
+}
+
+std::optional<Reach> reach(const std::string& uri) {
   std::string host;
   std::uint32_t port = 0;
-  if (!uri || uri->getType() != XmlRpc::XmlRpcValue::TypeString) return std::nullopt;
-  if (!ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return std::nullopt;
+  if (!ros::network::splitURI(uri, host, port)) return std::nullopt;
   return reach(host, port);
 }
 
@@ -104,13 +108,15 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
   return found == nodes.end() ? std::vector<std::string>() : found->second;
 }
 
+std::string uriOf(const std::string& node) { return lookUp("lookupNode", node); }
+
 bool nodeLives(const std::string& node) {
-  const std::optional<Reach> address = reach("lookupNode", node);
+  const std::optional<Reach> address = reach(uriOf(node));
   return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
 }
 
 bool serviceMayAnswer(const std::string& service) {
-  return reach("lookupService", service).value_or(Reach::kMayConnect) == Reach::kMayConnect;
+  return reach(lookUp("lookupService", service)).value_or(Reach::kMayConnect) == Reach::kMayConnect;
 }
 
 std::string firstLiving(const std::vector<std::string>& nodes) {

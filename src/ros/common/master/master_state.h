@@ -23,6 +23,9 @@ std::optional<MasterState> askMaster();
 /// The nodes registered for `name`.
 std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& name);
 
+/// The XML-RPC URI of the node; empty if the master knows none or does not answer.
+std::string uriOf(const std::string& node);
+
 /// Whether the node's process exists, even if it hangs: its XML-RPC port does not refuse connections. A node that was
 /// killed stays registered, but its port refuses them.
 bool nodeLives(const std::string& node);

@@ -169,6 +169,7 @@ void MasterWatch::lookAtTopics(const MasterState& state) {
     if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic))
       renewed_.push_back("subscriber of " + topic);
   }
+  connections_.mend(state, subscribed);
 }
 
 void MasterWatch::lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals) {

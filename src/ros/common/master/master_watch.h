@@ -17,6 +17,7 @@
 #include "frontier_pilot/core/time.h"
 #include "robot_check/observation.h"
 #include "ros/common/callback_guard.h"
+#include "ros/common/master/lost_connections.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/own_parameters.h"
 #include "ros/common/messages/mailbox.h"
@@ -33,7 +34,8 @@ struct MasterReport {
 /// Asks the master periodically, on a thread of its own (the master may be slow to answer, or gone), whether this node
 /// is still registered for its topics and services, and registers again what is missing: a restarted master knows no
 /// node, and a node that takes over a service and then ends leaves it without a provider. A service that is registered
-/// for a node that no longer lives is taken back; if that node lives, it is reported as an error. [ARB-12] [FLT-1]
+/// for a node that no longer lives is taken back; if that node lives, it is reported as an error. A subscriber that has
+/// lost a publisher is connected to it again. [ARB-12] [FLT-1]
 class MasterWatch {
  public:
   /// `period` is the time between two looks; the next one comes sooner when a registration was missing. A registration
@@ -109,6 +111,7 @@ class MasterWatch {
   std::vector<std::string> renewed_;                      ///< registered again in this look
   std::size_t next_service_ = 0;                          ///< index of the service whose address is checked next
   std::map<std::string, std::deque<SteadyTime>> losses_;  ///< by service: when it was missing in the last ten seconds
+  LostConnections connections_;
   OwnParameters parameters_;
   std::map<std::string, SteadyTime> remembered_;
   std::thread thread_;  ///< the last member: it starts when all others are constructed

@@ -7,9 +7,6 @@
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 
-#include <optional>
-#include <set>
-
 #include "ros/common/master/xml_rpc.h"
 
 namespace frontier_pilot {
@@ -40,23 +37,6 @@ std::optional<Value> askSlaveApi(const char* method, const Value& arguments) {
   std::uint32_t port = 0;
   if (!ros::network::splitURI(ownUri(), host, port)) return std::nullopt;
   return requestFrom(host, port, method, arguments);
-}
-
-/// The publishers of `topic` that this node is connected to, by their URIs.
-std::set<std::string> connectedPublishers(const std::string& topic) {
-  Value arguments;
-  arguments[0] = ros::this_node::getName();
-  std::set<std::string> uris;
-  std::optional<Value> connections = askSlaveApi("getBusInfo", arguments);
-  if (!connections || connections->getType() != Value::TypeArray) return uris;
-  for (Value& connection : elements(*connections)) {
-    // [id, URI of the other node, direction, transport, topic, ...]
-    const bool inbound = static_cast<std::string>(connection[2]) == "i";
-    if (inbound && static_cast<std::string>(connection[4]) == topic) {
-      uris.insert(static_cast<std::string>(connection[1]));
-    }
-  }
-  return uris;
 }
 
 /// Tells this node which nodes publish `topic` now, as the master does by `publisherUpdate`.
@@ -90,10 +70,25 @@ bool pointsHere(const std::string& service) {
   return static_cast<std::string>(*uri) == ownServiceUri();
 }
 
+std::optional<UrisByTopic> connectedPublishers() {
+  Value arguments;
+  arguments[0] = ros::this_node::getName();
+  std::optional<Value> connections = askSlaveApi("getBusInfo", arguments);
+  if (!connections || connections->getType() != Value::TypeArray) return std::nullopt;
+  UrisByTopic uris;
+  for (Value& connection : elements(*connections)) {
+    // [id, URI of the other node, direction, transport, topic, ...]
+    const bool inbound = static_cast<std::string>(connection[2]) == "i";
+    if (inbound) uris[static_cast<std::string>(connection[4])].insert(static_cast<std::string>(connection[1]));
+  }
+  return uris;
+}
+
 bool registerSubscriber(const std::string& topic) {
   std::optional<Value> publishers = askMasterApi("registerSubscriber", topic, "*");
-  if (!publishers) return false;
-  std::set<std::string> uris = connectedPublishers(topic);
+  std::optional<UrisByTopic> connected = connectedPublishers();
+  if (!publishers || !connected) return false;
+  std::set<std::string> uris = (*connected)[topic];
   if (publishers->getType() == Value::TypeArray) {
     for (Value& uri : elements(*publishers)) uris.insert(static_cast<std::string>(uri));
   }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <optional>
+#include <set>
 #include <string>
 
 namespace frontier_pilot {
@@ -10,7 +13,13 @@ bool registerPublisher(const std::string& topic);
 bool registerService(const std::string& service);
 /// Whether the master has the address of this process for `service`; true also if it does not answer.
 bool pointsHere(const std::string& service);
-/// The same for a subscriber. Also connects to publishers that the master knows and this node does not yet.
+/// The addresses (XML-RPC URIs) of nodes, by topic.
+using UrisByTopic = std::map<std::string, std::set<std::string>>;
+
+/// The publishers that this node is connected to; nothing if it cannot be told.
+std::optional<UrisByTopic> connectedPublishers();
+/// The same as `registerPublisher` for a subscriber. Also connects to publishers that the master knows and this node
+/// does not yet.
 bool registerSubscriber(const std::string& topic);
 
 }  // namespace frontier_pilot
