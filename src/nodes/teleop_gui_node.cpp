@@ -1,4 +1,5 @@
 #include "gui/pilot_window.h"
+#include "ros/common/console_output.h"
 #include "ros/common/help/usages.h"
 #include "ros/common/node_main.h"
 #include "ros/common/parameters.h"
@@ -11,6 +12,7 @@ int main(int argc, char** argv) {
   return frontier_pilot::runNodeWithLoop(
       argc, argv, frontier_pilot::teleopGuiUsage(),
       [&](ros::NodeHandle& node, ros::NodeHandle& private_node, const frontier_pilot::RunningFn& running) {
+        frontier_pilot::dropUnreadOutput();
         const auto parameters = frontier_pilot::loadNodeParameters<TeleopParameters>(private_node);
         GuiBridge bridge(node, parameters, GuiBridge::Manual::kAlways, running);
         return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters);

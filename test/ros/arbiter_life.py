@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """How an arbiter starts and ends: configurations, the required source, and its last words."""
+import os
 import signal
 import socket
+import threading
 import time
 import unittest
 
@@ -36,6 +38,26 @@ class ArbiterLife(unittest.TestCase):
             self.assertEqual(code, 0, said)
             nav.close()
             self.assertTrue(wait_for(lambda: not moves(out.last), 2.0), '[ARB-11]')
+
+    # [ARB-7] [FLT-1]
+    def test_stops_are_answered_although_nobody_reads_what_the_arbiter_says(self):
+        node = self.arbiter('/unread')  # through a pipe, as with "roslaunch ... | less" or a terminal that is stopped
+        stop, clear = '/unread/emergency_stop', '/unread/set_emergency_stop'
+        rospy.wait_for_service(stop, 20.0)
+        pipe = os.open('/proc/%d/fd/1' % node.process.pid, os.O_WRONLY | os.O_NONBLOCK)
+        self.addCleanup(os.close, pipe)
+        with self.assertRaises(BlockingIOError):
+            while True:
+                os.write(pipe, b'x' * 512)
+        answers = []
+
+        def stop_and_clear():
+            for _ in range(30):  # which says more than the 4 kB that stdout keeps before it writes to a pipe
+                answers.append(call(stop, Trigger).success)
+                answers.append(call(clear, SetBool, False).success)
+        threading.Thread(target=stop_and_clear, daemon=True).start()
+        self.assertTrue(wait_for(lambda: len(answers) == 60, 30.0), '[ARB-7]')
+        self.assertTrue(all(answers))
 
     # [ARB-4]
     def test_without_the_required_avoider_the_lower_sources_turn_and_reverse_only(self):

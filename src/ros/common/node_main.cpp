@@ -14,6 +14,7 @@
 #include <string>
 
 #include "ros/common/callback_guard.h"
+#include "ros/common/console_output.h"
 #include "ros/common/master/namesake.h"
 #include "ros/common/parameters.h"
 #include "ros/common/publish_flush.h"
@@ -109,6 +110,7 @@ int runNode(int argc, char** argv, const NodeUsage& usage,
   return runNodeWithLoop(
       argc, argv, usage,
       [&make](ros::NodeHandle& node, ros::NodeHandle& private_node, const RunningFn&) {
+        dropUnreadOutput();
         const RunningNode running = make(node, private_node);
         spinUntilStopped();
         end(running);

@@ -5,23 +5,23 @@
 namespace frontier_pilot {
 namespace {
 
-SteadyTime steadyAt(double seconds) { return SteadyTime{} + fromSeconds(seconds); }
+SteadyTime afterSeconds(double seconds) { return SteadyTime{} + fromSeconds(seconds); }
 
 /// How often "/scan" is due within `seconds` if it stays lost, asked once a second.
 int attemptsWithin(int seconds) {
   ReconnectTimes times;
   int attempts = 0;
   for (int second = 0; second <= seconds; ++second)
-    attempts += static_cast<int>(times.due({"/scan"}, steadyAt(second)).size());
+    attempts += static_cast<int>(times.due({"/scan"}, afterSeconds(second)).size());
   return attempts;
 }
 
 TEST(ReconnectTimes, AConnectionHasTwoSecondsToBeMadeBeforeItIsMadeAgain_FLT_1) {
   ReconnectTimes times;
-  EXPECT_TRUE(times.due({"/scan"}, steadyAt(0.0)).empty());
-  EXPECT_TRUE(times.due({"/scan"}, steadyAt(1.9)).empty());
-  EXPECT_EQ(times.due({"/scan", "/odom"}, steadyAt(2.0)), std::vector<std::string>{"/scan"});
-  EXPECT_EQ(times.due({"/scan", "/odom"}, steadyAt(4.0)), std::vector<std::string>{"/odom"});
+  EXPECT_TRUE(times.due({"/scan"}, afterSeconds(0.0)).empty());
+  EXPECT_TRUE(times.due({"/scan"}, afterSeconds(1.9)).empty());
+  EXPECT_EQ(times.due({"/scan", "/odom"}, afterSeconds(2.0)), std::vector<std::string>{"/scan"});
+  EXPECT_EQ(times.due({"/scan", "/odom"}, afterSeconds(4.0)), std::vector<std::string>{"/odom"});
 }
 
 TEST(ReconnectTimes, AConnectionThatCannotBeMadeIsTriedLessAndLessOften_FLT_1) {
@@ -33,10 +33,10 @@ TEST(ReconnectTimes, AConnectionThatCannotBeMadeIsTriedLessAndLessOften_FLT_1) {
 
 TEST(ReconnectTimes, AConnectionThatIsLostAgainIsMadeAgainAsSoonAsTheFirstTime_FLT_1) {
   ReconnectTimes times;
-  for (int second = 0; second < 100; ++second) times.due({"/scan"}, steadyAt(second));
-  EXPECT_TRUE(times.due({}, steadyAt(100.0)).empty());
-  EXPECT_TRUE(times.due({"/scan"}, steadyAt(101.0)).empty());
-  EXPECT_EQ(times.due({"/scan"}, steadyAt(103.0)).size(), 1U);
+  for (int second = 0; second < 100; ++second) times.due({"/scan"}, afterSeconds(second));
+  EXPECT_TRUE(times.due({}, afterSeconds(100.0)).empty());
+  EXPECT_TRUE(times.due({"/scan"}, afterSeconds(101.0)).empty());
+  EXPECT_EQ(times.due({"/scan"}, afterSeconds(103.0)).size(), 1U);
 }
 
 }  // namespace
