@@ -3,12 +3,10 @@
 #include <ros/this_node.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "ros/common/clock.h"
-#include "ros/common/master/registration.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -56,29 +54,30 @@ std::vector<std::string> ReconnectTimes::due(const std::vector<std::string>& los
   return topics;
 }
 
-NodesByName LostConnections::findLost(const MasterState& state, const std::vector<std::string>& subscribed) {
-  std::optional<UrisByTopic> connected = connectedPublishers();
-  if (!connected) return {};
+NodesByName LostConnections::findLost(const MasterState& state, const std::vector<std::string>& subscribed,
+                                      const UrisByTopic& connected) {
   AddressBook addresses(uris_);
   NodesByName lost;
   for (const std::string& topic : subscribed) {
+    const std::set<std::string> uris = urisOf(connected, topic);
     for (const std::string& node : nodesOf(state.publishers, topic)) {
-      if (node != ros::this_node::getName() && !addresses.has((*connected)[topic], node)) lost[topic].push_back(node);
+      if (node != ros::this_node::getName() && !addresses.has(uris, node)) lost[topic].push_back(node);
     }
   }
   uris_ = addresses.used();
   return lost;
 }
 
-void LostConnections::mend(const MasterState& state, const std::vector<std::string>& subscribed) {
-  const NodesByName lost = findLost(state, subscribed);
+void LostConnections::mend(const MasterState& state, const std::vector<std::string>& subscribed,
+                           const UrisByTopic& connected) {
+  const NodesByName lost = findLost(state, subscribed, connected);
   std::vector<std::string> topics;
   for (const auto& [topic, publishers] : lost) topics.push_back(topic);
   for (const std::string& topic : times_.due(topics, steadyNow())) {
     const std::string publisher = firstLiving(nodesOf(lost, topic));
     if (publisher.empty()) continue;
     THROTTLED_WARN(publisher << " publishes " << topic << ", but this node is not connected to it: connects again");
-    registerSubscriber(topic);
+    registerSubscriber(topic, connected);
   }
 }
 

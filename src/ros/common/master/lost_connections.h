@@ -6,6 +6,7 @@
 
 #include "frontier_pilot/core/time.h"
 #include "ros/common/master/master_state.h"
+#include "ros/common/master/registration.h"
 
 namespace frontier_pilot {
 
@@ -33,13 +34,15 @@ class ReconnectTimes {
 /// [FLT-1]
 class LostConnections {
  public:
-  /// Connects to each living publisher that `state` has for a topic of `subscribed`, and that this node has not been
-  /// connected to for two seconds. To be called about once a second, always on the same thread.
-  void mend(const MasterState& state, const std::vector<std::string>& subscribed);
+  /// Connects to each living publisher that `state` has for a topic of `subscribed`, and that has not been in
+  /// `connected`, those that this node is connected to, for two seconds. To be called about once a second, always on
+  /// the same thread.
+  void mend(const MasterState& state, const std::vector<std::string>& subscribed, const UrisByTopic& connected);
 
  private:
   /// The publishers, other than this node itself, that it should be connected to and is not, by topic.
-  NodesByName findLost(const MasterState& state, const std::vector<std::string>& subscribed);
+  NodesByName findLost(const MasterState& state, const std::vector<std::string>& subscribed,
+                       const UrisByTopic& connected);
 
   ReconnectTimes times_;
   std::map<std::string, std::string> uris_;  ///< by node: its address in the last look

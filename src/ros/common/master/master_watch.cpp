@@ -164,12 +164,13 @@ void MasterWatch::lookAtTopics(const MasterState& state) {
     if (!known && missingTwice("publisher of " + topic) && registerPublisher(topic))
       renewed_.push_back("publisher of " + topic);
   }
+  const std::optional<UrisByTopic> connected = connectedPublishers();
   for (const std::string& topic : subscribed) {
     const bool known = isIn(nodesOf(state.subscribers, topic), self);
-    if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic))
+    if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic, connected))
       renewed_.push_back("subscriber of " + topic);
   }
-  connections_.mend(state, subscribed);
+  if (connected) connections_.mend(state, subscribed, *connected);
 }
 
 void MasterWatch::lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals) {

@@ -52,6 +52,11 @@ bool updatePublishers(const std::string& topic, const std::set<std::string>& uri
 
 }  // namespace
 
+std::set<std::string> urisOf(const UrisByTopic& uris, const std::string& topic) {
+  const auto found = uris.find(topic);
+  return found == uris.end() ? std::set<std::string>() : found->second;
+}
+
 bool registerPublisher(const std::string& topic) {
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
   return publication && askMasterApi("registerPublisher", topic, publication->getDataType());
@@ -84,11 +89,11 @@ std::optional<UrisByTopic> connectedPublishers() {
   return uris;
 }
 
-bool registerSubscriber(const std::string& topic) {
+bool registerSubscriber(const std::string& topic, const std::optional<UrisByTopic>& connected) {
   std::optional<Value> publishers = askMasterApi("registerSubscriber", topic, "*");
-  std::optional<UrisByTopic> connected = connectedPublishers();
-  if (!publishers || !connected) return false;
-  std::set<std::string> uris = (*connected)[topic];
+  if (!publishers) return false;
+  if (!connected) return true;
+  std::set<std::string> uris = urisOf(*connected, topic);
   if (publishers->getType() == Value::TypeArray) {
     for (Value& uri : elements(*publishers)) uris.insert(static_cast<std::string>(uri));
   }

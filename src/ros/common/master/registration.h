@@ -16,10 +16,13 @@ bool pointsHere(const std::string& service);
 /// The addresses (XML-RPC URIs) of nodes, by topic.
 using UrisByTopic = std::map<std::string, std::set<std::string>>;
 
-/// The publishers that this node is connected to; nothing if it cannot be told.
+/// The addresses listed for `topic`.
+std::set<std::string> urisOf(const UrisByTopic& uris, const std::string& topic);
+
+/// The publishers that this node is connected to; nothing if its own XML-RPC server does not say so within two seconds.
 std::optional<UrisByTopic> connectedPublishers();
-/// The same as `registerPublisher` for a subscriber. Also connects to publishers that the master knows and this node
-/// does not yet.
-bool registerSubscriber(const std::string& topic);
+/// The same as `registerPublisher` for a subscriber. Also connects to publishers that the master knows and that are not
+/// in `connected`, those that `connectedPublishers` named; if it did not, this node is only registered.
+bool registerSubscriber(const std::string& topic, const std::optional<UrisByTopic>& connected);
 
 }  // namespace frontier_pilot

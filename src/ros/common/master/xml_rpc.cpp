@@ -8,7 +8,7 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr double kAnswerPatience = 2000.0;  // [ms]
+constexpr double kAnswerPatience = 2.0;  // [s], although the comments of XmlRpcDispatch say milliseconds
 
 /// An answer is [code, text, value]; the code 1 means success.
 std::optional<XmlRpcValue> valueOf(XmlRpcValue& answer) {
