@@ -31,9 +31,12 @@ std::string listMissing(const std::vector<ExplorerReason>& missing) {
 }
 
 /// No view shows more than the scanner measures.
-ExplorerParameters withScannersRange(ExplorerParameters parameters) {
-  double& range = parameters.frontier.view.sensor_range;
-  range = std::min(range, parameters.robot.scanner.range_max);
+ExplorerParameters withScannersView(ExplorerParameters parameters) {
+  ViewParameters& view = parameters.frontier.view;
+  const ScannerModel& scanner = parameters.robot.scanner;
+  view.sensor_range = std::min(view.sensor_range, scanner.range_max);
+  view.field_of_view = scanner.field_of_view;
+  view.direction = normalizeAngle(scanner.yaw + scanner.angle_min + 0.5 * scanner.field_of_view);
   return parameters;
 }
 
@@ -71,7 +74,7 @@ std::string Explorer::explain() const { return impl_->explain(); }
 const std::optional<Pose2>& Explorer::goal() const { return impl_->goal(); }
 
 Explorer::Impl::Impl(const ExplorerParameters& parameters)
-    : parameters_(withScannersRange(parameters)),
+    : parameters_(withScannersView(parameters)),
       evaluator_(parameters_.frontier, parameters_.robot.drivenOutline()),
       history_(parameters_.blacklist, parameters_.max_goal_retries),
       strategy_(makeStrategy(parameters_)),
@@ -81,7 +84,7 @@ Explorer::Impl::Impl(const ExplorerParameters& parameters)
 
 void Explorer::Impl::setParameters(const ExplorerParameters& parameters) {
   parameters_.goal_timeout = parameters.goal_timeout;
-  parameters_.frontier = withScannersRange(parameters).frontier;
+  parameters_.frontier = withScannersView(parameters).frontier;
   evaluator_.setParameters(parameters_.frontier);
   constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
   if (status_.state != ExplorerState::kDone) judged_changes_ = kNever;  // the same map is to be judged again

@@ -56,12 +56,15 @@ class Explorer::Impl {
     };
     std::uint32_t id = 0;
     Vec2 position = Vec2::Zero();
+    double yaw = 0.0;
     double info_area = 0.0;  ///< expected area when it was chosen [m^2]
     Time sent;
     Vec2 sent_from = Vec2::Zero();  ///< where the robot was then [m]
     Purpose purpose = Purpose::kFrontier;
     std::uint32_t inspection = 0;  ///< id of the pose to inspect
     bool on_the_way = false;       ///< sent to a stop on the way, around what is out of bounds
+
+    Pose2 pose() const { return {position, yaw}; }
   };
 
   /// An alternative that is tried when the ordinary judgement leaves no selectable frontier.
@@ -95,6 +98,7 @@ class Explorer::Impl {
   void evaluateArrival(Time now);
   void stayDone(Time now);
 
+  bool isSame(const Goal& goal, const ChosenGoal& chosen) const;
   bool decide(ExplorerReason reason, Time now);
   std::optional<ChosenGoal> judgeAndChoose(bool keep_present, Time now);
   std::size_t countRejected(Rejection rejection) const;

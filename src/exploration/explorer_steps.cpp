@@ -121,7 +121,7 @@ void Explorer::Impl::navigate(Time now) {
 
 /// Whether most of the area expected at the goal has been seen from a distance on the way. [EXP-6]
 bool Explorer::Impl::informationGone() {
-  const double left = evaluator_.infoAt(goal_->position).area;
+  const double left = evaluator_.infoAt(goal_->pose()).area;
   return left < evaluator_.leastInfo() || left < parameters_.vanished_share * goal_->info_area;
 }
 
@@ -137,7 +137,7 @@ void Explorer::Impl::evaluateArrival(Time now) {
   if (status_.reason == ExplorerReason::kGoalPreempted && !passed(state_since_, parameters_.yield_time, now)) return;
   if (arrived_ && arrived_->purpose == Goal::Purpose::kInspection && !hasInspected(now)) return;
   if (arrived_ && arrived_->purpose == Goal::Purpose::kFrontier) {
-    const double left = evaluator_.infoAt(arrived_->position).area;
+    const double left = evaluator_.infoAt(arrived_->pose()).area;
     const bool promising = left >= evaluator_.leastInfo() && left > arrived_->info_area / 2;
     if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
     if (promising) {
@@ -165,18 +165,26 @@ void Explorer::Impl::stayDone(Time now) {
   enter(ExplorerState::kSelectGoal, ExplorerReason::kMapChanged, "", now);
 }
 
+/// Whether the robot would see the same at both.
+bool Explorer::Impl::isSame(const Goal& goal, const ChosenGoal& chosen) const {
+  constexpr double kSamePlace = 0.3;  // [m]
+  constexpr double kSameYaw = 0.5;    // [rad]
+  const bool same_yaw = evaluator_.view().allAround() || std::abs(angleDifference(goal.yaw, chosen.yaw)) < kSameYaw;
+  return same_yaw && (goal.position - chosen.position).norm() < kSamePlace;
+}
+
 /// Chooses a goal and sends it, unless it is the current one. Returns whether there is a goal now.
 bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
-  constexpr double kSameGoal = 0.3;  // [m]
   const bool same = judged_changes_ == evaluator_.map().changes() && shared_.alone();
   if (reason == ExplorerReason::kBetterGoal && same) return true;
   const std::optional<ChosenGoal> chosen = judgeAndChoose(reason == ExplorerReason::kBetterGoal, now);
   if (!chosen) return false;
   if (inspectOnTheWay(*chosen, now)) return true;
-  if (goal_ && (goal_->position - chosen->position).norm() < kSameGoal) return true;
+  if (goal_ && isSame(*goal_, *chosen)) return true;
   step_backs_ = 0;
   Goal goal;
   goal.position = chosen->position;
+  goal.yaw = chosen->yaw;
   goal.info_area = chosen->area;
   const std::string found_by = judged_by_ != nullptr ? std::string(", by ") + judged_by_->name : "";
   send(goal, chosen->yaw, reason, describeGoal(toString(reason), *chosen) + found_by, now);
@@ -198,7 +206,7 @@ FrontierEvaluator::Context Explorer::Impl::context() {
 Situation Explorer::Impl::situation(bool keep_present) {
   Situation situation;
   situation.T_map_robot = *T_map_base_;
-  if (goal_) situation.current = goal_->position;
+  if (goal_) situation.current = goal_->pose();
   situation.keep_current = keep_present;
   if (!shared_.alone()) situation.shared = &shared_;
   if (parameters_.return_to_start) situation.home = start_->position();
@@ -209,7 +217,7 @@ Situation Explorer::Impl::situation(bool keep_present) {
 bool Explorer::Impl::anyRich() {
   constexpr double kRichDensity = 0.2;  // at least a fifth of what is seen from the goal is expected to be new
   const auto rich = [](const ViewGain& info) { return info.density >= kRichDensity; };
-  if (goal_ && rich(evaluator_.infoAt(goal_->position))) return true;
+  if (goal_ && rich(evaluator_.infoAt(goal_->pose()))) return true;
   const std::vector<Frontier>& all = evaluator_.frontiers();
   return std::any_of(all.begin(), all.end(), [&](const Frontier& f) { return f.selectable() && rich(f.info); });
 }

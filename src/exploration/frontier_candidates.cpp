@@ -17,13 +17,14 @@ std::vector<GoalCandidate> FrontierEvaluator::candidates(const Vec2& robot) {
   return all;
 }
 
-std::optional<GoalCandidate> FrontierEvaluator::candidateAt(const Vec2& goal, const Vec2& robot) {
-  const Cell cell = map_.geometry().cellAt(goal);
+std::optional<GoalCandidate> FrontierEvaluator::candidateAt(const Pose2& goal, const Vec2& robot) {
+  const Cell cell = map_.geometry().cellAt(goal.position());
   if (!travel_.reached(cell)) return std::nullopt;
   const double density = obstacleDensity(map_.grid(), cell, parameters_.obstacle_radius_cells);
   const double relative = std::min(1.0, density / std::max(parameters_.max_obstacle_density, 1e-3));
+  const double distance = (goal.position() - robot).norm();
   GoalCandidate candidate{
-      frontiers_.size(), goal, travel_.distance(cell), (goal - robot).norm(), infoAt(goal), relative, 0, 0.0};
+      frontiers_.size(), goal.position(), travel_.distance(cell), distance, infoAt(goal), relative, 0, 0.0};
   candidate.score = goalScore(candidate, parameters_.score);
   return candidate;
 }

@@ -148,7 +148,11 @@ void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster
 }
 
 bool FrontierEvaluator::allowsGoal(Cell cell) const {
-  if (!travel_.reached(cell) || goals_.judge(cell).rejection != Rejection::kNone) return false;
+  return goals_.judge(cell).rejection == Rejection::kNone && allowsTurnAt(cell);
+}
+
+bool FrontierEvaluator::allowsTurnAt(Cell cell) const {
+  if (!travel_.reached(cell)) return false;
   return history_ == nullptr || history_->judge(map_.geometry().centre(cell)) == Rejection::kNone;
 }
 
@@ -165,7 +169,7 @@ void FrontierEvaluator::adoptGoal(Frontier& frontier, const GoalCell& goal, cons
 }
 
 Rejection FrontierEvaluator::judgeView(Frontier& frontier, const Context& context) {
-  frontier.info = infoAt(frontier.goal);
+  frontier.info = infoAt({frontier.goal, parameters_.view.yawTowards(frontier.heading)});
   if (frontier.info.area < leastInfo()) return Rejection::kNothingToSee;
   if (frontier.info.density < context.least_density) return Rejection::kNotRich;
   if (!plan_) return Rejection::kNone;
@@ -179,24 +183,27 @@ double FrontierEvaluator::leastInfo() const {
   return std::max(parameters_.min_info_area, parameters_.min_info_share * map_.freeArea());
 }
 
-ViewGain FrontierEvaluator::infoAt(const Vec2& goal) {
+ViewGain FrontierEvaluator::infoAt(const Pose2& goal) {
   if (map_.empty()) return {};
-  if (parameters_.score.info_by_ray_casting) return cachedView(map_.geometry().cellAt(goal));
-  return unknownShare(map_.grid(), goal, parameters_.goal_search_radius);
+  if (parameters_.score.info_by_ray_casting) return cachedView(map_.geometry().cellAt(goal.position()), goal.yaw);
+  return unknownShare(map_.grid(), goal.position(), parameters_.goal_search_radius);
 }
 
 /// A cached view is used until the area that changed within sensor_range exceeds a tenth of the area that it shows.
-ViewGain FrontierEvaluator::cachedView(Cell cell) {
+ViewGain FrontierEvaluator::cachedView(Cell cell, double yaw) {
+  constexpr std::size_t kDirections = 120;  // that are told apart
   constexpr std::size_t kMaxViews = 4096;
   constexpr double kTolerance = 0.1;
   if (views_.size() > kMaxViews) views_.clear();
   const Vec2 from = map_.geometry().centre(cell);
   const double cell_area = map_.geometry().resolution * map_.geometry().resolution;
   const std::uint64_t changes = map_.changesAround(from, parameters_.view.sensor_range) + 1;
-  CachedView& view = views_[map_.geometry().index(cell)];
+  const double turn = parameters_.view.allAround() ? 0.0 : (normalizeAngle(yaw) + kPi) / (2.0 * kPi);
+  const auto direction = std::min(static_cast<std::size_t>(turn * kDirections), kDirections - 1);
+  CachedView& view = views_[map_.geometry().index(cell) * kDirections + direction];
   const double changed_area = static_cast<double>(changes - view.changes) * cell_area;
   const bool usable = view.changes > 0 && changed_area <= kTolerance * view.gain.area;
-  if (!usable) view = {changes, viewGain(map_.grid(), from, parameters_.view)};
+  if (!usable) view = {changes, viewGain(map_.grid(), {from, yaw}, parameters_.view)};
   return view.gain;
 }
 

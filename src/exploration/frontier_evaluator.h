@@ -61,9 +61,9 @@ class FrontierEvaluator {
 
   /// The selectable frontiers of the last evaluation as scored candidates.
   std::vector<GoalCandidate> candidates(const Vec2& robot);
-  /// A scored candidate for the goal being driven to, which need not belong to a frontier; nullopt if it cannot be
-  /// reached.
-  std::optional<GoalCandidate> candidateAt(const Vec2& goal, const Vec2& robot);
+  /// A scored candidate for the goal being driven to [m, rad], which need not belong to a frontier; nullopt if it
+  /// cannot be reached.
+  std::optional<GoalCandidate> candidateAt(const Pose2& goal, const Vec2& robot);
 
   /// Whether a blacklisted frontier can be reached without tight gaps. Frontiers behind a gap that the robot only just
   /// fits through, which the navigation failed to reach, count as unreachable.
@@ -94,8 +94,8 @@ class FrontierEvaluator {
   void findWays(const Vec2& robot, const Vec2& place);
   /// Least unknown area that a goal has to show [m^2]; it grows with the free area of the map.
   double leastInfo() const;
-  /// What a view from `goal` is expected to show now. [EXP-6]
-  ViewGain infoAt(const Vec2& goal);
+  /// What a view from `goal` [m, rad] is expected to show now. [EXP-6]
+  ViewGain infoAt(const Pose2& goal);
   const ObservedMap& map() const { return map_; }
   /// Travel distances from the robot, or from a fall-back's start, as of the last evaluation.
   const TravelField& travel() const { return travel_; }
@@ -104,6 +104,10 @@ class FrontierEvaluator {
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
   /// Whether a goal at `cell` can be reached and passes every filter. [EXP-3] [EXP-5]
   bool allowsGoal(Cell cell) const;
+  /// The same for a robot that is there already, and only has to turn.
+  bool allowsTurnAt(Cell cell) const;
+  /// How goals are looked from.
+  const ViewParameters& view() const { return parameters_.view; }
   /// Sets Frontier::place and Frontier::cost.
   void setPlace(std::size_t frontier, int place, double cost) {
     frontiers_[frontier].place = place;
@@ -137,7 +141,7 @@ class FrontierEvaluator {
   void judge(Frontier& frontier, const FrontierCluster& cluster, const Context& context);
   void adoptGoal(Frontier& frontier, const GoalCell& goal, const Context& context);
   Rejection judgeView(Frontier& frontier, const Context& context);
-  ViewGain cachedView(Cell cell);
+  ViewGain cachedView(Cell cell, double yaw);
 
   FrontierParameters parameters_;
   LaneWidth lane_;

@@ -19,13 +19,14 @@ class CandidateStrategy : public GoalStrategy {
     if (situation.current && situation.keep_current) {
       if (const auto present = evaluator.candidateAt(*situation.current, robot)) all.push_back(*present);
     }
-    const std::optional<std::size_t> best = bestOf(all, situation.current);
+    const auto current = situation.current ? std::make_optional(situation.current->position()) : std::nullopt;
+    const std::optional<std::size_t> best = bestOf(all, current);
     if (!best) return std::nullopt;
     const GoalCandidate& chosen = all[*best];
     ChosenGoal goal;
     goal.position = chosen.goal;
     const bool has_frontier = chosen.frontier < evaluator.frontiers().size();
-    if (has_frontier) goal.yaw = evaluator.frontiers()[chosen.frontier].heading;
+    if (has_frontier) goal.yaw = evaluator.view().yawTowards(evaluator.frontiers()[chosen.frontier].heading);
     goal.distance = chosen.travel_distance;
     goal.area = chosen.info.area;
     char text[40];

@@ -20,7 +20,7 @@ inline double meanSpeed(const RobotLimits& limits) {
 /// What the order of the goals depends on besides the frontiers.
 struct Situation {
   Pose2 T_map_robot;
-  std::optional<Vec2> current;   ///< the goal being driven to
+  std::optional<Pose2> current;  ///< the goal being driven to
   bool keep_current = false;     ///< the current goal competes too, even if it fails a filter by now
   SharedWork* shared = nullptr;  ///< what is left to others; null: the robot is alone
   std::optional<Vec2> home;      ///< where the robot has to be at the end, if that matters

@@ -63,11 +63,13 @@ Census countDisc(const OccupancyGrid& map, Cell centre, int radius) {
 
 }  // namespace
 
-ViewGain viewGain(const OccupancyGrid& map, const Vec2& from, const ViewParameters& parameters) {
+ViewGain viewGain(const OccupancyGrid& map, const Pose2& from, const ViewParameters& parameters) {
   double known = 0.0;
   double unknown = 0.0;
   for (int i = 0; i < parameters.rays; ++i) {
-    const Sector sector = castSector(map, from, 2.0 * kPi * i / parameters.rays, parameters);
+    const double angle = 2.0 * kPi * i / parameters.rays;
+    if (!parameters.shows(angle, from.yaw)) continue;
+    const Sector sector = castSector(map, from.position(), angle, parameters);
     known += sector.known;
     unknown += sector.unknown;
   }

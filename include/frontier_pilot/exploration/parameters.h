@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,26 @@ namespace frontier_pilot::exploration {
 /// How the view from a goal is estimated.
 struct ViewParameters {
   double sensor_range = 8.0;
-  double unknown_depth = 1.5;  ///< what lies this far behind the first unknown cell counts as seen [m]
-  int rays = 120;              ///< number of beams over the full circle
+  double unknown_depth = 1.5;        ///< what lies this far behind the first unknown cell counts as seen [m]
+  int rays = 120;                    ///< number of beams over the full circle
+  double field_of_view = 2.0 * kPi;  ///< angle in which the robot's scanner sees [rad]
+  double direction = 0.0;            ///< of its middle, from the robot's heading [rad]
+
+  /// Whether it does not matter which way the robot looks; a scanner that misses only a narrow wedge counts as such.
+  bool allAround() const { return field_of_view > 11.0 / 6.0 * kPi; }
+  /// The yaw of a robot that looks towards `bearing` [rad].
+  double yawTowards(double bearing) const { return allAround() ? bearing : normalizeAngle(bearing - direction); }
+  /// Whether a robot with `yaw` sees what is in the direction `bearing` [rad].
+  bool shows(double bearing, double yaw) const {
+    return allAround() || std::abs(angleDifference(bearing, yaw + direction)) <= 0.5 * field_of_view;
+  }
 
   template <class V>
   void describe(V& v) {
     v.field("sensor_range", sensor_range, "m",
             "range that is assumed when the view from a goal is estimated, at most that of the robot's scanner",
             positive());
-    v.fixed({"unknown_depth", "rays"});
+    v.fixed({"unknown_depth", "rays", "field_of_view", "direction"});
   }
 };
 

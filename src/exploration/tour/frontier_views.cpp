@@ -72,14 +72,15 @@ template <class ValueAt>
 void FrontierViews::look(Cell viewpoint, const ObservedMap& map, View& view, ValueAt value_at) const {
   view.glimpses.clear();
   view.area = 0.0;
-  for (const std::vector<RayCell>& ray : rays_) {
+  for (std::size_t ray = 0; ray < rays_.size(); ++ray) {
     RayCell last_free;
-    const auto twice_area_per_radian = unknownAlong(ray, value_at, last_free);
+    const auto twice_area_per_radian = unknownAlong(rays_[ray], value_at, last_free);
     if (twice_area_per_radian <= 0.0F) continue;
     const auto area = static_cast<float>(twice_area_per_radian * kPi / parameters_.rays);
     const Cell seen_through{viewpoint.x + last_free.x, viewpoint.y + last_free.y};
     view.area += area;
-    view.glimpses.push_back({static_cast<std::uint32_t>(map.geometry().index(seen_through)), area});
+    const auto cell = static_cast<std::uint32_t>(map.geometry().index(seen_through));
+    view.glimpses.push_back({cell, area, static_cast<std::uint16_t>(ray)});
   }
 }
 

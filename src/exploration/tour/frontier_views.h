@@ -13,6 +13,7 @@ namespace frontier_pilot::exploration {
 struct Glimpse {
   std::uint32_t cell = 0;  ///< index of the frontier cell
   float area = 0.0F;       ///< [m^2]
+  std::uint16_t ray = 0;   ///< number of the ray, counted counter-clockwise from the x axis
 };
 
 /// Views from single cells by ray casting, sorted by the frontier cells that the rays leave the known floor through.

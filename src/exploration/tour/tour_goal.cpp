@@ -6,21 +6,20 @@
 
 namespace frontier_pilot::exploration {
 
-ChosenGoal TourStrategy::goalAt(const Vec2& position, const Situation& situation) const {
-  const Cell cell = evaluator_->map().geometry().cellAt(position);
+ChosenGoal TourStrategy::goalAt(const Pose2& pose) const {
   ChosenGoal goal;
-  goal.position = position;
-  goal.yaw = arrivalYaw(cell, situation);
-  goal.distance = evaluator_->travel().distance(cell);
-  goal.area = evaluator_->infoAt(position).area;
+  goal.position = pose.position();
+  goal.yaw = pose.yaw;
+  goal.distance = evaluator_->travel().distance(evaluator_->map().geometry().cellAt(goal.position));
+  goal.area = evaluator_->infoAt(pose).area;
   goal.why = "nearly reached";
   return goal;
 }
 
-ChosenGoal TourStrategy::goalOf(const Plan& plan, const Situation& situation) {
+ChosenGoal TourStrategy::goalOf(const Plan& plan) {
   const Viewpoint& viewpoint = viewpoints_[plan.stops.front().viewpoint];
   const GridGeometry& geometry = evaluator_->map().geometry();
-  ChosenGoal goal = goalAt(geometry.centre(viewpoint.cell), situation);
+  ChosenGoal goal = goalAt({geometry.centre(viewpoint.cell), nearestYaw(viewpoint.look, arrivalYaw(viewpoint.cell))});
   aimed_at_.clear();
   for (const Sight& sight : viewpoint.sights) {
     aimed_at_.push_back(geometry.centre(evaluator_->frontiers()[sight.frontier].anchor));
@@ -41,7 +40,7 @@ ChosenGoal TourStrategy::goalOf(const Plan& plan, const Situation& situation) {
 }
 
 /// The direction in which the way arrives at a viewpoint, so that the robot need not turn there [rad].
-double TourStrategy::arrivalYaw(Cell goal, const Situation& situation) const {
+double TourStrategy::arrivalYaw(Cell goal) const {
   constexpr double kLookBack = 0.5;  // [m]
   const TravelField& travel = evaluator_->travel();
   const GridGeometry& geometry = travel.geometry();
@@ -51,13 +50,28 @@ double TourStrategy::arrivalYaw(Cell goal, const Situation& situation) const {
     if (next == at) break;
     at = next;
   }
-  return at == goal ? situation.T_map_robot.yaw : bearing(geometry.centre(goal) - geometry.centre(at));
+  return at == goal ? robot_.yaw : bearing(geometry.centre(goal) - geometry.centre(at));
+}
+
+Pose2 TourStrategy::poseAt(std::size_t viewpoint) const {
+  return {evaluator_->map().geometry().centre(viewpoints_[viewpoint].cell), viewpoints_[viewpoint].look.yaw};
+}
+
+/// How long the robot, on its way from `before`, turns at a viewpoint until its scanner sees what the viewpoint shows
+/// [s].
+double TourStrategy::secondsToLookFrom(std::size_t viewpoint, const Pose2& before) const {
+  constexpr double kSamePlace = 0.1;  // [m]
+  const Look& look = viewpoints_[viewpoint].look;
+  if (look.slack >= kPi) return 0.0;
+  const Vec2 way = poseAt(viewpoint).position() - before.position();
+  const double arriving = way.norm() < kSamePlace ? before.yaw : bearing(way);
+  return std::abs(angleDifference(nearestYaw(look, arriving), arriving)) / limits_.max_angular;
 }
 
 /// The viewpoint being driven to, if it still shows enough of a frontier that is not left to another robot.
 std::optional<std::size_t> TourStrategy::presentViewpoint(const Situation& situation) const {
   if (!situation.current) return std::nullopt;
-  const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
+  const Cell cell = evaluator_->map().geometry().cellAt(situation.current->position());
   for (std::size_t v = 0; v < viewpoints_.size(); ++v) {
     if (viewpoints_[v].cell != cell) continue;
     const std::vector<Sight>& sights = viewpoints_[v].sights;

@@ -27,12 +27,13 @@ TourStrategy::TourStrategy(const ExplorerParameters& parameters)
 
 std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, const Situation& situation) {
   evaluator_ = &evaluator;
+  robot_ = situation.T_map_robot;
   distances_.follow(evaluator);
   expireDistrust();
   seek();
   left_.assign(evaluator.frontiers().size(), false);
   viewpoints_ = search_.find(evaluator, sought_, situation.current);
-  if (isNearlyThere(situation)) return goalAt(*situation.current, situation);
+  if (isNearlyThere(situation)) return goalAt(*situation.current);
   distances_.restart(viewpoints_, evaluator, situation.T_map_robot);
   ways_home_ = situation.home ? distances_.to(*situation.home) : std::vector<double>(viewpoints_.size(), kNoWay);
   measureOpenAreas();
@@ -41,7 +42,7 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   putOffSmallOnes();
   if (situation.shared != nullptr) leaveToOthers(*situation.shared);
   const Plan plan = choosePlan(situation);
-  if (!plan.stops.empty()) return goalOf(plan, situation);
+  if (!plan.stops.empty()) return goalOf(plan);
   rejectRest();
   return std::nullopt;
 }
@@ -128,7 +129,7 @@ void TourStrategy::findSlivers() {
 bool TourStrategy::isNearlyThere(const Situation& situation) const {
   constexpr double kNearly = 0.05;  // [m] above min_distance
   if (!situation.current || !situation.keep_current || presentViewpoint(situation)) return false;
-  const Cell cell = evaluator_->map().geometry().cellAt(*situation.current);
+  const Cell cell = evaluator_->map().geometry().cellAt(situation.current->position());
   return evaluator_->travel().distance(cell) < min_distance_ + kNearly &&
          evaluator_->infoAt(*situation.current).area >= evaluator_->leastInfo();
 }
@@ -236,9 +237,11 @@ TourCosts TourStrategy::price(const std::vector<Stop>& stops) {
   distances_.connect(viewpoints);
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const std::size_t viewpoint = stops[i].viewpoint;
-    costs.first[i] = secondsFor(wayTo(viewpoint)) + kShareOfTurn * distances_.turnTo(viewpoint) / limits_.max_angular;
+    costs.first[i] = secondsFor(wayTo(viewpoint)) + kShareOfTurn * distances_.turnTo(viewpoint) / limits_.max_angular +
+                     secondsToLookFrom(viewpoint, robot_);
     for (std::size_t j = 0; j < stops.size(); ++j) {
-      costs.leg(i, j) = secondsFor(distances_.between(viewpoint, viewpoints[j]) + exitOf(stops[i]));
+      costs.leg(i, j) = secondsFor(distances_.between(viewpoint, viewpoints[j]) + exitOf(stops[i])) +
+                        secondsToLookFrom(viewpoints[j], poseAt(viewpoint));
     }
     const double way_home = ways_home_[viewpoint];
     if (way_home >= 0.0) costs.last[i] = secondsFor(way_home + exitOf(stops[i]));

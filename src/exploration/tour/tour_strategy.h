@@ -67,14 +67,16 @@ class TourStrategy : public GoalStrategy {
   TourCosts price(const std::vector<Stop>& stops);
   double exitOf(const Stop& stop) const;
   double secondsFor(double distance) const;
+  Pose2 poseAt(std::size_t viewpoint) const;
+  double secondsToLookFrom(std::size_t viewpoint, const Pose2& before) const;
   double wayTo(std::size_t viewpoint) const;
   void shorten(Plan& plan);
   double detourFor(const Viewpoint& viewpoint, const std::vector<bool>& shown) const;
   void takeNearOne(Plan& plan);
   bool shows(std::size_t viewpoint, const std::vector<std::size_t>& frontiers) const;
-  ChosenGoal goalAt(const Vec2& position, const Situation& situation) const;
-  ChosenGoal goalOf(const Plan& plan, const Situation& situation);
-  double arrivalYaw(Cell goal, const Situation& situation) const;
+  ChosenGoal goalAt(const Pose2& pose) const;
+  ChosenGoal goalOf(const Plan& plan);
+  double arrivalYaw(Cell goal) const;
 
   TourParameters parameters_;
   double min_distance_;  ///< [m]
@@ -84,6 +86,7 @@ class TourStrategy : public GoalStrategy {
   UnknownRegions regions_;
   Passages passages_;
   FrontierEvaluator* evaluator_ = nullptr;  ///< of the decision, as is all up to left_
+  Pose2 robot_;                             ///< T_map_robot
   std::vector<SoughtFrontier> sought_;
   bool all_sought_ = true;  ///< false: farther frontiers are left out of the tour
   std::vector<Viewpoint> viewpoints_;

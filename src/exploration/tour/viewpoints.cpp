@@ -35,19 +35,19 @@ Cell reachedNear(Cell node, int reach, const TravelField& travel) {
 
 std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
                                              const std::vector<SoughtFrontier>& sought,
-                                             const std::optional<Vec2>& present) {
+                                             const std::optional<Pose2>& present) {
   label(evaluator, sought);
   const GridGeometry& geometry = evaluator.map().geometry();
   const std::vector<Frontier>& frontiers = evaluator.frontiers();
-  const auto present_cell = present ? std::optional<Cell>(geometry.cellAt(*present)) : std::nullopt;
+  const auto present_cell = present ? std::optional<Cell>(geometry.cellAt(present->position())) : std::nullopt;
   std::vector<Viewpoint> all;
   most_.assign(frontiers.size(), 0.0);
   std::vector<bool> trusted(frontiers.size(), true);
   for (const SoughtFrontier& each : sought) trusted[each.index] = each.trusted;
   for (const Cell cell : sample(evaluator, sought, present_cell)) {
-    std::vector<Sight> sights = sightsFrom(cell, evaluator);
-    for (const Sight& sight : sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
-    if (!sights.empty()) all.push_back({cell, std::move(sights)});
+    Viewpoint viewpoint = viewpointAt(cell, evaluator);
+    for (const Sight& sight : viewpoint.sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
+    if (!viewpoint.sights.empty()) all.push_back(std::move(viewpoint));
   }
   for (Viewpoint& viewpoint : all) {
     const double share = viewpoint.cell == present_cell ? kWholeFromPresent : kWhole;
@@ -74,7 +74,9 @@ void ViewpointSearch::addUnseen(const FrontierEvaluator& evaluator, const std::v
   for (const SoughtFrontier& each : sought) {
     if (seen[each.index]) continue;
     const Frontier& frontier = frontiers[each.index];
-    all.push_back({evaluator.map().geometry().cellAt(frontier.goal), {{each.index, frontier.info.area}}});
+    const ViewParameters& view = evaluator.view();
+    const Look look{view.yawTowards(frontier.heading), view.allAround() ? kPi : 0.25 * view.field_of_view};
+    all.push_back({evaluator.map().geometry().cellAt(frontier.goal), {{each.index, frontier.info.area}}, look});
   }
 }
 
@@ -137,11 +139,15 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
   return cells;
 }
 
-std::vector<Sight> ViewpointSearch::sightsFrom(Cell viewpoint, const FrontierEvaluator& evaluator) {
-  std::vector<Sight> sights;
-  for (const Glimpse& glimpse : views_.from(viewpoint, evaluator.map())) {
+Viewpoint ViewpointSearch::viewpointAt(Cell cell, const FrontierEvaluator& evaluator) {
+  Viewpoint viewpoint;
+  viewpoint.cell = cell;
+  std::vector<Sight>& sights = viewpoint.sights;
+  std::vector<Glimpse> seen;
+  for (const Glimpse& glimpse : views_.from(cell, evaluator.map())) {
     const std::uint16_t label = labels_[glimpse.cell];
     if (label == 0) continue;
+    seen.push_back(glimpse);
     const std::size_t frontier = sought_[label - 1U];
     const auto known =
         std::find_if(sights.begin(), sights.end(), [&](const Sight& sight) { return sight.frontier == frontier; });
@@ -151,7 +157,8 @@ std::vector<Sight> ViewpointSearch::sightsFrom(Cell viewpoint, const FrontierEva
       known->area += glimpse.area;
     }
   }
-  return sights;
+  viewpoint.look = bestLook(seen, evaluator.view());
+  return viewpoint;
 }
 
 }  // namespace frontier_pilot::exploration

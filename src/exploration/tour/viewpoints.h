@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exploration/frontier_evaluator.h"
+#include "exploration/tour/best_look.h"
 #include "exploration/tour/frontier_views.h"
 
 namespace frontier_pilot::exploration {
@@ -19,6 +20,7 @@ struct Sight {
 struct Viewpoint {
   Cell cell;
   std::vector<Sight> sights;  ///< of the frontiers that it shows whole
+  Look look;                  ///< with which it shows most of them; the rest is seen while the robot turns to it
 };
 
 /// A frontier that viewpoints are looked for.
@@ -33,9 +35,9 @@ class ViewpointSearch {
  public:
   explicit ViewpointSearch(const ViewParameters& parameters) : views_(parameters) {}
 
-  /// `present`, the goal being driven to [m], stays a viewpoint until it shows clearly less than others.
+  /// `present`, the goal being driven to, stays a viewpoint until it shows clearly less than others.
   std::vector<Viewpoint> find(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
-                              const std::optional<Vec2>& present);
+                              const std::optional<Pose2>& present);
   /// The greatest area that any viewpoint of the last search shows of a frontier [m^2].
   double mostOf(std::size_t frontier) const { return most_[frontier]; }
 
@@ -43,7 +45,7 @@ class ViewpointSearch {
   void label(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought);
   std::vector<Cell> sample(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                            const std::optional<Cell>& present) const;
-  std::vector<Sight> sightsFrom(Cell viewpoint, const FrontierEvaluator& evaluator);
+  Viewpoint viewpointAt(Cell cell, const FrontierEvaluator& evaluator);
   static void addUnseen(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                         std::vector<Viewpoint>& all);
 

@@ -21,8 +21,8 @@ class TourMemory : public Strategies {
   /// Whether the robot at `x` [m] goes on to the end that it is driving to.
   bool goesOnAt(double x) {
     const exploration::ChosenGoal goal = *chooseFrom(Vec2(x, kMiddle.y()));
-    const bool goes_on = (goal.position.x() < kMiddle.x()) == (situation.current->x() < kMiddle.x());
-    situation.current = goal.position;
+    const bool goes_on = (goal.position.x() < kMiddle.x()) == (situation.current->x < kMiddle.x());
+    situation.current = Pose2(goal.position, goal.yaw);
     return goes_on;
   }
   /// Whether `goal` is the own one of a frontier.
@@ -39,15 +39,15 @@ class TourMemory : public Strategies {
 // [EXP-9]
 TEST_F(TourMemory, EveryChangeOfMindHasToBePaidTwiceAsWellAsTheLastOne_EXP_9) {
   ASSERT_TRUE(choose(corridor('?', '?')));
-  situation.current = chooseFrom(Vec2(5.0, kMiddle.y()))->position;
-  ASSERT_LT(situation.current->x(), kMiddle.x());
+  situation.current = Pose2(chooseFrom(Vec2(5.0, kMiddle.y()))->position, 0.0);
+  ASSERT_LT(situation.current->x, kMiddle.x());
   EXPECT_FALSE(goesOnAt(7.0)) << "4 s are worth a first change";
   EXPECT_TRUE(goesOnAt(5.0)) << "but not a second one";
   EXPECT_FALSE(goesOnAt(4.0)) << "8 s are";
   EXPECT_TRUE(goesOnAt(8.0)) << "but not worth a third one";
   situation.current.reset();  // the goal has been seen
-  situation.current = chooseFrom(Vec2(5.0, kMiddle.y()))->position;
-  ASSERT_LT(situation.current->x(), kMiddle.x());
+  situation.current = Pose2(chooseFrom(Vec2(5.0, kMiddle.y()))->position, 0.0);
+  ASSERT_LT(situation.current->x, kMiddle.x());
   EXPECT_FALSE(goesOnAt(7.0)) << "it counts anew";
 }
 
@@ -55,10 +55,10 @@ TEST_F(TourMemory, EveryChangeOfMindHasToBePaidTwiceAsWellAsTheLastOne_EXP_9) {
 TEST_F(TourMemory, ARobotThatIsNearlyAtItsGoalArrivesThere_EXP_9) {
   ASSERT_TRUE(choose(corridor('#', '?')));
   // From there something is to be seen at the end of the corridor, but from nearer far more.
-  situation.current = Vec2(4.65, kMiddle.y());
+  situation.current = Pose2(4.65, kMiddle.y(), 0.0);
   situation.keep_current = true;
   const auto nearly = chooseFrom(Vec2(4.25, kMiddle.y()));
-  EXPECT_EQ(nearly->position, *situation.current);
+  EXPECT_EQ(nearly->position, situation.current->position());
   EXPECT_EQ(nearly->why, "nearly reached");
   EXPECT_GT(chooseFrom(Vec2(3.45, kMiddle.y()))->position.x(), 6.0) << "not from farther away";
   situation.keep_current = false;

@@ -63,10 +63,59 @@ TEST_F(Strategies, AStopShowsEveryFrontierThatIsNumberedForIt_EXP_9) {
 TEST_F(Strategies, ATourIsKeptUnlessAnotherOneIsClearlyShorter_EXP_9) {
   const auto goal = choose(kNicheBehind);
   ASSERT_TRUE(goal);
-  situation.current = goal->position;
+  situation.current = Pose2(goal->position, goal->yaw);
   const auto again = chooseAgain();
   ASSERT_TRUE(again);
   EXPECT_LT((again->position - goal->position).norm(), 0.3);
+}
+
+/// A corridor that goes on to the right, with a niche of unknown ground beside the way there.
+constexpr const char* kNicheOnTheWay = R"(
+  ##########################################################################
+  #........................................................................?
+  #........................................................................?
+  #........................................................................?
+  #...r....................................................................?
+  #........................................................................?
+  #........................................................................?
+  #........................................................................?
+  ##############################??????######################################
+                              ##??????##
+                              ##??????##
+                              ##########
+)";
+
+// [EXP-4] [EXP-9]
+TEST_F(Strategies, WhatIsSeenOnTheWayToAnotherFrontierCostsNextToNothing_EXP_9) {
+  const auto secondsToTheRightEnd = [this](const std::string& drawing) {
+    EXPECT_TRUE(choose(drawing));
+    double seconds = 0.0;
+    for (const exploration::Frontier& frontier : evaluator.frontiers()) {
+      if (frontier.selectable() && frontier.centroid.x() > 7.0) seconds = frontier.cost;
+    }
+    return seconds;
+  };
+  std::string without = kNicheOnTheWay;
+  const std::size_t niche = without.find("??????#");
+  without.replace(niche, 6, "######");
+  const double direct = secondsToTheRightEnd(without);
+  EXPECT_GT(direct, 5.0);
+  EXPECT_LT(secondsToTheRightEnd(kNicheOnTheWay), direct + 1.0);
+}
+
+// [EXP-4] [EXP-9]
+TEST_F(Strategies, ARobotThatDoesNotSeeAllAroundFacesWhatItGoesToSee_EXP_9) {
+  exploration::ExplorerParameters parameters = touring();
+  parameters.frontier.view.field_of_view = 0.4 * kPi;
+  evaluator.setParameters(parameters.frontier);
+  const auto goal = choose(kNicheBehind, parameters);
+  ASSERT_TRUE(goal);
+  ASSERT_LT(distanceTo(*goal, 'n'), distanceTo(*goal, 'w'));
+  const exploration::ViewGain seen = evaluator.infoAt({goal->position, goal->yaw});
+  const exploration::ViewGain behind = evaluator.infoAt({goal->position, goal->yaw + kPi});
+  EXPECT_GT(seen.area, 0.02);
+  EXPECT_LT(behind.area, 0.2 * seen.area);
+  EXPECT_DOUBLE_EQ(goal->area, seen.area);
 }
 
 // [EXP-5]

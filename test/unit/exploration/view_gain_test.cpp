@@ -19,11 +19,25 @@ TEST(ViewGain, InTheOpenItIsTheDiscOfTheExpectedDepth_EXP_4) {
   exploration::ViewParameters view;
   view.sensor_range = 3.0;
   view.unknown_depth = 10.0;
-  const exploration::ViewGain gain = exploration::viewGain(unknownMap(200), Vec2(5.0, 5.0), view);
+  const exploration::ViewGain gain = exploration::viewGain(unknownMap(200), Pose2(5.0, 5.0, 0.0), view);
   EXPECT_NEAR(gain.area, kPi * 9.0, 0.05) << "[EXP-4] nothing counts twice";
   EXPECT_NEAR(gain.density, 1.0, 1e-3);
   view.unknown_depth = 1.0;
-  EXPECT_NEAR(exploration::viewGain(unknownMap(200), Vec2(5.0, 5.0), view).area, kPi, 0.4);
+  EXPECT_NEAR(exploration::viewGain(unknownMap(200), Pose2(5.0, 5.0, 0.0), view).area, kPi, 0.4);
+}
+
+// [EXP-4]
+TEST(ViewGain, AScannerSeesOnlyWhatIsInItsFieldOfView_EXP_4) {
+  exploration::ViewParameters view;
+  view.sensor_range = 3.0;
+  view.unknown_depth = 10.0;
+  view.field_of_view = 0.5 * kPi;
+  const OccupancyGrid unknown = unknownMap(200);
+  EXPECT_NEAR(exploration::viewGain(unknown, {5.0, 5.0, 0.7}, view).area, 0.25 * kPi * 9.0, 0.3);
+  const Pose2 at_the_edge(9.95, 5.0, 0.0);  // of the map: there is nothing to explore beyond
+  EXPECT_LT(exploration::viewGain(unknown, at_the_edge, view).area, 0.1);
+  view.direction = kPi;  // it looks backwards
+  EXPECT_NEAR(exploration::viewGain(unknown, at_the_edge, view).area, 0.25 * kPi * 9.0, 0.3);
 }
 
 // [EXP-4]
@@ -37,7 +51,7 @@ TEST(ViewGain, NothingIsSeenThroughWallsNorThroughTheCornersOfTheirCells_EXP_4) 
     ????#??????
     ???????????
   )");
-  EXPECT_EQ(exploration::viewGain(world.map, world.point('a'), exploration::ViewParameters{}).area, 0.0);
+  EXPECT_EQ(exploration::viewGain(world.map, {world.point('a'), 0.0}, exploration::ViewParameters{}).area, 0.0);
 }
 
 // [EXP-4]
@@ -51,7 +65,8 @@ TEST(ViewGain, AWindowShowsOnlyItsSector_EXP_4) {
     #############?????????
     ??????????????????????
   )");
-  const exploration::ViewGain gain = exploration::viewGain(world.map, world.point('a'), exploration::ViewParameters{});
+  const exploration::ViewGain gain =
+      exploration::viewGain(world.map, {world.point('a'), 0.0}, exploration::ViewParameters{});
   EXPECT_GT(gain.area, 0.05);
   EXPECT_LT(gain.area, 0.3);
   EXPECT_LT(gain.density, 0.9);
