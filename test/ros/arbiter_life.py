@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """How an arbiter starts and ends: configurations, the required source, and its last words."""
 import os
+import resource
 import signal
 import socket
+import subprocess
+import tempfile
 import threading
 import time
 import unittest
@@ -16,7 +19,11 @@ from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
 from std_srvs.srv import SetBool, Trigger
 
-from wire import Node, Record, Source, call, moves, wait_for
+from wire import Node, Record, Source, call, find_node, moves, wait_for
+
+
+def let_no_file_grow():
+    resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
 
 
 class ArbiterLife(unittest.TestCase):
@@ -58,6 +65,18 @@ class ArbiterLife(unittest.TestCase):
         threading.Thread(target=stop_and_clear, daemon=True).start()
         self.assertTrue(wait_for(lambda: len(answers) == 60, 30.0), '[ARB-7]')
         self.assertTrue(all(answers))
+
+    # [FLT-1]
+    def test_a_log_file_that_may_not_grow_does_not_end_the_arbiter(self):
+        with tempfile.TemporaryFile() as log:
+            path = find_node('frontier_pilot', 'cmd_vel_arbiter')
+            arbiter = subprocess.Popen([path, '__ns:=/full'], stdout=log, stderr=log, preexec_fn=let_no_file_grow)
+            self.addCleanup(arbiter.wait)
+            self.addCleanup(arbiter.terminate)
+            for _ in range(3):  # a second time the latch cannot be kept, which the arbiter warns of
+                self.assertTrue(call('/full/emergency_stop', Trigger).success, '[ARB-7]')
+                call('/full/set_emergency_stop', SetBool, False)
+            self.assertIsNone(arbiter.poll(), '[FLT-1]')
 
     # [ARB-4]
     def test_without_the_required_avoider_the_lower_sources_turn_and_reverse_only(self):

@@ -48,12 +48,14 @@ void onCrash(int signal) {
 }
 
 /// Replaces ROS' own handler, which closes the publishers before the node can publish its last messages. A terminal
-/// that is closed ends a node like Ctrl-C, unless it was started with nohup.
+/// that is closed ends a node like Ctrl-C, unless it was started with nohup. A log file that has reached a limit of the
+/// system (ulimit -f) ends no node.
 void catchSignals() {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   std::signal(SIGALRM, onSignal);
   if (std::signal(SIGHUP, onSignal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGABRT, onCrash);
   std::signal(SIGTRAP, onCrash);
 }
