@@ -1,6 +1,6 @@
 #include "gui/pilot_window.h"
-#include "ros/common/console_output.h"
 #include "ros/common/help/usages.h"
+#include "ros/common/logging/console_output.h"
 #include "ros/common/node_main.h"
 #include "ros/common/parameters.h"
 #include "ros/teleop_gui/gui_bridge.h"

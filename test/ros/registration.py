@@ -256,17 +256,17 @@ class Registration(unittest.TestCase):
             return rosgraph.Master('/test', master_uri=self.uri).lookupNode(node)
 
         def connections():
-            """The addresses of the publishers that the arbiter is connected to."""
+            """The addresses of the publishers that the arbiter is connected to; None before it is there."""
             try:
                 words = xmlrpc.client.ServerProxy(uri_of('/cmd_vel_arbiter')).getBusInfo('/test')[2]
             except (OSError, rosgraph.MasterException):
-                return []
+                return None
             return [uri for _, uri, direction, _, name, *_ in words if direction == 'i' and name == topic]
-        self.assertTrue(wait_for(lambda: len(connections()) == 1, 20.0))
+        self.assertTrue(wait_for(lambda: len(connections() or []) == 1, 20.0))
         for forged in [[], ['http://127.0.0.1:%d/' % free_port()]]:
             arbiter = xmlrpc.client.ServerProxy(uri_of('/cmd_vel_arbiter'))
             arbiter.publisherUpdate('/master', topic, forged)
-            self.assertTrue(wait_for(lambda: not connections()))
+            self.assertTrue(wait_for(lambda: connections() == []))
             self.assertTrue(wait_for(lambda: connections() == [uri_of('/obstacle_avoider')], 20.0), '[FLT-1]')
 
 

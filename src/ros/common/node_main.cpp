@@ -14,7 +14,7 @@
 #include <string>
 
 #include "ros/common/callback_guard.h"
-#include "ros/common/console_output.h"
+#include "ros/common/logging/console_output.h"
 #include "ros/common/master/namesake.h"
 #include "ros/common/parameters.h"
 #include "ros/common/publish_flush.h"

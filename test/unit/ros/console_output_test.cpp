@@ -1,4 +1,4 @@
-#include "ros/common/console_output.h"
+#include "ros/common/logging/console_output.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ class ReconnectTimes {
     Duration pause;
   };
 
-  std::map<std::string, Attempt> attempts_;  ///< by topic
+  std::map<std::string, Attempt> attempts_;  ///< by connection
 };
 
 /// Connects this node again to publishers that it has lost. A subscriber connects when the master tells it who
