@@ -56,7 +56,7 @@ class Explorer::Impl {
     };
     std::uint32_t id = 0;
     Vec2 position = Vec2::Zero();
-    double yaw = 0.0;
+    double yaw = 0.0;        ///< in the map's frame [rad]; set for frontiers only
     double info_area = 0.0;  ///< expected area when it was chosen [m^2]
     Time sent;
     Vec2 sent_from = Vec2::Zero();  ///< where the robot was then [m]

@@ -138,7 +138,8 @@ void Explorer::Impl::evaluateArrival(Time now) {
   if (arrived_ && arrived_->purpose == Goal::Purpose::kInspection && !hasInspected(now)) return;
   if (arrived_ && arrived_->purpose == Goal::Purpose::kFrontier) {
     const double left = evaluator_.infoAt(arrived_->pose()).area;
-    const bool promising = left >= evaluator_.leastInfo() && left > arrived_->info_area / 2;
+    const double enough = std::min(evaluator_.leastInfo(), arrived_->info_area);
+    const bool promising = left >= enough && left > arrived_->info_area / 2;
     if (promising && !passed(state_since_, parameters_.settle_time, now)) return;
     if (promising) {
       history_.stayedUnknown(arrived_->position, evaluator_.map());
@@ -165,11 +166,13 @@ void Explorer::Impl::stayDone(Time now) {
   enter(ExplorerState::kSelectGoal, ExplorerReason::kMapChanged, "", now);
 }
 
-/// Whether the robot would see the same at both.
+/// Whether both are the same place, and it does not matter or hardly differs which way the robot looks there.
 bool Explorer::Impl::isSame(const Goal& goal, const ChosenGoal& chosen) const {
   constexpr double kSamePlace = 0.3;  // [m]
-  constexpr double kSameYaw = 0.5;    // [rad]
-  const bool same_yaw = evaluator_.view().allAround() || std::abs(angleDifference(goal.yaw, chosen.yaw)) < kSameYaw;
+  constexpr double kSameYaw = 0.2;    // share of the field of view
+  const ViewParameters& view = evaluator_.view();
+  const double turn = std::abs(angleDifference(goal.yaw, chosen.yaw));
+  const bool same_yaw = view.allAround() || turn < kSameYaw * view.field_of_view;
   return same_yaw && (goal.position - chosen.position).norm() < kSamePlace;
 }
 

@@ -148,11 +148,7 @@ void FrontierEvaluator::judge(Frontier& frontier, const FrontierCluster& cluster
 }
 
 bool FrontierEvaluator::allowsGoal(Cell cell) const {
-  return goals_.judge(cell).rejection == Rejection::kNone && allowsTurnAt(cell);
-}
-
-bool FrontierEvaluator::allowsTurnAt(Cell cell) const {
-  if (!travel_.reached(cell)) return false;
+  if (!travel_.reached(cell) || goals_.judge(cell).rejection != Rejection::kNone) return false;
   return history_ == nullptr || history_->judge(map_.geometry().centre(cell)) == Rejection::kNone;
 }
 
@@ -191,7 +187,7 @@ ViewGain FrontierEvaluator::infoAt(const Pose2& goal) {
 
 /// A cached view is used until the area that changed within sensor_range exceeds a tenth of the area that it shows.
 ViewGain FrontierEvaluator::cachedView(Cell cell, double yaw) {
-  constexpr std::size_t kDirections = 120;  // that are told apart
+  constexpr std::size_t kDirections = 120;  // yaws are rounded to so many, so that a turn by less shares the view
   constexpr std::size_t kMaxViews = 4096;
   constexpr double kTolerance = 0.1;
   if (views_.size() > kMaxViews) views_.clear();

@@ -104,9 +104,7 @@ class FrontierEvaluator {
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
   /// Whether a goal at `cell` can be reached and passes every filter. [EXP-3] [EXP-5]
   bool allowsGoal(Cell cell) const;
-  /// The same for a robot that is there already, and only has to turn.
-  bool allowsTurnAt(Cell cell) const;
-  /// How goals are looked from.
+  /// How the views from goals are estimated.
   const ViewParameters& view() const { return parameters_.view; }
   /// Sets Frontier::place and Frontier::cost.
   void setPlace(std::size_t frontier, int place, double cost) {

@@ -16,8 +16,8 @@ struct ViewParameters {
   double sensor_range = 8.0;
   double unknown_depth = 1.5;        ///< what lies this far behind the first unknown cell counts as seen [m]
   int rays = 120;                    ///< number of beams over the full circle
-  double field_of_view = 2.0 * kPi;  ///< angle in which the robot's scanner sees [rad]
-  double direction = 0.0;            ///< of its middle, from the robot's heading [rad]
+  double field_of_view = 2.0 * kPi;  ///< of the scanner, taken from the description of the robot [rad]
+  double direction = 0.0;            ///< of the middle of the field of view, relative to the robot's heading [rad]
 
   /// Whether it does not matter which way the robot looks; a scanner that misses only a narrow wedge counts as such.
   bool allAround() const { return field_of_view > 11.0 / 6.0 * kPi; }
@@ -33,7 +33,7 @@ struct ViewParameters {
     v.field("sensor_range", sensor_range, "m",
             "range that is assumed when the view from a goal is estimated, at most that of the robot's scanner",
             positive());
-    v.fixed({"unknown_depth", "rays", "field_of_view", "direction"});
+    v.fixed({"unknown_depth", "rays"});
   }
 };
 

@@ -16,10 +16,13 @@ ChosenGoal TourStrategy::goalAt(const Pose2& pose) const {
   return goal;
 }
 
-ChosenGoal TourStrategy::goalOf(const Plan& plan) {
+ChosenGoal TourStrategy::goalOf(const Plan& plan, const Situation& situation) {
   const Viewpoint& viewpoint = viewpoints_[plan.stops.front().viewpoint];
   const GridGeometry& geometry = evaluator_->map().geometry();
-  ChosenGoal goal = goalAt({geometry.centre(viewpoint.cell), nearestYaw(viewpoint.look, arrivalYaw(viewpoint.cell))});
+  // On the way to the same place the yaw stays as it is, as long as it will do.
+  const bool is_present = situation.current && geometry.cellAt(situation.current->position()) == viewpoint.cell;
+  const double wanted = is_present ? situation.current->yaw : arrivalYaw(viewpoint.cell);
+  ChosenGoal goal = goalAt({geometry.centre(viewpoint.cell), nearestYaw(viewpoint.look, wanted)});
   aimed_at_.clear();
   for (const Sight& sight : viewpoint.sights) {
     aimed_at_.push_back(geometry.centre(evaluator_->frontiers()[sight.frontier].anchor));
@@ -57,8 +60,8 @@ Pose2 TourStrategy::poseAt(std::size_t viewpoint) const {
   return {evaluator_->map().geometry().centre(viewpoints_[viewpoint].cell), viewpoints_[viewpoint].look.yaw};
 }
 
-/// How long the robot, on its way from `before`, turns at a viewpoint until its scanner sees what the viewpoint shows
-/// [s].
+/// How long the robot, on a straight way from `before`, turns at a viewpoint until its scanner sees what the viewpoint
+/// shows [s].
 double TourStrategy::secondsToLookFrom(std::size_t viewpoint, const Pose2& before) const {
   constexpr double kSamePlace = 0.1;  // [m]
   const Look& look = viewpoints_[viewpoint].look;

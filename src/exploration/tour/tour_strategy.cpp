@@ -42,7 +42,7 @@ std::optional<ChosenGoal> TourStrategy::choose(FrontierEvaluator& evaluator, con
   putOffSmallOnes();
   if (situation.shared != nullptr) leaveToOthers(*situation.shared);
   const Plan plan = choosePlan(situation);
-  if (!plan.stops.empty()) return goalOf(plan);
+  if (!plan.stops.empty()) return goalOf(plan, situation);
   rejectRest();
   return std::nullopt;
 }

@@ -75,7 +75,7 @@ class TourStrategy : public GoalStrategy {
   void takeNearOne(Plan& plan);
   bool shows(std::size_t viewpoint, const std::vector<std::size_t>& frontiers) const;
   ChosenGoal goalAt(const Pose2& pose) const;
-  ChosenGoal goalOf(const Plan& plan);
+  ChosenGoal goalOf(const Plan& plan, const Situation& situation);
   double arrivalYaw(Cell goal) const;
 
   TourParameters parameters_;

@@ -57,6 +57,7 @@ std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
     };
     auto& sights = viewpoint.sights;
     sights.erase(std::remove_if(sights.begin(), sights.end(), seenInPart), sights.end());
+    chooseLook(viewpoint, evaluator.view());
   }
   all.erase(std::remove_if(all.begin(), all.end(), [](const Viewpoint& v) { return v.sights.empty(); }), all.end());
   addUnseen(evaluator, sought, all);
@@ -76,7 +77,7 @@ void ViewpointSearch::addUnseen(const FrontierEvaluator& evaluator, const std::v
     const Frontier& frontier = frontiers[each.index];
     const ViewParameters& view = evaluator.view();
     const Look look{view.yawTowards(frontier.heading), view.allAround() ? kPi : 0.25 * view.field_of_view};
-    all.push_back({evaluator.map().geometry().cellAt(frontier.goal), {{each.index, frontier.info.area}}, look});
+    all.push_back({evaluator.map().geometry().cellAt(frontier.goal), {{each.index, frontier.info.area}}, look, {}});
   }
 }
 
@@ -143,11 +144,11 @@ Viewpoint ViewpointSearch::viewpointAt(Cell cell, const FrontierEvaluator& evalu
   Viewpoint viewpoint;
   viewpoint.cell = cell;
   std::vector<Sight>& sights = viewpoint.sights;
-  std::vector<Glimpse> seen;
+  const bool all_around = evaluator.view().allAround();
   for (const Glimpse& glimpse : views_.from(cell, evaluator.map())) {
     const std::uint16_t label = labels_[glimpse.cell];
     if (label == 0) continue;
-    seen.push_back(glimpse);
+    if (!all_around) viewpoint.glimpses.push_back(glimpse);
     const std::size_t frontier = sought_[label - 1U];
     const auto known =
         std::find_if(sights.begin(), sights.end(), [&](const Sight& sight) { return sight.frontier == frontier; });
@@ -157,8 +158,20 @@ Viewpoint ViewpointSearch::viewpointAt(Cell cell, const FrontierEvaluator& evalu
       known->area += glimpse.area;
     }
   }
-  viewpoint.look = bestLook(seen, evaluator.view());
   return viewpoint;
+}
+
+/// By the frontiers that the viewpoint shows whole: others must not make the robot face away from them.
+void ViewpointSearch::chooseLook(Viewpoint& viewpoint, const ViewParameters& view) const {
+  const auto isShownInPart = [&](const Glimpse& glimpse) {
+    const std::size_t frontier = sought_[labels_[glimpse.cell] - 1U];
+    return std::none_of(viewpoint.sights.begin(), viewpoint.sights.end(),
+                        [&](const Sight& sight) { return sight.frontier == frontier; });
+  };
+  std::vector<Glimpse>& glimpses = viewpoint.glimpses;
+  glimpses.erase(std::remove_if(glimpses.begin(), glimpses.end(), isShownInPart), glimpses.end());
+  viewpoint.look = bestLook(glimpses, view);
+  glimpses.clear();
 }
 
 }  // namespace frontier_pilot::exploration

@@ -19,8 +19,9 @@ struct Sight {
 /// A place that the robot can reach, from which at least one frontier can be seen whole.
 struct Viewpoint {
   Cell cell;
-  std::vector<Sight> sights;  ///< of the frontiers that it shows whole
-  Look look;                  ///< with which it shows most of them; the rest is seen while the robot turns to it
+  std::vector<Sight> sights;      ///< of the frontiers that it shows whole
+  Look look;                      ///< with which it shows most of them; the rest is seen while the robot turns to it
+  std::vector<Glimpse> glimpses;  ///< of all frontiers; kept only while it matters which way the robot looks
 };
 
 /// A frontier that viewpoints are looked for.
@@ -46,6 +47,7 @@ class ViewpointSearch {
   std::vector<Cell> sample(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                            const std::optional<Cell>& present) const;
   Viewpoint viewpointAt(Cell cell, const FrontierEvaluator& evaluator);
+  void chooseLook(Viewpoint& viewpoint, const ViewParameters& view) const;
   static void addUnseen(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                         std::vector<Viewpoint>& all);
 

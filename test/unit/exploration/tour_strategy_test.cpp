@@ -89,11 +89,12 @@ constexpr const char* kNicheOnTheWay = R"(
 TEST_F(Strategies, WhatIsSeenOnTheWayToAnotherFrontierCostsNextToNothing_EXP_9) {
   const auto secondsToTheRightEnd = [this](const std::string& drawing) {
     EXPECT_TRUE(choose(drawing));
-    double seconds = 0.0;
+    std::optional<double> seconds;
     for (const exploration::Frontier& frontier : evaluator.frontiers()) {
       if (frontier.selectable() && frontier.centroid.x() > 7.0) seconds = frontier.cost;
     }
-    return seconds;
+    EXPECT_TRUE(seconds);
+    return seconds.value_or(0.0);
   };
   std::string without = kNicheOnTheWay;
   const std::size_t niche = without.find("??????#");
