@@ -266,16 +266,15 @@ void Explorer::Impl::cancelGoal() {
   goal_pose_.reset();
 }
 
-void Explorer::Impl::send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now) {
+void Explorer::Impl::send(Goal goal, ExplorerReason reason, const std::string& text, Time now) {
   goal.id = next_goal_id_++;
   goal.sent = now;
   goal.sent_from = T_map_base_->position();
   const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
   goal.on_the_way = stop != goal.position;
-  if (goal.on_the_way) yaw = bearing(goal.position - stop);
   if (goal.purpose != Goal::Purpose::kReturn) done_reason_.reset();
   goal_ = goal;
-  goal_pose_ = Pose2(stop, yaw);
+  goal_pose_ = Pose2(stop, goal.on_the_way ? bearing(goal.position - stop) : goal.yaw);
   out_.command = {GoalCommand::Kind::kSend, goal.id, *goal_pose_};
   ++status_.goals_sent;
   enter(ExplorerState::kNavigating, reason, text, now);

@@ -56,7 +56,7 @@ class Explorer::Impl {
     };
     std::uint32_t id = 0;
     Vec2 position = Vec2::Zero();
-    double yaw = 0.0;        ///< in the map's frame [rad]; set for frontiers only
+    double yaw = 0.0;        ///< that the robot takes there [rad], in the map's frame
     double info_area = 0.0;  ///< expected area when it was chosen [m^2]
     Time sent;
     Vec2 sent_from = Vec2::Zero();  ///< where the robot was then [m]
@@ -140,7 +140,7 @@ class Explorer::Impl {
   ExplorerReason whyNothingIsLeft() const;
   void returnToStart(Time now);
 
-  void send(Goal goal, double yaw, ExplorerReason reason, const std::string& text, Time now);
+  void send(Goal goal, ExplorerReason reason, const std::string& text, Time now);
   void cancelGoal();
   void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
   void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }

@@ -89,7 +89,8 @@ void Explorer::Impl::returnToStart(Time now) {
   Goal goal;
   goal.position = start_->position();
   goal.purpose = Goal::Purpose::kReturn;
-  send(goal, start_->yaw, ExplorerReason::kReturningToStart, "", now);
+  goal.yaw = start_->yaw;
+  send(goal, ExplorerReason::kReturningToStart, "", now);
 }
 
 void Explorer::Impl::navigate(Time now) {
@@ -190,7 +191,7 @@ bool Explorer::Impl::decide(ExplorerReason reason, Time now) {
   goal.yaw = chosen->yaw;
   goal.info_area = chosen->area;
   const std::string found_by = judged_by_ != nullptr ? std::string(", by ") + judged_by_->name : "";
-  send(goal, chosen->yaw, reason, describeGoal(toString(reason), *chosen) + found_by, now);
+  send(goal, reason, describeGoal(toString(reason), *chosen) + found_by, now);
   return true;
 }
 

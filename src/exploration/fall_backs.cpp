@@ -56,7 +56,8 @@ bool Explorer::Impl::stepBack(Time now) {
   Goal goal;
   goal.position = *place;
   goal.purpose = Goal::Purpose::kStepBack;
-  send(goal, T_map_base_->yaw, ExplorerReason::kGoalSent, "stepping back from a frontier that is too near", now);
+  goal.yaw = T_map_base_->yaw;
+  send(goal, ExplorerReason::kGoalSent, "stepping back from a frontier that is too near", now);
   return true;
 }
 

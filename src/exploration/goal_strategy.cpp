@@ -26,8 +26,8 @@ class CandidateStrategy : public GoalStrategy {
     ChosenGoal goal;
     goal.position = chosen.goal;
     const bool has_frontier = chosen.frontier < evaluator.frontiers().size();
-    if (!has_frontier) goal.yaw = situation.current->yaw;  // it is the present goal
-    if (has_frontier) goal.yaw = evaluator.view().yawTowards(evaluator.frontiers()[chosen.frontier].heading);
+    goal.yaw = has_frontier ? evaluator.view().yawTowards(evaluator.frontiers()[chosen.frontier].heading)
+                            : situation.current->yaw;  // it is the present goal
     goal.distance = chosen.travel_distance;
     goal.area = chosen.info.area;
     char text[40];

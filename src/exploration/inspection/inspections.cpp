@@ -98,7 +98,8 @@ void Explorer::Impl::sendToInspection(const ReachableInspection& place, Time now
   goal.inspection = place.inspection.id;
   goal.position = evaluator_.map().geometry().centre(place.cell);
   const std::string text = "to inspect " + describe(place.inspection.pose) + " on the way";
-  send(goal, place.inspection.pose.yaw, ExplorerReason::kInspecting, text, now);
+  goal.yaw = place.inspection.pose.yaw;
+  send(goal, ExplorerReason::kInspecting, text, now);
 }
 
 /// Stands at the pose for the time asked for. Returns whether that is over.

@@ -45,9 +45,9 @@ std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
   std::vector<bool> trusted(frontiers.size(), true);
   for (const SoughtFrontier& each : sought) trusted[each.index] = each.trusted;
   for (const Cell cell : sample(evaluator, sought, present_cell)) {
-    Viewpoint viewpoint = viewpointAt(cell, evaluator);
-    for (const Sight& sight : viewpoint.sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
-    if (!viewpoint.sights.empty()) all.push_back(std::move(viewpoint));
+    std::vector<Sight> sights = sightsFrom(cell, evaluator);
+    for (const Sight& sight : sights) most_[sight.frontier] = std::max(most_[sight.frontier], sight.area);
+    if (!sights.empty()) all.push_back({cell, std::move(sights), {}});
   }
   for (Viewpoint& viewpoint : all) {
     const double share = viewpoint.cell == present_cell ? kWholeFromPresent : kWhole;
@@ -57,7 +57,7 @@ std::vector<Viewpoint> ViewpointSearch::find(const FrontierEvaluator& evaluator,
     };
     auto& sights = viewpoint.sights;
     sights.erase(std::remove_if(sights.begin(), sights.end(), seenInPart), sights.end());
-    chooseLook(viewpoint, evaluator.view());
+    viewpoint.look = lookFrom(viewpoint, evaluator);
   }
   all.erase(std::remove_if(all.begin(), all.end(), [](const Viewpoint& v) { return v.sights.empty(); }), all.end());
   addUnseen(evaluator, sought, all);
@@ -77,7 +77,7 @@ void ViewpointSearch::addUnseen(const FrontierEvaluator& evaluator, const std::v
     const Frontier& frontier = frontiers[each.index];
     const ViewParameters& view = evaluator.view();
     const Look look{view.yawTowards(frontier.heading), view.allAround() ? kPi : 0.25 * view.field_of_view};
-    all.push_back({evaluator.map().geometry().cellAt(frontier.goal), {{each.index, frontier.info.area}}, look, {}});
+    all.push_back({evaluator.map().geometry().cellAt(frontier.goal), {{each.index, frontier.info.area}}, look});
   }
 }
 
@@ -140,15 +140,11 @@ std::vector<Cell> ViewpointSearch::sample(const FrontierEvaluator& evaluator, co
   return cells;
 }
 
-Viewpoint ViewpointSearch::viewpointAt(Cell cell, const FrontierEvaluator& evaluator) {
-  Viewpoint viewpoint;
-  viewpoint.cell = cell;
-  std::vector<Sight>& sights = viewpoint.sights;
-  const bool all_around = evaluator.view().allAround();
-  for (const Glimpse& glimpse : views_.from(cell, evaluator.map())) {
+std::vector<Sight> ViewpointSearch::sightsFrom(Cell viewpoint, const FrontierEvaluator& evaluator) {
+  std::vector<Sight> sights;
+  for (const Glimpse& glimpse : views_.from(viewpoint, evaluator.map())) {
     const std::uint16_t label = labels_[glimpse.cell];
     if (label == 0) continue;
-    if (!all_around) viewpoint.glimpses.push_back(glimpse);
     const std::size_t frontier = sought_[label - 1U];
     const auto known =
         std::find_if(sights.begin(), sights.end(), [&](const Sight& sight) { return sight.frontier == frontier; });
@@ -158,20 +154,21 @@ Viewpoint ViewpointSearch::viewpointAt(Cell cell, const FrontierEvaluator& evalu
       known->area += glimpse.area;
     }
   }
-  return viewpoint;
+  return sights;
 }
 
 /// By the frontiers that the viewpoint shows whole: others must not make the robot face away from them.
-void ViewpointSearch::chooseLook(Viewpoint& viewpoint, const ViewParameters& view) const {
-  const auto isShownInPart = [&](const Glimpse& glimpse) {
-    const std::size_t frontier = sought_[labels_[glimpse.cell] - 1U];
-    return std::none_of(viewpoint.sights.begin(), viewpoint.sights.end(),
-                        [&](const Sight& sight) { return sight.frontier == frontier; });
-  };
-  std::vector<Glimpse>& glimpses = viewpoint.glimpses;
-  glimpses.erase(std::remove_if(glimpses.begin(), glimpses.end(), isShownInPart), glimpses.end());
-  viewpoint.look = bestLook(glimpses, view);
-  glimpses.clear();
+Look ViewpointSearch::lookFrom(const Viewpoint& viewpoint, const FrontierEvaluator& evaluator) {
+  if (evaluator.view().allAround()) return {};
+  std::vector<Glimpse> whole;
+  for (const Glimpse& glimpse : views_.from(viewpoint.cell, evaluator.map())) {
+    const std::uint16_t label = labels_[glimpse.cell];
+    const bool is_shown = std::any_of(viewpoint.sights.begin(), viewpoint.sights.end(), [&](const Sight& sight) {
+      return label != 0 && sight.frontier == sought_[label - 1U];
+    });
+    if (is_shown) whole.push_back(glimpse);
+  }
+  return bestLook(whole, evaluator.view());
 }
 
 }  // namespace frontier_pilot::exploration

@@ -19,9 +19,8 @@ struct Sight {
 /// A place that the robot can reach, from which at least one frontier can be seen whole.
 struct Viewpoint {
   Cell cell;
-  std::vector<Sight> sights;      ///< of the frontiers that it shows whole
-  Look look;                      ///< with which it shows most of them; the rest is seen while the robot turns to it
-  std::vector<Glimpse> glimpses;  ///< of all frontiers; kept only while it matters which way the robot looks
+  std::vector<Sight> sights;  ///< of the frontiers that it shows whole
+  Look look;                  ///< with which it shows most of them; the rest is seen while the robot turns to it
 };
 
 /// A frontier that viewpoints are looked for.
@@ -46,8 +45,8 @@ class ViewpointSearch {
   void label(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought);
   std::vector<Cell> sample(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                            const std::optional<Cell>& present) const;
-  Viewpoint viewpointAt(Cell cell, const FrontierEvaluator& evaluator);
-  void chooseLook(Viewpoint& viewpoint, const ViewParameters& view) const;
+  std::vector<Sight> sightsFrom(Cell viewpoint, const FrontierEvaluator& evaluator);
+  Look lookFrom(const Viewpoint& viewpoint, const FrontierEvaluator& evaluator);
   static void addUnseen(const FrontierEvaluator& evaluator, const std::vector<SoughtFrontier>& sought,
                         std::vector<Viewpoint>& all);
 

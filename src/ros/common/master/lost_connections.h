@@ -15,8 +15,8 @@ namespace frontier_pilot {
 /// impossible (a publisher of another type), and each attempt leaves an error in the log.
 class ReconnectTimes {
  public:
-  /// Of `lost`, all topics without a connection that they should have, those whose connection is to be made now. A
-  /// topic that is not in it any more begins anew when it is lost again.
+  /// Of `lost`, the names of all connections that are missing, those that are to be made now. A connection that is not
+  /// in it any more begins anew when it is lost again.
   std::vector<std::string> due(const std::vector<std::string>& lost, SteadyTime now);
 
  private:

@@ -7,22 +7,23 @@
 
 namespace frontier_pilot {
 
+/// The addresses (XML-RPC URIs) of nodes, by topic.
+using UrisByTopic = std::map<std::string, std::set<std::string>>;
+
 /// Registers this node at the master again, for a publisher or service that it already has; roscpp itself registers
 /// only once. Names are resolved. Existing connections stay as they are. False if the master does not accept it.
 bool registerPublisher(const std::string& topic);
 bool registerService(const std::string& service);
 /// Whether the master has the address of this process for `service`; true also if it does not answer.
 bool pointsHere(const std::string& service);
-/// The addresses (XML-RPC URIs) of nodes, by topic.
-using UrisByTopic = std::map<std::string, std::set<std::string>>;
-
 /// The addresses listed for `topic`.
 std::set<std::string> urisOf(const UrisByTopic& uris, const std::string& topic);
 
 /// The publishers that this node is connected to; nothing if its own XML-RPC server does not say so within two seconds.
 std::optional<UrisByTopic> connectedPublishers();
-/// The same as `registerPublisher` for a subscriber. Also connects to publishers that the master knows and that are not
-/// in `connected`, those that `connectedPublishers` named; if it did not, this node is only registered.
+/// Registers this node at the master again as a subscriber, and connects to publishers that the master knows and that
+/// are not in `connected`, which is what `connectedPublishers` gave; if that was nothing, it is only registered. False
+/// if the master does not accept it, or this node's own XML-RPC server does not take the publishers.
 bool registerSubscriber(const std::string& topic, const std::optional<UrisByTopic>& connected);
 
 }  // namespace frontier_pilot
