@@ -9,7 +9,7 @@
 
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/simulator.h"
-#include "sim/collision_map.h"
+#include "sim/collision/collision_map.h"
 #include "sim/solid_cells.h"
 #include "support/benchmark_main.h"
 #include "support/buildings.h"

@@ -24,8 +24,8 @@ from robot_starts import StartsError, draw_starts, read_world  # noqa: E402
 from robots_rviz import view_of, write_configuration  # noqa: E402
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
-OF_THE_WORLD = ('world', 'known_starts', 'robot', 'limits', 'speed', 'seed', 'odom_noise')
-OF_A_ROBOT = ('explore', 'robot', 'limits', 'map_file', 'localize_only')
+OF_THE_WORLD = ('world', 'gui', 'known_starts', 'robot', 'limits', 'speed', 'seed', 'odom_noise')
+OF_A_ROBOT = ('explore', 'limits', 'map_file', 'localize_only')
 MARK = 'FRONTIER_PILOT_ROBOTS'  # in the environment of all that is started here
 PATIENCE = (8.0, 2.0)  # for a node to end on SIGINT, and on SIGTERM [s]: together less than roslaunch gives to this program
 
@@ -36,12 +36,12 @@ def absolute(path):
 
 
 def robots_of(arguments, world):
-    """The list of the robots with their starts: of the file, or that many at free places of the World."""
+    """The list of the robots with their starts and kinds: of the file, or that many at free places of the World."""
     robots = arguments['robots']
     if robots.isdigit():
         if not arguments['seed'].isdigit():
             raise StartsError('seed:=%s is not a whole number' % arguments['seed'])
-        return draw_starts(world, int(robots), int(arguments['seed']))
+        return [dict(start, robot=arguments['robot']) for start in draw_starts(world, int(robots), int(arguments['seed']))]
     try:
         with open(absolute(robots)) as file:
             listed = yaml.safe_load(file)['robots']
@@ -51,11 +51,43 @@ def robots_of(arguments, world):
         raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (robots, error))
 
 
-def write_list(folder, name, robots):
+def description(path):
+    """What the YAML of a robot or of limits says."""
+    try:
+        with open(path) as file:
+            return yaml.safe_load(file) or {}
+    except (OSError, yaml.YAMLError) as error:
+        raise StartsError('%s cannot be read: %s' % (path, error))
+
+
+def kind_of(robot, limits):
+    """A kind of robots as the simulator reads it. `robot`: a name in config/robots, or a path."""
+    is_path = '/' in robot or robot.endswith('.yaml')
+    kind = {'name': robot, 'robot': description(absolute(robot) if is_path else '%s/config/robots/%s.yaml' % (ROOT, robot))}
+    if limits not in ('', 'auto'):
+        kind['limits'] = description('%s/config/limits_%s.yaml' % (ROOT, limits))
+    return kind
+
+
+def written(folder, name, values):
+    """The path of a YAML file with `values`."""
     path = os.path.join(folder, name)
     with open(path, 'w') as file:
-        yaml.safe_dump({'robots': robots}, file)
+        yaml.safe_dump(values, file)
     return path
+
+
+def starts_of(robots, arguments):
+    """What the simulator is told of the robots: their starts, and the kinds of those that differ from robot:=."""
+    kinds = sorted({robot['robot'] for robot in robots} - {arguments['robot']})
+    return {'robots': [dict(robot, robot=robot['robot'] if robot['robot'] in kinds else '') for robot in robots],
+            'kinds': [kind_of(kind, arguments['limits']) for kind in kinds]}
+
+
+def places_of(robots, arguments):
+    """Where the robots' maps begin in a frame that they have in common: maps that begin with one saved map are all in its frame."""
+    in_one_frame = arguments['map_file'] not in ('', 'none')
+    return [{'name': robot['name'], **{key: 0.0 if in_one_frame else robot[key] for key in ('x', 'y', 'yaw')}} for robot in robots]
 
 
 def launches(arguments, folder):
@@ -66,20 +98,15 @@ def launches(arguments, folder):
     robots = robots_of(arguments, world)
     if not robots:
         raise StartsError('robots:=%s: the list is empty' % arguments['robots'])
-    kinds = {robot.pop('robot', arguments['robot']) for robot in robots}
-    if len(kinds) > 1:
-        raise StartsError('the simulator has robots of one kind, not of %s' % ', '.join(sorted(kinds)))
-    arguments = dict(arguments, robot=kinds.pop())
-    # Maps that begin with one saved map are all in that map's frame.
-    in_one_frame = arguments['map_file'] not in ('', 'none')
-    places = [dict(robot, x=0.0, y=0.0, yaw=0.0) for robot in robots] if in_one_frame else robots
+    places = places_of(robots, arguments)
     words = {name: '%s:=%s' % (name, arguments[name]) for name in set(OF_THE_WORLD + OF_A_ROBOT)}
-    of_world = [words[name] for name in OF_THE_WORLD] + ['starts:=' + write_list(folder, 'starts.yaml', robots),
-                                                         'places:=' + write_list(folder, 'places.yaml', places)]
+    of_world = [words[name] for name in OF_THE_WORLD]
+    of_world += ['starts:=' + written(folder, 'starts.yaml', starts_of(robots, arguments)),
+                 'places:=' + written(folder, 'places.yaml', {'robots': places})]
     trust = 'trust_odometry:=%s' % ('false' if arguments['odom_noise'].lower() == 'true' else 'true')
     files = [(ROOT + '/launch/robots_world.launch', of_world)]
     for robot in robots:
-        own = ['name:=' + robot['name'], trust] + [words[name] for name in OF_A_ROBOT]
+        own = ['name:=' + robot['name'], 'robot:=' + robot['robot'], trust] + [words[name] for name in OF_A_ROBOT]
         files.append((ROOT + '/launch/robot.launch', own))
     if in_rviz:
         shown = os.path.join(folder, 'robots.rviz')

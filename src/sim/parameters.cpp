@@ -13,6 +13,17 @@ void SimulatorParameters::check(Problems& problems) const {
     if (!names.insert(spec.name).second) problems.push_back("robots: two are named '" + spec.name + "'");
   }
   if (names.size() > 1 && names.count("") > 0) problems.emplace_back("robots: of several each must have a name");
+  std::set<std::string> known{""};
+  for (const RobotKind& kind : kinds) {
+    if (kind.name.empty())
+      problems.emplace_back("kinds: each must have a name");
+    else if (!known.insert(kind.name).second)
+      problems.push_back("kinds: two are named '" + kind.name + "'");
+  }
+  for (const RobotSpec& spec : robots) {
+    if (known.count(spec.robot) == 0)
+      problems.push_back("robots: '" + spec.name + "' is to be a '" + spec.robot + "', which is none of the kinds");
+  }
 }
 
 std::vector<RobotSpec> robotsOf(const SimulatorParameters& parameters, const World& world) {

@@ -52,19 +52,19 @@ const char* toString(Placement placement) {
   return "?";
 }
 
-Pose2 startInTheMiddle(const CollisionScene& scene, const OccupancyGrid& map, double yaw) {
+Pose2 startInTheMiddle(const CollisionScene& scene, const Footprint& robot, const OccupancyGrid& map, double yaw) {
   const GridGeometry& geometry = map.geometry();
   const Vec2 middle = geometry.origin + 0.5 * geometry.resolution * Vec2(geometry.width, geometry.height);
-  const std::optional<Vec2> free = scene.nearestFree({middle.x(), middle.y(), yaw});
+  const std::optional<Vec2> free = scene.nearestFree(robot, {middle.x(), middle.y(), yaw});
   if (!free) throw std::runtime_error(whyNowhere(map));
   return {free->x(), free->y(), yaw};
 }
 
-std::string cannotStart(const std::string& robot, const Pose2& start, Placement placement, const CollisionScene& scene,
-                        const OccupancyGrid& map) {
+std::string cannotStart(const std::string& name, const Footprint& robot, const Pose2& start, Placement placement,
+                        const CollisionScene& scene, const OccupancyGrid& map) {
   std::ostringstream text;
-  text << robot << " cannot start at (" << start.x << ", " << start.y << "): ";
-  const std::optional<Vec2> free = start.isFinite() ? scene.nearestFree(start) : std::nullopt;
+  text << name << " cannot start at (" << start.x << ", " << start.y << "): ";
+  const std::optional<Vec2> free = start.isFinite() ? scene.nearestFree(robot, start) : std::nullopt;
   if (start.isFinite() && !free) return text.str() + whyNowhere(map);
   text << toString(placement);
   if (free) text << "; the nearest free place is (" << free->x() << ", " << free->y() << ")";

@@ -8,13 +8,10 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/grids/ray_casting.h"
-#include "sim/collision_scene.h"
-#include "sim/diff_drive.h"
-#include "sim/disc_index.h"
-#include "sim/lidar.h"
-#include "sim/odometry.h"
+#include "sim/collision/collision_scene.h"
 #include "sim/placement.h"
-#include "sim/random.h"
+#include "sim/scanners.h"
+#include "sim/simulated_robot.h"
 #include "sim/solid_cells.h"
 
 namespace frontier_pilot::sim {
@@ -24,150 +21,111 @@ enum NoiseStream : std::uint64_t { kOdometryNoise, kLidarNoise, kNoiseStreams };
 
 std::string quoted(const std::string& robot) { return robot.empty() ? "the robot" : "robot '" + robot + "'"; }
 
+double greatestRadius(const SimulatorParameters& parameters) {
+  double radius = parameters.robot.drivenOutline().circumscribedRadius();
+  for (const RobotKind& kind : parameters.kinds)
+    radius = std::max(radius, kind.robot.drivenOutline().circumscribedRadius());
+  return radius;
+}
+
+// The index of a robot's kind: 0 for that of `parameters.robot`, and after it those of `parameters.kinds`.
+std::size_t kindOf(const RobotSpec& spec, const SimulatorParameters& parameters) {
+  if (spec.robot.empty()) return 0;
+  for (std::size_t i = 0; i < parameters.kinds.size(); ++i) {
+    if (parameters.kinds[i].name == spec.robot) return i + 1;
+  }
+  throw std::runtime_error(quoted(spec.name) + " is to be a " + spec.robot + ", which is none of the kinds");
+}
+
 }  // namespace
 
 struct Simulator::Impl {
-  struct Robot {
-    std::string name;
-    Pose2 start;
-    Pose2 pose;
-    Pose2 before;  ///< the pose at the beginning of the last step
-    DiffDrive drive;
-    Odometry odometry;
-    Random lidar_noise;
-    DiscIndex::Id disc;
-    LaserScan2 scan;
-    LaserScan2 unfinished;  ///< the beams of a rolling scan measured so far
-    bool stalled = false;
-    int contacts = 0;
+  /// What robots of one kind have in common.
+  struct Kind {
+    Kind(std::size_t index, const RobotModel& robot, const LidarNoise& noise)
+        : model(robot), footprint(robot.drivenOutline()), scanners(index, kStep, robot.scanner, noise) {}
+
+    RobotModel model;
+    Footprint footprint;
+    Scanners scanners;
   };
 
   Impl(World given, const SimulatorParameters& parameters);
 
   void addRobot(const RobotSpec& spec, const SimulatorParameters& parameters);
-  Placement placeable(const Pose2& pose, std::optional<DiscIndex::Id> own) const;
-  void drive(Robot& robot);
-  void put(Robot& robot, const Pose2& pose);
-  void scanAll();
-  bool sweepAll();
-  void sweepAll(std::size_t beams);
+  const Footprint& footprint(const SimulatedRobot& robot) const { return kinds[robot.kind].footprint; }
+  Placement placeable(const Footprint& footprint, const Pose2& pose, std::optional<DiscIndex::Id> own) const;
+  void drive(SimulatedRobot& robot);
+  void put(SimulatedRobot& robot, const Pose2& pose);
   std::vector<bool> whoMustStay() const;
-  bool startIsTaken(const Robot& robot, const std::vector<bool>& stays) const;
+  bool startIsTaken(const SimulatedRobot& robot, const std::vector<bool>& stays) const;
 
   World world;
   CollisionScene scene;
   grids::RayCaster rays;
-  Lidar lidar;
-  bool rolling;
-  Duration scan_period;
-  Duration beam_period;  ///< from one beam to the next of a rolling scan
-  Time scan_start{};     ///< of the rolling scan that is being measured
-  std::size_t next_beam = 0;
+  std::vector<Kind> kinds;  ///< that of `parameters.robot`, and those of `parameters.kinds`
   Time now;
-  Time next_scan;
-  bool scanned = false;
   bool start_was_chosen = false;
-  std::vector<Robot> robots;
+  std::vector<SimulatedRobot> robots;
   std::map<std::string, DiscIndex::Id> obstacles;
 };
 
 Simulator::Impl::Impl(World given, const SimulatorParameters& parameters)
     : world(std::move(given)),
-      scene(world.map.geometry(), solidCells(world.map, parameters.unknown_is_free), parameters.robot.drivenOutline()),
-      rays(solidCells(world.map, parameters.unknown_is_free)),
-      lidar(parameters.robot.scanner, parameters.lidar),
-      rolling(parameters.robot.scanner.rolling),
-      scan_period(fromSeconds(1.0 / parameters.robot.scanner.rate)),
-      beam_period(std::max(Duration(1), scan_period / parameters.robot.scanner.beams)),
-      next_scan(Time{} + scan_period) {
+      scene(world.map.geometry(), solidCells(world.map, parameters.unknown_is_free), greatestRadius(parameters)),
+      rays(solidCells(world.map, parameters.unknown_is_free)) {
+  kinds.emplace_back(0, parameters.robot, parameters.lidar);
+  for (const RobotKind& kind : parameters.kinds) kinds.emplace_back(kinds.size(), kind.robot, parameters.lidar);
   for (const RobotSpec& spec : robotsOf(parameters, world)) addRobot(spec, parameters);
 }
 
 void Simulator::Impl::addRobot(const RobotSpec& spec, const SimulatorParameters& parameters) {
+  const std::size_t index = kindOf(spec, parameters);
+  Kind& kind = kinds[index];
   start_was_chosen = std::isnan(spec.x) && std::isnan(spec.y);
   const double yaw = normalizeAngle(spec.yaw);
-  const Pose2 start = start_was_chosen ? startInTheMiddle(scene, world.map, yaw) : Pose2(spec.x, spec.y, yaw);
-  const Placement placement = placeable(start, std::nullopt);
+  const Pose2 start =
+      start_was_chosen ? startInTheMiddle(scene, kind.footprint, world.map, yaw) : Pose2(spec.x, spec.y, yaw);
+  const Placement placement = placeable(kind.footprint, start, std::nullopt);
   if (placement != Placement::kDone)
-    throw std::runtime_error(cannotStart(quoted(spec.name), start, placement, scene, world.map));
+    throw std::runtime_error(cannotStart(quoted(spec.name), kind.footprint, start, placement, scene, world.map));
   const auto seed = static_cast<std::uint64_t>(parameters.seed);
   const std::uint64_t stream = robots.size() * kNoiseStreams;
-  const DiscIndex::Id disc = scene.addRobot(start.position());
-  robots.push_back({spec.name, start, start, start,
-                    DiffDrive(parameters.robot.limits, fromSeconds(parameters.robot.watchdog)),
+  const DiscIndex::Id disc = scene.addRobot(kind.footprint, start.position());
+  robots.push_back({spec.name, index, start, start, start,
+                    DiffDrive(kind.model.limits, fromSeconds(kind.model.watchdog)),
                     Odometry(parameters.odometry, parameters.odom_noise, Random(seed, stream + kOdometryNoise)),
                     Random(seed, stream + kLidarNoise), disc, LaserScan2{}, LaserScan2{}});
-  lidar.describe(robots.back().unfinished);
+  kind.scanners.mountOn(robots.back());
 }
 
-void Simulator::Impl::scanAll() {
-  next_scan = std::max(next_scan + scan_period, now);
-  for (Robot& robot : robots) {
-    robot.scan.stamp = now;
-    lidar.scan(robot.pose, rays, scene.discs(), robot.disc, robot.lidar_noise, robot.scan);
-  }
-}
-
-// Measures the beams of rolling scans whose time has come. Returns whether scans have been completed.
-bool Simulator::Impl::sweepAll() {
-  bool completed = false;
-  while (scan_start + static_cast<std::int64_t>(next_beam) * beam_period <= now) {
-    const auto due = static_cast<std::size_t>((now - scan_start) / beam_period) + 1;
-    sweepAll(std::min(due, lidar.beamCount()));
-    if (next_beam < lidar.beamCount()) break;
-    for (Robot& robot : robots) {
-      robot.unfinished.stamp = scan_start;
-      robot.scan = robot.unfinished;
-    }
-    scan_start += scan_period;
-    next_beam = 0;
-    completed = true;
-  }
-  return completed;
-}
-
-// The beams up to, but not including, `end`. During a step of the simulation a robot moves evenly from where it was to
-// where it is; everything else is where it is at the end of the step.
-void Simulator::Impl::sweepAll(std::size_t end) {
-  const double per_beam = toSeconds(beam_period) / toSeconds(kStep);
-  const Time first = scan_start + static_cast<std::int64_t>(next_beam) * beam_period;
-  const double begin = 1.0 - toSeconds(now - first) / toSeconds(kStep);
-  for (Robot& robot : robots) {
-    const Vec2 moved = robot.pose.position() - robot.before.position();
-    const double turned = angleDifference(robot.pose.yaw, robot.before.yaw);
-    const Lidar::Sweep sweep{next_beam, end, interpolate(robot.before, robot.pose, begin), per_beam * moved,
-                             per_beam * turned};
-    lidar.measure(sweep, rays, scene.discs(), robot.disc, robot.lidar_noise, robot.unfinished);
-  }
-  next_beam = end;
-}
-
-void Simulator::Impl::drive(Robot& robot) {
+void Simulator::Impl::drive(SimulatedRobot& robot) {
   robot.before = robot.pose;
   const double seconds = toSeconds(kStep);
   const Twist2& velocity = robot.drive.update(now, seconds);
   const Twist2 arc{velocity.linear * seconds, velocity.angular * seconds};
-  const Motion motion = scene.drive(robot.pose, arc, robot.disc);
+  const Motion motion = scene.drive(footprint(robot), robot.pose, arc, robot.disc);
   if (motion.blocked) robot.drive.block();
   if (motion.turn_blocked) robot.drive.blockTurn();
   if (!arc.isZero()) put(robot, motion.pose);
   robot.odometry.move(motion.driven.linear, motion.driven.angular, seconds);
   robot.contacts += motion.blocked && !robot.stalled ? 1 : 0;
-  robot.stalled = motion.blocked || (robot.stalled && scene.touches(robot.pose, robot.disc));
+  robot.stalled = motion.blocked || (robot.stalled && scene.touches(footprint(robot), robot.pose, robot.disc));
 }
 
-void Simulator::Impl::put(Robot& robot, const Pose2& pose) {
+void Simulator::Impl::put(SimulatedRobot& robot, const Pose2& pose) {
   robot.pose = pose;
   scene.move(robot.disc, pose.position());
 }
 
-Placement Simulator::Impl::placeable(const Pose2& pose, std::optional<DiscIndex::Id> own) const {
+Placement Simulator::Impl::placeable(const Footprint& footprint, const Pose2& pose,
+                                     std::optional<DiscIndex::Id> own) const {
   if (!pose.isFinite()) return Placement::kNotFinite;
   const GridGeometry& geometry = world.map.geometry();
   const Vec2 size = Vec2(geometry.width, geometry.height) * geometry.resolution;
   const Vec2 inside = pose.position() - geometry.origin;
   if (!(inside.minCoeff() >= 0.0 && inside.x() < size.x() && inside.y() < size.y())) return Placement::kOutside;
-  switch (scene.at(pose, own)) {
+  switch (scene.at(footprint, pose, own)) {
     case Obstruction::kWall:
       return Placement::kInWall;
     case Obstruction::kRobot:
@@ -193,12 +151,12 @@ std::vector<bool> Simulator::Impl::whoMustStay() const {
   return stays;
 }
 
-bool Simulator::Impl::startIsTaken(const Robot& robot, const std::vector<bool>& stays) const {
+bool Simulator::Impl::startIsTaken(const SimulatedRobot& robot, const std::vector<bool>& stays) const {
   for (const auto& [name, disc] : obstacles) {
-    if (scene.overlaps(robot.start, disc)) return true;
+    if (scene.overlaps(footprint(robot), robot.start, disc)) return true;
   }
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (stays[i] && scene.overlaps(robot.start, robots[i].disc)) return true;
+    if (stays[i] && scene.overlaps(footprint(robot), robot.start, robots[i].disc)) return true;
   }
   return false;
 }
@@ -213,6 +171,7 @@ Time Simulator::now() const { return impl_->now; }
 const OccupancyGrid& Simulator::map() const { return impl_->world.map; }
 std::size_t Simulator::robotCount() const { return impl_->robots.size(); }
 const std::string& Simulator::name(std::size_t robot) const { return impl_->robots[robot].name; }
+const RobotModel& Simulator::model(std::size_t robot) const { return impl_->kinds[impl_->robots[robot].kind].model; }
 void Simulator::setCommand(std::size_t robot, const Twist2& twist) {
   impl_->robots[robot].drive.command(twist, impl_->now);
 }
@@ -222,7 +181,8 @@ const Pose2& Simulator::pose(std::size_t robot) const { return impl_->robots[rob
 const Twist2& Simulator::velocity(std::size_t robot) const { return impl_->robots[robot].odometry.twist(); }
 const Pose2& Simulator::odometry(std::size_t robot) const { return impl_->robots[robot].odometry.pose(); }
 const LaserScan2* Simulator::newScan(std::size_t robot) const {
-  return impl_->scanned ? &impl_->robots[robot].scan : nullptr;
+  const SimulatedRobot& asked = impl_->robots[robot];
+  return impl_->kinds[asked.kind].scanners.haveScanned() ? &asked.scan : nullptr;
 }
 bool Simulator::stalled(std::size_t robot) const { return impl_->robots[robot].stalled; }
 int Simulator::contactCount(std::size_t robot) const { return impl_->robots[robot].contacts; }
@@ -235,18 +195,18 @@ std::optional<std::size_t> Simulator::find(const std::string& name) const {
 }
 
 void Simulator::step() {
-  for (Impl::Robot& robot : impl_->robots) impl_->drive(robot);
+  for (SimulatedRobot& robot : impl_->robots) impl_->drive(robot);
   impl_->now += kStep;
-  impl_->scanned = impl_->rolling ? impl_->sweepAll() : impl_->now >= impl_->next_scan;
-  if (impl_->scanned && !impl_->rolling) impl_->scanAll();
+  for (Impl::Kind& kind : impl_->kinds)
+    kind.scanners.measure(impl_->now, impl_->robots, impl_->rays, impl_->scene.discs());
 }
 
 Placement Simulator::setPose(const std::string& name, const Pose2& pose) {
   const std::optional<std::size_t> index = find(name);
   if (!index) return Placement::kUnknownRobot;
-  Impl::Robot& robot = impl_->robots[*index];
+  SimulatedRobot& robot = impl_->robots[*index];
   const Pose2 to(pose.position(), normalizeAngle(pose.yaw));
-  const Placement placement = impl_->placeable(to, robot.disc);
+  const Placement placement = impl_->placeable(impl_->footprint(robot), to, robot.disc);
   if (placement != Placement::kDone) return placement;
   impl_->put(robot, to);
   robot.drive.stop();
@@ -262,8 +222,9 @@ Placement Simulator::spawnObstacle(const std::string& name, const Pose2& pose, d
   if (!bounds::isWithin(pose.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate)) return Placement::kTooFar;
   if (radius <= 0.0) return Placement::kBadRadius;
   if (radius > bounds::kMostObstacleRadius) return Placement::kTooLarge;
-  for (const Impl::Robot& robot : impl_->robots) {
-    if (impl_->scene.overlaps(robot.pose, Disc{pose.position(), radius})) return Placement::kOnRobot;
+  for (const SimulatedRobot& robot : impl_->robots) {
+    if (impl_->scene.overlaps(impl_->footprint(robot), robot.pose, Disc{pose.position(), radius}))
+      return Placement::kOnRobot;
   }
   impl_->obstacles[name] = impl_->scene.addObstacle({pose.position(), radius});
   return Placement::kDone;
@@ -281,7 +242,7 @@ std::vector<std::string> Simulator::resetPositions() {
   const std::vector<bool> stays = impl_->whoMustStay();
   std::vector<std::string> stayed;
   for (std::size_t i = 0; i < impl_->robots.size(); ++i) {
-    Impl::Robot& robot = impl_->robots[i];
+    SimulatedRobot& robot = impl_->robots[i];
     robot.drive.stop();
     if (stays[i]) {
       stayed.push_back(robot.name);

@@ -223,6 +223,36 @@ class LaunchFilesTest(unittest.TestCase):
                     self.assertEqual((given['map'], given['map_updates']), ('merged_map', 'merged_map_updates'), name)
                 self.assertNotIn('map', remaps['/%s/mapper' % name])
 
+    def robots_file(self, *robots):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        return robots_launcher.written(folder, 'robots.yaml', {'robots': [
+            dict({'name': 'robot%d' % (i + 1), 'x': float(i), 'y': 0.0}, **robots[i]) for i in range(len(robots))]})
+
+    def test_each_robot_of_the_list_may_be_of_its_own_kind(self):
+        """[MUL-1] [ROB-1]"""
+        own = self.robots_file() + '.mine.yaml'
+        with open(own, 'w') as file:
+            file.write('disc_radius: 0.3\n')
+        listed = self.robots_file({}, {'robot': 'waffle'}, {'robot': own}, {'robot': 'waffle'})
+        for limits in ('auto', 'burger'):
+            given = self.load(ROOT + '/launch/robots.launch', robots=listed, robot='fast', limits=limits)
+            simulator = given['/simulator/'][1]
+            kinds = {kind['name']: kind for kind in simulator['kinds']}
+            self.assertEqual([robot['robot'] for robot in simulator['robots']], ['', 'waffle', own, 'waffle'])
+            self.assertEqual(flat(kinds['waffle']['robot']), robot('waffle'))
+            self.assertEqual(kinds[own]['robot'], {'disc_radius': 0.3})
+            self.assertEqual(kinds['waffle'].get('limits', {}).get('max_linear'), None if limits == 'auto' else 0.22)
+            self.assertEqual(simulator['robot/limits/max_linear'], 0.5)
+            for name, key, value in (('robot1', 'limits/max_linear', 0.5), ('robot2', 'limits/max_linear', 0.26),
+                                     ('robot3', 'disc_radius', 0.3), ('robot4', 'limits/max_linear', 0.26)):
+                self.assertEqual(given['/%s/navigator/' % name][1]['robot/' + key], value, name)
+
+    def test_a_kind_that_is_not_there_is_named(self):
+        """[MUL-1]"""
+        with self.assertRaisesRegex(robots_launcher.StartsError, 'walker.yaml cannot be read'):
+            self.config(ROOT + '/launch/robots.launch', robots=self.robots_file({}, {'robot': 'walker'}))
+
     def test_maps_that_begin_with_one_saved_map_are_in_one_frame(self):
         """[MUL-1]"""
         config = self.config(ROOT + '/launch/robots.launch', map_file='/maps/floor')

@@ -61,9 +61,10 @@ struct OdometryParameters {
 /// One robot of several: its name (its namespace) and start pose in the world's frame.
 struct RobotSpec {
   std::string name;
-  double x = 0.0;    ///< [m]
-  double y = 0.0;    ///< [m]
-  double yaw = 0.0;  ///< [rad]
+  double x = 0.0;          ///< [m]
+  double y = 0.0;          ///< [m]
+  double yaw = 0.0;        ///< [rad]
+  std::string robot = {};  ///< the name of its RobotKind; empty: the model of the parameters
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -71,6 +72,19 @@ struct RobotSpec {
     v.field("x", x, "m", "start in the world's frame", anyNumber());
     v.field("y", y, "m", "start in the world's frame", anyNumber());
     v.field("yaw", yaw, "rad", "start in the world's frame", anyNumber());
+    v.field("robot", robot, "", "name of one of the `kinds`; empty: the robot that the group `robot` describes");
+  }
+};
+
+/// A model that several robots may have.
+struct RobotKind {
+  std::string name;
+  RobotModel robot;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.field("name", name, "", "what the list `robots` calls it");
+    describeRobot(v, robot);
   }
 };
 
@@ -86,9 +100,10 @@ struct SimulatorParameters {
   int seed = 1;
   bool odom_noise = false;
   bool unknown_is_free = false;
-  RobotModel robot;  ///< the model of all robots
+  RobotModel robot;  ///< the model of all robots that are of no other kind
   LidarNoise lidar;
   OdometryParameters odometry;
+  std::vector<RobotKind> kinds;
   std::vector<RobotSpec> robots;
 
   template <class Visitor>
@@ -112,6 +127,7 @@ struct SimulatorParameters {
     LidarGroup scanners{lidar, robot.scanner.rolling};
     v.group("lidar", scanners, "the simulated scanners");
     v.group("odometry", odometry, "odometry noise");
+    v.list("kinds", kinds, "models of robots, in addition to that of the group `robot`");
     v.list("robots", robots, "several robots, instead of one at x, y, yaw");
     v.moved("radius", "robot/disc_radius");
     v.moved("command_timeout", "robot/watchdog");

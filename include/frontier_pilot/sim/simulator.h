@@ -39,14 +39,14 @@ enum class Placement {
 };
 const char* toString(Placement placement);
 
-/// A kinematic simulation of robots of the same model with scanners, in fixed steps of simulated time. Poses are in the
+/// A kinematic simulation of robots with scanners, in fixed steps of simulated time. Poses are in the
 /// world's frame. The same world, parameters and sequence of calls give the same output, byte by byte. [SIM-2]
 class Simulator {
  public:
   static constexpr Duration kStep = std::chrono::milliseconds(10);
 
   /// Throws std::runtime_error where a robot starts outside of the world, in a wall or on another robot; the text says
-  /// where, and where the nearest free place is, or that there is none. [SIM-1]
+  /// where, and where the nearest free place is, or that there is none. Also where a robot is of no known kind. [SIM-1]
   Simulator(World world, const SimulatorParameters& parameters);
   ~Simulator();
   Simulator(Simulator&&) noexcept;
@@ -62,6 +62,7 @@ class Simulator {
   const OccupancyGrid& map() const;
   std::size_t robotCount() const;
   const std::string& name(std::size_t robot) const;
+  const RobotModel& model(std::size_t robot) const;
   std::optional<std::size_t> find(const std::string& name) const;
 
   /// `twist` must be finite. It holds until the next command, but no longer than the robot's `watchdog` time.

@@ -50,7 +50,7 @@ SimulatorAdapter::SimulatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   advertise(node);
   publishWorld();
   for (std::size_t i = 0; i < simulator_.robotCount(); ++i) {
-    robots_.emplace_back(node, connections_, tf_, simulator_, i, parameters_.robot);
+    robots_.emplace_back(node, connections_, tf_, simulator_, i, simulator_.model(i));
     const std::string map_frame = names::ofRobot(parameters_.common_map ? "" : simulator_.name(i), names::kMapFrame);
     if (!parameters_.common_map || i == 0) {
       tf_.broadcastStatic(names::kWorldFrame, map_frame, simulator_.startPose(i));

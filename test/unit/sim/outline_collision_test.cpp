@@ -1,6 +1,6 @@
 // Outlines against squares and discs, exactly.
 
-#include "sim/outline_collision.h"
+#include "sim/collision/outline_collision.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "sim/collision_map.h"
+#include "sim/collision/collision_map.h"
 #include "simulated_room.h"
 
 namespace frontier_pilot::sim {

@@ -1,4 +1,4 @@
-#include "sim/collision_map.h"
+#include "sim/collision/collision_map.h"
 
 #include <cmath>
 #include <limits>
@@ -12,8 +12,10 @@ constexpr double kLookAhead = 0.3;  // [m]
 
 }  // namespace
 
-CollisionMap::CollisionMap(const Grid<std::uint8_t>& solid, double radius)
-    : solid_(solid), needed_(radius + std::sqrt(2.0) * solid.resolution()), clearance_(solid_, needed_ + kLookAhead) {}
+CollisionMap::CollisionMap(const Grid<std::uint8_t>& solid, double greatest_radius)
+    : solid_(solid),
+      diagonal_(std::sqrt(2.0) * solid.resolution()),
+      clearance_(solid_, greatest_radius + diagonal_ + kLookAhead) {}
 
 bool CollisionMap::overlaps(const PlacedOutline& placed) const {
   const GridGeometry& geometry = solid_.geometry();

@@ -1,4 +1,4 @@
-#include "sim/outline_collision.h"
+#include "sim/collision/outline_collision.h"
 
 #include <algorithm>
 #include <cmath>
