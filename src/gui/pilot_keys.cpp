@@ -2,6 +2,7 @@
 #include <QAbstractSpinBox>
 #include <QKeyEvent>
 
+#include "gui/held_keys.h"
 #include "gui/pilot_widget.h"
 
 namespace frontier_pilot::gui {
@@ -42,6 +43,12 @@ bool hasCommandModifier(const QKeyEvent& event) {
 
 }  // namespace
 
+void PilotWidget::connectKeys() {
+  keys_ = new HeldKeys(this);
+  connect(keys_, &HeldKeys::pressed, this, [this](int key) { press(teleop::motionOf(*driveKeyOf(key))); });
+  connect(keys_, &HeldKeys::released, this, [this](int key) { release(teleop::motionOf(*driveKeyOf(key))); });
+}
+
 bool PilotWidget::eventFilter(QObject* watched, QEvent* event) {
   if (!isKeyEvent(event->type())) return QWidget::eventFilter(watched, event);
   auto* widget = qobject_cast<QWidget*>(watched);
@@ -63,12 +70,8 @@ bool PilotWidget::handleKey(QWidget& focus, QKeyEvent& event) {
   if (!key || (editing && *key != teleop::DriveKey::kSpace)) return false;
   // So that the key does not trigger a shortcut of the host application, such as a tool of rviz.
   if (event.type() == QEvent::ShortcutOverride) event.accept();
-  if (event.type() == QEvent::ShortcutOverride || event.isAutoRepeat()) return true;
-  if (event.type() == QEvent::KeyPress) {
-    press(teleop::motionOf(*key));
-  } else {
-    release(teleop::motionOf(*key));
-  }
+  if (event.type() == QEvent::KeyPress) keys_->press(event);
+  if (event.type() == QEvent::KeyRelease) keys_->release(event);
   return true;
 }
 

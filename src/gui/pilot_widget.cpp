@@ -31,6 +31,7 @@ PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* pa
   setFocusPolicy(Qt::StrongFocus);
   build();
   connectCards();
+  connectKeys();
   setState({});
   layOut(1);
   applyTheme();
@@ -42,7 +43,11 @@ PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* pa
   connect(qApp, &QApplication::applicationStateChanged, this, &PilotWidget::letGo);
 }
 
-PilotWidget::~PilotWidget() = default;
+// What the application says while the children are destroyed, of the focus for instance, comes too late.
+PilotWidget::~PilotWidget() {
+  qApp->removeEventFilter(this);
+  disconnect(qApp, nullptr, this, nullptr);
+}
 
 void PilotWidget::build() {
   header_ = new HeaderCard;

@@ -17,6 +17,7 @@ namespace frontier_pilot::gui {
 class DriveCard;
 class ExplorerCard;
 class HeaderCard;
+class HeldKeys;
 class LogCard;
 class MapCard;
 class NavigationCard;
@@ -61,6 +62,7 @@ class PilotWidget : public QWidget {
 
   void build();
   void connectCards();
+  void connectKeys();
   void connectMap();
   std::vector<std::vector<QWidget*>> planOf(int columns) const;
   void layOut(int columns);
@@ -83,6 +85,7 @@ class PilotWidget : public QWidget {
   int refreshes_to_clear_ = 0, clears_left_ = 0;  ///< of a halt after which the stop is to be cleared
   std::uint64_t stops_to_clear_ = 0;              ///< how many had been asked for by then
   bool applying_theme_ = false;
+  HeldKeys* keys_ = nullptr;
   std::vector<QVBoxLayout*> column_layouts_;
   QBoxLayout* body_ = nullptr;
   HeaderCard* header_ = nullptr;

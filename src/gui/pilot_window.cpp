@@ -4,7 +4,7 @@
 #include <QScreen>
 #include <QStyleFactory>
 
-#include "gui/pilot_controller.h"
+#include "gui/fleet_window.h"
 #include "gui/theme.h"
 
 namespace frontier_pilot::gui {
@@ -20,7 +20,7 @@ QSize windowSize(const QWidget& widget) {
 
 }  // namespace
 
-int runPilotWindow(int argc, char** argv, teleop::OperatorLink& link, const teleop::TeleopParameters& parameters) {
+int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const teleop::TeleopParameters& parameters) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication application(argc, argv);
@@ -29,14 +29,12 @@ int runPilotWindow(int argc, char** argv, teleop::OperatorLink& link, const tele
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     QApplication::setPalette(pilotPalette(parameters.palette == "dark"));
   }
-  PilotWidget widget(parameters);
-  PilotController controller(widget, link, fromSeconds(parameters.liveness_timeout));
-  QObject::connect(&controller, &PilotController::closeAsked, &application, &QApplication::quit);
+  FleetWindow window(link, parameters);
+  QObject::connect(&window, &FleetWindow::closeAsked, &application, &QApplication::quit);
   // The zero is sent when the window closes, before destructors run.
-  QObject::connect(&application, &QApplication::aboutToQuit, &controller, &PilotController::close);
-  widget.resize(windowSize(widget));
-  widget.show();
-  widget.setFocus();
+  QObject::connect(&application, &QApplication::aboutToQuit, &window, &FleetWindow::release);
+  window.resize(windowSize(window));
+  window.show();
   return QApplication::exec();
 }
 

@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "teleop/operator_link.h"
+#include "teleop/fleet_link.h"
 #include "teleop/parameters.h"
 
 /// The desktop window, for a main() that does not use Qt.
 namespace frontier_pilot::gui {
 
-/// Opens the window on `link` and runs it until it is closed or the link is no longer running. Returns the exit code.
+/// Opens the window and runs it until it is closed or a robot's link is no longer running. Returns the exit code.
 /// To be called in the main thread, once in a process.
-int runPilotWindow(int argc, char** argv, teleop::OperatorLink& link, const teleop::TeleopParameters& parameters);
+int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const teleop::TeleopParameters& parameters);
 
 }  // namespace frontier_pilot::gui

@@ -3,9 +3,9 @@
 #include "ros/common/logging/console_output.h"
 #include "ros/common/node_main.h"
 #include "ros/common/parameters.h"
-#include "ros/teleop_gui/gui_bridge.h"
+#include "ros/teleop_gui/fleet_bridge.h"
 
-using frontier_pilot::GuiBridge;
+using frontier_pilot::FleetBridge;
 using frontier_pilot::teleop::TeleopParameters;
 
 int main(int argc, char** argv) {
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
       [&](ros::NodeHandle& node, ros::NodeHandle& private_node, const frontier_pilot::RunningFn& running) {
         frontier_pilot::dropUnreadOutput();
         const auto parameters = frontier_pilot::loadNodeParameters<TeleopParameters>(private_node);
-        GuiBridge bridge(node, parameters, GuiBridge::Manual::kAlways, running);
+        FleetBridge bridge(node, parameters, running);
         return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters);
       });
 }

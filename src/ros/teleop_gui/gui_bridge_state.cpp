@@ -1,6 +1,5 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/console.h>
-#include <ros/serialization.h>
 
 #include <algorithm>
 #include <string_view>
@@ -21,20 +20,6 @@ namespace {
 const Duration kFresh = fromSeconds(teleop::kStatusLifetime);
 
 constexpr const char* kManualSource = "manual";
-
-/// Whether a message is small enough to be shown in the window. [FLT-1]
-template <class Msg>
-bool isShown(const Msg& msg) {
-  const bool shown = ros::serialization::serializationLength(msg) <= bounds::kMostStatus;
-  if (!shown) THROTTLED_WARN("a status of more than " << bounds::kMostStatus << " bytes is not shown");
-  return shown;
-}
-
-/// Fills `view` from the latest message, if there is one.
-template <class View, class Msg>
-void show(const Latest<Msg>& latest, SteadyTime now, std::optional<View>& view) {
-  if (latest.has()) view = toView(*latest.get(), toSeconds(*latest.age(now)));
-}
 
 }  // namespace
 

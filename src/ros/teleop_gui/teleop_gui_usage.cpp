@@ -3,6 +3,7 @@
 #include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/AvoiderStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
+#include <frontier_pilot/FleetStopStatus.h>
 #include <frontier_pilot/FollowWaypointsAction.h>
 #include <frontier_pilot/LoadMap.h>
 #include <frontier_pilot/NavigatorProgress.h>
@@ -31,14 +32,23 @@ NodeUsage teleopGuiUsage() {
   usage.name = "teleop_gui";
   usage.purpose =
       "The operator's window: drive by hand, stop, patrol, turn and explore, send the robot to\n"
-      "places on the map, and see who drives and why.";
-  usage.reads = {port<sensor_msgs::LaserScan>(names::kScan), port<geometry_msgs::Twist>(names::kCmdVel),
-                 port<ArbiterStatus>(names::kArbiterStatus), port<std_msgs::Bool>(names::kEmergencyStopState),
-                 port<AvoiderStatus>(names::kAvoiderStatus), port<ExplorerStatus>(names::kExplorerStatus),
-                 port<std_msgs::Bool>(names::kStalled),      port<NavigatorProgress>(names::kNavigatorProgress),
-                 port<nav_msgs::OccupancyGrid>(names::kMap), port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
-                 port<nav_msgs::Path>(names::kPlan),         port<visualization_msgs::MarkerArray>(names::kFrontiers),
-                 port<tf2_msgs::TFMessage>(names::kTf),      port<tf2_msgs::TFMessage>(names::kTfStatic)};
+      "places on the map, and see who drives and why. Of several robots it shows what each does,\n"
+      "and one of them whole.";
+  usage.reads = {port<sensor_msgs::LaserScan>(names::kScan),
+                 port<geometry_msgs::Twist>(names::kCmdVel),
+                 port<ArbiterStatus>(names::kArbiterStatus),
+                 port<std_msgs::Bool>(names::kEmergencyStopState),
+                 port<AvoiderStatus>(names::kAvoiderStatus),
+                 port<ExplorerStatus>(names::kExplorerStatus),
+                 port<std_msgs::Bool>(names::kStalled),
+                 port<NavigatorProgress>(names::kNavigatorProgress),
+                 port<nav_msgs::OccupancyGrid>(names::kMap),
+                 port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
+                 port<nav_msgs::Path>(names::kPlan),
+                 port<visualization_msgs::MarkerArray>(names::kFrontiers),
+                 port<tf2_msgs::TFMessage>(names::kTf),
+                 port<tf2_msgs::TFMessage>(names::kTfStatic),
+                 port<FleetStopStatus>(names::kFleetStopStatus)};
   usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelManual)};
   usage.calls = {port<PatrolAction>(names::kPatrol),
                  port<move_base_msgs::MoveBaseAction>(names::kMoveBase),
@@ -53,7 +63,8 @@ NodeUsage teleopGuiUsage() {
                  servicePort<std_srvs::Trigger>(names::kResetExplorer),
                  servicePort<std_srvs::Trigger>(names::kClearExplorationBounds),
                  servicePort<std_srvs::Trigger>(names::kClearInspections),
-                 servicePort<std_srvs::SetBool>(names::kSetReturnToStart)};
+                 servicePort<std_srvs::SetBool>(names::kSetReturnToStart),
+                 servicePort<std_srvs::Trigger>(names::kFleetEmergencyStop)};
   usage.main_parameters = {"linear_step", "angular_step", "hold_to_run", "palette"};
   usage.parameters = describeParameters(teleop::TeleopParameters());
   usage.library_options = {"-platform", "-style", "-stylesheet", "-geometry", "-display", "-title"};

@@ -56,6 +56,50 @@ TEST_F(Driving, AKeyThatRepeatsItselfCountsOnce) {
   EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12);
 }
 
+/// A key event as X sends it, which Qt has not recognised as a repetition.
+void sendKey(QWidget& to, QEvent::Type type, unsigned long stamp) {
+  QKeyEvent event(type, Qt::Key_Up, Qt::NoModifier);
+  event.setTimestamp(stamp);
+  QApplication::sendEvent(&to, &event);
+}
+
+// [GUI-1] X repeats a key that is held by releases and presses with one time stamp, and Qt may take them for real ones
+TEST_F(Driving, AKeyThatIsHeldThroughAStopDoesNotDriveAfterIt_GUI_1) {
+  sendKey(*widget_, QEvent::KeyPress, 1000);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12);
+  const auto repeat = [&](unsigned long from, unsigned long to) {
+    for (unsigned long stamp = from; stamp < to; stamp += 40) {
+      sendKey(*widget_, QEvent::KeyRelease, stamp);
+      sendKey(*widget_, QEvent::KeyPress, stamp);
+    }
+  };
+  repeat(1500, 2000);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12) << "one press is one step";
+  state_.emergency_stop = true;
+  widget_->setState(state_);
+  repeat(2000, 2500);
+  state_.emergency_stop = false;
+  widget_->setState(state_);
+  repeat(2500, 3000);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  sendKey(*widget_, QEvent::KeyRelease, 3000);
+  sendKey(*widget_, QEvent::KeyPress, 3100);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12) << "a new press drives";
+}
+
+// [GUI-4] and a finger that lets go stops the robot
+TEST_F(Driving, AKeyThatIsHeldToRunStopsTheRobotWhenItIsReleased_GUI_4) {
+  openHoldToRun();
+  sendKey(*widget_, QEvent::KeyPress, 1000);
+  for (unsigned long stamp = 1500; stamp < 2000; stamp += 40) {
+    sendKey(*widget_, QEvent::KeyRelease, stamp);
+    EXPECT_NEAR(widget_->setPoint().linear, 0.15, 1e-12) << "without an interruption";
+    sendKey(*widget_, QEvent::KeyPress, stamp);
+  }
+  sendKey(*widget_, QEvent::KeyRelease, 2000);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return widget_->setPoint().isZero(); }, 1000));
+}
+
 TEST_F(Driving, KeysDriveAlsoWhileAButtonHasTheFocus) {
   auto* button = find("patrol(sqr)");
   button->setFocus();

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+
+class QKeyEvent;
+
+namespace frontier_pilot::gui {
+
+/// Tells the presses and releases of the operator from those that a window system invents while a key is held. X sends
+/// a release and a press with one time stamp for each repetition; Qt marks both as repetitions, but only if it reads
+/// the second one together with the first. Otherwise a key that is held through an emergency stop would look like a new
+/// press after it was cleared, and move the robot. [GUI-1]
+class HeldKeys : public QObject {
+  Q_OBJECT
+
+ public:
+  /// A release counts after 40 ms in which the key was not pressed again; without a time stamp, at once.
+  using QObject::QObject;
+
+  void press(const QKeyEvent& event);
+  void release(const QKeyEvent& event);
+
+ signals:
+  void pressed(int key);
+  void released(int key);
+
+ private:
+  void endRelease(int key, unsigned long stamp);
+
+  std::map<int, unsigned long> releases_;  ///< the stamps [ms] of those that may be repetitions, by key
+};
+
+}  // namespace frontier_pilot::gui

@@ -1,0 +1,103 @@
+// The operator's window on two robots, each with a live arbiter, and on the stop of all.
+
+#include <geometry_msgs/Twist.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include <QApplication>
+#include <QPushButton>
+#include <QtTest>
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+
+#include "gui/controls.h"
+#include "gui/fleet_window.h"
+#include "ros/gui_window.h"
+#include "ros/teleop_gui/fleet_bridge.h"
+
+namespace frontier_pilot {
+namespace {
+
+using test::waitFor;
+
+/// The speed that a robot's arbiter commands.
+class Wheels {
+ public:
+  explicit Wheels(const std::string& robot)
+      : commands_(node_.subscribe<geometry_msgs::Twist>("/" + robot + "/cmd_vel", 50,
+                                                        [this](const auto& msg) { forward = msg->linear.x; })) {}
+
+  std::atomic<double> forward{0.0};
+
+ private:
+  ros::NodeHandle node_;
+  ros::Subscriber commands_;
+};
+
+class FleetOnTheWire : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    window_.resize(1300, 900);
+    window_.show();
+    ASSERT_TRUE(waitFor([&] { return window_.shown() == "robot1" && driver() == "manual drives"; }))
+        << driver().toStdString();
+  }
+  QWidget* find(const char* name) { return window_.findChild<QWidget*>(name); }
+  void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
+  QString driver() {
+    const auto* label = window_.findChild<QLabel*>("driver");
+    return label == nullptr ? QString() : label->text();
+  }
+  QString said(const char* name) {
+    const auto* label = window_.findChild<gui::ElidedLabel*>(name);
+    return label == nullptr ? QString() : label->fullText();
+  }
+
+  const teleop::TeleopParameters parameters_;
+  FleetBridge bridge_{ros::NodeHandle(), parameters_, [] { return ros::ok(); }};
+  gui::FleetWindow window_{bridge_, parameters_};
+  Wheels one_{"robot1"}, two_{"robot2"};
+};
+
+// [GUI-1] [GUI-3]
+TEST_F(FleetOnTheWire, DrivesTheRobotThatWasChosenAlone) {
+  click("Go");
+  EXPECT_TRUE(waitFor([&] { return one_.forward > 0.04; }));
+  click("robot_robot2");
+  EXPECT_TRUE(waitFor([&] { return one_.forward == 0.0 && driver() == "manual drives"; }));
+  for (int i = 0; i < 4; ++i) click("Go");
+  EXPECT_TRUE(waitFor([&] { return two_.forward > 0.0; }));
+  QTest::qWait(500);
+  EXPECT_NEAR(two_.forward, 0.1, 1e-6) << "its own limit, though four steps are 0.2 m/s";
+  EXPECT_EQ(one_.forward, 0.0);
+  EXPECT_TRUE(waitFor([&] { return said("robot_state_robot2") == "manual drives"; }));
+  click("Stop");
+  EXPECT_TRUE(waitFor([&] { return two_.forward == 0.0; }));
+}
+
+// [GUI-2] [MUL-4]
+TEST_F(FleetOnTheWire, StopsAllRobotsAndShowsThatTheyAreStopped) {
+  click("Go");
+  EXPECT_TRUE(waitFor([&] { return one_.forward > 0.04; }));
+  click("stop_all");
+  EXPECT_TRUE(waitFor([&] { return said("stop_all_answer").contains("2 of 2 robots stopped"); }))
+      << said("stop_all_answer").toStdString();
+  EXPECT_EQ(one_.forward, 0.0);
+  for (const char* robot : {"robot_state_robot1", "robot_state_robot2"})
+    EXPECT_TRUE(waitFor([&] { return said(robot).startsWith("emergency stop: "); })) << said(robot).toStdString();
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "gui_fleet_test");
+  QApplication application(argc, argv);
+  const ros::NodeHandle keeps_ros_alive;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}

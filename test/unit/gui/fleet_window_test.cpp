@@ -1,0 +1,156 @@
+#include "gui/fleet_window.h"
+
+#include <QPlainTextEdit>
+#include <map>
+
+#include "gui/controls.h"
+#include "gui_fixture.h"
+#include "recording_link.h"
+
+namespace frontier_pilot {
+namespace {
+
+/// Two robots, whose links write down what they are told; they live as long as the fleet.
+class RecordingFleet : public teleop::FleetLink {
+ public:
+  /// What the window gets: the recording stays here.
+  class Forwarding : public teleop::OperatorLink {
+   public:
+    explicit Forwarding(test::RecordingLink& to) : to_(to) {}
+    teleop::OperatorState state() override { return to_.state(); }
+    void beat(const Twist2& set_point) override { to_.beat(set_point); }
+    void request(const teleop::OperatorRequest& request) override { to_.request(request); }
+    teleop::MapView takeMap() override { return to_.takeMap(); }
+    std::vector<teleop::OperatorLogLine> takeLog() override { return to_.takeLog(); }
+    bool running() const override { return to_.running(); }
+    void close() override { to_.close(); }
+
+   private:
+    test::RecordingLink& to_;
+  };
+
+  teleop::FleetView fleet() override { return view; }
+  teleop::TeleopParameters parametersOf(const std::string&) override { return {}; }
+  std::unique_ptr<teleop::OperatorLink> open(const std::string& robot, const teleop::TeleopParameters&) override {
+    opened.push_back(robot);
+    return std::make_unique<Forwarding>(links[robot]);
+  }
+  void stopAll() override { ++stops; }
+
+  teleop::FleetView view;
+  std::map<std::string, test::RecordingLink> links;
+  std::vector<std::string> opened;
+  int stops = 0;
+};
+
+teleop::FleetView twoRobots() {
+  teleop::FleetView view;
+  view.connected = view.stop_up = true;
+  view.robots = {{"robot1", teleop::Severity::kActive, "explores, 63 % seen: goal sent"},
+                 {"robot2", teleop::Severity::kWarning, "waiting: waits for robot1"}};
+  return view;
+}
+
+class FleetWindowTest : public ::testing::Test {
+ protected:
+  void open(const teleop::FleetView& view) {
+    fleet_.view = view;
+    window_ = std::make_unique<gui::FleetWindow>(fleet_, teleop::TeleopParameters{});
+    window_->resize(1300, 900);
+    window_->show();
+  }
+  void openOnRobots() {
+    open(twoRobots());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot1"; }));
+  }
+  QWidget* find(const char* name) { return window_->findChild<QWidget*>(name); }
+  QPushButton* button(const char* name) { return window_->findChild<QPushButton*>(name); }
+  void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
+
+  RecordingFleet fleet_;
+  std::unique_ptr<gui::FleetWindow> window_;
+};
+
+// [GUI-1]
+TEST_F(FleetWindowTest, WithoutAFleetItIsTheWindowOfOneRobot_GUI_1) {
+  open({});
+  EXPECT_FALSE(QTest::qWaitFor([this] { return find("stop_all")->isVisible(); }, 500));
+  EXPECT_EQ(fleet_.opened, std::vector<std::string>{""});
+}
+
+// [GUI-2]
+TEST_F(FleetWindowTest, ShowsTheFirstRobotAndWhatEachDoes_GUI_2) {
+  openOnRobots();
+  EXPECT_TRUE(find("stop_all")->isVisible());
+  const auto text = [this](const char* name) { return window_->findChild<gui::ElidedLabel*>(name)->fullText(); };
+  EXPECT_EQ(text("robot_state_robot1"), "explores, 63 % seen: goal sent");
+  EXPECT_EQ(text("robot_state_robot2"), "waiting: waits for robot1");
+  EXPECT_TRUE(button("robot_robot1")->isChecked());
+  EXPECT_FALSE(button("robot_robot2")->isChecked());
+  EXPECT_TRUE(window_->windowTitle().startsWith("robot1"));
+}
+
+// [GUI-1] [GUI-3] the robot that is left is told to stand, and hears nothing any more
+TEST_F(FleetWindowTest, AnotherRobotIsChosenByAClickAndTheFirstOneIsLetGo_GUI_1) {
+  openOnRobots();
+  click("Go");
+  ASSERT_FALSE(fleet_.links["robot1"].beats.back().isZero());
+  click("robot_robot2");
+  EXPECT_EQ(window_->shown(), "robot2");
+  EXPECT_EQ(fleet_.links["robot1"].closed, 1);
+  const std::size_t heard = fleet_.links["robot1"].beats.size();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return find("patrol(sqr)")->isEnabled(); }));
+  click("patrol(sqr)");
+  EXPECT_TRUE(QTest::qWaitFor([this] { return fleet_.links["robot2"].beats.size() > 3; }));
+  for (const Twist2& beat : fleet_.links["robot2"].beats) EXPECT_TRUE(beat.isZero());
+  EXPECT_EQ(fleet_.links["robot1"].beats.size(), heard);
+  EXPECT_TRUE(fleet_.links["robot1"].requests.empty());
+  ASSERT_EQ(fleet_.links["robot2"].requests.size(), 1U);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return button("robot_robot2")->isChecked(); }));
+  EXPECT_FALSE(button("robot_robot1")->isChecked());
+}
+
+TEST_F(FleetWindowTest, ARobotThatIsShownIsNotOpenedAgain) {
+  openOnRobots();
+  click("robot_robot1");
+  EXPECT_EQ(fleet_.opened, (std::vector<std::string>{"", "robot1"}));
+}
+
+// [GUI-2] [MUL-4]
+TEST_F(FleetWindowTest, StopsAllRobotsAndShowsTheAnswer_MUL_4) {
+  openOnRobots();
+  click("Go");
+  click("stop_all");
+  EXPECT_EQ(fleet_.stops, 1);
+  EXPECT_TRUE(fleet_.links["robot1"].beats.back().isZero());
+  fleet_.view.stop_answer = {1, true, "2 of 2 robots stopped"};
+  const auto* answer = window_->findChild<gui::ElidedLabel*>("stop_all_answer");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return answer->fullText() == "2 of 2 robots stopped"; }));
+}
+
+// [GUI-3] opening a link asks the master, which would hold up the window
+TEST_F(FleetWindowTest, NoRobotIsChosenWithoutAMaster_GUI_3) {
+  openOnRobots();
+  fleet_.view.connected = false;
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !button("robot_robot2")->isEnabled(); }));
+}
+
+// [GUI-2] robots come and go
+TEST_F(FleetWindowTest, ShowsRobotsThatComeLater_GUI_2) {
+  openOnRobots();
+  fleet_.view.robots.push_back({"robot3", teleop::Severity::kError, "silent for 5 s"});
+  EXPECT_TRUE(QTest::qWaitFor([this] { return find("robot_robot3") != nullptr; }));
+  EXPECT_EQ(window_->shown(), "robot1");
+}
+
+// [GUI-3]
+TEST_F(FleetWindowTest, ClosesTheRobotThatIsShownWhenItCloses_GUI_3) {
+  openOnRobots();
+  window_->release();
+  EXPECT_EQ(fleet_.links["robot1"].closed, 1);
+  window_.reset();
+  EXPECT_EQ(fleet_.links["robot1"].closed, 1);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
