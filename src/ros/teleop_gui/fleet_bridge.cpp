@@ -82,7 +82,8 @@ void FleetBridge::listenTo(const std::string& name) {
 
 template <class Msg>
 void FleetBridge::keep(const std::string& name, const std::string& topic, Latest<Msg> Robot::*latest) {
-  connections_.subscribe<Msg>(names::ofRobot("/" + name, topic), 1, [this, name, latest](const Msg& msg) {
+  const std::string absolute = names::ofRobot("/" + name, topic);
+  connections_.subscribe<Msg>(absolute, 1, [this, name, latest](const Msg& msg) {
     if (!isShown(msg)) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     (heard_[name].*latest).put(msg, steadyNow());
