@@ -46,7 +46,7 @@ def robots_of(arguments, world):
         with open(absolute(robots)) as file:
             listed = yaml.safe_load(file)['robots']
         return [{'name': str(entry['name']), 'x': float(entry['x']), 'y': float(entry['y']), 'yaw': float(entry.get('yaw', 0.0)),
-                 'robot': str(entry.get('robot', arguments['robot']))} for entry in listed]
+                 'robot': str(entry.get('robot') or arguments['robot'])} for entry in listed]
     except (OSError, yaml.YAMLError, KeyError, TypeError, ValueError) as error:
         raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (robots, error))
 

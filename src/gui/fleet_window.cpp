@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "gui/cards/fleet_card.h"
 #include "gui/theme.h"
@@ -10,16 +11,13 @@ namespace frontier_pilot::gui {
 namespace {
 
 constexpr int kRefreshPeriod = 200;  // [ms]
-// A link that is closed is kept for so long: a stop that was pressed is asked for again and again for ten seconds.
-constexpr int kRetirement = 12000;  // [ms]
 
 }  // namespace
 
-FleetWindow::FleetWindow(teleop::FleetLink& link, const teleop::TeleopParameters& parameters)
+FleetWindow::FleetWindow(teleop::FleetLink& link)
     : fleet_link_(link), layout_(new QVBoxLayout(this)), card_(new FleetCard) {
   setObjectName("fleet_window");
   setAttribute(Qt::WA_StyledBackground);
-  setWindowTitle("frontier_pilot");
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(0);
   auto* margins = new QVBoxLayout;
@@ -28,60 +26,76 @@ FleetWindow::FleetWindow(teleop::FleetLink& link, const teleop::TeleopParameters
   margins->addWidget(card_);
   layout_->addLayout(margins);
   connect(card_, &FleetCard::chosen, this, &FleetWindow::choose);
-  connect(card_, &FleetCard::stopAllAsked, this, [this] {
-    if (widget_ != nullptr) widget_->stopBecause("all robots are to stop");
-    fleet_link_.stopAll();
-  });
+  connect(card_, &FleetCard::stopAllAsked, this, &FleetWindow::stopAll);
   connect(&refresh_timer_, &QTimer::timeout, this, &FleetWindow::refresh);
-  applyTheme();
-  open({}, parameters);
+  applyTheme(*this);
+  showRobot(fleet_link_.openOwn());
   refresh_timer_.start(kRefreshPeriod);
 }
 
 FleetWindow::~FleetWindow() { release(); }
 
 void FleetWindow::release() {
-  closed_ = true;
+  released_ = true;
   refresh_timer_.stop();
   if (controller_) controller_->close();
 }
 
 void FleetWindow::choose(const std::string& robot) {
-  if (closed_ || robot == shown_) return;
-  open(robot, fleet_link_.parametersOf(robot));
+  if (released_ || robot == chosen_) return;
+  chosen_ = robot;
+  widget_->stopBecause("another robot was chosen");
+  fleet_link_.open(robot);
 }
 
-void FleetWindow::open(const std::string& robot, const teleop::TeleopParameters& parameters) {
+void FleetWindow::showRobot(teleop::OpenedRobot robot) {
   controller_.reset();  // closes the link
-  delete widget_;
-  if (link_) QTimer::singleShot(kRetirement, this, [retired = link_]() mutable { retired.reset(); });
-  link_ = fleet_link_.open(robot, parameters);
-  shown_ = robot;
-  widget_ = new PilotWidget(parameters);
-  layout_->addWidget(widget_, 1);
-  controller_ = std::make_unique<PilotController>(*widget_, *link_, fromSeconds(parameters.liveness_timeout));
+  widget_.reset();
+  if (link_) fleet_link_.retire(std::move(link_));
+  link_ = std::move(robot.link);
+  shown_ = chosen_ = robot.name;
+  widget_ = std::make_unique<PilotWidget>(robot.parameters);
+  layout_->addWidget(widget_.get(), 1);
+  controller_ = std::make_unique<PilotController>(*widget_, *link_, fromSeconds(robot.parameters.liveness_timeout));
   connect(controller_.get(), &PilotController::closeAsked, this, &FleetWindow::closeAsked);
-  setWindowTitle(robot.empty() ? QString("frontier_pilot") : QString::fromStdString(robot) + " – frontier_pilot");
+  setWindowTitle(shown_.empty() ? QString("frontier_pilot") : QString::fromStdString(shown_) + " – frontier_pilot");
   widget_->setFocus();
 }
 
-/// A fleet is shown beginning with its first robot.
+/// Whether nobody is in the window's own namespace: then a fleet is shown beginning with its first robot.
+bool FleetWindow::ownRobotIsMissing() const {
+  return chosen_.empty() && widget_->setPoint().isZero() && !link_->state().arbiter;
+}
+
 void FleetWindow::refresh() {
   const teleop::FleetView fleet = fleet_link_.fleet();
-  if (shown_.empty() && !fleet.robots.empty() && fleet.connected) choose(fleet.robots.front().name);
+  std::optional<teleop::OpenedRobot> opened = fleet_link_.takeOpened();
+  if (opened && opened->name == chosen_) {
+    if (opened->link) {
+      showRobot(std::move(*opened));
+    } else {
+      chosen_ = shown_;  // it may be chosen again
+    }
+  } else if (opened && opened->link) {
+    opened->link->close();
+    fleet_link_.retire(std::move(opened->link));
+  }
+  if (!fleet.robots.empty() && fleet.connected && ownRobotIsMissing()) choose(fleet.robots.front().name);
   card_->setFleet(fleet, shown_);
 }
 
-void FleetWindow::applyTheme() {
-  if (applying_theme_) return;
-  applying_theme_ = true;  // setting the style sheet causes another change event
-  setStyleSheet(Theme::current().styleSheet(emOf(*this)));
-  applying_theme_ = false;
+/// The robot that is shown is stopped by itself, too: its arbiter may be there when the node that stops all is not.
+void FleetWindow::stopAll() {
+  widget_->stopBecause("all robots are to stop");
+  teleop::OperatorRequest stop;
+  stop.kind = teleop::OperatorRequest::Kind::kEmergencyStop;
+  link_->request(stop);
+  fleet_link_.stopAll();
 }
 
 void FleetWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) applyTheme();
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) applyTheme(*this);
 }
 
 }  // namespace frontier_pilot::gui

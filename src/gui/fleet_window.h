@@ -15,19 +15,20 @@ namespace frontier_pilot::gui {
 
 class FleetCard;
 
-/// The desktop window: one robot whole, and above it the fleet, if there is one. Another robot gets a new PilotWidget
-/// and a new link, so that nothing of the one before it stays; the link to that one is closed first, which sends a zero
-/// and cancels what was started here. [GUI-1] [GUI-3]
+/// The desktop window: one robot in full, and above it the fleet, if there is one. Another robot gets a new PilotWidget
+/// and a new link. The link to the one before it is closed, which sends a zero and cancels what was started here, and
+/// retires. [GUI-1] [GUI-3]
 class FleetWindow : public QWidget {
   Q_OBJECT
 
  public:
-  /// `link` must outlive it.
-  FleetWindow(teleop::FleetLink& link, const teleop::TeleopParameters& parameters);
+  /// `link` must outlive it. May wait for the master.
+  explicit FleetWindow(teleop::FleetLink& link);
   ~FleetWindow() override;
 
   /// Sends a zero, cancels the actions that were started here, and sends nothing any more. Idempotent.
   void release();
+  /// The robot that is shown; empty: the one in the window's own namespace.
   const std::string& shown() const { return shown_; }
 
  signals:
@@ -40,17 +41,17 @@ class FleetWindow : public QWidget {
  private:
   void refresh();
   void choose(const std::string& robot);
-  void open(const std::string& robot, const teleop::TeleopParameters& parameters);
-  void applyTheme();
+  void showRobot(teleop::OpenedRobot robot);
+  bool ownRobotIsMissing() const;
+  void stopAll();
 
   teleop::FleetLink& fleet_link_;
-  std::string shown_;  ///< empty: the robot in the window's own namespace
-  bool closed_ = false;
-  bool applying_theme_ = false;
+  std::string shown_, chosen_;  ///< the chosen robot may not be open yet
+  bool released_ = false;
   QVBoxLayout* layout_;
   FleetCard* card_;
-  std::shared_ptr<teleop::OperatorLink> link_;
-  PilotWidget* widget_ = nullptr;
+  std::unique_ptr<teleop::OperatorLink> link_;
+  std::unique_ptr<PilotWidget> widget_;
   std::unique_ptr<PilotController> controller_;
   QTimer refresh_timer_;
 };

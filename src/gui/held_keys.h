@@ -26,9 +26,14 @@ class HeldKeys : public QObject {
   void released(int key);
 
  private:
+  struct Release {
+    unsigned long stamp;  ///< [ms]
+    bool waits;           ///< it may still turn out to be a repetition
+  };
+
   void endRelease(int key, unsigned long stamp);
 
-  std::map<int, unsigned long> releases_;  ///< the stamps [ms] of those that may be repetitions, by key
+  std::map<int, Release> releases_;  ///< the last one of each key
 };
 
 }  // namespace frontier_pilot::gui

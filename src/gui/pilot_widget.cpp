@@ -34,7 +34,7 @@ PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* pa
   connectKeys();
   setState({});
   layOut(1);
-  applyTheme();
+  applyTheme(*this);
   // Keys drive wherever in the widget the focus is, so they are filtered before the child with the focus gets them.
   qApp->installEventFilter(this);
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
@@ -161,13 +161,6 @@ void PilotWidget::connectMap() {
   });
 }
 
-void PilotWidget::applyTheme() {
-  if (applying_theme_) return;
-  applying_theme_ = true;  // setting the style sheet causes another change event
-  setStyleSheet(Theme::current().styleSheet(emOf(*this)));
-  applying_theme_ = false;
-}
-
 void PilotWidget::setState(const teleop::OperatorState& state) {
   const bool dropped = state.arbiter && drive_.setDriver(state.arbiter->active_source);
   const teleop::SourceView* manual = state.source("manual");
@@ -262,7 +255,7 @@ void PilotWidget::showSetPoint() {
 void PilotWidget::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   const QEvent::Type type = event->type();
-  if (type == QEvent::PaletteChange || type == QEvent::FontChange) applyTheme();
+  if (type == QEvent::PaletteChange || type == QEvent::FontChange) applyTheme(*this);
 }
 
 void PilotWidget::hideEvent(QHideEvent* event) {

@@ -66,7 +66,6 @@ class PilotWidget : public QWidget {
   void connectMap();
   std::vector<std::vector<QWidget*>> planOf(int columns) const;
   void layOut(int columns);
-  void applyTheme();
   void press(teleop::Motion motion);
   void release(teleop::Motion motion);
   void letGo();
@@ -84,7 +83,6 @@ class PilotWidget : public QWidget {
   int columns_ = 0;
   int refreshes_to_clear_ = 0, clears_left_ = 0;  ///< of a halt after which the stop is to be cleared
   std::uint64_t stops_to_clear_ = 0;              ///< how many had been asked for by then
-  bool applying_theme_ = false;
   HeldKeys* keys_ = nullptr;
   std::vector<QVBoxLayout*> column_layouts_;
   QBoxLayout* body_ = nullptr;

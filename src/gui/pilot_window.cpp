@@ -20,16 +20,16 @@ QSize windowSize(const QWidget& widget) {
 
 }  // namespace
 
-int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const teleop::TeleopParameters& parameters) {
+int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const std::string& palette) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication application(argc, argv);
   QApplication::setApplicationName("frontier_pilot");
-  if (parameters.palette != "system") {
+  if (palette != "system") {
     QApplication::setStyle(QStyleFactory::create("Fusion"));
-    QApplication::setPalette(pilotPalette(parameters.palette == "dark"));
+    QApplication::setPalette(pilotPalette(palette == "dark"));
   }
-  FleetWindow window(link, parameters);
+  FleetWindow window(link);
   QObject::connect(&window, &FleetWindow::closeAsked, &application, &QApplication::quit);
   // The zero is sent when the window closes, before destructors run.
   QObject::connect(&application, &QApplication::aboutToQuit, &window, &FleetWindow::release);

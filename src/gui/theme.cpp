@@ -88,6 +88,11 @@ QString Theme::styleSheet(int em) const {
       .replace("$i", length(0.75));
 }
 
+void applyTheme(QWidget& widget) {
+  const QString sheet = Theme::current().styleSheet(emOf(widget));
+  if (widget.styleSheet() != sheet) widget.setStyleSheet(sheet);
+}
+
 QPalette pilotPalette(bool dark) {
   const QColor window = dark ? QColor("#161a21") : QColor("#eceff3");
   const QColor text = dark ? QColor("#e7ebf2") : QColor("#18202b");

@@ -22,6 +22,10 @@ struct Theme {
   QString styleSheet(int em) const;
 };
 
+/// Sets the style sheet of `widget` by the current theme. That causes another event of a changed style, after which
+/// nothing is to be done any more.
+void applyTheme(QWidget& widget);
+
 /// The project's own light or dark palette, for use instead of the desktop's.
 QPalette pilotPalette(bool dark);
 

@@ -15,6 +15,6 @@ int main(int argc, char** argv) {
         frontier_pilot::dropUnreadOutput();
         const auto parameters = frontier_pilot::loadNodeParameters<TeleopParameters>(private_node);
         FleetBridge bridge(node, parameters, running);
-        return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters);
+        return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters.palette);
       });
 }

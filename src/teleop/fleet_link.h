@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "teleop/fleet_view.h"
@@ -9,17 +10,30 @@
 
 namespace frontier_pilot::teleop {
 
-/// The operator's window's access to several robots, of which it shows one whole. No call waits for a robot. [GUI-3]
+/// A robot that the window can show.
+struct OpenedRobot {
+  std::string name;                    ///< empty: the robot in the window's own namespace
+  TeleopParameters parameters;         ///< with the robot as it describes itself
+  std::unique_ptr<OperatorLink> link;  ///< nothing: it could not be opened
+};
+
+/// The operator's window's access to several robots, of which it shows one in full. No call waits for a robot or for
+/// the master, except `openOwn`. [GUI-3]
 class FleetLink {
  public:
   virtual ~FleetLink() = default;
 
-  /// Without a fleet it has no robots.
+  /// Without a fleet it has no robots. Expected several times a second.
   virtual FleetView fleet() = 0;
-  /// The robot of that name as it describes itself; with an empty name, that of the window's own parameters.
-  virtual TeleopParameters parametersOf(const std::string& robot) = 0;
-  /// The access to one robot; with an empty name, to the one in the window's own namespace.
-  virtual std::unique_ptr<OperatorLink> open(const std::string& robot, const TeleopParameters& parameters) = 0;
+  /// The robot in the window's own namespace, for a window that is not on the screen yet: may wait for the master.
+  virtual OpenedRobot openOwn() = 0;
+  /// Asks for the access to one of the fleet's robots, which `takeOpened` hands over once it is there. While another
+  /// one is being opened, the last one that was asked for comes next.
+  virtual void open(const std::string& robot) = 0;
+  virtual std::optional<OpenedRobot> takeOpened() = 0;
+  /// Takes a closed link, which goes on asking for a stop that was pressed, and ends it later.
+  virtual void retire(std::unique_ptr<OperatorLink> link) = 0;
+  /// Asks again and again for ten seconds that all robots stop, until there is an answer, which `FleetView::stop` has.
   virtual void stopAll() = 0;
 };
 

@@ -23,8 +23,9 @@ std::string shareOf(const ExplorerView& explorer) {
 Words activityOf(const ArbiterView& arbiter, const RobotReports& reports) {
   const ExplorerView* explorer =
       reports.explorer && isFresh(reports.explorer->status_age) ? &*reports.explorer : nullptr;
+  const bool has_goal = reports.navigation && reports.navigation->has_goal;
   const NavigationView* navigation =
-      reports.navigation && reports.navigation->has_goal ? &*reports.navigation : nullptr;
+      has_goal && isFresh(reports.navigation->status_age) ? &*reports.navigation : nullptr;
   const bool explores = explorer != nullptr && explorer->running;
   if (navigation != nullptr && navigation->severity == Severity::kWarning)
     return {Severity::kWarning, navigation->status + (explores ? shareOf(*explorer) : "")};

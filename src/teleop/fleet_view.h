@@ -16,22 +16,27 @@ struct RobotView {
   std::string text;  ///< what it does, or why it stands
 };
 
+/// What has become of the last request to stop all robots, or why there can be none; empty: nothing to say.
+struct FleetStopView {
+  Severity severity = Severity::kIdle;
+  std::string text;
+};
+
 /// All robots that a stop of the fleet reaches, or should reach.
 struct FleetView {
   bool connected = false;  ///< the ROS master answers
-  bool stop_up = false;    ///< whether all can be stopped together now
   std::vector<RobotView> robots;
-  OperatorAnswer stop_answer;  ///< to the last request to stop all robots
+  FleetStopView stop;
 };
 
-/// The latest that one robot has said; a part of which nothing was received is empty.
+/// The latest that one robot has said; what has not been received is empty.
 struct RobotReports {
   std::optional<ArbiterView> arbiter;
   std::optional<ExplorerView> explorer;
   std::optional<NavigationView> navigation;
 };
 
-/// What `reports` come down to. `reached`: whether a stop of the fleet reaches the robot.
+/// A summary of `reports` in one line. `reached`: whether a stop of the fleet reaches the robot.
 RobotView atAGlance(const std::string& name, const RobotReports& reports, bool reached);
 
 }  // namespace frontier_pilot::teleop

@@ -3,6 +3,7 @@
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <std_srvs/SetBool.h>
 
 #include <QApplication>
 #include <QPushButton>
@@ -53,10 +54,20 @@ class FleetOnTheWire : public ::testing::Test {
     const auto* label = window_.findChild<gui::ElidedLabel*>(name);
     return label == nullptr ? QString() : label->fullText();
   }
+  QString answer() { return window_.findChild<QLabel*>("stop_all_answer")->text(); }
 
-  const teleop::TeleopParameters parameters_;
-  FleetBridge bridge_{ros::NodeHandle(), parameters_, [] { return ros::ok(); }};
-  gui::FleetWindow window_{bridge_, parameters_};
+  /// The next test finds no stop.
+  void TearDown() override {
+    for (const char* robot : {"robot1", "robot2"}) {
+      std_srvs::SetBool clear;
+      EXPECT_TRUE(waitFor([&] {
+        return ros::service::call(std::string("/") + robot + "/set_emergency_stop", clear) && clear.response.success;
+      }));
+    }
+  }
+
+  FleetBridge bridge_{ros::NodeHandle(), teleop::TeleopParameters(), [] { return ros::ok(); }};
+  gui::FleetWindow window_{bridge_};
   Wheels one_{"robot1"}, two_{"robot2"};
 };
 
@@ -65,7 +76,8 @@ TEST_F(FleetOnTheWire, DrivesTheRobotThatWasChosenAlone) {
   click("Go");
   EXPECT_TRUE(waitFor([&] { return one_.forward > 0.04; }));
   click("robot_robot2");
-  EXPECT_TRUE(waitFor([&] { return one_.forward == 0.0 && driver() == "manual drives"; }));
+  EXPECT_TRUE(
+      waitFor([&] { return one_.forward == 0.0 && window_.shown() == "robot2" && driver() == "manual drives"; }));
   for (int i = 0; i < 4; ++i) click("Go");
   EXPECT_TRUE(waitFor([&] { return two_.forward > 0.0; }));
   QTest::qWait(500);
@@ -81,9 +93,8 @@ TEST_F(FleetOnTheWire, StopsAllRobotsAndShowsThatTheyAreStopped) {
   click("Go");
   EXPECT_TRUE(waitFor([&] { return one_.forward > 0.04; }));
   click("stop_all");
-  EXPECT_TRUE(waitFor([&] { return said("stop_all_answer").contains("2 of 2 robots stopped"); }))
-      << said("stop_all_answer").toStdString();
-  EXPECT_EQ(one_.forward, 0.0);
+  EXPECT_TRUE(waitFor([&] { return answer().contains("2 of 2 robots stopped"); })) << answer().toStdString();
+  EXPECT_TRUE(waitFor([&] { return one_.forward == 0.0; }));
   for (const char* robot : {"robot_state_robot1", "robot_state_robot2"})
     EXPECT_TRUE(waitFor([&] { return said(robot).startsWith("emergency stop: "); })) << said(robot).toStdString();
 }

@@ -80,11 +80,11 @@ class SeveralRobots(unittest.TestCase):
             self.assertEqual(robot.latest['odom'].header.frame_id, robot.name + '/odom')
             self.assertEqual(robot.latest['map'].header.frame_id, robot.name + '/map')
 
-    def test_a_each_has_the_scanner_and_the_limits_of_its_kind(self):
+    def test_a_each_has_the_scanner_of_its_kind_and_its_nodes_know_its_limits(self):
         """[MUL-1] [ROB-1]"""
-        for robot, farthest, fastest in ((self.one, 3.5, 0.22), (self.two, 8.0, 0.5)):
+        for robot, farthest, limits in ((self.one, 3.5, None), (self.two, 8.0, {'max_linear': 0.5, 'max_angular': 1.5})):
             self.assertAlmostEqual(robot.latest['scan'].range_max, farthest, places=5)
-            self.assertEqual(rospy.get_param('/%s/navigator/robot/limits/max_linear' % robot.name, 0.22), fastest)
+            self.assertEqual(rospy.get_param('/%s/navigator/robot/limits' % robot.name, None), limits)
 
     def test_b_each_sees_the_other_and_its_arbiter_drives_it_alone(self):
         """[SIM-2]"""

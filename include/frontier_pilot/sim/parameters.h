@@ -145,7 +145,8 @@ struct SimulatorParameters {
     void describe(Visitor& v) {
       noise.describe(v);
       v.field("rolling", rolling, "",
-              "whether scanners measure one beam after the other; overrides robot/scanner/rolling");
+              "whether scanners measure one beam after the other; overrides robot/scanner/rolling, but not that of "
+              "`kinds`");
     }
   };
 };

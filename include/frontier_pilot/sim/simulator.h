@@ -62,6 +62,7 @@ class Simulator {
   const OccupancyGrid& map() const;
   std::size_t robotCount() const;
   const std::string& name(std::size_t robot) const;
+  /// The description of its kind.
   const RobotModel& model(std::size_t robot) const;
   std::optional<std::size_t> find(const std::string& name) const;
 

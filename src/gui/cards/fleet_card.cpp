@@ -3,35 +3,49 @@
 #include <QBoxLayout>
 #include <QGridLayout>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <algorithm>
 
 namespace frontier_pilot::gui {
 namespace {
 
 constexpr int kColumnWidth = 40;  // the least, in line heights
+constexpr int kMostHeight = 9;    // of the list of robots, in line heights
+constexpr int kAnswerWidth = 16;  // in line heights
 
 }  // namespace
 
 FleetCard::FleetCard(QWidget* parent)
     : Card("Robots", parent),
+      scroll_(new QScrollArea),
       grid_(new QGridLayout),
       stop_all_(new QPushButton("Stop all robots")),
-      answer_(new ElidedLabel("muted")) {
+      answer_(makeLabel("", "", true)) {
   stop_all_->setObjectName("stop_all");
   stop_all_->setFocusPolicy(Qt::NoFocus);
   stop_all_->setProperty("role", "stop");
+  stop_all_->setToolTip("Stops every robot; each must then be cleared separately");
   answer_->setObjectName("stop_all_answer");
   const int gap = emOf(*this) / 2;
+  grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(2 * gap);
   grid_->setVerticalSpacing(gap / 2);
+  auto* body = new QWidget;
+  body->setObjectName("pilotBody");
+  body->setLayout(grid_);
+  scroll_->setObjectName("pilotScroll");
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setWidget(body);
   auto* beside = new QVBoxLayout;
   beside->addWidget(stop_all_);
   beside->addWidget(answer_);
   beside->addStretch();
-  answer_->setFixedWidth(emOf(*this) * 14);
+  answer_->setFixedWidth(emOf(*this) * kAnswerWidth);
   auto* line = new QHBoxLayout;
   line->setSpacing(2 * gap);
-  line->addLayout(grid_, 1);
+  line->addWidget(scroll_, 1);
   line->addLayout(beside);
   content()->addLayout(line);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
@@ -49,9 +63,11 @@ void FleetCard::setFleet(const teleop::FleetView& fleet, const std::string& show
     rows_[i].choose->setChecked(rows_[i].name == shown);
     rows_[i].choose->setEnabled(fleet.connected);
   }
-  stop_all_->setToolTip(fleet.stop_up ? "Stops every robot; each is cleared by itself"
-                                      : "fleet/emergency_stop is down");
-  answer_->setFullText(QString::fromStdString(fleet.stop_answer.text));
+  answer_->setText(QString::fromStdString(fleet.stop.text));
+  answer_->setVisible(!fleet.stop.text.empty());
+  const Theme theme = Theme::current();
+  const bool is_quiet = fleet.stop.severity == teleop::Severity::kIdle;
+  answer_->setStyleSheet("color: " + (is_quiet ? theme.muted : theme.color(fleet.stop.severity)).name());
 }
 
 void FleetCard::rebuild(const std::vector<teleop::RobotView>& robots) {
@@ -91,6 +107,8 @@ void FleetCard::layOut(int columns) {
   }
   for (int column = 0; column < grid_->columnCount(); ++column)
     grid_->setColumnStretch(column, column < columns ? 1 : 0);
+  const int height = scroll_->widget()->sizeHint().height();
+  scroll_->setFixedHeight(std::min(height, emOf(*this) * kMostHeight));
 }
 
 void FleetCard::resizeEvent(QResizeEvent* event) {

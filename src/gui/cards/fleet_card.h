@@ -1,11 +1,13 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "gui/controls.h"
 #include "teleop/fleet_view.h"
 
 class QGridLayout;
+class QScrollArea;
 
 namespace frontier_pilot::gui {
 
@@ -38,9 +40,10 @@ class FleetCard : public Card {
   void rebuild(const std::vector<teleop::RobotView>& robots);
   void layOut(int columns);
 
+  QScrollArea* scroll_;  ///< so that many robots leave room for what is below
   QGridLayout* grid_;
   QPushButton* stop_all_;
-  ElidedLabel* answer_;
+  QLabel* answer_;
   std::vector<Row> rows_;
   int columns_ = 0;
 };

@@ -1,13 +1,15 @@
 #include "ros/teleop_gui/fleet_bridge.h"
 
-#include <ros/console.h>
+#include <ros/init.h>
 
-#include <string_view>
+#include <utility>
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
+#include "ros/fleet_stop/stop_answer.h"
 #include "ros/teleop_gui/operator_views.h"
 
 namespace frontier_pilot {
@@ -15,22 +17,24 @@ namespace {
 
 constexpr std::size_t kMostRobots = 50;  // that a window listens to
 constexpr const char* kNavigatorNode = "navigator";
+constexpr const char* kRoot = "/";  // as fleet_stop calls a robot without a namespace
+// A stop that was pressed is asked for again and again for ten seconds, also when another robot is shown by then.
+constexpr Duration kRetirement = std::chrono::seconds(12);
 
-/// The name of the robot whose service emergency_stop is `service`; empty where there is none.
-std::string robotOf(const std::string& service) {
-  constexpr std::string_view kEnd = "/emergency_stop";
-  const bool is_stop = service.size() > kEnd.size() && service.size() <= bounds::kMostName && service[0] == '/' &&
-                       std::string_view(service).substr(service.size() - kEnd.size()) == kEnd;
-  return is_stop && isServiceName(service) ? service.substr(1, service.size() - kEnd.size() - 1) : std::string();
+/// The absolute name of what belongs to a robot.
+std::string absolute(const std::string& robot, const std::string& name) {
+  return robot == kRoot ? "/" + name : "/" + names::ofRobot(robot, name);
 }
 
-/// The robot and the limits that a node of the robot was started with.
-struct KnownRobot {
+/// A robot as its navigator was told.
+struct DescribedRobot {
   RobotModel robot;
+  std::string base_frame;
 
   template <class Visitor>
   void describe(Visitor& v) {
     describeRobot(v, robot);
+    v.field("base_frame", base_frame, "", "", FrameName::kMayBeEmpty);
   }
 };
 
@@ -40,12 +44,19 @@ FleetBridge::FleetBridge(const ros::NodeHandle& node, const teleop::TeleopParame
                          std::function<bool()> running)
     : parameters_(parameters),
       running_(std::move(running)),
+      own_node_(node),
       node_(onQueue(node, queue_)),
       stop_caller_(
-          node_, [](teleop::Severity, const std::string& text) { ROS_INFO_STREAM(text); },
+          node_,
+          [](teleop::Severity severity, const std::string& text) {
+            const bool is_bad = severity == teleop::Severity::kError || severity == teleop::Severity::kWarning;
+            if (is_bad) THROTTLED_WARN(text);
+            if (!is_bad) THROTTLED_INFO(text);
+          },
           [this](const auto&, bool success, const std::string& message) {
             const std::lock_guard<std::mutex> lock(mutex_);
-            stop_answer_ = {stop_answer_.count + 1, success, printable(message, bounds::kMostReason)};
+            stop_ = {success ? teleop::Severity::kGood : teleop::Severity::kError,
+                     printable(message, bounds::kMostReason)};
           }),
       watch_(node_, [](const std::string&) {}),
       connections_(node_),
@@ -55,14 +66,18 @@ FleetBridge::FleetBridge(const ros::NodeHandle& node, const teleop::TeleopParame
   spinner_.start();
 }
 
-FleetBridge::~FleetBridge() { spinner_.stop(); }
+/// A robot that is being opened may wait for a master that is gone: only the end of ROS ends that.
+FleetBridge::~FleetBridge() {
+  if (!opener_.idle()) ros::requestShutdown();
+  spinner_.stop();
+}
 
 void FleetBridge::handleStopStatus(const FleetStopStatus& msg) {
+  if (!isShown(msg)) return;
   std::map<std::string, bool> listed;
   for (const auto& [services, reached] : {std::pair(&msg.not_reached, false), std::pair(&msg.reached, true)}) {
     for (const std::string& service : *services) {
-      const std::string name = robotOf(service);
-      if (!name.empty() && (listed.size() < kMostRobots || listed.count(name) > 0)) listed[name] = reached;
+      if (service.size() <= bounds::kMostName && isServiceName(service)) listed[robotOf(service)] = reached;
     }
   }
   for (const auto& [name, reached] : listed) listenTo(name);
@@ -82,57 +97,106 @@ void FleetBridge::listenTo(const std::string& name) {
 
 template <class Msg>
 void FleetBridge::keep(const std::string& name, const std::string& topic, Latest<Msg> Robot::*latest) {
-  const std::string absolute = names::ofRobot("/" + name, topic);
-  connections_.subscribe<Msg>(absolute, 1, [this, name, latest](const Msg& msg) {
+  const std::string whole = absolute(name, topic);
+  connections_.subscribe<Msg>(whole, 1, [this, name, latest](const Msg& msg) {
     if (!isShown(msg)) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     (heard_[name].*latest).put(msg, steadyNow());
   });
 }
 
+teleop::RobotView FleetBridge::viewOf(const std::string& name, bool reached, SteadyTime now) const {
+  const auto robot = heard_.find(name);
+  if (robot == heard_.end()) return {name, teleop::Severity::kWarning, "not watched: there are too many robots"};
+  teleop::RobotReports reports;
+  show(robot->second.arbiter, now, reports.arbiter);
+  show(robot->second.explorer, now, reports.explorer);
+  show(robot->second.navigation, now, reports.navigation);
+  return teleop::atAGlance(name, reports, reached);
+}
+
 teleop::FleetView FleetBridge::fleet() {
+  const SteadyTime now = steadyNow();
+  stop_caller_.reportSlow(now);
+  endRetired(now);
   teleop::FleetView view;
   view.connected = watch_.masterUp();
-  view.stop_up = watch_.up(names::kFleetEmergencyStop);
-  const SteadyTime now = steadyNow();
+  const bool stop_up = watch_.up(names::kFleetEmergencyStop);
   const std::lock_guard<std::mutex> lock(mutex_);
-  view.stop_answer = stop_answer_;
-  for (const auto& [name, reached] : listed_) {
-    const auto robot = heard_.find(name);
-    if (robot == heard_.end()) continue;
-    teleop::RobotReports reports;
-    show(robot->second.arbiter, now, reports.arbiter);
-    show(robot->second.explorer, now, reports.explorer);
-    show(robot->second.navigation, now, reports.navigation);
-    view.robots.push_back(teleop::atAGlance(name, reports, reached));
-  }
+  view.stop = stop_;
+  if (!stop_up && stop_.severity != teleop::Severity::kError)
+    view.stop = {teleop::Severity::kError, "fleet/emergency_stop is down: stop each robot by itself."};
+  for (const auto& [name, reached] : listed_) view.robots.push_back(viewOf(name, reached, now));
   return view;
 }
 
-/// A robot is described by the parameters of its navigator; what is not found there is the window's own.
+/// A robot is described by the parameters of its navigator. A robot without any is taken for one like the window's own.
 teleop::TeleopParameters FleetBridge::parametersOf(const std::string& robot) {
   teleop::TeleopParameters parameters = parameters_;
-  if (robot.empty()) return parameters;
-  parameters.robot.base_frame = names::ofRobot(robot, parameters_.robot.base_frame);
-  connections_.guard().run("the parameters of " + robot, [&] {
-    const ParameterMap all = readParameters(ros::NodeHandle("/" + names::ofRobot(robot, kNavigatorNode)));
-    ParameterMap known;
-    for (const char* group : {"robot", "limits"}) {
-      const auto found = all.find(group);
-      if (found != all.end()) known.insert(*found);
-    }
-    KnownRobot described{parameters.robot};
-    if (loadParameters(known, described).empty()) parameters.robot = described.robot;
-  });
+  const std::string frame = RobotModel().base_frame;
+  parameters.robot.base_frame = robot == kRoot ? frame : names::ofRobot(robot, frame);
+  const ParameterMap all = readParameters(ros::NodeHandle(absolute(robot, kNavigatorNode)));
+  ParameterMap known;
+  for (const char* group : {"robot", "limits", "base_frame"}) {
+    const auto found = all.find(group);
+    if (found != all.end()) known.insert(*found);
+  }
+  if (all.empty()) {
+    THROTTLED_WARN(robot << " has no navigator: it is taken for a robot like the one of this window's parameters");
+    return parameters;
+  }
+  DescribedRobot described;
+  described.robot.base_frame = parameters.robot.base_frame;
+  const Problems problems = loadParameters(known, described);
+  for (const std::string& problem : problems) THROTTLED_WARN("the navigator of " << robot << ": " << problem);
+  parameters.robot = described.robot;
+  parameters.robot.base_frame = described.robot.baseFrameOr(described.base_frame);
   return parameters;
 }
 
-std::unique_ptr<teleop::OperatorLink> FleetBridge::open(const std::string& robot,
-                                                        const teleop::TeleopParameters& parameters) {
-  const ros::NodeHandle node = robot.empty() ? ros::NodeHandle() : ros::NodeHandle("/" + robot);
-  return std::make_unique<GuiBridge>(node, parameters, GuiBridge::Manual::kAlways, running_);
+teleop::OpenedRobot FleetBridge::openOwn() {
+  return {"", parameters_, std::make_unique<GuiBridge>(own_node_, parameters_, GuiBridge::Manual::kAlways, running_)};
 }
 
-void FleetBridge::stopAll() { stop_caller_.insist(names::kFleetEmergencyStop); }
+void FleetBridge::open(const std::string& robot) {
+  opener_.startNext([this, robot] {
+    auto opened = std::make_shared<teleop::OpenedRobot>();
+    opened->name = robot;
+    connections_.guard().run("opening " + robot, [&] {
+      opened->parameters = parametersOf(robot);
+      opened->link = std::make_unique<GuiBridge>(ros::NodeHandle(robot == kRoot ? robot : "/" + robot),
+                                                 opened->parameters, GuiBridge::Manual::kAlways, running_);
+    });
+    return opened;
+  });
+}
+
+std::optional<teleop::OpenedRobot> FleetBridge::takeOpened() {
+  std::optional<std::shared_ptr<teleop::OpenedRobot>> opened = opener_.take();
+  if (!opened) return std::nullopt;
+  return std::move(**opened);
+}
+
+void FleetBridge::retire(std::unique_ptr<teleop::OperatorLink> link) {
+  retired_.push_back({std::move(link), steadyNow()});
+}
+
+void FleetBridge::endRetired(SteadyTime now) {
+  ender_.take();
+  if (retired_.empty() || !ender_.idle() || now - retired_.front().since < kRetirement) return;
+  ender_.start([link = std::move(retired_.front().link)]() mutable {
+    link.reset();
+    return true;
+  });
+  retired_.pop_front();
+}
+
+void FleetBridge::stopAll() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = {teleop::Severity::kWarning, "asking all robots to stop …"};
+  }
+  stop_caller_.insist(names::kFleetEmergencyStop);
+}
 
 }  // namespace frontier_pilot

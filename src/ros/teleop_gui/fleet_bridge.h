@@ -5,16 +5,16 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
-#include <vector>
 
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/node_connections.h"
+#include "ros/common/worker.h"
 #include "ros/teleop_gui/gui_bridge.h"
 #include "ros/teleop_gui/service_caller.h"
 #include "teleop/fleet_link.h"
@@ -22,8 +22,9 @@
 namespace frontier_pilot {
 
 /// Connects the operator's window to a fleet, whose robots are those that fleet_stop lists in `fleet/stop_status`. It
-/// has one thread for what the robots say, one for the stop of all, and one that watches whether that is available; the
-/// robot that is shown has a GuiBridge. [GUI-2] [MUL-4]
+/// has one thread for what the robots say, one for the stop of all, one that watches whether that is available, and two
+/// for the robot that is shown, which has a GuiBridge: they open that and end it, which asks the master and may last.
+/// [GUI-2] [GUI-3] [MUL-4]
 class FleetBridge : public teleop::FleetLink {
  public:
   /// `running` says whether the window may stay open.
@@ -31,9 +32,10 @@ class FleetBridge : public teleop::FleetLink {
   ~FleetBridge() override;
 
   teleop::FleetView fleet() override;
-  teleop::TeleopParameters parametersOf(const std::string& robot) override;
-  std::unique_ptr<teleop::OperatorLink> open(const std::string& robot,
-                                             const teleop::TeleopParameters& parameters) override;
+  teleop::OpenedRobot openOwn() override;
+  void open(const std::string& robot) override;
+  std::optional<teleop::OpenedRobot> takeOpened() override;
+  void retire(std::unique_ptr<teleop::OperatorLink> link) override;
   void stopAll() override;
 
  private:
@@ -43,24 +45,36 @@ class FleetBridge : public teleop::FleetLink {
     Latest<ExplorerStatus> explorer;
     Latest<NavigatorProgress> navigation;
   };
+  struct Retired {
+    std::shared_ptr<teleop::OperatorLink> link;
+    SteadyTime since;
+  };
 
   void handleStopStatus(const FleetStopStatus& msg);
   void listenTo(const std::string& name);
   template <class Msg>
   void keep(const std::string& name, const std::string& topic, Latest<Msg> Robot::*latest);
+  teleop::RobotView viewOf(const std::string& name, bool reached, SteadyTime now) const;
+  teleop::TeleopParameters parametersOf(const std::string& robot);
+  void endRetired(SteadyTime now);
 
   const teleop::TeleopParameters parameters_;
   const std::function<bool()> running_;
-  std::mutex mutex_;                    ///< guards what follows, up to stop_answer_
+  std::mutex mutex_;                    ///< guards what follows, up to stop_
   std::map<std::string, Robot> heard_;  ///< all that were ever listed
   std::map<std::string, bool> listed_;  ///< those that are, and whether a stop of the fleet reaches them
-  teleop::OperatorAnswer stop_answer_;
+  teleop::FleetStopView stop_;
+  const ros::NodeHandle own_node_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ServiceCaller stop_caller_;
   ServiceWatch watch_;
   NodeConnections connections_;
   ros::AsyncSpinner spinner_;
+  // What follows is for the window's thread.
+  std::deque<Retired> retired_;  ///< the oldest first
+  Worker<bool> ender_;
+  Worker<std::shared_ptr<teleop::OpenedRobot>> opener_;
 };
 
 }  // namespace frontier_pilot

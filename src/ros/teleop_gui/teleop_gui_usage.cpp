@@ -33,7 +33,7 @@ NodeUsage teleopGuiUsage() {
   usage.purpose =
       "The operator's window: drive by hand, stop, patrol, turn and explore, send the robot to\n"
       "places on the map, and see who drives and why. Of several robots it shows what each does,\n"
-      "and one of them whole.";
+      "and one of them in full.";
   usage.reads = {port<sensor_msgs::LaserScan>(names::kScan),
                  port<geometry_msgs::Twist>(names::kCmdVel),
                  port<ArbiterStatus>(names::kArbiterStatus),

@@ -87,6 +87,19 @@ TEST_F(Driving, AKeyThatIsHeldThroughAStopDoesNotDriveAfterIt_GUI_1) {
   EXPECT_NEAR(widget_->setPoint().linear, 0.05, 1e-12) << "a new press drives";
 }
 
+// [GUI-1] a window that was busy reads the press of a repetition late
+TEST_F(Driving, ARepetitionThatIsReadLateIsNoNewPress_GUI_1) {
+  openHoldToRun();
+  sendKey(*widget_, QEvent::KeyPress, 1000);
+  sendKey(*widget_, QEvent::KeyRelease, 1500);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return widget_->setPoint().isZero(); }, 1000));
+  sendKey(*widget_, QEvent::KeyPress, 1500);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  sendKey(*widget_, QEvent::KeyRelease, 2000);
+  sendKey(*widget_, QEvent::KeyPress, 2100);
+  EXPECT_NEAR(widget_->setPoint().linear, 0.15, 1e-12);
+}
+
 // [GUI-4] and a finger that lets go stops the robot
 TEST_F(Driving, AKeyThatIsHeldToRunStopsTheRobotWhenItIsReleased_GUI_4) {
   openHoldToRun();

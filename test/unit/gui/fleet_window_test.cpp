@@ -1,7 +1,9 @@
 #include "gui/fleet_window.h"
 
-#include <QPlainTextEdit>
+#include <QLabel>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "gui/controls.h"
 #include "gui_fixture.h"
@@ -10,10 +12,10 @@
 namespace frontier_pilot {
 namespace {
 
-/// Two robots, whose links write down what they are told; they live as long as the fleet.
+/// Robots whose links write down what they are told; the recordings live as long as the fleet.
 class RecordingFleet : public teleop::FleetLink {
  public:
-  /// What the window gets: the recording stays here.
+  /// What the window gets.
   class Forwarding : public teleop::OperatorLink {
    public:
     explicit Forwarding(test::RecordingLink& to) : to_(to) {}
@@ -30,22 +32,34 @@ class RecordingFleet : public teleop::FleetLink {
   };
 
   teleop::FleetView fleet() override { return view; }
-  teleop::TeleopParameters parametersOf(const std::string&) override { return {}; }
-  std::unique_ptr<teleop::OperatorLink> open(const std::string& robot, const teleop::TeleopParameters&) override {
-    opened.push_back(robot);
-    return std::make_unique<Forwarding>(links[robot]);
+  teleop::OpenedRobot openOwn() override { return {"", {}, std::make_unique<Forwarding>(links[""])}; }
+  void open(const std::string& robot) override {
+    asked.push_back(robot);
+    opened_ = robot;
   }
+  std::optional<teleop::OpenedRobot> takeOpened() override {
+    if (!opens || opened_.empty()) return std::nullopt;
+    const std::string name = std::exchange(opened_, {});
+    if (broken) return teleop::OpenedRobot{name, {}, nullptr};
+    return teleop::OpenedRobot{name, {}, std::make_unique<Forwarding>(links[name])};
+  }
+  void retire(std::unique_ptr<teleop::OperatorLink> link) override { retired.push_back(std::move(link)); }
   void stopAll() override { ++stops; }
 
   teleop::FleetView view;
   std::map<std::string, test::RecordingLink> links;
-  std::vector<std::string> opened;
+  std::vector<std::string> asked;
+  std::vector<std::unique_ptr<teleop::OperatorLink>> retired;
+  bool opens = true, broken = false;
   int stops = 0;
+
+ private:
+  std::string opened_;
 };
 
 teleop::FleetView twoRobots() {
   teleop::FleetView view;
-  view.connected = view.stop_up = true;
+  view.connected = true;
   view.robots = {{"robot1", teleop::Severity::kActive, "explores, 63 % seen: goal sent"},
                  {"robot2", teleop::Severity::kWarning, "waiting: waits for robot1"}};
   return view;
@@ -55,11 +69,13 @@ class FleetWindowTest : public ::testing::Test {
  protected:
   void open(const teleop::FleetView& view) {
     fleet_.view = view;
-    window_ = std::make_unique<gui::FleetWindow>(fleet_, teleop::TeleopParameters{});
+    window_ = std::make_unique<gui::FleetWindow>(fleet_);
     window_->resize(1300, 900);
     window_->show();
   }
+  /// Nobody is in the window's own namespace.
   void openOnRobots() {
+    fleet_.links[""].shown.arbiter.reset();
     open(twoRobots());
     ASSERT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot1"; }));
   }
@@ -75,7 +91,7 @@ class FleetWindowTest : public ::testing::Test {
 TEST_F(FleetWindowTest, WithoutAFleetItIsTheWindowOfOneRobot_GUI_1) {
   open({});
   EXPECT_FALSE(QTest::qWaitFor([this] { return find("stop_all")->isVisible(); }, 500));
-  EXPECT_EQ(fleet_.opened, std::vector<std::string>{""});
+  EXPECT_TRUE(fleet_.asked.empty());
 }
 
 // [GUI-2]
@@ -90,14 +106,17 @@ TEST_F(FleetWindowTest, ShowsTheFirstRobotAndWhatEachDoes_GUI_2) {
   EXPECT_TRUE(window_->windowTitle().startsWith("robot1"));
 }
 
-// [GUI-1] [GUI-3] the robot that is left is told to stand, and hears nothing any more
+// [GUI-1] [GUI-3] the robot that is left is told to stand, and hears nothing any more but a stop that was pressed
 TEST_F(FleetWindowTest, AnotherRobotIsChosenByAClickAndTheFirstOneIsLetGo_GUI_1) {
   openOnRobots();
   click("Go");
   ASSERT_FALSE(fleet_.links["robot1"].beats.back().isZero());
+  fleet_.retired.clear();
   click("robot_robot2");
-  EXPECT_EQ(window_->shown(), "robot2");
+  EXPECT_TRUE(fleet_.links["robot1"].beats.back().isZero()) << "at once";
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot2"; }));
   EXPECT_EQ(fleet_.links["robot1"].closed, 1);
+  EXPECT_EQ(fleet_.retired.size(), 1U) << "the link is kept";
   const std::size_t heard = fleet_.links["robot1"].beats.size();
   EXPECT_TRUE(QTest::qWaitFor([this] { return find("patrol(sqr)")->isEnabled(); }));
   click("patrol(sqr)");
@@ -110,10 +129,33 @@ TEST_F(FleetWindowTest, AnotherRobotIsChosenByAClickAndTheFirstOneIsLetGo_GUI_1)
   EXPECT_FALSE(button("robot_robot1")->isChecked());
 }
 
+// [GUI-3] until the next robot is there, the window goes on with the one that it shows
+TEST_F(FleetWindowTest, ARobotThatDoesNotOpenLeavesTheOneThatIsShown_GUI_3) {
+  openOnRobots();
+  fleet_.opens = false;
+  click("robot_robot2");
+  const std::size_t beats = fleet_.links["robot1"].beats.size();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return fleet_.links["robot1"].beats.size() > beats + 3; }));
+  fleet_.opens = fleet_.broken = true;
+  QTest::qWait(500);
+  EXPECT_EQ(window_->shown(), "robot1");
+  EXPECT_TRUE(button("robot_robot1")->isChecked());
+  fleet_.broken = false;
+  click("robot_robot2");
+  EXPECT_TRUE(QTest::qWaitFor([this] { return window_->shown() == "robot2"; })) << "it may be chosen again";
+}
+
+// [GUI-1]
+TEST_F(FleetWindowTest, TheRobotInTheWindowsOwnNamespaceIsNotLeftByItself_GUI_1) {
+  open(twoRobots());
+  EXPECT_FALSE(QTest::qWaitFor([this] { return !fleet_.asked.empty(); }, 600));
+  EXPECT_TRUE(find("stop_all")->isVisible());
+}
+
 TEST_F(FleetWindowTest, ARobotThatIsShownIsNotOpenedAgain) {
   openOnRobots();
   click("robot_robot1");
-  EXPECT_EQ(fleet_.opened, (std::vector<std::string>{"", "robot1"}));
+  EXPECT_EQ(fleet_.asked, std::vector<std::string>{"robot1"});
 }
 
 // [GUI-2] [MUL-4]
@@ -122,10 +164,12 @@ TEST_F(FleetWindowTest, StopsAllRobotsAndShowsTheAnswer_MUL_4) {
   click("Go");
   click("stop_all");
   EXPECT_EQ(fleet_.stops, 1);
+  ASSERT_EQ(fleet_.links["robot1"].requests.size(), 1U) << "and the robot that is shown, by itself";
+  EXPECT_EQ(fleet_.links["robot1"].requests[0].kind, teleop::OperatorRequest::Kind::kEmergencyStop);
   EXPECT_TRUE(fleet_.links["robot1"].beats.back().isZero());
-  fleet_.view.stop_answer = {1, true, "2 of 2 robots stopped"};
-  const auto* answer = window_->findChild<gui::ElidedLabel*>("stop_all_answer");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return answer->fullText() == "2 of 2 robots stopped"; }));
+  fleet_.view.stop = {teleop::Severity::kGood, "2 of 2 robots stopped"};
+  const auto* answer = window_->findChild<QLabel*>("stop_all_answer");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return answer->text() == "2 of 2 robots stopped"; }));
 }
 
 // [GUI-3] opening a link asks the master, which would hold up the window
@@ -133,6 +177,28 @@ TEST_F(FleetWindowTest, NoRobotIsChosenWithoutAMaster_GUI_3) {
   openOnRobots();
   fleet_.view.connected = false;
   EXPECT_TRUE(QTest::qWaitFor([this] { return !button("robot_robot2")->isEnabled(); }));
+}
+
+// [GUI-3]
+TEST_F(FleetWindowTest, AFleetThatAppearsWithoutAMasterIsNotOpened_GUI_3) {
+  fleet_.links[""].shown.arbiter.reset();
+  teleop::FleetView view = twoRobots();
+  view.connected = false;
+  open(view);
+  EXPECT_FALSE(QTest::qWaitFor([this] { return !fleet_.asked.empty(); }, 600));
+}
+
+// [GUI-2] many robots leave room for the emergency stop below them
+TEST_F(FleetWindowTest, ManyRobotsDoNotPushTheEmergencyStopOffTheScreen_GUI_2) {
+  fleet_.links[""].shown.arbiter.reset();
+  teleop::FleetView view = twoRobots();
+  for (int i = 3; i <= 40; ++i) view.robots.push_back({"robot" + std::to_string(i), teleop::Severity::kGood, "stands"});
+  open(view);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return find("robot_robot40") != nullptr; }));
+  EXPECT_TRUE(QTest::qWaitFor([this] {
+    const QWidget* stop = find("emergency_stop");
+    return stop->mapTo(window_.get(), QPoint(0, stop->height())).y() < window_->height() / 2;
+  }));
 }
 
 // [GUI-2] robots come and go

@@ -11,7 +11,7 @@ namespace frontier_pilot::test {
 /// Writes down what it is told.
 class RecordingLink : public teleop::OperatorLink {
  public:
-  teleop::OperatorState state() override { return exampleState(); }
+  teleop::OperatorState state() override { return shown; }
   void beat(const Twist2& set_point) override { beats.push_back(set_point); }
   void request(const teleop::OperatorRequest& request) override { requests.push_back(request); }
   teleop::MapView takeMap() override { return {}; }
@@ -19,6 +19,7 @@ class RecordingLink : public teleop::OperatorLink {
   bool running() const override { return is_running; }
   void close() override { ++closed; }
 
+  teleop::OperatorState shown = exampleState();
   std::vector<Twist2> beats;
   std::vector<teleop::OperatorRequest> requests;
   std::vector<teleop::OperatorLogLine> log{{teleop::Severity::kGood, "hello from the system"}};

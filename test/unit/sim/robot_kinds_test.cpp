@@ -94,6 +94,9 @@ TEST(RobotKinds, MustBeKnownByName_ROB_1) {
                            parameters),
             (Problems{"kinds: two are named 'a'", "kinds: each must have a name",
                       "robots: 'r' is to be a 'b', which is none of the kinds"}));
+  SimulatorParameters bad_kind;
+  EXPECT_EQ(loadParameters(parseYaml("{kinds: [{name: a, robot: {watchdog: -1.0}}]}"), bad_kind),
+            (Problems{"kinds[0]/robot/watchdog: must be > 0 and <= 1e+06, is -1"}));
   SimulatorParameters unchecked = smallOneAndWaffle();
   unchecked.kinds.clear();
   EXPECT_THROW(Simulator(emptyRoom(), unchecked), std::runtime_error);

@@ -75,6 +75,9 @@ TEST(FleetView, SaysThatARobotIsSilentOrOutOfReach_GUI_2) {
   reports.explorer = exploring();
   reports.explorer->status_age = kStatusLifetime + 0.1;
   expect(reports, Severity::kIdle, "stands");
+  reports.navigation = underWay(Severity::kActive, "following the path");
+  reports.navigation->status_age = kStatusLifetime + 0.1;
+  expect(reports, Severity::kIdle, "stands");
   reports.arbiter->status_age = 12.0;
   expect(reports, Severity::kError, "silent for 12 s");
 }
