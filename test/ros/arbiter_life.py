@@ -144,6 +144,17 @@ class ArbiterLife(unittest.TestCase):
             self.assertTrue(wait_for(lambda: status.last.state == ArbiterStatus.IDLE, 3.0), 'uncontested [ARB-12]')
             self.assertFalse(wait_for(lambda: all(node.has_ended() for node in nodes), 1.0), 'and it stays')
 
+    # [ARB-12] somebody who plays a recorded run, for instance
+    def test_a_stranger_that_publishes_an_arbiters_status_keeps_none_from_starting(self):
+        stranger = rospy.Publisher('/played/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.addCleanup(stranger.unregister)
+        node = self.arbiter('/played')
+        self.assertIn('/played', call('/played/emergency_stop', Trigger).message)
+        self.assertFalse(wait_for(node.has_ended, 1.0), '[ARB-12]')
+        second = self.arbiter('/played', '__name:=second')
+        self.assertTrue(wait_for(second.has_ended, 10.0), 'beside an arbiter none starts [ARB-12]')
+        self.assertIn('is already the arbiter of this namespace', second.finish()[1])
+
     # [ARB-12]
     def test_an_arbiter_that_is_only_registered_any_more_ends_nobody(self):
         ghost = rosgraph.Master('/haunted/a_ghost')

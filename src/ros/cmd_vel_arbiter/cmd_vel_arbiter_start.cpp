@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
+#include "ros/common/clock.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/namesake.h"
 #include "ros/common/names.h"
@@ -16,28 +17,52 @@ namespace {
 
 constexpr const char* kRestarted = "from before a restart: ";
 
-/// A living node that publishes the status or offers a stop service of this namespace's arbiter; empty if there is
-/// none.
-std::string findArbiter() {
-  const std::optional<MasterState> state = askMaster();
-  if (!state) return {};
-  std::vector<std::string> found = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
+/// How long an arbiter that starts at the same moment may take until it offers its services.
+constexpr Duration kElderPatience = std::chrono::seconds(3);
+
+/// The nodes that the master has as providers of the stop services of this namespace's arbiter, and that may answer.
+std::vector<std::string> stopProviders(const MasterState& state) {
+  std::vector<std::string> found;
   for (const char* name : {names::kEmergencyStop, names::kSetEmergencyStop}) {
     const std::string service = ros::names::resolve(name);
-    const std::vector<std::string> providers = nodesOf(state->providers, service);
+    const std::vector<std::string> providers = nodesOf(state.providers, service);
     if (!providers.empty() && serviceMayAnswer(service)) found.insert(found.end(), providers.begin(), providers.end());
   }
-  return firstLiving(found);
+  return found;
 }
 
-/// A living arbiter of this namespace that registered at the master before this one; empty if there is none.
-std::string findElder() {
+/// A living node that offers a stop service of this namespace's arbiter; empty if there is none.
+std::string findArbiter() {
   const std::optional<MasterState> state = askMaster();
-  if (!state) return {};
-  const std::vector<std::string> nodes = nodesOf(state->publishers, ros::names::resolve(names::kArbiterStatus));
-  // The master lists publishers in the order in which they registered.
+  return state ? firstLiving(stopProviders(*state)) : std::string();
+}
+
+/// Those that registered as publishers of the arbiter's status before this node; the master lists them in that order.
+std::vector<std::string> eldersIn(const MasterState& state) {
+  const std::vector<std::string> nodes = nodesOf(state.publishers, ros::names::resolve(names::kArbiterStatus));
   const auto self = std::find(nodes.begin(), nodes.end(), ros::this_node::getName());
-  return self == nodes.end() ? std::string() : firstLiving({nodes.begin(), self});
+  return self == nodes.end() ? std::vector<std::string>() : std::vector<std::string>(nodes.begin(), self);
+}
+
+/// A living arbiter of this namespace that registered at the master before this one; empty if there is none. One that
+/// starts at the same moment publishes its status before it offers a stop, so it is waited for. Who never offers one,
+/// a player of a recorded run for instance, is no arbiter, and must not keep one from being restarted. [ARB-12]
+std::string findElder() {
+  std::string stranger;
+  for (const SteadyTime end = steadyNow() + kElderPatience; steadyNow() < end && ros::ok();) {
+    const std::optional<MasterState> state = askMaster();
+    stranger = state ? firstLiving(eldersIn(*state)) : std::string();
+    if (stranger.empty()) return {};
+    const std::vector<std::string> providers = stopProviders(*state);
+    for (const std::string& elder : eldersIn(*state)) {
+      const bool offers_a_stop = std::find(providers.begin(), providers.end(), elder) != providers.end();
+      if (offers_a_stop && nodeLives(elder)) return elder;
+    }
+    ros::WallDuration(0.1).sleep();
+  }
+  ROS_WARN_STREAM(stranger << " publishes " << ros::names::resolve(names::kArbiterStatus)
+                           << " but offers no emergency stop: it is not taken for an arbiter");
+  return {};
 }
 
 void endBeside(const std::string& other) {
