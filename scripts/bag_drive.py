@@ -8,6 +8,8 @@ from bag_topics import BagError, bare, choose_odometry, choose_scan, median, num
 
 LEAST_HOLE = 2.0  # [s]
 MOST_SKEW = 1.0  # [s] between the clocks of scans and odometry before they are aligned
+MOST_APART = 3600.0  # [s] between two messages, by their stamps, before the fewer ones on one side may be astray
+LEAST_SHARE = 0.1  # of the messages of the largest stretch that a stretch apart from it has to have to be played
 LATCHED = '/tf_static'
 
 
@@ -16,6 +18,19 @@ def holes(stamps):
     gaps = [b - a for a, b in zip(stamps, stamps[1:])]
     least = max(LEAST_HOLE, 10.0 * median(gaps)) if gaps else LEAST_HOLE
     return [(begin, gap) for begin, gap in zip(stamps, gaps) if gap >= least]
+
+
+def span_of(stamps):
+    """From when to when messages are played, by the stamps of the scans [s]. A few stamps that are far from all the others are
+    false, and the clock would have to go on for years until they are due."""
+    stretches = []
+    for stamp in sorted(stamps):
+        if not stretches or stamp - stretches[-1][-1] > MOST_APART:
+            stretches.append([])
+        stretches[-1].append(stamp)
+    most = max(len(stretch) for stretch in stretches)
+    kept = [stretch for stretch in stretches if len(stretch) >= LEAST_SHARE * most]
+    return kept[0][0] - MOST_APART, kept[-1][-1] + MOST_APART
 
 
 class Drive:
@@ -40,9 +55,13 @@ class Drive:
         if abs(self.lead) >= 1.0:
             self.words.append('stamps are %.1f s %s the time of recording: the clock follows the stamps' % (
                 abs(self.lead), 'ahead of' if self.lead > 0.0 else 'behind'))
+        self.astray = 0  # messages that were left out for their stamps
+        self.span = span_of([self.due(message.header, recorded) for recorded, message in self.scan.messages()])
         self.take_transforms()
         self.take_odometry()
         self.take_scans()
+        if self.astray:
+            self.words.append('left out: %d messages whose stamps are more than an hour away from those of the scans' % self.astray)
         self.entries.sort(key=lambda entry: entry[:2])
         if not self.entries:
             raise BagError('nothing to play')
@@ -59,14 +78,20 @@ class Drive:
         return max(0.0, recorded + self.lead if header.stamp.is_zero() else header.stamp.to_sec() - skew)
 
     def add(self, stamp, order, kind, message):
-        self.entries.append((stamp, order, kind, message))
+        """Whether the message is played."""
+        is_played = self.span[0] <= stamp <= self.span[1]
+        if is_played:
+            self.entries.append((stamp, order, kind, message))
+        else:
+            self.astray += 1
+        return is_played
 
     def take_scans(self):
         stamps = []
         for index, (recorded, message) in enumerate(self.scan.messages()):
             stamp = self.due(message.header, recorded)
-            stamps.append(stamp)
-            self.add(stamp, 2, 'scan', (self.scan, index))
+            if self.add(stamp, 2, 'scan', (self.scan, index)):
+                stamps.append(stamp)
         frame = bare(self.scan.message(0).header.frame_id)
         self.check_mount(frame)
         self.note_holes('scans', sorted(stamps))
@@ -83,9 +108,10 @@ class Drive:
         stamps = []
         for index, (recorded, message) in enumerate(self.odometry.messages()):
             stamp = self.due(message.header, recorded, skew)
-            stamps.append(stamp)
-            self.add(stamp, 1, 'odom', (self.odometry, index))
-            if not self.odometry_is_transformed:
+            is_played = self.add(stamp, 1, 'odom', (self.odometry, index))
+            if is_played:
+                stamps.append(stamp)
+            if is_played and not self.odometry_is_transformed:
                 self.add(stamp, 0, 'tf_of_odom', (self.odometry, index))
         self.note_holes('odometry', sorted(stamps))
 
