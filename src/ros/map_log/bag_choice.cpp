@@ -48,7 +48,8 @@ Candidates candidates(const rosbag::Bag& bag) {
     const auto msg = message.instantiate<Msg>();
     if (!msg) continue;
     candidate.field = std::max(candidate.field, degreesOf(*msg));
-    if (!msg->header.stamp.isZero()) candidate.leads.push_back((msg->header.stamp - message.getTime()).toSec());
+    if (!msg->header.stamp.isZero())
+      candidate.leads.push_back(msg->header.stamp.toSec() - message.getTime().toSec());  // a ros::Duration may overflow
   }
   return found;
 }

@@ -92,7 +92,7 @@ class BagReading {
   }
   std::optional<Eigen::Isometry3d> mountOf(const std::string& frame, std::string& why) const {
     try {
-      return toIsometry(tf_.lookupTransform(topics_.base_frame, frame, ros::Time()).transform, &why);
+      return toIsometry(tf_.lookupTransform(bare(topics_.base_frame), bare(frame), ros::Time()).transform, &why);
     } catch (const tf2::TransformException& error) {
       why = error.what();
       return std::nullopt;

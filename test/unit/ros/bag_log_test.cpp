@@ -106,6 +106,29 @@ TEST_F(BagLog, PairsScansWithTheOdometryOfTheirStampAndFindsTheScanner) {
   EXPECT_EQ(record.scan.ranges.size(), 5U);
 }
 
+// [FLT-1] the difference between such a stamp and the time of recording is no ros::Duration
+TEST_F(BagLog, IsReadInSpiteOfAStampAtTheEndOfTime_FLT_1) {
+  writeMounts();
+  writeDrive(20);
+  sensor_msgs::LaserScan msg;
+  msg.header.stamp = ros::Time(3.9e9);
+  msg.header.frame_id = "base_scan";
+  bag_.write("scan", ros::Time(100.3), msg);
+  EXPECT_EQ(read().records.size(), 20U);
+}
+
+// [ROB-2] as bags from the time before tf2 have them
+TEST_F(BagLog, TakesFramesWithALeadingSlash_ROB_2) {
+  tf2_msgs::TFMessage msg;
+  msg.transforms = {mount("/base_footprint", "/base_scan", 0.3)};
+  bag_.write("/tf_static", ros::Time(100.0), msg);
+  for (int i = 0; i <= 5; ++i) writeOdometry(100.0 + 0.1 * i);
+  for (int i = 0; i < 5; ++i) writeScan(100.05 + 0.1 * i, "/base_scan");
+  const logs::ScanLog log = read();
+  ASSERT_EQ(log.records.size(), 5U);
+  EXPECT_FALSE(isJump(log.records[0].scan.T_base_sensor, Pose2(0.3, 0.0, 0.0), 1e-6, 1e-6));
+}
+
 TEST_F(BagLog, LeavesOutAndCountsWhatCannotBeUsed) {
   writeMounts();
   writeScan(90.0);
