@@ -107,8 +107,10 @@ void FleetCard::layOut(int columns) {
   }
   for (int column = 0; column < grid_->columnCount(); ++column)
     grid_->setColumnStretch(column, column < columns ? 1 : 0);
-  const int height = scroll_->widget()->sizeHint().height();
-  scroll_->setFixedHeight(std::min(height, emOf(*this) * kMostHeight));
+  // Rows that have just been added are not shown yet, and count for nothing in the size that the list asks for.
+  const int lines = (static_cast<int>(rows_.size()) + columns - 1) / columns;
+  const int line = rows_.empty() ? 0 : rows_.front().choose->sizeHint().height() + grid_->verticalSpacing();
+  scroll_->setFixedHeight(std::min(lines * line, emOf(*this) * kMostHeight));
 }
 
 void FleetCard::resizeEvent(QResizeEvent* event) {

@@ -98,6 +98,8 @@ TEST_F(FleetWindowTest, WithoutAFleetItIsTheWindowOfOneRobot_GUI_1) {
 TEST_F(FleetWindowTest, ShowsTheFirstRobotAndWhatEachDoes_GUI_2) {
   openOnRobots();
   EXPECT_TRUE(find("stop_all")->isVisible());
+  for (const char* name : {"robot_robot1", "robot_robot2", "robot_state_robot2"})
+    EXPECT_TRUE(QTest::qWaitFor([&] { return find(name)->visibleRegion().boundingRect().height() >= 10; })) << name;
   const auto text = [this](const char* name) { return window_->findChild<gui::ElidedLabel*>(name)->fullText(); };
   EXPECT_EQ(text("robot_state_robot1"), "explores, 63 % seen: goal sent");
   EXPECT_EQ(text("robot_state_robot2"), "waiting: waits for robot1");
