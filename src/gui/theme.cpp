@@ -14,6 +14,7 @@ QColor mixed(const QColor& a, const QColor& b, double share_of_b) {
 // Placeholders: %1 window, %2 card, %3 field, %4 border, %5 text, %6 muted, %7 accent, %8 text on accent, %9 danger.
 const char* const kRules = R"(
 #fleet_window, #pilot, #pilotBody, #pilotScroll { background: %1; border: none; }
+#fleetBody, #fleetScroll { background: %2; border: none; }
 QFrame#card { background: %2; border: 1px solid %4; border-radius: $R; }
 QLabel { color: %5; background: transparent; }
 QLabel[role="title"] { color: %6; font-weight: 600; }

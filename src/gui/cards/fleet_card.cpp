@@ -31,9 +31,9 @@ FleetCard::FleetCard(QWidget* parent)
   grid_->setHorizontalSpacing(2 * gap);
   grid_->setVerticalSpacing(gap / 2);
   auto* body = new QWidget;
-  body->setObjectName("pilotBody");
+  body->setObjectName("fleetBody");
   body->setLayout(grid_);
-  scroll_->setObjectName("pilotScroll");
+  scroll_->setObjectName("fleetScroll");
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
