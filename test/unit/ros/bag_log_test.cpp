@@ -52,7 +52,7 @@ class BagLog : public ::testing::Test {
     msg.pose.pose.orientation.w = 1.0;
     bag_.write("/odom", msg.header.stamp, msg);
   }
-  void writeScan(double seconds, const std::string& frame = "base_scan") {
+  void writeScan(double seconds, const std::string& frame = "base_scan", double recorded = 0.0) {
     sensor_msgs::LaserScan msg;
     msg.header.stamp = ros::Time(seconds);
     msg.header.frame_id = frame;
@@ -61,7 +61,7 @@ class BagLog : public ::testing::Test {
     msg.angle_increment = 0.5F;
     msg.range_max = 8.0F;
     msg.ranges.assign(5, 2.0F);
-    bag_.write("scan", msg.header.stamp, msg);
+    bag_.write("scan", ros::Time(recorded > 0.0 ? recorded : seconds), msg);
   }
   void writeMounts() {
     tf2_msgs::TFMessage msg;
@@ -110,10 +110,7 @@ TEST_F(BagLog, PairsScansWithTheOdometryOfTheirStampAndFindsTheScanner) {
 TEST_F(BagLog, IsReadInSpiteOfAStampAtTheEndOfTime_FLT_1) {
   writeMounts();
   writeDrive(20);
-  sensor_msgs::LaserScan msg;
-  msg.header.stamp = ros::Time(3.9e9);
-  msg.header.frame_id = "base_scan";
-  bag_.write("scan", ros::Time(100.3), msg);
+  writeScan(3.9e9, "base_scan", 100.3);
   EXPECT_EQ(read().records.size(), 20U);
 }
 
