@@ -56,7 +56,8 @@ class Drive:
             self.words.append('stamps are %.1f s %s the time of recording: the clock follows the stamps' % (
                 abs(self.lead), 'ahead of' if self.lead > 0.0 else 'behind'))
         self.astray = 0  # messages that were left out for their stamps
-        self.span = span_of([self.due(message.header, recorded) for recorded, message in self.scan.messages()])
+        self.scans_due = [self.due(message.header, recorded) for recorded, message in self.scan.messages()]
+        self.span = span_of(self.scans_due)
         self.take_transforms()
         self.take_odometry()
         self.take_scans()
@@ -88,8 +89,7 @@ class Drive:
 
     def take_scans(self):
         stamps = []
-        for index, (recorded, message) in enumerate(self.scan.messages()):
-            stamp = self.due(message.header, recorded)
+        for index, stamp in enumerate(self.scans_due):
             if self.add(stamp, 2, 'scan', (self.scan, index)):
                 stamps.append(stamp)
         frame = bare(self.scan.message(0).header.frame_id)

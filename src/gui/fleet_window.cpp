@@ -67,19 +67,19 @@ bool FleetWindow::ownRobotIsMissing() const {
   return chosen_.empty() && widget_->setPoint().isZero() && !link_->state().arbiter;
 }
 
+/// Meanwhile another robot may have been chosen.
+void FleetWindow::receive(teleop::OpenedRobot robot) {
+  const bool is_wanted = robot.name == chosen_;
+  if (is_wanted && robot.link) return showRobot(std::move(robot));
+  if (is_wanted) chosen_ = shown_;  // it could not be opened, and may be chosen again
+  if (!robot.link) return;
+  robot.link->close();
+  fleet_link_.retire(std::move(robot.link));
+}
+
 void FleetWindow::refresh() {
   const teleop::FleetView fleet = fleet_link_.fleet();
-  std::optional<teleop::OpenedRobot> opened = fleet_link_.takeOpened();
-  if (opened && opened->name == chosen_) {
-    if (opened->link) {
-      showRobot(std::move(*opened));
-    } else {
-      chosen_ = shown_;  // it may be chosen again
-    }
-  } else if (opened && opened->link) {
-    opened->link->close();
-    fleet_link_.retire(std::move(opened->link));
-  }
+  if (auto opened = fleet_link_.takeOpened()) receive(std::move(*opened));
   if (!fleet.robots.empty() && fleet.connected && ownRobotIsMissing()) choose(fleet.robots.front().name);
   card_->setFleet(fleet, shown_);
 }

@@ -41,6 +41,7 @@ class FleetWindow : public QWidget {
  private:
   void refresh();
   void choose(const std::string& robot);
+  void receive(teleop::OpenedRobot robot);
   void showRobot(teleop::OpenedRobot robot);
   bool ownRobotIsMissing() const;
   void stopAll();

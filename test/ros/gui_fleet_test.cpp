@@ -103,12 +103,6 @@ TEST_F(FleetOnTheWire, StopsAllRobotsAndShowsThatTheyAreStopped) {
 }  // namespace frontier_pilot
 
 int main(int argc, char** argv) {
-  setenv("QT_QPA_PLATFORM", "offscreen", 1);
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "gui_fleet_test");
-  QApplication application(argc, argv);
-  const ros::NodeHandle keeps_ros_alive;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
+  frontier_pilot::test::WindowProgram program(argc, argv, "gui_fleet_test");
+  return program.runTests();
 }

@@ -287,13 +287,7 @@ TEST_F(GuiOnTheWire, ClosingSendsZeroAsTheLastWord) {
 }  // namespace frontier_pilot
 
 int main(int argc, char** argv) {
-  setenv("QT_QPA_PLATFORM", "offscreen", 1);
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "gui_test");
-  QApplication application(argc, argv);
+  frontier_pilot::test::WindowProgram program(argc, argv, "gui_test");
   if (argc > 1 && std::strcmp(argv[1], "--window") == 0) return frontier_pilot::test::driveForward();
-  const ros::NodeHandle keeps_ros_alive;
-  ros::AsyncSpinner spinner(2);
-  spinner.start();
-  return RUN_ALL_TESTS();
+  return program.runTests(2);
 }

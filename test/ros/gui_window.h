@@ -1,17 +1,44 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <ros/ros.h>
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QtTest>
+#include <cstdlib>
 #include <functional>
 
 #include "gui/pilot_controller.h"
 #include "ros/teleop_gui/gui_bridge.h"
 
 namespace frontier_pilot::test {
+
+/// What a test of the window needs to run: a QApplication without a screen, and a node of that name.
+class WindowProgram {
+ public:
+  WindowProgram(int& argc, char** argv, const char* name) : application_(prepared(argc, argv, name), argv) {}
+
+  /// Runs all tests, with so many threads for the callbacks of the test itself. Returns the exit code.
+  static int runTests(unsigned threads = 1) {
+    const ros::NodeHandle keeps_ros_alive;
+    ros::AsyncSpinner spinner(threads);
+    spinner.start();
+    return RUN_ALL_TESTS();
+  }
+
+ private:
+  static int& prepared(int& argc, char** argv, const char* name) {
+    setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    ::testing::InitGoogleTest(&argc, argv);
+    ros::init(argc, argv, name);
+    return argc;
+  }
+
+  QApplication application_;
+};
 
 /// The whole operator's side, as teleop_gui has it, on a screen that is not there.
 struct Window {

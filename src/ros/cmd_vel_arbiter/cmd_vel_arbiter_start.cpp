@@ -51,10 +51,12 @@ std::string findElder() {
   std::string stranger;
   for (const SteadyTime end = steadyNow() + kElderPatience; steadyNow() < end && ros::ok();) {
     const std::optional<MasterState> state = askMaster();
-    stranger = state ? firstLiving(eldersIn(*state)) : std::string();
+    if (!state) return {};
+    const std::vector<std::string> elders = eldersIn(*state);
+    stranger = firstLiving(elders);
     if (stranger.empty()) return {};
     const std::vector<std::string> providers = stopProviders(*state);
-    for (const std::string& elder : eldersIn(*state)) {
+    for (const std::string& elder : elders) {
       const bool offers_a_stop = std::find(providers.begin(), providers.end(), elder) != providers.end();
       if (offers_a_stop && nodeLives(elder)) return elder;
     }

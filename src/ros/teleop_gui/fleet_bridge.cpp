@@ -46,18 +46,12 @@ FleetBridge::FleetBridge(const ros::NodeHandle& node, const teleop::TeleopParame
       running_(std::move(running)),
       own_node_(node),
       node_(onQueue(node, queue_)),
-      stop_caller_(
-          node_,
-          [](teleop::Severity severity, const std::string& text) {
-            const bool is_bad = severity == teleop::Severity::kError || severity == teleop::Severity::kWarning;
-            if (is_bad) THROTTLED_WARN(text);
-            if (!is_bad) THROTTLED_INFO(text);
-          },
-          [this](const auto&, bool success, const std::string& message) {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            stop_ = {success ? teleop::Severity::kGood : teleop::Severity::kError,
-                     printable(message, bounds::kMostReason)};
-          }),
+      stop_caller_(node_, logForOperator,
+                   [this](const auto&, bool success, const std::string& message) {
+                     const std::lock_guard<std::mutex> lock(mutex_);
+                     stop_ = {success ? teleop::Severity::kGood : teleop::Severity::kError,
+                              printable(message, bounds::kMostReason)};
+                   }),
       watch_(node_, [](const std::string&) {}),
       connections_(node_),
       spinner_(1, &queue_) {
@@ -160,22 +154,18 @@ teleop::OpenedRobot FleetBridge::openOwn() {
 
 void FleetBridge::open(const std::string& robot) {
   opener_.startNext([this, robot] {
-    auto opened = std::make_shared<teleop::OpenedRobot>();
-    opened->name = robot;
+    teleop::OpenedRobot opened;
+    opened.name = robot;
     connections_.guard().run("opening " + robot, [&] {
-      opened->parameters = parametersOf(robot);
-      opened->link = std::make_unique<GuiBridge>(ros::NodeHandle(robot == kRoot ? robot : "/" + robot),
-                                                 opened->parameters, GuiBridge::Manual::kAlways, running_);
+      opened.parameters = parametersOf(robot);
+      opened.link = std::make_unique<GuiBridge>(ros::NodeHandle(robot == kRoot ? robot : "/" + robot),
+                                                opened.parameters, GuiBridge::Manual::kAlways, running_);
     });
     return opened;
   });
 }
 
-std::optional<teleop::OpenedRobot> FleetBridge::takeOpened() {
-  std::optional<std::shared_ptr<teleop::OpenedRobot>> opened = opener_.take();
-  if (!opened) return std::nullopt;
-  return std::move(**opened);
-}
+std::optional<teleop::OpenedRobot> FleetBridge::takeOpened() { return opener_.take(); }
 
 void FleetBridge::retire(std::unique_ptr<teleop::OperatorLink> link) {
   retired_.push_back({std::move(link), steadyNow()});

@@ -74,7 +74,7 @@ class FleetBridge : public teleop::FleetLink {
   // What follows is for the window's thread.
   std::deque<Retired> retired_;  ///< the oldest first
   Worker<bool> ender_;
-  Worker<std::shared_ptr<teleop::OpenedRobot>> opener_;
+  Worker<teleop::OpenedRobot> opener_;
 };
 
 }  // namespace frontier_pilot

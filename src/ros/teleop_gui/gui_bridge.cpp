@@ -174,11 +174,7 @@ OperatorLog GuiBridge::logger() {
 }
 
 void GuiBridge::log(teleop::Severity severity, const std::string& text) {
-  if (severity == teleop::Severity::kError || severity == teleop::Severity::kWarning) {
-    THROTTLED_WARN(text);
-  } else {
-    THROTTLED_INFO(text);
-  }
+  logForOperator(severity, text);
   const std::lock_guard<std::mutex> lock(log_mutex_);
   if (log_.size() < kMostLogLines) log_.push_back({severity, text});
 }

@@ -13,6 +13,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/clock.h"
 #include "ros/common/publish_flush.h"
+#include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
@@ -28,6 +29,14 @@ teleop::Severity severityOf(bool success, const std::string& said) {
 }
 
 }  // namespace
+
+void logForOperator(teleop::Severity severity, const std::string& text) {
+  if (severity == teleop::Severity::kError || severity == teleop::Severity::kWarning) {
+    THROTTLED_WARN(text);
+  } else {
+    THROTTLED_INFO(text);
+  }
+}
 
 bool isServiceName(const std::string& service) {
   std::string why;

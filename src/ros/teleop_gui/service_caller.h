@@ -21,6 +21,9 @@ namespace frontier_pilot {
 /// Adds a line to the operator's log; may be called from any thread.
 using OperatorLog = std::function<void(teleop::Severity, const std::string&)>;
 
+/// Writes a line for the operator into the node's own log as well.
+void logForOperator(teleop::Severity severity, const std::string& text);
+
 /// Told of the answer to a call, or why there is none: whether it succeeded, and a message; may be called from any
 /// thread.
 using ServiceAnswered = std::function<void(const std::string& service, bool success, const std::string& message)>;
