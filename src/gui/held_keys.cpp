@@ -1,7 +1,7 @@
 #include "gui/held_keys.h"
 
 #include <QKeyEvent>
-#include <QTimer>
+#include <QTimerEvent>
 #include <utility>
 
 namespace frontier_pilot::gui {
@@ -19,9 +19,9 @@ void HeldKeys::press(const QKeyEvent& event) {
   const auto release = releases_.find(event.key());
   if (release != releases_.end()) {
     const bool is_repetition = event.timestamp() - release->second.stamp <= kAtOnce;
-    const bool waits = std::exchange(release->second.waits, false);
+    const bool waited = takeTimer(release->second);
     if (is_repetition) return;
-    if (waits) emit released(event.key());
+    if (waited) emit released(event.key());
   }
   emit pressed(event.key());
 }
@@ -29,14 +29,23 @@ void HeldKeys::press(const QKeyEvent& event) {
 void HeldKeys::release(const QKeyEvent& event) {
   if (event.isAutoRepeat()) return;
   if (event.timestamp() == 0) return emit released(event.key());
-  releases_[event.key()] = {event.timestamp(), true};
-  QTimer::singleShot(kPatience, this, [this, key = event.key(), stamp = event.timestamp()] { endRelease(key, stamp); });
+  Release& release = releases_[event.key()];
+  takeTimer(release);
+  release = {event.timestamp(), startTimer(kPatience)};
 }
 
-void HeldKeys::endRelease(int key, unsigned long stamp) {
-  Release& release = releases_[key];
-  if (release.stamp != stamp || !std::exchange(release.waits, false)) return;
-  emit released(key);
+bool HeldKeys::takeTimer(Release& release) {
+  if (release.timer == 0) return false;
+  killTimer(std::exchange(release.timer, 0));
+  return true;
+}
+
+void HeldKeys::timerEvent(QTimerEvent* event) {
+  for (auto& [key, release] : releases_) {
+    if (release.timer != event->timerId()) continue;
+    takeTimer(release);
+    return emit released(key);
+  }
 }
 
 }  // namespace frontier_pilot::gui

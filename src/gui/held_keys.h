@@ -4,6 +4,7 @@
 #include <map>
 
 class QKeyEvent;
+class QTimerEvent;
 
 namespace frontier_pilot::gui {
 
@@ -25,13 +26,17 @@ class HeldKeys : public QObject {
   void pressed(int key);
   void released(int key);
 
+ protected:
+  void timerEvent(QTimerEvent* event) override;
+
  private:
   struct Release {
     unsigned long stamp;  ///< [ms]
-    bool waits;           ///< it may still turn out to be a repetition
+    int timer;            ///< running as long as it may still turn out to be a repetition; then 0
   };
 
-  void endRelease(int key, unsigned long stamp);
+  /// Whether the release was waiting, which it does not do any more.
+  bool takeTimer(Release& release);
 
   std::map<int, Release> releases_;  ///< the last one of each key
 };
