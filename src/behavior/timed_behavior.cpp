@@ -15,6 +15,8 @@ constexpr double kTurnProgress = 0.01;
 constexpr double kLineProgress = 0.004;
 /// A motion that ends where it begins, for all that the costmap can tell: [rad] or [m].
 constexpr double kNoMotion = 1e-6;
+/// A spin that stands farther past its target than this turns back [rad]. [SPN-4]
+constexpr double kOvershoot = 0.05;
 
 std::string seconds(double value) {
   std::ostringstream out;
@@ -71,22 +73,27 @@ class TimedBehavior::Impl {
   std::optional<std::string> poseProblem(const BehaviorInputs& inputs, Time now) const;
   void measure(const StampedPose2& pose, Time now);
   BehaviorOutput settle(Time now);
+  BehaviorOutput turnBack(Time now);
+  BehaviorOutput giveUp(BehaviorOutcome outcome, const std::string& message);
   BehaviorOutput goOn(const BehaviorInputs& inputs, double speed);
   std::string whatIsAhead(const BehaviorInputs& inputs, SweepResult seen) const;
   AxisMotion motion() const;
   MotionLimits limits() const;
   double sign() const { return motion().amount < 0.0 ? -1.0 : 1.0; }
+  /// How far the target is in the direction of travel [rad] or [m].
+  double remaining() const { return direction_ * (std::abs(motion().amount) - progress_); }
 
   BehaviorParameters parameters_;
   BehaviorGoal goal_;
   bool active_ = false;
   Time started_, last_update_;
   double elapsed_ = 0.0;
-  double progress_ = 0.0;  ///< along the motion: positive towards the target
+  double progress_ = 0.0;   ///< along the motion: positive towards the target
+  double direction_ = 1.0;  ///< -1 while it turns back to a target that it has passed
   std::optional<StampedPose2> first_pose_, last_pose_;
   TurnCounter turned_;
   MotionEstimate estimate_;
-  double best_progress_ = 0.0;
+  double least_remaining_ = 0.0;
   Time progressed_;
   std::optional<Time> settling_since_;
 };
@@ -94,7 +101,9 @@ class TimedBehavior::Impl {
 BehaviorOutput TimedBehavior::Impl::start(const BehaviorGoal& goal, Time now) {
   goal_ = goal;
   started_ = last_update_ = progressed_ = now;
-  elapsed_ = progress_ = best_progress_ = 0.0;
+  elapsed_ = progress_ = 0.0;
+  direction_ = 1.0;
+  least_remaining_ = std::abs(motion().amount);
   first_pose_.reset();
   last_pose_.reset();
   settling_since_.reset();
@@ -121,7 +130,7 @@ BehaviorOutput TimedBehavior::Impl::update(const BehaviorInputs& inputs, Time no
   if (now < last_update_) return abortByClockJump();
   elapsed_ = toSeconds(now - started_);
   if (!settling_since_ && goal_.time_allowance > 0.0 && elapsed_ > goal_.time_allowance) {
-    return end(BehaviorOutcome::kTimeout, "not done within " + seconds(goal_.time_allowance));
+    return giveUp(BehaviorOutcome::kTimeout, "not done within " + seconds(goal_.time_allowance));
   }
   if (inputs.emergency_stop) return end(BehaviorOutcome::kNoProgress, "emergency stop");
   BehaviorOutput output = goal_.kind == BehaviorKind::kWait ? wait() : move(inputs, now);
@@ -138,18 +147,17 @@ BehaviorOutput TimedBehavior::Impl::move(const BehaviorInputs& inputs, Time now)
   if (const auto problem = poseProblem(inputs, now)) {
     // Once the target is reached, the pose no longer matters.
     if (settling_since_) return end(BehaviorOutcome::kSucceeded, "done");
-    return end(BehaviorOutcome::kPoseLost, *problem);
+    return giveUp(BehaviorOutcome::kPoseLost, *problem);
   }
   measure(*inputs.pose, now);
   if (settling_since_) return settle(now);
-  const double remaining = std::abs(motion().amount) - progress_;
-  const ProfileStep next = profileStep(limits(), remaining, estimate_, 1.0 / parameters_.frequency);
+  const ProfileStep next = profileStep(limits(), remaining(), estimate_, 1.0 / parameters_.frequency);
   if (next.reached) {
     settling_since_ = now;
     return settle(now);
   }
   if (toSeconds(now - progressed_) > parameters_.no_progress_timeout) {
-    return end(BehaviorOutcome::kNoProgress, "no progress for " + seconds(parameters_.no_progress_timeout));
+    return giveUp(BehaviorOutcome::kNoProgress, "no progress for " + seconds(parameters_.no_progress_timeout));
   }
   return goOn(inputs, next.speed);
 }
@@ -177,12 +185,12 @@ void TimedBehavior::Impl::measure(const StampedPose2& pose, Time now) {
   progress_ = sign() * moved;
   estimate_.age = std::max(0.0, toSeconds(now - pose.stamp));
   if (last_pose_ && pose.stamp > last_pose_->stamp) {
-    estimate_.rate = (progress_ - before) / toSeconds(pose.stamp - last_pose_->stamp);
+    estimate_.rate = direction_ * (progress_ - before) / toSeconds(pose.stamp - last_pose_->stamp);
   }
   last_pose_ = pose;
   const double least = motion().axis == AxisMotion::Axis::kTurn ? kTurnProgress : kLineProgress;
-  if (progress_ >= best_progress_ + least) {
-    best_progress_ = progress_;
+  if (remaining() <= least_remaining_ - least) {
+    least_remaining_ = remaining();
     progressed_ = now;
   }
 }
@@ -191,26 +199,44 @@ BehaviorOutput TimedBehavior::Impl::settle(Time now) {
   const bool standing = std::abs(estimate_.rate) < 0.05 * limits().min_speed && estimate_.command == 0.0;
   const bool late = toSeconds(now - *settling_since_) >= parameters_.settle_timeout;
   estimate_.command = 0.0;
-  return standing || late ? end(BehaviorOutcome::kSucceeded, "done") : running({});
+  if (!standing && !late) return running({});
+  const bool passed = goal_.kind == BehaviorKind::kSpin && remaining() < -kOvershoot;
+  return passed && direction_ > 0.0 ? turnBack(now) : end(BehaviorOutcome::kSucceeded, "done");
+}
+
+/// A cycle that comes late, on a busy computer, lets the base turn on by its last command, past the target. It turns
+/// back once.
+BehaviorOutput TimedBehavior::Impl::turnBack(Time now) {
+  direction_ = -1.0;
+  least_remaining_ = remaining();
+  progressed_ = now;
+  settling_since_.reset();
+  estimate_ = {};
+  return running({});
+}
+
+/// Ends with `outcome`, unless the target was reached and only the way back to it has failed.
+BehaviorOutput TimedBehavior::Impl::giveUp(BehaviorOutcome outcome, const std::string& message) {
+  if (direction_ > 0.0) return end(outcome, message);
+  return end(BehaviorOutcome::kSucceeded, "done, but past the target: " + message);
 }
 
 BehaviorOutput TimedBehavior::Impl::goOn(const BehaviorInputs& inputs, double speed) {
   AxisMotion ahead = motion();
-  const double remaining = std::abs(ahead.amount) - progress_;
-  ahead.amount = sign() * std::min(remaining, speed * parameters_.simulate_ahead_time);
+  ahead.amount = sign() * direction_ * std::min(remaining(), speed * parameters_.simulate_ahead_time);
   if (goal_.check_collisions) {
     const SweepResult seen = inputs.look_ahead ? inputs.look_ahead(inputs.pose->pose, ahead) : SweepResult::kNoCostmap;
-    if (seen != SweepResult::kClear) return end(BehaviorOutcome::kCollisionAhead, whatIsAhead(inputs, seen));
+    if (seen != SweepResult::kClear) return giveUp(BehaviorOutcome::kCollisionAhead, whatIsAhead(inputs, seen));
   }
   estimate_.command = speed;
-  const double signed_speed = sign() * speed;
+  const double signed_speed = sign() * direction_ * speed;
   return running(ahead.axis == AxisMotion::Axis::kTurn ? Twist2{0.0, signed_speed} : Twist2{signed_speed, 0.0});
 }
 
 /// `seen`, in words. Where something touches the footprint already, no motion of this kind can begin.
 std::string TimedBehavior::Impl::whatIsAhead(const BehaviorInputs& inputs, SweepResult seen) const {
   AxisMotion none = motion();
-  none.amount = sign() * kNoMotion;  // its sign tells which half of the footprint is left behind
+  none.amount = sign() * direction_ * kNoMotion;  // its sign tells which half of the footprint is left behind
   const bool touches =
       seen == SweepResult::kObstacle && inputs.look_ahead(inputs.pose->pose, none) == SweepResult::kObstacle;
   if (touches) return "an obstacle touches the footprint; move away first";

@@ -86,7 +86,7 @@ class MapperOnTheWire : public ::testing::Test {
   void publishOdometry(const ros::Time& stamp, double x) {
     nav_msgs::Odometry odom;
     odom.header.stamp = stamp;
-    odom.header.frame_id = "odom";
+    odom.header.frame_id = slash_ + "odom";
     odom.child_frame_id = "base_footprint";
     odom.pose.pose.position.x = x;
     odom.pose.pose.orientation.w = 1.0;
@@ -97,7 +97,9 @@ class MapperOnTheWire : public ::testing::Test {
   void look(double x, float range = 3.0F) {
     const ros::Time now = ros::Time::now();
     publishOdometry(now, x);
-    scan_.publish(roundRoom(now, range));
+    sensor_msgs::LaserScan scan = roundRoom(now, range);
+    scan.header.frame_id = slash_ + scan.header.frame_id;
+    scan_.publish(scan);
   }
   /// Looks until `condition`: the mapper may not have TF yet.
   bool lookUntil(double x, const std::function<bool()>& condition) {
@@ -163,6 +165,7 @@ class MapperOnTheWire : public ::testing::Test {
   nav_msgs::MapMetaData metadata_;
   diagnostic_msgs::DiagnosticStatus status_;
   ros::WallTime last_look_;
+  std::string slash_;  ///< before the names of frames
   int maps_ = 0;
   int updates_ = 0;
   std::size_t largest_update_ = 0;
@@ -200,6 +203,15 @@ TEST_F(MapperOnTheWire, PublishesMapToOdomAllTheTime) {
   EXPECT_TRUE(waitFor([&] {
     return buffer.lookupTransform("map", "odom", ros::Time(0)).header.stamp - first.header.stamp > ros::Duration(0.5);
   })) << "also while no scan comes";
+}
+
+// [ROB-2]
+TEST_F(MapperOnTheWire, AFrameMayBeginWithASlash) {
+  slash_ = "/";
+  const int seen = count("scans, inserted") + count("scans, not moved");
+  EXPECT_TRUE(lookUntil(0.0, [&] { return count("scans, inserted") + count("scans, not moved") > seen + 10; }))
+      << diagnostic("scans, no transform") << " without transform, " << diagnostic("scans, no odometry")
+      << " without odometry";
 }
 
 // [MAP-4]

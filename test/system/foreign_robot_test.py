@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The whole system on a robot that has only base_link, odometry as a transform, and /base_scan with late stamps."""
+"""The whole system on a robot that has only base_link, odometry as a transform, and /base_scan with late stamps
+and a frame that begins with a slash, as in the time of tf1."""
 import os
 import sys
 import unittest
@@ -28,6 +29,7 @@ class LateScanner:
 
     def pass_on(self, scan):
         scan.header.stamp -= LATE
+        scan.header.frame_id = '/' + scan.header.frame_id
         self.publisher.publish(scan)
 
 

@@ -8,13 +8,10 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/messages/message_problems.h"
 #include "ros/common/names.h"
+#include "ros/common/tf/frame_name.h"
 
 namespace frontier_pilot {
 namespace {
-
-std::string withoutSlash(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
-}
 
 double usableShare(const sensor_msgs::LaserScan& msg) {
   if (msg.ranges.empty()) return 0.0;
@@ -47,7 +44,7 @@ RobotObserver::RobotObserver(ros::NodeHandle& node) {
 
 void RobotObserver::takeScan(const Event<sensor_msgs::LaserScan>& event) {
   const sensor_msgs::LaserScan& msg = *event.getConstMessage();
-  scan_.add(event.getPublisherName(), withoutSlash(msg.header.frame_id), msg.header.stamp, problemOf(msg));
+  scan_.add(event.getPublisherName(), plain(msg.header.frame_id), msg.header.stamp, problemOf(msg));
   last_scan_.usable_share = usableShare(msg);
   last_scan_.beams = msg.ranges.size();
   last_scan_.angle_increment = static_cast<double>(msg.angle_increment);
@@ -58,12 +55,12 @@ void RobotObserver::takeOdometry(const Event<nav_msgs::Odometry>& event) {
   const nav_msgs::Odometry& msg = *event.getConstMessage();
   std::string why;
   if (toOdometry(msg, &why)) why.clear();
-  odometry_.add(event.getPublisherName(), withoutSlash(msg.header.frame_id), msg.header.stamp, why);
+  odometry_.add(event.getPublisherName(), plain(msg.header.frame_id), msg.header.stamp, why);
 }
 
 void RobotObserver::takeTransforms(const Event<tf2_msgs::TFMessage>& event, bool is_static) {
   for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
-    const auto key = std::make_pair(withoutSlash(transform.child_frame_id), withoutSlash(transform.header.frame_id));
+    const auto key = std::make_pair(plain(transform.child_frame_id), plain(transform.header.frame_id));
     if (links_.count(key) == 0 && links_.size() >= bounds::kMostFrames) continue;
     Link& link = links_[key];
     link.stream.add(event.getPublisherName(), {}, transform.header.stamp, {});

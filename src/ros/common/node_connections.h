@@ -21,6 +21,7 @@
 #include "ros/common/messages/checked_subscription.h"
 #include "ros/common/names.h"
 #include "ros/common/ros_timer.h"
+#include "ros/common/tf/frame_name.h"
 
 namespace frontier_pilot {
 
@@ -178,8 +179,7 @@ class NodeConnections {
   template <class Msg>
   static Arrival arrivalOf(const Msg& msg, const std::string& publisher) {
     Arrival arrival{publisher, {}, {}};
-    if (const std::string* frame = ros::message_traits::FrameId<Msg>::pointer(msg))
-      arrival.frame = frame->substr(!frame->empty() && frame->front() == '/' ? 1 : 0);
+    if (const std::string* frame = ros::message_traits::FrameId<Msg>::pointer(msg)) arrival.frame = plain(*frame);
     if (const ros::Time* stamp = ros::message_traits::TimeStamp<Msg>::pointer(msg)) arrival.stamp = toTime(*stamp);
     return arrival;
   }

@@ -2,6 +2,7 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/message_problems.h"
+#include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
@@ -105,7 +106,7 @@ std::optional<Vec2> FrontierExplorerAdapter::inMapFrame(const geometry_msgs::Poi
   why = problemOfPlace(msg.point.x, msg.point.y, msg.point.z);
   if (!why.empty()) return std::nullopt;
   const Eigen::Vector3d point(msg.point.x, msg.point.y, msg.point.z);
-  if (msg.header.frame_id == parameters_.map_frame) return point.head<2>();
+  if (isSameFrame(msg.header.frame_id, parameters_.map_frame)) return point.head<2>();
   const auto T_map_frame =
       tf_.lookup3d(parameters_.map_frame, msg.header.frame_id, toTime(msg.header.stamp), kPatience, &why);
   if (!T_map_frame) return std::nullopt;

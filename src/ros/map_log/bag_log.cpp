@@ -14,6 +14,7 @@
 #include "frontier_pilot/mapping/scan_pairing.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
+#include "ros/common/tf/frame_name.h"
 #include "ros/map_log/bag_choice.h"
 #include "ros/map_log/bag_log.h"
 
@@ -57,7 +58,7 @@ class BagReading {
 
  private:
   void takeTransform(const geometry_msgs::TransformStamped& transform, bool is_static) {
-    ++transforms_to_[bare(transform.child_frame_id)];
+    ++transforms_to_[plain(transform.child_frame_id)];
     // Only the mount of the scanner is needed. It is fixed, even if it is repeated on /tf; transforms of base_footprint
     // itself are not needed.
     const bool is_mount = is_static || transform.child_frame_id.find(names::kBaseFootprintFrame) == std::string::npos;
@@ -72,13 +73,10 @@ class BagReading {
     pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
   }
   void begin(const nav_msgs::Odometry& first) {
-    odom_frame_ = bare(first.header.frame_id);
+    odom_frame_ = plain(first.header.frame_id);
     other_mapper_ = transforms_to_[odom_frame_];
-    if (!tf_._frameExists(topics_.base_frame) && tf_._frameExists(bare(first.child_frame_id)))
-      topics_.base_frame = bare(first.child_frame_id);
-  }
-  static std::string bare(const std::string& frame) {
-    return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
+    if (!tf_._frameExists(topics_.base_frame) && tf_._frameExists(plain(first.child_frame_id)))
+      topics_.base_frame = plain(first.child_frame_id);
   }
   void takeScan(const sensor_msgs::LaserScan::ConstPtr& msg) {
     if (!msg) return reject("message on the scan topic that is no scan");
@@ -92,7 +90,7 @@ class BagReading {
   }
   std::optional<Eigen::Isometry3d> mountOf(const std::string& frame, std::string& why) const {
     try {
-      return toIsometry(tf_.lookupTransform(bare(topics_.base_frame), bare(frame), ros::Time()).transform, &why);
+      return toIsometry(tf_.lookupTransform(plain(topics_.base_frame), plain(frame), ros::Time()).transform, &why);
     } catch (const tf2::TransformException& error) {
       why = error.what();
       return std::nullopt;

@@ -7,6 +7,7 @@
 #include "ros/common/master/ros_sessions.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
+#include "ros/common/tf/frame_name.h"
 #include "ros/common/tf/odometry_source.h"
 #include "ros/common/throttled_log.h"
 
@@ -88,7 +89,7 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
   };
   why = "frame '" + frame + "'";
   // TF would also give a pose for a scan in the map or odom frame, but a scanner has to be fixed to the robot.
-  if (frame.empty() || frame == parameters_.map_frame || frame == parameters_.odom_frame) {
+  if (frame.empty() || isSameFrame(frame, parameters_.map_frame) || isSameFrame(frame, parameters_.odom_frame)) {
     return reject(mapping::ScanVerdict::kWrongFrame);
   }
   const auto T_base_sensor = tf_.lookup3d(base_frame_, frame, Time{}, Duration::zero(), &why);

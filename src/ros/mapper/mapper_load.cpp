@@ -6,6 +6,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
+#include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 #include "ros/mapper/mapper_adapter.h"
 
@@ -63,7 +64,7 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
 
 void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg) {
   std::string why = "frame '" + msg.header.frame_id + "' is not '" + parameters_.map_frame + "'";
-  const bool in_map = msg.header.frame_id == parameters_.map_frame;
+  const bool in_map = isSameFrame(msg.header.frame_id, parameters_.map_frame);
   const auto pose = in_map ? toPose(msg.pose.pose, &why) : std::nullopt;
   const auto covariance = covarianceOf(msg.pose);
   if (pose && !covariance) why = "invalid covariance";

@@ -2,13 +2,14 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
+#include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 #include "ros/mapper/mapper_adapter.h"
 
 namespace frontier_pilot {
 
 void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
-  if (msg.header.frame_id != parameters_.odom_frame) {
+  if (!isSameFrame(msg.header.frame_id, parameters_.odom_frame)) {
     return bad_odometry_.add("frame '" + msg.header.frame_id + "' is not '" + parameters_.odom_frame + "'");
   }
   std::string why;

@@ -8,6 +8,7 @@
 #include "frontier_pilot/core/text.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
+#include "ros/common/tf/frame_name.h"
 
 namespace frontier_pilot {
 namespace {
@@ -141,7 +142,7 @@ teleop::MapScene MapLink::scene() const {
 
 /// The transform into the frame of the map; nothing, and why in `problem`, if it is not known.
 std::optional<Pose2> MapLink::toMap(const std::string& frame, const char* what, std::string& problem) const {
-  if (frame == map_.frame()) return Pose2();
+  if (isSameFrame(frame, map_.frame())) return Pose2();
   auto T_map_frame = tf_.lookup(map_.frame(), frame, Time{});
   if (!T_map_frame) {
     problem = std::string(what) + " cannot be shown: no transform from '" + map_.frame() + "' to '" + frame + "'.";

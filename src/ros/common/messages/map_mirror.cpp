@@ -10,6 +10,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/names.h"
+#include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -80,7 +81,7 @@ std::string MapMirror::missing(const InputWatch::Topics& topics) const {
 }
 
 bool MapMirror::rightFrame(const std::string& frame) {
-  const bool right = frame_.empty() || frame == frame_;
+  const bool right = frame_.empty() || isSameFrame(frame, frame_);
   if (!right) rejections_.add("in frame '" + frame + "', not '" + frame_ + "'");
   return right;
 }

@@ -4,6 +4,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/messages/conversions.h"
+#include "ros/common/tf/frame_name.h"
 
 namespace frontier_pilot {
 namespace {
@@ -18,8 +19,6 @@ bool areSame(const geometry_msgs::TransformStamped& a, const geometry_msgs::Tran
 }
 
 }  // namespace
-
-std::string plain(const std::string& frame) { return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame; }
 
 bool FixedFrames::moves(const Motion& motion, SteadyTime now) {
   return motion.heard >= kEnough || now - motion.last < kMoves;

@@ -9,9 +9,6 @@
 
 namespace frontier_pilot {
 
-/// The frame without a leading slash: to tf2 "/base" and "base" are the same frame.
-std::string plain(const std::string& frame);
-
 /// Which frames are fixed to their parents and which move, so that a message of another node can neither turn the
 /// scanner nor nail the robot to the floor: the first static transform of a frame holds, also against one that is not
 /// static (tf2 would replace it), and a frame that moves does not become fixed. [FLT-1]

@@ -2,13 +2,14 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/messages/conversions.h"
+#include "ros/common/tf/frame_name.h"
 
 namespace frontier_pilot {
 
 std::optional<Pose2> poseInFrame(const geometry_msgs::PoseStamped& msg, const std::string& frame, const TfBridge& tf,
                                  std::string& why) {
   const auto pose = toPose(msg.pose, &why);
-  if (!pose || msg.header.frame_id == frame) return pose;
+  if (!pose || isSameFrame(msg.header.frame_id, frame)) return pose;
   if (msg.header.frame_id.size() > bounds::kMostName) {
     why = "the name of the frame has more than " + std::to_string(bounds::kMostName) + " characters";
     return std::nullopt;

@@ -9,6 +9,7 @@
 #include "frontier_pilot/core/text.h"
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
+#include "ros/common/tf/frame_name.h"
 
 namespace frontier_pilot {
 
@@ -21,7 +22,7 @@ std::optional<geometry_msgs::TransformStamped> wait(const tf2_ros::Buffer& buffe
   const SteadyTime deadline = steadyNow() + timeout;
   while (true) {
     try {
-      return buffer.lookupTransform(target, source, toRosTime(stamp));
+      return buffer.lookupTransform(plain(target), plain(source), toRosTime(stamp));
     } catch (const std::exception& error) {  // not only TF's exceptions: the arithmetic of ROS time throws, too
       if (steadyNow() >= deadline) {
         if (why != nullptr) *why = printable(error.what(), bounds::kMostLine);  // it names the frames, however long
@@ -64,7 +65,7 @@ std::optional<Time> TfBridge::latestStamp(const std::string& target, const std::
 }
 
 std::optional<Pose2> TfBridge::latest(const std::string& target, const std::string& source, Duration oldest) const {
-  if (target == source) return Pose2();
+  if (isSameFrame(target, source)) return Pose2();
   const auto stamp = latestStamp(target, source);
   const bool is_static = stamp && *stamp == Time{};
   if (!stamp || (!is_static && rosNow() - *stamp > oldest)) return std::nullopt;

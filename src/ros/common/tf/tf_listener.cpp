@@ -6,6 +6,7 @@
 #include "ros/common/clock_monitor.h"
 #include "ros/common/messages/checked_subscription.h"
 #include "ros/common/messages/conversions.h"
+#include "ros/common/tf/frame_name.h"
 
 namespace frontier_pilot {
 
