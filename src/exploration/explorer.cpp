@@ -268,12 +268,12 @@ void Explorer::Impl::cancelGoal() {
 
 void Explorer::Impl::send(Goal goal, ExplorerReason reason, const std::string& text, Time now) {
   goal.id = next_goal_id_++;
-  goal.sent = now;
   goal.sent_from = T_map_base_->position();
   const Vec2 stop = evaluator_.stopOnTheWay(T_map_base_->position(), goal.position);
   goal.on_the_way = stop != goal.position;
   if (goal.purpose != Goal::Purpose::kReturn) done_reason_.reset();
   goal_ = goal;
+  patience_.emplace(goal.sent_from, secondsTo(stop), meanSpeed(parameters_.robot.limits), now);
   goal_pose_ = Pose2(stop, goal.on_the_way ? bearing(goal.position - stop) : goal.yaw);
   out_.command = {GoalCommand::Kind::kSend, goal.id, *goal_pose_};
   ++status_.goals_sent;

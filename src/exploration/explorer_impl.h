@@ -14,6 +14,7 @@
 #include "exploration/history/goal_history.h"
 #include "exploration/inspection/inspection_list.h"
 #include "exploration/limits/stopping_rules.h"
+#include "exploration/progress/goal_patience.h"
 #include "exploration/team/shared_work.h"
 #include "frontier_pilot/exploration/explorer.h"
 
@@ -56,9 +57,8 @@ class Explorer::Impl {
     };
     std::uint32_t id = 0;
     Vec2 position = Vec2::Zero();
-    double yaw = 0.0;        ///< that the robot takes there [rad], in the map's frame
-    double info_area = 0.0;  ///< expected area when it was chosen [m^2]
-    Time sent;
+    double yaw = 0.0;               ///< that the robot takes there [rad], in the map's frame
+    double info_area = 0.0;         ///< expected area when it was chosen [m^2]
     Vec2 sent_from = Vec2::Zero();  ///< where the robot was then [m]
     Purpose purpose = Purpose::kFrontier;
     std::uint32_t inspection = 0;  ///< id of the pose to inspect
@@ -141,6 +141,7 @@ class Explorer::Impl {
   void returnToStart(Time now);
 
   void send(Goal goal, ExplorerReason reason, const std::string& text, Time now);
+  double secondsTo(const Vec2& goal) const;
   void cancelGoal();
   void enter(ExplorerState state, ExplorerReason reason, const std::string& text, Time now);
   void note(bool warning, const std::string& text) { out_.notes.push_back({warning, text}); }
@@ -166,8 +167,9 @@ class Explorer::Impl {
 
   ExplorerOutput out_;
   ExplorerProgress status_;
-  std::optional<Goal> goal_;     ///< being driven to
-  std::optional<Goal> arrived_;  ///< reached and not yet evaluated
+  std::optional<Goal> goal_;              ///< being driven to
+  std::optional<GoalPatience> patience_;  ///< for the goal that was sent last
+  std::optional<Goal> arrived_;           ///< reached and not yet evaluated
   std::optional<Pose2> goal_pose_;
   ChosenGoal chosen_;  ///< at the last decision; without a goal its members are empty
   std::optional<Pose2> start_;

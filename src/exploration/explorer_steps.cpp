@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "exploration/explorer_impl.h"
@@ -93,9 +94,16 @@ void Explorer::Impl::returnToStart(Time now) {
   send(goal, ExplorerReason::kReturningToStart, "", now);
 }
 
+/// What the way to a goal takes; that of a straight line if the last decision found none.
+double Explorer::Impl::secondsTo(const Vec2& goal) const {
+  const Vec2 robot = T_map_base_->position();
+  const double way = evaluator_.travel().distance(evaluator_.map().geometry().cellAt(goal));
+  return (std::isfinite(way) ? way : (goal - robot).norm()) / meanSpeed(parameters_.robot.limits);
+}
+
 void Explorer::Impl::navigate(Time now) {
   if (!goal_) return;
-  if (passed(goal_->sent, parameters_.goal_timeout, now)) {
+  if (patience_->isOver(T_map_base_->position(), parameters_.goal_timeout, now)) {
     const Goal goal = *goal_;
     cancelGoal();
     goalTimedOut(goal);
