@@ -5,7 +5,6 @@ import signal
 import threading
 import time
 import unittest
-import xmlrpc.client
 
 import rosgraph
 import rospy
@@ -15,14 +14,9 @@ from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
 from std_msgs.msg import Bool
 
-from wire import (Node, Record, Source, clear, emergency_stop, enable, moves, set_emergency_stop, twist, wait_for)
+from wire import (Node, Record, Source, clear, emergency_stop, enable, moves, pid_of, set_emergency_stop, twist, wait_for)
 
 SOURCES = ['avoid', 'behavior', 'patrol', 'nav', 'manual']
-
-
-def pid_of(node):
-    master = rosgraph.Master('/test')
-    return xmlrpc.client.ServerProxy(master.lookupNode(node)).getPid('/test')[2]
 
 
 def resident_kilobytes(pid):

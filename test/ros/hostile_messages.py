@@ -5,9 +5,7 @@ import math
 import struct
 import time
 import unittest
-import xmlrpc.client
 
-import rosgraph
 import rospy
 import rostest
 import tf2_ros
@@ -20,7 +18,7 @@ from nav_msgs.srv import GetPlan
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
 
-from wire import Record, call, memory_of, wait_for
+from wire import Record, call, memory_of, pid_of, wait_for
 
 MAP_READERS = ('reader/navigator', 'reader/frontier_explorer')
 SCAN_READERS = ('mapper', 'obstacle_avoider', 'behavior_server', 'reader/navigator')
@@ -94,7 +92,7 @@ class HostileMessages(unittest.TestCase):
         rospy.init_node('hostile_messages')
         cls.words = Record('/diagnostics', DiagnosticArray)
         assert wait_for(lambda: all(cls.said(node) for node in NODES), 60.0)
-        cls.pids = {node: cls.pid_of(node) for node in NODES}
+        cls.pids = {node: pid_of('/' + node) for node in NODES}
         cls.frames = tf2_ros.StaticTransformBroadcaster()
         cls.maps = rospy.Publisher('/reader/map', OccupancyGrid, queue_size=5, latch=True)
         cls.updates = rospy.Publisher('/reader/map_updates', OccupancyGridUpdate, queue_size=100)
@@ -106,11 +104,6 @@ class HostileMessages(unittest.TestCase):
                        (cls.poses, 1))
         assert wait_for(lambda: all(topic.get_num_connections() >= count for topic, count in connections), 30.0)
         cls.maps.publish(map_of(box_in_a_room(), 200))
-
-    @classmethod
-    def pid_of(cls, node):
-        uri = rosgraph.Master('/hostile_messages').lookupNode('/' + node)
-        return xmlrpc.client.ServerProxy(uri).getPid('/hostile_messages')[2]
 
     @classmethod
     def said(cls, node, since=0.0):
@@ -140,7 +133,7 @@ class HostileMessages(unittest.TestCase):
         start = time.monotonic()
         for node in NODES:
             self.assertTrue(wait_for(lambda: self.said(node, start), MOST_SILENCE), node + ' answers no more [FLT-1]')
-            self.assertEqual(self.pid_of(node), self.pids[node], node + ' is another one [FLT-1]')
+            self.assertEqual(pid_of('/' + node), self.pids[node], node + ' is another one [FLT-1]')
             self.assertLess(memory_of(self.pids[node])[1], MOST_MEMORY, node + ' [MB] [FLT-1]')
 
     def expect_refusal(self, nodes, what, why, send):

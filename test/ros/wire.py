@@ -6,7 +6,9 @@ import signal
 import subprocess
 import threading
 import time
+import xmlrpc.client
 
+import rosgraph
 import roslib.packages
 import rospy
 from geometry_msgs.msg import Twist
@@ -138,6 +140,11 @@ class Node:
         if not self.has_ended():
             self.signal(signal.SIGINT)
         self.process.communicate()
+
+
+def pid_of(node):
+    master = rosgraph.Master('/test')
+    return xmlrpc.client.ServerProxy(master.lookupNode(node)).getPid('/test')[2]
 
 
 def memory_of(pid):

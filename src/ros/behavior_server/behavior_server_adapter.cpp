@@ -26,8 +26,7 @@ BehaviorServerAdapter::BehaviorServerAdapter(ros::NodeHandle& node, ros::NodeHan
   around_.subscribe(connections_);
   tuning_.emplace(parameters_, connections_,
                   [this](const auto& changed) { behavior_.setParameters(changed.behavior); });
-  connections_.subscribe(names::kEmergencyStopState, 1, &BehaviorServerAdapter::handleStop, this,
-                         ros::TransportHints().tcpNoDelay());
+  connections_.followStop(&BehaviorServerAdapter::handleStop, this);
   diagnostics_.add("behaviours", [this](auto& status) { fillDiagnostics(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   addPort<SpinAction, SpinResult, SpinFeedback>(names::kSpin);
@@ -68,10 +67,14 @@ void BehaviorServerAdapter::cancel(const std::string& why) { put(behavior_.cance
 
 void BehaviorServerAdapter::handleStop(const std_msgs::Bool& msg) {
   emergency_stop_ = msg.data != 0;
-  if (emergency_stop_) tick();
+  if (emergency_stop_) step();
 }
 
 void BehaviorServerAdapter::tick() {
+  if (connections_.clock().now() && !connections_.clock().isCatchingUp()) step();
+}
+
+void BehaviorServerAdapter::step() {
   if (!behavior_.active()) return;
   const std::optional<Time> now = connections_.clock().now();
   if (!now || !behavior_.active()) return;

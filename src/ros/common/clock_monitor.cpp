@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kMonitorPeriod = 0.02;  // [s]
 constexpr Duration kRecentJump = std::chrono::seconds(10);
-constexpr Duration kStandstill = std::chrono::seconds(2);   // long enough for one step of a slow simulation
+constexpr Duration kStandstill = std::chrono::seconds(2);     // long enough for one step of a slow simulation
+constexpr Duration kHeldUp = std::chrono::milliseconds(300);  // between two looks, 15 times as long as it should be
+constexpr Duration kCatchUp = std::chrono::milliseconds(200);
 constexpr Duration kLeastAhead = std::chrono::seconds(10);  // the clocks of two machines may differ
 
 }  // namespace
@@ -29,7 +31,8 @@ std::string standstill(const Instant& moved, const Instant& now) {
   return "ROS time has stood still for " + std::to_string(seconds.count()) + " s";
 }
 
-ClockMonitor::ClockMonitor(const ros::NodeHandle& node) : trust_(clockPace()), moved_{rosNow(), steadyNow()} {
+ClockMonitor::ClockMonitor(const ros::NodeHandle& node)
+    : trust_(clockPace()), moved_{rosNow(), steadyNow()}, looked_(moved_.steady) {
   poll_ = ros::NodeHandle(node).createSteadyTimer(ros::WallDuration(kMonitorPeriod),
                                                   [this](const ros::SteadyTimerEvent&) { look(); });
 }
@@ -39,8 +42,12 @@ std::optional<Time> ClockMonitor::now() {
   return trust_.trusted() ? std::optional<Time>(time) : std::nullopt;
 }
 
+bool ClockMonitor::isCatchingUp() const { return looked_ - held_up_ < kCatchUp; }
+
 Time ClockMonitor::look() {
   const Instant now{rosNow(), steadyNow()};
+  if (now.steady - looked_ > kHeldUp) held_up_ = now.steady;
+  looked_ = now.steady;
   if (now.ros != moved_.ros) moved_ = now;
   const TrustChange change = trust_.observe(now);
   if (change == TrustChange::kNone) return now.ros;

@@ -22,6 +22,9 @@ class ClockMonitor {
 
   /// ROS time; nothing while the clock cannot be trusted after a jump: the node should then do nothing.
   std::optional<Time> now();
+  /// Whether this process has just been held up, frozen by a signal or by its computer, so that messages may wait that
+  /// say what happened meanwhile, such as an emergency stop. A node that drives waits until it has read them.
+  bool isCatchingUp() const;
   /// `forget` is called when the clock has jumped, and once more when it can be trusted again.
   void onJump(std::function<void()> forget) { forget_.push_back(std::move(forget)); }
   /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one, or while the clock
@@ -33,7 +36,9 @@ class ClockMonitor {
 
   CallbackGuard guard_;
   ClockTrust trust_;
-  Instant moved_;  ///< when ROS time was last seen to change
+  Instant moved_;       ///< when ROS time was last seen to change
+  SteadyTime looked_;   ///< the last look
+  SteadyTime held_up_;  ///< the end of the last hold-up
   std::vector<std::function<void()>> forget_;
   ros::SteadyTimer poll_;
 };

@@ -20,6 +20,7 @@ constexpr const char* kCmdVelNav = "cmd_vel_nav";
 constexpr const char* kCmdVelManual = "cmd_vel_manual";
 
 // Nodes whose parameters are read by another node
+constexpr const char* kNavigatorNode = "navigator";
 constexpr const char* kObstacleAvoiderNode = "obstacle_avoider";
 constexpr const char* kTeleopGuiNode = "teleop_gui";
 

@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
 
 #include <map>
 #include <memory>
@@ -110,6 +111,13 @@ class NodeConnections {
         Need::kNeeded, scansThatCanBeUsed(tf, base_frame));
     inputs_.need(needMount(tf, base_frame, [input = one_.at(names::kScan)] { return input->frame(); }));
     return subscriber;
+  }
+
+  /// For each message of `emergency_stop_state`: also for a stop that was cleared before this node could read of it.
+  template <class Node>
+  void followStop(void (Node::*handle)(const std_msgs::Bool&), Node* node) {
+    constexpr std::uint32_t kStopsAndClears = 10;
+    subscribe(names::kEmergencyStopState, kStopsAndClears, handle, node, ros::TransportHints().tcpNoDelay());
   }
 
   /// `handle(request, response)` answers calls of `service`; the call fails if it returns false or throws.

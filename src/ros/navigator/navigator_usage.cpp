@@ -22,7 +22,7 @@ namespace frontier_pilot {
 
 NodeUsage navigatorUsage() {
   NodeUsage usage;
-  usage.name = "navigator";
+  usage.name = names::kNavigatorNode;
   usage.purpose =
       "Drives to goals on the map: plans a path, follows it past obstacles that the scan shows, and recovers when\n"
       "it is stuck. Takes the place of move_base.";

@@ -43,7 +43,7 @@ void PatrolServerAdapter::subscribe() {
   const RobotModel& robot = parameters_.patrol.robot;
   surroundings_.subscribe(connections_);
   followOdometry(connections_, tf_, robot, robot.base_frame, 1, &PatrolServerAdapter::handleOdometry, this, hints);
-  connections_.subscribe(names::kEmergencyStopState, 1, &PatrolServerAdapter::handleStop, this, hints);
+  connections_.followStop(&PatrolServerAdapter::handleStop, this);
   connections_.subscribe(names::kArbiterStatus, 1, &PatrolServerAdapter::handleArbiter, this, hints);
 }
 
@@ -71,7 +71,7 @@ void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 
 void PatrolServerAdapter::handleStop(const std_msgs::Bool& msg) {
   inputs_.emergency_stop = msg.data != 0;
-  if (inputs_.emergency_stop) tick();
+  if (inputs_.emergency_stop) step();
 }
 
 void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
@@ -80,6 +80,10 @@ void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
 }
 
 void PatrolServerAdapter::tick() {
+  if (connections_.clock().now() && !connections_.clock().isCatchingUp()) step();
+}
+
+void PatrolServerAdapter::step() {
   const auto now = connections_.clock().now();
   if (!now) return;
   inputs_.way_ahead = surroundings_.wayAhead(*now);

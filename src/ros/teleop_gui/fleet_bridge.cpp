@@ -16,8 +16,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr std::size_t kMostRobots = 50;  // that a window listens to
-constexpr const char* kNavigatorNode = "navigator";
-constexpr const char* kRoot = "/";  // as fleet_stop calls a robot without a namespace
+constexpr const char* kRoot = "/";       // as fleet_stop calls a robot without a namespace
 // A stop that was pressed is asked for again and again for ten seconds, also when another robot is shown by then.
 constexpr Duration kRetirement = std::chrono::seconds(12);
 
@@ -129,7 +128,7 @@ teleop::TeleopParameters FleetBridge::parametersOf(const std::string& robot) {
   teleop::TeleopParameters parameters = parameters_;
   const std::string frame = RobotModel().base_frame;
   parameters.robot.base_frame = robot == kRoot ? frame : names::ofRobot(robot, frame);
-  const ParameterMap all = readParameters(ros::NodeHandle(absolute(robot, kNavigatorNode)));
+  const ParameterMap all = readParameters(ros::NodeHandle(absolute(robot, names::kNavigatorNode)));
   ParameterMap known;
   for (const char* group : {"robot", "limits", "base_frame"}) {
     const auto found = all.find(group);

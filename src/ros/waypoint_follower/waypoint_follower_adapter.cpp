@@ -64,8 +64,7 @@ WaypointFollowerAdapter::WaypointFollowerAdapter(ros::NodeHandle& node, ros::Nod
       connections_(node) {
   diagnostics_.add("waypoints", [this](auto& status) { diagnose(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
-  connections_.subscribe(names::kEmergencyStopState, 1, &WaypointFollowerAdapter::handleStop, this,
-                         ros::TransportHints().tcpNoDelay());
+  connections_.followStop(&WaypointFollowerAdapter::handleStop, this);
   connections_.subscribe(names::kAddWaypoint, 20, &WaypointFollowerAdapter::handleAdd, this);
   connections_.serve(names::kStartWaypoints, &WaypointFollowerAdapter::handleStart, this);
   connections_.serve(names::kClearWaypoints, &WaypointFollowerAdapter::handleClear, this);
@@ -92,7 +91,7 @@ void WaypointFollowerAdapter::handleGoal(const FollowWaypointsGoal& goal) {
 
 void WaypointFollowerAdapter::handleStop(const std_msgs::Bool& msg) {
   inputs_.emergency_stop = msg.data != 0;
-  if (inputs_.emergency_stop) tick();
+  if (inputs_.emergency_stop) step();
 }
 
 void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state) {
@@ -101,6 +100,10 @@ void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::T
 }
 
 void WaypointFollowerAdapter::tick() {
+  if (connections_.clock().now() && !connections_.clock().isCatchingUp()) step();
+}
+
+void WaypointFollowerAdapter::step() {
   const auto now = connections_.clock().now();
   if (!now) return;
   inputs_.navigation_up = navigation_.isServerConnected();

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Servers that are frozen while the robot is stopped and cleared: what they were doing does not go on."""
+import os
+import signal
+import time
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from geometry_msgs.msg import Twist
+from std_srvs.srv import Empty, SetBool, Trigger
+
+from frontier_pilot.msg import PatrolAction, PatrolGoal, SpinAction, SpinGoal
+from wire import Record, moves, pid_of, wait_for
+
+ROUNDS = 5  # whether the server reads of the stop before its next cycle is a matter of chance
+
+
+class FrozenServers(unittest.TestCase):
+    def setUp(self):
+        for name in ('emergency_stop', 'set_emergency_stop', 'reset_positions'):
+            rospy.wait_for_service(name, 60)
+        self.stop = rospy.ServiceProxy('emergency_stop', Trigger)
+        self.clear = rospy.ServiceProxy('set_emergency_stop', SetBool)
+
+    def cleared(self):
+        return self.clear(False).success
+
+    def frozen_through_a_stop(self, server, topic, client, goal):
+        """Freezes `server` while it drives, stops and clears, and lets it go on."""
+        rospy.ServiceProxy('reset_positions', Empty)()
+        self.assertTrue(client.wait_for_server(rospy.Duration(60)))
+        commands = Record(topic, Twist)
+        self.assertTrue(wait_for(lambda: commands.subscriber.get_num_connections() > 0))
+        client.send_goal(goal)
+        self.assertTrue(wait_for(lambda: commands.last is not None and moves(commands.last), 30), 'it never drove')
+        pid = pid_of(server)
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            self.assertTrue(self.stop().success)
+            self.assertTrue(wait_for(self.cleared, 20), 'the stop is not cleared')
+        finally:
+            resumed = time.monotonic()
+            os.kill(pid, signal.SIGCONT)
+        self.assertTrue(client.wait_for_result(rospy.Duration(60)), 'it has not ended')
+        self.assertEqual(client.get_state(), GoalStatus.ABORTED)
+        self.assertFalse([command for command in commands.since(resumed) if moves(command)])
+        commands.subscriber.unregister()
+
+    def test_a_patrol_that_was_frozen_through_a_stop_and_its_clearing_does_not_go_on(self):
+        """[PAT-5] [FLT-2]"""
+        square = PatrolGoal()
+        square.goal.x, square.goal.y, square.goal.z = 1, 0.6, 1
+        client = actionlib.SimpleActionClient('turtlebot3', PatrolAction)
+        for _ in range(ROUNDS):
+            self.frozen_through_a_stop('/patrol_server', 'cmd_vel_patrol', client, square)
+            self.assertIn('emergency stop', client.get_result().result)
+
+    def test_a_spin_that_was_frozen_through_a_stop_and_its_clearing_does_not_go_on(self):
+        """[SPN-4] [FLT-2]"""
+        client = actionlib.SimpleActionClient('spin', SpinAction)
+        for _ in range(ROUNDS):
+            self.frozen_through_a_stop('/behavior_server', 'cmd_vel_behavior', client, SpinGoal(6.0, rospy.Duration(0), False))
+            self.assertEqual(client.get_result().error_msg, 'emergency stop')
+
+
+if __name__ == '__main__':
+    rospy.init_node('frozen_servers')
+    rostest.rosrun('frontier_pilot', 'frozen_servers', FrozenServers)
