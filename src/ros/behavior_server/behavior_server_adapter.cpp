@@ -67,16 +67,12 @@ void BehaviorServerAdapter::cancel(const std::string& why) { put(behavior_.cance
 
 void BehaviorServerAdapter::handleStop(const std_msgs::Bool& msg) {
   emergency_stop_ = msg.data != 0;
-  if (emergency_stop_) step();
+  if (emergency_stop_) step(connections_.clock().now());
 }
 
-void BehaviorServerAdapter::tick() {
-  if (connections_.clock().now() && !connections_.clock().isCatchingUp()) step();
-}
+void BehaviorServerAdapter::tick() { step(connections_.clock().timeToAct()); }
 
-void BehaviorServerAdapter::step() {
-  if (!behavior_.active()) return;
-  const std::optional<Time> now = connections_.clock().now();
+void BehaviorServerAdapter::step(const std::optional<Time>& now) {
   if (!now || !behavior_.active()) return;
   behavior::BehaviorInputs inputs = around_.inputs(parameters_.behavior.costmap_timeout, *now);
   inputs.emergency_stop = emergency_stop_;

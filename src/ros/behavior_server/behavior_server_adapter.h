@@ -48,7 +48,7 @@ class BehaviorServerAdapter {
   void cancel(const std::string& why);
   void handleStop(const std_msgs::Bool& msg);
   void tick();
-  void step();
+  void step(const std::optional<Time>& now);
   void put(const behavior::BehaviorOutput& output);
   /// The robot's outline, for rviz.
   void publishFootprint();

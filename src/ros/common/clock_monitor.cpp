@@ -42,7 +42,10 @@ std::optional<Time> ClockMonitor::now() {
   return trust_.trusted() ? std::optional<Time>(time) : std::nullopt;
 }
 
-bool ClockMonitor::isCatchingUp() const { return looked_ - held_up_ < kCatchUp; }
+std::optional<Time> ClockMonitor::timeToAct() {
+  const std::optional<Time> time = now();
+  return looked_ - held_up_ < kCatchUp ? std::nullopt : time;
+}
 
 Time ClockMonitor::look() {
   const Instant now{rosNow(), steadyNow()};

@@ -22,9 +22,9 @@ class ClockMonitor {
 
   /// ROS time; nothing while the clock cannot be trusted after a jump: the node should then do nothing.
   std::optional<Time> now();
-  /// Whether this process has just been held up, frozen by a signal or by its computer, so that messages may wait that
-  /// say what happened meanwhile, such as an emergency stop. A node that drives waits until it has read them.
-  bool isCatchingUp() const;
+  /// The same for a cycle that may move the robot: nothing also for a moment after this process was held up, frozen by
+  /// a signal or by its computer. Messages then wait that say what happened meanwhile, such as an emergency stop.
+  std::optional<Time> timeToAct();
   /// `forget` is called when the clock has jumped, and once more when it can be trusted again.
   void onJump(std::function<void()> forget) { forget_.push_back(std::move(forget)); }
   /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one, or while the clock

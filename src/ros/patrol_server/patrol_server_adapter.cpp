@@ -71,7 +71,7 @@ void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 
 void PatrolServerAdapter::handleStop(const std_msgs::Bool& msg) {
   inputs_.emergency_stop = msg.data != 0;
-  if (inputs_.emergency_stop) step();
+  if (inputs_.emergency_stop) step(connections_.clock().now());
 }
 
 void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
@@ -79,12 +79,9 @@ void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
   inputs_.wheels_held_by = other ? std::make_optional(msg.active_source.substr(0, bounds::kMostName)) : std::nullopt;
 }
 
-void PatrolServerAdapter::tick() {
-  if (connections_.clock().now() && !connections_.clock().isCatchingUp()) step();
-}
+void PatrolServerAdapter::tick() { step(connections_.clock().timeToAct()); }
 
-void PatrolServerAdapter::step() {
-  const auto now = connections_.clock().now();
+void PatrolServerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;
   inputs_.way_ahead = surroundings_.wayAhead(*now);
   put(patrol_.update(inputs_, *now));

@@ -50,7 +50,7 @@ class PatrolServerAdapter {
   void handleStop(const std_msgs::Bool& msg);
   void handleArbiter(const ArbiterStatus& msg);
   void tick();
-  void step();
+  void step(const std::optional<Time>& now);
   void put(const patrol::PatrolOutput& output);
   void finish(const patrol::PatrolOutput& output);
   void fillDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) const;

@@ -91,7 +91,7 @@ void WaypointFollowerAdapter::handleGoal(const FollowWaypointsGoal& goal) {
 
 void WaypointFollowerAdapter::handleStop(const std_msgs::Bool& msg) {
   inputs_.emergency_stop = msg.data != 0;
-  if (inputs_.emergency_stop) step();
+  if (inputs_.emergency_stop) step(connections_.clock().now());
 }
 
 void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state) {
@@ -99,12 +99,9 @@ void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::T
   tick();  // at once, so that an explorer finds no gap between two goals
 }
 
-void WaypointFollowerAdapter::tick() {
-  if (connections_.clock().now() && !connections_.clock().isCatchingUp()) step();
-}
+void WaypointFollowerAdapter::tick() { step(connections_.clock().timeToAct()); }
 
-void WaypointFollowerAdapter::step() {
-  const auto now = connections_.clock().now();
+void WaypointFollowerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;
   inputs_.navigation_up = navigation_.isServerConnected();
   const waypoints::WaypointOutput output = follower_.update(inputs_, *now);

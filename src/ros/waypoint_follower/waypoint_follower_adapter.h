@@ -34,7 +34,7 @@ class WaypointFollowerAdapter {
   void handleStop(const std_msgs::Bool& msg);
   void handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state);
   void tick();
-  void step();
+  void step(const std::optional<Time>& now);
   void put(const waypoints::WaypointOutput& output);
   void send(const waypoints::Leg& leg);
   void finish(const waypoints::WaypointOutput& output);
