@@ -16,6 +16,7 @@
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/map_files/map_image.h"
+#include "map_files/grid_drawing.h"
 #include "map_files/map_yaml.h"
 #include "map_files/resampling.h"
 
@@ -165,31 +166,6 @@ MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, occu
   return {MapIoStatus::kOk, "loaded " + bt_path};
 }
 
-/// How many updates by `step` take a cell's log-odds from 0 to `limit`.
-int timesUntil(float limit, float step) { return static_cast<int>(std::ceil(limit / step)); }
-
-/// Enters each known cell of `image` into `map` until its log-odds are clamped. False when the map would get too large.
-bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
-  const GridGeometry& from = image.geometry();
-  // One cell more on each side, because of rounding.
-  if (!map.reserve(from.centre({-1, -1}), from.centre({from.width, from.height}))) return false;
-  // One shift in whole cells for all: converting each centre would round those near a border between cells either way.
-  const Vec2 shift = (from.origin - map.geometry().origin) / from.resolution;
-  const auto dx = static_cast<int>(std::lround(shift.x()));
-  const auto dy = static_cast<int>(std::lround(shift.y()));
-  const occupancy::LogOddsModel model(map.parameters().model);
-  const int times = std::max(timesUntil(model.max, model.hit), timesUntil(model.min, model.miss));
-  for (int i = 0; i < times; ++i) {
-    map.beginScan();
-    for (std::size_t k = 0; k < image.size(); ++k) {
-      const Cell cell{from.cell(k).x + dx, from.cell(k).y + dy};
-      if (frontier_pilot::isOccupied(image[k])) map.hit(cell);
-      if (isFree(image[k])) map.miss(cell);
-    }
-  }
-  return !map.isFull();
-}
-
 std::string inMetres(double length) {
   std::ostringstream text;
   text << length << " m";
@@ -247,6 +223,14 @@ MapSnapshot takeSnapshot(const occupancy::OccupancyMap& map) {
 
 MapIoResult saveMap(const occupancy::OccupancyMap& map, const std::string& path) {
   return saveMap(takeSnapshot(map), path);
+}
+
+MapIoResult saveGrid(const OccupancyGrid& grid, const std::string& path) {
+  occupancy::OccupancyMapParameters parameters;
+  parameters.resolution = grid.resolution();
+  occupancy::OccupancyMap map(parameters);
+  if (!draw(grid, map)) return {MapIoStatus::kCannotWrite, "the map is too large"};
+  return saveMap(map, path);
 }
 
 MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives) {

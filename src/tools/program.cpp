@@ -1,6 +1,7 @@
 #include "tools/program.h"
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -19,6 +20,8 @@ bool asksForHelp(const std::vector<std::string>& words) {
 
 int runProgram(const std::string& name, const std::vector<std::string>& words, const char* usage,
                const std::function<int(const std::vector<std::string>&)>& run) {
+  // A file that exceeds a limit of the system (ulimit -f) is an error of its writer, and no reason to be killed.
+  std::signal(SIGXFSZ, SIG_IGN);
   if (asksForHelp(words)) {
     std::cout << usage;
     return 0;

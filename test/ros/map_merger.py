@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """The node map_merger on the wire: two robots' maps become one, and each robot's view of it. [MUL-1]"""
 import math
+import os
 import random
 import signal
+import tempfile
 import unittest
 
 import rospy
@@ -12,6 +14,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid
 
+from frontier_pilot.srv import SaveMap
 from wire import Node, Record, wait_for
 
 RESOLUTION = 0.05
@@ -155,6 +158,17 @@ class MapMerger(unittest.TestCase):
         self.assertTrue(wait_for(lambda: 'in frame' in self.said()), self.said())
         self.assertTrue(wait_for(lambda: self.said().count('map message refused: ') >= len(spoiled)), self.said())
         self.assertTrue(self.is_complete())
+
+    def test_saves_the_common_map(self):
+        with tempfile.TemporaryDirectory() as folder:
+            save = rospy.ServiceProxy('map_merger/save_map', SaveMap)
+            self.assertFalse(save(folder + '/nowhere/fleet').success)
+            answer = save(folder + '/fleet')
+            self.assertTrue(answer.success, answer.message)
+            self.assertEqual(sorted(os.listdir(folder)), ['fleet.bt', 'fleet.pgm', 'fleet.yaml'])
+            with open(folder + '/fleet.pgm', 'rb') as picture:
+                black = picture.read().partition(b'\n255\n')[2].count(0)
+        self.assertGreaterEqual(black, 40, 'two pillars of 25 cells, one of them turned')
 
     def test_a_restarted_node_goes_on_where_the_dead_one_was(self):
         """[FLT-2]"""

@@ -44,6 +44,9 @@ MapSnapshot takeSnapshot(const occupancy::OccupancyMap& map);
 /// text names them. [FLT-1]
 MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives = Survives::kPowerLoss);
 MapIoResult saveMap(const occupancy::OccupancyMap& map, const std::string& path);
+/// The same for a map of which only the cells' classes are known: known cells get the greatest certainty that the
+/// occupancy model allows.
+MapIoResult saveGrid(const OccupancyGrid& grid, const std::string& path);
 
 /// Replaces `map` by what `saveMap` wrote to `path`, that is its .bt file, whichever extension `path` has. If a YAML
 /// exists, the .bt must match its checksum; the text says so if that could not be verified. A map without a .bt, as

@@ -64,6 +64,7 @@ constexpr const char* kMergedMapUpdates = "merged_map_updates";
 constexpr const char* kMergedMapMetadata = "merged_map_metadata";
 constexpr const char* kDynamicMap = "dynamic_map";
 constexpr const char* kSaveMap = "mapper/save_map";
+constexpr const char* kSaveMergedMap = "map_merger/save_map";
 constexpr const char* kLoadMap = "mapper/load_map";
 constexpr const char* kLocalize = "mapper/localize";
 constexpr const char* kResetMap = "mapper/reset";

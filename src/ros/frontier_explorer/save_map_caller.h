@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "ros/common/worker.h"
+#include "ros/common/threads/worker.h"
 
 namespace frontier_pilot {
 

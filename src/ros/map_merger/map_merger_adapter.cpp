@@ -42,6 +42,8 @@ MapMergerAdapter::MapMergerAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
     if (const auto now = connections_.clock().now()) tick(*now);
   });
   connections_.everySteady(ros::WallDuration(0.5), [this] { takeRivals(); });
+  connections_.everySteady(ros::WallDuration(0.1), [this] { saver_.provide(merger_.common().map()); });
+  saver_.serve(connections_);
 }
 
 void MapMergerAdapter::tick(Time now) {

@@ -13,8 +13,9 @@
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
-#include "ros/common/worker.h"
+#include "ros/common/threads/worker.h"
 #include "ros/map_merger/grid_publisher.h"
+#include "ros/map_merger/merged_map_saver.h"
 
 namespace frontier_pilot {
 
@@ -44,6 +45,7 @@ struct MapMergerNodeParameters : fleet::MapMergerParameters {
 class MapMergerAdapter {
  public:
   MapMergerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  ~MapMergerAdapter() { saver_.close(); }
   MapMergerAdapter(const MapMergerAdapter&) = delete;
   MapMergerAdapter& operator=(const MapMergerAdapter&) = delete;
 
@@ -74,6 +76,7 @@ class MapMergerAdapter {
   std::string topic_;  ///< of the common map, resolved
   std::string rival_;  ///< a node that publishes it as well; empty if there is none
   NodeDiagnostics diagnostics_;
+  MergedMapSaver saver_;
   NodeConnections connections_;
   Worker<fleet::PlaceFinding> searcher_;
 };

@@ -26,6 +26,7 @@ NodeUsage mapMergerUsage() {
                      port<map_msgs::OccupancyGridUpdate>(ofEach(names::kMergedMapUpdates)),
                      port<nav_msgs::MapMetaData>(ofEach(names::kMergedMapMetadata)),
                      port<tf2_msgs::TFMessage>(names::kTf)};
+  usage.services = {servicePort<SaveMap>(names::kSaveMergedMap)};
   usage.main_parameters = {"known_starts", "max_contradicted"};
   usage.parameters = describeParameters(MapMergerNodeParameters());
   usage.example = "rosrun frontier_pilot map_merger _robots:=\"[{name: robot1, x: 0.0}, {name: robot2, x: 1.5}]\"";

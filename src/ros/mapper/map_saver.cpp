@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "ros/common/callback_guard.h"
+#include "ros/common/messages/save_answer.h"
 #include "ros/common/names.h"
-#include "ros/common/throttled_log.h"
 #include "ros/mapper/map_saver.h"
 
 namespace frontier_pilot {
@@ -36,14 +36,7 @@ void MapSaver::serve(NodeConnections& connections) {
 void MapSaver::run(std::function<void()> job) { thread_.queue().addCallback(boost::make_shared<Job>(std::move(job))); }
 
 bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
-  const map_files::MapIoResult result = save(request.path);
-  response.success = static_cast<std::uint8_t>(result.ok());
-  response.message = result.text;
-  if (result.ok()) {
-    THROTTLED_INFO(result.text);
-  } else {
-    THROTTLED_ERROR("map not saved, " << toString(result.status) << ": " << result.text);
-  }
+  answerSave(save(request.path), response);
   return true;
 }
 

@@ -7,7 +7,7 @@
 
 #include "frontier_pilot/map_files/map_io.h"
 #include "ros/common/node_connections.h"
-#include "ros/mapper/service_thread.h"
+#include "ros/common/threads/service_thread.h"
 
 namespace frontier_pilot {
 

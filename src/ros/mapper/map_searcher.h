@@ -4,7 +4,7 @@
 
 #include "frontier_pilot/mapping/mapper.h"
 #include "ros/common/node_connections.h"
-#include "ros/mapper/service_thread.h"
+#include "ros/common/threads/service_thread.h"
 
 namespace frontier_pilot {
 

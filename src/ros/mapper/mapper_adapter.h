@@ -22,7 +22,7 @@
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
-#include "ros/common/worker.h"
+#include "ros/common/threads/worker.h"
 #include "ros/mapper/map_autosave.h"
 #include "ros/mapper/map_saver.h"
 #include "ros/mapper/map_searcher.h"

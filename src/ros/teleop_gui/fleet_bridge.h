@@ -14,7 +14,7 @@
 
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/node_connections.h"
-#include "ros/common/worker.h"
+#include "ros/common/threads/worker.h"
 #include "ros/teleop_gui/gui_bridge.h"
 #include "ros/teleop_gui/service_caller.h"
 #include "teleop/fleet_link.h"

@@ -42,6 +42,21 @@ TEST_F(MapIo, AnswersWithTheAbsolutePath) {
   EXPECT_EQ(saved.text, "saved " + fs::weakly_canonical(path("floor")).string() + ".pgm, .yaml and .bt");
 }
 
+TEST_F(MapIo, SavesAGridOfClassesThatLoadsAgain) {
+  OccupancyGrid grid(GridGeometry{0.05, Vec2(-1.23, 0.4), 40, 30}, kUnknown);
+  for (int y = 5; y < 25; ++y) std::fill_n(grid.row(y) + 5, 20, y == 24 ? kOccupied : kFree);
+  const map_files::MapIoResult saved = map_files::saveGrid(grid, path("merged"));
+  ASSERT_TRUE(saved.ok()) << saved.text;
+  EXPECT_EQ(files(), 3U);
+  occupancy::OccupancyMap loaded;
+  ASSERT_TRUE(map_files::loadMap(path("merged"), loaded).ok());
+  EXPECT_EQ(loaded.grid().get(loaded.geometry().cellAt({-0.7, 0.9}), kUnknown), kFree);
+  EXPECT_EQ(loaded.grid().get(loaded.geometry().cellAt({-0.7, 1.6}), kUnknown), kOccupied) << "24 cells up: a wall";
+  EXPECT_EQ(loaded.grid().get(loaded.geometry().cellAt({0.5, 1.6}), kUnknown), kUnknown);
+  EXPECT_EQ(map_files::saveGrid(OccupancyGrid(grid.geometry(), kUnknown), path("blank")).status,
+            map_files::MapIoStatus::kEmptyMap);
+}
+
 TEST_F(MapIo, SavesThreeFilesThatLoadAgain) {
   const map_files::MapIoResult saved = map_files::saveMap(map, path("floor"));
   ASSERT_TRUE(saved.ok()) << saved.text;

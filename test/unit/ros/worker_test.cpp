@@ -1,4 +1,4 @@
-#include "ros/common/worker.h"
+#include "ros/common/threads/worker.h"
 
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@ class CoverageTable(unittest.TestCase):
         self.assertEqual(module_of(pathlib.Path('src/exploration/tour/tour.cpp')), 'exploration')
 
     def test_adapters_tests_benchmarks_and_libraries_are_no_modules(self):
-        for path in ('src/ros/common/worker.h', 'src/gui/theme.cpp', 'src/nodes/mapper_node.cpp', 'src/tools/x.cpp', 'src/rviz/x.cpp',
+        for path in ('src/ros/common/threads/worker.h', 'src/gui/theme.cpp', 'src/nodes/mapper_node.cpp', 'src/tools/x.cpp', 'src/rviz/x.cpp',
                      'test/unit/core/x_test.cpp', 'bench/x.cpp', 'build/coverage/x.cpp'):
             self.assertIsNone(module_of(pathlib.Path(path)), path)
         self.assertEqual(shares(file('/usr/include/eigen3/Eigen/Core', (10, 1), (2, 1))), ({}, {}))

@@ -1,0 +1,35 @@
+#include "map_files/grid_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frontier_pilot::map_files {
+namespace {
+
+/// How many updates by `step` take a cell's log-odds from 0 to `limit`.
+int timesUntil(float limit, float step) { return static_cast<int>(std::ceil(limit / step)); }
+
+}  // namespace
+
+bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
+  const GridGeometry& from = image.geometry();
+  // One cell more on each side, because of rounding.
+  if (!map.reserve(from.centre({-1, -1}), from.centre({from.width, from.height}))) return false;
+  // One shift in whole cells for all: converting each centre would round those near a border between cells either way.
+  const Vec2 shift = (from.origin - map.geometry().origin) / from.resolution;
+  const auto dx = static_cast<int>(std::lround(shift.x()));
+  const auto dy = static_cast<int>(std::lround(shift.y()));
+  const occupancy::LogOddsModel model(map.parameters().model);
+  const int times = std::max(timesUntil(model.max, model.hit), timesUntil(model.min, model.miss));
+  for (int i = 0; i < times; ++i) {
+    map.beginScan();
+    for (std::size_t k = 0; k < image.size(); ++k) {
+      const Cell cell{from.cell(k).x + dx, from.cell(k).y + dy};
+      if (frontier_pilot::isOccupied(image[k])) map.hit(cell);
+      if (isFree(image[k])) map.miss(cell);
+    }
+  }
+  return !map.isFull();
+}
+
+}  // namespace frontier_pilot::map_files
