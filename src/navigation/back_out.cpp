@@ -37,7 +37,11 @@ void BackOut::begin(const RecoveryInputs& in) {
     way_.push_back(pose->position());
     if (before.norm() > kSpacing) last = *pose;
   }
-  way_.push_back(last * Vec2(-kLookahead - params_.back_up_distance, 0.0));
+  way_.push_back(straightBehind(last));
+}
+
+Vec2 BackOut::straightBehind(const Pose2& T_map_base) const {
+  return T_map_base * Vec2(-kLookahead - params_.back_up_distance, 0.0);
 }
 
 bool BackOut::hasBackedEnough(const RecoveryInputs& in) {
@@ -52,9 +56,16 @@ std::optional<Vec2> BackOut::target(const Pose2& T_map_base) {
   const auto distance = [&](std::size_t i) { return (way_[i] - T_map_base.position()).norm(); };
   while (next_ < way_.size() && distance(next_) < kLookahead) ++next_;
   if (next_ == way_.size()) return std::nullopt;
-  const Vec2 target = T_map_base.inverse() * way_[next_];
-  const double off = std::abs(angleDifference(bearing(target), kPi));
-  return off > kMostBearing ? std::nullopt : std::optional<Vec2>(target);
+  const auto behind = [&]() -> std::optional<Vec2> {
+    const Vec2 target = T_map_base.inverse() * way_[next_];
+    const double off = std::abs(angleDifference(bearing(target), kPi));
+    return off > kMostBearing ? std::nullopt : std::optional<Vec2>(target);
+  };
+  const bool ends = next_ + 1 == way_.size();
+  // Where the robot has turned on the spot, what is behind it now need not be what was behind it before.
+  if (ends && !straight_ && !behind()) way_.back() = straightBehind(T_map_base);
+  straight_ = straight_ || ends;
+  return behind();
 }
 
 bool BackOut::isFree(const Twist2& command, const RecoveryInputs& in) const {

@@ -19,6 +19,8 @@ class BackOut {
   bool hasBackedEnough(const RecoveryInputs& in);
   /// The point of the way to steer for, in the base frame; nullopt at its end, and if it is not behind the robot.
   std::optional<Vec2> target(const Pose2& T_map_base);
+  /// As far behind the robot as it backs up.
+  Vec2 straightBehind(const Pose2& T_map_base) const;
   /// Whether backing up by `command` until the next scan counts brings the outline no nearer to an obstacle than it is
   /// and than it may be.
   bool isFree(const Twist2& command, const RecoveryInputs& in) const;
@@ -28,6 +30,7 @@ class BackOut {
   Outline outline_;        ///< with the margin of recoveries
   std::vector<Vec2> way_;  ///< back to where the robot came from, the nearest first; begun when not empty
   std::size_t next_ = 0;
+  bool straight_ = false;  ///< the way back is behind the robot, and it backs up straight
   Vec2 start_ = Vec2::Zero();
   bool could_turn_ = true;  ///< where it began
   double checked_ = 0.0;    ///< how far the robot had backed up when a path was last looked for [m]
