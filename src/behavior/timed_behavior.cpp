@@ -201,7 +201,8 @@ BehaviorOutput TimedBehavior::Impl::settle(Time now) {
   estimate_.command = 0.0;
   if (!standing && !late) return running({});
   const bool passed = goal_.kind == BehaviorKind::kSpin && remaining() < -kOvershoot;
-  return passed && direction_ > 0.0 ? turnBack(now) : end(BehaviorOutcome::kSucceeded, "done");
+  if (!passed) return end(BehaviorOutcome::kSucceeded, "done");
+  return direction_ > 0.0 ? turnBack(now) : giveUp(BehaviorOutcome::kSucceeded, "it turned back too far");
 }
 
 /// A cycle that comes late, on a busy computer, lets the base turn on by its last command, past the target. It turns

@@ -94,10 +94,11 @@ void Explorer::Impl::returnToStart(Time now) {
   send(goal, ExplorerReason::kReturningToStart, "", now);
 }
 
-/// What the way to a goal takes; that of a straight line if the last decision found none.
+/// The time that it takes to drive to a goal at the mean speed [s]; along a straight line if the last decision found
+/// no way.
 double Explorer::Impl::secondsTo(const Vec2& goal) const {
   const Vec2 robot = T_map_base_->position();
-  const double way = evaluator_.travel().distance(evaluator_.map().geometry().cellAt(goal));
+  const double way = evaluator_.travel().distance(evaluator_.travel().geometry().cellAt(goal));
   return (std::isfinite(way) ? way : (goal - robot).norm()) / meanSpeed(parameters_.robot.limits);
 }
 

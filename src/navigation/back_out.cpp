@@ -61,10 +61,12 @@ std::optional<Vec2> BackOut::target(const Pose2& T_map_base) {
     const double off = std::abs(angleDifference(bearing(target), kPi));
     return off > kMostBearing ? std::nullopt : std::optional<Vec2>(target);
   };
-  const bool ends = next_ + 1 == way_.size();
-  // Where the robot has turned on the spot, what is behind it now need not be what was behind it before.
-  if (ends && !straight_ && !behind()) way_.back() = straightBehind(T_map_base);
-  straight_ = straight_ || ends;
+  // After a curve so tight that it was nearly a turn on the spot, the way that the robot came lies beside it.
+  const bool stands = (T_map_base.position() - start_).norm() < kSpacing;
+  if (stands && !behind()) {
+    way_ = {straightBehind(T_map_base)};
+    next_ = 0;
+  }
   return behind();
 }
 

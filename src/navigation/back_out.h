@@ -17,7 +17,8 @@ class BackOut {
  private:
   void begin(const RecoveryInputs& in);
   bool hasBackedEnough(const RecoveryInputs& in);
-  /// The point of the way to steer for, in the base frame; nullopt at its end, and if it is not behind the robot.
+  /// The point of the way to steer for, in the base frame; nullopt at its end, and if it is not behind the robot. Where
+  /// that is so before the robot has moved, the way is replaced by a straight one.
   std::optional<Vec2> target(const Pose2& T_map_base);
   /// As far behind the robot as it backs up.
   Vec2 straightBehind(const Pose2& T_map_base) const;
@@ -30,7 +31,6 @@ class BackOut {
   Outline outline_;        ///< with the margin of recoveries
   std::vector<Vec2> way_;  ///< back to where the robot came from, the nearest first; begun when not empty
   std::size_t next_ = 0;
-  bool straight_ = false;  ///< the way back is behind the robot, and it backs up straight
   Vec2 start_ = Vec2::Zero();
   bool could_turn_ = true;  ///< where it began
   double checked_ = 0.0;    ///< how far the robot had backed up when a path was last looked for [m]

@@ -2,6 +2,7 @@
 """Servers that are frozen while the robot is stopped and cleared: what they were doing does not go on."""
 import os
 import signal
+import threading
 import time
 import unittest
 
@@ -9,10 +10,12 @@ import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import PoseStamped, Twist
+from move_base_msgs.msg import MoveBaseAction
 from std_srvs.srv import Empty, SetBool, Trigger
 
-from frontier_pilot.msg import PatrolAction, PatrolGoal, SpinAction, SpinGoal
+from frontier_pilot.msg import (FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult, PatrolAction, PatrolGoal,
+                                SpinAction, SpinGoal)
 from wire import Record, moves, pid_of, wait_for
 
 ROUNDS = 5  # whether the server reads of the stop before its next cycle is a matter of chance
@@ -28,22 +31,28 @@ class FrozenServers(unittest.TestCase):
     def cleared(self):
         return self.clear(False).success
 
+    def freeze_through_a_stop(self, server):
+        """Freezes `server`, stops and clears, and lets it go on; when that was."""
+        pid = pid_of(server)
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            self.assertTrue(self.stop().success)
+            self.assertTrue(wait_for(self.cleared, 20), 'the stop is not cleared')
+            time.sleep(0.5)
+        finally:
+            resumed = time.monotonic()
+            os.kill(pid, signal.SIGCONT)
+        return resumed
+
     def frozen_through_a_stop(self, server, topic, client, goal):
-        """Freezes `server` while it drives, stops and clears, and lets it go on."""
+        """Freezes `server` while it drives."""
         rospy.ServiceProxy('reset_positions', Empty)()
         self.assertTrue(client.wait_for_server(rospy.Duration(60)))
         commands = Record(topic, Twist)
         self.assertTrue(wait_for(lambda: commands.subscriber.get_num_connections() > 0))
         client.send_goal(goal)
         self.assertTrue(wait_for(lambda: commands.last is not None and moves(commands.last), 30), 'it never drove')
-        pid = pid_of(server)
-        os.kill(pid, signal.SIGSTOP)
-        try:
-            self.assertTrue(self.stop().success)
-            self.assertTrue(wait_for(self.cleared, 20), 'the stop is not cleared')
-        finally:
-            resumed = time.monotonic()
-            os.kill(pid, signal.SIGCONT)
+        resumed = self.freeze_through_a_stop(server)
         self.assertTrue(client.wait_for_result(rospy.Duration(60)), 'it has not ended')
         self.assertEqual(client.get_state(), GoalStatus.ABORTED)
         self.assertFalse([command for command in commands.since(resumed) if moves(command)])
@@ -64,6 +73,27 @@ class FrozenServers(unittest.TestCase):
         for _ in range(ROUNDS):
             self.frozen_through_a_stop('/behavior_server', 'cmd_vel_behavior', client, SpinGoal(6.0, rospy.Duration(0), False))
             self.assertEqual(client.get_result().error_msg, 'emergency stop')
+
+    def test_waypoints_whose_server_was_frozen_through_a_stop_and_its_clearing_do_not_go_on(self):
+        """[FLT-2]"""
+        under_way = threading.Event()
+
+        def drive(_):
+            under_way.set()
+            while not (navigation.is_preempt_requested() or rospy.is_shutdown()):
+                time.sleep(0.02)
+            navigation.set_preempted()
+        navigation = actionlib.SimpleActionServer('move_base', MoveBaseAction, drive, auto_start=False)
+        navigation.start()
+        client = actionlib.SimpleActionClient('follow_waypoints', FollowWaypointsAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(60)))
+        pose = PoseStamped()
+        pose.header.frame_id, pose.pose.orientation.w = 'map', 1.0
+        client.send_goal(FollowWaypointsGoal([pose, pose]))
+        self.assertTrue(under_way.wait(30), 'it never sent a goal')
+        self.freeze_through_a_stop('/waypoint_follower')
+        self.assertTrue(client.wait_for_result(rospy.Duration(60)), 'they have not ended')
+        self.assertEqual(client.get_result().error_code, FollowWaypointsResult.EMERGENCY_STOP)
 
 
 if __name__ == '__main__':

@@ -80,7 +80,9 @@ struct BehaviorOutput {
 };
 
 /// Turns, drives straight or waits, and checks the motion ahead in every cycle, the first one included. One behaviour
-/// at a time; whatever ends it, its last output has a zero command. Requirements: docs/requirements.md, SPN-1 to SPN-5.
+/// at a time; whatever ends it, its last output has a zero command. A spin that has turned too far, because a cycle
+/// came late, turns back once; it has succeeded then, also if the way back fails, and the message says so.
+/// Requirements: docs/requirements.md, SPN-1 to SPN-5.
 class TimedBehavior {
  public:
   explicit TimedBehavior(const BehaviorParameters& parameters);

@@ -246,8 +246,7 @@ struct ExplorerParameters {
         between(0.0, 1.0));
     v.field("goal_timeout", goal_timeout, "s",
             "after this long a goal is cancelled, unless the robot is still on a longer way to it; a frontier's goal "
-            "is also "
-            "blacklisted",
+            "is also blacklisted",
             timeSpan());
     v.field("max_goal_retries", max_goal_retries, "",
             "failures allowed within blacklist/radius; with one more the place is blacklisted", atLeast(0));

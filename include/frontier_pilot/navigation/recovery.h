@@ -44,8 +44,8 @@ struct RecoveryRung {
 
 /// Backs up along the way that the robot has come, for one that is not a disc and may stand where it cannot turn: by
 /// `params.back_up_distance` and until it can turn or there is a path, as far as the scan shows room. The way ends
-/// where the robot last turned on the spot; from there on, and if no way is known, it backs up straight. Pure pursuit
-/// (Coulter, CMU-RI-TR-92-01, 1992), backwards.
+/// where the robot last turned on the spot; from there on, and if no way is known or none lies behind it, it backs up
+/// straight. Pure pursuit (Coulter, CMU-RI-TR-92-01, 1992), backwards.
 Recovery backOut(const RecoveryParams& params, const RobotModel& robot);
 
 /// A ladder without motions: it only removes the live obstacles. system/behavior_ladder.h combines this with motions.

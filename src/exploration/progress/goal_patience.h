@@ -5,9 +5,9 @@
 
 namespace frontier_pilot::exploration {
 
-/// How long a goal may take. [EXP-5] A robot that stands has the timeout. One that is still under way when that has
-/// passed, because the goal is far and the robot slow, has as much longer as it keeps moving, but no more than twice
-/// what its way takes.
+/// How long a goal may take. [EXP-5] A robot that stands has the timeout. One that is still moving then, because the
+/// goal is far and the robot slow, may go on until twice the time that its way should take has passed since the goal
+/// was sent.
 class GoalPatience {
  public:
   /// The goal has been sent from `position`; its way takes `way` [s] at the robot's mean speed [m/s].

@@ -70,7 +70,11 @@ void BehaviorServerAdapter::handleStop(const std_msgs::Bool& msg) {
   if (emergency_stop_) step(connections_.clock().now());
 }
 
-void BehaviorServerAdapter::tick() { step(connections_.clock().timeToAct()); }
+void BehaviorServerAdapter::tick() {
+  const std::optional<Time> now = connections_.clock().now();
+  if (!connections_.clock().isCatchingUp()) return step(now);
+  if (behavior_.active()) cmd_vel_.publish(geometry_msgs::Twist());
+}
 
 void BehaviorServerAdapter::step(const std::optional<Time>& now) {
   if (!now || !behavior_.active()) return;

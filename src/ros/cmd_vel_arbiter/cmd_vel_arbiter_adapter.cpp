@@ -79,17 +79,8 @@ void CmdVelArbiterAdapter::addSource(std::size_t source) {
       [this, source](auto& request, auto& response) { return handleEnable(source, request, response); });
 }
 
-bool CmdVelArbiterAdapter::hasJustWoken() {
-  constexpr Duration kSuspended = std::chrono::milliseconds(300);  // six ticks
-  constexpr Duration kBacklog = std::chrono::milliseconds(100);
-  const SteadyTime now = steadyNow();
-  if (now - last_seen_ > kSuspended) woken_until_ = now + kBacklog;
-  last_seen_ = now;
-  return now < woken_until_;
-}
-
 void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs::Twist& msg) {
-  if (hasJustWoken()) return;
+  if (hold_ups_.isCatchingUp(steadyNow())) return;
   std::string why;
   const std::optional<Twist2> twist = toTwist(msg, &why);
   if (!twist) rejections_[source].add(why);
@@ -98,7 +89,7 @@ void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs
 }
 
 void CmdVelArbiterAdapter::tick() {
-  hasJustWoken();
+  hold_ups_.isCatchingUp(steadyNow());
   endListening();
   publish(arbiter_.tick(instantNow()));
   takeMasterReport();

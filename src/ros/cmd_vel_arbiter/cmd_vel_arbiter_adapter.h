@@ -16,6 +16,7 @@
 #include "ros/cmd_vel_arbiter/arrival_queue.h"
 #include "ros/cmd_vel_arbiter/fleet_stop_watch.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/hold_up_watch.h"
 #include "ros/common/master/ros_sessions.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/publish_flush.h"
@@ -60,8 +61,6 @@ class CmdVelArbiterAdapter {
   void addStopServices();
   /// Ends the listening phase of an arbiter that started stopped, and serves the calls that have waited for it.
   void endListening();
-  /// Whether this process was suspended until a moment ago: messages that arrive now may have been sent long before.
-  bool hasJustWoken();
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleSetStop(SetBoolCall& call);
@@ -88,7 +87,8 @@ class CmdVelArbiterAdapter {
   FleetStopWatch fleet_{arbiter_.parameters().fleet_stop_status};
   NodeDiagnostics diagnostics_;
   std::string last_summary_, last_content_;
-  SteadyTime last_seen_ = steadyNow(), woken_until_{};
+  /// Just after this process was held up, commands may have been sent long before, and are dropped.
+  HoldUpWatch hold_ups_{std::chrono::milliseconds(100), Duration::max()};
   std::deque<SafeSwitch> switches_;            ///< of the sources; the safe side is disabled
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
   std::optional<ReconfigureServer> tuning_;

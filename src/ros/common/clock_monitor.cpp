@@ -11,9 +11,7 @@ namespace {
 
 constexpr double kMonitorPeriod = 0.02;  // [s]
 constexpr Duration kRecentJump = std::chrono::seconds(10);
-constexpr Duration kStandstill = std::chrono::seconds(2);     // long enough for one step of a slow simulation
-constexpr Duration kHeldUp = std::chrono::milliseconds(300);  // between two looks, 15 times as long as it should be
-constexpr Duration kCatchUp = std::chrono::milliseconds(200);
+constexpr Duration kStandstill = std::chrono::seconds(2);   // long enough for one step of a slow simulation
 constexpr Duration kLeastAhead = std::chrono::seconds(10);  // the clocks of two machines may differ
 
 }  // namespace
@@ -31,8 +29,7 @@ std::string standstill(const Instant& moved, const Instant& now) {
   return "ROS time has stood still for " + std::to_string(seconds.count()) + " s";
 }
 
-ClockMonitor::ClockMonitor(const ros::NodeHandle& node)
-    : trust_(clockPace()), moved_{rosNow(), steadyNow()}, looked_(moved_.steady) {
+ClockMonitor::ClockMonitor(const ros::NodeHandle& node) : trust_(clockPace()), moved_{rosNow(), steadyNow()} {
   poll_ = ros::NodeHandle(node).createSteadyTimer(ros::WallDuration(kMonitorPeriod),
                                                   [this](const ros::SteadyTimerEvent&) { look(); });
 }
@@ -42,15 +39,9 @@ std::optional<Time> ClockMonitor::now() {
   return trust_.trusted() ? std::optional<Time>(time) : std::nullopt;
 }
 
-std::optional<Time> ClockMonitor::timeToAct() {
-  const std::optional<Time> time = now();
-  return looked_ - held_up_ < kCatchUp ? std::nullopt : time;
-}
-
 Time ClockMonitor::look() {
   const Instant now{rosNow(), steadyNow()};
-  if (now.steady - looked_ > kHeldUp) held_up_ = now.steady;
-  looked_ = now.steady;
+  catching_up_ = hold_ups_.isCatchingUp(now.steady);
   if (now.ros != moved_.ros) moved_ = now;
   const TrustChange change = trust_.observe(now);
   if (change == TrustChange::kNone) return now.ros;
@@ -66,6 +57,7 @@ Time ClockMonitor::look() {
 void ClockMonitor::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   status.add("jumps of the clock", trust_.jumps());
+  status.add("times that this process was held up", hold_ups_.count());
   guard_.report(status);
   const std::string still = standstill(moved_, {rosNow(), steadyNow()});
   if (!still.empty()) status.mergeSummary(DiagnosticStatus::WARN, still);

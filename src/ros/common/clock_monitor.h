@@ -11,6 +11,7 @@
 
 #include "frontier_pilot/core/clock_trust.h"
 #include "ros/common/callback_guard.h"
+#include "ros/common/hold_up_watch.h"
 
 namespace frontier_pilot {
 
@@ -22,9 +23,8 @@ class ClockMonitor {
 
   /// ROS time; nothing while the clock cannot be trusted after a jump: the node should then do nothing.
   std::optional<Time> now();
-  /// The same for a cycle that may move the robot: nothing also for a moment after this process was held up, frozen by
-  /// a signal or by its computer. Messages then wait that say what happened meanwhile, such as an emergency stop.
-  std::optional<Time> timeToAct();
+  /// Whether this process has just been held up: a node that moves the robot reads what came meanwhile before it acts.
+  bool isCatchingUp() const { return catching_up_; }
   /// `forget` is called when the clock has jumped, and once more when it can be trusted again.
   void onJump(std::function<void()> forget) { forget_.push_back(std::move(forget)); }
   /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one, or while the clock
@@ -36,9 +36,9 @@ class ClockMonitor {
 
   CallbackGuard guard_;
   ClockTrust trust_;
-  Instant moved_;       ///< when ROS time was last seen to change
-  SteadyTime looked_;   ///< the last look
-  SteadyTime held_up_;  ///< the end of the last hold-up
+  Instant moved_;  ///< when ROS time was last seen to change
+  HoldUpWatch hold_ups_{std::chrono::milliseconds(200), std::chrono::seconds(1)};
+  bool catching_up_ = false;
   std::vector<std::function<void()>> forget_;
   ros::SteadyTimer poll_;
 };

@@ -14,10 +14,8 @@ void MergedMapSaver::serve(NodeConnections& connections) {
 
 bool MergedMapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
   const auto map = thread_.ask<OccupancyGrid>([](const OccupancyGrid& common) { return common; });
-  const map_files::MapIoResult busy{
-      map_files::MapIoStatus::kCannotWrite,
-      thread_.closed() ? "the map merger is shut down" : "the map merger was too busy to hand over its map"};
-  answerSave(map ? map_files::saveGrid(*map, request.path) : busy, response);
+  const map_files::MapIoResult none{map_files::MapIoStatus::kCannotWrite, thread_.whyNoMap("map merger")};
+  answerSave(map ? map_files::saveGrid(*map, request.path) : none, response);
   return true;
 }
 

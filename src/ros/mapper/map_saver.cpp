@@ -43,8 +43,7 @@ bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
 map_files::MapIoResult MapSaver::save(const std::string& path) {
   const auto snapshot = thread_.ask<map_files::MapSnapshot>(map_files::takeSnapshot);
   if (snapshot) return map_files::saveMap(*snapshot, path);
-  return {map_files::MapIoStatus::kCannotWrite,
-          thread_.closed() ? "the mapper is shut down" : "the mapper was too busy to hand over its map"};
+  return {map_files::MapIoStatus::kCannotWrite, thread_.whyNoMap("mapper")};
 }
 
 }  // namespace frontier_pilot

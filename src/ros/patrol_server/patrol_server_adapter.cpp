@@ -79,7 +79,11 @@ void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
   inputs_.wheels_held_by = other ? std::make_optional(msg.active_source.substr(0, bounds::kMostName)) : std::nullopt;
 }
 
-void PatrolServerAdapter::tick() { step(connections_.clock().timeToAct()); }
+void PatrolServerAdapter::tick() {
+  const std::optional<Time> now = connections_.clock().now();
+  if (!connections_.clock().isCatchingUp()) return step(now);
+  if (patrol_.active()) cmd_vel_.publish(geometry_msgs::Twist());
+}
 
 void PatrolServerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;

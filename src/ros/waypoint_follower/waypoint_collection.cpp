@@ -2,6 +2,7 @@
 
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
+#include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 #include "ros/waypoint_follower/waypoint_follower_adapter.h"
 
@@ -16,7 +17,7 @@ std::string problemOfWaypoint(const geometry_msgs::PoseStamped& msg) {
 
 void WaypointFollowerAdapter::handleAdd(const geometry_msgs::PoseStamped& msg) {
   std::string why = problemOfWaypoint(msg);
-  const bool other_frame = !collected_.empty() && msg.header.frame_id != collected_.front().header.frame_id;
+  const bool other_frame = !collected_.empty() && !isSameFrame(msg.header.frame_id, collected_.front().header.frame_id);
   if (why.empty() && other_frame)
     why = "in frame '" + msg.header.frame_id + "', the others are in '" + collected_.front().header.frame_id + "'";
   if (why.empty() && collected_.size() >= static_cast<std::size_t>(parameters_.max_waypoints))

@@ -3,14 +3,11 @@
 #include <geometry_msgs/PoseArray.h>
 
 #include "ros/common/messages/conversions.h"
-#include "ros/common/names.h"
 #include "ros/common/parameters.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
 namespace {
-
-constexpr double kPeriod = 0.1;  // [s]
 
 waypoints::LegEnd::Kind kindOf(const actionlib::TerminalState& state) {
   using State = actionlib::TerminalState;
@@ -62,6 +59,7 @@ WaypointFollowerAdapter::WaypointFollowerAdapter(ros::NodeHandle& node, ros::Nod
           [this](bool) { put(follower_.cancel()); }),
       diagnostics_(node, private_node),
       connections_(node) {
+  constexpr double kPeriod = 0.1;  // [s]
   diagnostics_.add("waypoints", [this](auto& status) { diagnose(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   connections_.followStop(&WaypointFollowerAdapter::handleStop, this);
@@ -99,7 +97,9 @@ void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::T
   tick();  // at once, so that an explorer finds no gap between two goals
 }
 
-void WaypointFollowerAdapter::tick() { step(connections_.clock().timeToAct()); }
+void WaypointFollowerAdapter::tick() {
+  if (const auto now = connections_.clock().now(); !connections_.clock().isCatchingUp()) step(now);
+}
 
 void WaypointFollowerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;

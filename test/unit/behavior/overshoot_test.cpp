@@ -13,7 +13,7 @@ using test::BehaviorLoop;
 /// A spin by one radian whose last cycle before the target comes `late` [s] late: the base turns on by its last
 /// command.
 struct LateSpin {
-  explicit LateSpin(double late, double target = 1.0, const RobotLimits& limits = {}) : loop(10.0, limits) {
+  explicit LateSpin(double late, double target = 1.0) {
     turned.restart(0.0);
     loop.start({BehaviorKind::kSpin, target, 0.0, 0.0, true});
     while (std::abs(target) - std::abs(turned.total()) > 0.15) cycle();
@@ -50,7 +50,6 @@ TEST(Overshoot, ASpinThatTurnedTooFarWhileACycleWasLateTurnsBackToItsTarget) {
 // [SPN-4]
 TEST(Overshoot, ItTurnsBackOnlyOverFreeFloorAndTheTurnHasSucceededAllTheSame) {
   LateSpin spin(0.3);
-  spin.loop.inputs.look_ahead = nullptr;
   spin.loop.scanning = false;
   spin.loop.base.run({}, 1.0);  // the costmap is too old by now
   spin.loop.moved = false;
@@ -58,6 +57,17 @@ TEST(Overshoot, ItTurnsBackOnlyOverFreeFloorAndTheTurnHasSucceededAllTheSame) {
   EXPECT_EQ(spin.last.outcome, BehaviorOutcome::kSucceeded);
   EXPECT_NE(spin.last.message.find("past the target"), std::string::npos) << spin.last.message;
   EXPECT_FALSE(spin.loop.moved);
+}
+
+// [SPN-4]
+TEST(Overshoot, ItTurnsBackOnceAndSaysThatItMissedTheTargetAgain) {
+  LateSpin spin(0.3);
+  for (int i = 0; i < 20 && !(spin.last.command && spin.last.command->angular < 0.0); ++i) spin.cycle();
+  ASSERT_LT(spin.last.command->angular, 0.0);
+  spin.loop.base.run(*spin.last.command, 1.5);
+  spin.run(5.0);
+  EXPECT_EQ(spin.last.outcome, BehaviorOutcome::kSucceeded);
+  EXPECT_EQ(spin.last.message, "done, but past the target: it turned back too far");
 }
 
 // [SPN-4]

@@ -67,13 +67,17 @@ TEST_F(BackOutTest, BacksUpStraightWhereItHadTurnedRoundAndWithoutAKnownWay) {
   EXPECT_NEAR(in_.T_map_base.x, 0.3 - RecoveryParams().back_up_distance, 0.05);
 }
 
-TEST_F(BackOutTest, BacksUpStraightAfterACurveSoShortAndTightThatItLeadsNowhereBehind) {
-  for (double angle = -1.2; angle <= 1e-9; angle += 0.1) {
-    track_.emplace_back(0.3 + 0.1 * std::sin(angle), 0.1 * (1.0 - std::cos(angle)), angle);
+TEST_F(BackOutTest, BacksUpStraightAfterACurveSoTightThatTheWayLiesBesideIt) {
+  for (const double curve : {1.2, 1.7, 2.4}) {
+    track_.clear();
+    in_.T_map_base = {0.3, 0.0, 0.0};
+    for (double angle = -curve; angle <= 1e-9; angle += 0.1) {
+      track_.emplace_back(0.3 + 0.1 * std::sin(angle), 0.1 * (1.0 - std::cos(angle)), angle);
+    }
+    EXPECT_LT(run(), 59.0);
+    EXPECT_NEAR(in_.T_map_base.x, 0.3 - RecoveryParams().back_up_distance, 0.05) << curve;
+    EXPECT_NEAR(in_.T_map_base.yaw, 0.0, 1e-9) << curve;
   }
-  EXPECT_LT(run(), 59.0);
-  EXPECT_NEAR(in_.T_map_base.x, 0.3 - RecoveryParams().back_up_distance, 0.05);
-  EXPECT_NEAR(in_.T_map_base.yaw, 0.0, 1e-9);
 }
 
 TEST_F(BackOutTest, StopsBeforeAnObstacleBehindItAndGivesUp) {

@@ -26,7 +26,7 @@ int writeTooMuch(const std::string& path) {
 // [FLT-1]
 TEST(Program, SaysThatAFileHasReachedALimitOfTheSystemInsteadOfBeingKilled) {
   const test::TemporaryFolder folder;
-  EXPECT_EXIT(std::exit(writeTooMuch((folder.path() / "file").string())), ::testing::ExitedWithCode(1),
+  EXPECT_EXIT(std::_Exit(writeTooMuch((folder.path() / "file").string())), ::testing::ExitedWithCode(1),
               "writer: cannot be written");
 }
 

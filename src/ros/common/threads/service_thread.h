@@ -16,7 +16,7 @@
 
 namespace frontier_pilot {
 
-/// A thread that serves one service whose work takes longer than `map -> odom` may be late. It may ask questions about
+/// Serves one service on a thread of its own, because its work would hold up the node's for too long. It may ask about
 /// `Subject`, which belongs to the node's thread and is only touched there.
 template <class Subject>
 class ServiceThread {
@@ -62,6 +62,10 @@ class ServiceThread {
     asked_.take();  // destroying the promise wakes the thread that waits for it
   }
   bool closed() const { return closed_; }
+  /// Why `ask` has given nothing, of a subject that is the map of `node`.
+  std::string whyNoMap(const std::string& node) const {
+    return "the " + node + (closed_ ? " is shut down" : " was too busy to hand over its map");
+  }
 
   /// What the thread has to do: calls of the service, and other callbacks.
   ros::CallbackQueue& queue() { return queue_; }

@@ -1,0 +1,17 @@
+#include "ros/common/hold_up_watch.h"
+
+namespace frontier_pilot {
+
+bool HoldUpWatch::isCatchingUp(SteadyTime now) {
+  constexpr Duration kHeldUp = std::chrono::milliseconds(300);
+  if (looked_ && now - *looked_ > kHeldUp) {
+    ++count_;
+    if (!since_) since_ = now;
+    until_ = now + backlog_;
+  }
+  looked_ = now;
+  if (since_ && (now >= until_ || now - *since_ >= longest_)) since_.reset();
+  return since_.has_value();
+}
+
+}  // namespace frontier_pilot
