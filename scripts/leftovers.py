@@ -7,6 +7,7 @@ import signal
 import time
 
 PATIENCE = 3.0  # for a process to end on SIGTERM [s]
+STARTING = 0.1  # a process that is being started has no environment for a moment, and is not found [s]
 _SET_PARENT_DEATH_SIGNAL = 1
 _prctl = ctypes.CDLL(None).prctl  # not looked for between fork and exec
 
@@ -50,6 +51,7 @@ def find(name, value):
 
 def end(name, value):
     """Ends them by SIGTERM, and by SIGKILL if that takes too long."""
+    time.sleep(STARTING)
     for number in (signal.SIGTERM, signal.SIGKILL):
         for process in find(name, value):
             try:

@@ -40,7 +40,7 @@ class Leftovers(unittest.TestCase):
             self.addCleanup(parent.stdout.close)
             self.addCleanup(leftovers.end, 'LEFTOVERS_TEST', value)
             self.assertEqual(parent.stdout.readline(), b'started\n')
-            self.assertEqual(len(leftovers.find('LEFTOVERS_TEST', value)), 1)
+            self.assertTrue(becomes(lambda: len(leftovers.find('LEFTOVERS_TEST', value)) == 1), 'it was not started')
             parent.send_signal(number)
             parent.wait(10.0)
             self.assertTrue(becomes(lambda: not leftovers.find('LEFTOVERS_TEST', value)), number)
