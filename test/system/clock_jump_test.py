@@ -13,7 +13,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from system_watch import SystemWatch, pid_of, wait_until  # noqa: E402
+from system_watch import SystemWatch, pid_of, subscribers, wait_until  # noqa: E402
 
 AHEAD = 1e6
 NODES = ('cmd_vel_arbiter', 'mapper', 'navigator', 'frontier_explorer', 'behavior_server', 'patrol_server',
@@ -41,7 +41,8 @@ class ClockJump(unittest.TestCase):
     def speak(self, ahead, seconds):
         """Says a time of its own on /clock for so long, as the simulator does, and falls silent."""
         publisher = rospy.Publisher('/clock', Clock, queue_size=10)
-        self.assertTrue(wait_until(lambda: publisher.get_num_connections() >= len(NODES), 20.0))
+        everyone = {'/' + name for name in NODES}
+        self.assertTrue(wait_until(lambda: subscribers('/clock') >= everyone, 20.0), everyone - subscribers('/clock'))
         pace, start, end = threading.Event(), self.watch.time + ahead, time.monotonic() + seconds
         while time.monotonic() < end:
             publisher.publish(Clock(rospy.Time.from_sec(start + seconds - (end - time.monotonic()))))

@@ -95,3 +95,9 @@ def pid_of(node):
         return xmlrpc.client.ServerProxy(uri).getPid('/test')[2]
     except (rosgraph.MasterException, OSError):
         return None
+
+
+def subscribers(topic):
+    """The nodes that are connected to this process's publisher of `topic` by now: the master tells them one by one."""
+    connections = xmlrpc.client.ServerProxy(rospy.get_node_uri()).getBusInfo('/test')[2]
+    return {connection[1] for connection in connections if connection[2] == 'o' and connection[4] == topic}
