@@ -21,6 +21,7 @@
 #include "support/explore_report.h"
 #include "support/explore_usage.h"
 #include "support/omniscient_tour.h"
+#include "support/pose_error_meter.h"
 #include "support/progress_track.h"
 #include "support/svg.h"
 #include "tools/program.h"
@@ -87,6 +88,7 @@ class Run {
                        toSeconds(sim::Simulator::kStep));
     }
     for (std::size_t robot = 0; robot < loop_.robotCount(); ++robot) followRobot(robot);
+    mapper_errors_.add(mapperError());
   }
 
   void followRobot(std::size_t robot) {
@@ -152,7 +154,10 @@ class Run {
   }
 
   void conclude(double cpu) {
-    if (options_.curve) std::printf("%s\n", progress_.text().c_str());
+    if (options_.curve) {
+      std::printf("%s\n", progress_.text().c_str());
+      std::printf("    the mapper's pose, RMS over the run: %s\n", mapper_errors_.text().c_str());
+    }
     for (std::size_t robot = 0; options_.log && robot < loop_.robotCount(); ++robot) {
       std::printf("   %s %s\n", nameOf(robot).c_str(), loop_.explorer(robot).explain().c_str());
     }
@@ -180,6 +185,7 @@ class Run {
   std::string svg_;
   ExploreReport report_;
   ProgressTrack progress_;
+  PoseErrorMeter mapper_errors_;
   std::vector<SvgTrack> tracks_;  ///< by robot, as are the next two
   std::vector<int> contacts_;
   std::vector<test::StandingWatch> standing_;

@@ -22,7 +22,7 @@ constexpr const char* kUsage =
     "  --limit SECONDS    of simulated time, 7200\n"
     "  --odom-noise       the simulator's odometry noise; the mapper then matches scans and closes loops\n"
     "  --latency SECONDS  from a measurement to those who use it, 0\n"
-    "  --curve            explored share and the mapper's error every 10 s, and how good its estimates were\n"
+    "  --curve            explored share and the mapper's error every 10 s and over the run, how good estimates were\n"
     "  --driving          where the time goes that driving at full speed would not take, and the distances to "
     "obstacles\n"
     "  --decisions        the time that the explorer takes for a decision: median, 99th percentile and longest\n"
