@@ -16,6 +16,17 @@ class StartsError(Exception):
     """There are no robots, or no places for them."""
 
 
+def read_yaml(path):
+    """What a YAML file says; StartsError if it cannot be read, or is nested too deeply."""
+    try:
+        with open(path) as file:
+            return yaml.safe_load(file)
+    except RecursionError:
+        raise StartsError('%s cannot be read: it is nested too deeply' % path) from None
+    except (OSError, ValueError, yaml.YAMLError) as error:
+        raise StartsError('%s cannot be read: %s' % (path, error)) from None
+
+
 def read_picture(path):
     """Width, height and shades (0 ... 1) of a picture, from the upper left."""
     with Image.open(path) as picture:
@@ -27,8 +38,7 @@ class World:
     """A map_server YAML and its picture."""
 
     def __init__(self, path):
-        with open(path) as file:
-            meta = yaml.safe_load(file)
+        meta = read_yaml(path)
         self.width, self.height, shades = read_picture(os.path.join(os.path.dirname(path), meta['image']))
         self.resolution = float(meta['resolution'])
         self.origin = meta['origin']
@@ -81,7 +91,7 @@ def read_world(path):
     """The World of a map_server YAML; StartsError if it or its picture cannot be read."""
     try:
         return World(path)
-    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+    except (OSError, ValueError, KeyError, TypeError) as error:
         raise StartsError('world:=%s cannot be read: %s' % (path, error))
 
 

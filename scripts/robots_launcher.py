@@ -20,7 +20,7 @@ import yaml
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import leftovers  # noqa: E402
 from command_line import CommandLine  # noqa: E402
-from robot_starts import StartsError, draw_starts, read_world  # noqa: E402
+from robot_starts import StartsError, draw_starts, read_world, read_yaml  # noqa: E402
 from robots_rviz import view_of, write_configuration  # noqa: E402
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
@@ -42,30 +42,20 @@ def robots_of(arguments, world):
         if not arguments['seed'].isdigit():
             raise StartsError('seed:=%s is not a whole number' % arguments['seed'])
         return [dict(start, robot=arguments['robot']) for start in draw_starts(world, int(robots), int(arguments['seed']))]
+    listed = read_yaml(absolute(robots))
     try:
-        with open(absolute(robots)) as file:
-            listed = yaml.safe_load(file)['robots']
         return [{'name': str(entry['name']), 'x': float(entry['x']), 'y': float(entry['y']), 'yaw': float(entry.get('yaw', 0.0)),
-                 'robot': str(entry.get('robot') or arguments['robot'])} for entry in listed]
-    except (OSError, yaml.YAMLError, KeyError, TypeError, ValueError) as error:
+                 'robot': str(entry.get('robot') or arguments['robot'])} for entry in listed['robots']]
+    except (AttributeError, KeyError, TypeError, ValueError, OverflowError) as error:
         raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (robots, error))
-
-
-def description(path):
-    """What the YAML of a robot or of limits says."""
-    try:
-        with open(path) as file:
-            return yaml.safe_load(file) or {}
-    except (OSError, yaml.YAMLError) as error:
-        raise StartsError('%s cannot be read: %s' % (path, error))
 
 
 def kind_of(robot, limits):
     """A kind of robots as the simulator reads it. `robot`: a name in config/robots, or a path."""
     is_path = '/' in robot or robot.endswith('.yaml')
-    kind = {'name': robot, 'robot': description(absolute(robot) if is_path else '%s/config/robots/%s.yaml' % (ROOT, robot))}
+    kind = {'name': robot, 'robot': read_yaml(absolute(robot) if is_path else '%s/config/robots/%s.yaml' % (ROOT, robot)) or {}}
     if limits not in ('', 'auto'):
-        kind['limits'] = description('%s/config/limits_%s.yaml' % (ROOT, limits))
+        kind['limits'] = read_yaml('%s/config/limits_%s.yaml' % (ROOT, limits)) or {}
     return kind
 
 

@@ -5,13 +5,30 @@ namespace {
 
 constexpr int kBeatPeriod = 50;      // [ms]
 constexpr int kRefreshPeriod = 100;  // [ms]
+constexpr int kBacklog = 500;        // [ms], in which the events of a freeze are surely read
+
+/// Whether the request can only make the robot stand, so that it is right however late it is.
+bool onlyStops(const teleop::OperatorRequest& request) {
+  using Kind = teleop::OperatorRequest::Kind;
+  switch (request.kind) {
+    case Kind::kEmergencyStop:
+    case Kind::kStopPatrol:
+    case Kind::kStopSpin:
+    case Kind::kStopNavigation:
+      return true;
+    case Kind::kEnableSource:
+    case Kind::kExplore:
+      return !request.on;
+    default:
+      return false;
+  }
+}
 
 }  // namespace
 
 PilotController::PilotController(PilotWidget& widget, teleop::OperatorLink& link, Duration liveness_timeout)
     : widget_(widget), link_(link), liveness_timeout_(liveness_timeout) {
-  connect(&widget_, &PilotWidget::requested, this,
-          [this](const teleop::OperatorRequest& request) { link_.request(request); });
+  connect(&widget_, &PilotWidget::requested, this, &PilotController::pass);
   connect(&widget_, &PilotWidget::setPointChanged, this, [this](const Twist2&) { beat(); });
   connect(&beat_timer_, &QTimer::timeout, this, &PilotController::beat);
   connect(&refresh_timer_, &QTimer::timeout, this, &PilotController::refresh);
@@ -32,11 +49,21 @@ void PilotController::close() {
 
 void PilotController::beat() {
   if (closed_) return;
+  // Stopping changes the set-point, which calls this function again, but then with a set-point of zero.
+  if (isCatchingUp()) widget_.stopBecause("the window was frozen");
+  link_.beat(widget_.setPoint());
+}
+
+void PilotController::pass(const teleop::OperatorRequest& request) {
+  if (!isCatchingUp() || onlyStops(request)) return link_.request(request);
+  widget_.appendLog({teleop::Severity::kWarning, "not done, because the window was frozen: click again"});
+}
+
+bool PilotController::isCatchingUp() {
   const bool froze = since_beat_.isValid() && since_beat_.nsecsElapsed() > liveness_timeout_.count();
   since_beat_.start();
-  // Stopping changes the set-point, which calls this function again, but then without a gap between the beats.
-  if (froze) widget_.stopBecause("the window was frozen");
-  link_.beat(widget_.setPoint());
+  if (froze) since_freeze_.start();
+  return since_freeze_.isValid() && !since_freeze_.hasExpired(kBacklog);
 }
 
 void PilotController::refresh() {

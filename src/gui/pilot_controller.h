@@ -11,7 +11,8 @@ namespace frontier_pilot::gui {
 
 /// Connects a PilotWidget to a link: passes on the set-point every 50 ms, shows the state ten times a second and the
 /// map five times, and passes on the operator's requests. It runs in the GUI thread, so that its beat shows that the
-/// window responds. [GUI-3]
+/// window responds. What was clicked or pressed while the window was frozen is read afterwards, when the robot may have
+/// been stopped and the stop cleared: of that only what stops the robot is done. [GUI-3] [ARB-12]
 class PilotController : public QObject {
   Q_OBJECT
 
@@ -30,14 +31,18 @@ class PilotController : public QObject {
 
  private:
   void beat();
+  void pass(const teleop::OperatorRequest& request);
+  /// Whether the window has just been frozen, so that events of that time may still be read.
+  bool isCatchingUp();
   void refresh();
 
   PilotWidget& widget_;
   teleop::OperatorLink& link_;
   Duration liveness_timeout_;
   QTimer beat_timer_, refresh_timer_;
-  QElapsedTimer since_beat_;
-  bool map_is_due_ = true;  ///< at every second refresh
+  QElapsedTimer since_beat_;    ///< the last time that the window showed that it responds
+  QElapsedTimer since_freeze_;  ///< the last time that it was found to have been frozen
+  bool map_is_due_ = true;      ///< at every second refresh
   bool closed_ = false;
 };
 

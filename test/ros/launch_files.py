@@ -290,6 +290,15 @@ class LaunchFilesTest(unittest.TestCase):
             with self.assertRaisesRegex(robots_launcher.StartsError, why):
                 self.config(ROOT + '/launch/robots.launch', robots=robots)
 
+    def test_a_list_of_robots_that_cannot_be_read_is_an_error_in_one_line(self):
+        for text, why in (('robots: ' + '[' * 5000 + ']' * 5000, 'nested too deeply'), ('robots: [[]]', 'no list `robots`'),
+                          ('robots: [{name: a, y: 0, x: 1%s}]' % ('0' * 400), 'no list `robots`'), ('robots: "\xff', 'cannot be read')):
+            with tempfile.NamedTemporaryFile('w', suffix='.yaml', encoding='latin-1') as file:
+                file.write(text)
+                file.flush()
+                with self.assertRaisesRegex(robots_launcher.StartsError, why):
+                    self.config(ROOT + '/launch/robots.launch', robots=file.name)
+
     def expect_map(self, file, expected, **arguments):
         mappers = [given for type_name, given in self.load(file, **arguments).values() if type_name == 'mapper']
         self.assertTrue(mappers, file)

@@ -48,6 +48,48 @@ TEST_F(PilotControllerTest, AWindowThatWasFrozenWithoutASetPointHasNothingToTell
   EXPECT_FALSE(logText().contains("frozen"));
 }
 
+// [GUI-3] [ARB-12]
+TEST_F(PilotControllerTest, WhatWasClickedWhileTheWindowWasFrozenIsNotDone) {
+  gui::PilotController controller(widget_, link_, Duration::zero());  // so that any two beats are too far apart
+  ASSERT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
+  QTest::mouseClick(widget_.findChild<QWidget*>("patrol(sqr)"), Qt::LeftButton);
+  EXPECT_TRUE(link_.requests.empty());
+  EXPECT_TRUE(logText().contains("click again"));
+}
+
+// [GUI-3] [ARB-12]
+TEST_F(PilotControllerTest, WhatIsStillReadAfterTheWindowWasFrozenIsNotDoneEither) {
+  gui::PilotController controller(widget_, link_, std::chrono::milliseconds(300));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
+  QTest::qSleep(400);  // the event loop does not run meanwhile
+  ASSERT_TRUE(QTest::qWaitFor([this, beats = link_.beats.size()] { return link_.beats.size() > beats; }));
+  clickGo();
+  QTest::mouseClick(widget_.findChild<QWidget*>("patrol(sqr)"), Qt::LeftButton);
+  EXPECT_TRUE(widget_.setPoint().isZero());
+  EXPECT_TRUE(link_.beats.back().isZero());
+  EXPECT_TRUE(link_.requests.empty());
+}
+
+// [GUI-3] [ARB-12]
+TEST_F(PilotControllerTest, AStopThatWasClickedWhileTheWindowWasFrozenIsAsked) {
+  gui::PilotController controller(widget_, link_, Duration::zero());  // so that any two beats are too far apart
+  ASSERT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
+  QTest::mouseClick(widget_.findChild<QWidget*>("emergency_stop"), Qt::LeftButton);
+  ASSERT_EQ(link_.requests.size(), 1U);
+  EXPECT_EQ(link_.requests[0].kind, teleop::OperatorRequest::Kind::kEmergencyStop);
+}
+
+// [GUI-3]
+TEST_F(PilotControllerTest, AWindowThatAnswersAgainTakesClicksAfterAMoment) {
+  gui::PilotController controller(widget_, link_, std::chrono::milliseconds(300));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return link_.beats.size() >= 3; }));
+  QTest::qSleep(400);  // the event loop does not run meanwhile
+  EXPECT_TRUE(QTest::qWaitFor([this] {
+    QTest::mouseClick(widget_.findChild<QWidget*>("patrol(sqr)"), Qt::LeftButton);
+    return !link_.requests.empty();
+  }));
+}
+
 TEST_F(PilotControllerTest, HandsWishesOnAndShowsTheStateAndTheLog) {
   gui::PilotController controller(widget_, link_, std::chrono::hours(1));
   EXPECT_TRUE(QTest::qWaitFor([this] { return logText().contains("hello from the system"); }));
