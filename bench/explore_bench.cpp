@@ -61,6 +61,7 @@ class Run {
   const ExploreReport& toTheEnd() {
     const double begin = threadSeconds();
     while (!finished()) {
+      loop_.setPowered(loop_.robotCount() - 1, !isOff(loop_.robotCount() - 1));
       loop_.step();
       follow();
       if (loop_.now().time_since_epoch() % kSample == Duration::zero()) sample();
@@ -80,6 +81,14 @@ class Run {
 
   bool finished() const {
     return loop_.done() || report_.explored >= options_.until || toSeconds(loop_.now()) >= options_.limit;
+  }
+
+  /// Whether it is switched off now, as `--off` says of the last robot.
+  bool isOff(std::size_t robot) const {
+    if (!options_.off_from || robot + 1 != loop_.robotCount()) return false;
+    const double t = toSeconds(loop_.now());
+    const bool for_good = options_.off_until < *options_.off_from;
+    return t >= *options_.off_from && (for_good || t < options_.off_until);
   }
 
   void follow() {
@@ -103,7 +112,8 @@ class Run {
                   position.y());
     }
     const bool drives = loop_.status(robot).state == exploration::ExplorerState::kNavigating;
-    standing_[robot].observe(simulator.pose(robot), !drives || !loop_.navigation(robot).traffic.empty(), loop_.now());
+    const bool has_reason = !drives || isOff(robot) || !loop_.navigation(robot).traffic.empty();
+    standing_[robot].observe(simulator.pose(robot), has_reason, loop_.now());
     contacts_[robot] += more;
     report_.contacts += more;
   }
@@ -171,7 +181,8 @@ class Run {
       if (loop_.robotCount() > 1)
         report_.standing = std::max(report_.standing.value_or(0.0), standing_[robot].longest());
       report_.decisions += static_cast<int>(loop_.status(robot).goals_sent);
-      complete = complete && loop_.status(robot).reason == exploration::ExplorerReason::kNoReachableFrontier;
+      const bool is_done = loop_.status(robot).reason == exploration::ExplorerReason::kNoReachableFrontier;
+      complete = complete && (is_done || isOff(robot));
     }
     report_.ended_well = complete || report_.explored >= options_.until;
     report_.end = loop_.done() ? toString(loop_.status().reason) : "not done";

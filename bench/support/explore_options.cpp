@@ -14,6 +14,11 @@ namespace {
 /// The clearance on either side of the robot with which floor still counts as reachable [m].
 constexpr double kRoomBeside = 0.045;
 
+void readOff(tools::Arguments& arguments, ExploreOptions& o) {
+  o.off_from = arguments.number();
+  o.off_until = arguments.number();
+}
+
 Pose2 poseOf(tools::Arguments& arguments) {
   const double x = arguments.number();
   const double y = arguments.number();
@@ -29,6 +34,7 @@ void takeWord(const std::string& word, tools::Arguments& arguments, ExploreOptio
   if (word == "--start") return void(o.start = poseOf(arguments));
   if (word == "--until") return void(o.until = arguments.number());
   if (word == "--limit") return void(o.limit = arguments.number());
+  if (word == "--off") return readOff(arguments, o);
   if (word == "--latency") return void(o.latency = arguments.number());
   if (word == "--at-once") return void(o.at_once = true);
   if (word == "--skewed") return void(o.skewed = true);
@@ -57,6 +63,7 @@ ExploreOptions parseExploreOptions(const std::vector<std::string>& words) {
   }
   if (options.latency < 0.0) throw std::invalid_argument("--latency must not be negative");
   if (options.robots < 1 || options.robots > 100) throw std::invalid_argument("--robots must be 1 to 100");
+  if (options.robots == 1 && options.off_from) throw std::invalid_argument("--off takes several robots");
   if (options.robots > 1 && options.driving) throw std::invalid_argument("--driving takes one robot");
   if (options.worlds.empty()) throw std::invalid_argument("no world given");
   return options;
