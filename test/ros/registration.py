@@ -6,10 +6,12 @@ import signal
 import socket
 import subprocess
 import tempfile
+import threading
 import time
 import unittest
 import xmlrpc.client
 from collections import namedtuple
+from xmlrpc.server import SimpleXMLRPCServer
 
 import rosbag
 import roslib.packages
@@ -230,6 +232,40 @@ class Registration(unittest.TestCase):
         server.registerService('/emergency_stop', stranger, server.lookupNode('/cmd_vel_arbiter'))
         self.assertEqual(server.lookupService('/emergency_stop'), stranger)
         self.assertTrue(wait_for(lambda: server.lookupService('/emergency_stop') == own), '[ARB-12]')
+
+    # [FLT-2]
+    def test_a_second_copy_does_not_start_at_a_new_master_that_does_not_know_the_first_yet(self):
+        first = self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.assertTrue(self.call('/emergency_stop').success)
+        self.master.kill()
+        self.master.wait()
+        self.new_master()
+        path = roslib.packages.find_node('frontier_pilot', 'cmd_vel_arbiter')[0]
+        second = subprocess.run([path], env=self.environment, capture_output=True, text=True, timeout=20.0)
+        self.assertEqual(second.returncode, 1)
+        self.assertIn('/cmd_vel_arbiter is already running as process %d' % first.pid, second.stderr)
+        self.assertIsNone(first.poll())
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 10.0))
+
+    # [FLT-2]
+    def test_a_node_whose_name_another_process_has_at_a_new_master_ends_and_does_not_end_that_one(self):
+        old = self.node('obstacle_avoider')
+        self.assertTrue(wait_for(lambda: '/set_obstacle_avoid_enabled' in self.services(), 20.0))
+        self.master.kill()
+        self.master.wait()
+        told_to_end = []
+        with SimpleXMLRPCServer(('127.0.0.1', 0), logRequests=False) as namesake:
+            namesake.register_function(lambda *told: told_to_end.append(told) or [1, '', 0], 'shutdown')
+            namesake.register_function(lambda *_: [1, '', 0], 'publisherUpdate')
+            threading.Thread(target=namesake.serve_forever, daemon=True).start()
+            address = 'http://127.0.0.1:%d/' % namesake.server_address[1]
+            self.new_master()
+            rosgraph.Master('/obstacle_avoider', master_uri=self.uri).registerPublisher('/new', 'std_msgs/Empty', address)
+            self.assertTrue(wait_for(lambda: old.poll() is not None, 15.0))
+            self.assertEqual(rosgraph.Master('/test', master_uri=self.uri).lookupNode('/obstacle_avoider'), address)
+            namesake.shutdown()
+        self.assertEqual(told_to_end, [])
 
     # [FLT-1]
     def test_services_that_a_second_node_took_and_left_are_offered_again(self):

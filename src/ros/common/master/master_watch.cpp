@@ -1,5 +1,6 @@
 #include "ros/common/master/master_watch.h"
 
+#include <ros/init.h>
 #include <ros/this_node.h>
 
 #include <algorithm>
@@ -122,6 +123,7 @@ void MasterWatch::look() {
   last_answer_ = steadyNow();
   MasterReport report;
   missing_before_ = std::exchange(missing_, {});
+  if (!missing_before_.empty() && nameIsTaken()) return giveWay();
   report.rivals = findRivals(*state);
   lookAtServices(*state, report.rivals);  // before the topics: a stop is a service, and each registration takes time
   lookAtTopics(*state);
@@ -198,6 +200,13 @@ void MasterWatch::findTakers(std::map<std::string, std::string>& rivals) {
     while (!losses.empty() && now - losses.front() > kRemembered) losses.pop_front();
     if (losses.size() >= kOften) rivals.try_emplace(service, "a node that comes and goes");
   }
+}
+
+void MasterWatch::giveWay() {
+  ROS_ERROR(
+      "a new master has another process under the name of this node, which was started later: this one ends, as "
+      "with one master ROS would have ended it");
+  ros::requestShutdown();
 }
 
 bool MasterWatch::missingTwice(const std::string& what) {

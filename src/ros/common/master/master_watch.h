@@ -35,7 +35,8 @@ struct MasterReport {
 /// is still registered for its topics and services, and registers again what is missing: a restarted master knows no
 /// node, and a node that takes over a service and then ends leaves it without a provider. A service that is registered
 /// for a node that no longer lives is taken back; if that node lives, it is reported as an error. A subscriber that has
-/// lost a publisher is connected to it again. [ARB-12] [FLT-1]
+/// lost a publisher is connected to it again. A node that has outlived its master and its launch, and whose name
+/// another process has at the new master, ends: to register again would end that one. [ARB-12] [FLT-1]
 class MasterWatch {
  public:
   /// `period` is the time between two looks; the next one comes sooner when a registration was missing. A registration
@@ -88,6 +89,8 @@ class MasterWatch {
   /// Adds the services whose registration was lost repeatedly in the last ten seconds: a node that registers and ends
   /// again and again takes them.
   void findTakers(std::map<std::string, std::string>& rivals);
+  /// Ends this node for the other process that has its name.
+  void giveWay();
   /// True if `what` was missing in the last look, too: a registration that is still in progress is not lost.
   bool missingTwice(const std::string& what);
   void sayWhatWasRenewed();

@@ -1,5 +1,6 @@
 #include "ros/common/master/namesake.h"
 
+#include <ros/master.h>
 #include <ros/names.h>
 #include <ros/this_node.h>
 
@@ -9,6 +10,7 @@
 #include <thread>
 
 #include "ros/common/clock.h"
+#include "ros/common/master/local_name.h"
 #include "ros/common/master/master_state.h"
 
 namespace frontier_pilot {
@@ -40,9 +42,14 @@ std::string waitUntilGone(const std::function<std::string()>& find) {
 
 void refuseANamesake() {
   const std::string& self = ros::this_node::getName();
-  if (waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
-  throw std::runtime_error("a node " + self + " is already running, and ROS would shut it down for this one: end it " +
-                           "first (rosnode kill " + self + "), or give this one another name (__name:=...)");
+  static LocalName name(ros::master::getURI() + ' ' + self);
+  const bool is_new_here = waitUntilGone([&self] { return name.take() ? std::string() : self; }).empty();
+  const std::string owner = std::to_string(name.owner());
+  if (is_new_here && waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
+  throw std::runtime_error("a node " + self + " is already running" + (is_new_here ? "" : " as process " + owner) +
+                           ", and ROS would shut it down for this one: end it first (" +
+                           (is_new_here ? "rosnode kill " + self : "kill " + owner) +
+                           "), or give this one another name (__name:=...)");
 }
 
 void refuseASecondProvider(const char* service) {

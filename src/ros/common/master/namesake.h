@@ -10,8 +10,9 @@ namespace frontier_pilot {
 std::string waitUntilGone(const std::function<std::string()>& find);
 
 /// Throws std::runtime_error if a node with this one's name is already running. To be called before the node is
-/// started: of two nodes with the same name ROS shuts down the older one, and with a mapper its map would be lost.
-/// [FLT-2]
+/// started: of two nodes with the same name ROS shuts down the older one, and with a mapper its map would be lost, and
+/// with an arbiter a stop. On this computer it is found even if the master does not know it, because it has outlived an
+/// earlier one at the same address. [FLT-2]
 void refuseANamesake();
 
 /// Throws std::runtime_error if another living node, whatever its name, already offers `service`: two nodes would drive

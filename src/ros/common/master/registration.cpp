@@ -7,6 +7,7 @@
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
 
+#include "ros/common/master/master_state.h"
 #include "ros/common/master/xml_rpc.h"
 
 namespace frontier_pilot {
@@ -23,6 +24,7 @@ std::string ownServiceUri() {
 
 /// The registration calls of the master API differ in the argument between the name and this node's URI.
 std::optional<Value> askMasterApi(const char* method, const std::string& name, const std::string& detail) {
+  if (nameIsTaken()) return std::nullopt;
   Value request;
   request[0] = ros::this_node::getName();
   request[1] = name;
@@ -55,6 +57,12 @@ bool updatePublishers(const std::string& topic, const std::set<std::string>& uri
 std::set<std::string> urisOf(const UrisByTopic& uris, const std::string& topic) {
   const auto found = uris.find(topic);
   return found == uris.end() ? std::set<std::string>() : found->second;
+}
+
+bool nameIsTaken() {
+  const std::string& self = ros::this_node::getName();
+  const std::string uri = uriOf(self);
+  return !uri.empty() && uri != ownUri() && nodeLives(self);
 }
 
 bool registerPublisher(const std::string& topic) {
