@@ -4,7 +4,7 @@ namespace frontier_pilot::avoid {
 namespace {
 
 constexpr double kStopMargin = 0.395;      // [m], ahead of the front
-constexpr double kClearMargin = 0.545;     // [m], ahead of the front
+constexpr double kClearMargin = 0.15;      // [m], beyond the stop distance
 constexpr double kRearStopMargin = 0.145;  // [m], behind the rear
 
 double orElse(double configured, double needed) { return configured > 0.0 ? configured : needed; }
@@ -38,7 +38,7 @@ void AvoiderParameters::check(Problems& problems) const {
 AvoiderDistances::AvoiderDistances(const AvoiderParameters& parameters) {
   const Outline outline = parameters.robot.drivenOutline();
   stop = orElse(parameters.stop_distance, outline.front() + kStopMargin);
-  clear = orElse(parameters.clear_distance, outline.front() + kClearMargin);
+  clear = orElse(parameters.clear_distance, stop + kClearMargin);
   rear_stop = orElse(parameters.rear_stop_distance, outline.rear() + kRearStopMargin);
   half_lane = outline.halfWidth() + parameters.guard_margin;
   turn = outline.isDisc() ? 0.0 : outline.circumscribedRadius() + parameters.guard_margin;

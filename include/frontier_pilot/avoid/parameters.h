@@ -50,8 +50,7 @@ struct AvoiderParameters {
             "front, 0.5 m for a Burger",
             atLeast(0.0));
     v.field("clear_distance", clear_distance, "m",
-            "a recovery ends when nothing ahead is nearer to the base's centre; 0: 0.545 m ahead of the robot's front, "
-            "0.65 m for a Burger",
+            "a recovery ends when nothing ahead is nearer to the base's centre; 0: 0.15 m more than stop_distance",
             atLeast(0.0));
     v.field("rear_stop_distance", rear_stop_distance, "m",
             "no reversing when something behind is nearer to the base's centre; 0: 0.145 m behind the robot's rear, "

@@ -95,7 +95,7 @@ int runCheckRobot(int argc, char** argv) {
   const NodeUsage usage = checkRobotUsage();
   if (const auto answered = answerCommandLine({argv + 1, argv + argc}, usage)) return *answered;
   try {
-    initNode(argc, argv, usage.name);
+    initProgram(argc, argv, usage.name);
   } catch (const std::exception& error) {
     return fail(error.what(), kNotReady);
   }

@@ -1,6 +1,7 @@
 #include "ros/common/node_main.h"
 
 #include <ros/callback_queue.h>
+#include <ros/master.h>
 #include <ros/network.h>
 #include <ros/ros.h>
 #include <ros/service_manager.h>
@@ -104,6 +105,12 @@ void initNode(int& argc, char** argv, const std::string& name) {
     throw std::runtime_error("ROS_MASTER_URI is not an address like http://host:11311: " + std::string(uri));
   }
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+}
+
+void initProgram(int& argc, char** argv, const std::string& name) {
+  ros::master::setRetryTimeout(ros::WallDuration(2.0));
+  initNode(argc, argv, name);
+  ros::master::setRetryTimeout(ros::WallDuration(0.0));  // waits again
 }
 
 int runNode(int argc, char** argv, const NodeUsage& usage,

@@ -70,7 +70,7 @@ int runPatrolClient(int argc, char** argv) {
   if (!line.goal)
     return fail(line.problem + "; 'patrol_client --help' lists what it takes", patrol::PatrolExit::kUsage);
   try {
-    initNode(argc, argv, "patrol_client");
+    initProgram(argc, argv, "patrol_client");
     std::signal(SIGINT, handleInterrupt);
     std::signal(SIGTERM, handleInterrupt);
     if (std::signal(SIGHUP, handleInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);

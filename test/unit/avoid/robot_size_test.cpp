@@ -41,6 +41,15 @@ TEST(AvoiderDistances, GrowWithTheRobot_ROB_1) {
   EXPECT_NEAR(turtlebot2.half_lane, 0.177 + 0.025, 1e-12);
 }
 
+TEST(AvoiderDistances, TheEndOfARecoveryFollowsTheDistanceThatStartsIt) {
+  avoid::AvoiderParameters parameters = avoiderOf("burger");
+  parameters.stop_distance = 0.7;
+  EXPECT_EQ(avoid::AvoiderDistances(parameters).clear, 0.85);
+  Problems problems;
+  parameters.check(problems);
+  EXPECT_TRUE(problems.empty());
+}
+
 // [ROB-1]
 TEST(AvoiderDistances, AreTakenAsTheyAreWhereTheyAreGiven_ROB_1) {
   avoid::AvoiderParameters parameters = avoiderOf("waffle");

@@ -13,7 +13,10 @@ bool ScanMotionReport::place(ScanPlacer& placer, LaserScan2& scan) {
 
 bool ScanMotionReport::note(const BeamTiming& timing, bool covered, const LaserScan2& scan,
                             const std::optional<Pose2>& T_odom_base) {
-  if (!covered) THROTTLED_WARN("odometry does not cover the whole scan: the rest of its beams are put where it ends");
+  constexpr std::uint64_t kFirst = 5;  // odometry may begin a little later than the scans
+  covered_ = covered_ || covered;
+  if (!covered && (covered_ || uncovered_ >= kFirst))
+    THROTTLED_WARN("odometry does not cover the whole scan: the rest of its beams are put where it ends");
   uncovered_ += covered ? 0 : 1;
   problem_ = timing.problem();
   if (!problem_.empty() && !warned_) THROTTLED_WARN("the times of the scanner's beams: " << problem_);

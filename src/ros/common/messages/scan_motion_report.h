@@ -26,6 +26,7 @@ class ScanMotionReport {
 
  private:
   FrozenScanWatch frozen_;
+  bool covered_ = false;  ///< odometry has covered a scan
   std::string problem_;
   bool warned_ = false;
   std::uint64_t uncovered_ = 0;  ///< the number of scans that odometry did not cover
