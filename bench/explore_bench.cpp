@@ -80,14 +80,18 @@ class Run {
   }
 
   bool finished() const {
-    return loop_.done() || report_.explored >= options_.until || toSeconds(loop_.now()) >= options_.limit;
+    return (loop_.done() && !returns()) || report_.explored >= options_.until ||
+           toSeconds(loop_.now()) >= options_.limit;
   }
+
+  /// Whether a robot that is off will be switched on again.
+  bool returns() const { return isOff(loop_.robotCount() - 1) && options_.off_until > *options_.off_from; }
 
   /// Whether it is switched off now, as `--off` says of the last robot.
   bool isOff(std::size_t robot) const {
     if (!options_.off_from || robot + 1 != loop_.robotCount()) return false;
     const double t = toSeconds(loop_.now());
-    const bool for_good = options_.off_until < *options_.off_from;
+    const bool for_good = options_.off_until <= *options_.off_from;
     return t >= *options_.off_from && (for_good || t < options_.off_until);
   }
 
@@ -97,7 +101,7 @@ class Run {
                        toSeconds(sim::Simulator::kStep));
     }
     for (std::size_t robot = 0; robot < loop_.robotCount(); ++robot) followRobot(robot);
-    mapper_errors_.add(mapperError());
+    if (options_.curve) mapper_errors_.add(mapperError());
   }
 
   void followRobot(std::size_t robot) {

@@ -24,7 +24,7 @@ def read_yaml(path):
     except RecursionError:
         raise StartsError('%s cannot be read: it is nested too deeply' % path) from None
     except (OSError, ValueError, yaml.YAMLError) as error:
-        raise StartsError('%s cannot be read: %s' % (path, error)) from None
+        raise StartsError('%s cannot be read: %s' % (path, ' '.join(str(error).split()))) from None
 
 
 def read_picture(path):
@@ -91,7 +91,7 @@ def read_world(path):
     """The World of a map_server YAML; StartsError if it or its picture cannot be read."""
     try:
         return World(path)
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, OverflowError) as error:
         raise StartsError('world:=%s cannot be read: %s' % (path, error))
 
 

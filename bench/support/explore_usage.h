@@ -8,7 +8,7 @@ constexpr const char* kUsage =
     "Explores worlds with simulator, mapper, navigator, explorer and arbiter in one process, faster than real time.\n"
     "  --seeds A-B        seeds to run (1-5)\n"
     "  --robots N         so many robots, which share their maps; the others start within 3 m of the first one (1)\n"
-    "  --off FROM UNTIL   the last robot is off from one time to the other [s], for good if the second is earlier\n"
+    "  --off FROM UNTIL   the last robot is off from one time to the other [s], for good if the second is not later\n"
     "  --no-agreement     the robots share maps only, and do not agree who goes where\n"
     "  --no-rule          the robots do not agree who goes first where there is no room for two\n"
     "  --robot NAME       one of config/robots/, or the path of a file like those; without it, a Burger with a "

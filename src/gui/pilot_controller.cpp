@@ -5,10 +5,10 @@ namespace {
 
 constexpr int kBeatPeriod = 50;      // [ms]
 constexpr int kRefreshPeriod = 100;  // [ms]
-constexpr int kBacklog = 500;        // [ms], in which the events of a freeze are surely read
+constexpr int kBacklog = 500;        // [ms], in which the events of a freeze are read, also on a busy computer
 
-/// Whether the request can only make the robot stand, so that it is right however late it is.
-bool onlyStops(const teleop::OperatorRequest& request) {
+/// Whether the request ends a motion, and so is right however late it is.
+bool endsMotion(const teleop::OperatorRequest& request) {
   using Kind = teleop::OperatorRequest::Kind;
   switch (request.kind) {
     case Kind::kEmergencyStop:
@@ -16,7 +16,6 @@ bool onlyStops(const teleop::OperatorRequest& request) {
     case Kind::kStopSpin:
     case Kind::kStopNavigation:
       return true;
-    case Kind::kEnableSource:
     case Kind::kExplore:
       return !request.on;
     default:
@@ -55,8 +54,11 @@ void PilotController::beat() {
 }
 
 void PilotController::pass(const teleop::OperatorRequest& request) {
-  if (!isCatchingUp() || onlyStops(request)) return link_.request(request);
-  widget_.appendLog({teleop::Severity::kWarning, "not done, because the window was frozen: click again"});
+  const bool late = isCatchingUp();
+  if (late) widget_.stopBecause("the window was frozen");
+  if (!late || endsMotion(request)) return link_.request(request);
+  widget_.appendLog({teleop::Severity::kWarning,
+                     "what was clicked while the window was frozen, or just after it, is not done: click again"});
 }
 
 bool PilotController::isCatchingUp() {

@@ -12,7 +12,7 @@ namespace frontier_pilot::gui {
 /// Connects a PilotWidget to a link: passes on the set-point every 50 ms, shows the state ten times a second and the
 /// map five times, and passes on the operator's requests. It runs in the GUI thread, so that its beat shows that the
 /// window responds. What was clicked or pressed while the window was frozen is read afterwards, when the robot may have
-/// been stopped and the stop cleared: of that only what stops the robot is done. [GUI-3] [ARB-12]
+/// been stopped and the stop cleared: of that only what ends a motion is done. [GUI-3] [ARB-12]
 class PilotController : public QObject {
   Q_OBJECT
 

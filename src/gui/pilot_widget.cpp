@@ -198,6 +198,7 @@ void PilotWidget::setMap(const teleop::MapView& view) { map_card_->setView(view)
 void PilotWidget::appendLog(const teleop::OperatorLogLine& line) { log_card_->append(line); }
 
 void PilotWidget::stopBecause(const std::string& reason) {
+  clears_left_ = 0;
   if (drive_.setPoint().isZero()) return drive_.stop();
   drive_.stop();
   appendLog({teleop::Severity::kWarning, "set-point dropped: " + reason});
@@ -223,13 +224,13 @@ void PilotWidget::letGo() {
 void PilotWidget::haltAndClear() {
   using Kind = teleop::OperatorRequest::Kind;
   press(teleop::Motion::kStop);
+  refreshes_to_clear_ = kRefreshesToHalt;
+  clears_left_ = kMostClears;
+  stops_to_clear_ = stopsIn(last_state_);
   if (last_state_.explorer_service_up) send({Kind::kExplore, false, {}, 0, 0.0, 0, 0.0});
   if (last_state_.patrol.active) send({Kind::kStopPatrol, false, {}, 0, 0.0, 0, 0.0});
   if (last_state_.spin.active) send({Kind::kStopSpin, false, {}, 0, 0.0, 0, 0.0});
   send({Kind::kStopNavigation, false, {}, 0, 0.0, 0, 0.0});
-  refreshes_to_clear_ = kRefreshesToHalt;
-  clears_left_ = kMostClears;
-  stops_to_clear_ = stopsIn(last_state_);
 }
 
 /// Asks again while the stop that was to be cleared lasts. What came after another stop is not cleared, even if the

@@ -42,7 +42,7 @@ class PilotWidget : public QWidget {
   void appendLog(const teleop::OperatorLogLine& line);
   /// The manual set-point, in the base frame.
   Twist2 setPoint() const { return drive_.setPoint(); }
-  /// Zeroes the set-point and logs the reason.
+  /// Zeroes the set-point and logs the reason. A clear that was still to come is not made.
   void stopBecause(const std::string& reason);
 
  signals:

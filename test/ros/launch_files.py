@@ -296,8 +296,9 @@ class LaunchFilesTest(unittest.TestCase):
             with tempfile.NamedTemporaryFile('w', suffix='.yaml', encoding='latin-1') as file:
                 file.write(text)
                 file.flush()
-                with self.assertRaisesRegex(robots_launcher.StartsError, why):
+                with self.assertRaisesRegex(robots_launcher.StartsError, why) as raised:
                     self.config(ROOT + '/launch/robots.launch', robots=file.name)
+                self.assertNotIn('\n', str(raised.exception))
 
     def expect_map(self, file, expected, **arguments):
         mappers = [given for type_name, given in self.load(file, **arguments).values() if type_name == 'mapper']

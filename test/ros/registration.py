@@ -252,16 +252,18 @@ class Registration(unittest.TestCase):
     def test_a_node_whose_name_another_process_has_at_a_new_master_ends_and_does_not_end_that_one(self):
         old = self.node('obstacle_avoider')
         self.assertTrue(wait_for(lambda: '/set_obstacle_avoid_enabled' in self.services(), 20.0))
+        old.send_signal(signal.SIGSTOP)  # so that it is not registered first
         self.master.kill()
         self.master.wait()
         told_to_end = []
         with SimpleXMLRPCServer(('127.0.0.1', 0), logRequests=False) as namesake:
             namesake.register_function(lambda *told: told_to_end.append(told) or [1, '', 0], 'shutdown')
-            namesake.register_function(lambda *_: [1, '', 0], 'publisherUpdate')
+            namesake.register_function(lambda *_: [1, '', os.getpid()], 'getPid')
             threading.Thread(target=namesake.serve_forever, daemon=True).start()
             address = 'http://127.0.0.1:%d/' % namesake.server_address[1]
             self.new_master()
             rosgraph.Master('/obstacle_avoider', master_uri=self.uri).registerPublisher('/new', 'std_msgs/Empty', address)
+            old.send_signal(signal.SIGCONT)
             self.assertTrue(wait_for(lambda: old.poll() is not None, 15.0))
             self.assertEqual(rosgraph.Master('/test', master_uri=self.uri).lookupNode('/obstacle_avoider'), address)
             namesake.shutdown()

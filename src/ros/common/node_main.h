@@ -21,8 +21,8 @@ struct RunningNode {
 /// ros::init() without its handler of signals. Throws std::runtime_error if the name or ROS_MASTER_URI cannot be one;
 /// roscpp would end the process with a trap.
 void initNode(int& argc, char** argv, const std::string& name);
-/// The same for a program that says so when there is no master: roscpp would wait for one for ever if the command line
-/// sets a parameter (`_NAME:=VALUE`).
+/// The same for a program that has to report a missing master: for each parameter that the command line sets
+/// (`_NAME:=VALUE`) it waits for a master for two seconds, where roscpp would wait for ever.
 void initProgram(int& argc, char** argv, const std::string& name);
 
 /// Answers --help and wrong arguments, without a master; otherwise runs the node: `make(node, private_node)` builds it,

@@ -1,6 +1,7 @@
 #include "gui/pilot_controller.h"
 
 #include <QPlainTextEdit>
+#include <QPushButton>
 
 #include "gui_fixture.h"
 #include "recording_link.h"
@@ -77,6 +78,25 @@ TEST_F(PilotControllerTest, AStopThatWasClickedWhileTheWindowWasFrozenIsAsked) {
   QTest::mouseClick(widget_.findChild<QWidget*>("emergency_stop"), Qt::LeftButton);
   ASSERT_EQ(link_.requests.size(), 1U);
   EXPECT_EQ(link_.requests[0].kind, teleop::OperatorRequest::Kind::kEmergencyStop);
+}
+
+// [GUI-3] [ARB-12]
+TEST_F(PilotControllerTest, APauseThatWasClickedWhileTheWindowWasFrozenIsNotFollowedByAClear) {
+  teleop::OperatorState refused;
+  refused.clear_service_up = true;
+  refused.emergency_stop = true;
+  refused.clear_refusal = "nav asked to move";
+  link_.shown = refused;
+  gui::PilotController controller(widget_, link_, std::chrono::milliseconds(300));
+  auto* halt = widget_.findChild<QPushButton*>("halt_and_clear");
+  ASSERT_TRUE(QTest::qWaitFor([halt] { return !halt->isHidden(); }));
+  QTest::qSleep(400);  // the event loop does not run meanwhile
+  halt->click();
+  QTest::qWait(2000);
+  for (const teleop::OperatorRequest& request : link_.requests) {
+    EXPECT_NE(request.kind, teleop::OperatorRequest::Kind::kClearEmergencyStop);
+  }
+  EXPECT_FALSE(link_.requests.empty());
 }
 
 // [GUI-3]

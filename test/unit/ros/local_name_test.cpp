@@ -1,11 +1,13 @@
 #include "ros/common/master/local_name.h"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <optional>
+#include <string>
 
 namespace frontier_pilot {
 namespace {
@@ -28,16 +30,23 @@ TEST(LocalName, BelongsToOneProcessAtATimeAndTellsWhich) {
 // [FLT-2]
 TEST(LocalName, IsFreeWhenItsProcessIsKilled) {
   const std::string name = "/killed of test " + std::to_string(getpid());
+  int pipe_ends[2];
+  ASSERT_EQ(pipe(pipe_ends), 0);
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     LocalName taken(name);
-    taken.take();
+    const char done = taken.take() ? 'y' : 'n';
+    if (write(pipe_ends[1], &done, 1) != 1) _exit(1);
     for (;;) pause();
   }
+  char done = 0;
+  ASSERT_EQ(read(pipe_ends[0], &done, 1), 1);
+  close(pipe_ends[0]);
+  close(pipe_ends[1]);
   LocalName own(name);
-  for (int i = 0; i < 500 && own.owner() != child; ++i) usleep(10000);
-  EXPECT_EQ(own.owner(), child);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(own.owner(), child);
   EXPECT_FALSE(own.take());
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
@@ -45,9 +54,12 @@ TEST(LocalName, IsFreeWhenItsProcessIsKilled) {
 }
 
 TEST(LocalName, MayBeLongerThanAnAddressOfASocket) {
-  LocalName longest(std::string(1000, 'x') + std::to_string(getpid()));
-  EXPECT_TRUE(longest.take());
-  EXPECT_EQ(longest.owner(), getpid());
+  const std::string longest = std::string(1000, 'x') + std::to_string(getpid());
+  LocalName one(longest + "a");
+  LocalName other(longest + "b");
+  EXPECT_TRUE(one.take());
+  EXPECT_TRUE(other.take());
+  EXPECT_EQ(one.owner(), getpid());
 }
 
 }  // namespace

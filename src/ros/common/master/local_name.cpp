@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <fstream>
 
 namespace frontier_pilot {
 namespace {
@@ -19,53 +21,47 @@ std::uint64_t hashOf(const std::string& name) {
   return hash;
 }
 
-/// Calls `use(address, length)` as the functions of sockets want an address.
-template <class Use>
-int withAddress(const std::string& name, Use use) {
+/// A socket with that name; -1 if there is none, and the reason is in `errno`.
+int boundTo(const std::string& name) {
+  const int fresh = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (fresh < 0) return fresh;
   sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  std::copy(name.begin(), name.end(), std::begin(address.sun_path));
-  const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
-  return use(reinterpret_cast<const sockaddr*>(&address), length);
+  address.sun_family = AF_UNIX;  // a name that begins with a zero byte is that of no file
+  std::copy(name.begin(), name.end(), address.sun_path + 1);
+  const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  if (bind(fresh, reinterpret_cast<const sockaddr*>(&address), length) == 0) return fresh;
+  const int reason = errno;
+  close(fresh);
+  errno = reason;
+  return -1;
 }
-
-int newSocket() { return socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0); }
 
 }  // namespace
 
-LocalName::LocalName(const std::string& name)
-    : address_(std::string(1, '\0') + "frontier_pilot." + std::to_string(hashOf(name))) {}
+LocalName::LocalName(const std::string& name) : name_("frontier_pilot." + std::to_string(hashOf(name))) {}
 
 LocalName::~LocalName() {
-  if (socket_ >= 0) close(socket_);
+  for (const int socket : sockets_) {
+    if (socket >= 0) close(socket);
+  }
 }
 
 bool LocalName::take() {
-  if (socket_ >= 0) return true;
-  const int fresh = newSocket();
-  if (fresh < 0) return true;
-  const int bound = withAddress(
-      address_, [fresh](const sockaddr* address, socklen_t length) { return bind(fresh, address, length); });
-  if (bound != 0) {
-    const bool is_taken = errno == EADDRINUSE;
-    close(fresh);
-    return !is_taken;
-  }
-  listen(fresh, 1);  // only a socket that listens tells whose it is
-  socket_ = fresh;
+  if (sockets_[0] >= 0) return true;
+  sockets_[0] = boundTo(name_);
+  if (sockets_[0] < 0) return errno != EADDRINUSE;
+  sockets_[1] = boundTo(name_ + '.' + std::to_string(getpid()));
   return true;
 }
 
 int LocalName::owner() const {
-  const int probe = newSocket();
-  if (probe < 0) return 0;
-  ucred credentials{};
-  socklen_t size = sizeof credentials;
-  const int connected = withAddress(
-      address_, [probe](const sockaddr* address, socklen_t length) { return connect(probe, address, length); });
-  const bool known = connected == 0 && getsockopt(probe, SOL_SOCKET, SO_PEERCRED, &credentials, &size) == 0;
-  close(probe);
-  return known ? credentials.pid : 0;
+  std::ifstream sockets("/proc/net/unix");
+  const std::string wanted = '@' + name_ + '.';
+  for (std::string line; std::getline(sockets, line);) {
+    const std::size_t at = line.find(wanted);
+    if (at != std::string::npos) return std::atoi(line.c_str() + at + wanted.size());
+  }
+  return 0;
 }
 
 }  // namespace frontier_pilot

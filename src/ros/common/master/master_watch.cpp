@@ -1,9 +1,9 @@
 #include "ros/common/master/master_watch.h"
 
-#include <ros/init.h>
 #include <ros/this_node.h>
 
 #include <algorithm>
+#include <csignal>
 #include <utility>
 
 #include "ros/common/clock.h"
@@ -123,7 +123,7 @@ void MasterWatch::look() {
   last_answer_ = steadyNow();
   MasterReport report;
   missing_before_ = std::exchange(missing_, {});
-  if (!missing_before_.empty() && nameIsTaken()) return giveWay();
+  if (nameIsTaken()) return giveWay();
   report.rivals = findRivals(*state);
   lookAtServices(*state, report.rivals);  // before the topics: a stop is a service, and each registration takes time
   lookAtTopics(*state);
@@ -203,10 +203,8 @@ void MasterWatch::findTakers(std::map<std::string, std::string>& rivals) {
 }
 
 void MasterWatch::giveWay() {
-  ROS_ERROR(
-      "a new master has another process under the name of this node, which was started later: this one ends, as "
-      "with one master ROS would have ended it");
-  ros::requestShutdown();
+  THROTTLED_ERROR("the master has another living process under this node's name: this node ends");
+  std::raise(SIGTERM);  // a node that is told to end says its last words
 }
 
 bool MasterWatch::missingTwice(const std::string& what) {

@@ -42,14 +42,18 @@ std::string waitUntilGone(const std::function<std::string()>& find) {
 
 void refuseANamesake() {
   const std::string& self = ros::this_node::getName();
-  static LocalName name(ros::master::getURI() + ' ' + self);
+  static LocalName name(  // this process's own until it ends
+      ros::master::getURI() + ' ' + self);
   const bool is_new_here = waitUntilGone([&self] { return name.take() ? std::string() : self; }).empty();
-  const std::string owner = std::to_string(name.owner());
   if (is_new_here && waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
-  throw std::runtime_error("a node " + self + " is already running" + (is_new_here ? "" : " as process " + owner) +
-                           ", and ROS would shut it down for this one: end it first (" +
-                           (is_new_here ? "rosnode kill " + self : "kill " + owner) +
-                           "), or give this one another name (__name:=...)");
+  std::string process, remedy = "rosnode kill " + self;
+  const int owner = is_new_here ? 0 : name.owner();
+  if (owner > 0) {
+    process = " as process " + std::to_string(owner);
+    remedy = "kill " + std::to_string(owner);
+  }
+  throw std::runtime_error("a node " + self + " is already running" + process + ", and ROS would shut it down for " +
+                           "this one: end it first (" + remedy + "), or give this one another name (__name:=...)");
 }
 
 void refuseASecondProvider(const char* service) {

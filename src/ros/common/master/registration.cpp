@@ -24,7 +24,6 @@ std::string ownServiceUri() {
 
 /// The registration calls of the master API differ in the argument between the name and this node's URI.
 std::optional<Value> askMasterApi(const char* method, const std::string& name, const std::string& detail) {
-  if (nameIsTaken()) return std::nullopt;
   Value request;
   request[0] = ros::this_node::getName();
   request[1] = name;
@@ -60,9 +59,13 @@ std::set<std::string> urisOf(const UrisByTopic& uris, const std::string& topic) 
 }
 
 bool nameIsTaken() {
-  const std::string& self = ros::this_node::getName();
-  const std::string uri = uriOf(self);
-  return !uri.empty() && uri != ownUri() && nodeLives(self);
+  const std::string uri = uriOf(ros::this_node::getName());
+  std::string host;
+  std::uint32_t port = 0;
+  if (uri.empty() || uri == ownUri() || !ros::network::splitURI(uri, host, port)) return false;
+  Value arguments;
+  arguments[0] = ros::this_node::getName();
+  return requestFrom(host, port, "getPid", arguments).has_value();
 }
 
 bool registerPublisher(const std::string& topic) {

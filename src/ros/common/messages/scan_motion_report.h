@@ -13,7 +13,8 @@ namespace frontier_pilot {
 
 /// Tells in the log and in /diagnostics what does not fit between the scans and the motion of the robot: that the
 /// driver's times of the beams are not credible and what to set, how many scans odometry did not cover, and that the
-/// scanner repeats old scans while the robot moves. [SCN-2]
+/// scanner repeats old scans while the robot moves. Up to five scans that come before odometry are counted, but not
+/// warned of. [SCN-2]
 class ScanMotionReport {
  public:
   /// Puts the beams of `scan` where the robot was, referred to its end. Returns whether it may be used: not if it is
