@@ -89,7 +89,7 @@ TEST_F(PilotControllerTest, APauseThatWasClickedWhileTheWindowWasFrozenIsNotFoll
   link_.shown = refused;
   gui::PilotController controller(widget_, link_, std::chrono::milliseconds(300));
   auto* halt = widget_.findChild<QPushButton*>("halt_and_clear");
-  ASSERT_TRUE(QTest::qWaitFor([halt] { return !halt->isHidden(); }));
+  ASSERT_TRUE(QTest::qWaitFor([halt] { return halt->isEnabled() && !halt->text().isEmpty(); }));
   QTest::qSleep(400);  // the event loop does not run meanwhile
   halt->click();
   QTest::qWait(2000);
