@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/logs/trajectory.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "frontier_pilot/system/closed_loop.h"
 #include "support/closed_loop/exploration_meter.h"
@@ -21,7 +23,6 @@
 #include "support/explore_report.h"
 #include "support/explore_usage.h"
 #include "support/omniscient_tour.h"
-#include "support/pose_error_meter.h"
 #include "support/progress_track.h"
 #include "support/svg.h"
 #include "tools/program.h"
@@ -85,14 +86,12 @@ class Run {
   }
 
   /// Whether a robot that is off will be switched on again.
-  bool returns() const { return isOff(loop_.robotCount() - 1) && options_.off_until > *options_.off_from; }
+  bool returns() const { return isOff(loop_.robotCount() - 1) && std::isfinite(options_.off_until); }
 
   /// Whether it is switched off now, as `--off` says of the last robot.
   bool isOff(std::size_t robot) const {
-    if (!options_.off_from || robot + 1 != loop_.robotCount()) return false;
     const double t = toSeconds(loop_.now());
-    const bool for_good = options_.off_until <= *options_.off_from;
-    return t >= *options_.off_from && (for_good || t < options_.off_until);
+    return robot + 1 == loop_.robotCount() && t >= options_.off_from && t < options_.off_until;
   }
 
   void follow() {
@@ -101,7 +100,10 @@ class Run {
                        toSeconds(sim::Simulator::kStep));
     }
     for (std::size_t robot = 0; robot < loop_.robotCount(); ++robot) followRobot(robot);
-    if (options_.curve) mapper_errors_.add(mapperError());
+    if (options_.curve) {
+      truth_.push_back(truePose());
+      estimates_.push_back(estimatedPose());
+    }
   }
 
   void followRobot(std::size_t robot) {
@@ -161,16 +163,16 @@ class Run {
   }
 
   /// The robot's pose as the mapper estimates it, in the frame of its true pose.
-  Pose2 mapperError() {
-    const sim::Simulator& simulator = loop_.simulator();
-    const Pose2 T_map_base = simulator.startPose(0).inverse() * simulator.pose(0);
-    return T_map_base.inverse() * loop_.mapper().T_map_odom() * simulator.odometry(0);
-  }
+  Pose2 mapperError() { return truePose().inverse() * estimatedPose(); }
+  Pose2 truePose() { return loop_.simulator().startPose(0).inverse() * loop_.simulator().pose(0); }
+  Pose2 estimatedPose() { return loop_.mapper().T_map_odom() * loop_.simulator().odometry(0); }
 
   void conclude(double cpu) {
     if (options_.curve) {
       std::printf("%s\n", progress_.text().c_str());
-      std::printf("    the mapper's pose, RMS over the run: %s\n", mapper_errors_.text().c_str());
+      const logs::AbsoluteError error = logs::absoluteError(estimates_, truth_);
+      std::printf("    the mapper's pose, RMS over the run: %.1f mm, %.2f deg\n", 1e3 * error.position_rmse,
+                  error.yaw_rmse * 180.0 / kPi);
     }
     for (std::size_t robot = 0; options_.log && robot < loop_.robotCount(); ++robot) {
       std::printf("   %s %s\n", nameOf(robot).c_str(), loop_.explorer(robot).explain().c_str());
@@ -200,8 +202,8 @@ class Run {
   std::string svg_;
   ExploreReport report_;
   ProgressTrack progress_;
-  PoseErrorMeter mapper_errors_;
-  std::vector<SvgTrack> tracks_;  ///< by robot, as are the next two
+  std::vector<Pose2> truth_, estimates_;  ///< of the pose of the first robot, in the frame of its start
+  std::vector<SvgTrack> tracks_;          ///< by robot, as are the next two
   std::vector<int> contacts_;
   std::vector<test::StandingWatch> standing_;
   std::vector<Vec2> last_;

@@ -1,5 +1,6 @@
 #include "support/explore_options.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "frontier_pilot/sim/simulator.h"
@@ -16,7 +17,8 @@ constexpr double kRoomBeside = 0.045;
 
 void readOff(tools::Arguments& arguments, ExploreOptions& o) {
   o.off_from = arguments.number();
-  o.off_until = arguments.number();
+  const double until = arguments.number();
+  if (until > o.off_from) o.off_until = until;
 }
 
 Pose2 poseOf(tools::Arguments& arguments) {
@@ -63,7 +65,7 @@ ExploreOptions parseExploreOptions(const std::vector<std::string>& words) {
   }
   if (options.latency < 0.0) throw std::invalid_argument("--latency must not be negative");
   if (options.robots < 1 || options.robots > 100) throw std::invalid_argument("--robots must be 1 to 100");
-  if (options.robots == 1 && options.off_from) throw std::invalid_argument("--off takes several robots");
+  if (options.robots == 1 && std::isfinite(options.off_from)) throw std::invalid_argument("--off takes several robots");
   if (options.robots > 1 && options.driving) throw std::invalid_argument("--driving takes one robot");
   if (options.worlds.empty()) throw std::invalid_argument("no world given");
   return options;

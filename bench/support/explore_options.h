@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct ExploreOptions {
   std::string robot, limits;  ///< empty: the default robot, and the limits of the robot
   std::string strategy = "tour";
   std::optional<Pose2> start;
-  std::optional<double> off_from;  ///< when the last robot is switched off [s]
-  double off_until = 0.0;          ///< when it is switched on again [s]; never, if that is not later
+  double off_from = std::numeric_limits<double>::infinity();   ///< when the last robot is switched off [s]
+  double off_until = std::numeric_limits<double>::infinity();  ///< when it is switched on again [s]
   double until = 2.0, limit = 7200.0, latency = 0.0;
   bool at_once = false, skewed = false, odom_noise = false, curve = false, log = false, twice = false,
        omniscient = false, no_agreement = false, driving = false, decisions = false;

@@ -48,24 +48,25 @@ void PilotController::close() {
 
 void PilotController::beat() {
   if (closed_) return;
-  // Stopping changes the set-point, which calls this function again, but then with a set-point of zero.
-  if (isCatchingUp()) widget_.stopBecause("the window was frozen");
+  respond();
   link_.beat(widget_.setPoint());
 }
 
 void PilotController::pass(const teleop::OperatorRequest& request) {
-  const bool late = isCatchingUp();
-  if (late) widget_.stopBecause("the window was frozen");
-  if (!late || endsMotion(request)) return link_.request(request);
+  const bool up_to_date = respond();
+  if (up_to_date || endsMotion(request)) return link_.request(request);
   widget_.appendLog({teleop::Severity::kWarning,
                      "what was clicked while the window was frozen, or just after it, is not done: click again"});
 }
 
-bool PilotController::isCatchingUp() {
+bool PilotController::respond() {
   const bool froze = since_beat_.isValid() && since_beat_.nsecsElapsed() > liveness_timeout_.count();
   since_beat_.start();
   if (froze) since_freeze_.start();
-  return since_freeze_.isValid() && !since_freeze_.hasExpired(kBacklog);
+  if (!since_freeze_.isValid() || since_freeze_.hasExpired(kBacklog)) return true;
+  // This changes the set-point, which calls `beat` and so this function again, but then with a set-point of zero.
+  widget_.stopBecause("the window was frozen");
+  return false;
 }
 
 void PilotController::refresh() {

@@ -32,8 +32,9 @@ class PilotController : public QObject {
  private:
   void beat();
   void pass(const teleop::OperatorRequest& request);
-  /// Whether the window has just been frozen, so that events of that time may still be read.
-  bool isCatchingUp();
+  /// Notes that the window responds. If it was frozen and events of that time may still be read, drops the set-point
+  /// and returns false.
+  bool respond();
   void refresh();
 
   PilotWidget& widget_;

@@ -21,9 +21,9 @@ void checkMissing(const Observation& seen, const Expectation& expected, Findings
                    "nobody publishes " + expected.odom + "; the robot publishes odometry as a transform alone",
                    "set odom:=tf");
   }
-  const std::string text = sayMissingTopic(seen.topics, expected.odom, kType, "odom");
-  const bool says_what_to_set = text.find(": set odom:=") != std::string::npos;
-  problem(findings, text, says_what_to_set ? "" : "without odometry nothing can drive: start the base's driver");
+  const bool elsewhere = isThereUnderAnotherName(seen.topics, expected.odom, kType);
+  problem(findings, sayMissingTopic(seen.topics, expected.odom, kType, "odom"),
+          elsewhere ? "" : "without odometry nothing can drive: start the base's driver");
 }
 
 void checkContents(const Observation& seen, const Expectation& expected, Findings& findings) {

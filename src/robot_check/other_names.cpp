@@ -20,6 +20,12 @@ std::string findByName(const std::string& name, const std::set<std::string>& fra
   return found == frames.end() ? std::string() : *found;
 }
 
+/// The topic with this name that somebody publishes with another type; nullptr if there is none.
+const Topic* otherTypeOf(const std::vector<Topic>& topics, const std::string& name, const std::string& type) {
+  const Topic* topic = findTopic(topics, name);
+  return topic != nullptr && !topic->publishers.empty() && topic->type != type ? topic : nullptr;
+}
+
 }  // namespace
 
 const Topic* findTopic(const std::vector<Topic>& topics, const std::string& name) {
@@ -47,10 +53,13 @@ std::string standInFor(const std::string& wanted, const std::set<std::string>& f
   return {};
 }
 
+bool isThereUnderAnotherName(const std::vector<Topic>& topics, const std::string& name, const std::string& type) {
+  return otherTypeOf(topics, name, type) == nullptr && !othersOfType(topics, name, type).empty();
+}
+
 std::string sayMissingTopic(const std::vector<Topic>& topics, const std::string& name, const std::string& type,
                             const std::string& argument) {
-  const Topic* topic = findTopic(topics, name);
-  if (topic != nullptr && !topic->publishers.empty() && topic->type != type) {
+  if (const Topic* topic = otherTypeOf(topics, name, type)) {
     return name + " is a " + topic->type + " of " + topic->publishers.front() + ", not a " + type;
   }
   std::string text = "nobody publishes " + name;

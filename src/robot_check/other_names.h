@@ -20,6 +20,9 @@ std::vector<const Topic*> othersOfType(const std::vector<Topic>& topics, const s
 /// base_footprint and the reverse. Empty if there is none.
 std::string standInFor(const std::string& wanted, const std::set<std::string>& frames);
 
+/// Whether `sayMissingTopic` names a topic to set instead.
+bool isThereUnderAnotherName(const std::vector<Topic>& topics, const std::string& name, const std::string& type);
+
 /// "nobody publishes /scan; /base_scan is a sensor_msgs/LaserScan of /driver: set scan:=/base_scan", for the argument
 /// `argument` of the launch files; without another topic of that type the sentence ends after its first part.
 std::string sayMissingTopic(const std::vector<Topic>& topics, const std::string& name, const std::string& type,

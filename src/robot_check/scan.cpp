@@ -21,7 +21,7 @@ void checkMissing(const Observation& seen, const Expectation& expected, Findings
   for (const Topic* cloud : othersOfType(seen.topics, {}, kCloudType)) {
     advice += "; " + cloud->name + " is a point cloud: pointcloud_to_laserscan makes a scan of it";
   }
-  const bool elsewhere = !othersOfType(seen.topics, expected.scan, kType).empty();
+  const bool elsewhere = isThereUnderAnotherName(seen.topics, expected.scan, kType);
   problem(findings, sayMissingTopic(seen.topics, expected.scan, kType, "scan"), elsewhere ? "" : advice);
 }
 

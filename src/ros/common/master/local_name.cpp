@@ -7,19 +7,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 
 namespace frontier_pilot {
 namespace {
-
-/// FNV-1a: an address of a socket has room for 107 characters, and names of nodes may be longer.
-std::uint64_t hashOf(const std::string& name) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return hash;
-}
 
 /// A socket with that name; -1 if there is none, and the reason is in `errno`.
 int boundTo(const std::string& name) {
@@ -38,7 +31,9 @@ int boundTo(const std::string& name) {
 
 }  // namespace
 
-LocalName::LocalName(const std::string& name) : name_("frontier_pilot." + std::to_string(hashOf(name))) {}
+// Hashed, because an address of a socket has room for 107 characters, and names of nodes may be longer.
+LocalName::LocalName(const std::string& name)
+    : name_("frontier_pilot." + std::to_string(std::hash<std::string>()(name))) {}
 
 LocalName::~LocalName() {
   for (const int socket : sockets_) {

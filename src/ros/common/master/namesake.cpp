@@ -42,8 +42,8 @@ std::string waitUntilGone(const std::function<std::string()>& find) {
 
 void refuseANamesake() {
   const std::string& self = ros::this_node::getName();
-  static LocalName name(  // this process's own until it ends
-      ros::master::getURI() + ' ' + self);
+  // Kept until the process ends.
+  static LocalName name(ros::master::getURI() + ' ' + self);
   const bool is_new_here = waitUntilGone([&self] { return name.take() ? std::string() : self; }).empty();
   if (is_new_here && waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
   std::string process, remedy = "rosnode kill " + self;
