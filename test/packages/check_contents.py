@@ -33,7 +33,8 @@ def expected():
     for node in re.findall(r'^frontier_pilot_node\((\w+)', cmake, re.MULTILINE):
         yield f'{PROGRAMS}/{node}'
     cmake = pathlib.Path(ROOT, 'CMakeLists.txt').read_text(encoding='utf-8')
-    for script in re.findall(r'scripts/([\w./]+)', cmake):
+    installs = ' '.join(re.findall(r'install(?:_python)?\(([^)]*)\)', cmake))
+    for script in re.findall(r'scripts/([\w./]+)', installs):
         path = pathlib.Path(ROOT, 'scripts', script)
         yield from (f'{PROGRAMS}/{name[len("scripts/"):]}' for name in (files_below(path) if path.is_dir() else [f'scripts/{script}']))
     for folder in ('launch', 'config', 'rviz', 'msg', 'srv', 'action'):
