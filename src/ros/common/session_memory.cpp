@@ -1,9 +1,9 @@
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -35,10 +35,8 @@ bool isPlainName(const std::string& session) {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds kRestart(10);  // within which roslaunch restarts a node that has died
-const fs::file_time_type g_process_began = fs::file_time_type::clock::now();
-
-constexpr const char* kNoSession = "the ROS session has no name";
+/// The time of a file whose writer has ended in order. It is not kept in the file, because the disk may be full.
+constexpr timespec kEndedInOrder{0, 0};
 constexpr const char* kOfProcess = "~";  // separates the process id; cannot occur within a ROS name
 constexpr const char* kDigits = "0123456789";
 
@@ -46,7 +44,8 @@ constexpr const char* kDigits = "0123456789";
 struct Writer {
   int process = 0;
   int parent = 0;
-  std::uint64_t began = 0;  ///< start time of the process, because process ids are reused
+  std::uint64_t began = 0;         ///< start time of the process, because process ids are reused
+  std::uint64_t parent_began = 0;  ///< that of its parent
 };
 
 /// When `process` was started, in clock ticks since boot; 0 if it no longer exists.
@@ -65,18 +64,21 @@ Writer writerOf(const fs::path& file) {
   std::istringstream content(readFile(file, kLongestText).bytes);
   std::string text;
   Writer writer;
-  if (std::getline(content, text)) content >> writer.process >> writer.parent >> writer.began;
+  if (std::getline(content, text)) content >> writer.process >> writer.parent >> writer.began >> writer.parent_began;
   return writer;
 }
 
 bool lives(const Writer& writer) { return writer.began != 0 && beginOf(writer.process) == writer.began; }
 
-/// Whether `writer` no longer exists and this process was started in its place.
-bool replaces(const Writer& writer) { return writer.process > 0 && writer.parent == getppid() && !lives(writer); }
+/// Whether `writer` no longer exists and this process was started in its place, by the process that had started it.
+bool replaces(const Writer& writer) {
+  const bool same_parent = writer.parent == getppid() && writer.parent_began == beginOf(getppid());
+  return writer.process > 0 && same_parent && !lives(writer);
+}
 
-bool isThere(const fs::path& file) {
-  std::error_code error;
-  return fs::symlink_status(file, error).type() != fs::file_type::not_found;
+bool endedInOrder(const fs::path& file) {
+  struct stat status {};
+  return stat(file.c_str(), &status) == 0 && status.st_mtim.tv_sec == kEndedInOrder.tv_sec;
 }
 
 std::string textIn(const fs::path& file) {
@@ -118,7 +120,7 @@ std::string removeAll(const std::vector<fs::path>& files) {
 /// can.
 template <class Attempt>
 std::string tryAll(const std::vector<fs::path>& files, Attempt attempt) {
-  std::string problem = files.empty() ? kNoSession : "";
+  std::string problem = files.empty() ? "the ROS session has no name" : "";
   for (const fs::path& file : files) {
     const std::string why = attempt(file);
     if (!why.empty()) problem = "cannot write " + file.string() + ": " + why;
@@ -140,14 +142,10 @@ std::vector<fs::path> ofProcesses(const fs::path& folder, const std::string& nam
   return found;
 }
 
-/// Those of `files` whose writers died shortly before this process was started in their place.
+/// Those of `files` whose writers died, and in whose place this process was started.
 std::vector<fs::path> leftBehind(std::vector<fs::path> files) {
-  const auto isOld = [](const fs::path& file) {
-    std::error_code missing;
-    const auto written = fs::last_write_time(file, missing);
-    return missing || written < g_process_began - kRestart || !replaces(writerOf(file));
-  };
-  files.erase(std::remove_if(files.begin(), files.end(), isOld), files.end());
+  const auto is_of_another = [](const fs::path& file) { return endedInOrder(file) || !replaces(writerOf(file)); };
+  files.erase(std::remove_if(files.begin(), files.end(), is_of_another), files.end());
   return files;
 }
 
@@ -213,8 +211,10 @@ std::vector<fs::path> SessionMemory::all() const {
   std::vector<fs::path> files = own();
   append(files, others());
   append(files, elsewhere_);
-  files.erase(std::remove_if(files.begin(), files.end(), [](const fs::path& file) { return !isThere(file); }),
-              files.end());
+  const auto is_gone = [error = std::error_code()](const fs::path& file) mutable {
+    return fs::symlink_status(file, error).type() == fs::file_type::not_found;
+  };
+  files.erase(std::remove_if(files.begin(), files.end(), is_gone), files.end());
   return files;
 }
 
@@ -241,7 +241,7 @@ std::optional<std::string> SessionMemory::recallOthers() const {
 
 std::string SessionMemory::remember(const std::string& text) const {
   const std::string content = text + "\n" + std::to_string(getpid()) + " " + std::to_string(getppid()) + " " +
-                              std::to_string(beginOf(getpid())) + "\n";
+                              std::to_string(beginOf(getpid())) + " " + std::to_string(beginOf(getppid())) + "\n";
   const auto write = [&content](const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
@@ -276,8 +276,8 @@ std::string SessionMemory::forget() const {
 }
 
 void SessionMemory::endInOrder() const {
-  std::error_code ignored;
-  for (const fs::path& file : own()) fs::last_write_time(file, fs::file_time_type::min(), ignored);
+  const timespec times[] = {kEndedInOrder, kEndedInOrder};
+  for (const fs::path& file : own()) utimensat(AT_FDCWD, file.c_str(), times, 0);
 }
 
 std::filesystem::path rosHome() {

@@ -143,7 +143,7 @@ TEST_F(SessionMemoryFile, IsFoundInANewSessionByAProcessThatIsStartedInThePlaceO
 }
 
 // [ARB-7]
-TEST_F(SessionMemoryFile, IsNotFoundInANewSessionOfAWriterThatLivesOrEndedInOrderOrDiedLongAgo_ARB_7) {
+TEST_F(SessionMemoryFile, IsNotFoundInANewSessionOfAWriterThatLivesOrEndedInOrderOrWasStartedByAnother_ARB_7) {
   EXPECT_EQ(memory().remember("called by /me"), "");
   EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "it is being used beside the next one";
   writeAsADeadOne(memory());
@@ -151,8 +151,17 @@ TEST_F(SessionMemoryFile, IsNotFoundInANewSessionOfAWriterThatLivesOrEndedInOrde
   memory().endInOrder();
   EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter"));
   EXPECT_TRUE(memory().recall()) << "in its own session it holds";
+  writeAsADeadOne(memory());
+  const std::string content = readFile(file(), 1000).bytes;
+  std::ofstream(file()) << content.substr(0, content.rfind(' ')) << " 1\n";
+  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "the number of its parent was used again";
+}
+
+// [ARB-7]
+TEST_F(SessionMemoryFile, IsFoundInANewSessionHoweverLateItsWriterIsReplaced_ARB_7) {
+  writeAsADeadOne(memory());
   fs::last_write_time(file(), fs::file_time_type::clock::now() - std::chrono::hours(1));
-  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter"));
+  EXPECT_TRUE(isFoundByTheNext(home, "/robot/arbiter")) << "roslaunch was stopped, or the writer";
 }
 
 /// A process that has done its work and lives until this object goes.
