@@ -9,6 +9,7 @@ import tempfile
 import threading
 import time
 import unittest
+import xmlrpc.client
 
 import rosgraph
 import rospkg
@@ -19,7 +20,7 @@ from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
 from std_srvs.srv import SetBool, Trigger
 
-from wire import Node, Record, Source, call, find_node, moves, wait_for
+from wire import Node, Record, Source, call, find_node, moves, twist, wait_for
 
 
 def let_no_file_grow():
@@ -113,6 +114,69 @@ class ArbiterLife(unittest.TestCase):
         for text in ['sources[0]/timeout', 'sources[1]/priority', 'surces']:
             self.assertIn(text, said, '[ARB-1]')
 
+    # [ARB-1] [ARB-2]
+    def test_a_source_whose_topic_is_the_arbiters_own_output_by_another_name_is_refused(self):
+        for i, (topic, arguments) in enumerate([
+                ('//output/%d/cmd_vel', []), ('cmd_vel/', []), ('/base/%d', ['cmd_vel:=/base/%d']), ('joy', ['joy:=cmd_vel'])]):
+            topic, arguments = topic.replace('%d', str(i)), [word.replace('%d', str(i)) for word in arguments]
+            rospy.set_param('/output/%d/cmd_vel_arbiter' % i, {'sources': [{'name': 'joy', 'topic': topic, 'priority': 30}]})
+            code, said = self.arbiter('/output/%d' % i, *arguments).finish()
+            self.assertEqual(code, 2, said)
+            self.assertIn("sources[0]/topic: '%s' is what the arbiter itself publishes" % topic, said, '[ARB-1]')
+
+    # [ARB-1]
+    def test_topics_that_are_no_names_and_topics_of_two_sources_are_refused_by_parameter(self):
+        rospy.set_param('/topics/cmd_vel_arbiter', {'sources': [
+            {'name': 'manual', 'topic': 'a b'}, {'name': 'nav', 'topic': '~x'}, {'name': 'joy', 'topic': 'joy', 'priority': 1},
+            {'name': 'pad', 'topic': '/topics//joy', 'priority': 2}]})
+        code, said = self.arbiter('/topics').finish()
+        self.assertEqual(code, 2, said)
+        for text in ["sources[0]/topic: 'a b' is not a name of ROS", "sources[1]/topic: '~x' is not a name of ROS",
+                     "sources[3]/topic: '/topics//joy' belongs to 'joy' already"]:
+            self.assertIn(text, said, '[ARB-1]')
+
+    # [ARB-6] [ARB-8]
+    def test_a_latched_command_that_is_delivered_again_does_not_drive(self):
+        out = Record('/latched/cmd_vel', Twist)
+        node = self.arbiter('/latched')
+        self.assertTrue(wait_for(lambda: out.last is not None))
+        time.sleep(2.5)  # a new arbiter takes latched commands for old ones
+        latched = rospy.Publisher('/latched/cmd_vel_manual', Twist, queue_size=1, latch=True)
+        self.addCleanup(latched.unregister)
+        latched.publish(twist(angular=0.5))
+        self.assertTrue(wait_for(lambda: moves(out.last)), 'as by rostopic pub')
+        self.assertTrue(call('/latched/emergency_stop', Trigger).success)
+        self.assertTrue(wait_for(lambda: call('/latched/set_emergency_stop', SetBool, False).success))
+        start = time.monotonic()
+        slave = xmlrpc.client.ServerProxy(rosgraph.Master('/test').lookupNode('/latched/cmd_vel_arbiter'))
+        slave.publisherUpdate('/master', '/latched/cmd_vel_manual', [])  # as if the connection had been reset
+        self.assertTrue(wait_for(lambda: latched.get_num_connections() == 0))
+        self.assertTrue(wait_for(lambda: latched.get_num_connections() > 0, 20.0), '[FLT-1]')
+        self.assertFalse(wait_for(lambda: any(map(moves, out.since(start))), 2.0), '[ARB-8]')
+        latched.publish(twist(angular=0.4))
+        self.assertTrue(wait_for(lambda: out.last.angular.z == 0.4), 'a new one does')
+        node.signal(signal.SIGKILL)
+        node.finish()
+        self.assertTrue(wait_for(lambda: not moves(out.last) or time.monotonic() > out.items[-1][0] + 1.0))
+        start = time.monotonic()
+        self.arbiter('/latched')
+        self.assertTrue(wait_for(lambda: len(out.since(start)) > 40), 'an arbiter that is started again')
+        self.assertFalse(any(map(moves, out.since(start))), '[ARB-6]')
+
+    # [FLT-1]
+    def test_no_call_of_the_slave_api_that_roscpp_cannot_take_ends_the_arbiter(self):
+        node = self.arbiter('/called')
+        rospy.wait_for_service('/called/emergency_stop', 20.0)
+        slave = xmlrpc.client.ServerProxy(rosgraph.Master('/test').lookupNode('/called/cmd_vel_arbiter'))
+        self.assertEqual(slave.system.multicall([{'methodName': 'system.multicall', 'params': [[]]}])[0], 0)
+        datagrams = [['UDPROS', b'', '127.0.0.1', 9, 8]]
+        self.assertEqual(slave.requestTopic('/test', '/called/cmd_vel', datagrams)[0], 0)
+        over_tcp = slave.requestTopic('/test', '/called/cmd_vel', datagrams + [['TCPROS']])
+        self.assertEqual([over_tcp[0], over_tcp[2][0]], [1, 'TCPROS'])
+        self.assertEqual(slave.requestTopic('/test', '/nobodys', [['TCPROS']])[0], 0)
+        self.assertFalse(wait_for(node.has_ended, 1.0), '[FLT-1]')
+        self.assertTrue(call('/called/emergency_stop', Trigger).success)
+
     # [ARB-7]
     def test_two_arbiters_of_two_robots_have_latches_of_their_own(self):
         for robot in ['/one', '/two']:
@@ -130,7 +194,7 @@ class ArbiterLife(unittest.TestCase):
             status = Record(namespace + '/cmd_vel_arbiter/status', ArbiterStatus)
             nodes = [self.arbiter(namespace, '__name:=' + name) for name in names]
             said = call(namespace + '/emergency_stop', Trigger).message
-            self.assertTrue(wait_for(lambda: sum(node.has_ended() for node in nodes) == len(nodes) - 1, 5.0),
+            self.assertTrue(wait_for(lambda: sum(node.has_ended() for node in nodes) == len(nodes) - 1, 15.0),
                             'all but one [ARB-12]')
             for node in nodes:
                 if node.has_ended():

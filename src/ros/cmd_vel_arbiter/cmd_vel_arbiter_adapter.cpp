@@ -3,6 +3,7 @@
 #include <ros/console.h>
 #include <ros/this_node.h>
 
+#include "ros/cmd_vel_arbiter/source_topics.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr double kTick = 0.05;                                      // [s]
 constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop service is back within 2 s [ARB-12]
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
+constexpr Duration kSettling = std::chrono::seconds(2);  // in which a new arbiter connects to what is published already
 
 /// Whether the message is a deliberate zero: one with a non-zero value on an axis that the base does not have.
 bool isHold(const geometry_msgs::Twist& msg) {
@@ -24,7 +26,7 @@ bool isHold(const geometry_msgs::Twist& msg) {
 
 CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
-      arbiter_(loadNodeParameters<arbiter::ArbiterParameters>(private_node)),
+      arbiter_(loadArbiterParameters(node, private_node)),
       memory_(rosHome(), rosSessions(), "stopped", node.resolveName(names::kEmergencyStop),
               SessionMemory::Owner::kService, spareFolder()),
       status_(takeItsPlace(node_)),
@@ -69,9 +71,9 @@ void CmdVelArbiterAdapter::sayLastWords() {
 void CmdVelArbiterAdapter::addSource(std::size_t source) {
   const arbiter::SourceParameters& settings = arbiter_.parameters().sources[source];
   rejections_.emplace_back(settings.topic);
-  const ros::Subscriber commands = connections_.subscribe<geometry_msgs::Twist>(
+  const ros::Subscriber commands = connections_.subscribeToCommands<geometry_msgs::Twist>(
       settings.topic, 1, [this, source](const geometry_msgs::Twist& msg) { handleCommand(source, msg); },
-      ros::TransportHints().tcpNoDelay());
+      ros::TransportHints().tcpNoDelay(), kSettling);
   around_.source_topics[settings.name] = commands.getTopic();
   restoreSwitch(source);
   connections_.serve<std_srvs::SetBool::Request, std_srvs::SetBool::Response>(

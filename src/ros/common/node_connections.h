@@ -20,6 +20,7 @@
 #include "ros/common/master/master_watch.h"
 #include "ros/common/memory_report.h"
 #include "ros/common/messages/checked_subscription.h"
+#include "ros/common/messages/latched_repeats.h"
 #include "ros/common/names.h"
 #include "ros/common/ros_timer.h"
 #include "ros/common/tf/frame_name.h"
@@ -69,6 +70,29 @@ class NodeConnections {
     ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, unreadable_, guarded, hints);
     subscribers_.push_back(node_.subscribe(options));
     return subscribers_.back();
+  }
+
+  /// The same as `subscribe`, for commands: one that was published before, and that a latching publisher delivers
+  /// again, is dropped. In the first `settling` that holds for all that latching publishers deliver.
+  template <class Msg, class F>
+  ros::Subscriber subscribeToCommands(const std::string& topic, std::uint32_t queue_size, F handle,
+                                      const ros::TransportHints& hints = {}, Duration settling = Duration::zero()) {
+    const auto repeats = std::make_shared<LatchedRepeats>(steadyNow() + settling);
+    return subscribeToEvents<Msg>(
+        topic, queue_size,
+        [repeats, topic, handle](const ros::MessageEvent<const Msg>& event) {
+          if (repeats->isRepeat(event.getConnectionHeaderPtr(), steadyNow())) {
+            sayRepeat(topic, event.getPublisherName());
+          } else {
+            handle(*event.getConstMessage());
+          }
+        },
+        hints);
+  }
+  template <class Node, class Msg>
+  ros::Subscriber subscribeToCommands(const std::string& topic, std::uint32_t queue_size,
+                                      void (Node::*handle)(const Msg&), Node* node) {
+    return subscribeToCommands<Msg>(topic, queue_size, [node, handle](const Msg& msg) { (node->*handle)(msg); });
   }
 
   /// The same as `subscribe`, for a topic that only one node should publish, such as `scan` or `odom`, and for which

@@ -17,6 +17,7 @@
 #include "ros/common/callback_guard.h"
 #include "ros/common/logging/console_output.h"
 #include "ros/common/master/namesake.h"
+#include "ros/common/master/slave_api.h"
 #include "ros/common/parameters.h"
 #include "ros/common/publish_flush.h"
 
@@ -141,6 +142,7 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
     ros::NodeHandle private_node("~");
     // roscpp's `get_loggers` crashes inside of the log library when it is called a second time. [FLT-1]
     ros::ServiceManager::instance()->unadvertiseService(private_node.resolveName("get_loggers"));
+    replaceHarmfulMethods();
     const int exit_code = body(node, private_node, isRunning);
     flush();  // for the last lines on /rosout
     return exit_code;

@@ -45,7 +45,7 @@ MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_nod
 void MapperAdapter::connect() {
   connections_.master().claimTopics({publisher_.topic()});
   followOdometry(connections_, tf_, parameters_.mapper.robot, base_frame_, 100, &MapperAdapter::handleOdometry, this);
-  connections_.subscribe(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
+  connections_.subscribeToCommands(names::kInitialPose, 1, &MapperAdapter::handleInitialPose, this);
   connections_.subscribeToScanner(tf_, base_frame_, 20, &MapperAdapter::handleScan, this);
   connections_.every(ros::Duration(parameters_.update_period), [this] {
     const auto now = connections_.clock().now();

@@ -22,7 +22,7 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
           [this](const Server::GoalHandle& handle) { handleCancel(handle); }, [this] { cancelWhatWasReplaced(); }) {}
 
 void MoveBaseServer::subscribe(NodeConnections& connections) {
-  connections.subscribe(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this);
+  connections.subscribeToCommands(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this);
 }
 
 std::optional<Pose2> MoveBaseServer::read(const geometry_msgs::PoseStamped& msg, std::string& why) const {

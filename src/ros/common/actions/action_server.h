@@ -21,6 +21,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/messages/checked_subscription.h"
+#include "ros/common/messages/latched_repeats.h"
 
 namespace frontier_pilot {
 
@@ -86,8 +87,14 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
     result_ = node_.advertise<ActionResult>(result_topic, kQueue);
     feedback_ = node_.advertise<ActionFeedback>(feedback_topic, kQueue);
     status_ = node_.advertise<actionlib_msgs::GoalStatusArray>(status_topic, kQueue, true);
-    goals_ = listen<ActionGoal>(goal_topic, [this](const ActionGoalConstPtr& msg) { takeGoal(msg); });
-    cancels_ = listen<GoalID>(cancel_topic, [this](const GoalID::ConstPtr& msg) { takeCancel(*msg); });
+    goals_ = listen<ActionGoal>(goal_topic, [this, goal_topic](const ros::MessageEvent<const ActionGoal>& event) {
+      if (repeats_.isRepeat(event.getConnectionHeaderPtr(), steadyNow())) {
+        sayRepeat(goal_topic, event.getPublisherName());
+      } else {
+        takeGoal(event.getConstMessage());
+      }
+    });
+    cancels_ = listen<GoalID>(cancel_topic, [this](const auto& event) { takeCancel(*event.getConstMessage()); });
     // On steady time: clients take the status for a sign of life, also while the ROS clock stands still.
     timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod), [this](const ros::SteadyTimerEvent&) {
       callbacks_.run(name_ + "/status", [&] {
@@ -102,7 +109,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   ros::Subscriber listen(const std::string& topic, Take take) {
     ros::SubscribeOptions options = checkedSubscription<Msg>(
         topic, kQueue, unreadable_, [this, topic, take](const ros::MessageEvent<const Msg>& event) {
-          callbacks_.run(topic, [&] { take(event.getConstMessage()); });
+          callbacks_.run(topic, [&] { take(event); });
         });
     return node_.subscribe(options);
   }
@@ -199,6 +206,7 @@ class ActionServer : public actionlib::ActionServerBase<Action> {
   std::string name_;
   std::function<void()> recalled_;
   Rejections rejections_;
+  LatchedRepeats repeats_;          ///< of goals
   actionlib::GoalIDGenerator ids_;  ///< of goals from within the node
   CallbackGuard callbacks_;
   UnreadableMessages unreadable_;

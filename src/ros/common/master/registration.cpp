@@ -17,10 +17,7 @@ using Value = XmlRpc::XmlRpcValue;
 
 const std::string& ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
-std::string ownServiceUri() {
-  const std::uint32_t port = ros::ConnectionManager::instance()->getTCPPort();
-  return "rosrpc://" + ros::network::getHost() + ":" + std::to_string(port);
-}
+std::string ownServiceUri() { return "rosrpc://" + ros::network::getHost() + ":" + std::to_string(tcpPort()); }
 
 /// The registration calls of the master API differ in the argument between the name and this node's URI.
 std::optional<Value> askMasterApi(const char* method, const std::string& name, const std::string& detail) {
@@ -57,6 +54,8 @@ std::set<std::string> urisOf(const UrisByTopic& uris, const std::string& topic) 
   const auto found = uris.find(topic);
   return found == uris.end() ? std::set<std::string>() : found->second;
 }
+
+std::uint32_t tcpPort() { return ros::ConnectionManager::instance()->getTCPPort(); }
 
 bool nameIsTaken() {
   const std::string uri = uriOf(ros::this_node::getName());

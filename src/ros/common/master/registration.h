@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +11,8 @@ namespace frontier_pilot {
 /// The addresses (XML-RPC URIs) of nodes, by topic.
 using UrisByTopic = std::map<std::string, std::set<std::string>>;
 
+/// The port at which this node takes connections of topics and services.
+std::uint32_t tcpPort();
 /// Whether the master has another process under this node's name, and that process answers. To register that name
 /// would make the master shut the other one down.
 bool nameIsTaken();

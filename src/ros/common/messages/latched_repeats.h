@@ -1,0 +1,41 @@
+#pragma once
+
+#include <ros/datatypes.h>
+
+#include <boost/shared_ptr.hpp>
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <utility>
+
+#include "frontier_pilot/core/time.h"
+
+namespace frontier_pilot {
+
+/// Recognizes commands that were published before and are delivered again: a latching publisher (`rostopic pub`, for
+/// instance) sends its last message to each new connection, whenever it was published. A connection that is made again,
+/// or a node that is started again, must not take it for a new command. [ARB-6] [ARB-8]
+class LatchedRepeats {
+ public:
+  using Header = boost::shared_ptr<ros::M_string>;  ///< the header of a connection, which belongs to that one alone
+
+  /// What latching publishers have sent before `settled` counts as published before this node was there.
+  explicit LatchedRepeats(SteadyTime settled = SteadyTime::min()) : settled_(settled) {}
+
+  /// Whether a message that arrives now by the connection with this header was published before: it is the first one
+  /// that a latching publisher sends by it, and that publisher was heard by another connection already, or this node is
+  /// not settled yet. A publisher that is started again under its old name is not told from one that is connected
+  /// again.
+  bool isRepeat(const Header& header, SteadyTime now);
+
+ private:
+  static constexpr std::size_t kMostRemembered = 200;  ///< latching publishers; most have names that are used once
+
+  SteadyTime settled_;
+  std::deque<std::pair<std::string, Header>> heard_;  ///< by publisher: the connection by which it was heard last
+};
+
+/// Warns of a command that was dropped as a repeat.
+void sayRepeat(const std::string& topic, const std::string& publisher);
+
+}  // namespace frontier_pilot
