@@ -98,6 +98,23 @@ class MapperAutosave(unittest.TestCase):
         mapper.end()
         self.assertFalse(kept_maps(), 'an end in order leaves none')
 
+    def test_a_map_is_taken_up_also_if_the_name_of_the_session_changes_before_the_mapper_dies(self):  # [FLT-2]
+        name = rospy.get_param('/run_id')
+        self.addCleanup(rospy.set_param, '/run_id', name)
+        mapper = Node('mapper')
+        self.addCleanup(lambda: mapper.end())
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        for other in ('another', None):
+            before = self.known()
+            rospy.set_param('/run_id', other) if other else rospy.delete_param('/run_id')
+            mapper.signal(signal.SIGKILL)
+            mapper.finish()
+            self.map.items.clear()
+            mapper = Node('mapper')
+            self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), other)
+            self.assertGreater(self.known(), 0.95 * before, '[FLT-2]')
+            self.assertTrue(wait_for(lambda: self.drive() or kept_maps(), 20.0))
+
     def test_a_map_whose_pose_was_damaged_is_put_aside_and_can_be_loaded(self):  # [FLT-2]
         mapper = Node('mapper')
         self.addCleanup(lambda: mapper.end())

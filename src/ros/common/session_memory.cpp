@@ -207,7 +207,7 @@ std::vector<fs::path> SessionMemory::others() const {
   return found;
 }
 
-std::vector<fs::path> SessionMemory::all() const {
+std::vector<fs::path> SessionMemory::findAll() const {
   std::vector<fs::path> files = own();
   append(files, others());
   append(files, elsewhere_);
@@ -218,19 +218,14 @@ std::vector<fs::path> SessionMemory::all() const {
   return files;
 }
 
-std::optional<fs::path> SessionMemory::find() const {
-  const std::vector<fs::path> files = all();
-  return files.empty() ? std::nullopt : std::optional<fs::path>(files.front());
-}
-
 std::optional<std::string> SessionMemory::recall() const {
-  const std::optional<fs::path> file = find();
-  return file ? std::optional<std::string>(textIn(*file)) : std::nullopt;
+  const std::vector<fs::path> files = findAll();
+  return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
 }
 
 std::vector<std::string> SessionMemory::recallAll() const {
   std::vector<std::string> texts;
-  for (const fs::path& file : all()) texts.push_back(textIn(file));
+  for (const fs::path& file : findAll()) texts.push_back(textIn(file));
   return texts;
 }
 

@@ -41,8 +41,8 @@ class SessionMemory {
   std::vector<std::string> recallAll() const;
   /// The first text that another process, living or dead, has remembered in this session; nothing if there is none.
   std::optional<std::string> recallOthers() const;
-  /// The file with the text that recall() returns.
-  std::optional<std::filesystem::path> find() const;
+  /// The files with the texts that recallAll() returns.
+  std::vector<std::filesystem::path> findAll() const;
   /// Stores `text`, in place of what dead processes have remembered. Returns an empty text if it will survive this
   /// process, otherwise why it will not.
   std::string remember(const std::string& text) const;
@@ -62,7 +62,6 @@ class SessionMemory {
   /// Those of this process, at both places.
   std::vector<std::filesystem::path> own() const;
   std::vector<std::filesystem::path> others() const;
-  std::vector<std::filesystem::path> all() const;
   /// Returns what went wrong; empty if nothing did.
   std::string removeThoseOfTheDead() const;
 

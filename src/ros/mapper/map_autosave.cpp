@@ -61,8 +61,10 @@ MapAutosave::MapAutosave()
       done_(std::make_shared<Mailbox<Saved>>()) {}
 
 std::optional<std::filesystem::path> MapAutosave::find() const {
-  std::vector<fs::path> bases = memory_.files();  // the map lies beside that for the first name of the session
-  if (const auto pose = memory_.find()) bases.insert(bases.begin(), *pose);
+  // The map lies beside the pose for the first name that the session had when it was saved.
+  std::vector<fs::path> bases = memory_.findAll();
+  const std::vector<fs::path>& own = memory_.files();
+  bases.insert(bases.end(), own.begin(), own.end());
   const auto found = std::find_if(bases.begin(), bases.end(), kept_map::exists);
   return found == bases.end() ? std::nullopt : std::make_optional(*found);
 }
