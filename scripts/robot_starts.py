@@ -3,6 +3,7 @@ import collections
 import math
 import os
 import random
+import re
 
 import yaml
 from PIL import Image
@@ -10,14 +11,25 @@ from PIL import Image
 CLEARANCE = 0.35  # around a start [m]
 APART = 0.8  # between two starts [m]
 MOST_ROBOTS = 20
+LARGEST_YAML = 1000000  # [bytes]
+MOST_PIXELS = 64000000  # of a world's picture, as the simulator
 
 
 class StartsError(Exception):
     """There are no robots, or no places for them."""
 
 
+def require_file(path, largest=math.inf):
+    """StartsError if this is no file, a pipe for instance, which would be waited for, or a file of more bytes than that."""
+    if not os.path.isfile(path):
+        raise StartsError('%s cannot be read: there is no such file' % path)
+    if os.path.getsize(path) > largest:
+        raise StartsError('%s cannot be read: it has more than %d bytes' % (path, largest))
+
+
 def read_yaml(path):
-    """What a YAML file says; StartsError if it cannot be read, or is nested too deeply."""
+    """What a YAML file says; StartsError if it cannot be read, or is too large or nested too deeply."""
+    require_file(path, LARGEST_YAML)
     try:
         with open(path) as file:
             return yaml.safe_load(file)
@@ -29,9 +41,34 @@ def read_yaml(path):
 
 def read_picture(path):
     """Width, height and shades (0 ... 1) of a picture, from the upper left."""
+    require_file(path)
     with Image.open(path) as picture:
+        if picture.width * picture.height > MOST_PIXELS:
+            raise StartsError('%s has more than %d pixels' % (path, MOST_PIXELS))
         grey = picture.convert('L')
     return grey.width, grey.height, [shade / 255 for shade in grey.getdata()]
+
+
+def point_of(values):
+    """x and y of a list of finite numbers [m]; ValueError if it is none."""
+    point = [float(value) for value in values[:2]]
+    if len(point) < 2 or not all(map(math.isfinite, point)):
+        raise ValueError('%r is no place' % (point,))
+    return point
+
+
+def text_of(value):
+    """A text of a YAML file; ValueError if it is anything else, such as a list, which as a text might be without end."""
+    if not isinstance(value, str):
+        raise ValueError('%s instead of a text' % type(value).__name__)
+    return value
+
+
+def robot_name(value):
+    """The name of a robot, which becomes a namespace; ValueError if it cannot be one."""
+    if not re.fullmatch('[A-Za-z][A-Za-z0-9_]{0,255}', text_of(value)):
+        raise ValueError('a name is a word of letters, digits and _ that begins with a letter')
+    return value
 
 
 class World:
@@ -41,8 +78,8 @@ class World:
         meta = read_yaml(path)
         self.width, self.height, shades = read_picture(os.path.join(os.path.dirname(path), meta['image']))
         self.resolution = float(meta['resolution'])
-        self.origin = meta['origin']
-        self.start = meta.get('start')
+        self.origin = point_of(meta['origin'])
+        self.start = point_of(meta['start']) if meta.get('start') else None
         darkest = 1.0 - float(meta['free_thresh'])
         negate = bool(meta.get('negate'))
         self.is_free = [(1.0 - shade if negate else shade) > darkest for shade in shades]
@@ -91,7 +128,7 @@ def read_world(path):
     """The World of a map_server YAML; StartsError if it or its picture cannot be read."""
     try:
         return World(path)
-    except (OSError, ValueError, KeyError, TypeError, OverflowError) as error:
+    except (OSError, ValueError, KeyError, TypeError, OverflowError, Image.DecompressionBombError) as error:
         raise StartsError('world:=%s cannot be read: %s' % (path, error))
 
 

@@ -20,7 +20,7 @@ import yaml
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import leftovers  # noqa: E402
 from command_line import CommandLine  # noqa: E402
-from robot_starts import StartsError, draw_starts, read_world, read_yaml  # noqa: E402
+from robot_starts import StartsError, draw_starts, read_world, read_yaml, robot_name, text_of  # noqa: E402
 from robots_rviz import view_of, write_configuration  # noqa: E402
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
@@ -44,8 +44,8 @@ def robots_of(arguments, world):
         return [dict(start, robot=arguments['robot']) for start in draw_starts(world, int(robots), int(arguments['seed']))]
     listed = read_yaml(absolute(robots))
     try:
-        return [{'name': str(entry['name']), 'x': float(entry['x']), 'y': float(entry['y']), 'yaw': float(entry.get('yaw', 0.0)),
-                 'robot': str(entry.get('robot') or arguments['robot'])} for entry in listed['robots']]
+        return [{'name': robot_name(entry['name']), 'x': float(entry['x']), 'y': float(entry['y']), 'yaw': float(entry.get('yaw', 0.0)),
+                 'robot': text_of(entry.get('robot') or arguments['robot'])} for entry in listed['robots']]
     except (AttributeError, KeyError, TypeError, ValueError, OverflowError) as error:
         raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (robots, error))
 

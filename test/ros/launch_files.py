@@ -14,6 +14,7 @@ import rospkg
 import roslaunch.config
 import rostest
 import yaml
+from PIL import Image
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
 sys.path.insert(0, ROOT + '/scripts')
@@ -292,13 +293,31 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_a_list_of_robots_that_cannot_be_read_is_an_error_in_one_line(self):
         for text, why in (('robots: ' + '[' * 5000 + ']' * 5000, 'nested too deeply'), ('robots: [[]]', 'no list `robots`'),
-                          ('robots: [{name: a, y: 0, x: 1%s}]' % ('0' * 400), 'no list `robots`'), ('robots: "\xff', 'cannot be read')):
+                          ('robots: [{name: a, y: 0, x: 1%s}]' % ('0' * 400), 'no list `robots`'), ('robots: "\xff', 'cannot be read'),
+                          ('robots: [{name: 5, x: 0, y: 0}]', 'instead of a text'), ('robots: [{name: /a/b, x: 0, y: 0}]', 'a name is'),
+                          ('a: &a [1]\nrobots: [{name: *a, x: 0, y: 0}]', 'instead of a text'), ('#' * 1000001, 'more than')):
             with tempfile.NamedTemporaryFile('w', suffix='.yaml', encoding='latin-1') as file:
                 file.write(text)
                 file.flush()
                 with self.assertRaisesRegex(robots_launcher.StartsError, why) as raised:
                     self.config(ROOT + '/launch/robots.launch', robots=file.name)
                 self.assertNotIn('\n', str(raised.exception))
+
+    def test_a_world_that_the_launcher_cannot_read_is_an_error_in_one_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Image.new('L', (8001, 8000), 255).save(folder + '/large.png')
+            Image.new('L', (200, 200), 255).save(folder + '/room.png')
+            os.mkfifo(folder + '/pipe')
+            good = {'image': 'room.png', 'resolution': 0.05, 'origin': [0, 0, 0], 'negate': 0, 'occupied_thresh': 0.65, 'free_thresh': 0.196}
+            for change in ({'start': [0]}, {'start': 'x'}, {'start': [math.nan, 0, 0]}, {'start': 7}, {'origin': 0}, {'image': 'large.png'},
+                           {'image': 'pipe'}, {'image': 3}, None):
+                with open(folder + '/world.yaml', 'w') as file:
+                    yaml.safe_dump(dict(good, **change) if change else [], file)
+                with self.assertRaises(robots_launcher.StartsError, msg=change) as raised:
+                    self.config(ROOT + '/launch/robots.launch', robots='3', world=folder + '/world.yaml')
+                self.assertNotIn('\n', str(raised.exception))
+            with self.assertRaisesRegex(robots_launcher.StartsError, 'no such file'):
+                self.config(ROOT + '/launch/robots.launch', robots=folder + '/pipe')
 
     def expect_map(self, file, expected, **arguments):
         mappers = [given for type_name, given in self.load(file, **arguments).values() if type_name == 'mapper']
