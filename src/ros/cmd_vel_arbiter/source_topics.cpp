@@ -19,7 +19,7 @@ bool isName(const std::string& topic) {
 }  // namespace
 
 arbiter::ArbiterParameters loadArbiterParameters(const ros::NodeHandle& node, const ros::NodeHandle& private_node) {
-  const auto parameters = loadNodeParameters<arbiter::ArbiterParameters>(private_node);
+  auto parameters = loadNodeParameters<arbiter::ArbiterParameters>(private_node);
   Problems problems;
   std::map<std::string, std::string> owners;  // of the resolved topics
   for (std::size_t i = 0; i < parameters.sources.size(); ++i) {
