@@ -6,14 +6,13 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/text.h"
+#include "ros/common/master/ros_sessions.h"
 #include "ros/common/session_memory.h"
 
 namespace frontier_pilot {
@@ -47,17 +46,6 @@ struct Writer {
   std::uint64_t began = 0;         ///< start time of the process, because process ids are reused
   std::uint64_t parent_began = 0;  ///< that of its parent
 };
-
-/// When `process` was started, in clock ticks since boot; 0 if it no longer exists.
-std::uint64_t beginOf(int process) {
-  std::string stat;
-  std::getline(std::ifstream("/proc/" + std::to_string(process) + "/stat"), stat);
-  // Field 3 is the state and field 22 the start time; field 2 may contain any character and ends with the last ')'.
-  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
-  std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
-  if (words.size() < 20 || words.front() == "Z" || words.front() == "X") return 0;
-  return std::strtoull(words[19].c_str(), nullptr, 10);
-}
 
 /// The process that wrote `file`, from the second line of the file; zeros if that cannot be read.
 Writer writerOf(const fs::path& file) {

@@ -5,9 +5,33 @@
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace frontier_pilot {
+namespace {
+
+/// When the master was started, as a part of a name; empty if it runs on another computer, or is called otherwise.
+std::string beginOfMaster(int process) {
+  std::string command;
+  std::getline(std::ifstream("/proc/" + std::to_string(process) + "/cmdline"), command);
+  return command.find("rosmaster") == std::string::npos ? "" : std::to_string(beginOf(process)) + "-";
+}
+
+}  // namespace
+
+std::uint64_t beginOf(int process) {
+  std::string stat;
+  std::getline(std::ifstream("/proc/" + std::to_string(process) + "/stat"), stat);
+  // Field 3 is the state and field 22 the start time; field 2 may contain any character and ends with the last ')'.
+  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
+  std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
+  if (words.size() < 20 || words.front() == "Z" || words.front() == "X") return 0;
+  return std::strtoull(words[19].c_str(), nullptr, 10);
+}
 
 std::vector<std::string> rosSessions() {
   std::vector<std::string> sessions;
@@ -16,10 +40,11 @@ std::vector<std::string> rosSessions() {
   XmlRpc::XmlRpcValue request, response, pid;
   request[0] = ros::this_node::getName();
   if (!ros::master::execute("getPid", request, response, pid, true)) return sessions;
-  // Process ids start again after a reboot, so the boot id is part of the name.
+  // Process ids are used again, and start again after a reboot.
   std::string boot;
   std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
-  sessions.push_back("master-" + std::to_string(static_cast<int>(pid)) + "-" + boot);
+  const int process = pid;
+  sessions.push_back("master-" + std::to_string(process) + "-" + beginOfMaster(process) + boot);
   return sessions;
 }
 
