@@ -55,8 +55,39 @@ class FrozenServers(unittest.TestCase):
         resumed = self.freeze_through_a_stop(server)
         self.assertTrue(client.wait_for_result(rospy.Duration(60)), 'it has not ended')
         self.assertEqual(client.get_state(), GoalStatus.ABORTED)
+        time.sleep(0.5)  # what is asked of the server before it has read all of that time is aborted, too
         self.assertFalse([command for command in commands.since(resumed) if moves(command)])
         commands.subscriber.unregister()
+
+    def sent_while_the_server_was_frozen(self, server, client, goal):
+        """A goal that is sent while `server` is frozen and the robot is stopped, which is then cleared; its result."""
+        self.assertTrue(client.wait_for_server(rospy.Duration(60)))
+        commands = Record('cmd_vel', Twist)
+        pid = pid_of(server)
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            self.assertTrue(self.stop().success)
+            client.send_goal(goal)
+            time.sleep(0.5)
+            self.assertTrue(wait_for(self.cleared, 20), 'the stop is not cleared')
+        finally:
+            resumed = time.monotonic()
+            os.kill(pid, signal.SIGCONT)
+        self.assertTrue(client.wait_for_result(rospy.Duration(60)), 'it has not ended')
+        self.assertFalse([command for command in commands.since(resumed) if moves(command)])
+        commands.subscriber.unregister()
+        return client.get_result()
+
+    def test_what_is_asked_of_a_frozen_server_while_the_robot_is_stopped_is_aborted_also_after_the_clear(self):
+        """[PAT-5] [SPN-4] [FLT-2]"""
+        square = PatrolGoal()
+        square.goal.x, square.goal.y, square.goal.z = 1, 0.6, 1
+        patrols, spins = actionlib.SimpleActionClient('turtlebot3', PatrolAction), actionlib.SimpleActionClient('spin', SpinAction)
+        for _ in range(ROUNDS):
+            spin = self.sent_while_the_server_was_frozen('/behavior_server', spins, SpinGoal(6.0, rospy.Duration(0), False))
+            self.assertEqual(spin.error_msg, 'emergency stop')
+            patrol = self.sent_while_the_server_was_frozen('/patrol_server', patrols, square)
+            self.assertEqual(patrol.result, 'aborted: emergency stop')
 
     def test_a_patrol_that_was_frozen_through_a_stop_and_its_clearing_does_not_go_on(self):
         """[PAT-5] [FLT-2]"""

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,10 +139,29 @@ class NodeConnections {
   }
 
   /// For each message of `emergency_stop_state`: also for a stop that was cleared before this node could read of it.
+  /// A clear that this process reads after it was held up waits until all that came meanwhile is read, and is preceded
+  /// by the stop: a goal of that time, whose message may be read before or after both, ends by it. [FLT-2]
   template <class Node>
   void followStop(void (Node::*handle)(const std_msgs::Bool&), Node* node) {
     constexpr std::uint32_t kStopsAndClears = 10;
-    subscribe(names::kEmergencyStopState, kStopsAndClears, handle, node, ros::TransportHints().tcpNoDelay());
+    const auto clear = std::make_shared<std::optional<std_msgs::Bool>>();
+    subscribe<std_msgs::Bool>(
+        names::kEmergencyStopState, kStopsAndClears,
+        [this, handle, node, clear](const std_msgs::Bool& msg) {
+          clock_.now();  // notices a hold-up
+          clear->reset();
+          if (msg.data != 0 || !clock_.isCatchingUp()) return (node->*handle)(msg);
+          *clear = msg;
+        },
+        ros::TransportHints().tcpNoDelay());
+    everySteady(ros::WallDuration(0.05), [this, handle, node, clear] {
+      if (!*clear || clock_.isCatchingUp()) return;
+      std_msgs::Bool stop;
+      stop.data = 1;
+      (node->*handle)(stop);
+      (node->*handle)(**clear);
+      clear->reset();
+    });
   }
 
   /// `handle(request, response)` answers calls of `service`; the call fails if it returns false or throws.
