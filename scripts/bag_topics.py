@@ -55,11 +55,17 @@ class Topic:
         self.raw = []
 
     def message(self, index):
-        return self.message_class().deserialize(self.raw[index][1])
+        return self._read(self.raw[index][1])
 
     def messages(self):
         for recorded, data in self.raw:
-            yield recorded, self.message_class().deserialize(data)
+            yield recorded, self._read(data)
+
+    def _read(self, data):
+        try:
+            return self.message_class().deserialize(data)
+        except DAMAGE as error:
+            raise BagError('%s: a message cannot be read: %s' % (self.name, str(error) or type(error).__name__))
 
 
 def read_bag(path):

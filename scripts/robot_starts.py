@@ -78,6 +78,8 @@ class World:
         meta = read_yaml(path)
         self.width, self.height, shades = read_picture(os.path.join(os.path.dirname(path), meta['image']))
         self.resolution = float(meta['resolution'])
+        if not self.resolution > 0.0:
+            raise ValueError('the resolution is not greater than zero')
         self.origin = point_of(meta['origin'])
         self.start = point_of(meta['start']) if meta.get('start') else None
         darkest = 1.0 - float(meta['free_thresh'])
@@ -128,7 +130,7 @@ def read_world(path):
     """The World of a map_server YAML; StartsError if it or its picture cannot be read."""
     try:
         return World(path)
-    except (OSError, ValueError, KeyError, TypeError, OverflowError, Image.DecompressionBombError) as error:
+    except (OSError, ValueError, KeyError, TypeError, ArithmeticError, Image.DecompressionBombError) as error:
         raise StartsError('world:=%s cannot be read: %s' % (path, error))
 
 

@@ -309,7 +309,7 @@ class LaunchFilesTest(unittest.TestCase):
             Image.new('L', (200, 200), 255).save(folder + '/room.png')
             os.mkfifo(folder + '/pipe')
             good = {'image': 'room.png', 'resolution': 0.05, 'origin': [0, 0, 0], 'negate': 0, 'occupied_thresh': 0.65, 'free_thresh': 0.196}
-            for change in ({'start': [0]}, {'start': 'x'}, {'start': [math.nan, 0, 0]}, {'start': 7}, {'origin': 0}, {'image': 'large.png'},
+            for change in ({'start': [0]}, {'start': 'x'}, {'start': [math.nan, 0, 0]}, {'start': 7}, {'origin': 0}, {'resolution': 0}, {'image': 'large.png'},
                            {'image': 'pipe'}, {'image': 3}, None):
                 with open(folder + '/world.yaml', 'w') as file:
                     yaml.safe_dump(dict(good, **change) if change else [], file)
