@@ -1,6 +1,14 @@
 """CPU time and memory of the nodes over the run."""
 
 
+MOST_CORES = 1e4  # that a process can use
+
+
+def is_time(value):
+    """Whether this is a time of our epoch [s] that a calendar has."""
+    return 0.0 <= value < 1e11
+
+
 class Load:
     """The samples of each node: (time [s], CPU time per real time, memory [bytes])."""
 
@@ -9,6 +17,8 @@ class Load:
         self.wall = []  # real time of the messages [s since the epoch]
 
     def take(self, time, message):
+        if not is_time(message.wall_time) or not all(0.0 <= process.cpu < MOST_CORES for process in message.processes):
+            raise ValueError('they have times that cannot be')
         self.wall.append(message.wall_time)
         for process in message.processes:
             self.nodes.setdefault(process.node, []).append((time, process.cpu, process.memory))

@@ -3,7 +3,7 @@ import json
 
 from .goals import Goals
 from .intervals import States, merged
-from .load import Load
+from .load import Load, is_time
 from .parameters import inside
 from .track import MapImage, Track, bare
 from .warnings import Warnings
@@ -29,7 +29,10 @@ def read_info(text):
     except (ValueError, RecursionError):
         return None
     forms = {'moment': str, 'wall_time': (int, float), 'namespace': str, 'topics': dict, 'parameters': dict}
-    return info if isinstance(info, dict) and all(isinstance(info.get(key), form) for key, form in forms.items()) else None
+    if not isinstance(info, dict) or not all(isinstance(info.get(key), form) for key, form in forms.items()):
+        return None
+    is_good = is_time(info['wall_time']) and all(isinstance(topic, str) for topic in info['topics'].values())
+    return info if is_good else None
 
 
 def names_in(bags, infos):
@@ -109,12 +112,15 @@ class Run:
         """The frames of the map and of the robot, from the first messages that name them; the latter from the parameters of a
         robot that publishes odometry as a transform alone."""
         robot = inside((self.start_info or {}).get('parameters', {}), self.namespace() + '/navigator/robot')
-        self.track.base_frame = bare(robot.get('base_frame', self.track.base_frame))
+        self.track.base_frame = bare(str(robot.get('base_frame', self.track.base_frame)))
         for role, take in (('map', lambda m: setattr(self.track, 'map_frame', bare(m.header.frame_id))),
                            ('odom', lambda m: setattr(self.track, 'base_frame', bare(m.child_frame_id)))):
             if role in names:
                 for _, message, _ in bags.messages([names[role]]):
-                    take(message)
+                    try:
+                        take(message)
+                    except AttributeError:  # damaged: of another type
+                        continue
                     break
 
     def namespace(self):

@@ -5,6 +5,7 @@ import unittest
 
 import rosbag
 import rospy
+from frontier_pilot.msg import ProcessLoad, ProcessLoads
 from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import String
 
@@ -13,7 +14,8 @@ import synthetic_bag
 from run_report import drawing, goals, parameters, summary, time_plots
 from run_report.bag_files import BagFiles
 from run_report.intervals import States, merged, total
-from run_report.run import Run
+from run_report.load import Load
+from run_report.run import Run, read_info
 from run_report.warnings import Warnings
 
 
@@ -32,6 +34,24 @@ class Intervals(unittest.TestCase):
     def test_spans_that_touch_are_one(self):
         self.assertEqual(merged([(4.0, 5.0, 'x'), (1.0, 2.0), (2.0, 3.0)]), [(1.0, 3.0), (4.0, 5.0)])
         self.assertEqual(total([(0.0, 2.0), (1.0, 3.0)]), 3.0)
+
+
+class WhatSomebodyElsePublished(unittest.TestCase):
+    def test_notes_of_a_run_with_times_or_topics_that_cannot_be_are_not_the_recorders(self):
+        good = {'moment': 'start', 'wall_time': 1.7e9, 'namespace': '/', 'topics': {'map': '/map'}, 'parameters': {}}
+        self.assertEqual(read_info(json.dumps(good)), good)
+        for change in ({'wall_time': float('nan')}, {'wall_time': float('inf')}, {'wall_time': 10**400}, {'wall_time': -1.0},
+                       {'topics': {'map': [1]}}, {'topics': []}):
+            self.assertIsNone(read_info(json.dumps(dict(good, **change))), change)
+
+    def test_loads_that_cannot_be_are_left_out(self):
+        load = Load()
+        for cpu in (float('nan'), float('inf'), 1e308, -1e308):
+            with self.assertRaises(ValueError):
+                load.take(1.0, ProcessLoads(wall_time=1.7e9, processes=[ProcessLoad('/mapper', 7, cpu, 5)]))
+        with self.assertRaises(ValueError):
+            load.take(1.0, ProcessLoads(wall_time=float('nan')))
+        self.assertEqual((load.rows(), load.wall), ([], []))
 
 
 class Reading(FolderCase):
