@@ -4,6 +4,7 @@ import math
 import os
 import random
 import re
+import struct
 
 import yaml
 from PIL import Image
@@ -22,7 +23,7 @@ class StartsError(Exception):
 def require_file(path, largest=math.inf):
     """StartsError if this is no file, a pipe for instance, which would be waited for, or a file of more bytes than that."""
     if not os.path.isfile(path):
-        raise StartsError('%s cannot be read: there is no such file' % path)
+        raise StartsError('%s cannot be read: it is %s' % (path, 'no regular file' if os.path.exists(path) else 'not there'))
     if os.path.getsize(path) > largest:
         raise StartsError('%s cannot be read: it has more than %d bytes' % (path, largest))
 
@@ -130,7 +131,8 @@ def read_world(path):
     """The World of a map_server YAML; StartsError if it or its picture cannot be read."""
     try:
         return World(path)
-    except (OSError, ValueError, KeyError, TypeError, ArithmeticError, Image.DecompressionBombError) as error:
+    except (OSError, EOFError, ValueError, LookupError, TypeError, ArithmeticError, SyntaxError, struct.error,
+            Image.DecompressionBombError) as error:
         raise StartsError('world:=%s cannot be read: %s' % (path, error))
 
 

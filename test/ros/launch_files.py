@@ -308,15 +308,19 @@ class LaunchFilesTest(unittest.TestCase):
             Image.new('L', (8001, 8000), 255).save(folder + '/large.png')
             Image.new('L', (200, 200), 255).save(folder + '/room.png')
             os.mkfifo(folder + '/pipe')
+            with open(folder + '/room.png', 'rb') as whole, open(folder + '/broken.png', 'wb') as broken:
+                content = bytearray(whole.read())
+                content[content.index(b'IDAT') + 6] ^= 255
+                broken.write(content[:-20])
             good = {'image': 'room.png', 'resolution': 0.05, 'origin': [0, 0, 0], 'negate': 0, 'occupied_thresh': 0.65, 'free_thresh': 0.196}
             for change in ({'start': [0]}, {'start': 'x'}, {'start': [math.nan, 0, 0]}, {'start': 7}, {'origin': 0}, {'resolution': 0}, {'image': 'large.png'},
-                           {'image': 'pipe'}, {'image': 3}, None):
+                           {'image': 'pipe'}, {'image': 'broken.png'}, {'image': 3}, None):
                 with open(folder + '/world.yaml', 'w') as file:
                     yaml.safe_dump(dict(good, **change) if change else [], file)
                 with self.assertRaises(robots_launcher.StartsError, msg=change) as raised:
                     self.config(ROOT + '/launch/robots.launch', robots='3', world=folder + '/world.yaml')
                 self.assertNotIn('\n', str(raised.exception))
-            with self.assertRaisesRegex(robots_launcher.StartsError, 'no such file'):
+            with self.assertRaisesRegex(robots_launcher.StartsError, 'no regular file'):
                 self.config(ROOT + '/launch/robots.launch', robots=folder + '/pipe')
 
     def expect_map(self, file, expected, **arguments):

@@ -34,6 +34,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
       stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
       diagnostics_(node, private_node),
       connections_(node, kMasterPeriod) {
+  hold_ups_.isCatchingUp(steadyNow());  // a start that takes long is a hold-up: what came meanwhile is old
   around_.own_name = ros::this_node::getName();
   around_.cmd_vel = cmd_vel_.getTopic();
   around_.status = status_.getTopic();

@@ -7,7 +7,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,7 +73,7 @@ class NodeConnections {
   }
 
   /// The same as `subscribe`, for commands: one that was published before, and that a latching publisher delivers
-  /// again, is dropped. In the first `settling` that holds for all that latching publishers deliver.
+  /// again, is dropped. In the first `settling` that holds for the first message of each latching publisher.
   template <class Msg, class F>
   ros::Subscriber subscribeToCommands(const std::string& topic, std::uint32_t queue_size, F handle,
                                       const ros::TransportHints& hints = {}, Duration settling = Duration::zero()) {
@@ -139,28 +138,33 @@ class NodeConnections {
   }
 
   /// For each message of `emergency_stop_state`: also for a stop that was cleared before this node could read of it.
-  /// A clear that this process reads after it was held up waits until all that came meanwhile is read, and is preceded
-  /// by the stop: a goal of that time, whose message may be read before or after both, ends by it. [FLT-2]
+  /// A clear of a stop that this process reads after it was held up waits until all that came meanwhile is read, and
+  /// the stop is handled once more before it: a goal of that time, which may be read after both, ends by it. [FLT-2]
   template <class Node>
   void followStop(void (Node::*handle)(const std_msgs::Bool&), Node* node) {
     constexpr std::uint32_t kStopsAndClears = 10;
-    const auto clear = std::make_shared<std::optional<std_msgs::Bool>>();
+    struct State {
+      bool stopped = false, clear_waits = false;
+    };
+    const auto state = std::make_shared<State>();
     subscribe<std_msgs::Bool>(
         names::kEmergencyStopState, kStopsAndClears,
-        [this, handle, node, clear](const std_msgs::Bool& msg) {
+        [this, handle, node, state](const std_msgs::Bool& msg) {
           clock_.now();  // notices a hold-up
-          clear->reset();
-          if (msg.data != 0 || !clock_.isCatchingUp()) return (node->*handle)(msg);
-          *clear = msg;
+          state->clear_waits = msg.data == 0 && state->stopped && clock_.isCatchingUp();
+          if (state->clear_waits) return;
+          state->stopped = msg.data != 0;
+          (node->*handle)(msg);
         },
         ros::TransportHints().tcpNoDelay());
-    everySteady(ros::WallDuration(0.05), [this, handle, node, clear] {
-      if (!*clear || clock_.isCatchingUp()) return;
-      std_msgs::Bool stop;
-      stop.data = 1;
-      (node->*handle)(stop);
-      (node->*handle)(**clear);
-      clear->reset();
+    everySteady(ros::WallDuration(0.05), [this, handle, node, state] {
+      if (!state->clear_waits || clock_.isCatchingUp()) return;
+      *state = {};
+      std_msgs::Bool msg;
+      msg.data = 1;
+      (node->*handle)(msg);
+      msg.data = 0;
+      (node->*handle)(msg);
     });
   }
 

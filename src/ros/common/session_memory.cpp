@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -36,6 +38,9 @@ namespace fs = std::filesystem;
 
 /// The time of a file whose writer has ended in order. It is not kept in the file, because the disk may be full.
 constexpr timespec kEndedInOrder{0, 0};
+constexpr std::time_t kRestart = 10;  // [s], within which roslaunch restarts a node that has died
+const std::time_t g_process_began = std::time(nullptr);
+
 constexpr const char* kOfProcess = "~";  // separates the process id; cannot occur within a ROS name
 constexpr const char* kDigits = "0123456789";
 
@@ -45,6 +50,7 @@ struct Writer {
   int parent = 0;
   std::uint64_t began = 0;         ///< start time of the process, because process ids are reused
   std::uint64_t parent_began = 0;  ///< that of its parent
+  std::string boot;                ///< both count from the start of the computer
 };
 
 /// The process that wrote `file`, from the second line of the file; zeros if that cannot be read.
@@ -52,7 +58,8 @@ Writer writerOf(const fs::path& file) {
   std::istringstream content(readFile(file, kLongestText).bytes);
   std::string text;
   Writer writer;
-  if (std::getline(content, text)) content >> writer.process >> writer.parent >> writer.began >> writer.parent_began;
+  if (std::getline(content, text)) content >> writer.process >> writer.parent >> writer.began;
+  content >> writer.parent_began >> writer.boot;
   return writer;
 }
 
@@ -60,13 +67,15 @@ bool lives(const Writer& writer) { return writer.began != 0 && beginOf(writer.pr
 
 /// Whether `writer` no longer exists and this process was started in its place, by the process that had started it.
 bool replaces(const Writer& writer) {
-  const bool same_parent = writer.parent == getppid() && writer.parent_began == beginOf(getppid());
-  return writer.process > 0 && same_parent && !lives(writer);
+  const std::uint64_t parent_began = beginOf(getppid());  // 0 if the parent is outside of this container
+  const bool same_parent = writer.parent == getppid() && parent_began != 0 && writer.parent_began == parent_began;
+  return writer.process > 0 && same_parent && writer.boot == bootId() && !lives(writer);
 }
 
-bool endedInOrder(const fs::path& file) {
+/// When `file` was written [s since 1970]; 0 if it is not there.
+std::time_t timeOf(const fs::path& file) {
   struct stat status {};
-  return stat(file.c_str(), &status) == 0 && status.st_mtim.tv_sec == kEndedInOrder.tv_sec;
+  return stat(file.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
 }
 
 std::string textIn(const fs::path& file) {
@@ -130,9 +139,10 @@ std::vector<fs::path> ofProcesses(const fs::path& folder, const std::string& nam
   return found;
 }
 
-/// Those of `files` whose writers died, and in whose place this process was started.
-std::vector<fs::path> leftBehind(std::vector<fs::path> files) {
-  const auto is_of_another = [](const fs::path& file) { return endedInOrder(file) || !replaces(writerOf(file)); };
+/// Those of `files` whose writers died, and in whose place this process was started: shortly before, unless `whenever`.
+std::vector<fs::path> leftBehind(std::vector<fs::path> files, bool whenever) {
+  const std::time_t since = whenever ? kEndedInOrder.tv_sec + 1 : g_process_began - kRestart;
+  const auto is_of_another = [&](const fs::path& file) { return timeOf(file) < since || !replaces(writerOf(file)); };
   files.erase(std::remove_if(files.begin(), files.end(), is_of_another), files.end());
   return files;
 }
@@ -156,7 +166,7 @@ SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& 
                                               : ofProcesses(session.path(), name_));
     }
   }
-  elsewhere_ = leftBehind(std::move(elsewhere));
+  elsewhere_ = leftBehind(std::move(elsewhere), kind_ == Owner::kService);
 }
 
 std::vector<fs::path> SessionMemory::filesIn(const fs::path& root, const std::vector<std::string>& sessions) const {
@@ -179,8 +189,11 @@ bool SessionMemory::enter(const std::vector<std::string>& sessions) {
   const std::vector<fs::path> before = own();
   files_ = filesIn(ros_home_, sessions);
   spares_ = filesIn(spare_, sessions);
-  if (own() == before) return false;
-  elsewhere_ = before;
+  const std::vector<fs::path> now = own();
+  if (now == before) return false;
+  const auto stays = [&now](const fs::path& file) { return std::find(now.begin(), now.end(), file) != now.end(); };
+  elsewhere_.clear();
+  std::remove_copy_if(before.begin(), before.end(), std::back_inserter(elsewhere_), stays);
   return true;
 }
 
@@ -224,7 +237,8 @@ std::optional<std::string> SessionMemory::recallOthers() const {
 
 std::string SessionMemory::remember(const std::string& text) const {
   const std::string content = text + "\n" + std::to_string(getpid()) + " " + std::to_string(getppid()) + " " +
-                              std::to_string(beginOf(getpid())) + " " + std::to_string(beginOf(getppid())) + "\n";
+                              std::to_string(beginOf(getpid())) + " " + std::to_string(beginOf(getppid())) + " " +
+                              bootId() + "\n";
   const auto write = [&content](const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);

@@ -10,8 +10,10 @@ namespace frontier_pilot {
 /// Keeps an operator's request, such as an emergency stop, beyond the death of the node that received it: in a file
 /// under ROS_HOME whose path contains the owner's name and the id of the ROS session, so that a new session starts
 /// afresh. A file of another session also counts if its writer died and this process was started in its place by the
-/// same roslaunch, however long afterwards: then the node has outlived its master, or died together with it, and the
-/// nodes that drive the robot may have outlived both.
+/// same roslaunch: then the node has outlived its master, or died together with it, and the nodes that drive the robot
+/// may have outlived both. A request to a service, which is to stop, counts however long afterwards; what a node
+/// remembers for itself, such as its map, counts only if it was written less than ten seconds before this process
+/// began.
 ///
 /// It is a file and not a parameter because writing it takes microseconds and depends on no other process. A write to
 /// the parameter server would wait forever while the master is gone, and meanwhile the arbiter would send no zeros.

@@ -153,15 +153,15 @@ TEST_F(SessionMemoryFile, IsNotFoundInANewSessionOfAWriterThatLivesOrEndedInOrde
   EXPECT_TRUE(memory().recall()) << "in its own session it holds";
   writeAsADeadOne(memory());
   const std::string content = readFile(file(), 1000).bytes;
-  std::ofstream(file()) << content.substr(0, content.rfind(' ')) << " 1\n";
+  const std::size_t boot = content.rfind(' '), parent_began = content.rfind(' ', boot - 1);
+  std::ofstream(file()) << content.substr(0, parent_began) << " 1" << content.substr(boot);
   EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "the number of its parent was used again";
-}
-
-// [ARB-7]
-TEST_F(SessionMemoryFile, IsFoundInANewSessionHoweverLateItsWriterIsReplaced_ARB_7) {
-  writeAsADeadOne(memory());
+  std::ofstream(file()) << content.substr(0, boot) << " another\n";
+  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "the computer was started again";
+  std::ofstream(file()) << content;
+  EXPECT_TRUE(isFoundByTheNext(home, "/robot/arbiter"));
   fs::last_write_time(file(), fs::file_time_type::clock::now() - std::chrono::hours(1));
-  EXPECT_TRUE(isFoundByTheNext(home, "/robot/arbiter")) << "roslaunch was stopped, or the writer";
+  EXPECT_FALSE(isFoundByTheNext(home, "/robot/arbiter")) << "what it wanted to do long ago";
 }
 
 /// A process that has done its work and lives until this object goes.
@@ -195,6 +195,18 @@ class LivingChild {
 /// In a process with a number of its own.
 void writeForServiceAsADeadOne(const fs::path& home) {
   inAChild([&] { return forService(home, {"session"}).remember("called by /me").empty() ? 0 : 1; });
+}
+
+// [ARB-7]
+TEST_F(SessionMemoryFile, IsKeptUnderTheNameThatStaysWhenTheOtherOneOfTheSessionChanges_ARB_7) {
+  SessionMemory own = forNode(home, {"run", "master"}, "/robot/arbiter");
+  EXPECT_EQ(own.remember("called by /me"), "");
+  EXPECT_TRUE(own.enter({"another", "master"}));
+  EXPECT_EQ(own.remember("called by /me"), "");
+  for (const char* session : {"another", "master"}) {
+    EXPECT_TRUE(forNode(home, {session}, "/robot/arbiter").recall()) << session;
+  }
+  EXPECT_FALSE(forNode(home, {"run"}, "/robot/arbiter").recall()) << "the old name is taken off";
 }
 
 // [ARB-7] [ARB-12]
@@ -231,6 +243,15 @@ TEST_F(SessionMemoryFile, OfAServiceIsFoundInANewSessionByAProcessInThePlaceOfIt
   const auto is_found = [&] { return inAChild([&] { return forService(home, {"new"}).recall() ? 1 : 0; }) == 1; };
   EXPECT_TRUE(is_found());
   EXPECT_FALSE(forService(home, {"new"}).recall()) << "this is another launch";
+}
+
+// [ARB-7]
+TEST_F(SessionMemoryFile, OfAServiceIsFoundInANewSessionHoweverLateItsWriterIsReplaced_ARB_7) {
+  writeForServiceAsADeadOne(home);
+  for (const auto& entry : fs::directory_iterator(file().parent_path())) {
+    fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - std::chrono::hours(1));
+  }
+  EXPECT_EQ(inAChild([&] { return forService(home, {"new"}).recall() ? 1 : 0; }), 1) << "roslaunch or it was frozen";
 }
 
 // [ARB-7] [FLT-1]

@@ -33,6 +33,12 @@ std::uint64_t beginOf(int process) {
   return std::strtoull(words[19].c_str(), nullptr, 10);
 }
 
+std::string bootId() {
+  std::string boot;
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
+  return boot;
+}
+
 std::vector<std::string> rosSessions() {
   std::vector<std::string> sessions;
   std::string run_id;
@@ -41,10 +47,8 @@ std::vector<std::string> rosSessions() {
   request[0] = ros::this_node::getName();
   if (!ros::master::execute("getPid", request, response, pid, true)) return sessions;
   // Process ids are used again, and start again after a reboot.
-  std::string boot;
-  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
   const int process = pid;
-  sessions.push_back("master-" + std::to_string(process) + "-" + beginOfMaster(process) + boot);
+  sessions.push_back("master-" + std::to_string(process) + "-" + beginOfMaster(process) + bootId());
   return sessions;
 }
 

@@ -46,9 +46,10 @@ void requestTopic(Value& arguments, Value& result) {
 
 void replaceHarmfulMethods() {
   const ros::XMLRPCManagerPtr& api = ros::XMLRPCManager::instance();
-  api->bind("system.multicall", refuseMulticall);
-  api->unbind("requestTopic");
+  api->unbind(
+      "requestTopic");  // first: unlike bind, it asks roscpp's thread for the lock, which that holds nearly always
   api->bind("requestTopic", requestTopic);
+  api->bind("system.multicall", refuseMulticall);
 }
 
 }  // namespace frontier_pilot

@@ -24,7 +24,10 @@ bool LatchedRepeats::isRepeat(const Header& header, SteadyTime now) {
     heard_.emplace_back(publisher, header);
     return now < settled_;
   }
-  return std::exchange(known->second, header) != header;
+  const bool is_repeat = known->second != header;
+  heard_.erase(known);
+  heard_.emplace_back(publisher, header);  // the one that was heard last is forgotten last
+  return is_repeat;
 }
 
 void sayRepeat(const std::string& topic, const std::string& publisher) {

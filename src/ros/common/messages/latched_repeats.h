@@ -19,7 +19,8 @@ class LatchedRepeats {
  public:
   using Header = boost::shared_ptr<ros::M_string>;  ///< the header of a connection, which belongs to that one alone
 
-  /// What latching publishers have sent before `settled` counts as published before this node was there.
+  /// The first message of each latching publisher that arrives before `settled` counts as published before this node
+  /// was there.
   explicit LatchedRepeats(SteadyTime settled = SteadyTime::min()) : settled_(settled) {}
 
   /// Whether a message that arrives now by the connection with this header was published before: it is the first one
