@@ -195,7 +195,7 @@ class ArbiterLife(unittest.TestCase):
             status = Record(namespace + '/cmd_vel_arbiter/status', ArbiterStatus)
             nodes = [self.arbiter(namespace, '__name:=' + name) for name in names]
             said = call(namespace + '/emergency_stop', Trigger).message
-            self.assertTrue(wait_for(lambda: sum(node.has_ended() for node in nodes) == len(nodes) - 1, 15.0),
+            self.assertTrue(wait_for(lambda: sum(node.has_ended() for node in nodes) == len(nodes) - 1, 5.0),
                             'all but one [ARB-12]')
             for node in nodes:
                 if node.has_ended():

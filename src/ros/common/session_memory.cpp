@@ -58,8 +58,8 @@ Writer writerOf(const fs::path& file) {
   std::istringstream content(readFile(file, kLongestText).bytes);
   std::string text;
   Writer writer;
-  if (std::getline(content, text)) content >> writer.process >> writer.parent >> writer.began;
-  content >> writer.parent_began >> writer.boot;
+  std::getline(content, text);
+  content >> writer.process >> writer.parent >> writer.began >> writer.parent_began >> writer.boot;
   return writer;
 }
 

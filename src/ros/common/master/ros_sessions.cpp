@@ -34,8 +34,11 @@ std::uint64_t beginOf(int process) {
 }
 
 std::string bootId() {
-  std::string boot;
-  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
+  static const std::string boot = [] {
+    std::string line;
+    std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), line);
+    return line;
+  }();
   return boot;
 }
 
