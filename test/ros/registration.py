@@ -221,6 +221,31 @@ class Registration(unittest.TestCase):
         subprocess.run(change[:3] + [change[3] % 1.0], env=self.environment, stdout=subprocess.DEVNULL, check=True, timeout=20.0)
         self.assertTrue(wait_for(lambda: server.getParam('/cmd_vel_arbiter/limits/max_angular') == 1.0, 5.0))
 
+    # [FLT-1] [FLT-2]
+    def test_a_node_that_died_together_with_the_master_gets_its_parameters_and_its_clock_again(self):
+        server = rosgraph.Master('/test', master_uri=self.uri)
+        server.setParam('/use_sim_time', True)
+        server.setParam('/cmd_vel_arbiter', {'limits': {'max_linear': 0.17}})
+        arbiter = self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.master.kill()
+        arbiter.kill()
+        arbiter.wait()
+        self.master.wait()
+        arbiter = self.node('cmd_vel_arbiter')  # waits for the master
+        self.new_master()
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.assertEqual(server.getParam('/cmd_vel_arbiter'), {'limits': {'max_linear': 0.17}}, '[FLT-2]')
+        self.assertTrue(server.getParam('/use_sim_time'), '[FLT-2]')
+        subscribed = [topic for topic, nodes in self.state()[1] if '/cmd_vel_arbiter' in nodes]
+        self.assertIn('/clock', subscribed, 'it follows the clock of the simulation')
+        server.deleteParam('/cmd_vel_arbiter')
+        arbiter.kill()
+        arbiter.wait()
+        self.node('cmd_vel_arbiter')
+        time.sleep(3.0)
+        self.assertFalse(server.hasParam('/cmd_vel_arbiter'), 'the same master: somebody wanted the defaults')
+
     # [ARB-12] [FLT-1]
     def test_a_service_whose_calls_the_master_sends_elsewhere_is_taken_back(self):
         self.node('cmd_vel_arbiter')

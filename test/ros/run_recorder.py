@@ -3,6 +3,7 @@
 import glob
 import json
 import os
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -143,6 +144,16 @@ class RunRecorder(unittest.TestCase):
         with rosbag.Bag(second[0]) as bag:
             found = [topic for topic, _, _ in bag.read_messages()]
         self.assertIn('/run_recorder/info', found, 'the second stretch does not say what the run is')
+
+    def test_a_run_whose_folder_is_removed_is_followed_by_another(self):
+        process = self.start()
+        self.assertTrue(wait_for(lambda: self.parts() and self.loads, 60.0))
+        before = os.path.dirname(self.parts()[0])
+        shutil.rmtree(self.folder)
+        self.assertTrue(wait_for(lambda: self.parts() and os.path.dirname(self.parts()[0]) != before, 30.0), '[REC-1] [FLT-1]')
+        self.assertTrue(any('is gone, a new one begins' in line for _, line in self.log))
+        self.end(process)
+        self.assertIn('recorded', process.stdout.read())
 
     def test_a_record_that_ended_on_a_full_disk_goes_on_when_there_is_room_again(self):
         os.makedirs(self.folder)

@@ -18,9 +18,10 @@
 #include "ros/common/inputs/topic_input.h"
 #include "ros/common/inputs/transform_input.h"
 #include "ros/common/master/master_watch.h"
-#include "ros/common/memory_report.h"
+#include "ros/common/memory/memory_report.h"
 #include "ros/common/messages/checked_subscription.h"
 #include "ros/common/messages/latched_repeats.h"
+#include "ros/common/messages/service_answer.h"
 #include "ros/common/names.h"
 #include "ros/common/ros_timer.h"
 #include "ros/common/tf/frame_name.h"
@@ -168,22 +169,22 @@ class NodeConnections {
     });
   }
 
-  /// `handle(request, response)` answers calls of `service`; the call fails if it returns false or throws.
+  /// `handle(request, response)` answers calls of `service`; if it throws, the answer says why. The calls come from
+  /// `queue`, or from that of the node.
   template <class Node, class Request, class Response>
   void serve(const std::string& service, bool (Node::*handle)(Request&, Response&), Node* node) {
     serve<Request, Response>(
         service, [node, handle](Request& request, Response& response) { return (node->*handle)(request, response); });
   }
   template <class Request, class Response, class F>
-  void serve(const std::string& service, F handle) {
-    const boost::function<bool(Request&, Response&)> guarded = [this, what = requestTo(service), handle](
+  void serve(const std::string& service, F handle, ros::CallbackQueueInterface* queue = nullptr) {
+    const boost::function<bool(Request&, Response&)> guarded = [this, what = "a request to " + service, handle](
                                                                    Request& request, Response& response) {
-      bool answered = false;
-      guard_.run(what, [&] { answered = handle(request, response); });
-      return answered;
+      return answerCall(guard_, what, handle, request, response);
     };
     ros::AdvertiseServiceOptions options;
     options.init(service, guarded);
+    options.callback_queue = queue;
     serve(options);
   }
   /// For a service with options of its own; roscpp itself catches what its callback throws.
@@ -240,7 +241,6 @@ class NodeConnections {
     return arrival;
   }
   static std::string messageOf(const std::string& topic) { return "a message of " + topic; }
-  static std::string requestTo(const std::string& service) { return "a request to " + service; }
 
   ros::NodeHandle node_;
   CallbackGuard guard_;

@@ -17,6 +17,7 @@
 #include "ros/common/callback_guard.h"
 #include "ros/common/logging/console_output.h"
 #include "ros/common/master/namesake.h"
+#include "ros/common/master/own_parameters.h"
 #include "ros/common/master/slave_api.h"
 #include "ros/common/parameters.h"
 #include "ros/common/publish_flush.h"
@@ -138,6 +139,7 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
     catchSignals();
     if (check) check();
     refuseANamesake();
+    restoreParametersOfThePredecessor();
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     // roscpp's `get_loggers` crashes inside of the log library when it is called a second time. [FLT-1]

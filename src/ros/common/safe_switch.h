@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "ros/common/memory/session_memory.h"
 #include "ros/common/node_connections.h"
-#include "ros/common/session_memory.h"
 
 namespace frontier_pilot {
 

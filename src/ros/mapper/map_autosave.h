@@ -11,9 +11,9 @@
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/occupancy/occupancy_map.h"
-#include "ros/common/memory_report.h"
+#include "ros/common/memory/memory_report.h"
+#include "ros/common/memory/session_memory.h"
 #include "ros/common/messages/mailbox.h"
-#include "ros/common/session_memory.h"
 #include "ros/mapper/map_saver.h"
 
 namespace frontier_pilot {

@@ -1,4 +1,4 @@
-#include "ros/common/session_memory.h"
+#include "ros/common/memory/session_memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -252,6 +252,18 @@ TEST_F(SessionMemoryFile, OfAServiceIsFoundInANewSessionHoweverLateItsWriterIsRe
     fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - std::chrono::hours(1));
   }
   EXPECT_EQ(inAChild([&] { return forService(home, {"new"}).recall() ? 1 : 0; }), 1) << "roslaunch or it was frozen";
+}
+
+// [FLT-2] A master of the same session still has what the file says, unless somebody has removed it there.
+TEST_F(SessionMemoryFile, OfALastingNodeIsFoundInANewSessionHoweverLateButNotTakenFromItsOwn_FLT_2) {
+  const auto lasting = [&](const char* session) {
+    return SessionMemory(home, {session}, "stopped", "/robot/arbiter", SessionMemory::Owner::kLastingNode);
+  };
+  writeAsADeadOne(lasting("session"));
+  fs::last_write_time(file(), fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(inAChild([&] { return lasting("new").recallFromElsewhere() ? 1 : 0; }), 1);
+  EXPECT_EQ(inAChild([&] { return lasting("session").recallFromElsewhere() ? 1 : 0; }), 0);
+  EXPECT_FALSE(lasting("new").recallFromElsewhere()) << "this is another launch";
 }
 
 // [ARB-7] [FLT-1]

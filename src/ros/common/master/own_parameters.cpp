@@ -1,10 +1,15 @@
 #include "ros/common/master/own_parameters.h"
 
+#include <ros/console.h>
 #include <ros/this_node.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
+#include <thread>
 
+#include "frontier_pilot/core/text.h"
+#include "ros/common/master/ros_sessions.h"
 #include "ros/common/master/xml_rpc.h"
 
 namespace frontier_pilot {
@@ -13,6 +18,8 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr const char* kUseSimTime = "/use_sim_time";
+constexpr std::size_t kMostKept = 60000;  // [bytes], as XML
+constexpr std::chrono::milliseconds kMasterRetry(200);
 
 std::optional<XmlRpcValue> ask(const char* method, const std::string& name) {
   XmlRpcValue request;
@@ -39,20 +46,86 @@ bool restoreOne(const std::string& name, const XmlRpcValue& value) {
   return set(name, value);
 }
 
+/// Sets whichever of the two the master lacks; returns whether there was anything to set.
+bool restoreBoth(const XmlRpcValue& private_parameters, const XmlRpcValue& use_sim_time) {
+  const bool clock = restoreOne(kUseSimTime, use_sim_time);
+  return restoreOne(ros::this_node::getName(), private_parameters) || clock;
+}
+
+/// Sets the parameter `name` ("limits/max_linear") in a namespace.
+void setIn(XmlRpcValue& space, const std::string& name, const XmlRpcValue& value) {
+  if (space.valid() && space.getType() != XmlRpcValue::TypeStruct) space.clear();
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) {
+    space[name] = value;
+  } else {
+    setIn(space[name.substr(0, slash)], name.substr(slash + 1), value);
+  }
+}
+
+const XmlRpcValue* find(const XmlRpcValue& space, const std::string& name) {
+  const std::size_t slash = name.find('/');
+  const std::string first = name.substr(0, slash);
+  if (space.getType() != XmlRpcValue::TypeStruct || !space.hasMember(first)) return nullptr;
+  return slash == std::string::npos ? &space[first] : find(space[first], name.substr(slash + 1));
+}
+
+SessionMemory memoryOfThisNode() {
+  return {spareFolder(), rosSessions(), "parameters", ros::this_node::getName(), SessionMemory::Owner::kLastingNode};
+}
+
 }  // namespace
 
-OwnParameters::OwnParameters() : private_(read(ros::this_node::getName())), use_sim_time_(read(kUseSimTime)) {}
+OwnParameters::OwnParameters()
+    : private_(read(ros::this_node::getName())), use_sim_time_(read(kUseSimTime)), memory_(memoryOfThisNode()) {
+  keep();
+}
+
+OwnParameters::~OwnParameters() { memory_.forget(); }
+
+void OwnParameters::keep() {
+  XmlRpcValue both;
+  if (private_.valid()) both["private"] = private_;
+  if (use_sim_time_.valid()) both["use_sim_time"] = use_sim_time_;
+  const std::string text = both.valid() ? both.toXml() : std::string();
+  if (text.empty() || printable(text, kMostKept) != text) {
+    memory_.forget();
+  } else {
+    memory_.remember(text);
+  }
+}
+
+void OwnParameters::change(const std::string& name, const XmlRpcValue& value) {
+  setIn(private_, name, value);
+  unsent_.insert(name);
+  keep();
+}
 
 bool OwnParameters::restore() {
-  const bool clock = restoreOne(kUseSimTime, use_sim_time_);
-  for (const auto& [name, value] : changed_) unsent_.insert(name);
-  return restoreOne(ros::this_node::getName(), private_) || clock;
+  if (memory_.enter(rosSessions())) keep();
+  return restoreBoth(private_, use_sim_time_);
 }
 
 void OwnParameters::sendChanges() {
   for (auto name = unsent_.begin(); name != unsent_.end();) {
-    if (!set(ros::this_node::getName() + "/" + *name, changed_[*name])) return;
+    const XmlRpcValue* value = find(private_, *name);
+    if (value != nullptr && !set(ros::this_node::getName() + "/" + *name, *value)) return;
     name = unsent_.erase(name);
+  }
+}
+
+void restoreParametersOfThePredecessor() {
+  const std::optional<std::string> text = memoryOfThisNode().recallFromElsewhere();
+  int offset = 0;
+  XmlRpcValue both;
+  if (!text || !both.fromXml(*text, &offset) || both.getType() != XmlRpcValue::TypeStruct) return;
+  XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  while (!requestFromMaster("getPid", request)) std::this_thread::sleep_for(kMasterRetry);
+  const XmlRpcValue none;
+  const auto member = [&](const char* name) { return both.hasMember(name) ? both[name] : none; };
+  if (restoreBoth(member("private"), member("use_sim_time"))) {
+    ROS_WARN("the master had lost the parameters of this node: they are set as they were before it was started again");
   }
 }
 

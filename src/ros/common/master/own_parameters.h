@@ -6,30 +6,43 @@
 #include <set>
 #include <string>
 
+#include "ros/common/memory/session_memory.h"
+
 namespace frontier_pilot {
 
 /// The parameters that this node was started with, and those that were changed since, for a master that was restarted
 /// and has lost them: a node that is started again there would otherwise use its defaults, for example the limits of
-/// another robot.
+/// another robot. They are kept beyond the death of the node, too, in a file in memory, for the process that is started
+/// in its place.
 class OwnParameters {
  public:
   /// Reads the node's private namespace, and `/use_sim_time`.
   OwnParameters();
+  /// Ends what is kept beyond this process, whose end was in order.
+  ~OwnParameters();
+  OwnParameters(const OwnParameters&) = delete;
+  OwnParameters& operator=(const OwnParameters&) = delete;
+
   /// Sets what the master no longer has; returns whether there was anything to set.
   bool restore();
   /// Notes a changed parameter: its name in the private namespace ("limits/max_linear") and its value.
-  void change(const std::string& name, const XmlRpc::XmlRpcValue& value) {
-    changed_[name] = value;
-    unsent_.insert(name);
-  }
+  void change(const std::string& name, const XmlRpc::XmlRpcValue& value);
   /// Sets the changed ones at the master. One that it does not take, because it does not answer, is tried again with
   /// the next call.
   void sendChanges();
 
  private:
+  /// Values of which one has control characters, or which take more than 60,000 bytes, are not kept.
+  void keep();
+
   XmlRpc::XmlRpcValue private_, use_sim_time_;  ///< invalid where there was no such parameter
-  std::map<std::string, XmlRpc::XmlRpcValue> changed_;
-  std::set<std::string> unsent_;
+  std::set<std::string> unsent_;                ///< names of changed ones in the private namespace
+  SessionMemory memory_;
 };
+
+/// Sets the parameters of the process that died and in whose place this one was started, if the master that it knew has
+/// been replaced and the new one lacks them. To be called before the node reads any parameter, and before ROS is
+/// started, which reads `/use_sim_time`. If there is something to set, it waits for a master. [FLT-2]
+void restoreParametersOfThePredecessor();
 
 }  // namespace frontier_pilot

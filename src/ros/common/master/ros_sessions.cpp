@@ -5,11 +5,9 @@
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <fstream>
-#include <iterator>
-#include <sstream>
+
+#include "ros/common/memory/process_identity.h"
 
 namespace frontier_pilot {
 namespace {
@@ -22,25 +20,6 @@ std::string beginOfMaster(int process) {
 }
 
 }  // namespace
-
-std::uint64_t beginOf(int process) {
-  std::string stat;
-  std::getline(std::ifstream("/proc/" + std::to_string(process) + "/stat"), stat);
-  // Field 3 is the state and field 22 the start time; field 2 may contain any character and ends with the last ')'.
-  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
-  std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
-  if (words.size() < 20 || words.front() == "Z" || words.front() == "X") return 0;
-  return std::strtoull(words[19].c_str(), nullptr, 10);
-}
-
-std::string bootId() {
-  static const std::string boot = [] {
-    std::string line;
-    std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), line);
-    return line;
-  }();
-  return boot;
-}
 
 std::vector<std::string> rosSessions() {
   std::vector<std::string> sessions;

@@ -25,10 +25,7 @@ class ServiceThread {
   template <class Request, class Response>
   void serve(NodeConnections& connections, const char* service,
              const std::function<bool(Request&, Response&)>& handle) {
-    ros::AdvertiseServiceOptions options;
-    options.init(service, boost::function<bool(Request&, Response&)>(handle));
-    options.callback_queue = &queue_;
-    connections.serve(options);
+    connections.serve<Request, Response>(service, handle, &queue_);
     spinner_.start();
   }
 

@@ -1,4 +1,4 @@
-#include "ros/common/memory_report.h"
+#include "ros/common/memory/memory_report.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 

@@ -11,9 +11,7 @@ namespace frontier_pilot {
 /// under ROS_HOME whose path contains the owner's name and the id of the ROS session, so that a new session starts
 /// afresh. A file of another session also counts if its writer died and this process was started in its place by the
 /// same roslaunch: then the node has outlived its master, or died together with it, and the nodes that drive the robot
-/// may have outlived both. A request to a service, which is to stop, counts however long afterwards; what a node
-/// remembers for itself, such as its map, counts only if it was written less than ten seconds before this process
-/// began.
+/// may have outlived both. Such a file counts however long afterwards, unless the kind of owner says otherwise.
 ///
 /// It is a file and not a parameter because writing it takes microseconds and depends on no other process. A write to
 /// the parameter server would wait forever while the master is gone, and meanwhile the arbiter would send no zeros.
@@ -22,7 +20,9 @@ class SessionMemory {
  public:
   /// What kind of name the owner has, which is part of the file's name.
   enum class Owner {
-    kNode,     ///< a resolved node name: each process overwrites the file of the one before it
+    kNode,         ///< a resolved node name: each process overwrites the file of the one before it. That of another
+                   ///< session counts only if it was written less than ten seconds before this process began
+    kLastingNode,  ///< a resolved node name, but the file of another session counts however old it is
     kService,  ///< a resolved service name, which several nodes may offer one after the other, or even at once: each
                ///< process writes a file of its own, and none removes the file of a living process [ARB-12]
   };
@@ -41,6 +41,8 @@ class SessionMemory {
   std::optional<std::string> recall() const;
   /// The texts remembered by this process, by earlier ones and by those that run at the same time.
   std::vector<std::string> recallAll() const;
+  /// The text of another session, whose writer this process replaces; nothing if there is none.
+  std::optional<std::string> recallFromElsewhere() const;
   /// The first text that another process, living or dead, has remembered in this session; nothing if there is none.
   std::optional<std::string> recallOthers() const;
   /// The files with the texts that recallAll() returns.

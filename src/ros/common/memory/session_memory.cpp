@@ -1,10 +1,11 @@
+#include "ros/common/memory/session_memory.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <iterator>
@@ -14,8 +15,7 @@
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/text.h"
-#include "ros/common/master/ros_sessions.h"
-#include "ros/common/session_memory.h"
+#include "ros/common/memory/process_identity.h"
 
 namespace frontier_pilot {
 namespace {
@@ -44,32 +44,14 @@ const std::time_t g_process_began = std::time(nullptr);
 constexpr const char* kOfProcess = "~";  // separates the process id; cannot occur within a ROS name
 constexpr const char* kDigits = "0123456789";
 
-/// The process that wrote a file, and its parent: a node that roslaunch restarts has the same parent as before.
-struct Writer {
-  int process = 0;
-  int parent = 0;
-  std::uint64_t began = 0;         ///< start time of the process, because process ids are reused
-  std::uint64_t parent_began = 0;  ///< that of its parent
-  std::string boot;                ///< both count from the start of the computer
-};
-
-/// The process that wrote `file`, from the second line of the file; zeros if that cannot be read.
-Writer writerOf(const fs::path& file) {
+/// The process that wrote `file`, from the second line of the file; none if that cannot be read.
+ProcessIdentity writerOf(const fs::path& file) {
   std::istringstream content(readFile(file, kLongestText).bytes);
   std::string text;
-  Writer writer;
+  ProcessIdentity writer;
   std::getline(content, text);
-  content >> writer.process >> writer.parent >> writer.began >> writer.parent_began >> writer.boot;
+  content >> writer;
   return writer;
-}
-
-bool lives(const Writer& writer) { return writer.began != 0 && beginOf(writer.process) == writer.began; }
-
-/// Whether `writer` no longer exists and this process was started in its place, by the process that had started it.
-bool replaces(const Writer& writer) {
-  const std::uint64_t parent_began = beginOf(getppid());  // 0 if the parent is outside of this container
-  const bool same_parent = writer.parent == getppid() && parent_began != 0 && writer.parent_began == parent_began;
-  return writer.process > 0 && same_parent && writer.boot == bootId() && !lives(writer);
 }
 
 /// When `file` was written [s since 1970]; 0 if it is not there.
@@ -142,7 +124,9 @@ std::vector<fs::path> ofProcesses(const fs::path& folder, const std::string& nam
 /// Those of `files` whose writers died, and in whose place this process was started: shortly before, unless `whenever`.
 std::vector<fs::path> leftBehind(std::vector<fs::path> files, bool whenever) {
   const std::time_t since = whenever ? kEndedInOrder.tv_sec + 1 : g_process_began - kRestart;
-  const auto is_of_another = [&](const fs::path& file) { return timeOf(file) < since || !replaces(writerOf(file)); };
+  const auto is_of_another = [&](const fs::path& file) {
+    return timeOf(file) < since || !writerOf(file).isReplacedByThisOne();
+  };
   files.erase(std::remove_if(files.begin(), files.end(), is_of_another), files.end());
   return files;
 }
@@ -162,17 +146,17 @@ SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& 
     if (root.empty()) continue;
     for (const auto& session : fs::directory_iterator(root / "frontier_pilot", error)) {
       if (isSessionOf(session.path(), own())) continue;
-      append(elsewhere, kind_ == Owner::kNode ? std::vector<fs::path>{session.path() / name_}
-                                              : ofProcesses(session.path(), name_));
+      append(elsewhere, kind_ == Owner::kService ? ofProcesses(session.path(), name_)
+                                                 : std::vector<fs::path>{session.path() / name_});
     }
   }
-  elsewhere_ = leftBehind(std::move(elsewhere), kind_ == Owner::kService);
+  elsewhere_ = leftBehind(std::move(elsewhere), kind_ != Owner::kNode);
 }
 
 std::vector<fs::path> SessionMemory::filesIn(const fs::path& root, const std::vector<std::string>& sessions) const {
   std::vector<fs::path> files;
   if (root.empty()) return files;
-  const std::string name = kind_ == Owner::kNode ? name_ : name_ + kOfProcess + std::to_string(getpid());
+  const std::string name = kind_ == Owner::kService ? name_ + kOfProcess + std::to_string(getpid()) : name_;
   for (const std::string& session : sessions) {
     if (isPlainName(session)) files.push_back(root / "frontier_pilot" / session / name);
   }
@@ -199,7 +183,7 @@ bool SessionMemory::enter(const std::vector<std::string>& sessions) {
 
 std::vector<fs::path> SessionMemory::others() const {
   std::vector<fs::path> found;
-  if (kind_ == Owner::kNode) return found;
+  if (kind_ != Owner::kService) return found;
   for (const fs::path& mine : own()) {
     for (fs::path& file : ofProcesses(mine.parent_path(), name_)) {
       if (file != mine) found.push_back(std::move(file));
@@ -230,21 +214,24 @@ std::vector<std::string> SessionMemory::recallAll() const {
   return texts;
 }
 
+std::optional<std::string> SessionMemory::recallFromElsewhere() const {
+  return elsewhere_.empty() ? std::nullopt : std::optional<std::string>(textIn(elsewhere_.front()));
+}
+
 std::optional<std::string> SessionMemory::recallOthers() const {
   const std::vector<fs::path> files = others();
   return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
 }
 
 std::string SessionMemory::remember(const std::string& text) const {
-  const std::string content = text + "\n" + std::to_string(getpid()) + " " + std::to_string(getppid()) + " " +
-                              std::to_string(beginOf(getpid())) + " " + std::to_string(beginOf(getppid())) + " " +
-                              bootId() + "\n";
-  const auto write = [&content](const fs::path& file) {
+  std::ostringstream content;
+  content << text << '\n' << ProcessIdentity::own();
+  const auto write = [bytes = content.str()](const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     // It has to survive the process but not a power failure: after that a new master starts without a stop. And the
     // zeros must not be delayed by waiting for the disk.
-    return error ? error.message() : writeFile(file, content, Survives::kProcessDeath);
+    return error ? error.message() : writeFile(file, bytes, Survives::kProcessDeath);
   };
   std::string problem = tryAll(files_, write);
   if (!spares_.empty() && tryAll(spares_, write).empty()) problem.clear();
@@ -260,7 +247,7 @@ std::string SessionMemory::problem() const {
 
 std::string SessionMemory::removeThoseOfTheDead() const {
   std::vector<fs::path> files = others();
-  files.erase(std::remove_if(files.begin(), files.end(), [](const fs::path& file) { return lives(writerOf(file)); }),
+  files.erase(std::remove_if(files.begin(), files.end(), [](const fs::path& file) { return writerOf(file).lives(); }),
               files.end());
   append(files, elsewhere_);
   return removeAll(files);

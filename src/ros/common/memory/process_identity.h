@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+
+namespace frontier_pilot {
+
+/// When `process`, of this computer, was started, in clock ticks since boot; 0 if it no longer exists.
+std::uint64_t beginOf(int process);
+
+/// The id of this computer's present run.
+std::string bootId();
+
+/// A process and the one that started it, told from all others that had their numbers before or have them since. A node
+/// that roslaunch restarts has the same parent as the process before it.
+struct ProcessIdentity {
+  int process = 0;
+  int parent = 0;
+  std::uint64_t began = 0;         ///< start time of the process, because process ids are reused
+  std::uint64_t parent_began = 0;  ///< that of its parent; 0 if the parent is outside of this container
+  std::string boot;                ///< both count from the start of the computer
+
+  /// Of this process.
+  static ProcessIdentity own();
+  /// Whether the process exists.
+  bool lives() const;
+  /// Whether the process no longer exists and this one was started in its place, by the process that had started it.
+  bool isReplacedByThisOne() const;
+};
+
+/// Writes and reads one line. What cannot be read is left as it is.
+std::ostream& operator<<(std::ostream& stream, const ProcessIdentity& identity);
+std::istream& operator>>(std::istream& stream, ProcessIdentity& identity);
+
+}  // namespace frontier_pilot
