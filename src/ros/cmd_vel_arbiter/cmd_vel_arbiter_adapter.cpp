@@ -15,7 +15,6 @@ namespace {
 constexpr double kTick = 0.05;                                      // [s]
 constexpr Duration kMasterPeriod = std::chrono::milliseconds(500);  // a lost stop service is back within 2 s [ARB-12]
 constexpr Duration kMasterPatience = std::chrono::seconds(5);
-constexpr Duration kSettling = std::chrono::seconds(2);  // in which a new arbiter connects to what is published already
 
 /// Whether the message is a deliberate zero: one with a non-zero value on an axis that the base does not have.
 bool isHold(const geometry_msgs::Twist& msg) {

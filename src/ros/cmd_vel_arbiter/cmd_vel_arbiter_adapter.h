@@ -21,7 +21,7 @@
 #include "ros/common/memory/session_memory.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/publish_flush.h"
-#include "ros/common/safe_switch.h"
+#include "ros/common/memory/safe_switch.h"
 #include "ros/common/tuning/reconfigure_server.h"
 
 namespace frontier_pilot {

@@ -25,6 +25,8 @@ class ClockMonitor {
   std::optional<Time> now();
   /// Whether this process has just been held up: a node that moves the robot reads what came meanwhile before it acts.
   bool isCatchingUp() const { return catching_up_; }
+  /// How often this process was held up so far.
+  int holdUps() const { return hold_ups_.count(); }
   /// `forget` is called when the clock has jumped, and once more when it can be trusted again.
   void onJump(std::function<void()> forget) { forget_.push_back(std::move(forget)); }
   /// Adds the number of jumps, and a warning to the summary for ten seconds after the last one, or while the clock

@@ -15,6 +15,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/clock_monitor.h"
 #include "ros/common/inputs/input_watch.h"
+#include "ros/common/inputs/stop_follower.h"
 #include "ros/common/inputs/topic_input.h"
 #include "ros/common/inputs/transform_input.h"
 #include "ros/common/master/master_watch.h"
@@ -77,7 +78,7 @@ class NodeConnections {
   /// again, is dropped. In the first `settling` that holds for the first message of each latching publisher.
   template <class Msg, class F>
   ros::Subscriber subscribeToCommands(const std::string& topic, std::uint32_t queue_size, F handle,
-                                      const ros::TransportHints& hints = {}, Duration settling = Duration::zero()) {
+                                      const ros::TransportHints& hints = {}, Duration settling = settlingOfARestart()) {
     const auto repeats = std::make_shared<LatchedRepeats>(steadyNow() + settling);
     return subscribeToEvents<Msg>(
         topic, queue_size,
@@ -138,34 +139,27 @@ class NodeConnections {
     return subscriber;
   }
 
-  /// For each message of `emergency_stop_state`: also for a stop that was cleared before this node could read of it.
-  /// A clear of a stop that this process reads after it was held up waits until all that came meanwhile is read, and
-  /// the stop is handled once more before it: a goal of that time, which may be read after both, ends by it. [FLT-2]
+  /// For each message of `emergency_stop_state`, and for what a node that was held up may have missed of them: see
+  /// StopFollower. [FLT-2]
   template <class Node>
   void followStop(void (Node::*handle)(const std_msgs::Bool&), Node* node) {
-    constexpr std::uint32_t kStopsAndClears = 10;
-    struct State {
-      bool stopped = false, clear_waits = false;
+    constexpr std::uint32_t kStopsAndClears = 10;  // so that a stop is read that was cleared before this node could
+    const auto tell = [handle, node](bool stopped) {
+      std_msgs::Bool msg;
+      msg.data = static_cast<std::uint8_t>(stopped);
+      (node->*handle)(msg);
     };
-    const auto state = std::make_shared<State>();
-    subscribe<std_msgs::Bool>(
+    const auto follower = std::make_shared<StopFollower>(tell, anyLives);
+    const ros::Subscriber state = subscribe<std_msgs::Bool>(
         names::kEmergencyStopState, kStopsAndClears,
-        [this, handle, node, state](const std_msgs::Bool& msg) {
+        [this, follower](const std_msgs::Bool& msg) {
           clock_.now();  // notices a hold-up
-          state->clear_waits = msg.data == 0 && state->stopped && clock_.isCatchingUp();
-          if (state->clear_waits) return;
-          state->stopped = msg.data != 0;
-          (node->*handle)(msg);
+          follower->take(msg.data != 0, clock_.holdUps(), clock_.isCatchingUp());
         },
         ros::TransportHints().tcpNoDelay());
-    everySteady(ros::WallDuration(0.05), [this, handle, node, state] {
-      if (!state->clear_waits || clock_.isCatchingUp()) return;
-      *state = {};
-      std_msgs::Bool msg;
-      msg.data = 1;
-      (node->*handle)(msg);
-      msg.data = 0;
-      (node->*handle)(msg);
+    everySteady(ros::WallDuration(0.05), [this, follower, topic = state.getTopic()] {
+      clock_.now();
+      follower->tick(master_.connectedPublishersOf(topic), clock_.holdUps(), clock_.isCatchingUp());
     });
   }
 

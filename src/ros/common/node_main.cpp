@@ -139,7 +139,7 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
     catchSignals();
     if (check) check();
     refuseANamesake();
-    restoreParametersOfThePredecessor();
+    followThePredecessor();
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     // roscpp's `get_loggers` crashes inside of the log library when it is called a second time. [FLT-1]

@@ -19,7 +19,7 @@
 #include "ros/common/messages/map_mirror.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
-#include "ros/common/safe_switch.h"
+#include "ros/common/memory/safe_switch.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/common/tuning/reconfigure_server.h"
 #include "ros/frontier_explorer/clicked_polygon.h"

@@ -110,9 +110,13 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
 
 std::string uriOf(const std::string& node) { return lookUp("lookupNode", node); }
 
-bool nodeLives(const std::string& node) {
-  const std::optional<Reach> address = reach(uriOf(node));
-  return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
+bool nodeLives(const std::string& node) { return anyLives({uriOf(node)}); }
+
+bool anyLives(const std::set<std::string>& uris) {
+  return std::any_of(uris.begin(), uris.end(), [](const std::string& uri) {
+    const std::optional<Reach> address = reach(uri);
+    return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
+  });
 }
 
 bool serviceMayAnswer(const std::string& service) {

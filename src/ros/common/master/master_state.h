@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::string uriOf(const std::string& node);
 /// Whether the node's process exists, even if it hangs: its XML-RPC port does not refuse connections. A node that was
 /// killed stays registered, but its port refuses them.
 bool nodeLives(const std::string& node);
+
+/// Whether one of the processes with these XML-RPC URIs exists, in the same sense.
+bool anyLives(const std::set<std::string>& uris);
 
 /// Whether calls of `service` could be answered at the address that the master has for it: not if it refuses
 /// connections, and not if its host is unknown here. So a provider that has died is recognised even if its node's own

@@ -172,7 +172,10 @@ void MasterWatch::lookAtTopics(const MasterState& state) {
     if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic, connected))
       renewed_.push_back("subscriber of " + topic);
   }
-  if (connected) connections_.mend(state, subscribed, *connected);
+  if (!connected) return;
+  connections_.mend(state, subscribed, *connected);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  connected_ = *connected;
 }
 
 void MasterWatch::lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals) {
@@ -246,6 +249,11 @@ void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   problems_ = std::move(problems);
+}
+
+std::set<std::string> MasterWatch::connectedPublishersOf(const std::string& topic) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return urisOf(connected_, topic);
 }
 
 std::vector<robot_check::Topic> MasterWatch::topics() const {

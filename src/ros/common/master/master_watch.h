@@ -20,6 +20,7 @@
 #include "ros/common/master/lost_connections.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/own_parameters.h"
+#include "ros/common/master/registration.h"
 #include "ros/common/messages/mailbox.h"
 
 namespace frontier_pilot {
@@ -62,6 +63,8 @@ class MasterWatch {
   std::optional<MasterReport> take() { return report_.take(); }
   /// Whether each look is also to list all topics with their types, which costs another call.
   void listTopics(bool wanted) { lists_topics_ = wanted; }
+  /// The XML-RPC URIs of the nodes from which this one receives `topic`, a resolved name, as of the last look.
+  std::set<std::string> connectedPublishersOf(const std::string& topic) const;
   /// The topics of the last look that listed them; empty before.
   std::vector<robot_check::Topic> topics() const;
   /// ERROR while another node has a service or topic that belongs to this one alone, and for ten seconds after
@@ -101,12 +104,13 @@ class MasterWatch {
   CallbackGuard guard_;
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
-  mutable std::mutex mutex_;  ///< guards the seven that follow
+  mutable std::mutex mutex_;  ///< guards the eight that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
   std::vector<std::string> problems_;
   std::vector<robot_check::Topic> topics_;
+  UrisByTopic connected_;  ///< publishers from which this node receives
   std::vector<std::function<void()>> renewals_;
   std::map<std::string, XmlRpc::XmlRpcValue> new_parameters_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow

@@ -21,6 +21,8 @@ constexpr const char* kUseSimTime = "/use_sim_time";
 constexpr std::size_t kMostKept = 60000;  // [bytes], as XML
 constexpr std::chrono::milliseconds kMasterRetry(200);
 
+bool g_replaces_a_dead_process = false;
+
 std::optional<XmlRpcValue> ask(const char* method, const std::string& name) {
   XmlRpcValue request;
   request[0] = ros::this_node::getName();
@@ -38,15 +40,29 @@ bool set(const std::string& name, const XmlRpcValue& value) {
   return requestFromMaster("setParam", request).has_value();
 }
 
-/// Sets `name` to `value` if `value` is known and the master has no such parameter. Returns whether it was set.
-bool restoreOne(const std::string& name, const XmlRpcValue& value) {
-  if (!value.valid()) return false;
-  std::optional<XmlRpcValue> known = ask("hasParam", name);
-  if (!known || known->getType() != XmlRpcValue::TypeBoolean || static_cast<bool>(*known)) return false;
-  return set(name, value);
+/// Adds to `present` what only `kept` has; returns whether there was anything to add. A value stays as it is.
+bool complete(XmlRpcValue& present, const XmlRpcValue& kept) {
+  if (!kept.valid()) return false;
+  if (!present.valid()) {
+    present = kept;
+    return true;
+  }
+  constexpr auto kStruct = XmlRpcValue::TypeStruct;
+  if (present.getType() != kStruct || kept.getType() != kStruct) return false;
+  bool added = false;
+  for (const auto& [name, value] : kept) added = complete(present[name], value) || added;
+  return added;
 }
 
-/// Sets whichever of the two the master lacks; returns whether there was anything to set.
+/// Sets what the master lacks of the parameter `name`; returns whether there was anything to set.
+bool restoreOne(const std::string& name, const XmlRpcValue& kept) {
+  const std::optional<XmlRpcValue> known = ask("hasParam", name);
+  if (!kept.valid() || !known || known->getType() != XmlRpcValue::TypeBoolean) return false;
+  XmlRpcValue present = read(name);
+  return complete(present, kept) && set(name, present);
+}
+
+/// The same of both.
 bool restoreBoth(const XmlRpcValue& private_parameters, const XmlRpcValue& use_sim_time) {
   const bool clock = restoreOne(kUseSimTime, use_sim_time);
   return restoreOne(ros::this_node::getName(), private_parameters) || clock;
@@ -85,14 +101,11 @@ OwnParameters::~OwnParameters() { memory_.forget(); }
 
 void OwnParameters::keep() {
   XmlRpcValue both;
+  both["node"] = ros::this_node::getName();
   if (private_.valid()) both["private"] = private_;
   if (use_sim_time_.valid()) both["use_sim_time"] = use_sim_time_;
-  const std::string text = both.valid() ? both.toXml() : std::string();
-  if (text.empty() || printable(text, kMostKept) != text) {
-    memory_.forget();
-  } else {
-    memory_.remember(text);
-  }
+  const std::string text = both.toXml();
+  memory_.remember(printable(text, kMostKept) == text ? text : std::string());
 }
 
 void OwnParameters::change(const std::string& name, const XmlRpcValue& value) {
@@ -114,8 +127,10 @@ void OwnParameters::sendChanges() {
   }
 }
 
-void restoreParametersOfThePredecessor() {
-  const std::optional<std::string> text = memoryOfThisNode().recallFromElsewhere();
+void followThePredecessor() {
+  const SessionMemory memory = memoryOfThisNode();
+  g_replaces_a_dead_process = memory.recall().has_value();
+  const std::optional<std::string> text = memory.recallFromElsewhere();
   int offset = 0;
   XmlRpcValue both;
   if (!text || !both.fromXml(*text, &offset) || both.getType() != XmlRpcValue::TypeStruct) return;
@@ -128,5 +143,7 @@ void restoreParametersOfThePredecessor() {
     ROS_WARN("the master had lost the parameters of this node: they are set as they were before it was started again");
   }
 }
+
+bool replacesADeadProcess() { return g_replaces_a_dead_process; }
 
 }  // namespace frontier_pilot

@@ -23,7 +23,7 @@ class OwnParameters {
   OwnParameters(const OwnParameters&) = delete;
   OwnParameters& operator=(const OwnParameters&) = delete;
 
-  /// Sets what the master no longer has; returns whether there was anything to set.
+  /// Sets each parameter that the master no longer has; returns whether there was one.
   bool restore();
   /// Notes a changed parameter: its name in the private namespace ("limits/max_linear") and its value.
   void change(const std::string& name, const XmlRpc::XmlRpcValue& value);
@@ -40,9 +40,12 @@ class OwnParameters {
   SessionMemory memory_;
 };
 
-/// Sets the parameters of the process that died and in whose place this one was started, if the master that it knew has
-/// been replaced and the new one lacks them. To be called before the node reads any parameter, and before ROS is
-/// started, which reads `/use_sim_time`. If there is something to set, it waits for a master. [FLT-2]
-void restoreParametersOfThePredecessor();
+/// Looks for the process that died and in whose place this one was started. If the master that it knew has been
+/// replaced, the parameters that the new one lacks are set as that process had them. To be called before the node reads
+/// any parameter, and before ROS is started, which reads `/use_sim_time`. If there is something to set, it waits for a
+/// master. [FLT-2]
+void followThePredecessor();
+/// Whether `followThePredecessor` has found one.
+bool replacesADeadProcess();
 
 }  // namespace frontier_pilot

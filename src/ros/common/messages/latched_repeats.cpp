@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ros/common/master/own_parameters.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -29,6 +30,8 @@ bool LatchedRepeats::isRepeat(const Header& header, SteadyTime now) {
   heard_.emplace_back(publisher, header);  // the one that was heard last is forgotten last
   return is_repeat;
 }
+
+Duration settlingOfARestart() { return replacesADeadProcess() ? kSettling : Duration::zero(); }
 
 void sayRepeat(const std::string& topic, const std::string& publisher) {
   THROTTLED_WARN("a message of " << publisher << " on " << topic

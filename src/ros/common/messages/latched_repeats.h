@@ -21,7 +21,7 @@ class LatchedRepeats {
 
   /// The first message of each latching publisher that arrives before `settled` counts as published before this node
   /// was there.
-  explicit LatchedRepeats(SteadyTime settled = SteadyTime::min()) : settled_(settled) {}
+  explicit LatchedRepeats(SteadyTime settled) : settled_(settled) {}
 
   /// Whether a message that arrives now by the connection with this header was published before: it is the first one
   /// that a latching publisher sends by it, and that publisher was heard by another connection already, or this node is
@@ -35,6 +35,13 @@ class LatchedRepeats {
   SteadyTime settled_;
   std::deque<std::pair<std::string, Header>> heard_;  ///< by publisher: the connection by which it was heard last
 };
+
+/// How long a node that starts is being connected to those who publish already; also on a busy computer.
+constexpr Duration kSettling = std::chrono::seconds(2);
+
+/// The same for a node that was started in the place of one that died, which has had the commands of that time; zero
+/// for others: a goal that is latched before the navigation is there is meant for it.
+Duration settlingOfARestart();
 
 /// Warns of a command that was dropped as a repeat.
 void sayRepeat(const std::string& topic, const std::string& publisher);

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <string>
 
-#include "ros/common/memory/session_memory.h"
-#include "ros/common/node_connections.h"
+#include "ros/common/memory/remembered_text.h"
 
 namespace frontier_pilot {
 
@@ -30,13 +28,8 @@ class SafeSwitch {
   std::string set(bool safe);
 
  private:
-  /// Returns what went wrong, which is also logged; empty if nothing did.
-  std::string write() const;
-
   std::string state_;
-  MemoryReport& report_;
-  mutable std::mutex mutex_;  ///< guards the two that follow
-  SessionMemory memory_;
+  RememberedText memory_;
   std::optional<bool> safe_;
 };
 

@@ -1,0 +1,31 @@
+#include "ros/common/inputs/stop_follower.h"
+
+namespace frontier_pilot {
+
+void StopFollower::take(bool stopped, int hold_ups, bool catching_up) {
+  noticeHoldUp(hold_ups);
+  clear_waits_ = !stopped && (stopped_ || clear_waits_) && catching_up;
+  if (clear_waits_) return;
+  stopped_ = stopped;
+  tell_(stopped);
+}
+
+void StopFollower::tick(const Uris& publishers, int hold_ups, bool catching_up) {
+  noticeHoldUp(hold_ups);
+  if (catching_up) return;
+  publishers_ = publishers;
+  if (!clear_waits_) return;
+  stopped_ = clear_waits_ = false;
+  tell_(true);
+  tell_(false);
+}
+
+void StopFollower::noticeHoldUp(int hold_ups) {
+  if (hold_ups == hold_ups_) return;
+  hold_ups_ = hold_ups;
+  if (stopped_ || publishers_.empty() || any_lives_(publishers_)) return;
+  clear_waits_ = true;
+  tell_(true);
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace frontier_pilot {
+
+/// What a node that drives is told of the emergency stop, so that no goal outlives a stop. A node that was held up (see
+/// HoldUpWatch) may have missed something: a goal of that time may be read after both the stop and its clear, and an
+/// arbiter that died meanwhile takes along what the node has not read yet. So a clear that is read while the node is
+/// catching up waits until it has caught up, and the stop is told once more before it; and if no arbiter of the time
+/// before the hold-up lives any more, there may have been a stop. [FLT-2]
+class StopFollower {
+ public:
+  using Uris = std::set<std::string>;
+
+  /// `tell(stopped)` is called for each message, and for what may have been missed; `any_lives` says whether one of the
+  /// processes with these addresses exists.
+  StopFollower(std::function<void(bool)> tell, std::function<bool(const Uris&)> any_lives)
+      : tell_(std::move(tell)), any_lives_(std::move(any_lives)) {}
+
+  /// A message. `hold_ups` counts those of this process, and it is `catching_up` for a while after each.
+  void take(bool stopped, int hold_ups, bool catching_up);
+  /// To be called often; `publishers` are the addresses of those from whom messages come, as of the last look.
+  void tick(const Uris& publishers, int hold_ups, bool catching_up);
+
+ private:
+  void noticeHoldUp(int hold_ups);
+
+  std::function<void(bool)> tell_;
+  std::function<bool(const Uris&)> any_lives_;
+  bool stopped_ = false, clear_waits_ = false;
+  int hold_ups_ = 0;
+  Uris publishers_;  ///< before the last hold-up
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ros/common/memory/session_memory.h"
+#include "ros/common/node_connections.h"
+
+namespace frontier_pilot {
+
+/// A text that the next process of this node, or of a service's provider, finds when this one has died: see
+/// SessionMemory. It is written again each second, because a disk may be full for a while, and files may be deleted;
+/// while there is no text it is checked whether one could be stored, so that a problem is known before it matters. A
+/// restart of the master is followed. [FLT-2]
+class RememberedText {
+ public:
+  /// `what` names the text, in the name of its file and in the diagnostics ("nav_disabled"). `connections` must be
+  /// destroyed before this object.
+  RememberedText(std::string what, const std::string& owner, SessionMemory::Owner kind, NodeConnections& connections);
+  /// After an end in order the file of another session does not count.
+  ~RememberedText() { memory_.endInOrder(); }
+  RememberedText(const RememberedText&) = delete;
+  RememberedText& operator=(const RememberedText&) = delete;
+
+  /// What earlier processes have left, and those that run beside this one; one that cannot be read is empty.
+  const std::vector<std::string>& left() const { return left_; }
+  /// Puts `text` in the place of what was remembered before; nothing forgets it. Returns why it would not survive this
+  /// process; empty if it would.
+  std::string set(std::optional<std::string> text);
+
+ private:
+  std::string write() const;
+
+  std::string what_;
+  MemoryReport& report_;
+  std::vector<std::string> left_;
+  mutable std::mutex mutex_;  ///< guards the two that follow
+  SessionMemory memory_;
+  std::optional<std::string> text_;
+};
+
+}  // namespace frontier_pilot

@@ -1,0 +1,41 @@
+#include "ros/common/memory/safe_switch.h"
+
+#include <ros/console.h>
+#include <ros/names.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr const char* kNot = "not ";
+
+}  // namespace
+
+SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnections& connections)
+    : state_(std::move(state)),
+      memory_(state_, ros::names::resolve(service), SessionMemory::Owner::kService, connections) {
+  // A file that cannot be read counts as safe, and if two files differ the safe side wins.
+  const std::vector<std::string>& left = memory_.left();
+  const auto isSafe = [this](const std::string& text) { return text != kNot + state_; };
+  if (!left.empty()) set(std::any_of(left.begin(), left.end(), isSafe));
+}
+
+SafeSwitch::~SafeSwitch() {
+  if (safe_ == false) memory_.set(std::nullopt);
+}
+
+std::optional<bool> SafeSwitch::wasLeftSafe() const {
+  if (safe_) ROS_WARN_STREAM("starts " << (*safe_ ? "" : kNot) << state_ << ", as the operator left it");
+  return safe_;
+}
+
+std::string SafeSwitch::set(bool safe) {
+  safe_ = safe;
+  const std::string problem = memory_.set((safe ? "" : kNot) + state_);
+  return problem.empty() ? problem : "; would not survive a restart: " + problem;
+}
+
+}  // namespace frontier_pilot

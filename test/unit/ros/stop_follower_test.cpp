@@ -1,0 +1,109 @@
+#include "ros/common/inputs/stop_follower.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace frontier_pilot {
+namespace {
+
+class StopFollowerOfAServer : public ::testing::Test {
+ protected:
+  void tick(bool catching_up = false) { follower.tick(publishers, hold_ups, catching_up); }
+  void take(bool stopped, bool catching_up = false) { follower.take(stopped, hold_ups, catching_up); }
+
+  std::string told;  ///< S for a stop, c for a clear
+  StopFollower::Uris publishers{"http://arbiter:1"};
+  StopFollower::Uris living = publishers;
+  int hold_ups = 0;
+  StopFollower follower{[this](bool stopped) { told += stopped ? 'S' : 'c'; },
+                        [this](const StopFollower::Uris& uris) { return uris == living; }};
+};
+
+// [FLT-2]
+TEST_F(StopFollowerOfAServer, IsToldOfEachStopAndClearAsItComes) {
+  take(false);
+  take(true);
+  take(false);
+  tick();
+  EXPECT_EQ(told, "cSc");
+}
+
+// [FLT-2] A goal of that time may be read after both.
+TEST_F(StopFollowerOfAServer, TellsTheStopOnceMoreAndThenTheClearWhenItHasCaughtUp_FLT_2) {
+  take(false);
+  tick();
+  ++hold_ups;
+  take(true, true);
+  take(false, true);
+  tick(true);
+  EXPECT_EQ(told, "cS");
+  tick();
+  EXPECT_EQ(told, "cSSc");
+  tick();
+  EXPECT_EQ(told, "cSSc");
+}
+
+// [FLT-2] What the arbiter had sent is lost with it, and the one that follows is cleared already.
+TEST_F(StopFollowerOfAServer, TakesTheDeathOfTheArbiterDuringAHoldUpForAStop_FLT_2) {
+  take(false);
+  tick();
+  ++hold_ups;
+  living = publishers = {"http://arbiter:2"};
+  tick(true);
+  EXPECT_EQ(told, "cS");
+  take(false, true);
+  EXPECT_EQ(told, "cS") << "goals are still being read";
+  tick();
+  EXPECT_EQ(told, "cSSc");
+  ++hold_ups;
+  tick(true);
+  tick();
+  EXPECT_EQ(told, "cSSc") << "the new one lives";
+}
+
+// [FLT-2]
+TEST_F(StopFollowerOfAServer, NoticesTheDeathAlsoByTheFirstMessageOfTheNextArbiter_FLT_2) {
+  take(false);
+  tick();
+  ++hold_ups;
+  living = {"http://arbiter:2"};
+  take(false, true);
+  EXPECT_EQ(told, "cS");
+  tick();
+  EXPECT_EQ(told, "cSSc");
+}
+
+// [FLT-2] That one says by itself when it is cleared.
+TEST_F(StopFollowerOfAServer, StaysStoppedWhenTheArbiterDiesWhileItIsStopped_FLT_2) {
+  take(true);
+  tick();
+  ++hold_ups;
+  living = publishers = {"http://arbiter:2"};
+  tick(true);
+  tick();
+  EXPECT_EQ(told, "S");
+  take(true);
+  take(false);
+  EXPECT_EQ(told, "SSc");
+}
+
+// [FLT-2] Without a hold-up nothing was missed.
+TEST_F(StopFollowerOfAServer, InventsNoStopWhenAnArbiterIsReplacedOrThereIsNone_FLT_2) {
+  take(false);
+  tick();
+  living = publishers = {"http://arbiter:2"};
+  take(false);
+  tick();
+  EXPECT_EQ(told, "cc");
+  publishers = {};
+  tick();
+  ++hold_ups;
+  living = {};
+  tick(true);
+  tick();
+  EXPECT_EQ(told, "cc");
+}
+
+}  // namespace
+}  // namespace frontier_pilot
