@@ -18,10 +18,9 @@ unsigned char levelOf(avoid::AvoiderState state) {
     case avoid::AvoiderState::kStuck:
       return Level::ERROR;
     case avoid::AvoiderState::kWaiting:
-    case avoid::AvoiderState::kIdle:
       return Level::WARN;
     default:
-      return Level::OK;
+      return Level::OK;  // switched off as well: somebody wants it so
   }
 }
 

@@ -19,24 +19,24 @@ LaserScan2 scanOf(std::vector<float> ranges) {
 }
 
 const float kNone = std::numeric_limits<float>::infinity();
-const LaserScan2 kRoom = scanOf({2.0F, 2.1F, kNone, std::numeric_limits<float>::quiet_NaN()});
+const LaserScan2 kRoomScan = scanOf({2.0F, 2.1F, kNone, std::numeric_limits<float>::quiet_NaN()});
 
 // [FLT-1]
 TEST(FrozenScan, IsNoticedWhenTheRobotHasMovedOrTurned_FLT_1) {
   FrozenScanWatch watch;
-  EXPECT_FALSE(watch.isFrozen(kRoom, Pose2()));
-  EXPECT_FALSE(watch.isFrozen(kRoom, Pose2(0.04, 0.0, 0.0)));
-  EXPECT_TRUE(watch.isFrozen(kRoom, Pose2(0.06, 0.0, 0.0)));
+  EXPECT_FALSE(watch.isFrozen(kRoomScan, Pose2()));
+  EXPECT_FALSE(watch.isFrozen(kRoomScan, Pose2(0.04, 0.0, 0.0)));
+  EXPECT_TRUE(watch.isFrozen(kRoomScan, Pose2(0.06, 0.0, 0.0)));
   FrozenScanWatch turned;
-  EXPECT_FALSE(turned.isFrozen(kRoom, Pose2()));
-  EXPECT_TRUE(turned.isFrozen(kRoom, Pose2(0.0, 0.0, -0.2)));
+  EXPECT_FALSE(turned.isFrozen(kRoomScan, Pose2()));
+  EXPECT_TRUE(turned.isFrozen(kRoomScan, Pose2(0.0, 0.0, -0.2)));
 }
 
 // [FLT-1] The robot stands because of it: the scan does not count as a fresh one for that.
 TEST(FrozenScan, StaysFrozenUntilAnotherScanComes_FLT_1) {
   FrozenScanWatch watch;
-  watch.isFrozen(kRoom, Pose2());
-  for (int i = 0; i < 5; ++i) EXPECT_TRUE(watch.isFrozen(kRoom, Pose2(0.5, 0.0, 0.0)));
+  watch.isFrozen(kRoomScan, Pose2());
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(watch.isFrozen(kRoomScan, Pose2(0.5, 0.0, 0.0)));
   EXPECT_FALSE(watch.isFrozen(scanOf({2.0F, 2.1001F, kNone, kNone}), Pose2(0.5, 0.0, 0.0)));
 }
 
@@ -52,7 +52,7 @@ TEST(FrozenScan, IsNoticedWhenSeveralScansComeInTurn_FLT_1) {
 // [FLT-1] A simulator without noise repeats the scan of a robot that stands.
 TEST(FrozenScan, IsNotOneOfARobotThatStands_FLT_1) {
   FrozenScanWatch watch;
-  for (int i = 0; i < 100; ++i) EXPECT_FALSE(watch.isFrozen(kRoom, Pose2(1.0, 2.0, 3.0)));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(watch.isFrozen(kRoomScan, Pose2(1.0, 2.0, 3.0)));
 }
 
 // [FLT-1]
@@ -61,9 +61,9 @@ TEST(FrozenScan, IsNotOneOfOpenGroundOrWithoutOdometry_FLT_1) {
   FrozenScanWatch watch;
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(watch.isFrozen(open, Pose2(i, 0.0, 0.0)));
   FrozenScanWatch blind;
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(blind.isFrozen(kRoom, std::nullopt));
-  EXPECT_FALSE(blind.isFrozen(kRoom, Pose2(7.0, 0.0, 0.0))) << "where it was first seen is not known";
-  EXPECT_TRUE(blind.isFrozen(kRoom, Pose2(8.0, 0.0, 0.0)));
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(blind.isFrozen(kRoomScan, std::nullopt));
+  EXPECT_FALSE(blind.isFrozen(kRoomScan, Pose2(7.0, 0.0, 0.0))) << "where it was first seen is not known";
+  EXPECT_TRUE(blind.isFrozen(kRoomScan, Pose2(8.0, 0.0, 0.0)));
 }
 
 }  // namespace
