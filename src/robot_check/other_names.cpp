@@ -66,7 +66,8 @@ std::string sayMissingTopic(const std::vector<Topic>& topics, const std::string&
   const auto others = othersOfType(topics, name, type);
   if (others.empty()) return text;
   for (const Topic* other : others) text += "; " + other->name + " is a " + type + " of " + other->publishers.front();
-  return text + ": set " + argument + ":=" + others.front()->name;
+  const bool is_sure = others.size() == 1;
+  return text + ": set " + argument + ":=" + (is_sure ? others.front()->name : "NAME, the one that is the robot's");
 }
 
 std::string sayMissingFrame(const std::string& wanted, const std::set<std::string>& frames,

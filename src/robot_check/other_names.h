@@ -24,7 +24,8 @@ std::string standInFor(const std::string& wanted, const std::set<std::string>& f
 bool isThereUnderAnotherName(const std::vector<Topic>& topics, const std::string& name, const std::string& type);
 
 /// "nobody publishes /scan; /base_scan is a sensor_msgs/LaserScan of /driver: set scan:=/base_scan", for the argument
-/// `argument` of the launch files; without another topic of that type the sentence ends after its first part.
+/// `argument` of the launch files; without another topic of that type the sentence ends after its first part, and with
+/// several of them it lists them all and leaves the choice to the reader.
 std::string sayMissingTopic(const std::vector<Topic>& topics, const std::string& name, const std::string& type,
                             const std::string& argument);
 

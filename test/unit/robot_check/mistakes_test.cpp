@@ -24,6 +24,13 @@ const std::vector<Mistake>& mistakes() {
       {"ScanUnderAnotherName",
        [](SeenRobot& r) { r.topic("/base_scan").name = "/front/scan"; },
        {"nobody publishes /base_scan", "/front/scan is a sensor_msgs/LaserScan of /lidar", "set scan:=/front/scan"}},
+      {"SeveralOtherOdometries",
+       [](SeenRobot& r) {
+         r.topic("/wheels/odom").name = "/odometry/filtered";
+         r.seen.topics.push_back({"/base_pose_ground_truth", "nav_msgs/Odometry", {"/gazebo"}, {}});
+       },
+       {"nobody publishes /wheels/odom", "/base_pose_ground_truth is a nav_msgs/Odometry of /gazebo",
+        "/odometry/filtered is a nav_msgs/Odometry of /base", "set odom:=NAME, the one that is the robot's"}},
       {"AnotherTypeUnderTheNameOfTheScan",
        [](SeenRobot& r) { r.topic("/base_scan").type = "sensor_msgs/PointCloud2"; },
        {"/base_scan is a sensor_msgs/PointCloud2", "pointcloud_to_laserscan"}},
