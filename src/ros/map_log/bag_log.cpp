@@ -39,6 +39,7 @@ class BagReading {
     }
   }
   void takeMessages(rosbag::View& view) {
+    nameFrames(view);
     for (const rosbag::MessageInstance& message : view) {
       if (isSameTopic(message.getTopic(), topics_.odom)) takeOdometry(message.instantiate<nav_msgs::Odometry>());
       if (isSameTopic(message.getTopic(), topics_.scan)) takeScan(message.instantiate<sensor_msgs::LaserScan>());
@@ -64,11 +65,21 @@ class BagReading {
     const bool is_mount = is_static || transform.child_frame_id.find(names::kBaseFootprintFrame) == std::string::npos;
     if (is_mount) tf_.setTransform(transform, "bag", is_static);
   }
+  /// By the first odometry, before the first scan, which often comes earlier.
+  void nameFrames(rosbag::View& view) {
+    for (const rosbag::MessageInstance& message : view) {
+      if (!isSameTopic(message.getTopic(), topics_.odom)) continue;
+      const auto msg = message.instantiate<nav_msgs::Odometry>();
+      const auto first = msg ? toOdometry(*msg) : std::nullopt;
+      if (!first) continue;
+      latest_ = first->stamp;
+      return begin(*msg);
+    }
+  }
   void takeOdometry(const nav_msgs::Odometry::ConstPtr& msg) {
     std::string why;
     const auto odometry = msg ? toOdometry(*msg, &why) : std::nullopt;
     if (!odometry) return reject("odometry " + why);
-    if (odom_frame_.empty()) begin(*msg);
     latest_ = odometry->stamp;
     pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
   }

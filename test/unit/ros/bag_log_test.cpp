@@ -1,9 +1,7 @@
 #include "ros/map_log/bag_log.h"
 
 #include <gtest/gtest.h>
-#include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
-#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
@@ -15,83 +13,16 @@
 #include <random>
 
 #include "frontier_pilot/core/motion.h"
-#include "support/temporary_folder.h"
+#include "written_bag.h"
 
 namespace frontier_pilot {
 namespace {
 
 namespace fs = std::filesystem;
 
-geometry_msgs::TransformStamped mount(const std::string& parent, const std::string& child, double x) {
-  geometry_msgs::TransformStamped msg;
-  msg.header.stamp = ros::Time(100.0);
-  msg.header.frame_id = parent;
-  msg.child_frame_id = child;
-  msg.transform.translation.x = x;
-  msg.transform.rotation.w = 1.0;
-  return msg;
-}
-
 bool holds(const std::vector<std::string>& notes, const std::string& wanted) {
   return std::find(notes.begin(), notes.end(), wanted) != notes.end();
 }
-
-/// Writes a bag of a drive along x at 1 m/s: odometry at 10 Hz, scans half way between.
-class BagLog : public ::testing::Test {
- protected:
-  void SetUp() override {
-    path_ = (folder_ / "drive.bag").string();
-    bag_.open(path_, rosbag::bagmode::Write);
-  }
-
-  void writeOdometry(double seconds) {
-    nav_msgs::Odometry msg;
-    msg.header.stamp = ros::Time(seconds);
-    msg.header.frame_id = "odom";
-    msg.pose.pose.position.x = seconds - 100.0;
-    msg.pose.pose.orientation.w = 1.0;
-    bag_.write("/odom", msg.header.stamp, msg);
-  }
-  void writeScan(double seconds, const std::string& frame = "base_scan", double recorded = 0.0) {
-    sensor_msgs::LaserScan msg;
-    msg.header.stamp = ros::Time(seconds);
-    msg.header.frame_id = frame;
-    msg.angle_min = -1.0F;
-    msg.angle_max = 1.0F;
-    msg.angle_increment = 0.5F;
-    msg.range_max = 8.0F;
-    msg.ranges.assign(5, 2.0F);
-    bag_.write("scan", ros::Time(recorded > 0.0 ? recorded : seconds), msg);
-  }
-  void writeMounts() {
-    tf2_msgs::TFMessage msg;
-    msg.transforms = {mount("base_footprint", "base_link", 0.1), mount("base_link", "base_scan", 0.2)};
-    bag_.write("/tf_static", ros::Time(100.0), msg);
-  }
-  void writeDrive(int scans) {
-    for (int i = 0; i <= scans; ++i) {
-      writeOdometry(100.0 + 0.1 * i);
-      if (i < scans) writeScan(100.05 + 0.1 * i);
-    }
-  }
-  logs::ScanLog read(const tools::BagTopics& topics = {}) {
-    bag_.close();
-    return readBagLog(path_, topics);
-  }
-  std::string problem(const tools::BagTopics& topics = {}) {
-    try {
-      read(topics);
-    } catch (const logs::LogError& error) {
-      return error.what();
-    }
-    return "none";
-  }
-
-  const test::TemporaryFolder temporary;
-  const fs::path folder_ = temporary.path();
-  std::string path_;
-  rosbag::Bag bag_;
-};
 
 TEST_F(BagLog, PairsScansWithTheOdometryOfTheirStampAndFindsTheScanner) {
   writeDrive(20);
@@ -124,6 +55,19 @@ TEST_F(BagLog, TakesFramesWithALeadingSlash_ROB_2) {
   const logs::ScanLog log = read();
   ASSERT_EQ(log.records.size(), 5U);
   EXPECT_FALSE(isJump(log.records[0].scan.T_base_sensor, Pose2(0.3, 0.0, 0.0), 1e-6, 1e-6));
+}
+
+// [ROB-2]
+TEST_F(BagLog, TakesTheFrameOfTheBaseFromOdometryThatBeginsAfterTheFirstScan_ROB_2) {
+  tf2_msgs::TFMessage msg;
+  msg.transforms = {mount("base_link", "base_scan", 0.2)};
+  bag_.write("/tf_static", ros::Time(99.0), msg);
+  writeScan(100.05, "base_scan", 99.9);
+  for (int i = 0; i <= 5; ++i) writeOdometry(100.0 + 0.1 * i, "base_link");
+  for (int i = 1; i < 5; ++i) writeScan(100.05 + 0.1 * i);
+  const logs::ScanLog log = read();
+  EXPECT_EQ(log.records.size(), 5U);
+  EXPECT_EQ(log.notes, std::vector<std::string>{});
 }
 
 TEST_F(BagLog, LeavesOutAndCountsWhatCannotBeUsed) {
