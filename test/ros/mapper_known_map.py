@@ -2,6 +2,7 @@
 """Loading a saved map on the wire: going on with it, and only saying where the robot is on it."""
 import math
 import os
+import re
 import shutil
 import tempfile
 import unittest
@@ -14,6 +15,7 @@ from frontier_pilot.srv import LoadMap, SaveMap
 from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetMap
+from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
 from std_srvs.srv import Trigger
 
@@ -81,6 +83,7 @@ class KnownMap(unittest.TestCase):
         cls.listener = tf2_ros.TransformListener(cls.tf)
         cls.diagnostics = Record('/diagnostics', DiagnosticArray)
         cls.map = Record('map', OccupancyGrid)
+        cls.log = Record('/rosout', Log)
         cls.robot = Robot('', 'odom')
         cls.lost_robot = Robot('localizer/', 'wheel_odom')
         cls.initial_pose = rospy.Publisher('localizer/initialpose', PoseWithCovarianceStamped, queue_size=1)
@@ -121,6 +124,10 @@ class KnownMap(unittest.TestCase):
             return (math.inf, math.inf, math.inf)
         return (transform.translation.x, transform.translation.y,
                 2.0 * math.atan2(transform.rotation.z, transform.rotation.w))
+
+    def says_localised(self, node, words):
+        """Whether the log of a mapper says that the robot was found there."""
+        return wait_for(lambda: any(line.name == node and re.match(words, line.msg) for _, line in list(self.log.items)), 20.0)
 
     def say_where(self, x, y, yaw, frame='known_map'):
         msg = PoseWithCovarianceStamped()
@@ -182,6 +189,7 @@ class KnownMap(unittest.TestCase):
         self.say_where(-1.0, -1.0, 0.0, frame='somewhere')  # refused: another frame
         self.say_where(1.3, 0.8, 0.2)
         self.assertTrue(wait_for(found, 20.0), self.correction())
+        self.assertTrue(self.says_localised('/localizer/mapper', r'localised: the robot is at 1\.[45]'), self.log.items)
         self.assertEqual(before, self.map_of('localizer/').data)
         self.assertFalse(rospy.ServiceProxy('localizer/mapper/reset', Trigger)().success)
 
@@ -207,6 +215,7 @@ class KnownMap(unittest.TestCase):
             robot.look_from(*at)
             return all(abs(a - b) < 0.06 for a, b in zip(self.correction('far_map', 'far_odom'), at))
         self.assertTrue(wait_for(corrected, 20.0), self.correction('far_map', 'far_odom'))
+        self.assertTrue(self.says_localised('/searcher/mapper', r'localised: the robot is at 1\.[12]'), self.log.items)
 
     def test_says_that_it_needs_a_pose(self):
         """[MAP-5]"""

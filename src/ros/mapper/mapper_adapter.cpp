@@ -79,6 +79,7 @@ void MapperAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   insertPaired();
 }
 
+/// Converts the scan; nothing if it is unusable, which is counted.
 std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg) {
   const std::string& frame = msg.header.frame_id;
   std::string why;

@@ -96,7 +96,6 @@ class MapperAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   void noteOdometryReset();
   void handleScan(const sensor_msgs::LaserScan& msg);
-  /// Converts the scan; nothing if it is unusable, which is counted.
   std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg);
   void insertPaired();
   /// Takes over the worker's result, and gives it new work if it is idle.
@@ -111,9 +110,9 @@ class MapperAdapter {
   map_files::MapIoResult load(const std::string& path);
   /// Reads the map of a mapper that died in this session, if there is one.
   void restore();
-  /// Continues with that map, once the first odometry message has come.
   void resume(const Pose2& T_odom_base);
   void autosave();
+  void sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base);
   void handleInitialPose(const geometry_msgs::PoseWithCovarianceStamped& msg);
   bool handleLoad(LoadMap::Request& request, LoadMap::Response& response);
   bool handleGet(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
@@ -141,6 +140,7 @@ class MapperAdapter {
   MapSaver saver_;
   MapSearcher searcher_;
   MapAutosave autosave_;
+  bool looked_for_ = false;                    ///< whether the robot is to be found on a known map
   std::optional<Restored> restored_;           ///< until resume() has taken it over
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
   NodeConnections connections_;

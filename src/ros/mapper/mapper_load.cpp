@@ -2,6 +2,7 @@
 #include <array>
 #include <iomanip>
 #include <optional>
+#include <utility>
 
 #include "frontier_pilot/core/bounds.h"
 #include "ros/common/messages/conversions.h"
@@ -45,8 +46,10 @@ map_files::MapIoResult MapperAdapter::load(const std::string& path) {
   map_files::MapIoResult result = map_files::loadMap(path, loaded);
   if (result.ok() && !mapper_.load(loaded))
     return {map_files::MapIoStatus::kBroken, path + ": too large, see docs/limits.md"};
-  if (result.ok()) revision_failure_.clear();
-  if (result.ok()) autosave_.replace();
+  if (!result.ok()) return result;
+  revision_failure_.clear();
+  autosave_.replace();
+  looked_for_ = true;
   return result;
 }
 
@@ -75,7 +78,19 @@ void MapperAdapter::handleInitialPose(const geometry_msgs::PoseWithCovarianceSta
   if (!mapper_.locate({*pose, *covariance})) {
     return bad_initial_poses_.add("the map has no occupied cell yet, so the robot cannot be found in it");
   }
+  looked_for_ = true;
   THROTTLED_INFO("looking for the robot around " << std::fixed << std::setprecision(2) << pose->x << ", " << pose->y);
+}
+
+/// Once after each time that the robot had to be looked for on a known map.
+void MapperAdapter::sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base) {
+  using mapping::ScanVerdict;
+  if (verdict == ScanVerdict::kNotLocated) looked_for_ = true;
+  const bool fits = verdict == ScanVerdict::kInserted || verdict == ScanVerdict::kLocalized;
+  if (!fits || !std::exchange(looked_for_, false)) return;
+  THROTTLED_INFO("localised: the robot is at " << std::fixed << std::setprecision(2) << T_map_base.x << ", "
+                                               << T_map_base.y << ", " << std::setprecision(0)
+                                               << T_map_base.yaw * 180.0 / kPi << " deg on the map");
 }
 
 }  // namespace frontier_pilot

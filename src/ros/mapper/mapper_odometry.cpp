@@ -31,7 +31,9 @@ void MapperAdapter::insertPaired() {
   // The clock is read for each scan: those that become stale while others are processed are dropped.
   while (const auto paired = pairing_.next(rosNow())) {
     if (scan_motion_.note(timing_, paired->covered, paired->scan, paired->T_odom_base)) {
-      note(mapper_.insert(paired->scan, paired->T_odom_base, rosNow()), {});
+      const mapping::ScanVerdict verdict = mapper_.insert(paired->scan, paired->T_odom_base, rosNow());
+      note(verdict, {});
+      if (paired->T_odom_base) sayWhereLocalised(verdict, mapper_.T_map_odom() * *paired->T_odom_base);
     } else {
       bad_scans_.add(kFrozenScan);
     }

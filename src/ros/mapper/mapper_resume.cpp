@@ -20,6 +20,7 @@ void MapperAdapter::restore() {
   }
 }
 
+/// Continues with that map, once the first odometry message has come.
 void MapperAdapter::resume(const Pose2& T_odom_base) {
   if (!restored_) return;
   if (mapper_.resume(restored_->map, restored_->T_map_odom, T_odom_base)) {
