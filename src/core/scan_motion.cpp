@@ -119,7 +119,7 @@ std::string BeamTiming::problemOf(const LaserScan2& scan, double period, bool ro
   } else if (sweepOf(scan) > mostOf(period)) {
     text << "take " << sweepOf(scan) << " s";
   } else if (rolling && sweepOf(scan) < leastOf(scan, period)) {
-    text << "take only " << sweepOf(scan) << " s";
+    text << "take only " << sweepOf(scan) << " s, although by the robot's file the scanner turns (rolling: true)";
   } else {
     return {};
   }

@@ -183,6 +183,8 @@ TEST(BeamTiming, NoticesADriverThatGivesNoTimeOfAScannerThatRolls_SCN_2) {  // [
     BeamTiming rolling(spinningScanner());
     timed(rolling, none);
     EXPECT_NE(rolling.problem().find("take only"), std::string::npos) << rolling.problem();
+    EXPECT_NE(rolling.problem().find("by the robot's file the scanner turns (rolling: true)"), std::string::npos)
+        << "what the driver contradicts";
     BeamTiming at_once{ScannerModel{}};
     EXPECT_EQ(timed(at_once, none), none);
     EXPECT_EQ(at_once.problem(), "") << "it is described as one that measures all beams at once";
