@@ -165,6 +165,7 @@ def save_map(path):
 
 def main():
     CommandLine(__doc__, 'rosrun frontier_pilot bag_player.py _bag:=/path/drive.bag _speed:=2').parse_args(rospy.myargv()[1:])
+    os.environ.setdefault('ROSCONSOLE_FORMAT', '[${severity}] [${time}] [${node}]: ${message}')  # as the other nodes of the launch
     rospy.init_node('bag_player')
     defaults = {'scan': '', 'odom': '', 'base_frame': 'base_footprint', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': ''}
     options = {name: str(rospy.get_param('~' + name, default)) for name, default in defaults.items()}

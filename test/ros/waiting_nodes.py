@@ -56,7 +56,7 @@ class WaitingNodes(unittest.TestCase):
         cls.robot = NamedRobot('foreign')
 
     def start(self, name, *arguments):
-        node = Node(name, *TF, *arguments, environment=dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED='1'))
+        node = Node(name, *TF, *arguments)
         self.addCleanup(node.end)
         return node
 

@@ -71,6 +71,23 @@ class CommandLines(unittest.TestCase):
                 self.assertEqual(code, wrong)
                 self.assertIn('ROS_MASTER_URI is not an address', err)
 
+    def first_words_without_a_master(self, **environment):
+        """The first line of a node that waits for a master, on stdout or stderr."""
+        node = subprocess.Popen([BUILD / 'devel/lib/frontier_pilot/simulator'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                universal_newlines=True, env=dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:9', **environment))
+        try:
+            return node.stdout.readline()
+        finally:
+            node.kill()
+            node.communicate()
+
+    def test_a_node_says_that_it_waits_for_a_master_and_each_line_names_the_node(self):
+        self.assertRegex(self.first_words_without_a_master(), r'\[ WARN\] \[[0-9.]+\] \[/simulator\]: no ROS master answers at '
+                                                              r'http://127.0.0.1:9.*roscore')
+
+    def test_a_format_of_the_users_own_is_kept(self):
+        self.assertRegex(self.first_words_without_a_master(ROSCONSOLE_FORMAT='mine ${message}'), '^(\x1b.*?m)?mine no ROS master')
+
     # [FLT-1]
     def test_the_recorder_does_not_wait_for_a_master_that_cannot_be_one(self):
         code, _, err = call(BUILD / 'devel/lib/frontier_pilot/run_recorder', master='nowhere')

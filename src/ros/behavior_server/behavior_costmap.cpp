@@ -24,6 +24,7 @@ void BehaviorCostmap::handleScan(const sensor_msgs::LaserScan& msg) {
   // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(frames_.base_frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
   waiting_ = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (!T_base_sensor) return rejections_.addWaiting(why);
   if (!waiting_) return rejections_.add(why);
   timing_.apply(*waiting_);
   takeIn();

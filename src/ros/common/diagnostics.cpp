@@ -16,16 +16,16 @@ void makePrintable(std::string& text) { text = printable(text, bounds::kMostDiag
 
 }  // namespace
 
-void Rejections::add(const std::string& reason) {
+void Rejections::add(const std::string& reason, ros::console::Level level) {
   ++total_;
   const std::string why = printable(reason, bounds::kMostReason);
   if (by_reason_.count(why) == 0 && by_reason_.size() >= bounds::kMostReasons) forgetRarest();
   last_ = why;
   const std::uint64_t count = ++by_reason_[why];
   const SteadyTime now = steadyNow();
-  if (last_warning_ && now - *last_warning_ < std::chrono::seconds(5)) return;
-  last_warning_ = now;
-  ROS_WARN_STREAM(what_ << " refused: " << why << " (" << count << " so far)");
+  if (last_line_ && now - *last_line_ < std::chrono::seconds(5)) return;
+  last_line_ = now;
+  ROS_LOG_STREAM(level, ROSCONSOLE_DEFAULT_NAME, what_ << " refused: " << why << " (" << count << " so far)");
 }
 
 /// Merges the rarest reason into "other reasons", so that the newest one can always be listed by name.

@@ -12,6 +12,7 @@
 
 #include "frontier_pilot/core/time.h"
 #include "ros/common/callback_guard.h"
+#include "ros/common/inputs/start_grace.h"
 
 namespace frontier_pilot {
 
@@ -20,9 +21,12 @@ namespace frontier_pilot {
 class Rejections {
  public:
   /// `what` is the input, for the log: "scan".
-  explicit Rejections(std::string what) : what_(std::move(what)) {}
+  explicit Rejections(std::string what, const StartGrace& grace = StartGrace())
+      : what_(std::move(what)), grace_(grace) {}
 
-  void add(const std::string& reason);
+  void add(const std::string& reason) { add(reason, ros::console::levels::Warn); }
+  /// The same for an input that only lacks another one, which comes later when the node has just started.
+  void addWaiting(const std::string& reason) { add(reason, grace_.level(steadyNow())); }
   std::uint64_t total() const { return total_; }
   /// The reason of the last one; empty if nothing was refused.
   const std::string& last() const { return last_; }
@@ -30,14 +34,16 @@ class Rejections {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
+  void add(const std::string& reason, ros::console::Level level);
   void forgetRarest();
 
   std::string what_;
+  StartGrace grace_;
   std::uint64_t total_ = 0;
   std::string last_;
   std::map<std::string, std::uint64_t> by_reason_;
   std::uint64_t for_other_reasons_ = 0;
-  std::optional<SteadyTime> last_warning_;
+  std::optional<SteadyTime> last_line_;
 };
 
 /// A node's /diagnostics: published every second of steady time, so that a stopped clock does not silence it.

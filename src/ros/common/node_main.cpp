@@ -90,6 +90,13 @@ void end(const RunningNode& running) {
   flush();
 }
 
+/// roscpp waits for a master for ever, and says no more than that a call has failed.
+void sayIfThereIsNoMaster() {
+  if (ros::master::check()) return;
+  ROS_WARN_STREAM("no ROS master answers at " << ros::master::getURI()
+                                              << ": waiting for one, which roscore or roslaunch starts");
+}
+
 int fail(const std::string& name, const std::exception& error, int exit_code) {
   ROS_FATAL_STREAM(name << ": " << error.what());
   // Also on stderr, because the console may be configured to hide or buffer it.
@@ -100,6 +107,7 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 }  // namespace
 
 void initNode(int& argc, char** argv, const std::string& name) {
+  nameNodeInLines(name);
   const char* uri = std::getenv("ROS_MASTER_URI");
   std::string host;
   std::uint32_t port = 0;
@@ -138,6 +146,7 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
     initNode(argc, argv, usage.name);
     catchSignals();
     if (check) check();
+    sayIfThereIsNoMaster();
     refuseANamesake();
     followThePredecessor();
     ros::NodeHandle node;

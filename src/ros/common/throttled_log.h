@@ -57,6 +57,7 @@ std::optional<std::uint64_t> admitNow(LogThrottle& throttle);
                      ::frontier_pilot::throttledLine(line_text.str(), *line_left_out)); \
     }                                                                                   \
   } while (false)
+#define THROTTLED_LOG(level, stream) FRONTIER_PILOT_THROTTLED(level, stream)
 #define THROTTLED_INFO(stream) FRONTIER_PILOT_THROTTLED(::ros::console::levels::Info, stream)
 #define THROTTLED_WARN(stream) FRONTIER_PILOT_THROTTLED(::ros::console::levels::Warn, stream)
 #define THROTTLED_ERROR(stream) FRONTIER_PILOT_THROTTLED(::ros::console::levels::Error, stream)

@@ -4,7 +4,6 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/tf/odometry_source.h"
-#include "ros/common/throttled_log.h"
 #include "ros/frontier_explorer/explorer_markers.h"
 #include "ros/frontier_explorer/explorer_status.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
@@ -108,16 +107,6 @@ void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress&
   last_status_ = now;
 }
 
-void FrontierExplorerAdapter::report(const exploration::ExplorerOutput& output) const {
-  for (const exploration::ExplorerProgress& to : output.transitions) {
-    THROTTLED_INFO(toString(to.state) << " (" << toString(to.phase) << "): " << to.reason_text);
-  }
-  for (const exploration::ExplorerNote& note : output.notes) {
-    if (note.warning) THROTTLED_WARN(note.text);
-    if (!note.warning) THROTTLED_INFO(note.text);
-  }
-}
-
 void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
   markers_due_ = markers_due_ || news;
   if (!markers_due_ || markers_publisher_.getNumSubscribers() == 0) return;
@@ -131,13 +120,6 @@ void FrontierExplorerAdapter::showFrontiers(bool news, Time now) {
                             explorer_.inspections(),
                             ros::this_node::getNamespace()};
   markers_publisher_.publish(makeExplorerMarkers(scene, parameters_.map_frame, now));
-}
-
-/// Warns while ROS time stands still: ticks are on ROS time, so no tick could report it.
-void FrontierExplorerAdapter::watchClock() {
-  const Time now = rosNow();
-  if (now == watched_clock_) THROTTLED_WARN("exploration waits for: /clock (ROS time stands still)");
-  watched_clock_ = now;
 }
 
 }  // namespace frontier_pilot

@@ -110,6 +110,7 @@ class FrontierExplorerAdapter {
   MoveBaseClient navigation_;
   SaveMapCaller map_saver_;
   NodeDiagnostics diagnostics_;
+  StartGrace grace_;
   Rejections bad_odometry_{"odometry"};
   Rejections bad_clicks_{"clicked point"};
   Rejections bad_battery_{"battery state"};

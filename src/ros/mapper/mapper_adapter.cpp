@@ -136,9 +136,13 @@ void MapperAdapter::takeOver(TimedRevision& done) {
 void MapperAdapter::note(mapping::ScanVerdict verdict, const std::string& detail) {
   if (!mapping::isDropped(verdict)) {
     last_inserted_ = steadyNow();
-  } else {
-    bad_scans_.add(detail.empty() ? toString(verdict) : std::string(toString(verdict)) + ", " + detail);
+    return;
   }
+  const std::string why = detail.empty() ? toString(verdict) : std::string(toString(verdict)) + ", " + detail;
+  using mapping::ScanVerdict;
+  const bool waits = verdict == ScanVerdict::kNoTransform || verdict == ScanVerdict::kNoOdometry;
+  if (waits) return bad_scans_.addWaiting(why);
+  bad_scans_.add(why);
 }
 
 }  // namespace frontier_pilot

@@ -49,7 +49,8 @@ void NavigatorAdapter::sayLastWords() {
 void NavigatorAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
-  auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (!T_base_sensor) return bad_scans_.addWaiting(why);
+  auto scan = toLaserScan(msg, *T_base_sensor, &why);
   if (!scan) return bad_scans_.add(why);
   if (!scan_motion_.place(placer_, *scan)) return bad_scans_.add(kFrozenScan);
   scan_ = std::move(scan);

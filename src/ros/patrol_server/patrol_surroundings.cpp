@@ -40,7 +40,8 @@ void PatrolSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;
   // The latest transform, not the one at the scan's stamp: the mount does not move, but its publisher may be late.
   const auto T_base_sensor = tf_.lookup3d(base_frame_, msg.header.frame_id, Time{}, Duration::zero(), &why);
-  auto scan = T_base_sensor ? toLaserScan(msg, *T_base_sensor, &why) : std::nullopt;
+  if (!T_base_sensor) return rejections_.addWaiting(why);
+  auto scan = toLaserScan(msg, *T_base_sensor, &why);
   if (!scan) return rejections_.add(why);
   if (!scan_motion_.place(placer_, *scan)) return rejections_.add(kFrozenScan);
   if (const auto T_odom_base = placer_.track().nearest(scan->stamp)) check_.insert(*scan, *T_odom_base);

@@ -16,6 +16,7 @@ void InputWatch::look(const Topics& topics, SteadyTime now) {
     const std::string one = missing(topics);
     if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
   }
+  if (!grace_) grace_.emplace(now);
   const bool was_ready = ready();
   looked_ = true;
   missing_ = all;
@@ -27,7 +28,7 @@ void InputWatch::look(const Topics& topics, SteadyTime now) {
   if (!since_) since_ = now;
   if (now - *since_ < kStarting || (said_ && now - *said_ < kAgain)) return;
   said_ = now;
-  THROTTLED_WARN("waiting: " << all);
+  THROTTLED_LOG(grace_->level(now), "waiting: " << all);
 }
 
 void InputWatch::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {

@@ -9,6 +9,7 @@
 
 #include "frontier_pilot/core/time.h"
 #include "robot_check/observation.h"
+#include "ros/common/inputs/start_grace.h"
 
 namespace frontier_pilot {
 
@@ -25,7 +26,7 @@ class InputWatch {
   bool needsSomething() const { return !needs_.empty(); }
 
   /// Looks whether all inputs are there. To be called every second; logs what is missing after two seconds and then
-  /// every ten, and when all are there.
+  /// every ten, as WARN unless the looks have only begun, and when all are there.
   void look(const Topics& topics, SteadyTime now);
   /// What is missing as of the last look, in words; empty if nothing is, or if there was no look yet.
   const std::string& missing() const { return missing_; }
@@ -36,6 +37,7 @@ class InputWatch {
  private:
   std::vector<Missing> needs_;
   bool looked_ = false;
+  std::optional<StartGrace> grace_;  ///< from the first look on
   std::string missing_;
   std::optional<SteadyTime> since_;  ///< when something was first missing; none while all is there
   std::optional<SteadyTime> said_;

@@ -1,12 +1,24 @@
 #include "ros/common/logging/console_output.h"
 
 #include <fcntl.h>
+#include <ros/console.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace frontier_pilot {
+
+void nameNodeInLines(const std::string& node) {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  ros::console::setFixedFilterToken("node", node);
+  if (std::getenv("ROSCONSOLE_FORMAT") != nullptr) return;
+  // The log has read its environment before main().
+  ros::console::g_formatter.tokens_.clear();
+  ros::console::g_formatter.init("[${severity}] [${time}] [${node}]: ${message}");
+}
 
 bool dropUnreadOutput(int descriptor) {
   struct stat status {};

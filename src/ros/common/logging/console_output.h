@@ -1,6 +1,14 @@
 #pragma once
 
+#include <string>
+
 namespace frontier_pilot {
+
+/// Lines of several nodes share the terminal of roslaunch: from now on each line of this process names its node, and
+/// comes at once, also into a pipe or a file, where INFO would otherwise come long after the WARN that follows it. A
+/// format that the user has set (ROSCONSOLE_FORMAT) stays. To be called before the first line; `node` is the name until
+/// ROS knows the whole one.
+void nameNodeInLines(const std::string& node);
 
 /// From now on this process drops what the terminal or pipe behind `descriptor` does not take at once, instead of
 /// waiting. Other processes that write to the same terminal or pipe wait as before. Files and sockets stay as they are:
