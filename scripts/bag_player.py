@@ -26,6 +26,7 @@ from tf2_msgs.msg import TFMessage
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 from bag_drive import LATCHED, Drive  # noqa: E402
 from bag_topics import BagError, numbers_in, read_bag  # noqa: E402
+import ros_program  # noqa: E402
 from command_line import CommandLine  # noqa: E402
 
 PERIOD = 0.01  # between two looks at the clock [s]
@@ -166,7 +167,10 @@ def save_map(path):
 def main():
     CommandLine(__doc__, 'rosrun frontier_pilot bag_player.py _bag:=/path/drive.bag _speed:=2').parse_args(rospy.myargv()[1:])
     os.environ.setdefault('ROSCONSOLE_FORMAT', '[${severity}] [${time}] [${node}]: ${message}')  # as the other nodes of the launch
-    rospy.init_node('bag_player')
+    ros_program.begin('bag_player')
+    if not rospy.get_param('~bag', ''):
+        print('bag_player: which bag? _bag:=/path/drive.bag', file=sys.stderr)
+        return 2
     defaults = {'scan': '', 'odom': '', 'base_frame': 'base_footprint', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': ''}
     options = {name: str(rospy.get_param('~' + name, default)) for name, default in defaults.items()}
     try:
@@ -192,4 +196,4 @@ def main():
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    ros_program.run(main)

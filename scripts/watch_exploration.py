@@ -16,6 +16,7 @@ from frontier_pilot.msg import ExplorerStatus
 from frontier_pilot.srv import SaveMap
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
+import ros_program  # noqa: E402
 from command_line import CommandLine  # noqa: E402
 
 # The ends that the stopping rules of the explorer have asked for.
@@ -144,7 +145,7 @@ def main():
     # Periods are on the steady clock, because simulated time may stand still or run at any speed.
     # A name from outside could be that of a running node, which ROS would then shut down.
     words = [word for word in sys.argv if not word.startswith('__name:=')]
-    rospy.init_node('watch_exploration', argv=words, anonymous=True, disable_signals=True)
+    ros_program.begin('watch_exploration', argv=words, anonymous=True, disable_signals=True)
     began = time.monotonic()
     watcher = Watcher(arguments.period)
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
@@ -162,4 +163,4 @@ def main():
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    ros_program.run(main)

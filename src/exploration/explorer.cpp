@@ -54,6 +54,7 @@ void Explorer::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& m
 const ExplorationBounds& Explorer::bounds() const { return impl_->evaluator().map().bounds(); }
 void Explorer::setReturnToStart(bool on) { impl_->setReturnToStart(on); }
 bool Explorer::returnsToStart() const { return impl_->returnsToStart(); }
+std::optional<ExplorerReason> Explorer::endedBy() const { return impl_->endedBy(); }
 void Explorer::setParameters(const ExplorerParameters& parameters) { impl_->setParameters(parameters); }
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }
 std::string Explorer::inspect(const Pose2& pose) { return impl_->inspect(pose); }

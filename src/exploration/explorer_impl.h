@@ -32,6 +32,7 @@ class Explorer::Impl {
   void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
   void setReturnToStart(bool on) { parameters_.return_to_start = on; }
   bool returnsToStart() const { return parameters_.return_to_start; }
+  std::optional<ExplorerReason> endedBy() const { return ended_by_; }
   void setParameters(const ExplorerParameters& parameters);
   std::string inspect(const Pose2& pose);
   void clearInspections();

@@ -1,4 +1,5 @@
 """Explorers that are started for each case of a test, against a move_base and a map that are not this package's."""
+import signal
 import unittest
 
 import rospy
@@ -30,9 +31,19 @@ class ExplorerCase(unittest.TestCase):
         parameters.update({'autostart': True, 'done_settle_time': 0.5, 'settle_time': 0.2,
                            'frontier': {'view': {'sensor_range': 1.0}}})
         rospy.set_param('frontier_explorer', parameters)
-        node = Node('frontier_explorer', '__name:=frontier_explorer')
         self.addCleanup(rospy.delete_param, 'frontier_explorer')
-        self.addCleanup(node.end)
+        self.start()
+
+    def start(self):
+        self.node = Node('frontier_explorer', '__name:=frontier_explorer')
+        self.addCleanup(self.node.end)
+
+    def start_again(self):
+        """Kills the explorer, and starts the next one in its place, as roslaunch does."""
+        self.node.signal(signal.SIGKILL)
+        self.node.finish()
+        self.status.items.clear()
+        self.start()
 
     def comes(self, condition, timeout=10.0):
         """Whether a status comes, or has come, for which the condition holds."""

@@ -54,6 +54,25 @@ class ExplorerLimits(ExplorerCase):
         self.expect_done(Status.NO_REACHABLE_FRONTIER)
         self.assertTrue(all(x > -0.9 for x, _ in self.robot.goals), self.robot.goals)
 
+    # [EXP-10] [FLT-2]
+    def test_keeps_the_bounds_of_a_service_when_it_dies(self):
+        self.explore()
+        self.assertTrue(wait_for(lambda: self.robot.goals))
+        self.assertTrue(call('frontier_explorer/set_bounds', SetBounds, rectangle(-1.0, 5.0), [rectangle(1.0, 2.0)]).success)
+        self.start_again()
+        self.assertTrue(self.comes(lambda status: len(status.stay_within.points) == 4 and len(status.keep_out) == 1), '[FLT-2]')
+
+    # [EXP-10] [FLT-2]
+    def test_does_not_drive_off_again_when_it_dies_after_a_stopping_rule_has_ended_the_exploration(self):
+        self.explore(until={'time': 1.0})
+        self.expect_done(Status.UNTIL_TIME)
+        self.robot.goals.clear()
+        self.start_again()
+        self.expect_reason(Status.PAUSED)
+        self.assertFalse(wait_for(lambda: self.robot.goals, 2.0), '[FLT-2]')
+        call('set_exploration_enabled', SetBool, True)
+        self.assertTrue(wait_for(lambda: self.robot.goals))
+
     # [EXP-10]
     def test_leads_a_navigation_that_drives_straight_around_a_keep_out_area(self):
         block = (0.5, 1.5, 0.2)  # from x, to x, up to y

@@ -7,6 +7,7 @@ import time
 import unittest
 
 import actionlib
+import rosgraph
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
@@ -44,6 +45,18 @@ class FrozenServers(unittest.TestCase):
             os.kill(pid, signal.SIGCONT)
         return resumed
 
+    def replace_the_arbiter(self):
+        """Kills it; what it has sent to a frozen process is lost. Waits for the next one, which is stopped still."""
+        pid = pid_of('/cmd_vel_arbiter')
+        os.kill(pid, signal.SIGKILL)
+
+        def is_another():
+            try:
+                return pid_of('/cmd_vel_arbiter') != pid and self.stop().success
+            except (OSError, rosgraph.MasterException, rospy.ServiceException):
+                return False
+        self.assertTrue(wait_for(is_another, 30), 'there is no other arbiter')
+
     def frozen_through_a_stop(self, server, topic, client, goal):
         """Freezes `server` while it drives."""
         rospy.ServiceProxy('reset_positions', Empty)()
@@ -59,7 +72,7 @@ class FrozenServers(unittest.TestCase):
         self.assertFalse([command for command in commands.since(resumed) if moves(command)])
         commands.subscriber.unregister()
 
-    def sent_while_the_server_was_frozen(self, server, client, goal):
+    def sent_while_the_server_was_frozen(self, server, client, goal, arbiter_dies=False):
         """A goal that is sent while `server` is frozen and the robot is stopped, which is then cleared; its result."""
         self.assertTrue(client.wait_for_server(rospy.Duration(60)))
         commands = Record('cmd_vel', Twist)
@@ -67,6 +80,8 @@ class FrozenServers(unittest.TestCase):
         os.kill(pid, signal.SIGSTOP)
         try:
             self.assertTrue(self.stop().success)
+            if arbiter_dies:
+                self.replace_the_arbiter()
             client.send_goal(goal)
             time.sleep(0.5)
             self.assertTrue(wait_for(self.cleared, 20), 'the stop is not cleared')
@@ -88,6 +103,13 @@ class FrozenServers(unittest.TestCase):
             self.assertEqual(spin.error_msg, 'emergency stop')
             patrol = self.sent_while_the_server_was_frozen('/patrol_server', patrols, square)
             self.assertEqual(patrol.result, 'aborted: emergency stop')
+
+    def test_a_goal_is_aborted_also_if_the_arbiter_that_was_stopped_dies_while_the_server_is_frozen(self):
+        """[SPN-4] [FLT-2]"""
+        spins = actionlib.SimpleActionClient('spin', SpinAction)
+        for _ in range(ROUNDS):
+            result = self.sent_while_the_server_was_frozen('/behavior_server', spins, SpinGoal(6.0, rospy.Duration(0), False), True)
+            self.assertEqual(result.error_msg, 'emergency stop')
 
     def test_a_patrol_that_was_frozen_through_a_stop_and_its_clearing_does_not_go_on(self):
         """[PAT-5] [FLT-2]"""

@@ -103,6 +103,13 @@ class LaunchFilesTest(unittest.TestCase):
         for file in FILES:
             self.expect_robot(file, robot('waffle'), robot='waffle')
 
+    def test_one_of_several_turtlebot3_is_told_of_its_scanner(self):
+        """[ROB-1] [ROB-2]"""
+        given = self.load(ROOT + '/launch/robot.launch', scanner='LDS-01')
+        for name, (type_name, parameters) in given.items():
+            if type_name in PLACES_BEAMS:
+                self.assertEqual(LDS_01, {key: parameters.get('robot/' + key) for key in LDS_01}, name)
+
     def test_each_robot_that_the_package_ships_can_be_named(self):
         """[ROB-1]"""
         for name in ('burger', 'turtlebot2', 'fast'):

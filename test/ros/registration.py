@@ -226,13 +226,14 @@ class Registration(unittest.TestCase):
         server = rosgraph.Master('/test', master_uri=self.uri)
         server.setParam('/use_sim_time', True)
         server.setParam('/cmd_vel_arbiter', {'limits': {'max_linear': 0.17}})
-        arbiter = self.node('cmd_vel_arbiter')
+        log = '__log:=/dev/null'  # as roslaunch gives one
+        arbiter = self.node('cmd_vel_arbiter', log)
         self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
         self.master.kill()
         arbiter.kill()
         arbiter.wait()
         self.master.wait()
-        arbiter = self.node('cmd_vel_arbiter')  # waits for the master
+        arbiter = self.node('cmd_vel_arbiter', log)  # waits for the master
         self.new_master()
         self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
         self.assertEqual(server.getParam('/cmd_vel_arbiter'), {'limits': {'max_linear': 0.17}}, '[FLT-2]')
@@ -242,9 +243,31 @@ class Registration(unittest.TestCase):
         server.deleteParam('/cmd_vel_arbiter')
         arbiter.kill()
         arbiter.wait()
-        self.node('cmd_vel_arbiter')
+        self.node('cmd_vel_arbiter', log)
         time.sleep(3.0)
         self.assertFalse(server.hasParam('/cmd_vel_arbiter'), 'the same master: somebody wanted the defaults')
+
+    # [FLT-1] [FLT-2]
+    def test_a_node_that_is_started_by_hand_at_a_new_master_has_no_parameters_of_a_dead_one(self):
+        server = rosgraph.Master('/test', master_uri=self.uri)
+        server.setParam('/cmd_vel_arbiter', {'limits': {'max_linear': 0.17}})
+        arbiter = self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        arbiter.kill()
+        arbiter.wait()
+        self.replace_master()
+        self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.assertFalse(server.hasParam('/cmd_vel_arbiter'))
+
+    # [FLT-1]
+    def test_a_node_ends_although_the_master_hangs(self):
+        arbiter = self.node('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: '/emergency_stop' in self.services(), 20.0))
+        self.master.send_signal(signal.SIGSTOP)
+        self.addCleanup(self.master.send_signal, signal.SIGCONT)
+        arbiter.send_signal(signal.SIGTERM)
+        arbiter.wait(15.0)
 
     # [ARB-12] [FLT-1]
     def test_a_service_whose_calls_the_master_sends_elsewhere_is_taken_back(self):

@@ -13,7 +13,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / 'build'
 # Scripts without a command line of their own: they are imported.
-MODULES = {'bag_drive.py', 'bag_topics.py', 'command_line.py', 'readable_bag.py'}
+MODULES = {'bag_drive.py', 'bag_topics.py', 'command_line.py', 'readable_bag.py', 'ros_program.py'}
 
 
 def call(program, *words, master='http://127.0.0.1:9'):
@@ -89,10 +89,17 @@ class CommandLines(unittest.TestCase):
         self.assertRegex(self.first_words_without_a_master(ROSCONSOLE_FORMAT='mine ${message}'), '^(\x1b.*?m)?mine no ROS master')
 
     # [FLT-1]
-    def test_the_recorder_does_not_wait_for_a_master_that_cannot_be_one(self):
-        code, _, err = call(BUILD / 'devel/lib/frontier_pilot/run_recorder', master='nowhere')
-        self.assertEqual(code, 1)
-        self.assertIn('ROS_MASTER_URI is not an address', err)
+    def test_words_for_ros_that_it_cannot_use_are_named_in_one_line(self):
+        of_python = ['_x:={', '__name:=a b']
+        for name, more in (('run_recorder', of_python), ('bag_player.py', of_python), ('simulator', []), ('check_robot', [])):
+            program = BUILD / 'devel/lib/frontier_pilot' / name
+            for word in ['__master:=nowhere', '__master:=http://'] + more:
+                with self.subTest(program=name, word=word):
+                    code, out, err = call(program, word)
+                    self.assertNotEqual(code, 0)
+                    self.assertRegex(out + err, re.escape(word) + ' is not|is not an address')
+                    self.assertLess(len((out + err).splitlines()), 4, out + err)
+            self.assertIn('ROS_MASTER_URI is not an address', call(program, master='nowhere')[2])
 
     def test_help_of_a_node_has_an_example(self):
         for program in installed():

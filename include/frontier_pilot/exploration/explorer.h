@@ -34,6 +34,8 @@ class Explorer {
   /// on its way back already is not stopped. [EXP-10]
   void setReturnToStart(bool on);
   bool returnsToStart() const;
+  /// The stopping rule that has ended the exploration; nothing while none has, or once it was started again. [EXP-10]
+  std::optional<ExplorerReason> endedBy() const;
   /// Takes over what may change while it runs: the filters of the frontiers, the weights of the score and the goals'
   /// timeout. Goals are judged by them from the next decision on, also if the map stays the same; an exploration that
   /// is done stays so until the map changes. Bounds and `return_to_start` stay as they are.

@@ -67,7 +67,7 @@ void BehaviorServerAdapter::cancel(const std::string& why) { put(behavior_.cance
 
 void BehaviorServerAdapter::handleStop(const std_msgs::Bool& msg) {
   emergency_stop_ = msg.data != 0;
-  if (emergency_stop_) step(connections_.clock().now());
+  if (emergency_stop_) step(connections_.clock().now().value_or(rosNow()));  // also by a clock that just jumped
 }
 
 void BehaviorServerAdapter::tick() {

@@ -7,12 +7,15 @@
 #include <ros/service_manager.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "ros/common/callback_guard.h"
 #include "ros/common/logging/console_output.h"
@@ -30,12 +33,14 @@ volatile std::sig_atomic_t g_stop = 0;  ///< the signal that ends the node
 volatile std::sig_atomic_t g_building = 1;
 
 constexpr unsigned kBuildPatience = 1;  // [s]
+constexpr unsigned kEndPatience =
+    6;  // [s] for the node to be taken down: roscpp waits for ever for a master that hangs
 
 void onSignal(int signal) {
   // A constructor may wait for something that never comes, or take long to read a large world. A shutdown of ROS ends
   // such a wait and unregisters what is registered so far. If the constructor goes on all the same, the alarm or the
   // next signal ends the process at once: a node under construction has not commanded anything yet.
-  if (g_building != 0 && g_stop != 0) _exit(128 + signal);
+  if ((g_building != 0 && g_stop != 0) || signal == SIGALRM) _exit(128 + (g_stop != 0 ? g_stop : signal));
   g_stop = signal;
   if (g_building == 0) return;
   alarm(kBuildPatience);
@@ -84,17 +89,35 @@ void flush() {
 }
 
 void end(const RunningNode& running) {
+  alarm(kEndPatience);
   if (!running.say_last_words) return;
   CallbackGuard guard;
   guard.run("the last words", running.say_last_words);
   flush();
 }
 
+/// Only roslaunch names a node's log file.
+bool isWordOfRoslaunch(const char* word) { return std::strncmp(word, "__log:=", 7) == 0; }
+
 /// roscpp waits for a master for ever, and says no more than that a call has failed.
 void sayIfThereIsNoMaster() {
   if (ros::master::check()) return;
   ROS_WARN_STREAM("no ROS master answers at " << ros::master::getURI()
                                               << ": waiting for one, which roscore or roslaunch starts");
+}
+
+/// roscpp aborts if the address of the master cannot be one.
+void refuseAWrongAddress(const std::vector<std::string>& words) {
+  const std::string option = "__master:=";
+  const char* variable = std::getenv("ROS_MASTER_URI");
+  std::string said = "ROS_MASTER_URI", uri = variable != nullptr ? variable : "http://localhost:11311";
+  for (const std::string& word : words) {
+    if (word.compare(0, option.size(), option) == 0) said = option, uri = word.substr(option.size());
+  }
+  std::string host;
+  std::uint32_t port = 0;
+  if (ros::network::splitURI(uri, host, port) && !host.empty()) return;
+  throw std::runtime_error(said + " is not an address like http://host:11311: " + uri);
 }
 
 int fail(const std::string& name, const std::exception& error, int exit_code) {
@@ -108,12 +131,7 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 
 void initNode(int& argc, char** argv, const std::string& name) {
   nameNodeInLines(name);
-  const char* uri = std::getenv("ROS_MASTER_URI");
-  std::string host;
-  std::uint32_t port = 0;
-  if (uri != nullptr && !ros::network::splitURI(uri, host, port)) {
-    throw std::runtime_error("ROS_MASTER_URI is not an address like http://host:11311: " + std::string(uri));
-  }
+  refuseAWrongAddress({argv + 1, argv + argc});
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
 }
 
@@ -142,13 +160,14 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
                     const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,
                     const std::function<void()>& check) {
   if (const auto answered = answerCommandLine({argv + 1, argv + argc}, usage)) return *answered;
+  const bool is_of_roslaunch = std::any_of(argv + 1, argv + argc, isWordOfRoslaunch);  // before ROS takes its words out
   try {
     initNode(argc, argv, usage.name);
     catchSignals();
     if (check) check();
     sayIfThereIsNoMaster();
     refuseANamesake();
-    followThePredecessor();
+    followThePredecessor(is_of_roslaunch);
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     // roscpp's `get_loggers` crashes inside of the log library when it is called a second time. [FLT-1]

@@ -12,9 +12,9 @@ namespace frontier_pilot {
 std::string toText(const exploration::ExplorationBounds& bounds);
 std::optional<exploration::ExplorationBounds> boundsIn(const std::string& text);
 
-/// What an operator has told an explorer, and whether its exploration has ended, beyond the death of the node: the next
-/// one must neither leave the bounds nor drive off again. All is forgotten at a regular shutdown. (That it is paused is
-/// a SafeSwitch.) [FLT-2] [EXP-10] [EXP-11]
+/// What an operator has told an explorer, and whether a stopping rule has ended its exploration, beyond the death of the
+/// node: the next one must neither leave the bounds nor drive off again. All is forgotten at a regular shutdown. (That it is paused is
+/// a SafeSwitch.) [FLT-2] [EXP-10]
 class ExplorerMemory {
  public:
   explicit ExplorerMemory(NodeConnections& connections);
@@ -33,7 +33,7 @@ class ExplorerMemory {
   /// The text to append to an answer: why the bounds would not survive this node; empty if they would.
   std::string keepBounds(const exploration::ExplorationBounds& bounds);
   void keepReturnToStart(bool returns);
-  /// Why the exploration has ended; nothing once it goes on.
+  /// The rule that has ended the exploration; nothing once it goes on.
   void keepEnd(const std::optional<std::string>& reason);
 
  private:

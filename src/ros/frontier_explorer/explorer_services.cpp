@@ -1,7 +1,7 @@
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
-/// What the explorer serves, with its switches, and its tunable parameters. The handlers of the bounds are in
-/// explorer_bounds.cpp, that of the poses to be inspected is in explorer_inspections.cpp.
+/// What the explorer serves, with its switches and how they outlive it, and its tunable parameters. The handlers of the
+/// bounds are in explorer_bounds.cpp, that of the poses to be inspected is in explorer_inspections.cpp.
 namespace frontier_pilot {
 
 void FrontierExplorerAdapter::addServices() {
@@ -14,6 +14,31 @@ void FrontierExplorerAdapter::addServices() {
   connections_.serve(names::kClearInspections, &FrontierExplorerAdapter::handleClearInspections, this);
   tuning_.emplace(parameters_, connections_,
                   [this](const ExplorerNodeParameters& changed) { explorer_.setParameters(changed.explorer); });
+}
+
+/// Goes on as the process before this one was left, if that has died.
+void FrontierExplorerAdapter::resume() {
+  paused_.emplace("exploration_paused", names::kSetExplorationEnabled, connections_);
+  if (const auto paused = paused_->wasLeftSafe()) enabled_ = !*paused;
+  memory_.emplace(connections_);
+  const ExplorerMemory::Left left = memory_->left();
+  if (left.returns_to_start) explorer_.setReturnToStart(*left.returns_to_start);
+  if (left.bounds) {
+    explorer_.setBounds(*left.bounds, OccupancyGrid());
+    ROS_WARN_STREAM("starts with the bounds that were set before: " << left.bounds->describe());
+  }
+  if (left.why_stand.empty()) return;
+  enabled_ = false;
+  ROS_WARN_STREAM("starts paused: " << left.why_stand);
+}
+
+/// An exploration that is paused after its end has ended still.
+void FrontierExplorerAdapter::keepEnd() {
+  if (const auto rule = explorer_.endedBy()) {
+    memory_->keepEnd(toString(*rule));
+  } else if (enabled_) {
+    memory_->keepEnd(std::nullopt);
+  }
 }
 
 bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
@@ -32,6 +57,7 @@ bool FrontierExplorerAdapter::handleReturnToStart(std_srvs::SetBool::Request& re
                                                   std_srvs::SetBool::Response& response) {
   const bool before = explorer_.returnsToStart();
   explorer_.setReturnToStart(request.data != 0);
+  memory_->keepReturnToStart(request.data != 0);
   last_status_.reset();
   tick();  // so that the status is as the answer says
   response.success = 1U;

@@ -20,8 +20,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
       diagnostics_(node, private_node),
       enabled_(parameters_.autostart),
       connections_(node) {
-  paused_.emplace("exploration_paused", names::kSetExplorationEnabled, connections_);
-  if (const auto paused = paused_->wasLeftSafe()) enabled_ = !*paused;
+  resume();
   diagnostics_.add("exploration", [this](auto& status) { diagnose(status); });
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
@@ -60,6 +59,7 @@ void FrontierExplorerAdapter::update(Time now) {
   const exploration::ExplorerOutput output = explorer_.update(inputs, now);
   team_.tell(inputs.T_map_base, explorer_.claims(), now);
   status_ = output.status;
+  keepEnd();
   saveMap(output);
   obey(output.command, now);
   report(output);

@@ -15,14 +15,15 @@
 
 #include "frontier_pilot/exploration/explorer.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
-#include "ros/common/memory/safe_switch.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/common/tuning/reconfigure_server.h"
 #include "ros/frontier_explorer/clicked_polygon.h"
+#include "ros/frontier_explorer/explorer_memory.h"
 #include "ros/frontier_explorer/move_base_client.h"
 #include "ros/frontier_explorer/save_map_caller.h"
 #include "ros/frontier_explorer/team_claims.h"
@@ -79,6 +80,8 @@ class FrontierExplorerAdapter {
   bool handleClearBounds(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool handleReturnToStart(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void addServices();
+  void resume();
+  void keepEnd();
   BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
   void closePolygon();
   void expireClicks();
@@ -132,6 +135,7 @@ class FrontierExplorerAdapter {
   ros::Publisher markers_publisher_;
   ros::Publisher goal_publisher_;
   std::optional<SafeSwitch> paused_;
+  std::optional<ExplorerMemory> memory_;
   std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;
 };

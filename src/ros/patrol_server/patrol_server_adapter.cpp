@@ -71,7 +71,7 @@ void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 
 void PatrolServerAdapter::handleStop(const std_msgs::Bool& msg) {
   inputs_.emergency_stop = msg.data != 0;
-  if (inputs_.emergency_stop) step(connections_.clock().now());
+  if (inputs_.emergency_stop) step(connections_.clock().now().value_or(rosNow()));  // also by a clock that just jumped
 }
 
 void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {

@@ -89,7 +89,7 @@ void WaypointFollowerAdapter::handleGoal(const FollowWaypointsGoal& goal) {
 
 void WaypointFollowerAdapter::handleStop(const std_msgs::Bool& msg) {
   inputs_.emergency_stop = msg.data != 0;
-  if (inputs_.emergency_stop) step(connections_.clock().now());
+  if (inputs_.emergency_stop) step(connections_.clock().now().value_or(rosNow()));  // also by a clock that just jumped
 }
 
 void WaypointFollowerAdapter::handleLegEnd(std::uint32_t leg, const actionlib::TerminalState& state) {

@@ -88,19 +88,33 @@ TEST_F(StopFollowerOfAServer, StaysStoppedWhenTheArbiterDiesWhileItIsStopped_FLT
   EXPECT_EQ(told, "SSc");
 }
 
-// [FLT-2] Without a hold-up nothing was missed.
-TEST_F(StopFollowerOfAServer, InventsNoStopWhenAnArbiterIsReplacedOrThereIsNone_FLT_2) {
+// [FLT-2] A node that is not connected to the next one yet, when it is held up, cannot have read of its stop.
+TEST_F(StopFollowerOfAServer, TakesAHoldUpBetweenTwoArbitersForAStop_FLT_2) {
+  take(false);
+  tick();
+  living = publishers = {};
+  tick();
+  EXPECT_EQ(told, "c");
+  ++hold_ups;
+  living = publishers = {"http://arbiter:2"};
+  tick(true);
+  tick();
+  EXPECT_EQ(told, "cSSc");
+}
+
+// [FLT-2] Without a hold-up nothing was missed, nor is there anything to miss before the first arbiter.
+TEST_F(StopFollowerOfAServer, InventsNoStopWhenAnArbiterIsReplacedOrThereWasNone_FLT_2) {
+  publishers = {};
+  tick();
+  ++hold_ups;
+  tick(true);
+  tick();
+  EXPECT_EQ(told, "");
+  publishers = {"http://arbiter:1"};
   take(false);
   tick();
   living = publishers = {"http://arbiter:2"};
   take(false);
-  tick();
-  EXPECT_EQ(told, "cc");
-  publishers = {};
-  tick();
-  ++hold_ups;
-  living = {};
-  tick(true);
   tick();
   EXPECT_EQ(told, "cc");
 }

@@ -13,7 +13,7 @@ void StopFollower::take(bool stopped, int hold_ups, bool catching_up) {
 void StopFollower::tick(const Uris& publishers, int hold_ups, bool catching_up) {
   noticeHoldUp(hold_ups);
   if (catching_up) return;
-  publishers_ = publishers;
+  if (!publishers.empty()) publishers_ = publishers;
   if (!clear_waits_) return;
   stopped_ = clear_waits_ = false;
   tell_(true);

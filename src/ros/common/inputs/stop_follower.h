@@ -33,7 +33,7 @@ class StopFollower {
   std::function<bool(const Uris&)> any_lives_;
   bool stopped_ = false, clear_waits_ = false;
   int hold_ups_ = 0;
-  Uris publishers_;  ///< before the last hold-up
+  Uris publishers_;  ///< before the last hold-up; those that were heard last if there was none then
 };
 
 }  // namespace frontier_pilot

@@ -53,8 +53,10 @@ std::vector<std::string> publishersOfAll(const std::vector<std::string>& topics,
 
 }  // namespace
 
-MasterWatch::MasterWatch(Duration period)
-    : period_(period), last_answer_(steadyNow()), thread_(&MasterWatch::run, this) {}
+MasterWatch::MasterWatch(Duration period) : period_(period), last_answer_(steadyNow()) {
+  claimService(ros::this_node::getName() + "/set_logger_level");  // roscpp's own
+  thread_ = std::thread(&MasterWatch::run, this);
+}
 
 MasterWatch::~MasterWatch() {
   {

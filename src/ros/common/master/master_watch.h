@@ -121,7 +121,7 @@ class MasterWatch {
   LostConnections connections_;
   OwnParameters parameters_;
   std::map<std::string, SteadyTime> remembered_;
-  std::thread thread_;  ///< the last member: it starts when all others are constructed
+  std::thread thread_;  ///< started when all others are constructed
 };
 
 }  // namespace frontier_pilot

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "frontier_pilot/core/text.h"
 #include "ros/common/master/ros_sessions.h"
@@ -127,13 +128,14 @@ void OwnParameters::sendChanges() {
   }
 }
 
-void followThePredecessor() {
+void followThePredecessor(bool is_of_roslaunch) {
   const SessionMemory memory = memoryOfThisNode();
   g_replaces_a_dead_process = memory.recall().has_value();
-  const std::optional<std::string> text = memory.recallFromElsewhere();
+  if (!is_of_roslaunch) return;
+  const std::vector<std::string> kept = memory.recallFromElsewhere();
   int offset = 0;
   XmlRpcValue both;
-  if (!text || !both.fromXml(*text, &offset) || both.getType() != XmlRpcValue::TypeStruct) return;
+  if (kept.empty() || !both.fromXml(kept.front(), &offset) || both.getType() != XmlRpcValue::TypeStruct) return;
   XmlRpcValue request;
   request[0] = ros::this_node::getName();
   while (!requestFromMaster("getPid", request)) std::this_thread::sleep_for(kMasterRetry);

@@ -41,10 +41,11 @@ class OwnParameters {
 };
 
 /// Looks for the process that died and in whose place this one was started. If the master that it knew has been
-/// replaced, the parameters that the new one lacks are set as that process had them. To be called before the node reads
+/// replaced, and roslaunch started both, the parameters that the new master lacks are set as that process had them; by
+/// hand, a node may have been started again to have the defaults. To be called before the node reads
 /// any parameter, and before ROS is started, which reads `/use_sim_time`. If there is something to set, it waits for a
 /// master. [FLT-2]
-void followThePredecessor();
+void followThePredecessor(bool is_of_roslaunch);
 /// Whether `followThePredecessor` has found one.
 bool replacesADeadProcess();
 

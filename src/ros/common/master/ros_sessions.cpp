@@ -1,12 +1,12 @@
 #include "ros/common/master/ros_sessions.h"
 
-#include <ros/master.h>
-#include <ros/param.h>
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <fstream>
+#include <optional>
 
+#include "ros/common/master/xml_rpc.h"
 #include "ros/common/memory/process_identity.h"
 
 namespace frontier_pilot {
@@ -23,13 +23,17 @@ std::string beginOfMaster(int process) {
 
 std::vector<std::string> rosSessions() {
   std::vector<std::string> sessions;
-  std::string run_id;
-  if (ros::param::get("/run_id", run_id) && !run_id.empty()) sessions.push_back(run_id);
-  XmlRpc::XmlRpcValue request, response, pid;
+  XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
-  if (!ros::master::execute("getPid", request, response, pid, true)) return sessions;
+  std::optional<XmlRpc::XmlRpcValue> pid = requestFromMaster("getPid", request);
+  request[1] = "/run_id";
+  std::optional<XmlRpc::XmlRpcValue> run_id = requestFromMaster("getParam", request);
+  if (run_id && run_id->getType() == XmlRpc::XmlRpcValue::TypeString && !static_cast<std::string>(*run_id).empty()) {
+    sessions.push_back(*run_id);
+  }
+  if (!pid || pid->getType() != XmlRpc::XmlRpcValue::TypeInt) return sessions;
   // Process ids are used again, and start again after a reboot.
-  const int process = pid;
+  const int process = *pid;
   sessions.push_back("master-" + std::to_string(process) + "-" + beginOfMaster(process) + bootId());
   return sessions;
 }

@@ -1,8 +1,10 @@
 #include "ros/common/memory/process_identity.h"
 
+#include <ros/master.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -11,14 +13,50 @@
 
 namespace frontier_pilot {
 
-std::uint64_t beginOf(int process) {
+namespace {
+
+/// The fields of /proc/<process>/stat from the third one on, which is the state; none if there is no such process.
+std::vector<std::string> statOf(int process) {
   std::string stat;
   std::getline(std::ifstream("/proc/" + std::to_string(process) + "/stat"), stat);
-  // Field 3 is the state and field 22 the start time; field 2 may contain any character and ends with the last ')'.
+  // The second field may contain any character and ends with the last ')'.
   std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
-  std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
-  if (words.size() < 20 || words.front() == "Z" || words.front() == "X") return 0;
-  return std::strtoull(words[19].c_str(), nullptr, 10);
+  return {std::istream_iterator<std::string>(fields), {}};
+}
+
+int parentOf(int process) {
+  const std::vector<std::string> fields = statOf(process);
+  return fields.size() < 2 ? 0 : std::atoi(fields[1].c_str());
+}
+
+bool isRoslaunch(int process) {
+  std::string command;
+  std::getline(std::ifstream("/proc/" + std::to_string(process) + "/cmdline"), command);
+  return command.find("roslaunch") != command.npos || command.find("robots_launcher") != command.npos;
+}
+
+/// The nearest roslaunch above this process, or its parent if there is none.
+int findStarter() {
+  for (int above = getppid(); above > 1; above = parentOf(above)) {
+    if (isRoslaunch(above)) return above;
+  }
+  return getppid();
+}
+
+/// Without spaces, and never empty.
+std::string masterUri() {
+  std::string uri = "-" + ros::master::getURI();
+  uri.erase(std::remove_if(uri.begin(), uri.end(), [](unsigned char c) { return std::isspace(c) != 0; }), uri.end());
+  return uri;
+}
+
+}  // namespace
+
+std::uint64_t beginOf(int process) {
+  constexpr std::size_t kState = 0, kStartTime = 19;
+  const std::vector<std::string> fields = statOf(process);
+  if (fields.size() <= kStartTime || fields[kState] == "Z" || fields[kState] == "X") return 0;
+  return std::strtoull(fields[kStartTime].c_str(), nullptr, 10);
 }
 
 std::string bootId() {
@@ -31,24 +69,26 @@ std::string bootId() {
 }
 
 ProcessIdentity ProcessIdentity::own() {
-  return {getpid(), getppid(), beginOf(getpid()), beginOf(getppid()), bootId()};
+  const int by = findStarter();
+  return {getpid(), by, beginOf(getpid()), beginOf(by), bootId(), masterUri()};
 }
 
 bool ProcessIdentity::lives() const { return began != 0 && beginOf(process) == began; }
 
 bool ProcessIdentity::isReplacedByThisOne() const {
   const ProcessIdentity self = own();
-  const bool same_parent = parent == self.parent && self.parent_began != 0 && parent_began == self.parent_began;
-  return process > 0 && same_parent && boot == self.boot && !lives();
+  const bool same_starter = starter == self.starter && self.starter_began != 0 && starter_began == self.starter_began;
+  return process > 0 && same_starter && boot == self.boot && master == self.master && !lives();
 }
 
 std::ostream& operator<<(std::ostream& stream, const ProcessIdentity& identity) {
-  return stream << identity.process << ' ' << identity.parent << ' ' << identity.began << ' ' << identity.parent_began
-                << ' ' << identity.boot << '\n';
+  return stream << identity.process << ' ' << identity.starter << ' ' << identity.began << ' ' << identity.starter_began
+                << ' ' << identity.boot << ' ' << identity.master << '\n';
 }
 
 std::istream& operator>>(std::istream& stream, ProcessIdentity& identity) {
-  return stream >> identity.process >> identity.parent >> identity.began >> identity.parent_began >> identity.boot;
+  return stream >> identity.process >> identity.starter >> identity.began >> identity.starter_began >> identity.boot >>
+         identity.master;
 }
 
 }  // namespace frontier_pilot

@@ -13,19 +13,21 @@ std::uint64_t beginOf(int process);
 std::string bootId();
 
 /// A process and the one that started it, told from all others that had their numbers before or have them since. A node
-/// that roslaunch restarts has the same parent as the process before it.
+/// that roslaunch restarts was started by the same process as the one before it, also if a launch-prefix lies between.
 struct ProcessIdentity {
   int process = 0;
-  int parent = 0;
-  std::uint64_t began = 0;         ///< start time of the process, because process ids are reused
-  std::uint64_t parent_began = 0;  ///< that of its parent; 0 if the parent is outside of this container
-  std::string boot;                ///< both count from the start of the computer
+  int starter = 0;                  ///< roslaunch, or the parent
+  std::uint64_t began = 0;          ///< start time of the process, because process ids are reused
+  std::uint64_t starter_began = 0;  ///< that of its starter; 0 if that is outside of this container
+  std::string boot;                 ///< both count from the start of the computer
+  std::string master;               ///< the URI of its ROS master
 
   /// Of this process.
   static ProcessIdentity own();
   /// Whether the process exists.
   bool lives() const;
-  /// Whether the process no longer exists and this one was started in its place, by the process that had started it.
+  /// Whether the process no longer exists and this one was started in its place: by the process that had started it,
+  /// and for a master at the same address.
   bool isReplacedByThisOne() const;
 };
 

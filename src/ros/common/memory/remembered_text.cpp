@@ -11,6 +11,7 @@ RememberedText::RememberedText(std::string what, const std::string& owner, Sessi
                                NodeConnections& connections)
     : what_(std::move(what)), report_(connections.memory()), memory_(rosHome(), rosSessions(), what_, owner, kind) {
   left_ = memory_.recallAll();
+  left_elsewhere_ = memory_.recallFromElsewhere();
   connections.master().onRenewal([this] {
     const std::vector<std::string> sessions = rosSessions();
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -20,6 +21,11 @@ RememberedText::RememberedText(std::string what, const std::string& owner, Sessi
     const std::lock_guard<std::mutex> lock(mutex_);
     write();
   });
+}
+
+RememberedText::~RememberedText() {
+  if (!text_) memory_.forget();
+  memory_.endInOrder();
 }
 
 std::string RememberedText::set(std::optional<std::string> text) {

@@ -19,13 +19,15 @@ class RememberedText {
   /// `what` names the text, in the name of its file and in the diagnostics ("nav_disabled"). `connections` must be
   /// destroyed before this object.
   RememberedText(std::string what, const std::string& owner, SessionMemory::Owner kind, NodeConnections& connections);
-  /// After an end in order the file of another session does not count.
-  ~RememberedText() { memory_.endInOrder(); }
+  /// After an end in order a file does not count in another session. Leaves no empty folder.
+  ~RememberedText();
   RememberedText(const RememberedText&) = delete;
   RememberedText& operator=(const RememberedText&) = delete;
 
   /// What earlier processes have left, and those that run beside this one; one that cannot be read is empty.
   const std::vector<std::string>& left() const { return left_; }
+  /// Those of them that are of another session, whose master has been replaced.
+  const std::vector<std::string>& leftElsewhere() const { return left_elsewhere_; }
   /// Puts `text` in the place of what was remembered before; nothing forgets it. Returns why it would not survive this
   /// process; empty if it would.
   std::string set(std::optional<std::string> text);
@@ -35,7 +37,7 @@ class RememberedText {
 
   std::string what_;
   MemoryReport& report_;
-  std::vector<std::string> left_;
+  std::vector<std::string> left_, left_elsewhere_;
   mutable std::mutex mutex_;  ///< guards the two that follow
   SessionMemory memory_;
   std::optional<std::string> text_;

@@ -17,10 +17,12 @@ constexpr const char* kNot = "not ";
 SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnections& connections)
     : state_(std::move(state)),
       memory_(state_, ros::names::resolve(service), SessionMemory::Owner::kService, connections) {
-  // A file that cannot be read counts as safe, and if two files differ the safe side wins.
-  const std::vector<std::string>& left = memory_.left();
-  const auto isSafe = [this](const std::string& text) { return text != kNot + state_; };
-  if (!left.empty()) set(std::any_of(left.begin(), left.end(), isSafe));
+  // A file that cannot be read counts as safe, and if two files differ the safe side wins. Of a session whose master
+  // has been replaced only the safe side counts.
+  const std::vector<std::string>&left = memory_.left(), &elsewhere = memory_.leftElsewhere();
+  const bool safe =
+      std::any_of(left.begin(), left.end(), [this](const std::string& text) { return text != kNot + state_; });
+  if (safe || left.size() > elsewhere.size()) set(safe);
 }
 
 SafeSwitch::~SafeSwitch() {

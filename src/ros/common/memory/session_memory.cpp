@@ -38,7 +38,8 @@ namespace fs = std::filesystem;
 
 /// The time of a file whose writer has ended in order. It is not kept in the file, because the disk may be full.
 constexpr timespec kEndedInOrder{0, 0};
-constexpr std::time_t kRestart = 10;  // [s], within which roslaunch restarts a node that has died
+constexpr std::time_t kRestart = 10;    // [s], within which roslaunch restarts a node that has died
+constexpr std::time_t kLongAgo = 3600;  // [s]: nobody is about to write into a folder that was made before that
 const std::time_t g_process_began = std::time(nullptr);
 
 constexpr const char* kOfProcess = "~";  // separates the process id; cannot occur within a ROS name
@@ -84,6 +85,12 @@ std::string whyNotWritable(const fs::path& folder) {
   return error ? error.message() : std::string();
 }
 
+/// Removes the folder of a session in which nothing is kept; one that is not empty stays.
+void removeIfEmpty(const fs::path& session) {
+  std::error_code error;
+  fs::remove(session, error);
+}
+
 /// Returns what went wrong; empty if nothing did.
 std::string removeAll(const std::vector<fs::path>& files) {
   std::string problem;
@@ -91,6 +98,7 @@ std::string removeAll(const std::vector<fs::path>& files) {
     std::error_code error;
     fs::remove(file, error);
     if (error) problem = error.message();
+    removeIfEmpty(file.parent_path());
   }
   return problem;
 }
@@ -146,6 +154,7 @@ SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& 
     if (root.empty()) continue;
     for (const auto& session : fs::directory_iterator(root / "frontier_pilot", error)) {
       if (isSessionOf(session.path(), own())) continue;
+      if (timeOf(session.path()) < g_process_began - kLongAgo) removeIfEmpty(session.path());
       append(elsewhere, kind_ == Owner::kService ? ofProcesses(session.path(), name_)
                                                  : std::vector<fs::path>{session.path() / name_});
     }
@@ -214,8 +223,10 @@ std::vector<std::string> SessionMemory::recallAll() const {
   return texts;
 }
 
-std::optional<std::string> SessionMemory::recallFromElsewhere() const {
-  return elsewhere_.empty() ? std::nullopt : std::optional<std::string>(textIn(elsewhere_.front()));
+std::vector<std::string> SessionMemory::recallFromElsewhere() const {
+  std::vector<std::string> texts;
+  for (const fs::path& file : elsewhere_) texts.push_back(textIn(file));
+  return texts;
 }
 
 std::optional<std::string> SessionMemory::recallOthers() const {

@@ -41,8 +41,8 @@ class SessionMemory {
   std::optional<std::string> recall() const;
   /// The texts remembered by this process, by earlier ones and by those that run at the same time.
   std::vector<std::string> recallAll() const;
-  /// The text of another session, whose writer this process replaces; nothing if there is none.
-  std::optional<std::string> recallFromElsewhere() const;
+  /// The texts of other sessions, whose writers this process replaces.
+  std::vector<std::string> recallFromElsewhere() const;
   /// The first text that another process, living or dead, has remembered in this session; nothing if there is none.
   std::optional<std::string> recallOthers() const;
   /// The files with the texts that recallAll() returns.

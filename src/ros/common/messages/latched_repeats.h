@@ -21,7 +21,7 @@ class LatchedRepeats {
 
   /// The first message of each latching publisher that arrives before `settled` counts as published before this node
   /// was there.
-  explicit LatchedRepeats(SteadyTime settled) : settled_(settled) {}
+  explicit LatchedRepeats(SteadyTime settled = SteadyTime::min()) : settled_(settled) {}
 
   /// Whether a message that arrives now by the connection with this header was published before: it is the first one
   /// that a latching publisher sends by it, and that publisher was heard by another connection already, or this node is

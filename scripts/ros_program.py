@@ -1,0 +1,65 @@
+"""How the Python programs that are ROS nodes begin and end: with one line, and an exit code, where rospy prints a traceback or waits
+for a master for ever."""
+import re
+import sys
+import time
+
+import rosgraph
+import rospy
+import yaml
+
+WORD = re.compile(r'(?P<name>[^:]*):=(?P<value>.*)', re.DOTALL)
+POLL = 0.3  # [s]
+
+
+def problem_of(word):
+    """What is wrong with a word of the command line that is for ROS; empty if nothing is."""
+    found = WORD.fullmatch(word)
+    if not found:
+        return ''
+    name, value = found.group('name', 'value')
+    if name == '__master':
+        return '' if is_address(value) else '%s is not an address like http://host:11311' % word
+    if name == '__name':
+        return '' if rosgraph.names.is_legal_base_name(value) else '%s is not a name' % word
+    if name == '__ns':
+        return '' if rosgraph.names.is_legal_name(value) else '%s is not a namespace' % word
+    if name.startswith('_') and not name.startswith('__'):
+        try:
+            yaml.safe_load(value)
+        except (yaml.YAMLError, ValueError):
+            return '%s is not YAML' % word
+    return ''
+
+
+def is_address(uri):
+    """Whether the address of a master could be one."""
+    try:
+        rosgraph.network.parse_http_host_and_port(uri)
+    except ValueError:
+        return False
+    return True
+
+
+def begin(name, **options):
+    """rospy.init_node, once there is a master. Ends the program with exit code 2 for words that ROS cannot use."""
+    problems = [problem for problem in map(problem_of, sys.argv[1:]) if problem]
+    uri = rosgraph.get_master_uri()
+    if not problems and not is_address(uri):
+        problems = ['ROS_MASTER_URI is not an address like http://host:11311: ' + uri]
+    if problems:
+        print('%s: %s' % (name, problems[0]), file=sys.stderr)
+        sys.exit(2)
+    if not rosgraph.is_master_online():
+        print('%s: no ROS master answers at %s: waiting for one, which roscore or roslaunch starts' % (name, uri), file=sys.stderr)
+        while not rosgraph.is_master_online():
+            time.sleep(POLL)
+    rospy.init_node(name, **options)
+
+
+def run(main):
+    """Ends the program with what `main` returns."""
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -1,0 +1,30 @@
+"""Where the page goes: all or nothing, and never over one of the bags or through a link."""
+import os
+import tempfile
+
+from .bag_files import ReportError
+
+
+def check(out, bags):
+    """Raises ReportError if the page must not be written to `out`."""
+    if not os.path.exists(out):
+        return
+    if not os.path.isfile(out):
+        raise ReportError('%s is no file: name another one with --out' % out)
+    if any(os.path.samefile(out, bag) for bag in bags):
+        raise ReportError('%s is one of the bags that are read: name another file with --out' % out)
+
+
+def write(out, text):
+    """Puts the page into the place of `out`; of a link, not of the file that it points to. Raises OSError."""
+    descriptor, part = tempfile.mkstemp(prefix='.report', suffix='.part', dir=os.path.dirname(os.path.abspath(out)))
+    try:
+        with open(descriptor, 'w', encoding='utf-8') as file:
+            file.write(text)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(part, 0o666 & ~mask)
+        os.replace(part, out)
+    except BaseException:
+        os.remove(part)
+        raise
