@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The node bag_player: plays a recorded drive as if the robot drove now, for a mapper that follows the ROS clock.
 
 It publishes the bag's scans, odometry and transforms, each when /clock reaches its stamp, whatever the time at which it was

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Starts the robots of robots.launch: the simulator and map_merger, and robot.launch for each robot.
 
 A launch file cannot repeat a part of itself for each entry of a list. This program is started by robots.launch, runs the other

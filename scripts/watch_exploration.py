@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Watches an exploration, prints its progress periodically, and saves the map when it is done or on Ctrl-C. A second
 Ctrl-C does not wait until it is saved.
 
