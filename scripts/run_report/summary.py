@@ -39,8 +39,9 @@ def is_simulated(run):
 
 def subject(run):
     """The robot and where it was."""
-    robot = os.path.basename(str((run.start_info or {}).get('robot') or '')).replace('.yaml', '')
-    words = 'The robot' + (' (%s)' % robot if robot else '')
+    name = run.namespace().strip('/')
+    kind = os.path.basename(str((run.start_info or {}).get('robot') or '')).replace('.yaml', '')
+    words = 'The robot' + (' ' + name if name else '') + (' (%s)' % kind if kind else '')
     if is_simulated(run):
         return words + ', simulated in the world “%s”,' % os.path.splitext(os.path.basename(
             first_parameter(run, 'simulator', 'world')))[0]

@@ -138,6 +138,12 @@ class Reading(FolderCase):
         run = self.read(namespace='/robot1')
         self.assertEqual((len(run.goals.all), run.track.length > 5.0), (4, True))
 
+    def test_one_of_several_robots_is_called_by_its_name(self):
+        run = self.read()
+        self.assertTrue(summary.subject(run).startswith('The robot'))
+        run.start_info['namespace'] = '/robot1'
+        self.assertTrue(summary.subject(run).startswith('The robot robot1'))
+
     def test_a_run_that_was_cut_off_says_so(self):
         run = self.read(seconds=30, with_end=False)
         self.assertIn('was not finished', summary.end_words(run))
