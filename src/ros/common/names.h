@@ -59,6 +59,9 @@ constexpr const char* kSetObstacleAvoidEnabled = "set_obstacle_avoid_enabled";
 constexpr const char* kMap = "map";
 constexpr const char* kMapUpdates = "map_updates";
 constexpr const char* kMapMetadata = "map_metadata";
+/// The topic of a map's changes in few bytes. It follows from that of the map, so that who remaps the one never listens
+/// to the other of another map.
+inline std::string changesOf(const std::string& map) { return map + "_changes"; }
 constexpr const char* kMergedMap = "merged_map";
 constexpr const char* kMergedMapUpdates = "merged_map_updates";
 constexpr const char* kMergedMapMetadata = "merged_map_metadata";

@@ -5,6 +5,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Bool.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -70,6 +71,8 @@ class NodeConnections {
           guard_.run(what, [&] { handle(event); });
         };
     ros::SubscribeOptions options = checkedSubscription<Msg>(topic, queue_size, unreadable_, guarded, hints);
+    const auto has_ended = [](const ros::Subscriber& subscriber) { return !subscriber; };
+    subscribers_.erase(std::remove_if(subscribers_.begin(), subscribers_.end(), has_ended), subscribers_.end());
     subscribers_.push_back(node_.subscribe(options));
     return subscribers_.back();
   }

@@ -7,6 +7,7 @@
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/mapping/map_schedule.h"
+#include "ros/common/maps/map_changes_publisher.h"
 
 namespace frontier_pilot {
 
@@ -15,7 +16,8 @@ struct MapTopics {
   std::string map, updates, metadata;
 };
 
-/// Publishes a map that changes: changes at once, the whole map less often, as the mapper does. [MUL-1]
+/// Publishes a map that changes: changes at once, the whole map less often, and both in few bytes, as the mapper does.
+/// [MUL-1]
 class GridPublisher {
  public:
   GridPublisher(ros::NodeHandle& node, const MapTopics& topics, std::string frame,
@@ -33,6 +35,7 @@ class GridPublisher {
   ros::Publisher map_;
   ros::Publisher updates_;
   ros::Publisher metadata_;
+  MapChangesPublisher compact_;
 };
 
 }  // namespace frontier_pilot

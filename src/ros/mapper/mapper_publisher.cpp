@@ -33,6 +33,7 @@ void MapperPublisher::advertise() {
   const ros::SubscriberStatusCallback note = [this](const ros::SingleSubscriberPublisher&) {
     schedule_.noteNewcomer();
   };
+  compact_.advertise(node_, topic_, frame_);  // first, so that the master never lists a mapper that has only `map`
   map_ = node_.advertise<nav_msgs::OccupancyGrid>(topic_, 1, note, {}, {}, true);
   updates_ = node_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10);
   metadata_ = node_.advertise<nav_msgs::MapMetaData>(names::kMapMetadata, 1, true);
@@ -44,6 +45,7 @@ void MapperPublisher::withdraw() {
   map_.shutdown();
   updates_.shutdown();
   metadata_.shutdown();
+  compact_.withdraw();
   advertised_ = false;
   schedule_.reset();
 }
@@ -52,11 +54,14 @@ void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
   const occupancy::OccupancyMap& map = mapper.map();
   if (!advertised_ || map.empty()) return;
   const occupancy::MapChanges changes = mapper.takeChanges();
+  compact_.publish(
+      map.geometry(), changes.cells, [&map](const CellRect& cells) { return map.projection(cells); }, now);
   if (schedule_.note(changes, now)) publishChanges(map, changes.cells, now);
   if (schedule_.isDue(map.geometry().size(), now)) publishWhole(map, now);
 }
 
 void MapperPublisher::publishChanges(const occupancy::OccupancyMap& map, const CellRect& cells, Time now) {
+  if (updates_.getNumSubscribers() == 0) return;
   const OccupancyGrid block = map.projection(cells);
   map_msgs::OccupancyGridUpdate update = toGridUpdateMsg(block, block.geometry().rect(), frame_, now);
   update.x = cells.x;

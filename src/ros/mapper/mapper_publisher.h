@@ -7,11 +7,12 @@
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/mapping/map_schedule.h"
 #include "frontier_pilot/mapping/mapper.h"
+#include "ros/common/maps/map_changes_publisher.h"
 
 namespace frontier_pilot {
 
-/// Publishes the map: changes at once on `map_updates`, the whole map less often, and nothing while another node
-/// publishes `map`. [MAP-2] [MAP-3]
+/// Publishes the map: changes at once on `map_updates`, the whole map less often, both in few bytes on `map_changes`,
+/// and nothing while another node publishes `map`. [MAP-2] [MAP-3]
 /// The message of the whole map, a byte for each cell of the box around it, is made when it is sent.
 class MapperPublisher {
  public:
@@ -42,6 +43,7 @@ class MapperPublisher {
   ros::Publisher map_;
   ros::Publisher updates_;
   ros::Publisher metadata_;
+  MapChangesPublisher compact_;
 };
 
 }  // namespace frontier_pilot

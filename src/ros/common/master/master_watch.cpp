@@ -139,6 +139,10 @@ void MasterWatch::look() {
       topics_ = frontier_pilot::listTopics(*state, *types);
     }
   }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    publishers_ = state->publishers;
+  }
   report.publishers = std::move(state->publishers);
   report_.put(std::move(report));
 }
@@ -256,6 +260,11 @@ void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {
 std::set<std::string> MasterWatch::connectedPublishersOf(const std::string& topic) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return urisOf(connected_, topic);
+}
+
+std::vector<std::string> MasterWatch::publishersOf(const std::string& topic) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return nodesOf(publishers_, topic);
 }
 
 std::vector<robot_check::Topic> MasterWatch::topics() const {

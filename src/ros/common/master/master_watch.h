@@ -61,6 +61,8 @@ class MasterWatch {
   SteadyTime lastAnswer() const { return last_answer_; }
   /// The latest report, once; nothing if there was no new one since the last call.
   std::optional<MasterReport> take() { return report_.take(); }
+  /// The nodes that publish `topic`, a resolved name, as of the last look.
+  std::vector<std::string> publishersOf(const std::string& topic) const;
   /// Whether each look is also to list all topics with their types, which costs another call.
   void listTopics(bool wanted) { lists_topics_ = wanted; }
   /// The XML-RPC URIs of the nodes from which this one receives `topic`, a resolved name, as of the last look.
@@ -104,13 +106,14 @@ class MasterWatch {
   CallbackGuard guard_;
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
-  mutable std::mutex mutex_;  ///< guards the eight that follow
+  mutable std::mutex mutex_;  ///< guards the nine that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
   std::vector<std::string> problems_;
   std::vector<robot_check::Topic> topics_;
   UrisByTopic connected_;  ///< publishers from which this node receives
+  NodesByName publishers_;
   std::vector<std::function<void()>> renewals_;
   std::map<std::string, XmlRpc::XmlRpcValue> new_parameters_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow

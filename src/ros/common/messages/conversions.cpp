@@ -198,26 +198,38 @@ std::optional<OccupancyGrid> toOccupancyGrid(const nav_msgs::OccupancyGrid& msg,
   if (msg.data.size() != area(info.width, info.height)) {
     return malformed(why, "number of cells does not match the map's size");
   }
+  const auto geometry = toGridGeometry(info, why);
+  if (!geometry) return std::nullopt;
+  if (!validCells(msg.data)) return malformed(why, "cell value outside of -1...100");
+  return OccupancyGrid(*geometry, msg.data);
+}
+
+std::optional<GridGeometry> toGridGeometry(const nav_msgs::MapMetaData& info, std::string* why) {
   if (const std::string problem = problemOf(info); !problem.empty()) return malformed(why, problem);
   const auto origin = toPose(info.origin, why);
   if (!origin) return std::nullopt;
   if (std::abs(origin->yaw) > 1e-6) return malformed(why, "map rotated");
-  if (!validCells(msg.data)) return malformed(why, "cell value outside of -1...100");
   GridGeometry geometry;
   geometry.resolution = static_cast<double>(info.resolution);
   geometry.origin = origin->position();
   geometry.width = static_cast<int>(info.width);
   geometry.height = static_cast<int>(info.height);
-  return OccupancyGrid(geometry, msg.data);
+  return geometry;
+}
+
+nav_msgs::MapMetaData toMapMetaDataMsg(const GridGeometry& geometry) {
+  nav_msgs::MapMetaData msg;
+  msg.resolution = static_cast<float>(geometry.resolution);
+  msg.width = static_cast<std::uint32_t>(geometry.width);
+  msg.height = static_cast<std::uint32_t>(geometry.height);
+  msg.origin = toPoseMsg(Pose2(geometry.origin, 0.0));
+  return msg;
 }
 
 nav_msgs::OccupancyGrid toOccupancyGridMsg(const OccupancyGrid& grid, const std::string& frame, Time stamp) {
   auto msg = stamped<nav_msgs::OccupancyGrid>(frame, stamp);
+  msg.info = toMapMetaDataMsg(grid.geometry());
   msg.info.map_load_time = msg.header.stamp;
-  msg.info.resolution = static_cast<float>(grid.resolution());
-  msg.info.width = static_cast<std::uint32_t>(grid.width());
-  msg.info.height = static_cast<std::uint32_t>(grid.height());
-  msg.info.origin = toPoseMsg(Pose2(grid.geometry().origin, 0.0));
   msg.data = grid.cells();
   return msg;
 }

@@ -64,6 +64,10 @@ std::optional<LaserScan2> toLaserScan(const sensor_msgs::LaserScan& msg, const E
 /// `scan_time` [s] is the time between two scans.
 sensor_msgs::LaserScan toLaserScanMsg(const LaserScan2& scan, const std::string& frame, double scan_time);
 
+/// Nothing if the size or the resolution is out of bounds, or the origin is not finite or is rotated.
+std::optional<GridGeometry> toGridGeometry(const nav_msgs::MapMetaData& info, std::string* why = nullptr);
+nav_msgs::MapMetaData toMapMetaDataMsg(const GridGeometry& geometry);
+
 /// Nothing if the number of cells does not match the size, the size or the resolution is out of bounds, the origin is
 /// not finite or is rotated, or a value lies outside of -1...100.
 std::optional<OccupancyGrid> toOccupancyGrid(const nav_msgs::OccupancyGrid& msg, std::string* why = nullptr);

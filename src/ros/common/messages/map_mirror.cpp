@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "frontier_pilot/core/bounds.h"
 #include "robot_check/other_names.h"
 #include "ros/common/clock.h"
+#include "ros/common/maps/map_changes.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/names.h"
 #include "ros/common/tf/frame_name.h"
@@ -61,17 +63,56 @@ std::optional<Time> RecentUpdates::applyTo(OccupancyGrid& map) const {
 void MapMirror::subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot, Need need) {
   frame_ = frame;
   topic_ = names::ofRobot(robot, names::kMap);
-  listen_ = [this, &connections] {
-    map_subscriber_.shutdown();
-    map_subscriber_ = connections.subscribeToEvents<nav_msgs::OccupancyGrid>(
-        topic_, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
-  };
-  listen_();
-  connections.subscribeToEvents<map_msgs::OccupancyGridUpdate>(
-      names::ofRobot(robot, names::kMapUpdates), 100,
-      [this](const auto& event) { handleUpdate(*event.getConstMessage(), event.getPublisherName()); });
+  updates_topic_ = names::ofRobot(robot, names::kMapUpdates);
+  changes_topic_ = names::changesOf(ros::names::resolve(topic_));
+  connections_ = &connections;
+  listenToChanges();
+  listenToMap();
+  connections.everySteady(ros::WallDuration(0.5), [this, &connections] { chooseTopics(connections.master()); });
   if (need == Need::kNeeded)
     connections.inputs().need([this](const InputWatch::Topics& topics) { return missing(topics); });
+}
+
+void MapMirror::listenToMap() {
+  map_subscriber_.shutdown();
+  updates_subscriber_.shutdown();
+  map_subscriber_ = connections_->subscribeToEvents<nav_msgs::OccupancyGrid>(
+      topic_, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
+  updates_subscriber_ = connections_->subscribeToEvents<map_msgs::OccupancyGridUpdate>(
+      updates_topic_, 100,
+      [this](const auto& event) { handleUpdate(*event.getConstMessage(), event.getPublisherName()); });
+}
+
+void MapMirror::listenToChanges() {
+  changes_subscriber_.shutdown();
+  changes_subscriber_ = connections_->subscribeToEvents<MapChanges>(changes_topic_, 100, [this](const auto& event) {
+    handleChanges(*event.getConstMessage(), event.getPublisherName());
+  });
+}
+
+bool MapMirror::isOfferedPlain(const MasterWatch& master) const {
+  const std::vector<std::string> compact = master.publishersOf(changes_topic_);
+  const std::vector<std::string> all = master.publishersOf(ros::names::resolve(topic_));
+  return std::any_of(all.begin(), all.end(), [&](const std::string& node) {
+    return std::find(compact.begin(), compact.end(), node) == compact.end();
+  });
+}
+
+void MapMirror::chooseTopics(const MasterWatch& master) {
+  constexpr Duration kBetweenQuestions = std::chrono::seconds(5);
+  if (changes_subscriber_.getNumPublishers() == 0) way_ = Way::kPlain;
+  const bool wants_map = way_ == Way::kPlain || isOfferedPlain(master);
+  const bool asks = way_ == Way::kCompact && lacks_changes_ && steadyNow() - asked_ > kBetweenQuestions;
+  const bool listens = map_subscriber_;
+  if ((wants_map == listens && !asks) || !askMaster()) return;  // without a master, each of these would wait for it
+  if (asks) {
+    asked_ = steadyNow();
+    listenToChanges();
+  }
+  if (wants_map && !listens) listenToMap();
+  if (wants_map || !listens) return;
+  map_subscriber_.shutdown();
+  updates_subscriber_.shutdown();
 }
 
 std::string MapMirror::missing(const InputWatch::Topics& topics) const {
@@ -104,23 +145,39 @@ void MapMirror::startOver() {
   recent_.clear();
 }
 
+bool MapMirror::admits(const std::string& publisher, Way way) {
+  if (mayBelongTo(publisher)) return true;
+  const std::uint32_t plain = map_subscriber_.getNumPublishers();
+  const std::uint32_t compact = changes_subscriber_.getNumPublishers();
+  // The owner may still be connected by the topics of the other kind alone.
+  const bool by_others = way != way_ && (way_ == Way::kPlain ? plain : compact) > 0;
+  if ((std::max(plain, compact) <= 1 && !by_others) || !ownerLives()) return true;
+  refused_a_map_ = true;
+  refuse(publisher);
+  return false;
+}
+
+void MapMirror::own(const std::string& publisher, const std_msgs::Header& header, Way way) {
+  if (publisher != publisher_ || way != way_) startOver();
+  publisher_ = publisher;
+  way_ = way;
+  owner_heard_ = steadyNow();
+  refused_a_map_ = false;
+  heard_frame_ = header.frame_id;
+}
+
 void MapMirror::handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
-  if (!mayBelongTo(publisher) && map_subscriber_.getNumPublishers() > 1 && ownerLives()) {
-    refused_a_map_ = true;
-    return refuse(publisher);
-  }
+  if (way_ == Way::kCompact && publisher == publisher_) return;
+  if (!admits(publisher, Way::kPlain)) return;
   std::string why;
   auto map = toOccupancyGrid(msg, &why);
   if (!map) return rejections_.add(why);
   const Time stamp = toTime(msg.header.stamp);
   // Messages of one connection arrive in order, so a stamp that goes back means that the clock was set back.
   const bool went_back = map_stamp_ && stamp < *map_stamp_;
-  if (stamp == Time{} || went_back || publisher != publisher_) startOver();
-  publisher_ = publisher;
-  owner_heard_ = steadyNow();
-  refused_a_map_ = false;
-  heard_frame_ = msg.header.frame_id;
+  if (stamp == Time{} || went_back) startOver();
+  own(publisher, msg.header, Way::kPlain);
   takeWhole(std::move(*map), stamp);
 }
 
@@ -155,6 +212,7 @@ void MapMirror::replace(OccupancyGrid map) {
 void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher) {
   if (!rightFrame(msg.header.frame_id)) return;
   if (!mayBelongTo(publisher)) return refuse(publisher);
+  if (way_ == Way::kCompact) return;
   if (publisher != publisher_) startOver();
   publisher_ = publisher;
   owner_heard_ = steadyNow();
@@ -170,6 +228,32 @@ void MapMirror::handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std
   stamp_ = stamp;
 }
 
+void MapMirror::handleChanges(const MapChanges& msg, const std::string& publisher) {
+  if (!rightFrame(msg.header.frame_id)) return;
+  const bool whole = msg.whole != 0;
+  if (whole && !admits(publisher, Way::kCompact)) return;
+  if (!whole && !mayBelongTo(publisher)) return refuse(publisher);
+  std::string why;
+  const auto changes = CheckedMapChanges::check(msg, &why);
+  if (!changes) return rejections_.add(why);
+  if (whole) {
+    own(publisher, msg.header, Way::kCompact);
+    lacks_changes_ = false;
+    replace(changes->whole());
+  } else {
+    if (way_ != Way::kCompact) return;  // its whole map has not come yet
+    owner_heard_ = steadyNow();
+    if (msg.sequence != sequence_ + 1) lacks_changes_ = true;
+    if (changes->geometry() != map_.geometry()) {
+      lacks_changes_ = true;
+      return rejections_.add("changes of a map of another size or place");
+    }
+    changed_.include(changes->applyTo(map_));
+  }
+  sequence_ = msg.sequence;
+  stamp_ = toTime(msg.header.stamp);
+}
+
 void MapMirror::remember(Time stamp, const GridUpdate& update) {
   if (stamp == Time{}) return;
   if (update_stamp_ && stamp < *update_stamp_) startOver();
@@ -181,7 +265,9 @@ void MapMirror::askAgain() {
   if (!refused_a_map_ || ownerLives()) return;
   if (!askMaster()) return;  // without a master, a new subscription would wait for it and the old one would be lost
   refused_a_map_ = false;
-  listen_();
+  way_ = Way::kPlain;
+  listenToChanges();
+  listenToMap();
 }
 
 CellRect MapMirror::takeChanged() {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <frontier_pilot/MapChanges.h>
 #include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -39,16 +40,22 @@ class RecentUpdates {
   std::optional<Time> lost_;  ///< stamp of the last update that was dropped because of the limits
 };
 
-/// A copy of `map`, kept up to date by `map_updates`, that knows which cells changed since they were last taken.
+/// A copy of `map` that knows which cells changed since they were last taken. It is kept up to date by `map_changes` if
+/// the publisher of the map offers that, in few bytes, and otherwise by `map` and `map_updates`.
 ///
-/// The two topics have a connection each, so a large map may arrive after updates that are newer than it. Maps and
-/// updates are ordered by their stamps: a map contains every update older than itself, and recent updates with its
+/// All three are listened to until a whole map has come by `map_changes`. From then on the other two are not subscribed
+/// to, as long as that topic has a publisher and no other node offers `map` alone; what still comes of them from the
+/// owner of the map is left aside. One connection brings all of `map_changes` in order, whatever the stamps. If one of
+/// its messages is lost, the map is asked for again: a publisher sends it whole to a new subscriber. [MUL-1]
+///
+/// `map` and `map_updates` have a connection each, so a large map may arrive after updates that are newer than it. Maps
+/// and updates are ordered by their stamps: a map contains every update older than itself, and recent updates with its
 /// stamp or a later one are applied to it again. Stamps are not compared across a jump of the clock (recognised when
 /// the stamps of either topic go back) nor between publishers. A map or update without a stamp is applied as it comes.
 ///
-/// The first node that sends a map owns it: while that node lives, maps and updates of any other node are refused, and
-/// counted by that node's name. A map and its updates come from one node. Once the owner of a map has died, a map that
-/// was refused is asked for again. [FLT-1]
+/// The first node that sends a map owns it: while that node lives, maps and updates of any other node are refused,
+/// whichever topics they come by, and counted by that node's name. A map and its updates come from one node. Once the
+/// owner of a map has died, a map that was refused is asked for again. [FLT-1]
 ///
 /// Malformed messages are counted with a warning and leave the copy as it was. A smaller map (of a mapper that started
 /// over) replaces a larger one, with a warning in the log.
@@ -62,9 +69,14 @@ class MapMirror {
   /// `publisher` is the name of the node that sent the message.
   void handleMap(const nav_msgs::OccupancyGrid& msg, const std::string& publisher = {});
   void handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher = {});
+  void handleChanges(const MapChanges& msg, const std::string& publisher = {});
 
-  /// Whether the topic has a publisher now.
-  bool published() const { return map_subscriber_.getNumPublishers() > 0; }
+  /// Whether the map has a publisher now.
+  bool published() const {
+    return map_subscriber_.getNumPublishers() > 0 || changes_subscriber_.getNumPublishers() > 0;
+  }
+  /// Whether a message was lost since the last whole map of `map_changes`.
+  bool lacksChanges() const { return lacks_changes_; }
   /// Whether a map has been received.
   bool ready() const { return !map_.empty(); }
   const OccupancyGrid& map() const { return map_; }
@@ -77,12 +89,25 @@ class MapMirror {
   const Rejections& rejections() const { return rejections_; }
 
  private:
+  /// By which topics a map comes: `map` and `map_updates`, or `map_changes`.
+  enum class Way { kPlain, kCompact };
+
   /// What is missing, in words; empty if there is a map and its publisher.
   std::string missing(const InputWatch::Topics& topics) const;
   bool rightFrame(const std::string& frame);
   /// Before the first map there is no owner.
   bool mayBelongTo(const std::string& publisher) const { return !ready() || publisher == publisher_; }
   void refuse(const std::string& publisher);
+  /// Whether a whole map of `publisher` that came by the topics of the kind `way` is taken; if not, it is refused.
+  bool admits(const std::string& publisher, Way way);
+  /// A map of `publisher` is taken, which owns it from now on.
+  void own(const std::string& publisher, const std_msgs::Header& header, Way way);
+  /// Whether a node publishes `map` and not `map_changes`.
+  bool isOfferedPlain(const MasterWatch& master) const;
+  /// Subscribes to those topics that are needed now.
+  void chooseTopics(const MasterWatch& master);
+  void listenToMap();
+  void listenToChanges();
   /// Whether the owner still lives. If it has been silent for five seconds, its XML-RPC port is tried.
   bool ownerLives();
   /// Subscribes anew if a map was refused whose rival has died since: publishers send their map to a new subscriber.
@@ -95,20 +120,24 @@ class MapMirror {
   void remember(Time stamp, const GridUpdate& update);
   void replace(OccupancyGrid map);
 
-  std::string topic_;
+  std::string topic_, updates_topic_, changes_topic_;
   std::string frame_, heard_frame_;
   OccupancyGrid map_;
   CellRect changed_;
   Time stamp_{};
+  Way way_ = Way::kPlain;             ///< by which the map came
   std::string publisher_;             ///< the owner of the map; before the first one, of the updates so far
   SteadyTime owner_heard_{};          ///< when the owner last sent a message, or was found alive
   std::optional<Time> map_stamp_;     ///< of the last map; none after `startOver`
   std::optional<Time> update_stamp_;  ///< of the last update that had one
   RecentUpdates recent_;
+  std::uint32_t sequence_ = 0;  ///< of the last message of `map_changes`
+  bool lacks_changes_ = false;
+  SteadyTime asked_{};  ///< when the map was last asked for because changes were lost
   Rejections rejections_{"map message"};
-  ros::Subscriber map_subscriber_;
-  std::function<void()> listen_;  ///< subscribes to the map, anew if need be
-  bool refused_a_map_ = false;    ///< since the map was last asked for, or last came from its owner
+  NodeConnections* connections_ = nullptr;  ///< null before `subscribe`
+  ros::Subscriber map_subscriber_, updates_subscriber_, changes_subscriber_;
+  bool refused_a_map_ = false;  ///< since the map was last asked for, or last came from its owner
 };
 
 }  // namespace frontier_pilot
