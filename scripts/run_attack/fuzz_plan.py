@@ -3,7 +3,7 @@ import re
 
 # What tells the robot where it is and what is around it, and the simulator what the world is. Lies there may move it into a wall.
 # The mapper withdraws its map as long as somebody else publishes one. [MAP-3]
-WORLD = re.compile(r'/(clock|tf|tf_static|scan|odom|map|map_updates|simulator/.*|reset_positions)$')
+WORLD = re.compile(r'/(clock|tf|tf_static|scan|odom|map|map_updates|map_changes|simulator/.*|reset_positions)$')
 # Who publishes these drives the robot, with no look at the scan.
 WHEELS = re.compile(r'/cmd_vel(_[a-z]+)?$')
 # A report of another arbiter that the robot is stopped, true or not, stops it: nothing would move any more.

@@ -29,6 +29,7 @@ NodeUsage frontierExplorerUsage() {
       "nothing is left that can be reached.";
   usage.reads = {port<nav_msgs::OccupancyGrid>(names::kMap),
                  port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
+                 port<MapChanges>(names::changesOf(names::kMap)),
                  port<nav_msgs::Odometry>(names::kOdom),
                  port<geometry_msgs::PointStamped>(names::kClickedPoint),
                  port<geometry_msgs::PoseStamped>(names::kInspect),

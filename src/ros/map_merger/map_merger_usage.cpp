@@ -1,3 +1,4 @@
+#include <frontier_pilot/MapChanges.h>
 #include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/MapMetaData.h>
 #include <nav_msgs/OccupancyGrid.h>
@@ -17,13 +18,16 @@ NodeUsage mapMergerUsage() {
       "for each robot a map in its own frame in which it also sees what the others know.";
   const auto ofEach = [](const char* name) { return names::ofRobot("ROBOT", name); };
   usage.reads = {port<nav_msgs::OccupancyGrid>(ofEach(names::kMap)),
-                 port<map_msgs::OccupancyGridUpdate>(ofEach(names::kMapUpdates)), port<tf2_msgs::TFMessage>(names::kTf),
+                 port<map_msgs::OccupancyGridUpdate>(ofEach(names::kMapUpdates)),
+                 port<MapChanges>(names::changesOf(ofEach(names::kMap))), port<tf2_msgs::TFMessage>(names::kTf),
                  port<tf2_msgs::TFMessage>(names::kTfStatic)};
   usage.publishes = {port<nav_msgs::OccupancyGrid>(names::kMap),
                      port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
+                     port<MapChanges>(names::changesOf(names::kMap)),
                      port<nav_msgs::MapMetaData>(names::kMapMetadata),
                      port<nav_msgs::OccupancyGrid>(ofEach(names::kMergedMap)),
                      port<map_msgs::OccupancyGridUpdate>(ofEach(names::kMergedMapUpdates)),
+                     port<MapChanges>(names::changesOf(ofEach(names::kMergedMap))),
                      port<nav_msgs::MapMetaData>(ofEach(names::kMergedMapMetadata)),
                      port<tf2_msgs::TFMessage>(names::kTf)};
   usage.services = {servicePort<SaveMap>(names::kSaveMergedMap)};

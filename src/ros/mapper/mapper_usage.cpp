@@ -1,6 +1,7 @@
 #include "ros/common/help/usages.h"
 
 #include <frontier_pilot/LoadMap.h>
+#include <frontier_pilot/MapChanges.h>
 #include <frontier_pilot/SaveMap.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <map_msgs/OccupancyGridUpdate.h>
@@ -28,7 +29,8 @@ NodeUsage mapperUsage() {
                  port<tf2_msgs::TFMessage>(names::kTf), port<tf2_msgs::TFMessage>(names::kTfStatic)};
   usage.publishes = {port<nav_msgs::OccupancyGrid>(names::kMap),
                      port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
-                     port<nav_msgs::MapMetaData>(names::kMapMetadata), port<tf2_msgs::TFMessage>(names::kTf)};
+                     port<MapChanges>(names::changesOf(names::kMap)), port<nav_msgs::MapMetaData>(names::kMapMetadata),
+                     port<tf2_msgs::TFMessage>(names::kTf)};
   usage.services = {servicePort<nav_msgs::GetMap>(names::kDynamicMap), servicePort<SaveMap>(names::kSaveMap),
                     servicePort<LoadMap>(names::kLoadMap), servicePort<std_srvs::Trigger>(names::kLocalize),
                     servicePort<std_srvs::Trigger>(names::kResetMap)};

@@ -44,6 +44,7 @@ NodeUsage teleopGuiUsage() {
                  port<NavigatorProgress>(names::kNavigatorProgress),
                  port<nav_msgs::OccupancyGrid>(names::kMap),
                  port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
+                 port<MapChanges>(names::changesOf(names::kMap)),
                  port<nav_msgs::Path>(names::kPlan),
                  port<visualization_msgs::MarkerArray>(names::kFrontiers),
                  port<tf2_msgs::TFMessage>(names::kTf),

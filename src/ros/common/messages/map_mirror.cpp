@@ -100,7 +100,7 @@ bool MapMirror::isOfferedPlain(const MasterWatch& master) const {
 
 void MapMirror::chooseTopics(const MasterWatch& master) {
   constexpr Duration kBetweenQuestions = std::chrono::seconds(5);
-  if (changes_subscriber_.getNumPublishers() == 0) way_ = Way::kPlain;
+  if (changes_subscriber_.getNumPublishers() == 0 && !isAsking()) way_ = Way::kPlain;
   const bool wants_map = way_ == Way::kPlain || isOfferedPlain(master);
   const bool asks = way_ == Way::kCompact && lacks_changes_ && steadyNow() - asked_ > kBetweenQuestions;
   const bool listens = map_subscriber_;
@@ -113,6 +113,15 @@ void MapMirror::chooseTopics(const MasterWatch& master) {
   if (wants_map || !listens) return;
   map_subscriber_.shutdown();
   updates_subscriber_.shutdown();
+}
+
+bool MapMirror::published() const {
+  return map_subscriber_.getNumPublishers() > 0 || changes_subscriber_.getNumPublishers() > 0 || isAsking();
+}
+
+bool MapMirror::isAsking() const {
+  constexpr Duration kConnecting = std::chrono::seconds(2);
+  return lacks_changes_ && steadyNow() - asked_ < kConnecting;
 }
 
 std::string MapMirror::missing(const InputWatch::Topics& topics) const {

@@ -72,9 +72,7 @@ class MapMirror {
   void handleChanges(const MapChanges& msg, const std::string& publisher = {});
 
   /// Whether the map has a publisher now.
-  bool published() const {
-    return map_subscriber_.getNumPublishers() > 0 || changes_subscriber_.getNumPublishers() > 0;
-  }
+  bool published() const;
   /// Whether a message was lost since the last whole map of `map_changes`.
   bool lacksChanges() const { return lacks_changes_; }
   /// Whether a map has been received.
@@ -104,6 +102,8 @@ class MapMirror {
   void own(const std::string& publisher, const std_msgs::Header& header, Way way);
   /// Whether a node publishes `map` and not `map_changes`.
   bool isOfferedPlain(const MasterWatch& master) const;
+  /// Whether the map was asked for because changes were lost, so recently that its publisher may not be connected yet.
+  bool isAsking() const;
   /// Subscribes to those topics that are needed now.
   void chooseTopics(const MasterWatch& master);
   void listenToMap();
