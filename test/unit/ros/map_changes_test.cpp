@@ -97,7 +97,7 @@ TEST(CheckedMapChanges, FLT_1_WhateverTheNumbersAMessageIsRefusedOrChangesOnlyIt
     OccupancyGrid map = test::drawWorld(kRoom).map;
     const OccupancyGrid before = map;
     const CellRect changed = checked->applyTo(map);
-    ASSERT_EQ(changed.intersection(box), changed);
+    ASSERT_TRUE(changed.empty() || changed.intersection(box) == changed);
     ASSERT_EQ(changed, difference(before, map));
   }
   EXPECT_GT(taken, 1000);
