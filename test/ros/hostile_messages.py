@@ -10,6 +10,7 @@ import rospy
 import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from frontier_pilot.msg import MapBlock, MapChanges
 from frontier_pilot.srv import RemoveObstacle, SetPose, SpawnObstacle
 from geometry_msgs.msg import Pose2D, PoseStamped, PoseWithCovarianceStamped, TransformStamped
 from map_msgs.msg import OccupancyGridUpdate
@@ -96,11 +97,12 @@ class HostileMessages(unittest.TestCase):
         cls.frames = tf2_ros.StaticTransformBroadcaster()
         cls.maps = rospy.Publisher('/reader/map', OccupancyGrid, queue_size=5, latch=True)
         cls.updates = rospy.Publisher('/reader/map_updates', OccupancyGridUpdate, queue_size=100)
+        cls.changes = rospy.Publisher('/reader/map_changes', MapChanges, queue_size=5)
         cls.goals = rospy.Publisher('/reader/move_base_simple/goal', PoseStamped, queue_size=5)
         cls.scans = rospy.Publisher('/scan', LaserScan, queue_size=5)
         cls.odometry = rospy.Publisher('/odom', Odometry, queue_size=5)
         cls.poses = rospy.Publisher('/initialpose', PoseWithCovarianceStamped, queue_size=5)
-        connections = ((cls.maps, 2), (cls.updates, 2), (cls.goals, 1), (cls.scans, 4), (cls.odometry, 4),
+        connections = ((cls.maps, 2), (cls.updates, 2), (cls.changes, 2), (cls.goals, 1), (cls.scans, 4), (cls.odometry, 4),
                        (cls.poses, 1))
         assert wait_for(lambda: all(topic.get_num_connections() >= count for topic, count in connections), 30.0)
         cls.maps.publish(map_of(box_in_a_room(), 200))
@@ -168,6 +170,20 @@ class HostileMessages(unittest.TestCase):
         for node in MAP_READERS:
             more = memory_of(self.pids[node])[0] - before[node]
             self.assertLess(more, 250.0, node + ' keeps nothing of it [MB] [FLT-1]')
+
+    def test_a_few_bytes_that_stand_for_too_many_cells(self):  # [FLT-1]
+        before = {node: memory_of(self.pids[node])[0] for node in MAP_READERS}
+        for width, blocks, text in ((65536, [], 'map of more than 20000 cells along a side'),
+                                    (6000, [], 'runs malformed, or not as many cells as the blocks have'),
+                                    (6000, [MapBlock(0, 0, 6000, 6000)] * 2, 'blocks of more cells than the map has')):
+            msg = MapChanges(whole=not blocks, blocks=blocks, runs=b'\x3f\xff\xff\xff\xff' * 3)
+            msg.header.frame_id = 'map'
+            msg.info = map_of([0] * width, width).info
+            msg.info.height = width
+            self.expect_refusal(MAP_READERS, 'map message', text, lambda: self.changes.publish(msg))
+        for node in MAP_READERS:
+            more = memory_of(self.pids[node])[0] - before[node]
+            self.assertLess(more, 30.0, node + ' decodes nothing of it [MB] [FLT-1]')
 
     def test_the_largest_maps_that_are_taken(self):  # [FLT-1]
         before = {node: memory_of(self.pids[node])[0] for node in MAP_READERS}

@@ -2,6 +2,7 @@
 
 #include <frontier_pilot/ExplorerStatus.h>
 #include <frontier_pilot/FleetClaims.h>
+#include <frontier_pilot/MapChanges.h>
 #include <frontier_pilot/SaveMap.h>
 #include <frontier_pilot/SetBounds.h>
 #include <geometry_msgs/PointStamped.h>

@@ -1,6 +1,7 @@
 #include "ros/common/help/usages.h"
 
 #include <frontier_pilot/FleetMotion.h>
+#include <frontier_pilot/MapChanges.h>
 #include <frontier_pilot/NavigatorProgress.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>

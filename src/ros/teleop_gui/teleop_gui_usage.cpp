@@ -6,6 +6,7 @@
 #include <frontier_pilot/FleetStopStatus.h>
 #include <frontier_pilot/FollowWaypointsAction.h>
 #include <frontier_pilot/LoadMap.h>
+#include <frontier_pilot/MapChanges.h>
 #include <frontier_pilot/NavigatorProgress.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <frontier_pilot/SaveMap.h>

@@ -100,11 +100,14 @@ bool MapMirror::isOfferedPlain(const MasterWatch& master) const {
 
 void MapMirror::chooseTopics(const MasterWatch& master) {
   constexpr Duration kBetweenQuestions = std::chrono::seconds(5);
+  constexpr Duration kRecent = std::chrono::seconds(2);
   if (changes_subscriber_.getNumPublishers() == 0 && !isAsking()) way_ = Way::kPlain;
   const bool wants_map = way_ == Way::kPlain || isOfferedPlain(master);
   const bool asks = way_ == Way::kCompact && lacks_changes_ && steadyNow() - asked_ > kBetweenQuestions;
   const bool listens = map_subscriber_;
-  if ((wants_map == listens && !asks) || !askMaster()) return;  // without a master, each of these would wait for it
+  if (wants_map == listens && !asks) return;
+  // Without a master, each of these would wait for it. One that hangs is not asked: that takes long.
+  if (steadyNow() - master.lastAnswer() > kRecent || !askMaster()) return;
   if (asks) {
     asked_ = steadyNow();
     listenToChanges();
@@ -172,6 +175,7 @@ void MapMirror::own(const std::string& publisher, const std_msgs::Header& header
   way_ = way;
   owner_heard_ = steadyNow();
   refused_a_map_ = false;
+  lacks_changes_ = false;
   heard_frame_ = header.frame_id;
 }
 
@@ -247,7 +251,6 @@ void MapMirror::handleChanges(const MapChanges& msg, const std::string& publishe
   if (!changes) return rejections_.add(why);
   if (whole) {
     own(publisher, msg.header, Way::kCompact);
-    lacks_changes_ = false;
     replace(changes->whole());
   } else {
     if (way_ != Way::kCompact) return;  // its whole map has not come yet
