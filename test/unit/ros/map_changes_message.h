@@ -13,6 +13,8 @@
 /// Messages of the topic `map_changes`, as a publisher sends them.
 namespace frontier_pilot::test {
 
+constexpr const char* kRoom = "#####\n#...#\n#...#\n#####";
+
 inline MapChanges emptyChanges(const GridGeometry& geometry, std::uint32_t sequence, double seconds) {
   MapChanges msg;
   msg.header.frame_id = "map";

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/core/files.h"
 #include "support/temporary_folder.h"
 
 namespace frontier_pilot {
