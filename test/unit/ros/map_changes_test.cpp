@@ -97,7 +97,9 @@ TEST(CheckedMapChanges, FLT_1_WhateverTheNumbersAMessageIsRefusedOrChangesOnlyIt
     const OccupancyGrid before = map;
     const CellRect changed = checked->applyTo(map);
     ASSERT_TRUE(changed.empty() || changed.intersection(box) == changed);
-    ASSERT_EQ(changed, difference(before, map));
+    CellRect all = changed;
+    all.include(difference(before, map));
+    ASSERT_EQ(all, changed) << "blocks that overlap may undo each other";
   }
   EXPECT_GT(taken, 1000);
 }
