@@ -8,7 +8,6 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -95,8 +94,7 @@ TEST_F(SessionMemoryFile, OverwritesNothingThatALinkPointsAt_ARB_7_FLT_1) {
   std::ofstream(home / "victim") << "precious";
   fs::create_symlink(home / "victim", file());
   EXPECT_EQ(memory().remember("called by /me"), "");
-  std::ifstream victim(home / "victim");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(victim), {}), "precious");
+  EXPECT_EQ(readFile(home / "victim", 100).bytes, "precious");
   EXPECT_EQ(memory().recall(), "called by /me");
 }
 
