@@ -41,20 +41,26 @@ def is_address(uri):
     return True
 
 
-def begin(name, **options):
-    """rospy.init_node, once there is a master. Ends the program with exit code 2 for words that ROS cannot use."""
+def begin(name, wanted=lambda: True, **options):
+    """rospy.init_node, once there is a master; returns whether it was begun before `wanted()` became false. Ends the program with
+    exit code 2 for words that ROS cannot use."""
     problems = [problem for problem in map(problem_of, sys.argv[1:]) if problem]
-    uri = rosgraph.get_master_uri()
+    uri = '' if problems else rosgraph.get_master_uri()
     if not problems and not is_address(uri):
         problems = ['ROS_MASTER_URI is not an address like http://host:11311: ' + uri]
     if problems:
         print('%s: %s' % (name, problems[0]), file=sys.stderr)
         sys.exit(2)
-    if not rosgraph.is_master_online():
-        print('%s: no ROS master answers at %s: waiting for one, which roscore or roslaunch starts' % (name, uri), file=sys.stderr)
-        while not rosgraph.is_master_online():
-            time.sleep(POLL)
-    rospy.init_node(name, **options)
+    waits = False
+    while wanted() and not rosgraph.is_master_online():
+        if not waits:
+            print('%s: no ROS master answers at %s: waiting for one, which roscore or roslaunch starts' % (name, uri),
+                  file=sys.stderr, flush=True)
+        waits = True
+        time.sleep(POLL)
+    if wanted():
+        rospy.init_node(name, **options)
+    return wanted()
 
 
 def run(main):

@@ -113,14 +113,6 @@ class Interrupt:
         self.number = number
 
 
-def master_is_up():
-    try:
-        rospy.get_master().getPid()
-        return True
-    except OSError:
-        return False
-
-
 def say_the_end(watcher, began):
     """Whether the exploration ended as it was asked to."""
     status = watcher.status
@@ -138,14 +130,11 @@ def main():
     parser.add_argument('--period', type=float, default=5.0, help='seconds between two progress lines')
     arguments = parser.parse_args(rospy.myargv()[1:])
     interrupt = Interrupt()
-    while not master_is_up() and not interrupt.number:
-        time.sleep(0.2)
-    if interrupt.number:
-        return 128 + interrupt.number
     # Periods are on the steady clock, because simulated time may stand still or run at any speed.
     # A name from outside could be that of a running node, which ROS would then shut down.
     words = [word for word in sys.argv if not word.startswith('__name:=')]
-    ros_program.begin('watch_exploration', argv=words, anonymous=True, disable_signals=True)
+    if not ros_program.begin('watch_exploration', lambda: not interrupt.number, argv=words, anonymous=True, disable_signals=True):
+        return 128 + interrupt.number
     began = time.monotonic()
     watcher = Watcher(arguments.period)
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:

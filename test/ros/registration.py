@@ -241,10 +241,11 @@ class Registration(unittest.TestCase):
         subscribed = [topic for topic, nodes in self.state()[1] if '/cmd_vel_arbiter' in nodes]
         self.assertIn('/clock', subscribed, 'it follows the clock of the simulation')
         server.deleteParam('/cmd_vel_arbiter')
+        before = server.lookupService('/emergency_stop')
         arbiter.kill()
         arbiter.wait()
         self.node('cmd_vel_arbiter', log)
-        time.sleep(3.0)
+        self.assertTrue(wait_for(lambda: server.lookupService('/emergency_stop') != before, 20.0))
         self.assertFalse(server.hasParam('/cmd_vel_arbiter'), 'the same master: somebody wanted the defaults')
 
     # [FLT-1] [FLT-2]

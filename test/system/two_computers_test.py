@@ -30,9 +30,13 @@ class TwoComputers(unittest.TestCase):
         if not emulated_network.enter_a_namespace():
             raise unittest.SkipTest('only root may make a network')
         cls.desk = emulated_network.Computer()
+        cls.addClassCleanup(cls.desk.end)
         cls.link = emulated_network.Link(cls.desk, DELAY, LOSS)
-        os.environ.update(ROS_MASTER_URI='http://%s:%d' % (HERE, PORT), ROS_IP=HERE)
+        cls.addClassCleanup(cls.link.end)
         cls.processes = []
+        cls.addClassCleanup(cls.end)  # also if what follows fails, and before the network goes
+        os.environ.pop('ROS_HOSTNAME', None)
+        os.environ.update(ROS_MASTER_URI='http://%s:%d' % (HERE, PORT), ROS_IP=HERE)
         cls.start(['roslaunch', 'frontier_pilot', 'robots_world.launch', 'fleet:=false', 'robot:=fast'])
         if not wait_until(cls.master_answers, 60):
             raise AssertionError('no master')
@@ -49,7 +53,7 @@ class TwoComputers(unittest.TestCase):
         rospy.Subscriber('/map', OccupancyGrid, lambda message: cls.maps.append(message), buff_size=1 << 22)
 
     @classmethod
-    def tearDownClass(cls):
+    def end(cls):
         for process in reversed(cls.processes):
             process.send_signal(signal.SIGINT)
         for process in reversed(cls.processes):
@@ -58,11 +62,10 @@ class TwoComputers(unittest.TestCase):
             except subprocess.TimeoutExpired:
                 os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
-        cls.link.end()
-        cls.desk.end()
 
     @classmethod
     def start(cls, command):
+        command = ['setpriv', '--pdeathsig', 'INT', '--'] + command
         cls.processes.append(subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, start_new_session=True))
 
     @staticmethod
@@ -87,10 +90,12 @@ class TwoComputers(unittest.TestCase):
 
     def drives(self, name, patience=60.0):
         """Whether the robot gets ahead, or has nothing left to explore."""
-        before = self.places_of.get(name, (0.0, 0.0))
+        if not wait_until(lambda: name in self.places_of, patience):
+            return False
+        before = self.places_of[name]
 
         def has_moved():
-            here = self.places_of.get(name, before)
+            here = self.places_of[name]
             done = name in self.states and self.states[name].state == ExplorerStatus.DONE
             return done or max(abs(a - b) for a, b in zip(here, before)) > 0.3
         return wait_until(has_moved, patience)
@@ -107,8 +112,8 @@ class TwoComputers(unittest.TestCase):
         self.link.cut = True
         time.sleep(OUTAGE)
         self.link.cut = False
-        maps = len(self.maps)
-        self.assertTrue(wait_until(lambda: len(self.maps) > maps, 90), 'the common map does not come back')
+        back = rospy.Time.now()
+        self.assertTrue(wait_until(lambda: self.maps[-1].header.stamp > back, 90), 'the common map does not come back')
         for name in ROBOTS:
             self.assertTrue(self.drives(name, 90), name)
         answer = self.stop_all()

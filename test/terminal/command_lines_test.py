@@ -91,9 +91,9 @@ class CommandLines(unittest.TestCase):
     # [FLT-1]
     def test_words_for_ros_that_it_cannot_use_are_named_in_one_line(self):
         of_python = ['_x:={', '__name:=a b']
-        for name, more in (('run_recorder', of_python), ('bag_player.py', of_python), ('simulator', []), ('check_robot', [])):
+        for name, more in (('run_recorder', of_python), ('bag_player.py', of_python), ('watch_exploration.py', []), ('simulator', []), ('check_robot', [])):
             program = BUILD / 'devel/lib/frontier_pilot' / name
-            for word in ['__master:=nowhere', '__master:=http://'] + more:
+            for word in ['__master:=nowhere', '__master:=http://', '__master:='] + more:
                 with self.subTest(program=name, word=word):
                     code, out, err = call(program, word)
                     self.assertNotEqual(code, 0)

@@ -66,6 +66,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
 void CmdVelArbiterAdapter::sayLastWords() {
   publish(Twist2{});
   memory_.endInOrder();
+  for (SafeSwitch& source : switches_) source.end();
 }
 
 void CmdVelArbiterAdapter::addSource(std::size_t source) {

@@ -18,10 +18,10 @@
 #include "ros/common/diagnostics.h"
 #include "ros/common/hold_up_watch.h"
 #include "ros/common/master/ros_sessions.h"
+#include "ros/common/memory/safe_switch.h"
 #include "ros/common/memory/session_memory.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/publish_flush.h"
-#include "ros/common/memory/safe_switch.h"
 #include "ros/common/tuning/reconfigure_server.h"
 
 namespace frontier_pilot {

@@ -152,12 +152,12 @@ class NodeConnections {
       msg.data = static_cast<std::uint8_t>(stopped);
       (node->*handle)(msg);
     };
-    const auto follower = std::make_shared<StopFollower>(tell, anyLives);
+    const auto follower = std::make_shared<StopFollower>(tell, anyMayLive);
     const ros::Subscriber state = subscribe<std_msgs::Bool>(
         names::kEmergencyStopState, kStopsAndClears,
         [this, follower](const std_msgs::Bool& msg) {
           clock_.now();  // notices a hold-up
-          follower->take(msg.data != 0, clock_.holdUps(), clock_.isCatchingUp());
+          follower->take(msg.data != 0, clock_.holdUps());
         },
         ros::TransportHints().tcpNoDelay());
     everySteady(ros::WallDuration(0.05), [this, follower, topic = state.getTopic()] {

@@ -22,6 +22,7 @@
 #include "ros/common/master/namesake.h"
 #include "ros/common/master/own_parameters.h"
 #include "ros/common/master/slave_api.h"
+#include "ros/common/master/xml_rpc.h"
 #include "ros/common/parameters.h"
 #include "ros/common/publish_flush.h"
 
@@ -88,8 +89,15 @@ void flush() {
   if (ros::ok()) PublishFlush().wait(kLastWordsPatience);
 }
 
+/// roscpp waits for ever for a master that hangs, to unregister: the node ends all the same. One that is saving a map
+/// may take longer, as long as the master answers.
+void limitTheEnd() {
+  XmlRpc::XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  if (!requestFromMaster("getPid", request)) alarm(kEndPatience);
+}
+
 void end(const RunningNode& running) {
-  alarm(kEndPatience);
   if (!running.say_last_words) return;
   CallbackGuard guard;
   guard.run("the last words", running.say_last_words);
@@ -151,6 +159,7 @@ int runNode(int argc, char** argv, const NodeUsage& usage,
         const RunningNode running = make(node, private_node);
         spinUntilStopped();
         end(running);
+        limitTheEnd();
         return 0;
       },
       check);

@@ -25,6 +25,10 @@ bool read(std::istream& text, std::vector<Vec2>& corners) {
   return !text.fail();
 }
 
+std::string inWords(const std::string& problem) {
+  return problem.empty() ? problem : "; would not survive a restart: " + problem;
+}
+
 std::string nodeName() { return ros::this_node::getName(); }
 
 }  // namespace
@@ -61,8 +65,8 @@ ExplorerMemory::ExplorerMemory(NodeConnections& connections)
   if (!end_.left().empty()) ended_ = end_.left().front();
 }
 
-ExplorerMemory::~ExplorerMemory() {
-  for (RememberedText* text : {&bounds_, &return_, &end_}) text->set(std::nullopt);
+void ExplorerMemory::end() {
+  for (RememberedText* text : {&bounds_, &return_, &end_}) text->end(true);
 }
 
 ExplorerMemory::Left ExplorerMemory::left() const {
@@ -76,11 +80,12 @@ ExplorerMemory::Left ExplorerMemory::left() const {
 }
 
 std::string ExplorerMemory::keepBounds(const exploration::ExplorationBounds& bounds) {
-  const std::string problem = bounds_.set(toText(bounds));
-  return problem.empty() ? problem : "; would not survive a restart: " + problem;
+  return inWords(bounds_.set(toText(bounds)));
 }
 
-void ExplorerMemory::keepReturnToStart(bool returns) { return_.set(returns ? kReturns : kStays); }
+std::string ExplorerMemory::keepReturnToStart(bool returns) {
+  return inWords(return_.set(returns ? kReturns : kStays));
+}
 
 void ExplorerMemory::keepEnd(const std::optional<std::string>& reason) {
   if (reason == ended_) return;

@@ -12,13 +12,13 @@ namespace frontier_pilot {
 std::string toText(const exploration::ExplorationBounds& bounds);
 std::optional<exploration::ExplorationBounds> boundsIn(const std::string& text);
 
-/// What an operator has told an explorer, and whether a stopping rule has ended its exploration, beyond the death of the
-/// node: the next one must neither leave the bounds nor drive off again. All is forgotten at a regular shutdown. (That it is paused is
-/// a SafeSwitch.) [FLT-2] [EXP-10]
+/// What an operator has told an explorer, and whether a stopping rule has ended its exploration, beyond the death of
+/// the node: the next one must neither leave the bounds nor drive off again. All is forgotten at a regular shutdown.
+/// (That it is paused is a SafeSwitch.) [FLT-2] [EXP-10]
 class ExplorerMemory {
  public:
   explicit ExplorerMemory(NodeConnections& connections);
-  ~ExplorerMemory();
+  ~ExplorerMemory() { end(); }
   ExplorerMemory(const ExplorerMemory&) = delete;
   ExplorerMemory& operator=(const ExplorerMemory&) = delete;
 
@@ -30,11 +30,14 @@ class ExplorerMemory {
   };
   Left left() const;
 
-  /// The text to append to an answer: why the bounds would not survive this node; empty if they would.
+  /// The text to append to an answer: why the bounds, or the way home, would not survive this node; empty if they
+  /// would.
   std::string keepBounds(const exploration::ExplorationBounds& bounds);
-  void keepReturnToStart(bool returns);
+  std::string keepReturnToStart(bool returns);
   /// The rule that has ended the exploration; nothing once it goes on.
   void keepEnd(const std::optional<std::string>& reason);
+  /// Forgets all of it: a regular end.
+  void end();
 
  private:
   RememberedText bounds_, return_, end_;

@@ -57,13 +57,13 @@ bool FrontierExplorerAdapter::handleReturnToStart(std_srvs::SetBool::Request& re
                                                   std_srvs::SetBool::Response& response) {
   const bool before = explorer_.returnsToStart();
   explorer_.setReturnToStart(request.data != 0);
-  memory_->keepReturnToStart(request.data != 0);
+  const std::string problem = memory_->keepReturnToStart(request.data != 0);
   last_status_.reset();
   tick();  // so that the status is as the answer says
   response.success = 1U;
   response.message =
       std::string(explorer_.returnsToStart() ? "returns to the start at the end" : "stays where the exploration ends") +
-      (before == explorer_.returnsToStart() ? " already: nothing changed" : "");
+      (before == explorer_.returnsToStart() ? " already: nothing changed" : "") + problem;
   return true;
 }
 

@@ -59,7 +59,10 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
   publishStatus(true);
 }
 
-void ObstacleAvoiderAdapter::sayLastWords() { publish(avoider_.setEnabled(false, rosNow())); }
+void ObstacleAvoiderAdapter::sayLastWords() {
+  publish(avoider_.setEnabled(false, rosNow()));
+  switched_on_->end();
+}
 
 void ObstacleAvoiderAdapter::handleScan(const sensor_msgs::LaserScan& msg) {
   std::string why;

@@ -10,10 +10,10 @@
 
 #include "frontier_pilot/avoid/avoider.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/scan_motion_report.h"
 #include "ros/common/names.h"
 #include "ros/common/node_connections.h"
-#include "ros/common/memory/safe_switch.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/common/tuning/reconfigure_server.h"
 

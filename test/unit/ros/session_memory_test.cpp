@@ -252,7 +252,8 @@ TEST_F(SessionMemoryFile, OfALastingNodeIsFoundInANewSessionHoweverLateButNotTak
     return SessionMemory(home, {session}, "stopped", "/robot/arbiter", SessionMemory::Owner::kLastingNode);
   };
   writeAsADeadOne(lasting("session"));
-  fs::last_write_time(file(), fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const fs::path kept = file().parent_path() / "lasting_stopped.robot.arbiter";
+  fs::last_write_time(kept, fs::file_time_type::clock::now() - std::chrono::hours(1));
   EXPECT_EQ(inAChild([&] { return static_cast<int>(lasting("new").recallFromElsewhere().size()); }), 1);
   EXPECT_EQ(inAChild([&] { return static_cast<int>(lasting("session").recallFromElsewhere().size()); }), 0);
 }

@@ -10,7 +10,7 @@ namespace {
 class StopFollowerOfAServer : public ::testing::Test {
  protected:
   void tick(bool catching_up = false) { follower.tick(publishers, hold_ups, catching_up); }
-  void take(bool stopped, bool catching_up = false) { follower.take(stopped, hold_ups, catching_up); }
+  void take(bool stopped) { follower.take(stopped, hold_ups); }
 
   std::string told;  ///< S for a stop, c for a clear
   StopFollower::Uris publishers{"http://arbiter:1"};
@@ -34,14 +34,30 @@ TEST_F(StopFollowerOfAServer, TellsTheStopOnceMoreAndThenTheClearWhenItHasCaught
   take(false);
   tick();
   ++hold_ups;
-  take(true, true);
-  take(false, true);
+  take(true);
+  take(false);
   tick(true);
   EXPECT_EQ(told, "cS");
   tick();
   EXPECT_EQ(told, "cSSc");
   tick();
   EXPECT_EQ(told, "cSSc");
+}
+
+// [FLT-2] A goal that was read meanwhile waits for the first tick of its server.
+TEST_F(StopFollowerOfAServer, TellsTheStopOnceMoreAlsoIfTheClearComesJustAfterItHasCaughtUp_FLT_2) {
+  take(false);
+  tick();
+  ++hold_ups;
+  take(true);
+  tick(true);
+  take(false);  // later than the process had to catch up, but before the tick
+  EXPECT_EQ(told, "cS");
+  tick();
+  EXPECT_EQ(told, "cSSc");
+  take(true);
+  take(false);
+  EXPECT_EQ(told, "cSScSc");
 }
 
 // [FLT-2] What the arbiter had sent is lost with it, and the one that follows is cleared already.
@@ -52,7 +68,7 @@ TEST_F(StopFollowerOfAServer, TakesTheDeathOfTheArbiterDuringAHoldUpForAStop_FLT
   living = publishers = {"http://arbiter:2"};
   tick(true);
   EXPECT_EQ(told, "cS");
-  take(false, true);
+  take(false);
   EXPECT_EQ(told, "cS") << "goals are still being read";
   tick();
   EXPECT_EQ(told, "cSSc");
@@ -68,7 +84,7 @@ TEST_F(StopFollowerOfAServer, NoticesTheDeathAlsoByTheFirstMessageOfTheNextArbit
   tick();
   ++hold_ups;
   living = {"http://arbiter:2"};
-  take(false, true);
+  take(false);
   EXPECT_EQ(told, "cS");
   tick();
   EXPECT_EQ(told, "cSSc");

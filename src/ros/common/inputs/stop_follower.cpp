@@ -2,9 +2,9 @@
 
 namespace frontier_pilot {
 
-void StopFollower::take(bool stopped, int hold_ups, bool catching_up) {
+void StopFollower::take(bool stopped, int hold_ups) {
   noticeHoldUp(hold_ups);
-  clear_waits_ = !stopped && (stopped_ || clear_waits_) && catching_up;
+  clear_waits_ = !stopped && (stopped_ || clear_waits_) && !caught_up_;
   if (clear_waits_) return;
   stopped_ = stopped;
   tell_(stopped);
@@ -13,6 +13,7 @@ void StopFollower::take(bool stopped, int hold_ups, bool catching_up) {
 void StopFollower::tick(const Uris& publishers, int hold_ups, bool catching_up) {
   noticeHoldUp(hold_ups);
   if (catching_up) return;
+  caught_up_ = true;
   if (!publishers.empty()) publishers_ = publishers;
   if (!clear_waits_) return;
   stopped_ = clear_waits_ = false;
@@ -23,6 +24,7 @@ void StopFollower::tick(const Uris& publishers, int hold_ups, bool catching_up) 
 void StopFollower::noticeHoldUp(int hold_ups) {
   if (hold_ups == hold_ups_) return;
   hold_ups_ = hold_ups;
+  caught_up_ = false;
   if (stopped_ || publishers_.empty() || any_lives_(publishers_)) return;
   clear_waits_ = true;
   tell_(true);

@@ -21,9 +21,10 @@ class StopFollower {
   StopFollower(std::function<void(bool)> tell, std::function<bool(const Uris&)> any_lives)
       : tell_(std::move(tell)), any_lives_(std::move(any_lives)) {}
 
-  /// A message. `hold_ups` counts those of this process, and it is `catching_up` for a while after each.
-  void take(bool stopped, int hold_ups, bool catching_up);
-  /// To be called often; `publishers` are the addresses of those from whom messages come, as of the last look.
+  /// A message. `hold_ups` counts those of this process.
+  void take(bool stopped, int hold_ups);
+  /// To be called often; `publishers` are the addresses of those from whom messages come, as of the last look, and the
+  /// process is `catching_up` for a while after each hold-up.
   void tick(const Uris& publishers, int hold_ups, bool catching_up);
 
  private:
@@ -33,7 +34,8 @@ class StopFollower {
   std::function<bool(const Uris&)> any_lives_;
   bool stopped_ = false, clear_waits_ = false;
   int hold_ups_ = 0;
-  Uris publishers_;  ///< before the last hold-up; those that were heard last if there was none then
+  bool caught_up_ = true;  ///< whether there was a tick since the last hold-up that did not catch up any more
+  Uris publishers_;        ///< before the last hold-up; those that were heard last if there was none then
 };
 
 }  // namespace frontier_pilot

@@ -17,7 +17,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr int kPatience = 300;  // [ms] for a connection
+constexpr int kPatience = 300, kHurry = 20;  // [ms] for a connection
 
 NodesByName toNodes(XmlRpc::XmlRpcValue& list) {
   NodesByName nodes;
@@ -40,12 +40,12 @@ class Socket {
   Socket& operator=(const Socket&) = delete;
 
   /// False only if the connection is refused: a process that does not respond may merely hang, and recover.
-  bool mayConnect(const addrinfo& address) const {
+  bool mayConnect(const addrinfo& address, int patience) const {
     if (descriptor_ < 0) return true;
     if (connect(descriptor_, address.ai_addr, address.ai_addrlen) == 0) return true;
     if (errno != EINPROGRESS) return errno != ECONNREFUSED;
     pollfd wanted{descriptor_, POLLOUT, 0};
-    if (poll(&wanted, 1, kPatience) <= 0) return true;
+    if (poll(&wanted, 1, patience) <= 0) return true;
     int error = 0;
     socklen_t size = sizeof(error);
     getsockopt(descriptor_, SOL_SOCKET, SO_ERROR, &error, &size);
@@ -58,16 +58,21 @@ class Socket {
 
 enum class Reach { kUnknownHost, kRefused, kMayConnect };
 
-Reach reach(const std::string& host, std::uint32_t port) {
+/// With `in_a_hurry` only a host that is written as an address, or is this one, can be found unreachable.
+Reach reach(std::string host, std::uint32_t port, bool in_a_hurry) {
   addrinfo hints{};
+  if (in_a_hurry) {
+    hints.ai_flags = AI_NUMERICHOST;
+    if (host == ros::network::getHost() || host == "localhost") host = "127.0.0.1";
+  }
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   const int failure = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
   if (failure == EAI_AGAIN) return Reach::kMayConnect;  // the name server is silent: nobody knows
-  if (failure != 0) return Reach::kUnknownHost;
+  if (failure != 0) return in_a_hurry ? Reach::kMayConnect : Reach::kUnknownHost;
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, freeaddrinfo);
   for (const addrinfo* address = found; address != nullptr; address = address->ai_next) {
-    if (Socket(*address).mayConnect(*address)) return Reach::kMayConnect;
+    if (Socket(*address).mayConnect(*address, in_a_hurry ? kHurry : kPatience)) return Reach::kMayConnect;
   }
   return Reach::kRefused;
 }
@@ -82,11 +87,11 @@ std::string lookUp(const char* method, const std::string& name) {
   return static_cast<std::string>(*uri);
 }
 
-std::optional<Reach> reach(const std::string& uri) {
+std::optional<Reach> reach(const std::string& uri, bool in_a_hurry = false) {
   std::string host;
   std::uint32_t port = 0;
   if (!ros::network::splitURI(uri, host, port)) return std::nullopt;
-  return reach(host, port);
+  return reach(host, port, in_a_hurry);
 }
 
 }  // namespace
@@ -110,13 +115,14 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
 
 std::string uriOf(const std::string& node) { return lookUp("lookupNode", node); }
 
-bool nodeLives(const std::string& node) { return anyLives({uriOf(node)}); }
+bool nodeLives(const std::string& node) {
+  const std::optional<Reach> address = reach(uriOf(node));
+  return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
+}
 
-bool anyLives(const std::set<std::string>& uris) {
-  return std::any_of(uris.begin(), uris.end(), [](const std::string& uri) {
-    const std::optional<Reach> address = reach(uri);
-    return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
-  });
+bool anyMayLive(const std::set<std::string>& uris) {
+  return std::any_of(uris.begin(), uris.end(),
+                     [](const std::string& uri) { return reach(uri, true) != Reach::kRefused; });
 }
 
 bool serviceMayAnswer(const std::string& service) {

@@ -55,18 +55,22 @@ bool complete(XmlRpcValue& present, const XmlRpcValue& kept) {
   return added;
 }
 
+/// Which of the parameters of a namespace are set that the master has already in part.
+enum class Missing { kNone, kEach };
+
 /// Sets what the master lacks of the parameter `name`; returns whether there was anything to set.
-bool restoreOne(const std::string& name, const XmlRpcValue& kept) {
+bool restoreOne(const std::string& name, const XmlRpcValue& kept, Missing missing) {
   const std::optional<XmlRpcValue> known = ask("hasParam", name);
   if (!kept.valid() || !known || known->getType() != XmlRpcValue::TypeBoolean) return false;
+  if (missing == Missing::kNone && static_cast<bool>(*known)) return false;
   XmlRpcValue present = read(name);
   return complete(present, kept) && set(name, present);
 }
 
 /// The same of both.
-bool restoreBoth(const XmlRpcValue& private_parameters, const XmlRpcValue& use_sim_time) {
-  const bool clock = restoreOne(kUseSimTime, use_sim_time);
-  return restoreOne(ros::this_node::getName(), private_parameters) || clock;
+bool restoreBoth(const XmlRpcValue& private_parameters, const XmlRpcValue& use_sim_time, Missing missing) {
+  const bool clock = restoreOne(kUseSimTime, use_sim_time, missing);
+  return restoreOne(ros::this_node::getName(), private_parameters, missing) || clock;
 }
 
 /// Sets the parameter `name` ("limits/max_linear") in a namespace.
@@ -117,7 +121,7 @@ void OwnParameters::change(const std::string& name, const XmlRpcValue& value) {
 
 bool OwnParameters::restore() {
   if (memory_.enter(rosSessions())) keep();
-  return restoreBoth(private_, use_sim_time_);
+  return restoreBoth(private_, use_sim_time_, Missing::kNone);
 }
 
 void OwnParameters::sendChanges() {
@@ -141,7 +145,7 @@ void followThePredecessor(bool is_of_roslaunch) {
   while (!requestFromMaster("getPid", request)) std::this_thread::sleep_for(kMasterRetry);
   const XmlRpcValue none;
   const auto member = [&](const char* name) { return both.hasMember(name) ? both[name] : none; };
-  if (restoreBoth(member("private"), member("use_sim_time"))) {
+  if (restoreBoth(member("private"), member("use_sim_time"), Missing::kEach)) {
     ROS_WARN("the master had lost the parameters of this node: they are set as they were before it was started again");
   }
 }

@@ -23,7 +23,8 @@ class OwnParameters {
   OwnParameters(const OwnParameters&) = delete;
   OwnParameters& operator=(const OwnParameters&) = delete;
 
-  /// Sets each parameter that the master no longer has; returns whether there was one.
+  /// Sets the private namespace if the master no longer has it, and `/use_sim_time`; returns whether there was anything
+  /// to set. A namespace that it has in part is that of a new launch.
   bool restore();
   /// Notes a changed parameter: its name in the private namespace ("limits/max_linear") and its value.
   void change(const std::string& name, const XmlRpc::XmlRpcValue& value);

@@ -37,7 +37,7 @@ bool isRoslaunch(int process) {
 
 /// The nearest roslaunch above this process, or its parent if there is none.
 int findStarter() {
-  for (int above = getppid(); above > 1; above = parentOf(above)) {
+  for (int above = getppid(); above > 0; above = parentOf(above)) {
     if (isRoslaunch(above)) return above;
   }
   return getppid();

@@ -23,8 +23,10 @@ RememberedText::RememberedText(std::string what, const std::string& owner, Sessi
   });
 }
 
-RememberedText::~RememberedText() {
-  if (!text_) memory_.forget();
+void RememberedText::end(bool forget) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ended_ = true;
+  if (forget) memory_.forget();
   memory_.endInOrder();
 }
 
@@ -36,6 +38,7 @@ std::string RememberedText::set(std::optional<std::string> text) {
 }
 
 std::string RememberedText::write() const {
+  if (ended_) return {};
   std::string problem = text_ ? memory_.remember(*text_) : memory_.problem();
   report_.setProblem(what_, problem);
   if (text_ && !problem.empty()) THROTTLED_WARN(what_ << " would not survive a restart: " << problem);

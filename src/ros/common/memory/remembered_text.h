@@ -20,7 +20,7 @@ class RememberedText {
   /// destroyed before this object.
   RememberedText(std::string what, const std::string& owner, SessionMemory::Owner kind, NodeConnections& connections);
   /// After an end in order a file does not count in another session. Leaves no empty folder.
-  ~RememberedText();
+  ~RememberedText() { end(!text_); }
   RememberedText(const RememberedText&) = delete;
   RememberedText& operator=(const RememberedText&) = delete;
 
@@ -31,6 +31,9 @@ class RememberedText {
   /// Puts `text` in the place of what was remembered before; nothing forgets it. Returns why it would not survive this
   /// process; empty if it would.
   std::string set(std::optional<std::string> text);
+  /// To be called at a regular end: after it nothing is written any more, and what is kept does not count in another
+  /// session. With `forget` nothing is kept. The connections may be gone by then.
+  void end(bool forget);
 
  private:
   std::string write() const;
@@ -38,9 +41,10 @@ class RememberedText {
   std::string what_;
   MemoryReport& report_;
   std::vector<std::string> left_, left_elsewhere_;
-  mutable std::mutex mutex_;  ///< guards the two that follow
+  mutable std::mutex mutex_;  ///< guards the three that follow
   SessionMemory memory_;
   std::optional<std::string> text_;
+  bool ended_ = false;
 };
 
 }  // namespace frontier_pilot

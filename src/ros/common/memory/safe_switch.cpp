@@ -25,10 +25,6 @@ SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnec
   if (safe || left.size() > elsewhere.size()) set(safe);
 }
 
-SafeSwitch::~SafeSwitch() {
-  if (safe_ == false) memory_.set(std::nullopt);
-}
-
 std::optional<bool> SafeSwitch::wasLeftSafe() const {
   if (safe_) ROS_WARN_STREAM("starts " << (*safe_ ? "" : kNot) << state_ << ", as the operator left it");
   return safe_;

@@ -17,7 +17,7 @@ class SafeSwitch {
   /// `state` names the safe side and has to be usable in a file name ("nav_disabled"); `service` is the name of the
   /// switch's service. A restart of the master is followed. `connections` must be destroyed before this object.
   SafeSwitch(std::string state, const std::string& service, NodeConnections& connections);
-  ~SafeSwitch();
+  ~SafeSwitch() { end(); }
   SafeSwitch(const SafeSwitch&) = delete;
   SafeSwitch& operator=(const SafeSwitch&) = delete;
 
@@ -27,6 +27,8 @@ class SafeSwitch {
   /// To be called when the operator has switched it. Returns the text to append to the answer: why the setting would
   /// not survive a restart; empty if it would.
   std::string set(bool safe);
+  /// To be called with the last words of a node at a regular end.
+  void end() { memory_.end(safe_ == false); }
 
  private:
   std::string state_;

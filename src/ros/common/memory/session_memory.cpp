@@ -20,7 +20,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr std::size_t kLongestText = 65536;  // [bytes]
+constexpr std::size_t kLongestText = 262144;  // [bytes]
 
 std::string asFileName(std::string name) {
   std::replace(name.begin(), name.end(), '/', '.');
@@ -38,12 +38,13 @@ namespace fs = std::filesystem;
 
 /// The time of a file whose writer has ended in order. It is not kept in the file, because the disk may be full.
 constexpr timespec kEndedInOrder{0, 0};
-constexpr std::time_t kRestart = 10;    // [s], within which roslaunch restarts a node that has died
-constexpr std::time_t kLongAgo = 3600;  // [s]: nobody is about to write into a folder that was made before that
+constexpr std::time_t kRestart = 10;     // [s], within which roslaunch restarts a node that has died
+constexpr std::time_t kLongAgo = 86400;  // [s]: nobody is about to write into a folder that was made before that
 const std::time_t g_process_began = std::time(nullptr);
 
 constexpr const char* kOfProcess = "~";  // separates the process id; cannot occur within a ROS name
 constexpr const char* kDigits = "0123456789";
+constexpr const char* kLasting = "lasting_";  // before the names of the files of lasting nodes
 
 /// The process that wrote `file`, from the second line of the file; none if that cannot be read.
 ProcessIdentity writerOf(const fs::path& file) {
@@ -67,6 +68,12 @@ std::string textIn(const fs::path& file) {
   return printable(text.substr(0, text.find('\n')), kLongestText);
 }
 
+std::vector<std::string> textsIn(const std::vector<fs::path>& files) {
+  std::vector<std::string> texts;
+  std::transform(files.begin(), files.end(), std::back_inserter(texts), textIn);
+  return texts;
+}
+
 void append(std::vector<fs::path>& files, const std::vector<fs::path>& more) {
   files.insert(files.end(), more.begin(), more.end());
 }
@@ -85,12 +92,6 @@ std::string whyNotWritable(const fs::path& folder) {
   return error ? error.message() : std::string();
 }
 
-/// Removes the folder of a session in which nothing is kept; one that is not empty stays.
-void removeIfEmpty(const fs::path& session) {
-  std::error_code error;
-  fs::remove(session, error);
-}
-
 /// Returns what went wrong; empty if nothing did.
 std::string removeAll(const std::vector<fs::path>& files) {
   std::string problem;
@@ -98,7 +99,7 @@ std::string removeAll(const std::vector<fs::path>& files) {
     std::error_code error;
     fs::remove(file, error);
     if (error) problem = error.message();
-    removeIfEmpty(file.parent_path());
+    rmdir(file.parent_path().c_str());  // stays unless it is empty
   }
   return problem;
 }
@@ -139,13 +140,23 @@ std::vector<fs::path> leftBehind(std::vector<fs::path> files, bool whenever) {
   return files;
 }
 
+/// Removes what lasting nodes of other sessions left that died long ago: nobody counts on it, and it lies in memory.
+void removeOld(const fs::path& session) {
+  std::error_code error;
+  for (fs::directory_iterator entry(session, error), end; !error && entry != end; entry.increment(error)) {
+    const bool is_lasting = entry->path().filename().string().rfind(kLasting, 0) == 0;
+    if (!is_lasting || timeOf(entry->path()) >= g_process_began - kLongAgo) continue;
+    if (!writerOf(entry->path()).lives()) unlink(entry->path().c_str());
+  }
+}
+
 }  // namespace
 
 SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& sessions, std::string what,
                              std::string owner, Owner kind, fs::path spare)
     : ros_home_(std::move(ros_home)),
       spare_(std::move(spare)),
-      name_(std::move(what) + asFileName(std::move(owner))),
+      name_((kind == Owner::kLastingNode ? kLasting : "") + std::move(what) + asFileName(std::move(owner))),
       kind_(kind) {
   enter(sessions);
   std::vector<fs::path> elsewhere;
@@ -154,7 +165,9 @@ SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& 
     if (root.empty()) continue;
     for (const auto& session : fs::directory_iterator(root / "frontier_pilot", error)) {
       if (isSessionOf(session.path(), own())) continue;
-      if (timeOf(session.path()) < g_process_began - kLongAgo) removeIfEmpty(session.path());
+      if (kind_ == Owner::kLastingNode) removeOld(session.path());
+      // One that is not empty stays.
+      if (timeOf(session.path()) < g_process_began - kLongAgo) rmdir(session.path().c_str());
       append(elsewhere, kind_ == Owner::kService ? ofProcesses(session.path(), name_)
                                                  : std::vector<fs::path>{session.path() / name_});
     }
@@ -217,17 +230,9 @@ std::optional<std::string> SessionMemory::recall() const {
   return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
 }
 
-std::vector<std::string> SessionMemory::recallAll() const {
-  std::vector<std::string> texts;
-  for (const fs::path& file : findAll()) texts.push_back(textIn(file));
-  return texts;
-}
+std::vector<std::string> SessionMemory::recallAll() const { return textsIn(findAll()); }
 
-std::vector<std::string> SessionMemory::recallFromElsewhere() const {
-  std::vector<std::string> texts;
-  for (const fs::path& file : elsewhere_) texts.push_back(textIn(file));
-  return texts;
-}
+std::vector<std::string> SessionMemory::recallFromElsewhere() const { return textsIn(elsewhere_); }
 
 std::optional<std::string> SessionMemory::recallOthers() const {
   const std::vector<fs::path> files = others();
