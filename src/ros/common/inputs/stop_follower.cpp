@@ -6,6 +6,7 @@ void StopFollower::take(bool stopped, int hold_ups) {
   noticeHoldUp(hold_ups);
   clear_waits_ = !stopped && (stopped_ || clear_waits_) && !caught_up_;
   if (clear_waits_) return;
+  if (stopped_ && !stopped) tell_(true);  // for a goal that came while the server's clock was not trusted
   stopped_ = stopped;
   tell_(stopped);
 }

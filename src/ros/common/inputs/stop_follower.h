@@ -9,9 +9,9 @@ namespace frontier_pilot {
 
 /// What a node that drives is told of the emergency stop, so that no goal outlives a stop. A node that was held up (see
 /// HoldUpWatch) may have missed something: a goal of that time may be read after both the stop and its clear, and an
-/// arbiter that died meanwhile takes along what the node has not read yet. So a clear that is read while the node is
-/// catching up waits until it has caught up, and the stop is told once more before it; and if no arbiter of the time
-/// before the hold-up lives any more, there may have been a stop. [FLT-2]
+/// arbiter that died meanwhile takes along what the node has not read yet. So the stop is told once more before each
+/// clear, a clear that is read while the node is catching up waits until it has caught up, and if no arbiter of the
+/// time before the hold-up lives any more, there may have been a stop. [FLT-2]
 class StopFollower {
  public:
   using Uris = std::set<std::string>;
