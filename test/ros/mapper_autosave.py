@@ -15,7 +15,7 @@ from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
 from sensor_msgs.msg import LaserScan
 
-from wire import Node, Record, call, wait_for
+from wire import Node, Record, call, use_a_home_of_its_own, wait_for
 
 SIDE = 3.0  # half of that of the room [m]
 BEAMS = 180
@@ -142,5 +142,6 @@ class MapperAutosave(unittest.TestCase):
 
 
 if __name__ == '__main__':
+    use_a_home_of_its_own()
     rospy.init_node('mapper_autosave')
     rostest.rosrun('frontier_pilot', 'mapper_autosave', MapperAutosave)

@@ -19,7 +19,7 @@ import rosgraph
 import rospy
 import rostest
 
-from wire import wait_for
+from wire import use_a_home_of_its_own, wait_for
 
 Answer = namedtuple('Answer', 'success message')
 
@@ -360,5 +360,6 @@ class Registration(unittest.TestCase):
 
 
 if __name__ == '__main__':
+    use_a_home_of_its_own()
     rospy.init_node('registration_test')
     rostest.rosrun('frontier_pilot', 'registration', Registration)

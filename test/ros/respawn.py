@@ -11,7 +11,7 @@ import rostest
 from frontier_pilot.msg import ArbiterStatus, AvoiderStatus
 from std_srvs.srv import SetBool, Trigger
 
-from wire import Node, Record, call, clear, wait_for
+from wire import Node, Record, call, clear, use_a_home_of_its_own, wait_for
 
 
 class Respawn(unittest.TestCase):
@@ -126,5 +126,6 @@ class Respawn(unittest.TestCase):
 
 
 if __name__ == '__main__':
+    use_a_home_of_its_own()
     rospy.init_node('respawn_test')
     rostest.rosrun('frontier_pilot', 'respawn', Respawn)

@@ -1,9 +1,12 @@
 """What the wire tests of arbiter and avoider share: a condition to wait on instead of sleeping, and nodes to kill."""
+import atexit
 import functools
 import os
 import select
+import shutil
 import signal
 import subprocess
+import tempfile
 import threading
 import time
 import xmlrpc.client
@@ -101,6 +104,13 @@ class Source:
 @functools.lru_cache()
 def find_node(package, executable):
     return roslib.packages.find_node(package, executable)[0]
+
+
+def use_a_home_of_its_own():
+    """What the nodes that this process starts remember is not mixed with that of another test, which may run beside this one."""
+    home = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, home, ignore_errors=True)
+    os.environ['ROS_HOME'] = home
 
 
 class Node:
