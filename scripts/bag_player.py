@@ -27,7 +27,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts 
 from bag_drive import LATCHED, Drive  # noqa: E402
 from bag_topics import BagError, numbers_in, read_bag  # noqa: E402
 import ros_program  # noqa: E402
-from command_line import CommandLine  # noqa: E402
+from command_line import CommandLine, exit_with  # noqa: E402
 
 PERIOD = 0.01  # between two looks at the clock [s]
 LONGEST_STEP = 0.1  # of real time [s]: a player that was held up does not let the clock jump
@@ -196,4 +196,4 @@ def main():
 
 
 if __name__ == '__main__':
-    ros_program.run(main)
+    exit_with(main)

@@ -19,3 +19,11 @@ class CommandLine(argparse.ArgumentParser):
 
     def error(self, message):
         self.exit(2, "%s: %s; '%s --help' lists what it takes\n" % (self.prog, message, self.prog))
+
+
+def exit_with(main):
+    """Ends the program with what `main` returns, or with the exit code for a Ctrl-C."""
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)

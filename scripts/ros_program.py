@@ -1,5 +1,5 @@
-"""How the Python programs that are ROS nodes begin and end: with one line, and an exit code, where rospy prints a traceback or waits
-for a master for ever."""
+"""How the Python programs that are ROS nodes begin: with one line, and an exit code, where rospy prints a traceback or waits for a
+master for ever."""
 import re
 import sys
 import time
@@ -61,11 +61,3 @@ def begin(name, wanted=lambda: True, **options):
     if wanted():
         rospy.init_node(name, **options)
     return wanted()
-
-
-def run(main):
-    """Ends the program with what `main` returns."""
-    try:
-        sys.exit(main())
-    except KeyboardInterrupt:
-        sys.exit(130)

@@ -17,7 +17,7 @@ from frontier_pilot.srv import SaveMap
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import ros_program  # noqa: E402
-from command_line import CommandLine  # noqa: E402
+from command_line import CommandLine, exit_with  # noqa: E402
 
 # The ends that the stopping rules of the explorer have asked for.
 ASKED_FOR = (ExplorerStatus.UNTIL_AREA, ExplorerStatus.UNTIL_TIME, ExplorerStatus.UNTIL_DISTANCE, ExplorerStatus.UNTIL_SHARE,
@@ -152,4 +152,4 @@ def main():
 
 
 if __name__ == '__main__':
-    ros_program.run(main)
+    exit_with(main)

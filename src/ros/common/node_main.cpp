@@ -92,9 +92,7 @@ void flush() {
 /// roscpp waits for ever for a master that hangs, to unregister: the node ends all the same. One that is saving a map
 /// may take longer, as long as the master answers.
 void limitTheEnd() {
-  XmlRpc::XmlRpcValue request;
-  request[0] = ros::this_node::getName();
-  if (!requestFromMaster("getPid", request)) alarm(kEndPatience);
+  if (!pidOfMaster()) alarm(kEndPatience);
 }
 
 void end(const RunningNode& running) {

@@ -140,9 +140,7 @@ void followThePredecessor(bool is_of_roslaunch) {
   int offset = 0;
   XmlRpcValue both;
   if (kept.empty() || !both.fromXml(kept.front(), &offset) || both.getType() != XmlRpcValue::TypeStruct) return;
-  XmlRpcValue request;
-  request[0] = ros::this_node::getName();
-  while (!requestFromMaster("getPid", request)) std::this_thread::sleep_for(kMasterRetry);
+  while (!pidOfMaster()) std::this_thread::sleep_for(kMasterRetry);
   const XmlRpcValue none;
   const auto member = [&](const char* name) { return both.hasMember(name) ? both[name] : none; };
   if (restoreBoth(member("private"), member("use_sim_time"), Missing::kEach)) {

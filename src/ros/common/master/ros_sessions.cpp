@@ -25,16 +25,15 @@ std::vector<std::string> rosSessions() {
   std::vector<std::string> sessions;
   XmlRpc::XmlRpcValue request;
   request[0] = ros::this_node::getName();
-  std::optional<XmlRpc::XmlRpcValue> pid = requestFromMaster("getPid", request);
+  const std::optional<int> process = pidOfMaster();
   request[1] = "/run_id";
   std::optional<XmlRpc::XmlRpcValue> run_id = requestFromMaster("getParam", request);
   if (run_id && run_id->getType() == XmlRpc::XmlRpcValue::TypeString && !static_cast<std::string>(*run_id).empty()) {
     sessions.push_back(*run_id);
   }
-  if (!pid || pid->getType() != XmlRpc::XmlRpcValue::TypeInt) return sessions;
+  if (!process) return sessions;
   // Process ids are used again, and start again after a reboot.
-  const int process = *pid;
-  sessions.push_back("master-" + std::to_string(process) + "-" + beginOfMaster(process) + bootId());
+  sessions.push_back("master-" + std::to_string(*process) + "-" + beginOfMaster(*process) + bootId());
   return sessions;
 }
 

@@ -1,6 +1,7 @@
 #include "ros/common/master/xml_rpc.h"
 
 #include <ros/master.h>
+#include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
 namespace frontier_pilot {
@@ -31,6 +32,14 @@ std::optional<XmlRpcValue> requestFrom(const std::string& host, std::uint32_t po
 
 std::optional<XmlRpcValue> requestFromMaster(const char* method, const XmlRpcValue& arguments) {
   return requestFrom(ros::master::getHost(), ros::master::getPort(), method, arguments);
+}
+
+std::optional<int> pidOfMaster() {
+  XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  std::optional<XmlRpcValue> pid = requestFromMaster("getPid", request);
+  if (!pid || pid->getType() != XmlRpcValue::TypeInt) return std::nullopt;
+  return static_cast<int>(*pid);
 }
 
 }  // namespace frontier_pilot

@@ -24,5 +24,7 @@ std::optional<XmlRpc::XmlRpcValue> requestFrom(const std::string& host, std::uin
                                                const XmlRpc::XmlRpcValue& arguments);
 /// The same, at the master.
 std::optional<XmlRpc::XmlRpcValue> requestFromMaster(const char* method, const XmlRpc::XmlRpcValue& arguments);
+/// The process id of the master; nothing if it does not answer.
+std::optional<int> pidOfMaster();
 
 }  // namespace frontier_pilot
