@@ -9,12 +9,17 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr const char* kReturns = "returns to the start";
-constexpr const char* kStays = "stays where the exploration ends";
+constexpr char kBounds = 'b', kReturns = 'r', kStays = 's', kUntold = '-';
 
 void write(std::ostream& text, const std::vector<Vec2>& corners) {
   text << corners.size();
   for (const Vec2& corner : corners) text << ' ' << corner.x() << ' ' << corner.y();
+}
+
+void write(std::ostream& text, const exploration::ExplorationBounds& bounds) {
+  write(text, bounds.stay_within);
+  text << ' ' << bounds.keep_out.size();
+  for (const std::vector<Vec2>& area : bounds.keep_out) write(text << ' ', area);
 }
 
 bool read(std::istream& text, std::vector<Vec2>& corners) {
@@ -25,72 +30,82 @@ bool read(std::istream& text, std::vector<Vec2>& corners) {
   return !text.fail();
 }
 
-std::string inWords(const std::string& problem) {
-  return problem.empty() ? problem : "; would not survive a restart: " + problem;
+bool read(std::istream& text, exploration::ExplorationBounds& bounds) {
+  std::size_t areas = 0;
+  if (!read(text, bounds.stay_within) || !(text >> areas)) return false;
+  for (std::size_t i = 0; i < areas; ++i) {
+    bounds.keep_out.emplace_back();
+    if (!read(text, bounds.keep_out.back())) return false;
+  }
+  return bounds.problem().empty();
 }
-
-std::string nodeName() { return ros::this_node::getName(); }
 
 }  // namespace
 
-std::string toText(const exploration::ExplorationBounds& bounds) {
+std::string toText(const ExplorerOrders& orders) {
   std::ostringstream text;
   text.precision(std::numeric_limits<double>::max_digits10);
-  write(text, bounds.stay_within);
-  text << ' ' << bounds.keep_out.size();
-  for (const std::vector<Vec2>& area : bounds.keep_out) write(text << ' ', area);
+  if (orders.bounds) {
+    write(text << kBounds << ' ', *orders.bounds);
+  } else {
+    text << kUntold;
+  }
+  const auto home = orders.returns_to_start;
+  text << ' ' << (home ? (*home ? kReturns : kStays) : kUntold);
+  if (orders.ended) text << ' ' << *orders.ended;
   return text.str();
 }
 
-std::optional<exploration::ExplorationBounds> boundsIn(const std::string& text) {
+std::optional<ExplorerOrders> ordersIn(const std::string& text) {
   std::istringstream words(text);
-  exploration::ExplorationBounds bounds;
-  std::size_t areas = 0;
-  if (!read(words, bounds.stay_within) || !(words >> areas)) return std::nullopt;
-  for (std::size_t i = 0; i < areas; ++i) {
-    bounds.keep_out.emplace_back();
-    if (!read(words, bounds.keep_out.back())) return std::nullopt;
+  ExplorerOrders orders;
+  char bounds = 0, home = 0;
+  words >> bounds;
+  if (bounds == kBounds) {
+    if (!read(words, orders.bounds.emplace())) return std::nullopt;
+  } else if (bounds != kUntold) {
+    return std::nullopt;
   }
-  if (words >> std::ws && !words.eof()) return std::nullopt;
-  return bounds.problem().empty() ? std::optional<exploration::ExplorationBounds>(bounds) : std::nullopt;
+  if (!(words >> home) || (home != kReturns && home != kStays && home != kUntold)) return std::nullopt;
+  if (home != kUntold) orders.returns_to_start = home == kReturns;
+  if (std::string ended; std::getline(words >> std::ws, ended)) orders.ended = ended;
+  return orders;
 }
 
 ExplorerMemory::ExplorerMemory(NodeConnections& connections)
-    : bounds_("exploration_bounds", nodeName(), SessionMemory::Owner::kNode, connections),
-      return_("return_to_start", nodeName(), SessionMemory::Owner::kNode, connections),
-      end_("exploration_end", nodeName(), SessionMemory::Owner::kNode, connections) {
-  for (RememberedText* text : {&bounds_, &return_, &end_}) {
-    if (!text->left().empty()) text->set(text->left().front());
-  }
-  if (!end_.left().empty()) ended_ = end_.left().front();
+    : text_("exploration_orders", ros::this_node::getName(), SessionMemory::Owner::kNode, connections) {
+  if (text_.left().empty()) return;
+  const std::string& left = text_.left().front();
+  const auto orders = ordersIn(left);
+  is_damaged_ = !orders;
+  if (orders) orders_ = *orders;
+  text_.set(left);
 }
 
-void ExplorerMemory::end() {
-  for (RememberedText* text : {&bounds_, &return_, &end_}) text->end(true);
-}
-
-ExplorerMemory::Left ExplorerMemory::left() const {
-  Left left;
-  if (!end_.left().empty()) left.why_stand = "the exploration had ended: " + end_.left().front();
-  if (!return_.left().empty()) left.returns_to_start = return_.left().front() == kReturns;
-  if (bounds_.left().empty()) return left;
-  left.bounds = boundsIn(bounds_.left().front());
-  if (!left.bounds) left.why_stand = "the bounds that were set for the exploration cannot be read any more";
-  return left;
+std::string ExplorerMemory::whyStand() const {
+  if (is_damaged_) return "the bounds that were set for the exploration cannot be read any more";
+  return orders_.ended ? "the exploration had ended: " + *orders_.ended : std::string();
 }
 
 std::string ExplorerMemory::keepBounds(const exploration::ExplorationBounds& bounds) {
-  return inWords(bounds_.set(toText(bounds)));
+  orders_.bounds = bounds;
+  return keep();
 }
 
 std::string ExplorerMemory::keepReturnToStart(bool returns) {
-  return inWords(return_.set(returns ? kReturns : kStays));
+  orders_.returns_to_start = returns;
+  return keep();
 }
 
 void ExplorerMemory::keepEnd(const std::optional<std::string>& reason) {
-  if (reason == ended_) return;
-  ended_ = reason;
-  end_.set(reason);
+  if (reason == orders_.ended) return;
+  orders_.ended = reason;
+  keep();
+}
+
+std::string ExplorerMemory::keep() {
+  const std::string problem = text_.set(toText(orders_));
+  return problem.empty() ? problem : "; would not survive a restart: " + problem;
 }
 
 }  // namespace frontier_pilot

@@ -8,13 +8,20 @@
 
 namespace frontier_pilot {
 
-/// The bounds on one line, and back; nothing if the text is not one of them, or something is wrong with the bounds.
-std::string toText(const exploration::ExplorationBounds& bounds);
-std::optional<exploration::ExplorationBounds> boundsIn(const std::string& text);
+/// What an operator has told an explorer, and whether a stopping rule has ended its exploration. Nothing stands for
+/// what has not been told.
+struct ExplorerOrders {
+  std::optional<exploration::ExplorationBounds> bounds;  ///< empty ones if they were lifted
+  std::optional<bool> returns_to_start;
+  std::optional<std::string> ended;  ///< the rule that has ended the exploration, in words
+};
 
-/// What an operator has told an explorer, and whether a stopping rule has ended its exploration, beyond the death of
-/// the node: the next one must neither leave the bounds nor drive off again. All is forgotten at a regular shutdown.
-/// (That it is paused is a SafeSwitch.) [FLT-2] [EXP-10]
+/// The orders on one line, and back; nothing if the text is not such a line, or something is wrong with the bounds.
+std::string toText(const ExplorerOrders& orders);
+std::optional<ExplorerOrders> ordersIn(const std::string& text);
+
+/// Keeps the orders beyond the death of the node: the next one must neither leave the bounds nor drive off again. All
+/// is forgotten at a regular shutdown. (That it is paused is a SafeSwitch.) [FLT-2] [EXP-10]
 class ExplorerMemory {
  public:
   explicit ExplorerMemory(NodeConnections& connections);
@@ -22,13 +29,10 @@ class ExplorerMemory {
   ExplorerMemory(const ExplorerMemory&) = delete;
   ExplorerMemory& operator=(const ExplorerMemory&) = delete;
 
-  /// What the process before this one has left.
-  struct Left {
-    std::optional<exploration::ExplorationBounds> bounds;
-    std::optional<bool> returns_to_start;
-    std::string why_stand;  ///< why the next process must not explore by itself; empty if it may
-  };
-  Left left() const;
+  /// Those of the process before this one, until others are kept.
+  const ExplorerOrders& orders() const { return orders_; }
+  /// Why this process must not explore by itself; empty if it may.
+  std::string whyStand() const;
 
   /// The text to append to an answer: why the bounds, or the way home, would not survive this node; empty if they
   /// would.
@@ -37,11 +41,14 @@ class ExplorerMemory {
   /// The rule that has ended the exploration; nothing once it goes on.
   void keepEnd(const std::optional<std::string>& reason);
   /// Forgets all of it: a regular end.
-  void end();
+  void end() { text_.end(true); }
 
  private:
-  RememberedText bounds_, return_, end_;
-  std::optional<std::string> ended_;  ///< as it was kept last
+  std::string keep();
+
+  RememberedText text_;
+  ExplorerOrders orders_;
+  bool is_damaged_ = false;  ///< what was left cannot be read
 };
 
 }  // namespace frontier_pilot

@@ -21,15 +21,16 @@ void FrontierExplorerAdapter::resume() {
   paused_.emplace("exploration_paused", names::kSetExplorationEnabled, connections_);
   if (const auto paused = paused_->wasLeftSafe()) enabled_ = !*paused;
   memory_.emplace(connections_);
-  const ExplorerMemory::Left left = memory_->left();
+  const ExplorerOrders& left = memory_->orders();
   if (left.returns_to_start) explorer_.setReturnToStart(*left.returns_to_start);
   if (left.bounds) {
     explorer_.setBounds(*left.bounds, OccupancyGrid());
     ROS_WARN_STREAM("starts with the bounds that were set before: " << left.bounds->describe());
   }
-  if (left.why_stand.empty()) return;
+  const std::string why = memory_->whyStand();
+  if (why.empty()) return;
   enabled_ = false;
-  ROS_WARN_STREAM("starts paused: " << left.why_stand);
+  ROS_WARN_STREAM("starts paused: " << why);
 }
 
 /// An exploration that is paused after its end has ended still.
