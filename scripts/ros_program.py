@@ -1,5 +1,6 @@
 """How the Python programs that are ROS nodes begin: with one line, and an exit code, where rospy prints a traceback or waits for a
 master for ever."""
+import math
 import re
 import sys
 import time
@@ -41,9 +42,9 @@ def is_address(uri):
     return True
 
 
-def begin(name, wanted=lambda: True, **options):
+def begin(name, wanted=lambda: True, silent_for=0.0, **options):
     """rospy.init_node, once there is a master; returns whether it was begun before `wanted()` became false. Ends the program with
-    exit code 2 for words that ROS cannot use."""
+    exit code 2 for words that ROS cannot use. That it waits for a master is said after `silent_for` seconds."""
     problems = [problem for problem in map(problem_of, sys.argv[1:]) if problem]
     uri = '' if problems else rosgraph.get_master_uri()
     if not problems and not is_address(uri):
@@ -51,12 +52,12 @@ def begin(name, wanted=lambda: True, **options):
     if problems:
         print('%s: %s' % (name, problems[0]), file=sys.stderr)
         sys.exit(2)
-    waits = False
+    say_at = time.monotonic() + silent_for
     while wanted() and not rosgraph.is_master_online():
-        if not waits:
+        if time.monotonic() >= say_at:
             print('%s: no ROS master answers at %s: waiting for one, which roscore or roslaunch starts' % (name, uri),
                   file=sys.stderr, flush=True)
-        waits = True
+            say_at = math.inf
         time.sleep(POLL)
     if wanted():
         rospy.init_node(name, **options)

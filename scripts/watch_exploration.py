@@ -19,6 +19,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts 
 import ros_program  # noqa: E402
 from command_line import CommandLine, exit_with  # noqa: E402
 
+MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
+
 # The ends that the stopping rules of the explorer have asked for.
 ASKED_FOR = (ExplorerStatus.UNTIL_AREA, ExplorerStatus.UNTIL_TIME, ExplorerStatus.UNTIL_DISTANCE, ExplorerStatus.UNTIL_SHARE,
              ExplorerStatus.UNTIL_BATTERY)
@@ -133,7 +135,8 @@ def main():
     # Periods are on the steady clock, because simulated time may stand still or run at any speed.
     # A name from outside could be that of a running node, which ROS would then shut down.
     words = [word for word in sys.argv if not word.startswith('__name:=')]
-    if not ros_program.begin('watch_exploration', lambda: not interrupt.number, argv=words, anonymous=True, disable_signals=True):
+    if not ros_program.begin('watch_exploration', lambda: not interrupt.number, silent_for=MASTER_START, argv=words, anonymous=True,
+                             disable_signals=True):
         return 128 + interrupt.number
     began = time.monotonic()
     watcher = Watcher(arguments.period)
