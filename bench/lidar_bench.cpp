@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/fleet/claims.h"
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/sim/simulator.h"
 #include "sim/collision/collision_map.h"
@@ -117,6 +118,35 @@ BENCHMARK(simulate)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(be
 // The same with scanners that measure one beam after the other.
 void simulateRolling(benchmark::State& state) { simulate(state, true); }
 BENCHMARK(simulateRolling)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->MinTime(1.0)->Unit(benchmark::kMicrosecond);
+
+// The same robots tell each other what they are going to look at, twice a second, and each of them considers that in
+// each of the explorer's cycles, five times a second. They have no maps. An iteration is a second of the simulation.
+void simulateWithClaims(benchmark::State& state) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  Simulator simulator(world(), robots(state.range(0)));
+  std::vector<fleet::ClaimBook> books;
+  std::vector<fleet::ClaimsMessage> messages;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<exploration::Claim> claims(fleet::ClaimsMessage::kMostClaims, {{1.0, 2.0}, 3.0});
+    books.emplace_back(simulator.name(i));
+    messages.push_back(fleet::makeClaimsMessage(simulator.name(i), {}, claims, {}));
+  }
+  Time now;
+  for (auto _ : state) {
+    for (int tenth = 0; tenth < 10; ++tenth, now += fromSeconds(0.1)) {
+      stepToScan(simulator);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (tenth % 5 == 0) {
+          for (const fleet::ClaimsMessage& message : messages) benchmark::DoNotOptimize(books[i].take(message, now));
+        }
+        if (tenth % 2 == 0) benchmark::DoNotOptimize(books[i].others({}, now));
+      }
+    }
+  }
+  state.counters["real time"] =
+      benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+BENCHMARK(simulateWithClaims)->Arg(10)->Arg(100)->MinTime(1.0)->Unit(benchmark::kMillisecond);
 
 // Moves the robot to a place. With `among_others`, the obstacle that stood there moves to where the robot came from.
 void carryTo(std::size_t i, bool among_others, Simulator& simulator) {
