@@ -90,6 +90,8 @@ struct RobotModel {
   bool hasOdometryTopic() const { return odometry == "topic"; }
   /// The base frame of a node whose own parameter is `own`: that, or the robot's if it is empty.
   const std::string& baseFrameOr(const std::string& own) const { return own.empty() ? base_frame : own; }
+  /// Likewise for the frame of odometry.
+  const std::string& odomFrameOr(const std::string& own) const { return own.empty() ? odom_frame : own; }
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -106,7 +108,7 @@ struct RobotModel {
     v.field("odometry", odometry, "",
             "topic: the robot publishes odom; tf: it publishes only the transform from odom_frame to base_frame");
     v.field("base_frame", base_frame, "", "frame between the wheels, on the floor", FrameName::kGiven);
-    v.field("odom_frame", odom_frame, "", "frame of odometry, used when odometry is tf", FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
   }
   void check(Problems& problems) const;
 };

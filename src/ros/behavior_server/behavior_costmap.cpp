@@ -11,6 +11,7 @@ BehaviorCostmap::BehaviorCostmap(const behavior::CollisionCheckParameters& param
                                  BehaviorFrames frames, const TfBridge& tf)
     : surroundings_(parameters, robot), frames_(std::move(frames)), tf_(tf), timing_(robot.scanner) {
   frames_.base_frame = robot.baseFrameOr(frames_.base_frame);
+  frames_.odom_frame = robot.odomFrameOr(frames_.odom_frame);
 }
 
 void BehaviorCostmap::subscribe(NodeConnections& connections) {

@@ -16,12 +16,12 @@ namespace frontier_pilot {
 
 /// The frames that the behaviours use.
 struct BehaviorFrames {
-  std::string odom_frame = names::kOdomFrame;
+  std::string odom_frame;  ///< empty: the robot's
   std::string base_frame;  ///< empty: the robot's
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry; empty: robot/odom_frame", FrameName::kMayBeEmpty);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
   }
 };
@@ -29,7 +29,7 @@ struct BehaviorFrames {
 /// Keeps the costmap around the robot up to date from `scan` and TF, and provides the inputs of a behaviour.
 class BehaviorCostmap {
  public:
-  /// An empty `base_frame` in `frames` stands for the robot's.
+  /// Empty names in `frames` stand for the robot's.
   BehaviorCostmap(const behavior::CollisionCheckParameters& parameters, const RobotModel& robot, BehaviorFrames frames,
                   const TfBridge& tf);
 

@@ -25,6 +25,7 @@ mapping::OdometryAnchorParameters anchorParameters(const MapperNodeParameters& n
 MapperAdapter::MapperAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : parameters_(loadNodeParameters<MapperNodeParameters>(private_node)),
       base_frame_(parameters_.mapper.robot.baseFrameOr(parameters_.base_frame)),
+      odom_frame_(parameters_.mapper.robot.odomFrameOr(parameters_.odom_frame)),
       mapper_(parameters_.mapper),
       anchor_(anchorParameters(parameters_)),
       pairing_(parameters_.pairing),
@@ -90,7 +91,7 @@ std::optional<LaserScan2> MapperAdapter::read(const sensor_msgs::LaserScan& msg)
   };
   why = "frame '" + frame + "'";
   // TF would also give a pose for a scan in the map or odom frame, but a scanner has to be fixed to the robot.
-  if (frame.empty() || isSameFrame(frame, parameters_.map_frame) || isSameFrame(frame, parameters_.odom_frame)) {
+  if (frame.empty() || isSameFrame(frame, parameters_.map_frame) || isSameFrame(frame, odom_frame_)) {
     return reject(mapping::ScanVerdict::kWrongFrame);
   }
   const auto T_base_sensor = tf_.lookup3d(base_frame_, frame, Time{}, Duration::zero(), &why);

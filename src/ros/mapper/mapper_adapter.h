@@ -32,7 +32,7 @@ namespace frontier_pilot {
 
 struct MapperNodeParameters {
   std::string map_frame = names::kMapFrame;
-  std::string odom_frame = names::kOdomFrame;
+  std::string odom_frame;        ///< empty: the robot's
   std::string base_frame;        ///< empty: the robot's
   std::string map_file;          ///< loaded at the start; empty: none
   double autosave_period = 2.0;  ///< between two copies of the map for a restart after a crash [s]; 0: none is kept
@@ -49,7 +49,7 @@ struct MapperNodeParameters {
   void describe(Visitor& v) {
     describeRobot(v, mapper.robot);
     v.field("map_frame", map_frame, "", "frame of the map", FrameName::kGiven);
-    v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry; empty: robot/odom_frame", FrameName::kMayBeEmpty);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
     v.field("map_file", map_file, "", "saved map to begin with; empty: begin with an empty map");
     v.field("autosave_period", autosave_period, "s",
@@ -122,7 +122,7 @@ class MapperAdapter {
   void summarize(Status& status) const;
 
   MapperNodeParameters parameters_;
-  std::string base_frame_;
+  std::string base_frame_, odom_frame_;
   mapping::Mapper mapper_;
   mapping::OdometryAnchor anchor_;
   mapping::ScanPairing pairing_;

@@ -9,8 +9,8 @@
 namespace frontier_pilot {
 
 void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
-  if (!isSameFrame(msg.header.frame_id, parameters_.odom_frame)) {
-    return bad_odometry_.add("frame '" + msg.header.frame_id + "' is not '" + parameters_.odom_frame + "'");
+  if (!isSameFrame(msg.header.frame_id, odom_frame_)) {
+    return bad_odometry_.add("frame '" + msg.header.frame_id + "' is not '" + odom_frame_ + "'");
   }
   std::string why;
   const auto odometry = toOdometry(msg, &why);
@@ -55,7 +55,7 @@ void MapperAdapter::broadcast() {
   const auto now = connections_.clock().now();
   if (!now) return;  // after a jump of the clock the stamp might lie far in the future
   const Time stamp = *now + fromSeconds(parameters_.tf_lead);
-  tf_.broadcast(parameters_.map_frame, parameters_.odom_frame, T_map_odom(), stamp);
+  tf_.broadcast(parameters_.map_frame, odom_frame_, T_map_odom(), stamp);
 }
 
 void MapperAdapter::reportOdometry(Status& status) const {

@@ -19,7 +19,8 @@ SimulatorRobot::SimulatorRobot(const ros::NodeHandle& node, NodeConnections& con
     : tf_(tf),
       simulator_(simulator),
       index_(index),
-      base_frame_(frame(model.base_frame)),
+      base_frame_(simulator.name(index).empty() ? model.base_frame : frame(names::kBaseFootprintFrame)),
+      odom_frame_(simulator.name(index).empty() ? model.odom_frame : frame(names::kOdomFrame)),
       scan_time_(1.0 / model.scanner.rate),
       command_topic_(names::ofRobot(simulator.name(index), names::kCmdVel)),
       rejections_(command_topic_) {
@@ -54,8 +55,8 @@ void SimulatorRobot::publishState() {
   const Time now = simulator_.now();
   const Pose2& odometry = simulator_.odometry(index_);
   const Twist2& twist = simulator_.velocity(index_);
-  tf_.broadcast(frame(names::kOdomFrame), base_frame_, odometry, now);
-  odometry_.publish(toOdometryMsg({now, odometry, twist}, frame(names::kOdomFrame), base_frame_));
+  tf_.broadcast(odom_frame_, base_frame_, odometry, now);
+  odometry_.publish(toOdometryMsg({now, odometry, twist}, odom_frame_, base_frame_));
   truth_.publish(toOdometryMsg({now, simulator_.pose(index_), twist}, names::kWorldFrame, base_frame_));
   publishStalled();
 }

@@ -13,7 +13,8 @@
 
 namespace frontier_pilot {
 
-/// The topics and frames of one simulated robot: topics in the namespace of its name, frames prefixed by it.
+/// The topics and frames of one simulated robot: topics in the namespace of its name, frames prefixed by it. A robot
+/// without a name has the frames that its description names, those of a fleet are called alike whatever their kind.
 class SimulatorRobot {
  public:
   SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf, sim::Simulator& simulator,
@@ -34,7 +35,7 @@ class SimulatorRobot {
   TfBridge& tf_;
   sim::Simulator& simulator_;
   std::size_t index_;
-  std::string base_frame_;
+  std::string base_frame_, odom_frame_;
   double scan_time_;  ///< [s]
   bool stalled_ = false;
   std::string command_topic_;  ///< relative to the node's namespace

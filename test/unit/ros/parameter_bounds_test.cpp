@@ -112,12 +112,13 @@ TEST(ParameterBounds, AFrameThatTfCannotHaveIsRefused_FLT_1) {
     expectRefused<ExplorerNodeParameters>(yaml, "map_frame");
     expectRefused<NavigatorNodeParameters>(yaml, "map_frame");
     expectRefused<MapperNodeParameters>(yaml, "map_frame");
-    expectRefused<MapperNodeParameters>(std::string("odom_frame: ") + frame, "odom_frame");
     expectRefused<RobotModel>(std::string("base_frame: ") + frame, "base_frame");
+    expectRefused<RobotModel>(std::string("odom_frame: ") + frame, "odom_frame");
   }
   expectRefused<ExplorerNodeParameters>("base_frame: /base_link", "base_frame");
   expectRefused<NavigatorNodeParameters>("base_frame: /base_link", "base_frame");
   expectRefused<MapperNodeParameters>("base_frame: /base_link", "base_frame");
+  expectRefused<MapperNodeParameters>("odom_frame: /odom", "odom_frame");
   EXPECT_EQ(refusal<ExplorerNodeParameters>("base_frame: ''"), "") << "the robot's";
 }
 

@@ -57,13 +57,13 @@ std::string table(const NodeUsage& usage) {
 
 struct Frames {
   std::string map_frame = "map";
-  std::string odom_frame = "odom";
+  std::string odom_frame;
   std::string base_frame;
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("map_frame", map_frame, "", "frame of the map", FrameName::kGiven);
-    v.field("odom_frame", odom_frame, "", "frame of odometry", FrameName::kGiven);
+    v.field("odom_frame", odom_frame, "", "frame of odometry; empty: robot/odom_frame", FrameName::kMayBeEmpty);
     v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
   }
 };
