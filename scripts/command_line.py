@@ -1,5 +1,6 @@
 """What the command lines of the Python programs have in common."""
 import argparse
+import os
 import sys
 
 
@@ -19,6 +20,17 @@ class CommandLine(argparse.ArgumentParser):
 
     def error(self, message):
         self.exit(2, "%s: %s; '%s --help' lists what it takes\n" % (self.prog, message, self.prog))
+
+
+def say(text, stream=None):
+    """Prints a line, and returns whether it could be written. Once the reader or the terminal is gone, nothing more is written."""
+    stream = stream or sys.stdout
+    try:
+        print(text, file=stream, flush=True)
+        return True
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        return False
 
 
 def exit_with(main):

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""Watches an exploration, prints its progress periodically, and saves the map when it is done or on Ctrl-C. A second
-Ctrl-C does not wait until it is saved.
+"""Watches an exploration, prints its progress periodically, and saves the map when it is done, on Ctrl-C, or when its
+terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved.
 
-Exit code: 0 when no reachable frontier is left and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 1 otherwise.
+Exit code: 0 when no reachable frontier is left and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal
+was closed, 141 when nobody reads the output any more, 1 otherwise.
 """
 import datetime
 import math
@@ -17,7 +18,7 @@ from frontier_pilot.srv import SaveMap
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import ros_program  # noqa: E402
-from command_line import CommandLine, exit_with  # noqa: E402
+from command_line import CommandLine, exit_with, say  # noqa: E402
 
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
 
@@ -74,10 +75,11 @@ class Watcher:
         return self.status is not None and self.status.state == ExplorerStatus.DONE
 
     def progress(self):
+        """Returns whether somebody reads it."""
         if time.monotonic() - self.printed < self.period:
-            return
+            return True
         self.printed = time.monotonic()
-        print('waiting for the explorer' if self.status is None else self.line(), flush=True)
+        return say('waiting for the explorer' if self.status is None else self.line())
 
 
 def default_prefix():
@@ -92,37 +94,42 @@ def save_map(prefix):
         rospy.wait_for_service('mapper/save_map', timeout=10.0)
         answer = rospy.ServiceProxy('mapper/save_map', SaveMap)(path)
     except (OSError, rospy.ROSException, rospy.ServiceException) as error:
-        print('The map could not be saved: %s' % error, file=sys.stderr)
+        say('The map could not be saved: %s' % error, sys.stderr)
         return False
     if not answer.success:
-        print('The map could not be saved: %s' % answer.message, file=sys.stderr)
+        say('The map could not be saved: %s' % answer.message, sys.stderr)
         return False
-    print('Map saved: %s.pgm, .yaml and .bt' % path, flush=True)
+    say('Map saved: %s.pgm, .yaml and .bt' % path)
     return True
 
 
 class Interrupt:
-    """The signal that has asked this program to end. The second one ends it at once, whatever it waits for."""
+    """The signal that has asked this program to end, or SIGPIPE if nobody reads its output. The second Ctrl-C or SIGTERM ends it at
+    once, whatever it waits for; both may come together with the end of the terminal."""
 
     def __init__(self):
         self.number = 0
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, self.take)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            if signal.getsignal(number) != signal.SIG_IGN or number != signal.SIGHUP:  # nohup
+                signal.signal(number, self.take)
 
     def take(self, number, _):
-        if self.number:
+        if self.number in (signal.SIGINT, signal.SIGTERM) and number != signal.SIGHUP:
             os._exit(128 + number)
         self.number = number
+
+    def lose_reader(self):
+        self.number = self.number or signal.SIGPIPE
 
 
 def say_the_end(watcher, began):
     """Whether the exploration ended as it was asked to."""
     status = watcher.status
     complete = status.reason == ExplorerStatus.NO_REACHABLE_FRONTIER
-    print(watcher.line())
-    print('Explored %.1f m2 in %.0f s of the robot\'s time (%.0f s here), driving %.1f m.' % (
+    say(watcher.line())
+    say('Explored %.1f m2 in %.0f s of the robot\'s time (%.0f s here), driving %.1f m.' % (
         status.explored_area, watcher.elapsed(), time.monotonic() - began, status.distance_travelled))
-    print('Exploration %s: %s' % ('complete' if complete else 'ended', status.reason_text), flush=True)
+    say('Exploration %s: %s' % ('complete' if complete else 'ended', status.reason_text))
     return complete or status.reason in ASKED_FOR
 
 
@@ -141,11 +148,12 @@ def main():
     began = time.monotonic()
     watcher = Watcher(arguments.period)
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
-        watcher.progress()
+        if not watcher.progress():
+            interrupt.lose_reader()
         time.sleep(0.2)
     if interrupt.number:
         if watcher.started is not None:
-            print('\nInterrupted: saving the map ...', flush=True)
+            say('\nInterrupted: saving the map ...')
             save_map(arguments.map)
         return 128 + interrupt.number
     if not watcher.done():

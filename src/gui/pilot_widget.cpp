@@ -262,6 +262,7 @@ void PilotWidget::changeEvent(QEvent* event) {
 void PilotWidget::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   letGo();
+  stopBecause("its controls cannot be seen any more");
 }
 
 }  // namespace frontier_pilot::gui

@@ -88,6 +88,22 @@ class BadStart(unittest.TestCase):
         said = self.roslaunch('--wait', 'simulator.launch', 'x:=999', 'y:=999')
         self.assertIn('(999, 999)', said)
 
+    def test_a_node_that_cannot_start_ends_when_roslaunch_has_started_the_others(self):  # [SIM-1]
+        """It would leave behind what it starts after the end of a required node."""
+        path = roslib.packages.find_node('frontier_pilot', 'simulator')[0]
+        launch = ('import subprocess, sys, time\n'
+                  'node = subprocess.Popen([sys.argv[1], "__name:=bad_simulator", "__log:=/tmp/x", "_world:=/nowhere/world.yaml"])\n'
+                  'others = []\n'
+                  'for i in range(6):\n'
+                  '    time.sleep(1.0)\n'
+                  '    assert node.poll() is None, "it ended before %d others were started" % (6 - i)\n'
+                  '    others.append(subprocess.Popen(["sleep", "30"]))\n'
+                  'code = node.wait(15)\n'
+                  'for other in others: other.kill()\n'
+                  'sys.exit(0 if code == 1 else 9)\n')
+        process = subprocess.run([sys.executable, '-c', launch, path], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
+        self.assertEqual(process.returncode, 0, process.stdout.decode())
+
     def test_every_unknown_and_bad_parameter_is_named_at_once(self):
         self.simulator(['sped', 'seed'], os.path.join(WORLDS, 'small.yaml'), '_sped:=2', '_seed:=-1')
 

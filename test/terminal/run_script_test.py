@@ -53,10 +53,20 @@ class RunScript(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.port = free_port()
 
-    def start(self, *words):
-        return subprocess.Popen([RUN, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(self.port, self.folder.name),
-                                cwd=self.folder.name, stdin=subprocess.DEVNULL, universal_newlines=True, start_new_session=True,
-                                preexec_fn=heed_ctrl_c)
+    def start(self, *words, **how):
+        how = dict({'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, 'stdin': subprocess.DEVNULL, 'start_new_session': True,
+                    'preexec_fn': heed_ctrl_c}, **how)
+        return subprocess.Popen([RUN, *words], env=environment(self.port, self.folder.name), cwd=self.folder.name,
+                                universal_newlines=True, **how)
+
+    def start_in_terminal(self, *words):
+        """Like `start`, in a terminal of its own, which closes with the returned process' stdout."""
+        screen, terminal = os.openpty()
+        process = self.start(*words, stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=False,
+                             preexec_fn=lambda: (os.login_tty(os.dup(terminal)), heed_ctrl_c()))
+        os.close(terminal)
+        process.stdout = open(screen, errors='replace')
+        return process
 
     def run_to_the_end(self, *words):
         process = self.start(*words)
@@ -93,9 +103,9 @@ class RunScript(unittest.TestCase):
         self.assertEqual(generated.stat().st_mtime, before, 'it configured the build again')
         self.assert_nothing_is_left()
 
-    def start_exploring(self, prefix):
+    def start_exploring(self, prefix, start=None):
         """The running script, once something is explored, and what it has said."""
-        process = self.start('map:=' + prefix, 'world:=' + str(ROOT / 'config/worlds/small.yaml'), 'speed:=2')
+        process = (start or self.start)('map:=' + prefix, 'world:=' + str(ROOT / 'config/worlds/small.yaml'), 'speed:=2')
         said = ''
         end = time.monotonic() + 240.0
         while not re.search(r'explored +[1-9]', said) and time.monotonic() < end:
@@ -120,6 +130,25 @@ class RunScript(unittest.TestCase):
         self.assertTrue(report, out + err)
         self.assertIn('The exploration was not finished', pathlib.Path(report.group(1)).read_text())
         self.assert_nothing_is_left()
+
+    def assert_the_map_is_saved(self, process, prefix, code):
+        self.assertEqual(process.wait(timeout=120), code)
+        self.assertTrue(os.path.exists(prefix + '.yaml'))
+        self.assert_nothing_is_left()
+
+    def test_the_map_is_saved_although_ctrl_c_also_ended_the_program_that_reads_what_it_says(self):
+        prefix = os.path.join(self.folder.name, 'floor')
+        process, _ = self.start_exploring(prefix)
+        process.stdout.close()
+        process.stderr.close()
+        process.send_signal(signal.SIGINT)
+        self.assert_the_map_is_saved(process, prefix, 130)
+
+    def test_the_map_is_saved_when_the_terminal_is_closed(self):
+        prefix = os.path.join(self.folder.name, 'floor')
+        process, _ = self.start_exploring(prefix, self.start_in_terminal)
+        process.stdout.close()
+        self.assert_the_map_is_saved(process, prefix, 129)
 
     def test_another_ctrl_c_ends_everything_although_the_mapper_hangs(self):
         process, said = self.start_exploring(os.path.join(self.folder.name, 'floor'))

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ros/common/callback_guard.h"
+#include "ros/common/launch_wait.h"
 #include "ros/common/logging/console_output.h"
 #include "ros/common/master/namesake.h"
 #include "ros/common/master/own_parameters.h"
@@ -168,6 +169,11 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
                     const std::function<void()>& check) {
   if (const auto answered = answerCommandLine({argv + 1, argv + argc}, usage)) return *answered;
   const bool is_of_roslaunch = std::any_of(argv + 1, argv + argc, isWordOfRoslaunch);  // before ROS takes its words out
+  const auto cannot_start = [&](const std::exception& error, int exit_code) {
+    fail(usage.name, error, exit_code);
+    if (is_of_roslaunch) waitForTheLaunch();
+    return exit_code;
+  };
   try {
     initNode(argc, argv, usage.name);
     catchSignals();
@@ -184,9 +190,9 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
     flush();  // for the last lines on /rosout
     return exit_code;
   } catch (const ConfigurationError& error) {
-    return fail(usage.name, error, 2);
+    return cannot_start(error, 2);
   } catch (const std::exception& error) {
-    return fail(usage.name, error, 1);
+    return cannot_start(error, 1);
   }
 }
 

@@ -202,6 +202,14 @@ TEST_F(Driving, HoldToRunStopsWhenTheWidgetIsHidden) {
   EXPECT_TRUE(widget_->setPoint().isZero());
 }
 
+// [GUI-3] rviz only hides a panel that is closed, or behind another one.
+TEST_F(Driving, TheRobotIsNotDrivenByAWidgetThatIsHidden_GUI_3) {
+  click("Go");
+  ASSERT_FALSE(widget_->setPoint().isZero());
+  widget_->hide();
+  EXPECT_TRUE(widget_->setPoint().isZero());
+}
+
 // [GUI-4]
 TEST_F(Driving, HoldToRunIsAnOptionOfTheWindow) {
   click("Go");

@@ -3,6 +3,7 @@
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <cstdint>
 #include <fstream>
 #include <optional>
 
@@ -10,16 +11,15 @@
 #include "ros/common/memory/process_identity.h"
 
 namespace frontier_pilot {
-namespace {
 
-/// When the master was started, as a part of a name; empty if it runs on another computer, or is called otherwise.
-std::string beginOfMaster(int process) {
+std::string nameOfMaster(int process) {
   std::string command;
   std::getline(std::ifstream("/proc/" + std::to_string(process) + "/cmdline"), command);
-  return command.find("rosmaster") == std::string::npos ? "" : std::to_string(beginOf(process)) + "-";
+  const std::uint64_t began = command.find("rosmaster") == std::string::npos ? 0 : beginOf(process);
+  if (began == 0) return {};
+  // Process ids are used again, and start again after a reboot.
+  return "master-" + std::to_string(process) + "-" + std::to_string(began) + "-" + bootId();
 }
-
-}  // namespace
 
 std::vector<std::string> rosSessions() {
   std::vector<std::string> sessions;
@@ -31,9 +31,8 @@ std::vector<std::string> rosSessions() {
   if (run_id && run_id->getType() == XmlRpc::XmlRpcValue::TypeString && !static_cast<std::string>(*run_id).empty()) {
     sessions.push_back(*run_id);
   }
-  if (!process) return sessions;
-  // Process ids are used again, and start again after a reboot.
-  sessions.push_back("master-" + std::to_string(*process) + "-" + beginOfMaster(*process) + bootId());
+  const std::string master = process ? nameOfMaster(*process) : std::string();
+  if (!master.empty()) sessions.push_back(master);
   return sessions;
 }
 
