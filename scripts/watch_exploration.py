@@ -12,9 +12,12 @@ import signal
 import sys
 import time
 
-import rospy
-from frontier_pilot.msg import ExplorerStatus
-from frontier_pilot.srv import SaveMap
+if __name__ == '__main__':
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # until main: a Ctrl-C while the rest is imported prints no traceback
+
+import rospy  # noqa: E402
+from frontier_pilot.msg import ExplorerStatus  # noqa: E402
+from frontier_pilot.srv import SaveMap  # noqa: E402
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import ros_program  # noqa: E402

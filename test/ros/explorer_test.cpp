@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <rosgraph_msgs/Log.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -216,6 +217,23 @@ TEST_F(ExplorerOnTheWire, F_APauseCancelsTheGoal_EXP_7) {
   EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
   pause.request.data = 1;
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, pause));
+  EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
+}
+
+// [ARB-8] The navigation may have been silent, so that the stop could be cleared: then the robot must not drive off.
+TEST_F(ExplorerOnTheWire, F_AStopDoesNotPauseItButItsClearDoes_ARB_8) {
+  ros::Publisher stop = world->node.advertise<std_msgs::Bool>(names::kEmergencyStopState, 10, true);
+  std_msgs::Bool stopped;
+  stopped.data = 1;
+  stop.publish(stopped);
+  EXPECT_FALSE(waitFor([] { return !world->move_base->active(); }, 1.0));
+  stopped.data = 0;
+  stop.publish(stopped);
+  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
+  EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
+  std_srvs::SetBool go_on;
+  go_on.request.data = 1;
+  ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, go_on));
   EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
 }
 

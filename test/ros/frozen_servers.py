@@ -17,7 +17,7 @@ from std_srvs.srv import Empty, SetBool, Trigger
 
 from frontier_pilot.msg import (FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult, PatrolAction, PatrolGoal,
                                 SpinAction, SpinGoal)
-from wire import Record, moves, pid_of, wait_for
+from wire import Record, hears, moves, pid_of, wait_for
 
 ROUNDS = 5  # whether the server reads of the stop before its next cycle is a matter of chance
 
@@ -28,6 +28,8 @@ class FrozenServers(unittest.TestCase):
             rospy.wait_for_service(name, 60)
         self.stop = rospy.ServiceProxy('emergency_stop', Trigger)
         self.clear = rospy.ServiceProxy('set_emergency_stop', SetBool)
+        for server in '/patrol_server', '/behavior_server', '/waypoint_follower':
+            self.assertTrue(wait_for(lambda: hears(server, '/emergency_stop_state'), 20))
 
     def cleared(self):
         return self.clear(False).success

@@ -164,6 +164,16 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.client.cancel_goal()
         self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
 
+    def test_a_goal_outlives_a_stop_but_not_its_clear(self):  # [ARB-8]
+        stop = rospy.Publisher('emergency_stop_state', Bool, queue_size=10, latch=True)
+        self.addCleanup(stop.unregister)
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        stop.publish(True)
+        self.assertFalse(wait_for(self.ended, 1.0), 'what it commands keeps the stop from being cleared')
+        stop.publish(False)
+        self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
+
     def test_a_cancel_of_a_goal_that_has_just_replaced_another_ends_both(self):  # [NAV-1]
         for _ in range(5):
             self.send(FAR)

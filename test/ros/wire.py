@@ -157,6 +157,12 @@ def pid_of(node):
     return xmlrpc.client.ServerProxy(master.lookupNode(node)).getPid('/test')[2]
 
 
+def hears(node, topic):
+    """Whether a publisher of `topic` is connected to `node`."""
+    connections = xmlrpc.client.ServerProxy(rosgraph.Master('/test').lookupNode(node)).getBusInfo('/test')[2]
+    return any(way == 'i' and name == topic for _, _, way, _, name, *_ in connections)
+
+
 def memory_of(pid):
     """What it holds now, and what it has held at most [MB]."""
     with open('/proc/%d/status' % pid) as file:

@@ -4,9 +4,10 @@ namespace frontier_pilot {
 
 bool HoldUpWatch::isCatchingUp(SteadyTime now) {
   constexpr Duration kHeldUp = std::chrono::milliseconds(300);
-  if (looked_ && now - *looked_ > kHeldUp) {
+  const Duration silent = looked_ ? now - *looked_ : Duration::zero();
+  if (silent > kHeldUp) {
     ++count_;
-    if (!since_) since_ = now;
+    if (!since_ || silent >= longest_) since_ = now;
     until_ = now + backlog_;
   }
   looked_ = now;

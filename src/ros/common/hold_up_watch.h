@@ -10,7 +10,8 @@ namespace frontier_pilot {
 /// that time still wait then, a stop among them perhaps, so that a node that drives reads them before it acts. [FLT-2]
 class HoldUpWatch {
  public:
-  /// `backlog` is how long reading takes; hold-ups that follow each other delay acting by no more than `longest`.
+  /// `backlog` is how long reading takes; shorter hold-ups that follow each other delay acting by no more than
+  /// `longest`.
   HoldUpWatch(Duration backlog, Duration longest) : backlog_(backlog), longest_(longest) {}
 
   /// Whether to read first. To be called at least every 0.3 s of a process that is not held up.

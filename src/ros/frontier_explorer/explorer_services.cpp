@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
 /// What the explorer serves, with its switches and how they outlive it, and its tunable parameters. The handlers of the
@@ -52,6 +54,17 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
                      (before == enabled_ && status_.state == state_before ? " already: nothing changed" : "") + problem;
   return true;
+}
+
+/// The stop is not cleared while the navigation commands motion for the explorer. If it could not do so for a while, for
+/// example because there was no map or no way, the exploration does not go on after the clear by itself. [ARB-8]
+void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
+  const bool was_stopped = std::exchange(stopped_, msg.data != 0);
+  if (!was_stopped || stopped_ || !enabled_) return;
+  enabled_ = false;
+  paused_->set(true);
+  ROS_WARN("exploration paused: the emergency stop that it has outlived was cleared; set_exploration_enabled goes on");
+  tick();
 }
 
 bool FrontierExplorerAdapter::handleReturnToStart(std_srvs::SetBool::Request& request,

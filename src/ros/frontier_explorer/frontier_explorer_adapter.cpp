@@ -32,6 +32,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   connections_.inputs().need([this](const auto&) {
     return navigation_.available() ? "" : std::string("no move_base: start navigation.launch, or another navigation");
   });
+  connections_.followStop(&FrontierExplorerAdapter::handleStop, this);
   connections_.subscribe(names::kBatteryState, 1, &FrontierExplorerAdapter::handleBattery, this);
   connections_.subscribeToCommands(names::kClickedPoint, 20, &FrontierExplorerAdapter::handleClick, this);
   connections_.subscribeToCommands(names::kInspect, 20, &FrontierExplorerAdapter::handleInspect, this);

@@ -7,6 +7,7 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/BatteryState.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -74,6 +75,7 @@ class FrontierExplorerAdapter {
 
   void handleOdometry(const nav_msgs::Odometry& msg);
   void handleBattery(const sensor_msgs::BatteryState& msg);
+  void handleStop(const std_msgs::Bool& msg);
   void handleClick(const geometry_msgs::PointStamped& msg);
   void handleInspect(const geometry_msgs::PoseStamped& msg);
   bool handleClearInspections(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -127,6 +129,7 @@ class FrontierExplorerAdapter {
   bool battery_in_percent_ = false;  ///< its driver sends percent, not shares
   exploration::ExplorerProgress status_;
   bool enabled_;
+  bool stopped_ = false;  ///< by an emergency stop
   bool reset_ = false;
   bool start_ = false;
   bool map_lost_ = false;  ///< the last map at the end was not saved

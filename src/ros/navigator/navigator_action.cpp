@@ -19,7 +19,7 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::s
       current_goal_(node.advertise<geometry_msgs::PoseStamped>(names::kCurrentGoal, 1)),
       server_(
           node, names::kMoveBase, [this](const Server::GoalHandle& handle) { handleGoal(handle); },
-          [this](const Server::GoalHandle& handle) { handleCancel(handle); }, [this] { cancelWhatWasReplaced(); }) {}
+          [this](const Server::GoalHandle& handle) { handleCancel(handle); }, [this] { cancelAll(); }) {}
 
 void MoveBaseServer::subscribe(NodeConnections& connections) {
   connections.subscribeToCommands(names::kSimpleGoal, 1, &MoveBaseServer::handleSimple, this);
@@ -61,7 +61,7 @@ void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
   for (const auto& [id, known] : handles_) {
     if (known != handle) continue;
     if (pending_ && pending_->id == id) {
-      cancelWhatWasReplaced();
+      cancelAll();  // the active goal had been replaced by this one
     } else {
       cancel_ = id == active_id_;
     }
@@ -69,8 +69,7 @@ void MoveBaseServer::handleCancel(const Server::GoalHandle& handle) {
   }
 }
 
-void MoveBaseServer::cancelWhatWasReplaced() {
-  // The active goal had been replaced by the one that is canceled now, so both end.
+void MoveBaseServer::cancelAll() {
   if (pending_) settle({pending_->id, navigation::NavResult::kCanceled, navigation::NavReason::kCanceled});
   pending_.reset();
   cancel_ = active_id_ != 0;

@@ -26,6 +26,9 @@ class MoveBaseServer {
   /// Subscribes to `move_base_simple/goal`, which rviz publishes. As in move_base, its goals become goals of the
   /// action.
   void subscribe(NodeConnections& connections);
+  bool hasGoals() const { return active_id_ != 0 || pending_; }
+  /// Cancels every goal, as a client would.
+  void cancelAll();
   /// Moves a new goal and a cancel since the last call into `inputs`.
   void fill(navigation::NavigatorInputs& inputs);
   /// Sends the result of a goal to its client.
@@ -44,8 +47,6 @@ class MoveBaseServer {
 
   void handleGoal(const Server::GoalHandle& offered);
   void handleCancel(const Server::GoalHandle& handle);
-  /// To be called when a goal was canceled before the navigator began with it: the one that it replaced ends as well.
-  void cancelWhatWasReplaced();
   void handleSimple(const geometry_msgs::PoseStamped& msg);
   /// The goal in the map's frame; nothing if it is malformed or its frame is not in TF, with the reason in `why`.
   std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;

@@ -2,6 +2,8 @@
 
 #include <geometry_msgs/Twist.h>
 
+#include <utility>
+
 #include "frontier_pilot/system/behavior_ladder.h"
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
@@ -29,6 +31,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.subscribeToScanner(tf_, base_frame_, 1, &NavigatorAdapter::handleScan, this);
   connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
   followOdometry(connections_, tf_, parameters_.robot, base_frame_, 20, &NavigatorAdapter::handleOdometry, this);
+  connections_.followStop(&NavigatorAdapter::handleStop, this);
   tuning_.emplace(parameters_, connections_, [this](const auto& changed) { take(changed); });
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
@@ -62,6 +65,15 @@ void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   if (!odometry) return bad_odometry_.add(why);
   twist_.put(odometry->twist, steadyNow());
   placer_.addOdometry(odometry->stamp, odometry->T_odom_base);
+}
+
+/// The stop is not cleared while this node commands motion. A goal for which it could not do so for a while, for
+/// example because the map was missing, does not outlive the clear: nobody expects the robot to drive then. [ARB-8]
+void NavigatorAdapter::handleStop(const std_msgs::Bool& msg) {
+  const bool was_stopped = std::exchange(stopped_, msg.data != 0);
+  if (!was_stopped || stopped_ || !server_.hasGoals()) return;
+  ROS_WARN("the goal is canceled: the emergency stop that it has outlived was cleared");
+  server_.cancelAll();
 }
 
 std::optional<StampedPose2> NavigatorAdapter::pose() const {

@@ -4,6 +4,7 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/Empty.h>
 
 #include <optional>
@@ -59,6 +60,7 @@ class NavigatorAdapter {
   navigation::NavigatorInputs gather(Time now);
   void handleScan(const sensor_msgs::LaserScan& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);
+  void handleStop(const std_msgs::Bool& msg);
   bool handlePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
   bool handleClear(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
   void take(const NavigatorNodeParameters& changed);
@@ -83,7 +85,8 @@ class NavigatorAdapter {
   std::optional<LaserScan2> scan_;
   Latest<Twist2> twist_;
   navigation::NavState state_ = navigation::NavState::kIdle;
-  std::string failure_;  ///< why the last goal that ended was aborted; empty if it was not
+  std::string failure_;   ///< why the last goal that ended was aborted; empty if it was not
+  bool stopped_ = false;  ///< by an emergency stop
   ros::Publisher command_;
   std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;

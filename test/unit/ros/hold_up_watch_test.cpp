@@ -43,6 +43,16 @@ TEST_F(HoldUp, AProcessThatWasHeldUpReadsFirst) {
   EXPECT_EQ(watch.count(), 2);
 }
 
+// [FLT-2] A stop of the second time must be read before the process acts, too.
+TEST_F(HoldUp, AProcessThatIsFrozenAgainWhileItCatchesUpReadsFirstAgain_FLT_2) {
+  run(milliseconds(100));
+  now += milliseconds(2000);
+  run(milliseconds(20));
+  now += milliseconds(2000);
+  EXPECT_EQ(run(milliseconds(1000)), kBacklog);
+  EXPECT_EQ(watch.count(), 2);
+}
+
 // [FLT-2]
 TEST_F(HoldUp, HoldUpsThatFollowEachOtherDoNotKeepAProcessFromActingForGood) {
   int acted = 0;
