@@ -12,6 +12,10 @@ constexpr std::size_t kLongestName = 256;
 constexpr double kFarthest = 1e6;       // [m]
 constexpr double kWidest = 1.0;         // [m]
 constexpr double kLongestValid = 60.0;  // [s]
+constexpr double kShortest = 0.1;       // between two messages that tell a velocity [s]
+constexpr double kFastest = 2.0;        // [m/s]
+constexpr double kSlowest = 0.05;       // of a robot that counts as moving [m/s]
+constexpr double kNearby = 5.0;         // [m]
 
 bool isPlace(const Vec2& place) { return place.allFinite() && place.cwiseAbs().maxCoeff() <= kFarthest; }
 bool isName(const std::string& name) { return !name.empty() && name.size() <= kLongestName; }
@@ -54,7 +58,14 @@ ClaimsVerdict TrafficRule::hear(const MotionMessage& message, Time now) {
   if (!isSound(message)) return ClaimsVerdict::kMalformed;
   if (message.robot == own_name_) return ClaimsVerdict::kOwn;
   if (heard_.size() >= kMostHeard && heard_.count(message.robot) == 0) return ClaimsVerdict::kTooMany;
-  heard_[message.robot] = {message, now};
+  Vec2 velocity = Vec2::Zero();
+  if (const auto before = heard_.find(message.robot); before != heard_.end()) {
+    const double seconds = toSeconds(now - before->second.at);
+    if (seconds >= kShortest && seconds <= MotionMessage::kValidFor)
+      velocity = (message.position - before->second.message.position) / seconds;
+    if (velocity.norm() > kFastest) velocity.setZero();  // it was put elsewhere, or its place was corrected
+  }
+  heard_[message.robot] = {message, now, velocity};
   return ClaimsVerdict::kTaken;
 }
 
@@ -85,6 +96,21 @@ void TrafficRule::listen(const TrafficInputs& inputs, Time now) {
     other.cannot_yield = message.cannot_yield;
     others_.push_back(std::move(other));
   }
+}
+
+/// Where those are by now that moved between their last two messages.
+std::vector<TrafficOrder::Moving> TrafficRule::movingNearby(const TrafficInputs& inputs, Time now) const {
+  std::vector<TrafficOrder::Moving> moving;
+  if (!inputs.T_map_common) return moving;
+  for (const auto& [name, heard] : heard_) {
+    const double age = toSeconds(now - heard.at);
+    if (heard.velocity.norm() < kSlowest || age < 0.0 || age > MotionMessage::kValidFor) continue;
+    const Vec2 told = *inputs.T_map_common * heard.message.position;
+    const Vec2 velocity = *inputs.T_map_common * (heard.message.position + heard.velocity) - told;
+    const Vec2 position = told + age * velocity;
+    if ((position - position_).norm() < kNearby) moving.push_back({position, velocity, heard.message.radius});
+  }
+  return moving;
 }
 
 std::optional<MotionMessage> TrafficRule::message() const {

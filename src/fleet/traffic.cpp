@@ -29,7 +29,7 @@ constexpr double kStuck = 5.0;         ///< for how long a robot that found no p
 constexpr double kReach = 10.0;        ///< a robot that is farther away is not waited for [m]
 constexpr double kLongest = 60.0;      ///< nor is one that was waited for so long [s]
 
-TrafficOrder hold(const std::string& other) { return {TrafficOrder::Kind::kHold, Vec2::Zero(), other, {}}; }
+TrafficOrder hold(const std::string& other) { return {TrafficOrder::Kind::kHold, Vec2::Zero(), other, {}, {}}; }
 
 }  // namespace
 
@@ -58,6 +58,7 @@ TrafficOrder TrafficRule::update(const TrafficInputs& inputs, Time now) {
   if (!goal_ || !inputs.path.empty()) path_ = inputs.path;
   const bool due = !decided_ || toSeconds(now - *decided_) >= kPeriod;
   if (due) decide(inputs, now);
+  order_.moving = movingNearby(inputs, now);
   return order_;
 }
 
@@ -216,7 +217,7 @@ TrafficOrder TrafficRule::orderToYield(const TrafficInputs& inputs, Time now) {
     }
     const auto bay = findBay(*inputs.map, position_, radius_, off, bodies);
     cannot_yield_ = !bay || (inputs.aside_failed && (*bay - order_.place).norm() < kMoved);
-    if (!cannot_yield_) return {TrafficOrder::Kind::kAside, *bay, in_the_way->name, {}};
+    if (!cannot_yield_) return {TrafficOrder::Kind::kAside, *bay, in_the_way->name, {}, {}};
   }
   return hold(in_the_way->name);
 }

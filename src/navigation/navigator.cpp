@@ -92,6 +92,7 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
     if (goal_) finish(NavResult::kAborted, NavReason::kClockJumped);
   }
   last_update_ = now;
+  others_ = inputs.order.moving;
   takeIn(inputs, now);
   takeEvents(inputs, now);
   if (obey(inputs, now) || !goal_) return output_;

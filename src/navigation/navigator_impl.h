@@ -79,6 +79,7 @@ class Navigator::Impl {
   std::optional<StampedPose2> pose_;
   std::optional<Time> scan_stamp_;
   ScanPoints scan_;
+  std::vector<MovingDisc> others_;  ///< as the last order has them
   bool map_changed_ = false;
   bool obstacles_changed_ = false;
   Time refreshed_;

@@ -19,6 +19,8 @@ constexpr double kCreep = 0.02;           ///< speed at the end of a path [m/s]
 constexpr double kBehind = 2.6;           ///< beyond this bearing a target is neither left nor right [rad]
 constexpr double kContactPenalty = 0.2;   ///< [m of progress]
 constexpr double kDeviationWeight = 0.5;  ///< [m of progress per m off the path]
+constexpr double kCrossingGap = 0.05;     ///< gap to where another robot is going to be [m]
+constexpr double kForeseen = 1.5;         ///< for how long others are taken to drive on as they do [s]
 constexpr double kGoodEnough = 0.9;       ///< share of full-speed progress; then no other variant is tried
 
 }  // namespace
@@ -42,6 +44,16 @@ bool PathFollower::Vicinity::isFree(const Pose2& pose, double speed) const {
   if (corners_count && !follower.outline_on_map_.fits(map, pose, kMapSlack)) return false;
   const auto more = static_cast<float>(kSpeedMargin * std::max(0.0, speed - kNarrowSpeed));
   return follower.outline_.isDisc() ? isDiscFreeOfPoints(pose.position(), more) : isFreeOfPoints(pose, more);
+}
+
+bool PathFollower::Vicinity::isFreeOfOthers(const Vec2& position, double seconds) const {
+  if (seconds > kForeseen) return true;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const double least = follower.outline_.circumscribedRadius() + others[i].radius + kCrossingGap;
+    const double distance = (others[i].centre + seconds * others[i].velocity - position).norm();
+    if (distance < std::min(least, distances_to_others[i])) return false;
+  }
+  return true;
 }
 
 bool PathFollower::Vicinity::isDiscFreeOfPoints(const Vec2& position, float more) const {
@@ -85,7 +97,9 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
   const Pose2& pose = inputs.T_map_base;
   const double reach =
       limits_.max_linear * params_.horizon + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
-  Vicinity around{inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false};
+  Vicinity around{inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false, inputs.others, {}};
+  for (const MovingDisc& other : inputs.others)
+    around.distances_to_others.push_back((other.centre - pose.position()).norm());
   around.least_distances.reserve(around.points.size());
   for (std::size_t i = 0; i < around.points.size(); ++i) {
     const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));
@@ -140,6 +154,7 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
     twist = limitAcceleration(command, twist, limits_, kStep);
     pose = integrate(pose, twist, kStep);
     if (!around.isFree(pose, std::abs(twist.linear))) break;
+    if (!around.isFreeOfOthers(pose.position(), (i + 1) * kStep)) break;
     along = path_.project(pose.position(), along, along + 0.3);
     trial.free_time += kStep;
     trial.points.push_back(pose.position());
@@ -169,7 +184,8 @@ bool PathFollower::canStop(const Twist2& command, double reaction, const Followe
     if (t > reaction + kLongestBraking) return false;
     twist = limitAcceleration(t < reaction ? command : Twist2{}, twist, limits_, kStep);
     pose = integrate(pose, twist, kStep);
-    if (!around.isFree(pose, std::abs(twist.linear))) return false;
+    if (!around.isFree(pose, std::abs(twist.linear)) || !around.isFreeOfOthers(pose.position(), t + kStep))
+      return false;
   }
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/robot_model.h"
+#include "frontier_pilot/navigation/navigator_types.h"
 #include "frontier_pilot/navigation/parameters.h"
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/outline_check.h"
@@ -19,6 +20,7 @@ struct FollowerInputs {
   double age;        ///< of the older of the measured pose and the scan [s]
   const ScanPoints& scan;
   const planning::ClearanceMap& map;
+  std::vector<MovingDisc> others = {};  ///< robots that drive nearby
 };
 
 struct FollowerOutput {
@@ -78,7 +80,13 @@ class PathFollower {
     double least_clearance;  ///< in the map [m]; 0: not checked
     bool corners_count;      ///< whether corners are checked in the map
 
+    /// Other robots that drive, and how near they are now [m].
+    const std::vector<MovingDisc>& others;
+    std::vector<double> distances_to_others;
+
     bool isFree(const Pose2& pose, double speed) const;
+    /// Whether the robot is away from where the others will be in `seconds`, if they drive on, or no nearer than now.
+    bool isFreeOfOthers(const Vec2& position, double seconds) const;
     bool isFreeOfPoints(const Pose2& pose, float more) const;
     bool isDiscFreeOfPoints(const Vec2& position, float more) const;
   };

@@ -57,6 +57,12 @@ struct TrafficOrder {
     Vec2 position = Vec2::Zero();  ///< in the map frame [m]
     double radius = 0.0;           ///< [m]
   };
+  struct Moving {
+    Vec2 position = Vec2::Zero();  ///< now, in the map frame [m]
+    Vec2 velocity = Vec2::Zero();  ///< [m/s]
+    double radius = 0.0;           ///< [m]
+  };
+  std::vector<Moving> moving;    ///< robots nearby that move, whatever their relation to this one
   std::vector<Body> making_way;  ///< robots that get out of this one's way: plans need not lead around them
 
   /// In words, for example "waits for robot2"; empty while free.
@@ -107,8 +113,10 @@ class TrafficRule {
   struct Heard {
     MotionMessage message;
     Time at;
+    Vec2 velocity = Vec2::Zero();  ///< in the common frame [m/s]
   };
 
+  std::vector<TrafficOrder::Moving> movingNearby(const TrafficInputs& inputs, Time now) const;
   void listen(const TrafficInputs& inputs, Time now);
   void decide(const TrafficInputs& inputs, Time now);
   void relate(Other& other, const TrafficInputs& inputs, Time now);

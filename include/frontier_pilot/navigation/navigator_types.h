@@ -25,13 +25,21 @@ struct Disc {
   double radius = 0.0;
 };
 
+/// A round place that moves, such as another robot that drives by.
+struct MovingDisc {
+  Vec2 centre = Vec2::Zero();    ///< now [m]
+  Vec2 velocity = Vec2::Zero();  ///< [m/s]
+  double radius = 0.0;           ///< [m]
+};
+
 /// What the traffic between several robots asks of the navigator. The goal stays, and is pursued again afterwards. In
 /// the map's frame. [MUL-3]
 struct NavOrder {
-  bool hold = false;             ///< stand still
-  std::optional<Vec2> aside;     ///< drive there, and wait; also without a goal
-  std::string why;               ///< in words, while one of the two is asked for
-  std::vector<Disc> making_way;  ///< robots that are leaving: plans may lead through them, motions may not
+  bool hold = false;               ///< stand still
+  std::optional<Vec2> aside;       ///< drive there, and wait; also without a goal
+  std::string why;                 ///< in words, while one of the two is asked for
+  std::vector<Disc> making_way;    ///< robots that are leaving: plans may lead through them, motions may not
+  std::vector<MovingDisc> moving;  ///< robots nearby that drive: motions keep off where they are going to be
   bool empty() const { return !hold && !aside; }
 };
 

@@ -90,6 +90,7 @@ navigation::NavOrder FleetMotions::order(const navigation::Navigator& navigator,
   if (order.kind == fleet::TrafficOrder::Kind::kAside) asked.aside = order.place;
   asked.why = order.text();
   for (const auto& body : order.making_way) asked.making_way.push_back({body.position, body.radius});
+  for (const auto& body : order.moving) asked.moving.push_back({body.position, body.velocity, body.radius});
   return asked;
 }
 

@@ -91,6 +91,7 @@ void DrivenFleet::applyRule(Robot& robot, std::size_t index, navigation::Navigat
   if (order.kind == fleet::TrafficOrder::Kind::kAside) inputs.order.aside = order.place;
   inputs.order.why = order.text();
   for (const auto& body : order.making_way) inputs.order.making_way.push_back({body.position, body.radius});
+  for (const auto& body : order.moving) inputs.order.moving.push_back({body.position, body.velocity, body.radius});
 }
 
 void DrivenFleet::tell() {

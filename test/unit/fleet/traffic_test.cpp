@@ -174,5 +174,27 @@ TEST(TrafficRule, SaysNothingWhileItsPlaceAmongTheOthersIsNotKnown_MUL_3) {
   EXPECT_FALSE(rule.message().has_value());
 }
 
+// [MUL-3]
+TEST(TrafficRule, TellsWhereTheOthersThatDriveAreByNow_MUL_3) {
+  const OccupancyGrid map = building();
+  Robot robot("a", {1.0, 1.5}, Vec2(2.0, 1.5));
+  MotionMessage other;
+  other.robot = "b";
+  other.radius = kRadius;
+  const auto hear = [&](const Vec2& position, double t) {
+    other.position = position;
+    EXPECT_EQ(robot.rule.hear(other, timeFromSeconds(t)), ClaimsVerdict::kTaken);
+    return robot.update(map, t + 0.2).moving;
+  };
+  EXPECT_TRUE(hear({2.0, 1.0}, 1.0).empty()) << "it may stand";
+  const auto moving = hear({2.0, 1.2}, 1.5);
+  ASSERT_EQ(moving.size(), 1U);
+  EXPECT_LT((moving[0].velocity - Vec2(0.0, 0.4)).norm(), 1e-9);
+  EXPECT_LT((moving[0].position - Vec2(2.0, 1.28)).norm(), 1e-9);
+  EXPECT_EQ(moving[0].radius, kRadius);
+  EXPECT_TRUE(hear({2.0, 1.2}, 2.0).empty()) << "it stands";
+  EXPECT_TRUE(hear({5.0, 1.2}, 2.5).empty()) << "its place was corrected";
+}
+
 }  // namespace
 }  // namespace frontier_pilot::fleet

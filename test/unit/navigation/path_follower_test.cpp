@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "frontier_pilot/sim/simulator.h"
 
@@ -84,6 +85,26 @@ TEST(PathFollower, IsFreeToLeaveWhatItIsTooNearTo_NAV_4) {
     EXPECT_FALSE(output.blocked) << i;
     EXPECT_GT(output.command.linear, 0.1) << i;
   }
+}
+
+// [MUL-3] Where it is now another robot is out of the way, but both would be at the crossing at the same time.
+TEST(PathFollower, BrakesForARobotThatIsGoingToCrossItsWay_MUL_3) {
+  planning::ClearanceMap open;
+  open.setMap(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 200, 200}, kFree), {0, 0, 200, 200});
+  open.refresh();
+  const Pose2 start(3.0, 5.0, 0.0);
+  const Twist2 driving{0.5, 0.0};
+  const navigation::ScanPoints nothing;
+  const auto commandBeside = [&](const Vec2& from, const Vec2& velocity) {
+    navigation::PathFollower follower({}, fastRobot());
+    follower.setPath(planning::Path({start.position(), start.position() + Vec2(3.0, 0.0)}));
+    const std::vector<navigation::MovingDisc> others{{from, velocity, 0.105}};
+    return follower.update({start, driving, 0.05, nothing, open, others}).command;
+  };
+  EXPECT_EQ(commandBeside({3.3, 4.7}, {0.0, 0.0}), driving) << "stands beside the way";
+  EXPECT_EQ(commandBeside({3.3, 4.7}, {0.5, 0.0}), driving) << "drives along beside it";
+  EXPECT_EQ(commandBeside({3.3, 4.7}, {0.0, -0.5}), driving) << "drives away";
+  EXPECT_LT(commandBeside({3.3, 4.7}, {0.0, 0.5}).linear, 0.1) << "would be touched in less than a second";
 }
 
 }  // namespace
