@@ -7,7 +7,6 @@ is where a robot starts unless another pose is given; map_server ignores it.
 """
 import os
 import random
-import sys
 
 import numpy as np
 

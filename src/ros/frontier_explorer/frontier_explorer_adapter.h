@@ -129,10 +129,9 @@ class FrontierExplorerAdapter {
   bool battery_in_percent_ = false;  ///< its driver sends percent, not shares
   exploration::ExplorerProgress status_;
   bool enabled_;
-  bool stopped_ = false;  ///< by an emergency stop
-  bool reset_ = false;
-  bool start_ = false;
-  bool map_lost_ = false;  ///< the last map at the end was not saved
+  bool stopped_ = false;                ///< by an emergency stop
+  bool reset_ = false, start_ = false;  ///< asked for since the last tick
+  bool map_lost_ = false;               ///< the last map at the end was not saved
   std::string map_saved_;
   bool markers_due_ = false;
   std::optional<Time> odometry_stamp_;
