@@ -1,5 +1,6 @@
 """What the command lines of the Python programs have in common."""
 import argparse
+import errno
 import os
 import sys
 
@@ -23,12 +24,14 @@ class CommandLine(argparse.ArgumentParser):
 
 
 def say(text, stream=None):
-    """Prints a line, and returns whether it could be written. Once the reader or the terminal is gone, nothing more is written."""
+    """Prints a line, and returns whether there is a reader. Once that, or the terminal, is gone, nothing more is written."""
     stream = stream or sys.stdout
     try:
         print(text, file=stream, flush=True)
         return True
-    except OSError:
+    except OSError as error:
+        if error.errno not in (errno.EPIPE, errno.EIO):
+            return True  # the disk may be full for a while
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
         return False
 

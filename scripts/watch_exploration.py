@@ -108,7 +108,7 @@ def save_map(prefix):
 
 class Interrupt:
     """The signal that has asked this program to end, or SIGPIPE if nobody reads its output. The second Ctrl-C or SIGTERM ends it at
-    once, whatever it waits for; both may come together with the end of the terminal."""
+    once, whatever it waits for. SIGHUP and SIGPIPE may come before it, because what ends them also closes the terminal or the pipe."""
 
     def __init__(self):
         self.number = 0
@@ -119,7 +119,7 @@ class Interrupt:
     def take(self, number, _):
         if self.number in (signal.SIGINT, signal.SIGTERM) and number != signal.SIGHUP:
             os._exit(128 + number)
-        self.number = number
+        self.number = self.number if number == signal.SIGHUP and self.number else number
 
     def lose_reader(self):
         self.number = self.number or signal.SIGPIPE

@@ -12,7 +12,7 @@ constexpr std::size_t kLongestName = 256;
 constexpr double kFarthest = 1e6;       // [m]
 constexpr double kWidest = 1.0;         // [m]
 constexpr double kLongestValid = 60.0;  // [s]
-constexpr double kShortest = 0.1;       // between two messages that tell a velocity [s]
+constexpr double kShortest = 0.3;       // between two messages that tell a velocity: some wait, and come together [s]
 constexpr double kFastest = 2.0;        // [m/s]
 constexpr double kSlowest = 0.05;       // of a robot that counts as moving [m/s]
 constexpr double kNearby = 5.0;         // [m]
@@ -61,6 +61,7 @@ ClaimsVerdict TrafficRule::hear(const MotionMessage& message, Time now) {
   Vec2 velocity = Vec2::Zero();
   if (const auto before = heard_.find(message.robot); before != heard_.end()) {
     const double seconds = toSeconds(now - before->second.at);
+    if (seconds >= 0.0 && seconds < kShortest) velocity = before->second.velocity;
     if (seconds >= kShortest && seconds <= MotionMessage::kValidFor)
       velocity = (message.position - before->second.message.position) / seconds;
     if (velocity.norm() > kFastest) velocity.setZero();  // it was put elsewhere, or its place was corrected

@@ -4,6 +4,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "gui/cards/cards.h"
 #include "gui/cards/header_card.h"
@@ -198,7 +199,8 @@ void PilotWidget::setMap(const teleop::MapView& view) { map_card_->setView(view)
 void PilotWidget::appendLog(const teleop::OperatorLogLine& line) { log_card_->append(line); }
 
 void PilotWidget::stopBecause(const std::string& reason) {
-  clears_left_ = 0;
+  if (std::exchange(clears_left_, 0) > 0)
+    appendLog({teleop::Severity::kWarning, "the stop is not cleared any more: " + reason});
   if (drive_.setPoint().isZero()) return drive_.stop();
   drive_.stop();
   appendLog({teleop::Severity::kWarning, "set-point dropped: " + reason});

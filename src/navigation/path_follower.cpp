@@ -50,8 +50,8 @@ bool PathFollower::Vicinity::isFreeOfOthers(const Vec2& position, double seconds
   if (seconds > kForeseen) return true;
   for (std::size_t i = 0; i < others.size(); ++i) {
     const double least = follower.outline_.circumscribedRadius() + others[i].radius + kCrossingGap;
-    const double distance = (others[i].centre + seconds * others[i].velocity - position).norm();
-    if (distance < std::min(least, distances_to_others[i])) return false;
+    const Vec2 other = others[i].centre + seconds * others[i].velocity;
+    if ((other - position).norm() < std::min(least, (other - here).norm())) return false;
   }
   return true;
 }
@@ -97,9 +97,8 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
   const Pose2& pose = inputs.T_map_base;
   const double reach =
       limits_.max_linear * params_.horizon + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
-  Vicinity around{inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false, inputs.others, {}};
-  for (const MovingDisc& other : inputs.others)
-    around.distances_to_others.push_back((other.centre - pose.position()).norm());
+  Vicinity around{
+      inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false, inputs.others, pose.position()};
   around.least_distances.reserve(around.points.size());
   for (std::size_t i = 0; i < around.points.size(); ++i) {
     const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));

@@ -80,12 +80,12 @@ class PathFollower {
     double least_clearance;  ///< in the map [m]; 0: not checked
     bool corners_count;      ///< whether corners are checked in the map
 
-    /// Other robots that drive, and how near they are now [m].
-    const std::vector<MovingDisc>& others;
-    std::vector<double> distances_to_others;
+    const std::vector<MovingDisc>& others;  ///< robots that drive
+    Vec2 here;                              ///< where this robot is
 
     bool isFree(const Pose2& pose, double speed) const;
-    /// Whether the robot is away from where the others will be in `seconds`, if they drive on, or no nearer than now.
+    /// Whether the robot is away from where the others will be in `seconds`, if they drive on, or at least no nearer
+    /// than if it stood still.
     bool isFreeOfOthers(const Vec2& position, double seconds) const;
     bool isFreeOfPoints(const Pose2& pose, float more) const;
     bool isDiscFreeOfPoints(const Vec2& position, float more) const;

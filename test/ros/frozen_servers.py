@@ -30,6 +30,7 @@ class FrozenServers(unittest.TestCase):
         self.clear = rospy.ServiceProxy('set_emergency_stop', SetBool)
         for server in '/patrol_server', '/behavior_server', '/waypoint_follower':
             self.assertTrue(wait_for(lambda: hears(server, '/emergency_stop_state'), 20))
+        time.sleep(2.0)  # each has asked the master by then which arbiter that is
 
     def cleared(self):
         return self.clear(False).success

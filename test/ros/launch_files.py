@@ -30,7 +30,6 @@ TAKES_NAMES = {'navigation.launch', 'mapper_explorer.launch', 'operator.launch',
 HAS_A_MAPPER = {name + '.launch' for name in ('navigation', 'system', 'robot', 'robots', 'real_robot', 'turtlebot2',
                                                'turtlebot3', 'play')}
 NEEDS_MAP_FRAME = {'mapper', 'navigator', 'frontier_explorer', 'check_robot'}
-NEEDS_ODOM_FRAME = {'mapper', 'behavior_server'}
 PLACES_BEAMS = {'mapper', 'navigator', 'obstacle_avoider', 'behavior_server'}
 LDS_01 = {'scanner/time_increment': 0.000556, 'scanner/reversed': True}
 OBEYS_NO_LIMITS = {'rviz', 'bag_player.py', 'run_recorder', 'map_merger', 'fleet_stop', 'robots_launcher.py', 'check_robot', 'mapper', 'frontier_explorer', 'obstacle_avoider',
@@ -151,7 +150,6 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertEqual((given['robot/base_frame'], given['robot/odom_frame'], given['robot/odometry']),
                                  ('base_link', 'wheels', 'tf'), file + ' ' + name)
                 self.assertEqual(given.get('map_frame'), 'floor' if type_name in NEEDS_MAP_FRAME else None, name)
-                self.assertEqual(given.get('odom_frame'), 'wheels' if type_name in NEEDS_ODOM_FRAME else None, name)
 
     def test_topics_of_a_foreign_robot_replace_ours(self):
         """[ROB-2]"""

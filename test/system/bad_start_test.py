@@ -92,7 +92,7 @@ class BadStart(unittest.TestCase):
         """It would leave behind what it starts after the end of a required node."""
         path = roslib.packages.find_node('frontier_pilot', 'simulator')[0]
         launch = ('import subprocess, sys, time\n'
-                  'node = subprocess.Popen([sys.argv[1], "__name:=bad_simulator", "__log:=/tmp/x", "_world:=/nowhere/world.yaml"])\n'
+                  'node = subprocess.Popen([sys.argv[1], "__name:=bad_simulator", "__log:=" + sys.argv[2], "_world:=/nowhere/world.yaml"])\n'
                   'others = []\n'
                   'for i in range(6):\n'
                   '    time.sleep(1.0)\n'
@@ -101,7 +101,9 @@ class BadStart(unittest.TestCase):
                   'code = node.wait(15)\n'
                   'for other in others: other.kill()\n'
                   'sys.exit(0 if code == 1 else 9)\n')
-        process = subprocess.run([sys.executable, '-c', launch, path], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.run([sys.executable, '-c', launch, path, folder + '/log'], stdout=subprocess.PIPE,
+                                     stderr=subprocess.STDOUT, timeout=60)
         self.assertEqual(process.returncode, 0, process.stdout.decode())
 
     def test_every_unknown_and_bad_parameter_is_named_at_once(self):

@@ -7,7 +7,7 @@ bool HoldUpWatch::isCatchingUp(SteadyTime now) {
   const Duration silent = looked_ ? now - *looked_ : Duration::zero();
   if (silent > kHeldUp) {
     ++count_;
-    if (!since_ || silent >= longest_) since_ = now;
+    if (!since_ || silent >= longest_ - backlog_) since_ = now;
     until_ = now + backlog_;
   }
   looked_ = now;

@@ -22,7 +22,7 @@ class HoldUpWatch {
  private:
   Duration backlog_, longest_;
   std::optional<SteadyTime> looked_;  ///< the last call
-  std::optional<SteadyTime> since_;   ///< the first hold-up since the process was last up to date
+  std::optional<SteadyTime> since_;   ///< the first of several short hold-ups, or the last long one
   SteadyTime until_;
   int count_ = 0;
 };

@@ -83,12 +83,13 @@ ExplorerMemory::ExplorerMemory(NodeConnections& connections)
 }
 
 std::string ExplorerMemory::whyStand() const {
-  if (is_damaged_) return "the bounds that were set for the exploration cannot be read any more";
+  if (is_damaged_) return "what the explorer was told before cannot be read any more; it may have had bounds";
   return orders_.ended ? "the exploration had ended: " + *orders_.ended : std::string();
 }
 
 std::string ExplorerMemory::keepBounds(const exploration::ExplorationBounds& bounds) {
   orders_.bounds = bounds;
+  is_damaged_ = false;
   return keep();
 }
 
@@ -104,6 +105,7 @@ void ExplorerMemory::keepEnd(const std::optional<std::string>& reason) {
 }
 
 std::string ExplorerMemory::keep() {
+  if (is_damaged_) return {};  // the next process has to stand, too, until the bounds are set anew
   const std::string problem = text_.set(toText(orders_));
   return problem.empty() ? problem : "; would not survive a restart: " + problem;
 }

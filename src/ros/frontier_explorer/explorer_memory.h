@@ -11,7 +11,7 @@ namespace frontier_pilot {
 /// What an operator has told an explorer, and whether a stopping rule has ended its exploration. Nothing stands for
 /// what has not been told.
 struct ExplorerOrders {
-  std::optional<exploration::ExplorationBounds> bounds;  ///< empty ones if they were lifted
+  std::optional<exploration::ExplorationBounds> bounds;  ///< empty if they were lifted
   std::optional<bool> returns_to_start;
   std::optional<std::string> ended;  ///< the rule that has ended the exploration, in words
 };
@@ -48,7 +48,7 @@ class ExplorerMemory {
 
   RememberedText text_;
   ExplorerOrders orders_;
-  bool is_damaged_ = false;  ///< what was left cannot be read
+  bool is_damaged_ = false;  ///< what was left cannot be read, and stays as it is until the bounds are set
 };
 
 }  // namespace frontier_pilot

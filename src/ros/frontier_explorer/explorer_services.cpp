@@ -63,7 +63,7 @@ void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
   if (!was_stopped || stopped_ || !enabled_) return;
   enabled_ = false;
   paused_->set(true);
-  ROS_WARN("exploration paused: the emergency stop that it has outlived was cleared; set_exploration_enabled goes on");
+  ROS_WARN("exploration paused because the emergency stop was cleared: call set_exploration_enabled true to go on");
   tick();
 }
 

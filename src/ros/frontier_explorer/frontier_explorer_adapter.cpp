@@ -40,7 +40,10 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
   addServices();
-  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
+  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
+    const auto now = connections_.clock().now();
+    if (now && !connections_.clock().isCatchingUp()) update(*now);
+  });
   connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
   connections_.clock().onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });
 }

@@ -36,7 +36,9 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.serve(names::kMakePlan, &NavigatorAdapter::handlePlan, this);
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
-    if (const auto now = connections_.clock().now()) tick(*now);
+    const auto now = connections_.clock().now();
+    if (now && !connections_.clock().isCatchingUp()) return tick(*now);
+    if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
   });
   connections_.clock().onJump([this] {  // the goal stays
     scan_.reset();
@@ -72,7 +74,7 @@ void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
 void NavigatorAdapter::handleStop(const std_msgs::Bool& msg) {
   const bool was_stopped = std::exchange(stopped_, msg.data != 0);
   if (!was_stopped || stopped_ || !server_.hasGoals()) return;
-  ROS_WARN("the goal is canceled: the emergency stop that it has outlived was cleared");
+  ROS_WARN("the goal is canceled because the emergency stop was cleared");
   server_.cancelAll();
 }
 

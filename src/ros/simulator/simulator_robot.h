@@ -14,7 +14,8 @@
 namespace frontier_pilot {
 
 /// The topics and frames of one simulated robot: topics in the namespace of its name, frames prefixed by it. A robot
-/// without a name has the frames that its description names, those of a fleet are called alike whatever their kind.
+/// without a name has the frames that its description names, in a fleet they are always <name>/odom and
+/// <name>/base_footprint.
 class SimulatorRobot {
  public:
   SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf, sim::Simulator& simulator,

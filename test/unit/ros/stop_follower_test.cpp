@@ -60,21 +60,6 @@ TEST_F(StopFollowerOfAServer, TellsTheStopOnceMoreAlsoIfTheClearComesJustAfterIt
   EXPECT_EQ(told, "cSScSSc");
 }
 
-// [FLT-2] Messages come before the master is asked who sends them.
-TEST_F(StopFollowerOfAServer, TakesAHoldUpBeforeItKnowsWhereTheArbiterIsForAStop_FLT_2) {
-  publishers.clear();
-  ++hold_ups;
-  tick(true);
-  tick();
-  EXPECT_EQ(told, "") << "there may be no arbiter at all";
-  take(false);
-  ++hold_ups;
-  tick(true);
-  EXPECT_EQ(told, "cS");
-  tick();
-  EXPECT_EQ(told, "cSSc");
-}
-
 // [FLT-2] What the arbiter had sent is lost with it, and the one that follows is cleared already.
 TEST_F(StopFollowerOfAServer, TakesTheDeathOfTheArbiterDuringAHoldUpForAStop_FLT_2) {
   take(false);

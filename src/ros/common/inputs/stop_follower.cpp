@@ -4,7 +4,6 @@ namespace frontier_pilot {
 
 void StopFollower::take(bool stopped, int hold_ups) {
   noticeHoldUp(hold_ups);
-  heard_ = true;
   clear_waits_ = !stopped && (stopped_ || clear_waits_) && !caught_up_;
   if (clear_waits_) return;
   if (stopped_ && !stopped) tell_(true);  // for a goal that came while the server's clock was not trusted
@@ -27,7 +26,7 @@ void StopFollower::noticeHoldUp(int hold_ups) {
   if (hold_ups == hold_ups_) return;
   hold_ups_ = hold_ups;
   caught_up_ = false;
-  if (stopped_ || !heard_ || any_lives_(publishers_)) return;
+  if (stopped_ || publishers_.empty() || any_lives_(publishers_)) return;
   clear_waits_ = true;
   tell_(true);
 }

@@ -10,9 +10,8 @@ namespace frontier_pilot {
 /// What a node that drives is told of the emergency stop, so that no goal outlives a stop. A node that was held up (see
 /// HoldUpWatch) may have missed something: a goal of that time may be read after both the stop and its clear, and an
 /// arbiter that died meanwhile takes along what the node has not read yet. So the stop is told once more before each
-/// clear, a clear that is read while the node is catching up waits until it has caught up, and if an
-/// arbiter was heard before the hold-up and none of that time is known to live any more, there may have been a stop.
-/// [FLT-2]
+/// clear, a clear that is read while the node is catching up waits until it has caught up, and if no arbiter of the
+/// time before the hold-up lives any more, there may have been a stop. [FLT-2]
 class StopFollower {
  public:
   using Uris = std::set<std::string>;
@@ -33,7 +32,7 @@ class StopFollower {
 
   std::function<void(bool)> tell_;
   std::function<bool(const Uris&)> any_lives_;
-  bool heard_ = false, stopped_ = false, clear_waits_ = false;
+  bool stopped_ = false, clear_waits_ = false;
   int hold_ups_ = 0;
   bool caught_up_ = true;  ///< whether there was a tick since the last hold-up that did not catch up any more
   Uris publishers_;        ///< before the last hold-up; those that were heard last if there was none then
