@@ -45,7 +45,7 @@ double growthOf(const Work& work) {
   return secondsOf(work, bounds::kMostRanges) / few;
 }
 
-constexpr double kMostGrowth = 30.0;
+constexpr double kMostGrowth = 45.0;  // up to 28 with rough walls, where more neighbours count
 
 TEST(DenseScan, FLT_1_IsReadInTimeThatItsSizeBounds) {  // [FLT-1]
   for (const double roughness : {0.0, 0.01, 0.05}) {
