@@ -227,13 +227,16 @@ TEST_F(ExplorerOnTheWire, F_AStopDoesNotPauseItButItsClearDoes_ARB_8) {
   stopped.data = 1;
   stop.publish(stopped);
   EXPECT_FALSE(waitFor([] { return !world->move_base->active(); }, 1.0));
+  std_srvs::SetBool go_on;
+  go_on.request.data = 1;
+  ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, go_on));
+  EXPECT_NE(go_on.response.message.find("clearing the stop pauses it"), std::string::npos) << go_on.response.message;
   stopped.data = 0;
   stop.publish(stopped);
   EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
   EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
-  std_srvs::SetBool go_on;
-  go_on.request.data = 1;
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, go_on));
+  EXPECT_EQ(go_on.response.message, "exploration enabled");
   EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
 }
 

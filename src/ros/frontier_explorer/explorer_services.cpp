@@ -52,7 +52,8 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   tick();  // so that a pause cancels the goal before the call is answered
   response.success = 1U;
   response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
-                     (before == enabled_ && status_.state == state_before ? " already: nothing changed" : "") + problem;
+                     (before == enabled_ && status_.state == state_before ? " already: nothing changed" : "") +
+                     (enabled_ && stopped_ ? "; the robot is stopped, and clearing the stop pauses it" : "") + problem;
   return true;
 }
 
