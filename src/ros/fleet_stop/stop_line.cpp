@@ -123,6 +123,8 @@ StopAnswer StopLine::call() {
     }
     disconnect();
   }
+  // A killed node may have counted as connected both times.
+  if (!ros::service::exists(node_.resolveName(service_), false)) return {StopOutcome::kNoService, {}};
   return {StopOutcome::kRefused, "the call failed"};
 }
 

@@ -12,6 +12,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/BatteryState.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
@@ -32,6 +33,7 @@ NodeUsage frontierExplorerUsage() {
                  port<map_msgs::OccupancyGridUpdate>(names::kMapUpdates),
                  port<MapChanges>(names::changesOf(names::kMap)),
                  port<nav_msgs::Odometry>(names::kOdom),
+                 port<std_msgs::Bool>(names::kEmergencyStopState),
                  port<geometry_msgs::PointStamped>(names::kClickedPoint),
                  port<geometry_msgs::PoseStamped>(names::kInspect),
                  port<sensor_msgs::BatteryState>(names::kBatteryState),
