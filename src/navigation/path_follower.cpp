@@ -48,10 +48,10 @@ bool PathFollower::Vicinity::isFree(const Pose2& pose, double speed) const {
 
 bool PathFollower::Vicinity::isFreeOfOthers(const Vec2& position, double seconds) const {
   if (seconds > kForeseen) return true;
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const double least = follower.outline_.circumscribedRadius() + others[i].radius + kCrossingGap;
-    const Vec2 other = others[i].centre + seconds * others[i].velocity;
-    if ((other - position).norm() < std::min(least, (other - here).norm())) return false;
+  for (const MovingDisc& other : others) {
+    const double least = follower.outline_.circumscribedRadius() + other.radius + kCrossingGap;
+    const Vec2 there = other.centre + seconds * other.velocity;
+    if ((there - position).norm() < std::min(least, (there - here).norm())) return false;
   }
   return true;
 }
