@@ -108,21 +108,23 @@ def save_map(prefix):
 
 class Interrupt:
     """The signal that has asked this program to end, or SIGPIPE if nobody reads its output. The second Ctrl-C or SIGTERM ends it at
-    once, whatever it waits for. SIGHUP and SIGPIPE may come before it, because what ends them also closes the terminal or the pipe."""
+    once, whatever it waits for. The terminal or the reader may be gone before or after the first one, by the same Ctrl-C."""
 
     def __init__(self):
         self.number = 0
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            if signal.getsignal(number) != signal.SIG_IGN or number != signal.SIGHUP:  # nohup
-                signal.signal(number, self.take)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self.take)
+        if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # which nohup has set
+            signal.signal(signal.SIGHUP, self.lose)
 
     def take(self, number, _):
-        if self.number in (signal.SIGINT, signal.SIGTERM) and number != signal.SIGHUP:
+        if self.number in (signal.SIGINT, signal.SIGTERM):
             os._exit(128 + number)
-        self.number = self.number if number == signal.SIGHUP and self.number else number
+        self.number = number
 
-    def lose_reader(self):
-        self.number = self.number or signal.SIGPIPE
+    def lose(self, number, _=None):
+        """The terminal, or what reads the output, is gone."""
+        self.number = self.number or number
 
 
 def say_the_end(watcher, began):
@@ -152,7 +154,7 @@ def main():
     watcher = Watcher(arguments.period)
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
         if not watcher.progress():
-            interrupt.lose_reader()
+            interrupt.lose(signal.SIGPIPE)
         time.sleep(0.2)
     if interrupt.number:
         if watcher.started is not None:
