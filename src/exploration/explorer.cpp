@@ -160,7 +160,11 @@ void Explorer::Impl::reset(Time now) {
 /// Whether the explorer may act: it is enabled and every input is available. [EXP-8]
 bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
   if (!inputs.enabled) {
-    pause(now);
+    standFor(ExplorerReason::kPaused, now);
+    return false;
+  }
+  if (inputs.stopped) {
+    if (status_.state != ExplorerState::kDone) standFor(ExplorerReason::kEmergencyStop, now);
     return false;
   }
   const std::vector<ExplorerReason> missing = missingInputs(inputs, now);
@@ -172,10 +176,10 @@ bool Explorer::Impl::ready(const ExplorerInputs& inputs, Time now) {
   return false;
 }
 
-void Explorer::Impl::pause(Time now) {
+void Explorer::Impl::standFor(ExplorerReason reason, Time now) {
   cancelGoal();
-  if (status_.reason == ExplorerReason::kPaused) return;
-  enter(ExplorerState::kIdle, ExplorerReason::kPaused, "", now);
+  if (status_.reason == reason) return;
+  enter(ExplorerState::kIdle, reason, "", now);
 }
 
 std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& inputs, Time now) const {

@@ -85,7 +85,8 @@ class Explorer::Impl {
   void forgetTime(Time now);
   void reset(Time now);
   bool ready(const ExplorerInputs& inputs, Time now);
-  void pause(Time now);
+  /// Cancels the goal and waits.
+  void standFor(ExplorerReason reason, Time now);
   void stopFor(const std::vector<ExplorerReason>& missing, Time now);
   std::vector<ExplorerReason> missingInputs(const ExplorerInputs& inputs, Time now) const;
   void handleEvent(const GoalEvent& event, Time now);

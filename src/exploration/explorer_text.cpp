@@ -47,8 +47,9 @@ constexpr std::array kReasonTexts = {
     "inspecting a pose that was asked for",
     "nothing is to be inspected any more",
     "what is left is another robot's",
+    "the emergency stop is latched",
 };
-static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kLeftToOthers) + 1);
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kEmergencyStop) + 1);
 
 }  // namespace
 

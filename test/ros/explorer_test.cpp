@@ -220,21 +220,22 @@ TEST_F(ExplorerOnTheWire, F_APauseCancelsTheGoal_EXP_7) {
   EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
 }
 
-// [ARB-8] The navigation may have been silent, so that the stop could be cleared: then the robot must not drive off.
-TEST_F(ExplorerOnTheWire, F_AStopDoesNotPauseItButItsClearDoes_ARB_8) {
+// [ARB-8] Nothing is driven to while the robot is stopped, and after the clear it does not drive off.
+TEST_F(ExplorerOnTheWire, F_AStopCancelsTheGoalAndItsClearPauses_ARB_8) {
   ros::Publisher stop = world->node.advertise<std_msgs::Bool>(names::kEmergencyStopState, 10, true);
   std_msgs::Bool stopped;
   stopped.data = 1;
   stop.publish(stopped);
-  EXPECT_FALSE(waitFor([] { return !world->move_base->active(); }, 1.0));
+  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
+  EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::EMERGENCY_STOP; }));
   std_srvs::SetBool go_on;
   go_on.request.data = 1;
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, go_on));
   EXPECT_NE(go_on.response.message.find("clearing the stop pauses it"), std::string::npos) << go_on.response.message;
   stopped.data = 0;
   stop.publish(stopped);
-  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
   EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
+  EXPECT_FALSE(world->move_base->active());
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, go_on));
   EXPECT_EQ(go_on.response.message, "exploration enabled");
   EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));

@@ -55,6 +55,7 @@ enum class ExplorerReason : std::uint8_t {
   kInspecting,
   kInspectionsCleared,
   kLeftToOthers,
+  kEmergencyStop,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -97,6 +98,7 @@ struct GoalEvent {
 /// Inputs of one tick. An absent value has never been received or is not available.
 struct ExplorerInputs {
   bool enabled = true;               ///< false pauses
+  bool stopped = false;              ///< the emergency stop is latched
   bool reset = false;                ///< forget blacklist, fruitless places, failures and visits; return to RICH
   bool start = false;                ///< go on after a stopping rule has ended the exploration
   bool map_available = true;         ///< the map has a publisher

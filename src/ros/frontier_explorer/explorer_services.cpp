@@ -57,8 +57,7 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   return true;
 }
 
-/// The stop is not cleared while the navigation commands motion for the explorer. If it could not do so for a while,
-/// for example because there was no map or no way, the exploration does not go on after the clear by itself. [ARB-8]
+/// While the robot is stopped its goal is canceled. After the clear the exploration does not go on by itself. [ARB-8]
 void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
   const bool was_stopped = std::exchange(stopped_, msg.data != 0);
   if (!was_stopped || stopped_ || !enabled_) return;

@@ -34,6 +34,7 @@ static_assert(static_cast<int>(exploration::ExplorerReason::kStartedAgain) == Ex
 static_assert(static_cast<int>(exploration::ExplorerReason::kUntilShare) == ExplorerStatus::UNTIL_SHARE);
 static_assert(static_cast<int>(exploration::ExplorerReason::kUntilBattery) == ExplorerStatus::UNTIL_BATTERY);
 static_assert(static_cast<int>(exploration::ExplorerReason::kLeftToOthers) == ExplorerStatus::LEFT_TO_OTHERS);
+static_assert(static_cast<int>(exploration::ExplorerReason::kEmergencyStop) == ExplorerStatus::EMERGENCY_STOP);
 
 ExplorerStatus toStatusMsg(const exploration::ExplorerProgress& progress, const std::string& frame, Time stamp) {
   ExplorerStatus msg;
@@ -99,7 +100,8 @@ bool FrontierExplorerAdapter::missesBattery() const { return parameters_.explore
 void FrontierExplorerAdapter::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   using Reason = exploration::ExplorerReason;
-  const bool asked_to_wait = status_.reason == Reason::kPaused || status_.reason == Reason::kOthersGoal;
+  const bool asked_to_wait = status_.reason == Reason::kPaused || status_.reason == Reason::kEmergencyStop ||
+                             status_.reason == Reason::kOthersGoal;
   const bool waits = status_.state == exploration::ExplorerState::kIdle && !asked_to_wait;
   const bool stuck = status_.reason == Reason::kTooManyFrontiers || status_.reason == Reason::kRobotOutOfBounds;
   status.summary(waits || stuck || map_lost_ ? DiagnosticStatus::WARN : DiagnosticStatus::OK,

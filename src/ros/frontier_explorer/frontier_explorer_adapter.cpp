@@ -75,6 +75,7 @@ void FrontierExplorerAdapter::update(Time now) {
 exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   exploration::ExplorerInputs inputs;
   inputs.enabled = enabled_;
+  inputs.stopped = stopped_;
   inputs.reset = std::exchange(reset_, false);
   inputs.start = std::exchange(start_, false);
   inputs.map_available = map_.ready() && map_.published();

@@ -98,6 +98,35 @@ TEST_F(ExplorerInputsTest, APauseCancelsTheGoalAndIsItsOwnReason_EXP_7) {
   EXPECT_EQ(tick().status.state, State::kNavigating);
 }
 
+// [ARB-8] A stop is no fault of the places that the robot does not reach, and no time of the exploration.
+TEST_F(ExplorerInputsTest, WhileTheEmergencyStopIsLatchedNoGoalIsSentAndNoTimeCounts_ARB_8) {
+  show(kRoom);
+  tick();
+  const double before = tick().status.exploring_time;
+  inputs.stopped = true;
+  exploration::ExplorerOutput output = tick();
+  EXPECT_EQ(output.command.kind, exploration::GoalCommand::Kind::kCancel);
+  const exploration::GoalCommand last = sent;
+  inputs.goal_events = {{sent.goal_id, exploration::GoalEvent::Kind::kAborted, "blocked"}};
+  output = tickFor(100.0);
+  EXPECT_EQ(output.status.state, State::kIdle);
+  EXPECT_EQ(output.status.reason, Reason::kEmergencyStop);
+  EXPECT_EQ(sent.goal_id, last.goal_id);
+  EXPECT_EQ(output.status.goals_failed, 0U);
+  EXPECT_NEAR(output.status.exploring_time, before, 0.2);
+  EXPECT_EQ(notes.size(), 0U) << "a stop is not a complaint";
+  inputs.stopped = false;
+  EXPECT_EQ(tick().status.state, State::kNavigating);
+}
+
+TEST_F(ExplorerInputsTest, WhatIsDoneStaysDoneWhileTheEmergencyStopIsLatched_ARB_8) {
+  show(kClosedRoom);
+  ASSERT_EQ(tickFor(60.0).status.state, State::kDone);
+  inputs.stopped = true;
+  show(kRoom);
+  EXPECT_EQ(tickFor(5.0).status.state, State::kDone);
+}
+
 TEST_F(ExplorerInputsTest, ResetForgetsBlacklistAndPhase) {
   show(kTwoEnds);
   tick();

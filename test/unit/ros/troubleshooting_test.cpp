@@ -49,7 +49,7 @@ TEST(Troubleshooting, ExplainsEachReasonWithWhichANavigationEnds) {
 
 TEST(Troubleshooting, ExplainsEachReasonWithWhichAnExplorationWaitsOrEnds) {
   expectExplained(
-      badTexts(exploration::ExplorerReason::kLeftToOthers,
+      badTexts(exploration::ExplorerReason::kEmergencyStop,
                {"none", "all inputs are there", "goal sent", "goal reached", "goal failed", "goal timed out",
                 "goal preempted by another client", "nothing left to see at the goal", "a better goal",
                 "no rich frontier left", "all that is left is blacklisted, trying once more", "the map changed",
