@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QScreen>
 #include <QStyleFactory>
+#include <cstdlib>
 
 #include "gui/fleet_window.h"
 #include "gui/theme.h"
@@ -16,6 +17,24 @@ QSize windowSize(const QWidget& widget) {
   const QSize wanted(em * 86, em * 46);
   const QScreen* screen = QGuiApplication::primaryScreen();
   return screen == nullptr ? wanted : wanted.boundedTo(screen->availableSize() * 0.95);
+}
+
+bool g_is_running = false;
+
+/// Qt calls exit() from within its event loop when the connection to the display is lost, which would destroy static
+/// objects that other threads, such as those of ROS, still use. The arbiter takes a window that is gone for silent.
+void endAtOnce() {
+  if (g_is_running) std::_Exit(EXIT_FAILURE);
+}
+
+/// Runs the event loop. The handler is registered after all static objects were made, so that it runs before any of
+/// them is destroyed.
+int runUntilClosed() {
+  std::atexit(endAtOnce);
+  g_is_running = true;
+  const int exit_code = QApplication::exec();
+  g_is_running = false;
+  return exit_code;
 }
 
 }  // namespace
@@ -35,7 +54,7 @@ int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const std::st
   QObject::connect(&application, &QApplication::aboutToQuit, &window, &FleetWindow::release);
   window.resize(windowSize(window));
   window.show();
-  return QApplication::exec();
+  return runUntilClosed();
 }
 
 }  // namespace frontier_pilot::gui

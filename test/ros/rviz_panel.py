@@ -13,6 +13,8 @@ import rospy
 import rostest
 import yaml
 
+from screen import Screen
+
 CONFIG = {
     'Panels': [{'Class': 'frontier_pilot/PilotPanel', 'Name': 'Pilot'}],
     'Visualization Manager': {'Class': '', 'Displays': [], 'Tools': [{'Class': 'frontier_pilot/Inspect'}],
@@ -49,26 +51,18 @@ class RvizPanel(unittest.TestCase):
         config = os.path.join(self.folder, 'panel.rviz')
         with open(config, 'w') as file:
             yaml.safe_dump(CONFIG, file)
-        read_end, write_end = os.pipe()
-        self.screen = subprocess.Popen(
-            ['Xvfb', '-displayfd', str(write_end), '-screen', '0', '1024x768x24', '+extension', 'GLX'],
-            pass_fds=[write_end], stderr=subprocess.DEVNULL)
-        os.close(write_end)
-        with os.fdopen(read_end) as display:
-            number = display.readline().strip()
-        environment = dict(os.environ, DISPLAY=':' + number, LIBGL_ALWAYS_SOFTWARE='1', XDG_RUNTIME_DIR=self.folder)
-        environment.pop('QT_QPA_PLATFORM', None)
+        self.screen = Screen(self.folder)
         self.log = open(os.path.join(self.folder, 'log'), 'w+')
-        self.rviz = subprocess.Popen(['rviz', '-d', config, '__name:=' + NODE[1:]], env=environment, stdout=self.log,
-                                     stderr=subprocess.STDOUT)
+        self.rviz = subprocess.Popen(['rviz', '-d', config, '__name:=' + NODE[1:]], env=self.screen.environment,
+                                     stdout=self.log, stderr=subprocess.STDOUT)
 
     def tearDown(self):
-        for process in (self.rviz, self.screen):
-            if process is None:
-                continue
-            if process.poll() is None:
-                process.kill()
-            process.wait()
+        if self.rviz is not None:
+            if self.rviz.poll() is None:
+                self.rviz.kill()
+            self.rviz.wait()
+        if self.screen is not None:
+            self.screen.end()
         self.log.close()
         shutil.rmtree(self.folder)
 
