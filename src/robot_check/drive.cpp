@@ -7,6 +7,7 @@ namespace frontier_pilot::robot_check {
 namespace {
 
 constexpr const char* kTwist = "geometry_msgs/Twist";
+constexpr const char* kArbiterStatus = "frontier_pilot/ArbiterStatus";
 constexpr double kLongWatchdog = 2.0;  // [s]
 
 std::vector<std::string> without(const std::vector<std::string>& nodes, const std::vector<std::string>& left_out) {
@@ -22,12 +23,16 @@ std::vector<std::string> publishersOf(const Observation& seen, const std::string
   return topic == nullptr ? std::vector<std::string>() : topic->publishers;
 }
 
-/// The nodes that work with the arbiter: itself, its sources, and those that read its status, as the operator's window
-/// does, which also shows cmd_vel. None of them is a base.
-std::vector<std::string> ownNodes(const Observation& seen, const Expectation& expected) {
-  std::vector<std::string> own = publishersOf(seen, expected.arbiter_status);
+/// The nodes that work with an arbiter, this robot's or another one's: itself, its sources, and those that read its
+/// status, as the operator's window does, which also shows cmd_vel. None of them is a base.
+std::vector<std::string> nodesOfArbiters(const Observation& seen, const Expectation& expected) {
+  std::vector<std::string> own;
   const auto add = [&own](const std::vector<std::string>& nodes) { own.insert(own.end(), nodes.begin(), nodes.end()); };
-  if (const Topic* status = findTopic(seen.topics, expected.arbiter_status)) add(status->subscribers);
+  for (const Topic& topic : seen.topics) {
+    if (topic.type != kArbiterStatus && topic.name != expected.arbiter_status) continue;
+    add(topic.publishers);
+    add(topic.subscribers);
+  }
   for (const std::string& source : expected.sources) add(publishersOf(seen, source));
   return own;
 }
@@ -48,7 +53,7 @@ const Topic* findOtherBase(const Observation& seen, const Expectation& expected,
 
 void checkBase(const Observation& seen, const Expectation& expected, Findings& findings) {
   const Topic* topic = findTopic(seen.topics, expected.cmd_vel);
-  const std::vector<std::string> own = ownNodes(seen, expected);
+  const std::vector<std::string> own = nodesOfArbiters(seen, expected);
   const std::vector<std::string> bases =
       topic == nullptr ? std::vector<std::string>() : without(topic->subscribers, own);
   if (!bases.empty()) return good(findings, expected.cmd_vel + " is obeyed by " + joined(bases));

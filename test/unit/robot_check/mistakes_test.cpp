@@ -159,6 +159,14 @@ const std::vector<Mistake>& mistakes() {
       {"ABaseThatListensElsewhere",
        [](SeenRobot& r) { r.topic("/drive").name = "/mobile_base/commands/velocity"; },
        {"no base listens to /drive; /base listens to", "set cmd_vel:=/mobile_base/commands/velocity"}},
+      {"AnArbiterOfAnotherRobotIsNoBase",
+       [](SeenRobot& r) {
+         r.topic("/drive").subscribers.clear();
+         r.seen.topics.push_back({"/robot2/cmd_vel_manual", "geometry_msgs/Twist", {}, {"/robot2/arbiter"}});
+         r.seen.topics.push_back(
+             {"/robot2/arbiter/status", "frontier_pilot/ArbiterStatus", {"/robot2/arbiter"}, {"/robot2/window"}});
+       },
+       {"no base listens to /drive", "start the base's driver"}},
       {"AMultiplexerWithANameLikeThoseOfOurSources",
        [](SeenRobot& r) {
          r.addOwnNodes();
