@@ -231,6 +231,14 @@ TEST(MapMirror, AMapWithoutAStampIsTakenAsItIs) {  // as map_server may send it
   EXPECT_EQ(mirror.map()[(Cell{3, 1})], kOccupied);
 }
 
+TEST(MapMirror, DoesNotTakeTheSimulatorsPictureOfTheWorldForTheMapThatIsMissing) {
+  const auto said = [](const std::string& topic) {
+    return MapMirror().missing({{topic, "nav_msgs/OccupancyGrid", {"/publisher"}, {}}});
+  };
+  EXPECT_NE(said("/floor").find("/floor"), std::string::npos) << said("/floor");
+  EXPECT_EQ(said("/simulator/world").find("world"), std::string::npos) << said("/simulator/world");
+}
+
 TEST(MapMirror, RemembersABoundedNumberOfUpdatesAndPrefersItsCopyToAMapOlderThanThose) {
   MapMirror mirror;
   mirror.handleMap(messageAt(10.0, kRoom));

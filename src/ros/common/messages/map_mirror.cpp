@@ -1,6 +1,7 @@
 #include "ros/common/messages/map_mirror.h"
 
 #include <ros/names.h>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -29,6 +30,14 @@ void copy(const GridUpdate& update, OccupancyGrid& map) {
 
 bool isInside(const CellRect& rect, const OccupancyGrid& map) {
   return rect.intersection(map.geometry().rect()) == rect;
+}
+
+/// Without the simulator's picture of the world, which has the type of a map, but is not to be taken for one.
+InputWatch::Topics mapsAmong(InputWatch::Topics topics) {
+  const std::string world = std::string("/") + names::kWorld;
+  const auto is_world = [&world](const auto& topic) { return boost::algorithm::ends_with(topic.name, world); };
+  topics.erase(std::remove_if(topics.begin(), topics.end(), is_world), topics.end());
+  return topics;
 }
 
 }  // namespace
@@ -129,7 +138,7 @@ bool MapMirror::isAsking() const {
 
 std::string MapMirror::missing(const InputWatch::Topics& topics) const {
   const std::string topic = ros::names::resolve(topic_);
-  if (!published()) return robot_check::sayMissingTopic(topics, topic, "nav_msgs/OccupancyGrid", topic_);
+  if (!published()) return robot_check::sayMissingTopic(mapsAmong(topics), topic, "nav_msgs/OccupancyGrid", topic_);
   return ready() ? "" : topic + " is published, but no map has arrived yet";
 }
 

@@ -85,13 +85,13 @@ class MapMirror {
   /// The cells that may have changed since the last call; all cells if the geometry has changed.
   CellRect takeChanged();
   const Rejections& rejections() const { return rejections_; }
+  /// What is missing, in words; empty if there is a map and its publisher.
+  std::string missing(const InputWatch::Topics& topics) const;
 
  private:
   /// By which topics a map comes: `map` and `map_updates`, or `map_changes`.
   enum class Way { kPlain, kCompact };
 
-  /// What is missing, in words; empty if there is a map and its publisher.
-  std::string missing(const InputWatch::Topics& topics) const;
   bool rightFrame(const std::string& frame);
   /// Before the first map there is no owner.
   bool mayBelongTo(const std::string& publisher) const { return !ready() || publisher == publisher_; }
