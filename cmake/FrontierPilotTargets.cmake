@@ -40,6 +40,14 @@ function(frontier_pilot_target_options target)
     $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
+# frontier_pilot_compile_together(<target>): its files are compiled in batches, because compiling the headers takes most of
+# the time: a fifth of it is left. The files of a module therefore share one anonymous namespace, and GCC takes them for
+# headers, where it warns of a class with a member of a type from an anonymous namespace.
+function(frontier_pilot_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()
+
 # frontier_pilot_shared_library(<target>): the version that programs look for, and no undefined symbol, which would fail the
 # build: a missing dependency is found at once.
 function(frontier_pilot_shared_library target)
@@ -59,6 +67,7 @@ function(frontier_pilot_module name)
   endif()
   add_library(${target} ${kind} ${ARG_SOURCES})
   frontier_pilot_target_options(${target})
+  frontier_pilot_compile_together(${target})
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_LIBRARIES})
   frontier_pilot_shared_library(${target})
@@ -106,9 +115,7 @@ function(frontier_pilot_unit_test module)
   set(target ${module}_unit_tests)
   add_executable(${target} ${sources})
   frontier_pilot_target_options(${target})
-  # A unity build, because compiling the headers takes most of the time. The test files of a module therefore share one
-  # anonymous namespace.
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  frontier_pilot_compile_together(${target})
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PRIVATE frontier_pilot_${module} ${ARG_DEPENDS} frontier_pilot_test_support
     ${ARG_LIBRARIES} GTest::gtest_main)
@@ -121,6 +128,7 @@ function(frontier_pilot_bench_program name)
   add_executable(${name} ${name}.cpp ${ARG_SUPPORT})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${FRONTIER_PILOT_TEST_DIRECTORY})
   frontier_pilot_target_options(${name})
+  frontier_pilot_compile_together(${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/bench)
   target_compile_definitions(${name} PRIVATE FRONTIER_PILOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)

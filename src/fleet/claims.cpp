@@ -3,22 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fleet/message_bounds.h"
+
 namespace frontier_pilot::fleet {
 namespace {
 
-constexpr std::size_t kMostRobots = 100;
-constexpr std::size_t kLongestName = 256;
-constexpr double kFarthest = 1e6;         // [m]
-constexpr double kLongest = 24 * 3600.0;  // [s]
-constexpr double kLongestValid = 60.0;    // [s]
-
-bool isPlace(const Vec2& place) { return place.allFinite() && place.cwiseAbs().maxCoeff() <= kFarthest; }
+constexpr double kCostliest = 24 * 3600.0;  // [s]
 
 bool isSound(const ClaimsMessage& message) {
-  if (message.robot.empty() || message.robot.size() > kLongestName || !isPlace(message.position)) return false;
+  if (!isName(message.robot) || !isPlace(message.position)) return false;
   if (!(message.valid_for > 0.0 && message.valid_for <= kLongestValid)) return false;
   return std::all_of(message.claims.begin(), message.claims.end(), [](const exploration::Claim& claim) {
-    return isPlace(claim.place) && claim.cost >= 0.0 && claim.cost <= kLongest;
+    return isPlace(claim.place) && claim.cost >= 0.0 && claim.cost <= kCostliest;
   });
 }
 
@@ -59,7 +55,7 @@ ClaimsVerdict ClaimBook::take(const ClaimsMessage& message, Time now) {
   if (!isSound(message)) return ClaimsVerdict::kMalformed;
   if (message.robot == own_name_) return ClaimsVerdict::kOwn;
   forgetSilent(now);
-  if (heard_.size() >= kMostRobots && heard_.count(message.robot) == 0) return ClaimsVerdict::kTooMany;
+  if (heard_.size() >= kMostHeard && heard_.count(message.robot) == 0) return ClaimsVerdict::kTooMany;
   heard_[message.robot] = {message, now};
   double& valid_for = heard_[message.robot].message.valid_for;
   valid_for = std::min(valid_for, ClaimsMessage::kValidFor);  // no robot may be trusted for longer after it has died

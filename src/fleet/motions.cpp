@@ -2,23 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fleet/message_bounds.h"
 #include "frontier_pilot/fleet/traffic.h"
 
 namespace frontier_pilot::fleet {
 namespace {
 
-constexpr std::size_t kMostHeard = 100;
-constexpr std::size_t kLongestName = 256;
-constexpr double kFarthest = 1e6;       // [m]
-constexpr double kWidest = 1.0;         // [m]
-constexpr double kLongestValid = 60.0;  // [s]
-constexpr double kShortest = 0.3;       // between two messages that tell a velocity: some wait, and come together [s]
-constexpr double kFastest = 2.0;        // [m/s]
-constexpr double kSlowest = 0.05;       // of a robot that counts as moving [m/s]
-constexpr double kNearby = 5.0;         // [m]
-
-bool isPlace(const Vec2& place) { return place.allFinite() && place.cwiseAbs().maxCoeff() <= kFarthest; }
-bool isName(const std::string& name) { return !name.empty() && name.size() <= kLongestName; }
+constexpr double kWidest = 1.0;    // [m]
+constexpr double kShortest = 0.3;  // between two messages that tell a velocity: some wait, and come together [s]
+constexpr double kFastest = 2.0;   // [m/s]
+constexpr double kSlowest = 0.05;  // of a robot that counts as moving [m/s]
+constexpr double kNearby = 5.0;    // [m]
 
 bool isSound(const MotionMessage& message) {
   return isName(message.robot) && isPlace(message.position) && message.radius > 0.0 && message.radius <= kWidest &&

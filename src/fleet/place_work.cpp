@@ -9,7 +9,7 @@
 namespace frontier_pilot::fleet {
 namespace {
 
-constexpr double kSearchPeriod = 1.0;       // [s]
+constexpr double kPlaceSearchPeriod = 1.0;  // [s]
 constexpr std::size_t kWindows = 6;         // of a search
 constexpr int kEnoughWindows = 4;           // that lead to a place
 constexpr int kEnoughSearches = 2;          // in which they do
@@ -39,7 +39,7 @@ bool areAlike(const PlaceMatch& one, const PlaceMatch& other) {
 }  // namespace
 
 std::optional<PlaceWork> MapMerger::takeWork(Time now) {
-  const bool waiting = last_search_ && now >= *last_search_ && now - *last_search_ < fromSeconds(kSearchPeriod);
+  const bool waiting = last_search_ && now >= *last_search_ && now - *last_search_ < fromSeconds(kPlaceSearchPeriod);
   if (parameters_.known_starts || searching_ || waiting || robots_.size() < 2) return std::nullopt;
   last_search_ = now;
   const std::size_t pairs = robots_.size() * robots_.size();

@@ -10,7 +10,7 @@
 namespace frontier_pilot::gui {
 namespace {
 
-constexpr int kRefreshPeriod = 200;  // [ms]
+constexpr int kFleetRefreshPeriod = 200;  // [ms]
 
 }  // namespace
 
@@ -30,7 +30,7 @@ FleetWindow::FleetWindow(teleop::FleetLink& link)
   connect(&refresh_timer_, &QTimer::timeout, this, &FleetWindow::refresh);
   applyTheme(*this);
   showRobot(fleet_link_.openOwn());
-  refresh_timer_.start(kRefreshPeriod);
+  refresh_timer_.start(kFleetRefreshPeriod);
 }
 
 FleetWindow::~FleetWindow() { release(); }

@@ -8,7 +8,7 @@ namespace frontier_pilot::logs {
 namespace {
 
 const Pose2 kMount(0.78, 0.0, 0.0);
-constexpr double kRangeMax = 80.0;  // [m]
+constexpr double kCsvRangeMax = 80.0;  // [m]
 
 Pose2 readPose(TextReader& reader) {
   Pose2 pose;
@@ -28,7 +28,7 @@ LogRecord readRecord(TextReader& reader, const LogScanner& scanner) {
   const double field_of_view = scanner.field_of_view.value_or(kPi);
   record.scan.angle_min = -0.5 * field_of_view;
   record.scan.angle_increment = field_of_view / static_cast<double>(record.scan.ranges.size() - 1);
-  record.scan.range_max = scanner.range_max.value_or(kRangeMax);
+  record.scan.range_max = scanner.range_max.value_or(kCsvRangeMax);
   record.scan.T_base_sensor = scanner.T_base_sensor.value_or(kMount);
   return record;
 }

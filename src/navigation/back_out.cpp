@@ -15,7 +15,7 @@ constexpr double kMostTurn = 0.8;     ///< between two places of the way; beyond
 constexpr double kSpacing = 0.02;     ///< of different places [m]
 constexpr double kCheckEvery = 0.1;   ///< a path is looked for [m]
 constexpr double kAhead = 0.5;        ///< of motion whose poses are looked at [s]
-constexpr double kStep = 0.1;         ///< between two of them [s]
+constexpr double kPoseStep = 0.1;     ///< between two of them [s]
 constexpr double kNoise = 0.003;      ///< by which the distance from the scan may shrink from pose to pose [m]
 constexpr double kNearest = 0.01;     ///< that the outline with its margin may reach beyond a scan point [m]
 constexpr double kPatience = 1.0;     ///< with an obstacle in the way [s]
@@ -73,7 +73,7 @@ std::optional<Vec2> BackOut::target(const Pose2& T_map_base) {
 bool BackOut::isFree(const Twist2& command, const RecoveryInputs& in) const {
   const double now = in.scan_distance(outline_, in.T_map_base);
   const double least = std::min({0.0, now, std::max(now - kNoise, -kNearest)});
-  for (double t = kStep; t < kAhead + 0.5 * kStep; t += kStep) {
+  for (double t = kPoseStep; t < kAhead + 0.5 * kPoseStep; t += kPoseStep) {
     if (in.scan_distance(outline_, integrate(in.T_map_base, command, t)) < least) return false;
   }
   return true;

@@ -6,7 +6,7 @@ namespace frontier_pilot::navigation {
 namespace {
 
 constexpr Duration kMemory = std::chrono::seconds(1);
-constexpr Duration kStep = std::chrono::milliseconds(20);
+constexpr Duration kPredictionStep = std::chrono::milliseconds(20);
 
 }  // namespace
 
@@ -24,8 +24,8 @@ const Twist2* MotionPredictor::commandAt(Time time) const {
 
 MotionPredictor::Motion MotionPredictor::predict(const StampedPose2& pose, const Twist2& twist, Time now) const {
   Motion motion{pose.pose, twist};
-  for (Time time = pose.stamp; time < now; time += kStep) {
-    const double seconds = toSeconds(std::min(kStep, Duration(now - time)));
+  for (Time time = pose.stamp; time < now; time += kPredictionStep) {
+    const double seconds = toSeconds(std::min(kPredictionStep, Duration(now - time)));
     if (const Twist2* command = commandAt(time)) {
       motion.twist = limitAcceleration(*command, motion.twist, limits_, seconds);
     }

@@ -11,7 +11,6 @@ constexpr std::string_view kFirstLine = "# Octomap OcTree binary file";
 constexpr std::string_view kTreeType = "OcTree";
 constexpr std::size_t kLongestHeader = 4096;   // [bytes]
 constexpr double kResolutionTolerance = 1e-6;  // [m]: it is written as a decimal number
-constexpr int kLevels = 16;
 
 OctreeFile broken(std::string problem) { return {std::move(problem), 0, {}}; }
 
@@ -74,7 +73,7 @@ class TreeWalk {
       if (const char* problem = takeNode(inner)) return problem;
       if (nodes_ > announced) return "its tree has more nodes than it announces";
       if (inner == 0) continue;
-      if (++depth == kLevels) return "its tree is deeper than 16 levels";
+      if (++depth == kOctreeLevels) return "its tree is deeper than 16 levels";
       waiting_[static_cast<std::size_t>(depth)] = inner;
     }
     if (nodes_ != announced) return "its tree has fewer nodes than it announces";
@@ -97,8 +96,8 @@ class TreeWalk {
   }
 
   std::string_view rest_;
-  std::uint64_t nodes_ = 1;                 ///< the root
-  std::array<int, kLevels + 1> waiting_{};  ///< inner nodes that are still to come, on each level
+  std::uint64_t nodes_ = 1;                       ///< the root
+  std::array<int, kOctreeLevels + 1> waiting_{};  ///< inner nodes that are still to come, on each level
 };
 
 }  // namespace

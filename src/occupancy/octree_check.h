@@ -6,6 +6,9 @@
 
 namespace frontier_pilot::occupancy {
 
+/// Levels of a tree below its root.
+constexpr int kOctreeLevels = 16;
+
 /// The contents of a .bt file: the number of nodes by its header, and the bytes of its tree.
 struct OctreeFile {
   std::string problem;  ///< what is wrong with the file; empty if nothing is

@@ -9,7 +9,6 @@
 namespace frontier_pilot::occupancy {
 namespace {
 
-constexpr int kLevels = 16;
 constexpr unsigned kChildren = 8;
 /// What two bits say of a child.
 constexpr unsigned kNothing = 0, kFreeLeaf = 1, kOccupiedLeaf = 2, kInner = 3;
@@ -18,7 +17,7 @@ using Tiles = grids::TiledGrid<float>;
 
 /// A node of the tree: a cube of 2^level cells along a side, and its lowest keys.
 struct Cube {
-  int level = kLevels;
+  int level = kOctreeLevels;
   int x = 0, y = 0, z = 0;
 
   int side() const { return 1 << level; }

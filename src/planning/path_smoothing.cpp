@@ -10,7 +10,7 @@ namespace {
 
 /// After this many blocked lines in a row no points farther on are tried.
 constexpr int kMaxBlocked = 12;
-constexpr double kMargin = 1e-9;
+constexpr double kSmoothingRounding = 1e-9;
 
 /// Cheapest polylines from the first sample to each of the others, by lines to at most `ahead` samples on.
 class Chain {
@@ -40,7 +40,7 @@ class Chain {
     for (std::size_t k = i + 2; k < end && blocked < kMaxBlocked; ++k) {
       // A line is worth its price only if it is cheaper than the samples' own way, and no line is cheaper than its
       // length; the margin keeps rounding from choosing between equals.
-      const double limit = std::min(cost_[k] - cost_[i], along_[k] - along_[i]) - kMargin;
+      const double limit = std::min(cost_[k] - cost_[i], along_[k] - along_[i]) - kSmoothingRounding;
       if ((samples_[k] - samples_[i]).norm() >= limit) continue;
       const double line = map_.segmentCost(samples_[i], samples_[k], limit);
       blocked = line < 0.0 ? blocked + 1 : 0;
@@ -49,7 +49,7 @@ class Chain {
   }
 
   void improve(std::size_t i, std::size_t k, double cost) {
-    if (cost >= cost_[k] - kMargin) return;
+    if (cost >= cost_[k] - kSmoothingRounding) return;
     cost_[k] = cost;
     parent_[k] = i;
   }
@@ -74,7 +74,7 @@ std::vector<Vec2> withoutStraightPoints(const ClearanceMap& map, const std::vect
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const Vec2 before = points[i] - kept.back();
     const Vec2 after = points[i + 1] - points[i];
-    const bool turns = before.dot(after) < (1.0 - kMargin) * before.norm() * after.norm();
+    const bool turns = before.dot(after) < (1.0 - kSmoothingRounding) * before.norm() * after.norm();
     if (turns || !map.isValid(kept.back(), points[i + 1])) kept.push_back(points[i]);
   }
   kept.push_back(points.back());
@@ -90,7 +90,7 @@ std::vector<Vec2> thinned(const ClearanceMap& map, const Path& path, double spac
     const double step = std::max(0.0, map.segmentCost(points[i - 1], points[i]));
     const Vec2& from = kept.back();
     const double line = (points[i] - from).norm() <= spacing ? map.segmentCost(from, points[i]) : -1.0;
-    if (i > 1 && (line < 0.0 || line > cost + step + kMargin)) {
+    if (i > 1 && (line < 0.0 || line > cost + step + kSmoothingRounding)) {
       kept.push_back(points[i - 1]);
       cost = 0.0;
     }

@@ -13,7 +13,7 @@
 namespace frontier_pilot::robot_check {
 namespace {
 
-constexpr double kTolerated = 0.1;  // [s] that a stamp may be ahead
+constexpr double kMostAhead = 0.1;  // [s] that a stamp may be ahead
 
 const char* labelOf(Mark mark) {
   switch (mark) {
@@ -54,7 +54,7 @@ void checkLag(const Observation& seen, const Stream& stream, const std::string& 
   if (!stream.lag) return;
   const std::string clocks = "synchronise the clocks of the computers (chrony, ntp)" +
                              std::string(seen.use_sim_time ? ", and let all nodes follow /clock" : "");
-  if (*stream.lag < -kTolerated) {
+  if (*stream.lag < -kMostAhead) {
     problem(findings,
             "the stamps of " + name + " are " + number(-*stream.lag) + " s ahead of this computer's clock: the clock " +
                 "of the computer of " + joined(stream.publishers) + " is fast",

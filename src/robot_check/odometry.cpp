@@ -7,26 +7,26 @@
 namespace frontier_pilot::robot_check {
 namespace {
 
-constexpr const char* kType = "nav_msgs/Odometry";
-constexpr double kLeastRate = 5.0;  // [Hz]; below it the pose of a scan is too coarse
-constexpr double kTolerated = 0.1;  // [s] that a stamp may be behind
+constexpr const char* kOdometryType = "nav_msgs/Odometry";
+constexpr double kLeastOdometryRate = 5.0;  // [Hz]; below it the pose of a scan is too coarse
+constexpr double kOdometryLag = 0.1;        // [s] that a stamp may be behind
 
 bool isTransformThere(const Observation& seen, const Expectation& expected) {
   return transformBetween(seen.links, expected.robot.odom_frame, expected.robot.base_frame).has_value();
 }
 
-void checkMissing(const Observation& seen, const Expectation& expected, Findings& findings) {
-  if (othersOfType(seen.topics, expected.odom, kType).empty() && isTransformThere(seen, expected)) {
+void checkMissingOdometry(const Observation& seen, const Expectation& expected, Findings& findings) {
+  if (othersOfType(seen.topics, expected.odom, kOdometryType).empty() && isTransformThere(seen, expected)) {
     return problem(findings,
                    "nobody publishes " + expected.odom + "; the robot publishes odometry as a transform alone",
                    "set odom:=tf");
   }
-  const bool elsewhere = isThereUnderAnotherName(seen.topics, expected.odom, kType);
-  problem(findings, sayMissingTopic(seen.topics, expected.odom, kType, "odom"),
+  const bool elsewhere = isThereUnderAnotherName(seen.topics, expected.odom, kOdometryType);
+  problem(findings, sayMissingTopic(seen.topics, expected.odom, kOdometryType, "odom"),
           elsewhere ? "" : "without odometry nothing can drive: start the base's driver");
 }
 
-void checkContents(const Observation& seen, const Expectation& expected, Findings& findings) {
+void checkOdometryContents(const Observation& seen, const Expectation& expected, Findings& findings) {
   const Stream& odometry = seen.odometry;
   const std::string& wanted = expected.robot.odom_frame;
   if (!odometry.problem.empty())
@@ -38,7 +38,7 @@ void checkContents(const Observation& seen, const Expectation& expected, Finding
     problem(findings, expected.odom + " is in the frame '" + frame + "', not in " + wanted,
             frame.empty() ? "the driver has to fill in header.frame_id" : "set odom_frame:=" + frame);
   }
-  checkLag(seen, odometry, expected.odom, kTolerated, findings);
+  checkLag(seen, odometry, expected.odom, kOdometryLag, findings);
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ void checkOdometry(const Observation& seen, const Expectation& expected, Finding
     return;  // checkFrames says what is missing
   }
   const Topic* topic = findTopic(seen.topics, expected.odom);
-  if (topic == nullptr || topic->publishers.empty() || topic->type != kType)
-    return checkMissing(seen, expected, findings);
+  if (topic == nullptr || topic->publishers.empty() || topic->type != kOdometryType)
+    return checkMissingOdometry(seen, expected, findings);
   if (topic->publishers.size() > 1) {
     problem(findings, "several nodes publish " + expected.odom + ": " + joined(topic->publishers),
             "end one of them, or give it another topic");
@@ -61,10 +61,10 @@ void checkOdometry(const Observation& seen, const Expectation& expected, Finding
                        number(seen.seconds) + " s",
                    "is the base switched on, and does ROS_IP of its computer name an address that this one reaches?");
   }
-  checkContents(seen, expected, findings);
+  checkOdometryContents(seen, expected, findings);
   const std::string what = expected.odom + ": " + number(seen.odometry.rate) + " Hz from " + joined(topic->publishers);
-  if (seen.odometry.rate < kLeastRate) {
-    return note(findings, what + ", which is slow", "at least " + number(kLeastRate) + " Hz, better 20 Hz");
+  if (seen.odometry.rate < kLeastOdometryRate) {
+    return note(findings, what + ", which is slow", "at least " + number(kLeastOdometryRate) + " Hz, better 20 Hz");
   }
   good(findings, what);
 }

@@ -7,22 +7,22 @@
 namespace frontier_pilot::robot_check {
 namespace {
 
-constexpr const char* kType = "sensor_msgs/LaserScan";
+constexpr const char* kScanType = "sensor_msgs/LaserScan";
 constexpr const char* kCloudType = "sensor_msgs/PointCloud2";
-constexpr double kLeastRate = 2.0;    // [Hz]; the navigator stands when the scan is older than 0.5 s
-constexpr double kTolerated = 0.1;    // [s] that a stamp may be behind, in addition to the time of a sweep
-constexpr double kLeastUsable = 0.1;  // share of the beams
+constexpr double kLeastScanRate = 2.0;  // [Hz]; the navigator stands when the scan is older than 0.5 s
+constexpr double kScanLag = 0.1;        // [s] that a stamp may be behind, in addition to the time of a sweep
+constexpr double kLeastUsable = 0.1;    // share of the beams
 constexpr const char* kMerge =
     "only one scan is used: merge them into one, for example with laserscan_multi_merger of ira_laser_tools, and set "
     "scan:= to the topic of the merged scan";
 
-void checkMissing(const Observation& seen, const Expectation& expected, Findings& findings) {
+void checkMissingScan(const Observation& seen, const Expectation& expected, Findings& findings) {
   std::string advice = "start the scanner's driver";
   for (const Topic* cloud : othersOfType(seen.topics, {}, kCloudType)) {
     advice += "; " + cloud->name + " is a point cloud: pointcloud_to_laserscan makes a scan of it";
   }
-  const bool elsewhere = isThereUnderAnotherName(seen.topics, expected.scan, kType);
-  problem(findings, sayMissingTopic(seen.topics, expected.scan, kType, "scan"), elsewhere ? "" : advice);
+  const bool elsewhere = isThereUnderAnotherName(seen.topics, expected.scan, kScanType);
+  problem(findings, sayMissingTopic(seen.topics, expected.scan, kScanType, "scan"), elsewhere ? "" : advice);
 }
 
 void checkScanners(const Observation& seen, const Expectation& expected, const Topic& topic, Findings& findings) {
@@ -36,7 +36,7 @@ void checkScanners(const Observation& seen, const Expectation& expected, const T
             std::string("end one of them; if they are two scanners: ") + kMerge);
   }
   std::string others;
-  for (const Topic* other : othersOfType(seen.topics, expected.scan, kType))
+  for (const Topic* other : othersOfType(seen.topics, expected.scan, kScanType))
     others += (others.empty() ? "" : ", ") + other->name + " (" + joined(other->publishers) + ")";
   if (!others.empty()) note(findings, "there are other scans, which are not used: " + others, kMerge);
 }
@@ -57,7 +57,7 @@ void checkBeamTimes(const ScanStream& seen, const Expectation& expected, Finding
        "at once, so that the scan is bent while the robot turns");
 }
 
-void checkContents(const Observation& seen, const Expectation& expected, Findings& findings) {
+void checkScanContents(const Observation& seen, const Expectation& expected, Findings& findings) {
   const ScanStream& scan = seen.scan;
   const std::string& name = expected.scan;
   if (!scan.problem.empty()) problem(findings, name + " cannot be used: " + scan.problem, "look into its driver");
@@ -69,21 +69,21 @@ void checkContents(const Observation& seen, const Expectation& expected, Finding
   }
   if (!scan.stamps_advance)
     problem(findings, "all messages of " + name + " have the same stamp", "the driver has to stamp each one");
-  if (scan.rate < kLeastRate) {
+  if (scan.rate < kLeastScanRate) {
     problem(findings, name + " comes at " + number(scan.rate) + " Hz",
-            "the navigator stands when a scan is older than 0.5 s: at least " + number(kLeastRate) + " Hz");
+            "the navigator stands when a scan is older than 0.5 s: at least " + number(kLeastScanRate) + " Hz");
   }
   checkBeamTimes(scan, expected, findings);
   // A scan is stamped when its first beam is measured, and sent after the last one.
-  checkLag(seen, scan, name, kTolerated + (scan.rate > 0.0 ? 1.0 / scan.rate : 0.0), findings);
+  checkLag(seen, scan, name, kScanLag + (scan.rate > 0.0 ? 1.0 / scan.rate : 0.0), findings);
 }
 
 }  // namespace
 
 void checkScan(const Observation& seen, const Expectation& expected, Findings& findings) {
   const Topic* topic = findTopic(seen.topics, expected.scan);
-  if (topic == nullptr || topic->publishers.empty() || topic->type != kType)
-    return checkMissing(seen, expected, findings);
+  if (topic == nullptr || topic->publishers.empty() || topic->type != kScanType)
+    return checkMissingScan(seen, expected, findings);
   if (seen.scan.count == 0) {
     return problem(findings,
                    expected.scan + " is published by " + joined(topic->publishers) + ", but nothing arrived in " +
@@ -91,8 +91,8 @@ void checkScan(const Observation& seen, const Expectation& expected, Findings& f
                    "does the scanner turn, and does ROS_IP of its computer name an address that this one reaches?");
   }
   checkScanners(seen, expected, *topic, findings);
-  checkContents(seen, expected, findings);
-  if (seen.scan.rate >= kLeastRate) {
+  checkScanContents(seen, expected, findings);
+  if (seen.scan.rate >= kLeastScanRate) {
     good(findings, expected.scan + ": " + number(seen.scan.rate) + " Hz, " + std::to_string(seen.scan.beams) +
                        " beams, from " + joined(topic->publishers));
   }

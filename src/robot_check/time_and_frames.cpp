@@ -9,7 +9,7 @@
 namespace frontier_pilot::robot_check {
 namespace {
 
-constexpr double kTolerated = 0.1;  // [s] that a transform may be behind
+constexpr double kTransformLag = 0.1;  // [s] that a transform may be behind
 
 std::string arrow(const FrameLink& link) { return link.parent + " -> " + link.child; }
 
@@ -45,7 +45,7 @@ void checkOdometryTransform(const Observation& seen, const Expectation& expected
                    "the base's driver or robot_localization has to publish it");
   }
   for (const FrameLink* link : wayUp(seen.links, base)) {
-    if (!link->is_static) checkLag(seen, link->stream, "the transform " + arrow(*link), kTolerated, findings);
+    if (!link->is_static) checkLag(seen, link->stream, "the transform " + arrow(*link), kTransformLag, findings);
     if (link->parent == odom) break;
   }
   good(findings, "TF: " + odom + " -> " + base + " is there");

@@ -6,11 +6,11 @@
 namespace frontier_pilot::surfaces {
 namespace {
 
-constexpr double kBehind = 1.0;          ///< least distance behind both neighbours [m]
-constexpr std::size_t kAround = 4;       ///< beams on either side that may support a return
-constexpr std::size_t kMostMissing = 3;  ///< invalid beams between a return and its neighbour
-constexpr double kSteepest = 5.0;        ///< returns at most this many beam spacings apart support each other
-constexpr double kSlack = 0.1;           ///< tolerance added to that, for noise [m]
+constexpr double kBehind = 1.0;           ///< least distance behind both neighbours [m]
+constexpr std::size_t kAround = 4;        ///< beams on either side that may support a return
+constexpr std::size_t kMostBetween = 3;   ///< invalid beams between a return and its neighbour
+constexpr double kSteepestSupport = 5.0;  ///< returns at most this many beam spacings apart support each other
+constexpr double kSupportSlack = 0.1;     ///< tolerance added to that, for noise [m]
 
 /// The returns of a scan, and whether one of them is alone.
 class Neighbourhood {
@@ -38,7 +38,7 @@ class Neighbourhood {
   };
 
   bool areNeighbours(std::size_t a, std::size_t b) const {
-    return returns_[b].follows && returns_[b].beam - returns_[a].beam <= kMostMissing + 1;
+    return returns_[b].follows && returns_[b].beam - returns_[a].beam <= kMostBetween + 1;
   }
   bool isSupported(std::size_t i) const {
     for (std::size_t k = i; k-- > 0 && returns_[i].beam - returns_[k].beam <= kAround;) {
@@ -53,7 +53,7 @@ class Neighbourhood {
     const double angle = static_cast<double>(b.beam - a.beam) * std::abs(scan_.angle_increment);
     const double spacing = angle * std::min(a.distance, b.distance);
     const Vec2 apart = scan_.point(b.beam, b.distance) - scan_.point(a.beam, a.distance);
-    return apart.norm() <= kSteepest * spacing + kSlack;
+    return apart.norm() <= kSteepestSupport * spacing + kSupportSlack;
   }
 
   const LaserScan2& scan_;

@@ -10,7 +10,7 @@ namespace {
 constexpr int kPassage = cm(60);  ///< between pieces that do not touch
 constexpr int kWalkerRadius = cm(15);
 constexpr int kLeastWalkable = 90;  ///< share of a room's floor that can be reached from its door [%]
-constexpr int kAttempts = 8;        ///< random places that are tried for a piece
+constexpr int kPlacesTried = 8;     ///< random places that are tried for a piece
 
 }  // namespace
 
@@ -55,7 +55,7 @@ bool Furnisher::tryNear(Side wall, Cell place, const Furniture& piece) {
 bool Furnisher::against(Side wall, const Furniture& piece) {
   const int most = frame(wall).length() - piece.width;
   if (most < 0) return false;
-  for (int i = 0; i < kAttempts; ++i) {
+  for (int i = 0; i < kPlacesTried; ++i) {
     if (tryNear(wall, {random_.between(0, most), 0}, piece)) return true;
   }
   return false;
@@ -71,7 +71,7 @@ bool Furnisher::standing(Side wall, const Furniture& piece) {
   const int most_x = frame(wall).length() - piece.width - kPassage;
   const int most_y = frame(wall).depth() - piece.depth - kPassage;
   if (most_x < kPassage || most_y < kPassage) return false;
-  for (int i = 0; i < kAttempts; ++i) {
+  for (int i = 0; i < kPlacesTried; ++i) {
     const Cell place{random_.between(kPassage, most_x), random_.between(kPassage, most_y)};
     if (at(wall, place, piece)) return true;
   }

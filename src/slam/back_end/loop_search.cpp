@@ -18,8 +18,8 @@ scan_matching::SurfaceMap surfaceMapOf(const SubmapGraph& graph, std::size_t sub
   return map;
 }
 
-constexpr double kSigmas = 3.0;     // half width of a window, in standard deviations
-constexpr double kPenalty = 0.005;  // loss of score at a deviation of one standard deviation
+constexpr double kSigmas = 3.0;         // half width of a window, in standard deviations
+constexpr double kLoopPenalty = 0.005;  // loss of score at a deviation of one standard deviation
 
 /// The covariance of a match: the window bounds what the points leave open, and a floor prevents overconfidence.
 Eigen::Matrix3d covarianceOf(const Eigen::Matrix3d& information, const scan_matching::SearchWindow& window) {
@@ -106,7 +106,7 @@ LoopSearch::Result LoopSearch::find(const SubmapGraph& graph, std::size_t submap
   request.min_score = parameters_.min_score;
   // The expected pose decides only what the scan leaves open: the penalty is bounded.
   const Vec2 sigma(window.x / kSigmas, window.yaw / kSigmas);
-  request.penalty = {kPenalty, kSigmas, sigma.x(), sigma.y()};
+  request.penalty = {kLoopPenalty, kSigmas, sigma.x(), sigma.y()};
   const auto best = scan_matching::correlativeSearch(prepared.pyramid, points, request);
   if (!best || best->on_border) return {};
   const scan_matching::PoseWithCovariance prior{
