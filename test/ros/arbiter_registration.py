@@ -164,6 +164,28 @@ class ArbiterRegistration(unittest.TestCase):
             self.assertTrue(wait_for(lambda: len(out.since(went_on)) >= 5))
             self.assertFalse(any(moves(message) for message in out.since(went_on)), '[ARB-1]')
 
+    # [ARB-8] [FLT-2]
+    def test_a_clear_that_finds_the_arbiter_suspended_is_refused_while_a_source_commands_motion(self):
+        node, out, _, nav = self.driven_arbiter('/resumed')
+        clear = rospy.ServiceProxy('/resumed/set_emergency_stop', SetBool)
+        for _ in range(3):
+            nav.start(0.1)
+            self.assertTrue(wait_for(lambda: moves(out.last)))
+            self.assertTrue(call('/resumed/emergency_stop', Trigger).success)
+            stopped = time.monotonic()
+            node.signal(signal.SIGSTOP)
+            answers = []
+            caller = threading.Thread(target=lambda: answers.append(clear(False)))
+            caller.start()
+            time.sleep(1.2)  # longer than the sources have to be quiet
+            node.signal(signal.SIGCONT)
+            caller.join()
+            self.assertFalse(answers[0].success, answers[0].message)
+            self.assertIn('asked to move', answers[0].message)
+            nav.stop()
+            self.assertTrue(wait_for(lambda: call('/resumed/set_emergency_stop', SetBool, False).success, 3.0))
+            self.assertFalse(any(moves(message) for message in out.since(stopped + 0.1)), '[ARB-8]')
+
     # [ARB-12]
     def test_a_stranger_may_be_put_up_with_if_a_parameter_says_so(self):
         rospy.set_param('/tolerant/cmd_vel_arbiter/stand_when_contested', False)

@@ -4,7 +4,9 @@
 #include <ros/callback_queue_interface.h>
 
 #include <algorithm>
+#include <boost/enable_shared_from_this.hpp>
 #include <boost/make_shared.hpp>
+#include <functional>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -18,14 +20,11 @@ namespace frontier_pilot {
 /// adds them from threads of its own.
 class ArrivalQueue : public ros::CallbackQueueInterface {
  public:
+  /// `before()` runs before each callback, and may hold the queue.
+  explicit ArrivalQueue(std::function<void()> before = [] {}) : before_(std::move(before)) {}
+
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const ros::CallbackInterfacePtr stamped = boost::make_shared<Stamped>(callback, arrival_);
-    if (held_) {
-      waiting_.emplace_back(stamped, owner);
-    } else {
-      ros::getGlobalCallbackQueue()->addCallback(stamped, owner);
-    }
+    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Stamped>(*this, callback, owner), owner);
   }
   void removeByID(std::uint64_t owner) override {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -52,22 +51,33 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
   SteadyTime arrival() const { return arrival_; }
 
  private:
-  class Stamped : public ros::CallbackInterface {
+  class Stamped : public ros::CallbackInterface, public boost::enable_shared_from_this<Stamped> {
    public:
-    Stamped(ros::CallbackInterfacePtr callback, SteadyTime& current)
-        : callback_(std::move(callback)), arrived_(steadyNow()), current_(current) {}
+    Stamped(ArrivalQueue& queue, ros::CallbackInterfacePtr callback, std::uint64_t owner)
+        : queue_(queue), callback_(std::move(callback)), owner_(owner), arrived_(steadyNow()) {}
     CallResult call() override {
-      current_ = arrived_;
+      if (queue_.keeps(shared_from_this(), owner_)) return Success;
+      queue_.arrival_ = arrived_;
       return callback_->call();
     }
     bool ready() override { return callback_->ready(); }
 
    private:
+    ArrivalQueue& queue_;
     ros::CallbackInterfacePtr callback_;
+    std::uint64_t owner_;
     SteadyTime arrived_;
-    SteadyTime& current_;
   };
 
+  /// Whether the callback has to wait, and is kept here meanwhile.
+  bool keeps(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
+    before_();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (held_) waiting_.emplace_back(callback, owner);
+    return held_;
+  }
+
+  std::function<void()> before_;
   std::mutex mutex_;
   bool held_ = false;
   std::vector<std::pair<ros::CallbackInterfacePtr, std::uint64_t>> waiting_;

@@ -92,7 +92,7 @@ void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs
 }
 
 void CmdVelArbiterAdapter::tick() {
-  hold_ups_.isCatchingUp(steadyNow());
+  listenAfterHoldUp();
   endListening();
   publish(arbiter_.tick(instantNow()));
   takeMasterReport();

@@ -59,7 +59,10 @@ class CmdVelArbiterAdapter {
   void restoreSwitch(std::size_t source);
   void addServices();
   void addStopServices();
-  /// Ends the listening phase of an arbiter that started stopped, and serves the calls that have waited for it.
+  /// Lets calls of `set_emergency_stop` wait while the arbiter cannot tell which sources command motion.
+  void listenAfterHoldUp();
+  /// Ends the listening phase of an arbiter that started stopped or was held up, and serves the calls that have waited
+  /// for it.
   void endListening();
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
@@ -81,7 +84,7 @@ class CmdVelArbiterAdapter {
   SessionMemory memory_;
   ArbiterConnections around_;
   std::vector<Rejections> rejections_;
-  ArrivalQueue calls_, clears_;
+  ArrivalQueue calls_, clears_{[this] { listenAfterHoldUp(); }};
   ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: see takeItsPlace()
   PublishFlush flush_;
   FleetStopWatch fleet_{arbiter_.parameters().fleet_stop_status};

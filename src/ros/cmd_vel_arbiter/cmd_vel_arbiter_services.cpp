@@ -1,6 +1,8 @@
 // The arbiter's services. A command that a call causes on cmd_vel is published before the call is answered.
 #include <ros/console.h>
 
+#include <algorithm>
+
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
@@ -48,6 +50,15 @@ void CmdVelArbiterAdapter::addServices() {
   tuning_.emplace(arbiter_.parameters(), connections_, [this](const arbiter::ArbiterParameters& parameters) {
     publish(arbiter_.setLimits(parameters.robot.limits, instantNow()));
   });
+}
+
+/// What the sources have sent while this process was held up is not counted. [ARB-8] [FLT-2]
+void CmdVelArbiterAdapter::listenAfterHoldUp() {
+  const SteadyTime now = steadyNow();
+  if (!hold_ups_.isCatchingUp(now) || !arbiter_.stopped()) return;
+  clears_.hold();
+  const SteadyTime quiet = now + fromSeconds(arbiter_.parameters().clear_quiet_time);
+  listening_until_ = std::max(listening_until_.value_or(quiet), quiet);
 }
 
 void CmdVelArbiterAdapter::endListening() {
