@@ -90,6 +90,12 @@ class NavigatorOnTheWire(unittest.TestCase):
     def send(self, place, **how):
         self.client.send_goal(MoveBaseGoal(target_pose=pose(place, **how)))
 
+    def stop_state(self):
+        stop = rospy.Publisher('emergency_stop_state', Bool, queue_size=10, latch=True)
+        self.addCleanup(stop.unregister)
+        self.assertTrue(wait_for(lambda: stop.get_num_connections() > 0))
+        return stop
+
     def ended(self):
         return self.client.simple_state == actionlib.SimpleGoalState.DONE
 
@@ -164,13 +170,24 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.client.cancel_goal()
         self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
 
-    def test_a_goal_outlives_a_stop_but_not_its_clear(self):  # [ARB-8]
-        stop = rospy.Publisher('emergency_stop_state', Bool, queue_size=10, latch=True)
-        self.addCleanup(stop.unregister)
+    def test_no_goal_outlives_a_stop_and_none_that_comes_meanwhile_commands_motion(self):  # [ARB-8]
+        stop = self.stop_state()
         self.send(FAR)
         self.assertTrue(wait_for(self.drives))
         stop.publish(True)
-        self.assertFalse(wait_for(self.ended, 1.0), 'what it commands keeps the stop from being cleared')
+        self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
+        start = time.monotonic()
+        self.send(FAR)
+        self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
+        stop.publish(False)
+        self.assertFalse(wait_for(self.drives, 1.0))
+        self.assertFalse([msg for msg in self.commands.since(start) if moves(msg)])
+
+    def test_a_stop_that_is_cleared_at_once_ends_the_goal_as_well(self):  # [ARB-8]
+        stop = self.stop_state()
+        self.send(FAR)
+        self.assertTrue(wait_for(self.drives))
+        stop.publish(True)
         stop.publish(False)
         self.expect_end(GoalStatus.PREEMPTED, 'canceled', 2.0)
 

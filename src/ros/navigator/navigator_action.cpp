@@ -9,6 +9,12 @@
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
+namespace {
+
+/// After a stop, for clients that hear it themselves to end their goals with that reason.
+constexpr Duration kTimeToCancel = std::chrono::milliseconds(300);
+
+}  // namespace
 
 MoveBaseServer::MoveBaseServer(ros::NodeHandle& node, const TfBridge& tf, std::string map_frame, bool use_yaw)
     : tf_(tf),
@@ -75,7 +81,23 @@ void MoveBaseServer::cancelAll() {
   cancel_ = active_id_ != 0;
 }
 
+void MoveBaseServer::setStopped(bool stopped) {
+  if (stopped_since_ && !stopped) cancelForStop();
+  if (!stopped) {
+    stopped_since_.reset();
+  } else if (!stopped_since_) {
+    stopped_since_ = steadyNow();
+  }
+}
+
+void MoveBaseServer::cancelForStop() {
+  if (active_id_ == 0 && !pending_) return;
+  ROS_WARN("the goal is canceled because of the emergency stop");
+  cancelAll();
+}
+
 void MoveBaseServer::fill(navigation::NavigatorInputs& inputs) {
+  if (stopped_since_ && steadyNow() - *stopped_since_ > kTimeToCancel) cancelForStop();
   inputs.cancel = std::exchange(cancel_, false);
   inputs.new_goal = std::exchange(pending_, std::nullopt);
   if (!inputs.new_goal) return;

@@ -26,9 +26,10 @@ class MoveBaseServer {
   /// Subscribes to `move_base_simple/goal`, which rviz publishes. As in move_base, its goals become goals of the
   /// action.
   void subscribe(NodeConnections& connections);
-  bool hasGoals() const { return active_id_ != 0 || pending_; }
-  /// Cancels every goal, as a client would.
-  void cancelAll();
+  /// Whether the emergency stop is latched. No goal outlives it, and none that comes meanwhile: nobody expects that the
+  /// robot drives after the clear. [ARB-8]
+  void setStopped(bool stopped);
+  bool isStopped() const { return stopped_since_.has_value(); }
   /// Moves a new goal and a cancel since the last call into `inputs`.
   void fill(navigation::NavigatorInputs& inputs);
   /// Sends the result of a goal to its client.
@@ -47,6 +48,9 @@ class MoveBaseServer {
 
   void handleGoal(const Server::GoalHandle& offered);
   void handleCancel(const Server::GoalHandle& handle);
+  /// Cancels every goal, as a client would.
+  void cancelAll();
+  void cancelForStop();
   void handleSimple(const geometry_msgs::PoseStamped& msg);
   /// The goal in the map's frame; nothing if it is malformed or its frame is not in TF, with the reason in `why`.
   std::optional<Pose2> read(const geometry_msgs::PoseStamped& msg, std::string& why) const;
@@ -62,6 +66,7 @@ class MoveBaseServer {
   ros::Publisher simple_goals_;  ///< of the action itself: they are seen and cancelled like all others
   ros::Publisher current_goal_;
   bool cancel_ = false;
+  std::optional<SteadyTime> stopped_since_;
   Rejections bad_simple_goals_{"goal of move_base_simple"};
   std::map<std::uint64_t, Server::GoalHandle> handles_;  ///< by id
   Server server_;

@@ -69,14 +69,7 @@ void NavigatorAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   placer_.addOdometry(odometry->stamp, odometry->T_odom_base);
 }
 
-/// The stop is not cleared while this node commands motion. A goal for which it could not do so for a while, for
-/// example because the map was missing, does not outlive the clear: nobody expects the robot to drive then. [ARB-8]
-void NavigatorAdapter::handleStop(const std_msgs::Bool& msg) {
-  const bool was_stopped = std::exchange(stopped_, msg.data != 0);
-  if (!was_stopped || stopped_ || !server_.hasGoals()) return;
-  ROS_WARN("the goal is canceled because the emergency stop was cleared");
-  server_.cancelAll();
-}
+void NavigatorAdapter::handleStop(const std_msgs::Bool& msg) { server_.setStopped(msg.data != 0); }
 
 std::optional<StampedPose2> NavigatorAdapter::pose() const {
   const auto stamp = tf_.latestStamp(parameters_.map_frame, base_frame_);
@@ -114,7 +107,7 @@ void NavigatorAdapter::tick(Time now) {
   state_ = output.state;
   motions_.note(output);
   // The zero is published before the result is sent to the client. [NAV-1]
-  if (output.command) command_.publish(toTwistMsg(*output.command));
+  if (output.command) command_.publish(toTwistMsg(server_.isStopped() ? Twist2{} : *output.command));
   for (const navigation::NavFinished& finished : output.finished) {
     failure_ = finished.result == navigation::NavResult::kAborted ? toString(finished.reason) : "";
     server_.settle(finished);
