@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / 'scripts'))
@@ -129,6 +130,15 @@ class RunScript(unittest.TestCase):
         report = re.fullmatch(r'Report: (/.*\.html)', out.strip().split('\n')[-1])
         self.assertTrue(report, out + err)
         self.assertIn('The exploration was not finished', pathlib.Path(report.group(1)).read_text())
+        self.assert_nothing_is_left()
+
+    def test_ctrl_c_just_after_the_start_of_the_watcher_leaves_nothing_behind(self):
+        early = pathlib.Path(self.folder.name, 'early')
+        early.write_text("trap 'case $BASH_COMMAND in watch=*\\!) kill -INT $$ ;; esac' DEBUG\n")
+        with mock.patch.dict(os.environ, BASH_ENV=str(early)):
+            process = self.start('gui:=false', 'rviz:=false', 'record:=false')
+        _, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 130, err)
         self.assert_nothing_is_left()
 
     def assert_the_map_is_saved(self, process, prefix, code):
