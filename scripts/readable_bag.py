@@ -8,8 +8,9 @@ import genpy
 import rosbag
 
 # What rosbag throws for bags that are damaged.
-DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationException, OSError, EOFError, ValueError, KeyError,
-          IndexError, TypeError, AttributeError, struct.error, zlib.error, RuntimeError)
+DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationException, genmsg.MsgNotFound,
+          genmsg.InvalidMsgSpec, OSError, EOFError, ValueError, KeyError, IndexError, TypeError, AttributeError, struct.error,
+          zlib.error, RuntimeError)
 
 
 def is_no_file(path):

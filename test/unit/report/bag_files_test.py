@@ -2,6 +2,9 @@
 """Bags that are whole, that were not closed, and that are damaged."""
 import os
 import unittest
+from unittest import mock
+
+import rosbag
 
 from folder_case import FolderCase
 import synthetic_bag
@@ -67,6 +70,16 @@ class Reading(FolderCase):
         with BagFiles([self.bag]) as bags:
             self.assertLess(seconds_in(bags), synthetic_bag.SECONDS)
             self.assertRegex(' '.join(bags.notes), 'damaged|cannot be read')
+
+    def test_a_definition_that_names_an_unknown_type_is_damage(self):
+        """[REC-2]"""
+        with open(self.bag, 'rb') as file:
+            content = file.read()
+        with open(self.bag, 'wb') as file:
+            file.write(content.replace(b'std_msgs/Header', b'std_msgs/Hexder'))
+        with mock.patch.dict(rosbag.bag._message_types, clear=True), BagFiles([self.bag]) as bags:
+            self.assertEqual(list(bags.messages(['/odom'])), [])
+            self.assertRegex(' '.join(bags.notes), 'damaged.*Hexder|damaged.*Header')
 
     def test_what_is_no_bag_is_named(self):
         """[REC-2]"""
