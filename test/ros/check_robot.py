@@ -65,7 +65,6 @@ MISTAKES = {
     'nobody_listens': (dict(listens=None), ['no base listens to /nobody_listens/drive']),
     'listens_elsewhere': (dict(listens='commands/velocity'), ['no base listens to /listens_elsewhere/drive; /check_robot listens '
                                                               'to /listens_elsewhere/commands/velocity']),
-    'two_arbiters': (dict(arbiter=True, second='arbiter'), ['there are several arbiters: ', '/second_node']),
 }
 
 
@@ -115,6 +114,14 @@ class CheckRobot(unittest.TestCase):
                 robot.end()
         self.assertFalse(missed, '\n'.join(missed))
 
+    def test_b_two_arbiters_are_named(self):  # alone, because the node of an arbiter is nobody's base
+        second = SecondNode(['two_arbiters'])
+        self.addCleanup(second.end)
+        self.assertTrue(wait_for(lambda: rospy.get_published_topics('/two_arbiters'), PATIENCE))
+        code, said = self.check('two_arbiters', dict(arbiter=True))
+        self.assertEqual(code, 1, said)
+        self.assertRegex(said, 'there are several arbiters: .*/second_node')
+
     def test_c_odometry_as_a_transform_alone_is_named_and_taken(self):
         code, said = self.check('alone', dict(odom=None))
         self.assertEqual(code, 1, said)
@@ -135,6 +142,12 @@ class CheckRobot(unittest.TestCase):
             rospy.set_param('/use_sim_time', False)
         self.assertEqual(code, 1, said)
         self.assertIn('use_sim_time is true, but nobody publishes /clock', said)
+
+    def test_d_an_answer_that_cannot_be_written_is_an_error(self):
+        with open('/dev/full', 'w') as full:
+            result = subprocess.run([find_node('frontier_pilot', 'check_robot'), '_duration:=1', '__name:=unheard'], stdout=full,
+                                    stderr=subprocess.PIPE, universal_newlines=True, timeout=PATIENCE)
+        self.assertEqual((result.returncode, 'cannot be written' in result.stderr), (1, True), result.stderr)
 
     def run_alone(self, *words, **environment):
         begin = time.monotonic()

@@ -87,7 +87,8 @@ int CheckRobotAdapter::run(const RunningFn& running) {
   seen.clock_moves = rosNow() > ros_begin;
   if (!askTheMaster(seen)) return fail("the ROS master at " + ros::master::getURI() + " no longer answers", kNoMaster);
   const robot_check::Findings findings = robot_check::judge(seen, expectation());
-  std::cout << robot_check::toText(findings) << std::flush;
+  if (!(std::cout << robot_check::toText(findings) << std::flush))
+    return fail("the answer cannot be written", kNotReady);
   return robot_check::couldDrive(findings) ? 0 : kNotReady;
 }
 
