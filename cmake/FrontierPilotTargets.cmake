@@ -48,6 +48,12 @@ function(frontier_pilot_compile_together target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
+# frontier_pilot_optimise_little(<target>): for tests, which run once for each time that they are compiled. What computes lies in
+# the modules.
+function(frontier_pilot_optimise_little target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # frontier_pilot_shared_library(<target>): the version that programs look for, and no undefined symbol, which would fail the
 # build: a missing dependency is found at once.
 function(frontier_pilot_shared_library target)
@@ -116,6 +122,7 @@ function(frontier_pilot_unit_test module)
   add_executable(${target} ${sources})
   frontier_pilot_target_options(${target})
   frontier_pilot_compile_together(${target})
+  frontier_pilot_optimise_little(${target})
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PRIVATE frontier_pilot_${module} ${ARG_DEPENDS} frontier_pilot_test_support
     ${ARG_LIBRARIES} GTest::gtest_main)
