@@ -106,7 +106,7 @@ class RunScript(unittest.TestCase):
 
     def start_exploring(self, prefix, start=None):
         """The running script, once something is explored, and what it has said."""
-        process = (start or self.start)('map:=' + prefix, 'world:=' + str(ROOT / 'config/worlds/small.yaml'), 'speed:=2')
+        process = (start or self.start)('map:=' + prefix, 'world:=' + str(ROOT / 'config/worlds/office.yaml'), 'speed:=2')
         said = ''
         end = time.monotonic() + 240.0
         while not re.search(r'explored +[1-9]', said) and time.monotonic() < end:
