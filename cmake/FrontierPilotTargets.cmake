@@ -40,11 +40,11 @@ function(frontier_pilot_target_options target)
     $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# frontier_pilot_compile_together(<target>): its files are compiled in batches, because compiling the headers takes most of
-# the time: a fifth of it is left. The files of a module therefore share one anonymous namespace, and GCC takes them for
-# headers, where it warns of a class with a member of a type from an anonymous namespace.
-function(frontier_pilot_compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+# frontier_pilot_compile_together(<target> <batch>): <batch> of its files are compiled as one, 0 for all, because compiling
+# the headers takes most of the time: a fifth of it is left. The files of a target therefore share one anonymous namespace,
+# and GCC takes them for headers, where it warns of a class with a member of a type from an anonymous namespace.
+function(frontier_pilot_compile_together target batch)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
@@ -73,7 +73,7 @@ function(frontier_pilot_module name)
   endif()
   add_library(${target} ${kind} ${ARG_SOURCES})
   frontier_pilot_target_options(${target})
-  frontier_pilot_compile_together(${target})
+  frontier_pilot_compile_together(${target} 12)
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_LIBRARIES})
   frontier_pilot_shared_library(${target})
@@ -121,7 +121,7 @@ function(frontier_pilot_unit_test module)
   set(target ${module}_unit_tests)
   add_executable(${target} ${sources})
   frontier_pilot_target_options(${target})
-  frontier_pilot_compile_together(${target})
+  frontier_pilot_compile_together(${target} 12)
   frontier_pilot_optimise_little(${target})
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PRIVATE frontier_pilot_${module} ${ARG_DEPENDS} frontier_pilot_test_support
@@ -135,7 +135,7 @@ function(frontier_pilot_bench_program name)
   add_executable(${name} ${name}.cpp ${ARG_SUPPORT})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${FRONTIER_PILOT_TEST_DIRECTORY})
   frontier_pilot_target_options(${name})
-  frontier_pilot_compile_together(${name})
+  frontier_pilot_compile_together(${name} 12)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/bench)
   target_compile_definitions(${name} PRIVATE FRONTIER_PILOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
@@ -150,11 +150,10 @@ function(frontier_pilot_benchmark name)
 endfunction()
 
 # frontier_pilot_ros_target(<target>): flags and includes of a target that uses ROS. ROS' headers are system headers, so
-# that their warnings are not reported. Its files are compiled (and checked by clang-tidy) as one, because most of the
-# time goes into these headers.
+# that their warnings are not reported.
 function(frontier_pilot_ros_target target)
   frontier_pilot_target_options(${target})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  frontier_pilot_compile_together(${target} 0)
   target_include_directories(${target} SYSTEM PUBLIC
     ${catkin_INCLUDE_DIRS} ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION})
   add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The window when its display server dies: it ends with a line that says why, and without an abort."""
+"""The window when its display server dies: it ends, and without an abort."""
 import os
 import shutil
 import subprocess

@@ -82,12 +82,12 @@ void MoveBaseServer::cancelAll() {
 }
 
 void MoveBaseServer::setStopped(bool stopped) {
-  if (stopped_since_ && !stopped) cancelForStop();
-  if (!stopped) {
-    stopped_since_.reset();
-  } else if (!stopped_since_) {
-    stopped_since_ = steadyNow();
+  if (stopped) {
+    stopped_since_ = stopped_since_.value_or(steadyNow());
+    return;
   }
+  if (stopped_since_) cancelForStop();
+  stopped_since_.reset();
 }
 
 void MoveBaseServer::cancelForStop() {
