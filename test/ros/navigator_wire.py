@@ -45,6 +45,9 @@ class NavigatorOnTheWire(unittest.TestCase):
         cls.costmap = Record('local_costmap', OccupancyGrid)
         cls.status = Record('navigator/status', String)
         cls.goals = Record('move_base/status', GoalStatusArray)
+        # Subscribed to long before a goal is sent: a publisher learns of its subscriber later than that of the connection.
+        cls.current_goal = Record('move_base/current_goal', PoseStamped)
+        cls.progress = Record('navigator/progress', NavigatorProgress)
         cls.stalled = Record('simulator/stalled', Bool)
         cls.world = Record('simulator/world', OccupancyGrid)
         cls.pass_on = True
@@ -80,12 +83,19 @@ class NavigatorOnTheWire(unittest.TestCase):
         type(self).pass_on = True
         call('reset_positions', Empty)
         self.assertTrue(wait_for(lambda: self.odom.last and abs(self.odom.last.pose.pose.position.x) < 0.05))
+        # A goal that comes before the transform of the reset would be reached at once where the last test has ended.
+        self.assertTrue(wait_for(self.navigator_is_at_the_start))
 
     def tearDown(self):
         if not self.ended():
             self.client.cancel_goal()  # not all goals: that might overtake the next one
         self.assertTrue(wait_for(self.stands))
         self.assertFalse(any(msg.data for _, msg in self.stalled.items), 'no contact [NAV-4]')
+
+    @staticmethod
+    def navigator_is_at_the_start():
+        poses = call('make_plan', GetPlan, PoseStamped(), pose(NEAR), 0.0).plan.poses
+        return bool(poses) and math.hypot(poses[0].pose.position.x, poses[0].pose.position.y) < 0.1
 
     def send(self, place, **how):
         self.client.send_goal(MoveBaseGoal(target_pose=pose(place, **how)))
@@ -134,14 +144,12 @@ class NavigatorOnTheWire(unittest.TestCase):
         self.assertIsNotNone(self.costmap.last)
 
     def test_says_how_far_it_is_and_what_the_present_goal_is(self):  # [NAV-1]
-        goals = Record('move_base/current_goal', PoseStamped)
-        progress = Record('navigator/progress', NavigatorProgress)
-        self.assertTrue(wait_for(lambda: goals.subscriber.get_num_connections() and progress.last))
+        progress, start = self.progress, time.monotonic()
         self.send(FAR)
-        self.assertTrue(wait_for(lambda: goals.last is not None))
-        self.assertEqual(goals.last.header.frame_id, 'map')
-        self.assertAlmostEqual(goals.last.pose.position.x, FAR[0])
-        self.assertTrue(wait_for(lambda: progress.last.has_goal and progress.last.distance_left > 3.0))
+        self.assertTrue(wait_for(lambda: self.current_goal.since(start)))
+        self.assertEqual(self.current_goal.last.header.frame_id, 'map')
+        self.assertAlmostEqual(self.current_goal.last.pose.position.x, FAR[0])
+        self.assertTrue(wait_for(lambda: progress.last and progress.last.has_goal and progress.last.distance_left > 3.0))
         first = progress.last
         self.assertAlmostEqual(first.goal.position.y, FAR[1])
         self.assertGreater(first.time_left, 5.0)
