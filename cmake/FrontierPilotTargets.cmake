@@ -48,10 +48,11 @@ function(frontier_pilot_compile_together target batch)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
-# frontier_pilot_optimise_little(<target>): for tests, which run once for each time that they are compiled. What computes lies in
-# the modules.
-function(frontier_pilot_optimise_little target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+# frontier_pilot_optimise(<target> <flag>): less than -O3, which is for the modules: what computes lies in them. -O2 for what
+# converts messages and draws, which takes a third less time to compile; -O1 for tests, which run once for each time that they are
+# compiled.
+function(frontier_pilot_optimise target flag)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${flag}>)
 endfunction()
 
 # frontier_pilot_shared_library(<target>): the version that programs look for, and no undefined symbol, which would fail the
@@ -122,7 +123,7 @@ function(frontier_pilot_unit_test module)
   add_executable(${target} ${sources})
   frontier_pilot_target_options(${target})
   frontier_pilot_compile_together(${target} 12)
-  frontier_pilot_optimise_little(${target})
+  frontier_pilot_optimise(${target} -O1)
   list(TRANSFORM ARG_DEPENDS PREPEND frontier_pilot_)
   target_link_libraries(${target} PRIVATE frontier_pilot_${module} ${ARG_DEPENDS} frontier_pilot_test_support
     ${ARG_LIBRARIES} GTest::gtest_main)
@@ -154,6 +155,7 @@ endfunction()
 function(frontier_pilot_ros_target target)
   frontier_pilot_target_options(${target})
   frontier_pilot_compile_together(${target} 0)
+  frontier_pilot_optimise(${target} -O2)
   target_include_directories(${target} SYSTEM PUBLIC
     ${catkin_INCLUDE_DIRS} ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION})
   add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
