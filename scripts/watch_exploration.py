@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Watches an exploration, prints its progress periodically, and saves the map when it is done, on Ctrl-C, or when its
-terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved.
+"""Watches an exploration, which it can also start, prints its progress periodically, and saves the map when it is done, on Ctrl-C,
+or when its terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved.
 
 Exit code: 0 when no reachable frontier is left and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal
 was closed, 141 when nobody reads the output any more, 1 otherwise.
@@ -15,14 +15,18 @@ import time
 if __name__ == '__main__':
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # until main: a Ctrl-C while the rest is imported prints no traceback
 
+import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 from frontier_pilot.msg import ExplorerStatus  # noqa: E402
 from frontier_pilot.srv import SaveMap  # noqa: E402
+from std_srvs.srv import SetBool  # noqa: E402
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import ros_program  # noqa: E402
 from command_line import CommandLine, exit_with, say  # noqa: E402
+from run_recording.topics import TOPICS  # noqa: E402
 
+RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
 
 # The ends that the stopping rules of the explorer have asked for.
@@ -85,6 +89,46 @@ class Watcher:
         return say('waiting for the explorer' if self.status is None else self.line())
 
 
+class Starter:
+    """Starts the exploration when the recorder of the run is ready, or after RECORDER_START without it."""
+
+    def __init__(self):
+        self.heard = None  # when the explorer was first heard, by the steady clock
+        self.asked = -1.0  # when the master or the explorer was last asked, by the steady clock
+        self.started = False
+
+    def go_on(self, status):
+        """To be called often, with the latest status of the explorer or None."""
+        now = time.monotonic()
+        if self.started or status is None or now - self.asked < 1.0:
+            return
+        self.asked = now
+        self.heard = self.heard or now
+        if status.reason != ExplorerStatus.PAUSED:
+            self.started = True  # by somebody else
+        elif self.recorder_is_ready():
+            self.start()
+        elif now - self.heard > RECORDER_START:
+            say('The recorder has not begun within %.0f s: the exploration starts without it' % RECORDER_START)
+            self.start()
+
+    @staticmethod
+    def recorder_is_ready():
+        """Whether it has subscribed to the last of its topics; it subscribes in the order of their names."""
+        last = max(rospy.resolve_name(topic) for topic in TOPICS)
+        try:
+            listeners = dict(rosgraph.Master(rospy.get_name()).getSystemState()[1])
+        except (OSError, rosgraph.MasterException):
+            return False
+        return rospy.resolve_name('run_recorder_rosbag') in listeners.get(last, [])
+
+    def start(self):
+        try:
+            self.started = rospy.ServiceProxy('set_exploration_enabled', SetBool)(True).success
+        except rospy.ServiceException as error:
+            say('The exploration could not be started, it is tried again: %s' % error)
+
+
 def default_prefix():
     return os.path.join('maps', datetime.datetime.now().strftime('%Y-%m-%d_%H-%M-%S'))
 
@@ -141,6 +185,8 @@ def say_the_end(watcher, began):
 def main():
     parser = CommandLine(__doc__, 'rosrun frontier_pilot watch_exploration.py --map /tmp/floor')
     parser.add_argument('--map', default='', help='where to save it, without extension (maps/<date and time>)')
+    parser.add_argument('--start-when-recorded', action='store_true',
+                        help='start the exploration as soon as the run is recorded, or after %.0f s without that' % RECORDER_START)
     parser.add_argument('--period', type=float, default=5.0, help='seconds between two progress lines')
     arguments = parser.parse_args(rospy.myargv()[1:])
     interrupt = Interrupt()
@@ -152,9 +198,12 @@ def main():
         return 128 + interrupt.number
     began = time.monotonic()
     watcher = Watcher(arguments.period)
+    starter = Starter() if arguments.start_when_recorded else None
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
         if not watcher.progress():
             interrupt.lose(signal.SIGPIPE)
+        if starter:
+            starter.go_on(watcher.status)
         time.sleep(0.2)
     if interrupt.number:
         if watcher.started is not None:

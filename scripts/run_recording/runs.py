@@ -117,6 +117,12 @@ def stretch_of(part):
     return int(match.group(1) or 1) if match else 1
 
 
+def is_first_part(path):
+    """Whether this is the bag with which the recorder began a run; one that the recorder has not written counts as such."""
+    match = PART.match(os.path.basename(path))
+    return not match or (match.group(1) is None and match.group(2) == '0')
+
+
 def parts_of(run):
     """The bags of a run in the order in which they were written. One that is open or was not closed ends with .active, which
     can be the last one of each stretch."""

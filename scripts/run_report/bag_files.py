@@ -97,6 +97,10 @@ class BagFiles:
             clock(before.get_end_time() - first), clock(after.get_start_time() - first))
                 for before, after in zip(self.bags, self.bags[1:]) if self.stretches[before] != self.stretches[after]]
 
+    def has_the_first_part(self):
+        """Whether the oldest of the bags is where the recorder began, or a single bag that it did not write."""
+        return any(runs.is_first_part(path) for path in self.paths)
+
     def topics(self):
         """The types of the topics, by name."""
         return {name: info.msg_type for bag in self.bags for name, info in bag.get_type_and_topic_info().topics.items()}

@@ -88,8 +88,9 @@ class Run:
         self.goals.place_all()
         self.notes += bags.notes
         if not self.begins_with_the_start():
-            self.notes.append('The record does not go back to the start of the run: its oldest part was removed to keep within the '
-                              'size allowed, or the recorder was started later. The figures of the explorer count from its start.')
+            self.notes.append('The record does not go back to the start of the run: %s. The figures of the explorer count from its '
+                              'start.' % ('the recorder was started later' if bags.has_the_first_part()
+                                          else 'its oldest part was removed to keep within the size allowed'))
 
     def _take(self, role, time, message):
         if role.endswith('/result'):

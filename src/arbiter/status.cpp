@@ -22,7 +22,7 @@ std::string whoDrives(const ArbiterSnapshot& status) {
     case ArbiterState::kContested:
       return status.rival + " could receive an emergency stop in this arbiter's place: stopped";
     case ArbiterState::kDriving:
-      return status.active_source + " drives";
+      return status.active_source + (status.command.isZero() ? " holds the robot still" : " drives");
     case ArbiterState::kIdle:
       break;
   }

@@ -13,6 +13,9 @@ class QVBoxLayout;
 
 namespace frontier_pilot::gui {
 
+/// What is shown where a value is not known.
+inline const QString kNoValue = QString::fromUtf8("\u2013");
+
 /// A framed group with a title. Its widgets go into `content()`.
 class Card : public QFrame {
   Q_OBJECT

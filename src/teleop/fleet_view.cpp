@@ -31,7 +31,7 @@ Words activityOf(const ArbiterView& arbiter, const RobotReports& reports) {
     return {Severity::kWarning, navigation->status + (explores ? shareOf(*explorer) : "")};
   if (explores) return {explorer->severity, "explores" + shareOf(*explorer) + ": " + explorer->reason_text};
   if (navigation != nullptr) return {Severity::kActive, "drives to its goal: " + navigation->status};
-  if (!arbiter.active_source.empty()) return {Severity::kActive, arbiter.active_source + " drives"};
+  if (!arbiter.active_source.empty() && !arbiter.command.isZero()) return {Severity::kActive, arbiter.driver()};
   if (explorer != nullptr) return {explorer->severity, "stands: " + explorer->reason_text};
   return {Severity::kIdle, "stands"};
 }

@@ -35,7 +35,7 @@ void noteArbiter(const OperatorState& before, const OperatorState& now, Lines& l
   if (was != nullptr && is == nullptr) lines.push_back({Severity::kError, "the arbiter fell silent"});
   if (is == nullptr) return;
   if (was != nullptr && was->active_source != is->active_source) {
-    lines.push_back({Severity::kIdle, is->active_source.empty() ? "nobody drives" : is->active_source + " drives"});
+    lines.push_back({Severity::kIdle, is->driver()});
   }
   for (const std::string& problem : is->problems) {
     const bool known = was != nullptr && std::count(was->problems.begin(), was->problems.end(), problem) > 0;

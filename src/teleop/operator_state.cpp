@@ -4,6 +4,11 @@
 
 namespace frontier_pilot::teleop {
 
+std::string ArbiterView::driver() const {
+  if (active_source.empty()) return "nobody drives";
+  return active_source + (command.isZero() ? " holds the robot still" : " drives");
+}
+
 const SourceView* OperatorState::source(const std::string& name) const {
   if (!arbiter) return nullptr;
   const auto found = std::find_if(arbiter->sources.begin(), arbiter->sources.end(),

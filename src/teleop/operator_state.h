@@ -39,6 +39,9 @@ struct ArbiterView {
   std::vector<std::string> problems;
   Twist2 command;  ///< what was last sent to the base
   std::vector<SourceView> sources;
+
+  /// Who drives, as a whole statement; a source that drives may command zero velocity.
+  std::string driver() const;
 };
 
 struct AvoiderView {
@@ -64,7 +67,8 @@ struct AvoiderSectors {
 struct ExplorerView {
   double status_age = 0.0;
   Severity severity = Severity::kIdle;
-  bool running = false;  ///< not paused and not done
+  bool running = false;      ///< not paused and not done
+  bool not_started = false;  ///< what it counts is not known yet
   std::string state_text, phase_text, reason_text;
   unsigned frontiers_found = 0, frontiers_selectable = 0, frontiers_blacklisted = 0;
   unsigned goals_sent = 0, goals_reached = 0, goals_failed = 0;

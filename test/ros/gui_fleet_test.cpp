@@ -41,7 +41,7 @@ class FleetOnTheWire : public ::testing::Test {
   void SetUp() override {
     window_.resize(1300, 900);
     window_.show();
-    ASSERT_TRUE(waitFor([&] { return window_.shown() == "robot1" && driver() == "manual drives"; }))
+    ASSERT_TRUE(waitFor([&] { return window_.shown() == "robot1" && driver() == "manual holds the robot still"; }))
         << driver().toStdString();
   }
   QWidget* find(const char* name) { return window_.findChild<QWidget*>(name); }
@@ -76,8 +76,9 @@ TEST_F(FleetOnTheWire, DrivesTheRobotThatWasChosenAlone) {
   click("Go");
   EXPECT_TRUE(waitFor([&] { return one_.forward > 0.04; }));
   click("robot_robot2");
-  EXPECT_TRUE(
-      waitFor([&] { return one_.forward == 0.0 && window_.shown() == "robot2" && driver() == "manual drives"; }));
+  EXPECT_TRUE(waitFor([&] {
+    return one_.forward == 0.0 && window_.shown() == "robot2" && driver() == "manual holds the robot still";
+  }));
   for (int i = 0; i < 4; ++i) click("Go");
   EXPECT_TRUE(waitFor([&] { return two_.forward > 0.0; }));
   QTest::qWait(500);

@@ -126,8 +126,10 @@ void ExplorerCard::setState(const teleop::OperatorState& state) {
   const bool up = state.explorer_service_up;
   setRemark(!up ? "explorer down" : (heard ? "" : "silent"), teleop::Severity::kWarning);
   const bool running = heard && state.explorer->running;
-  enableInTurn(*start_, up && !running, *pause_, up && (!heard || running));
+  const bool stopped = state.emergency_stop.value_or(false);
+  enableInTurn(*start_, up && !running && !stopped, *pause_, up && (!heard || running));
   for (QPushButton* button : {start_, pause_}) button->setToolTip(up ? "" : "set_exploration_enabled is down");
+  if (up && stopped) start_->setToolTip("the emergency stop is latched");
   reset_->setEnabled(state.explorer_reset_up);
   reset_->setToolTip(state.explorer_reset_up ? "Forgets the blacklist, the visits and the phase"
                                              : "frontier_explorer/reset is down");
@@ -135,7 +137,7 @@ void ExplorerCard::setState(const teleop::OperatorState& state) {
   dot_->setSeverity(heard ? state.explorer->severity : teleop::Severity::kIdle);
   if (!state.explorer) {
     state_->setFullText("not heard of");
-    for (QLabel* label : {area_, distance_, frontiers_, share_}) label->setText("–");
+    for (QLabel* label : {area_, distance_, frontiers_, share_}) label->setText(kNoValue);
     goals_->setFullText("");
     return;
   }
@@ -150,8 +152,11 @@ void ExplorerCard::setState(const teleop::OperatorState& state) {
 void ExplorerCard::showFigures(const teleop::ExplorerView& explorer) {
   area_->setText(QString("%1 m²").arg(explorer.explored_area, 0, 'f', 1));
   distance_->setText(QString("%1 m").arg(explorer.distance_travelled, 0, 'f', 1));
-  frontiers_->setText(QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));
-  share_->setText(explorer.share_explored ? QString("≈ %1 %").arg(100.0 * *explorer.share_explored, 0, 'f', 0) : "–");
+  frontiers_->setText(explorer.not_started
+                          ? kNoValue
+                          : QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));
+  share_->setText(explorer.share_explored ? QString("≈ %1 %").arg(100.0 * *explorer.share_explored, 0, 'f', 0)
+                                          : kNoValue);
   goals_->setFullText(QString("Goals: %1 seen, %2 reached, %3 failed")
                           .arg(explorer.goals_seen)
                           .arg(explorer.goals_reached)
@@ -171,7 +176,7 @@ void ExplorerCard::showLimits(const teleop::OperatorState& state, bool heard) {
                                                                 : "Ask for poses in rviz with the tool Inspect");
   return_->setShown(heard ? std::optional<bool>(state.explorer->return_to_start) : std::nullopt,
                     state.explorer_return_up, "frontier_explorer/set_return_to_start is down");
-  const auto text = [heard](const std::string& known) { return heard ? QString::fromStdString(known) : QString("–"); };
+  const auto text = [heard](const std::string& known) { return heard ? QString::fromStdString(known) : kNoValue; };
   const teleop::ExplorerView explorer = state.explorer.value_or(teleop::ExplorerView{});
   bounds_->setFullText(text(explorer.bounds_text));
   inspect_->setFullText(text(explorer.inspect_text));

@@ -48,8 +48,8 @@ Headline headlineOf(const teleop::OperatorState& state) {
   if (arbiter.status_age > teleop::kStatusLifetime) {
     return {"Arbiter silent", "Last heard " + ageText(arbiter.status_age) + " ago.", teleop::Severity::kError};
   }
-  const QString driver = arbiter.active_source.empty() ? "Nobody" : QString::fromStdString(arbiter.active_source);
-  const QString title = stopped ? "Emergency stop" : driver + " drives";
+  const QString driver = arbiter.active_source.empty() ? "Nobody drives" : QString::fromStdString(arbiter.driver());
+  const QString title = stopped ? "Emergency stop" : driver;
   return {title, detailOf(arbiter, title), stopped ? teleop::Severity::kError : arbiter.severity};
 }
 

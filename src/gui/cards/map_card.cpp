@@ -13,11 +13,12 @@ namespace frontier_pilot::gui {
 namespace {
 
 const QString kIntroduction = "Wheel: zoom. Drag: move. Shift and click: waypoint.";
+constexpr const char* kStopped = "The emergency stop is latched.";
 const QString kAiming = "Press there, drag to where it looks. Esc: no goal.";
 
 /// The size of the map, for the remark of the card.
 QString sizeOf(const GridGeometry& geometry) {
-  return QString("%1 m x %2 m")
+  return QString("grid %1 m x %2 m")
       .arg(geometry.width * geometry.resolution, 0, 'f', 1)
       .arg(geometry.height * geometry.resolution, 0, 'f', 1);
 }
@@ -29,7 +30,7 @@ MapCard::MapCard(const Outline& robot, QWidget* parent)
       picture_(new MapPicture(robot)),
       go_(new QPushButton("Go here")),
       follow_(new QPushButton),
-      forget_(new QPushButton("Forget")),
+      forget_(new QPushButton("Forget points")),
       return_(new QPushButton("To origin")),
       save_(new QPushButton("Save map")),
       load_(new QPushButton("Load map")),
@@ -50,12 +51,12 @@ QLayout* MapCard::makeButtons() {
   go_->setCheckable(true);
   auto* grid = new QGridLayout;
   const std::array<std::pair<const char*, QPushButton*>, 6> buttons{{{"map_go", go_},
+                                                                     {"map_return", return_},
                                                                      {"waypoints_follow", follow_},
                                                                      {"waypoints_forget", forget_},
-                                                                     {"map_return", return_},
                                                                      {"map_save", save_},
                                                                      {"map_load", load_}}};
-  constexpr int kColumns = 3;
+  constexpr int kColumns = 2;
   for (int i = 0; i < static_cast<int>(buttons.size()); ++i) {
     const auto& [name, button] = buttons[static_cast<std::size_t>(i)];
     button->setObjectName(name);
@@ -122,13 +123,15 @@ void MapCard::setState(const teleop::OperatorState& state) {
     button->setEnabled(on);
     button->setToolTip(on ? QString() : QString(why_not));
   };
-  const bool navigation_up = state.navigate.server_up;
-  enable(go_, navigation_up, "The navigation is down.");
-  enable(return_, navigation_up, "The navigation is down.");
-  if (navigation_up) return_->setToolTip("Pause the explorer, and drive to the origin of the map.");
+  stopped_ = state.emergency_stop.value_or(false);
+  const bool takes_goals = state.navigate.server_up && !stopped_;
+  const char* why_not = stopped_ ? kStopped : "The navigation is down.";
+  enable(go_, takes_goals, why_not);
+  enable(return_, takes_goals, why_not);
+  if (takes_goals) return_->setToolTip("Pause the explorer, and drive to the origin of the map.");
   enable(save_, state.save_map_up, "mapper/save_map is down.");
   enable(load_, state.load_map_up, "mapper/load_map is down.");
-  if (!navigation_up) go_->setChecked(false);
+  if (!takes_goals) go_->setChecked(false);
   showWaypoints(state);
   if (state.map_answer.count == answers_) return;
   answers_ = state.map_answer.count;
@@ -138,10 +141,12 @@ void MapCard::setState(const teleop::OperatorState& state) {
 
 void MapCard::showWaypointCount() {
   const int count = static_cast<int>(picture_->waypoints().size());
-  follow_->setText(count == 0 ? QString("Follow") : QString("Follow %1").arg(count));
-  follow_->setEnabled(count > 0 && follower_up_);
-  follow_->setToolTip(!follower_up_ ? QString("waypoint_follower is down.")
-                                    : QString("Add waypoints with the Shift key and a click on the map."));
+  follow_->setText(count == 0 ? QString("Follow points")
+                              : QString(count == 1 ? "Follow %1 point" : "Follow %1 points").arg(count));
+  follow_->setEnabled(count > 0 && follower_up_ && !stopped_);
+  follow_->setToolTip(stopped_        ? kStopped
+                      : !follower_up_ ? "waypoint_follower is down."
+                                      : "Add waypoints with the Shift key and a click on the map.");
   forget_->setEnabled(count > 0);
 }
 

@@ -44,6 +44,7 @@ class MapCard : public Card {
   QPushButton* load_;
   std::uint64_t answers_ = 0;  ///< that have been shown
   bool follower_up_ = false;   ///< the node that follows the waypoints
+  bool stopped_ = false;       ///< the emergency stop is latched
   std::string waypoints_told_;
   Dot* dot_;
   ElidedLabel* message_;

@@ -9,12 +9,12 @@
 namespace frontier_pilot::gui {
 namespace {
 
-const QString kNone = QString::fromUtf8("\u2013");
-
-QString inMetres(const std::optional<double>& value) { return value ? QString::number(*value, 'f', 1) + " m" : kNone; }
+QString inMetres(const std::optional<double>& value) {
+  return value ? QString::number(*value, 'f', 1) + " m" : kNoValue;
+}
 
 QString inSeconds(const std::optional<double>& value) {
-  if (!value) return kNone;
+  if (!value) return kNoValue;
   const int seconds = static_cast<int>(std::lround(std::min(*value, 1e6)));
   return seconds < 60 ? QString("%1 s").arg(seconds)
                       : QString("%1 min %2 s").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar('0'));
@@ -61,7 +61,8 @@ void NavigationCard::setState(const teleop::OperatorState& state) {
   const teleop::NavigationView view = state.navigation.value_or(teleop::NavigationView());
   setRemark(!heard ? "server down" : (view.has_goal ? "driving to a goal" : "ready"),
             heard ? teleop::Severity::kIdle : teleop::Severity::kWarning);
-  goal_->setText(view.has_goal ? QString("%1, %2").arg(view.goal.x(), 0, 'f', 1).arg(view.goal.y(), 0, 'f', 1) : kNone);
+  goal_->setText(view.has_goal ? QString("%1, %2").arg(view.goal.x(), 0, 'f', 1).arg(view.goal.y(), 0, 'f', 1)
+                               : kNoValue);
   distance_->setText(inMetres(view.distance_left));
   time_->setText(inSeconds(view.time_left));
   dot_->setSeverity(view.severity);

@@ -18,7 +18,7 @@ PatrolCard::PatrolCard(const teleop::TeleopParameters& parameters, QWidget* pare
   laps_->setValue(parameters.patrol_laps);
   auto* grid = new QGridLayout;
   grid->setSpacing(emOf(*this) / 3);
-  grid->addWidget(makeLabel("Side", "muted"), 0, 0);
+  grid->addWidget(makeLabel("Size", "muted"), 0, 0);
   grid->addWidget(side_, 0, 1);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);

@@ -199,7 +199,7 @@ void ScanCard::setState(const teleop::OperatorState& state) {
   QString text = heard ? QString::fromStdString(state.avoider->state_text) : QString("silent");
   if (!state.avoider_service_up) text = "down";
   text_->setFullText(text);
-  setRemark(state.scan ? "scan " + ageText(state.scan->age) : QString("no scan"),
+  setRemark(state.scan ? "scan " + ageText(state.scan->age) + " old" : QString("no scan"),
             state.scan && state.scan->age <= kScanLifetime ? teleop::Severity::kIdle : teleop::Severity::kWarning);
 }
 

@@ -7,6 +7,19 @@
 #include "ros/mapper/mapper_adapter.h"
 
 namespace frontier_pilot {
+namespace {
+
+/// A scan that is older than this [s] was not delayed: its stamp is of another clock.
+constexpr double kNoDelay = 60.0;
+
+/// What may be wrong where a scan is refused as stale; empty if it may have been delayed.
+std::string causeOf(mapping::ScanVerdict verdict, Time stamp) {
+  if (verdict != mapping::ScanVerdict::kStale || toSeconds(rosNow() - stamp) < kNoDelay) return {};
+  return std::string("by more than a minute: its stamp is of another clock than this node's, which is ") +
+         (ros::Time::isSimTime() ? "/clock" : "the computer's (use_sim_time is false)");
+}
+
+}  // namespace
 
 void MapperAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   if (!isSameFrame(msg.header.frame_id, odom_frame_)) {
@@ -32,7 +45,7 @@ void MapperAdapter::insertPaired() {
   while (const auto paired = pairing_.next(rosNow())) {
     if (scan_motion_.note(timing_, paired->covered, paired->scan, paired->T_odom_base)) {
       const mapping::ScanVerdict verdict = mapper_.insert(paired->scan, paired->T_odom_base, rosNow());
-      note(verdict, {});
+      note(verdict, causeOf(verdict, paired->scan.stamp));
       if (paired->T_odom_base) sayWhereLocalised(verdict, mapper_.T_map_odom() * *paired->T_odom_base);
     } else {
       bad_scans_.add(kFrozenScan);

@@ -25,10 +25,16 @@ teleop::Severity severityOf(const ArbiterSource& source) {
   }
 }
 
+/// The state in a few words: the age of the last message is shown beside it.
+std::string stateText(const ArbiterSource& msg) {
+  if (msg.state == ArbiterSource::NEVER_HEARD) return "no command received yet";
+  return msg.state == ArbiterSource::STALE ? "stale" : msg.state_text;
+}
+
 teleop::SourceView toView(const ArbiterSource& msg, double status_age) {
   teleop::SourceView view;
   view.name = msg.name;
-  view.state_text = msg.state == ArbiterSource::NEVER_HEARD ? "no command received yet" : msg.state_text;
+  view.state_text = stateText(msg);
   view.severity = severityOf(msg);
   view.enabled = msg.enabled != 0;
   view.required = msg.required != 0;
@@ -44,11 +50,16 @@ teleop::SourceView toView(const ArbiterSource& msg, double status_age) {
   return view;
 }
 
+/// Whether no source drives, or the one that does commands zero velocity.
+bool stands(const ArbiterStatus& msg) {
+  return msg.active_source.empty() || Twist2{msg.command.linear.x, msg.command.angular.z}.isZero();
+}
+
 teleop::Severity severityOf(const ArbiterStatus& msg) {
   if (msg.emergency_stop || msg.state == ArbiterStatus::CLOCK_STOPPED || msg.state == ArbiterStatus::CONTESTED)
     return teleop::Severity::kError;
   if (!msg.problems.empty()) return teleop::Severity::kWarning;
-  return msg.active_source.empty() ? teleop::Severity::kIdle : teleop::Severity::kGood;
+  return stands(msg) ? teleop::Severity::kIdle : teleop::Severity::kGood;
 }
 
 teleop::Severity severityOf(const AvoiderStatus& msg) {
@@ -98,10 +109,16 @@ std::string number(const char* format, double value) {
   return text;
 }
 
+/// Whether it has not explored since its start or its last reset.
+bool isNew(const ExplorerStatus& msg) {
+  return msg.reason == ExplorerStatus::PAUSED && msg.goals_sent == 0 && msg.frontiers_found == 0;
+}
+
 /// The state in words, where the one of the status would not say what the operator wants to know.
 std::string stateText(const ExplorerStatus& msg) {
   if (msg.state != ExplorerStatus::IDLE) return msg.state_text;
-  return msg.reason == ExplorerStatus::PAUSED ? "Paused" : "Waiting";
+  if (msg.reason != ExplorerStatus::PAUSED) return "Waiting";
+  return isNew(msg) ? "Not started" : "Paused";
 }
 
 std::string boundsText(const ExplorerStatus& msg) {
@@ -152,7 +169,11 @@ teleop::ArbiterView toView(const ArbiterStatus& msg, double status_age) {
   view.stops = msg.stops;
   view.problems = msg.problems;
   view.command = {msg.command.linear.x, msg.command.angular.z};
-  for (const ArbiterSource& source : msg.sources) view.sources.push_back(toView(source, status_age));
+  for (const ArbiterSource& source : msg.sources) {
+    view.sources.push_back(toView(source, status_age));
+    if (view.sources.back().severity == teleop::Severity::kActive && stands(msg))
+      view.sources.back().severity = teleop::Severity::kIdle;
+  }
   return view;
 }
 
@@ -177,7 +198,8 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   view.state_text = stateText(msg);
   const bool explores = msg.state != ExplorerStatus::IDLE && msg.state != ExplorerStatus::DONE;
   if (explores) view.phase_text = msg.phase_text;
-  view.reason_text = msg.reason_text;
+  view.not_started = isNew(msg);
+  view.reason_text = view.not_started ? "Start lets the robot explore." : msg.reason_text;
   view.frontiers_found = msg.frontiers_found;
   view.frontiers_selectable = msg.frontiers_selectable;
   view.frontiers_blacklisted = msg.frontiers_blacklisted;

@@ -171,6 +171,8 @@ TEST_F(ArbiterTest, StatusSaysAgeAndRateOfEverySource) {
   EXPECT_NEAR(source("nav").age.value(), 0.05, 1e-9);
   EXPECT_EQ(source("manual").rate, 0.0);
   EXPECT_EQ(summarize(arbiter.status(now)), "nav drives");
+  send("nav", 0.0);
+  EXPECT_EQ(summarize(arbiter.status(now)), "nav holds the robot still");
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST_F(MapPointer, CollectsWaypointsWithTheShiftKeyAndSendsThemInTheirOrder) {
   aimAt(3.0, 6.5, Qt::ShiftModifier);
   EXPECT_EQ(message(), "Not sent: that is outside of the map.");
   widget_->setState(state_);
-  EXPECT_EQ(find<QPushButton>("waypoints_follow")->text(), "Follow 2");
+  EXPECT_EQ(find<QPushButton>("waypoints_follow")->text(), "Follow 2 points");
   EXPECT_TRUE(requests_.empty()) << "nothing moves before that";
   click("waypoints_follow");
   ASSERT_EQ(requests_.size(), 1U);

@@ -49,6 +49,9 @@ TEST_F(Showing, SaysWhoDrivesNow) {
   state_.arbiter->active_source = "nav";
   widget_->setState(state_);
   EXPECT_EQ(text("driver"), "nav drives");
+  state_.arbiter->command = {};
+  widget_->setState(state_);
+  EXPECT_EQ(text("driver"), "nav holds the robot still");
   state_.arbiter->active_source.clear();
   widget_->setState(state_);
   EXPECT_EQ(text("driver"), "Nobody drives");
@@ -203,7 +206,7 @@ TEST_F(Showing, TheHintTellsWhetherTheSetPointWaitsOrIsDropped) {
   EXPECT_EQ(find("drive_hint")->toolTip(), "avoid drives; your set-point waits.");
   state_.arbiter->active_source = "nav";
   widget_->setState(state_);
-  EXPECT_EQ(find("drive_hint")->toolTip(), "nav drives; what you set is dropped.");
+  EXPECT_EQ(find("drive_hint")->toolTip(), "nav drives: the arrows have no effect.");
 }
 
 // [GUI-2]

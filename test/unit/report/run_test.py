@@ -84,6 +84,19 @@ class Reading(FolderCase):
         self.assertEqual([pose[1] for pose in run.track.poses], [0.0, 1.0, 2.0])
         self.assertIsNone(run.map.cells)
 
+    def test_a_record_that_begins_late_says_whether_its_beginning_was_removed_or_never_recorded(self):
+        for name, cause in (('run_0.bag', 'the recorder was started later'), ('run_4.bag', 'was removed'),
+                            ('run_2_0.bag', 'was removed')):
+            path = self.path(name)
+            with rosbag.Bag(path, 'w') as bag:
+                for second in (30, 31):
+                    bag.write('/frontier_explorer/status', synthetic_bag.explorer_status(second), rospy.Time(100 + second))
+            run = Run()
+            with BagFiles([path]) as bags:
+                run.read(bags)
+            self.assertEqual(len(run.notes), 1)
+            self.assertRegex(run.notes[0], 'does not go back to the start of the run: .*' + cause)
+
     def test_notes_that_are_not_of_the_recorder_are_left_out(self):
         path = self.path('notes.bag')
         with rosbag.Bag(path, 'w') as bag:

@@ -20,8 +20,14 @@ ExplorerStatus explorerStatus(int state, const char* state_text, int reason) {
 
 // [GUI-2]
 TEST(OperatorViews, AnExplorerThatDoesNotExploreIsPausedOrWaits_GUI_2) {
-  const auto paused = toView(explorerStatus(ExplorerStatus::IDLE, "IDLE", ExplorerStatus::PAUSED), 0.0);
+  const auto unstarted = toView(explorerStatus(ExplorerStatus::IDLE, "IDLE", ExplorerStatus::PAUSED), 0.0);
+  EXPECT_EQ(unstarted.state_text, "Not started");
+  EXPECT_TRUE(unstarted.not_started);
+  ExplorerStatus msg = explorerStatus(ExplorerStatus::IDLE, "IDLE", ExplorerStatus::PAUSED);
+  msg.goals_sent = 1;
+  const auto paused = toView(msg, 0.0);
   EXPECT_EQ(paused.state_text, "Paused");
+  EXPECT_FALSE(paused.not_started);
   EXPECT_EQ(paused.phase_text, "");
   const auto waits = toView(explorerStatus(ExplorerStatus::IDLE, "IDLE", ExplorerStatus::OTHERS_GOAL), 0.0);
   EXPECT_EQ(waits.state_text, "Waiting");
@@ -42,6 +48,20 @@ TEST(OperatorViews, GoalsThatWereNeitherReachedNorFailedWereSeen_GUI_2) {
   EXPECT_EQ(toView(msg, 0.0).goals_seen, 19U) << "the last one is under way";
   msg.goals_sent = 2;
   EXPECT_EQ(toView(msg, 0.0).goals_seen, 0U);
+}
+
+// [GUI-2]
+TEST(OperatorViews, ASourceThatHoldsTheRobotStillIsGrey_GUI_2) {
+  ArbiterStatus msg;
+  msg.state = ArbiterStatus::DRIVING;
+  msg.active_source = "manual";
+  msg.sources.resize(1);
+  msg.sources[0].state = ArbiterSource::ACTIVE;
+  EXPECT_EQ(toView(msg, 0.0).severity, teleop::Severity::kIdle);
+  EXPECT_EQ(toView(msg, 0.0).sources[0].severity, teleop::Severity::kIdle);
+  msg.command.angular.z = 0.2;
+  EXPECT_EQ(toView(msg, 0.0).severity, teleop::Severity::kGood);
+  EXPECT_EQ(toView(msg, 0.0).sources[0].severity, teleop::Severity::kActive);
 }
 
 // [GUI-2]

@@ -46,6 +46,8 @@ TEST(FleetView, SaysWhatEachRobotDoes_GUI_2) {
   expect(reports, Severity::kActive, "explores, 63 % seen: goal sent");
   reports = standing();
   reports.arbiter->active_source = "manual";
+  expect(reports, Severity::kIdle, "stands");
+  reports.arbiter->command = {0.1, 0.0};
   expect(reports, Severity::kActive, "manual drives");
 }
 

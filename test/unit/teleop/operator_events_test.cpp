@@ -59,6 +59,8 @@ TEST_F(Journal, TellsAContactOnceAndWhoDroveTheRobotThere) {
 // [GUI-2]
 TEST_F(Journal, TellsWhoTakesTheWheels) {
   now_.arbiter->active_source = "nav";
+  EXPECT_EQ(lines(), Lines{"nav holds the robot still"});
+  now_.arbiter->command = {0.1, 0.0};
   EXPECT_EQ(lines(), Lines{"nav drives"});
   std::swap(before_, now_);
   EXPECT_EQ(lines(), Lines{"nobody drives"});
