@@ -104,7 +104,7 @@ class Starter:
             return
         self.asked = now
         self.heard = self.heard or now
-        if status.reason != ExplorerStatus.PAUSED:
+        if status.state != ExplorerStatus.IDLE:
             self.started = True  # by somebody else
         elif self.recorder_is_ready():
             self.start()

@@ -226,9 +226,8 @@ TEST_F(MapperOnTheWire, DropsAndCountsBadScansAndLosesNothing_MAP_4) {
   scan_.publish(roundRoom(now - ros::Duration(30.0)));
   scan_.publish(roundRoom(ros::Time(100.0)));  // as of a simulated robot, for a node that follows the computer's clock
   const char* other_clock =
-      "scan refused: stale, by more than a minute: its stamp is of another clock than this node's, which is the "
-      "computer's "
-      "(use_sim_time is false)";
+      "scan refused: stale, by more than a minute: its stamp is of another clock than this node's, which is "
+      "the computer's (use_sim_time is false)";
   EXPECT_TRUE(waitFor([&] {
     return count("scans, malformed") >= 2 && count("scans, all beams invalid") >= 1 &&
            count("scans, wrong frame") >= 1 && count("scans, no transform") >= 1 && count("scans, stale") >= 1 &&

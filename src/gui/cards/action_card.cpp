@@ -23,7 +23,7 @@ void ActionCard::showAction(const teleop::ActionView& action, bool emergency_sto
   for (QPushButton* button : start_) {
     button->setEnabled(action.server_up && !emergency_stop);
     button->setToolTip(!action.server_up ? server_ + " is down"
-                                         : (emergency_stop ? "the emergency stop is latched" : ""));
+                                         : (emergency_stop ? toString(teleop::DriveLock::kEmergencyStop) : ""));
   }
   setRemark(!action.server_up ? "server down" : (action.active ? "running" : "ready"),
             action.server_up ? teleop::Severity::kIdle : teleop::Severity::kWarning);

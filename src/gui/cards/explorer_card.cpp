@@ -129,7 +129,7 @@ void ExplorerCard::setState(const teleop::OperatorState& state) {
   const bool stopped = state.emergency_stop.value_or(false);
   enableInTurn(*start_, up && !running && !stopped, *pause_, up && (!heard || running));
   for (QPushButton* button : {start_, pause_}) button->setToolTip(up ? "" : "set_exploration_enabled is down");
-  if (up && stopped) start_->setToolTip("the emergency stop is latched");
+  if (up && stopped) start_->setToolTip(toString(teleop::DriveLock::kEmergencyStop));
   reset_->setEnabled(state.explorer_reset_up);
   reset_->setToolTip(state.explorer_reset_up ? "Forgets the blacklist, the visits and the phase"
                                              : "frontier_explorer/reset is down");

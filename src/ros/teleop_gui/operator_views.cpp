@@ -8,10 +8,10 @@
 namespace frontier_pilot {
 namespace {
 
-teleop::Severity severityOf(const ArbiterSource& source) {
+teleop::Severity severityOf(const ArbiterSource& source, bool robot_stands) {
   switch (source.state) {
     case ArbiterSource::ACTIVE:
-      return teleop::Severity::kActive;
+      return robot_stands ? teleop::Severity::kIdle : teleop::Severity::kActive;
     case ArbiterSource::READY:
       return teleop::Severity::kGood;
     case ArbiterSource::REJECTED:
@@ -31,11 +31,11 @@ std::string stateText(const ArbiterSource& msg) {
   return msg.state == ArbiterSource::STALE ? "stale" : msg.state_text;
 }
 
-teleop::SourceView toView(const ArbiterSource& msg, double status_age) {
+teleop::SourceView toView(const ArbiterSource& msg, bool robot_stands, double status_age) {
   teleop::SourceView view;
   view.name = msg.name;
   view.state_text = stateText(msg);
-  view.severity = severityOf(msg);
+  view.severity = severityOf(msg, robot_stands);
   view.enabled = msg.enabled != 0;
   view.required = msg.required != 0;
   view.priority = msg.priority;
@@ -169,11 +169,7 @@ teleop::ArbiterView toView(const ArbiterStatus& msg, double status_age) {
   view.stops = msg.stops;
   view.problems = msg.problems;
   view.command = {msg.command.linear.x, msg.command.angular.z};
-  for (const ArbiterSource& source : msg.sources) {
-    view.sources.push_back(toView(source, status_age));
-    if (view.sources.back().severity == teleop::Severity::kActive && stands(msg))
-      view.sources.back().severity = teleop::Severity::kIdle;
-  }
+  for (const ArbiterSource& source : msg.sources) view.sources.push_back(toView(source, stands(msg), status_age));
   return view;
 }
 
