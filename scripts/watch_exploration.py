@@ -78,6 +78,9 @@ class Watcher:
             self.elapsed(), status.explored_area, estimate_of(status), status.distance_travelled, status.frontiers_selectable,
             goals_of(status), status.state_text, status.reason_text)
 
+    def knows_a_map(self):
+        return self.status is not None and self.status.explored_area > 0.0
+
     def done(self):
         return self.status is not None and self.status.state == ExplorerStatus.DONE
 
@@ -206,7 +209,7 @@ def main():
             starter.go_on(watcher.status)
         time.sleep(0.2)
     if interrupt.number:
-        if watcher.started is not None:
+        if watcher.knows_a_map():
             say('\nInterrupted: saving the map ...')
             save_map(arguments.map)
         return 128 + interrupt.number

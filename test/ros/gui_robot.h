@@ -145,7 +145,7 @@ class GuiOnTheWire : public ::testing::Test {
   static bool ready(const Window& window) {
     return waitFor([&] {
       return window.find("enable_manual") != nullptr && window.find("enable_manual")->isEnabled() &&
-             window.text("driver") == "manual drives";
+             window.text("driver") == "manual holds the robot still";
     });
   }
 

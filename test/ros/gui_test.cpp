@@ -62,7 +62,7 @@ TEST_F(GuiOnTheWire, TheEmergencyStopLatchesIsShownAndIsClearedWithoutMotion) {
   }));
   EXPECT_TRUE(window.find("halt_and_clear")->isVisible());
   window.click("halt_and_clear");
-  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "manual drives"; })) << "nav has ended";
+  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "manual holds the robot still"; })) << "nav has ended";
   EXPECT_EQ(robot_.command, 0.0);
   EXPECT_TRUE(window.widget.setPoint().isZero());
 }

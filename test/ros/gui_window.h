@@ -80,7 +80,7 @@ inline bool clears(const Window& window) {
   return waitFor([&window] {
     window.click("clear_emergency_stop");
     QTest::qWait(200);
-    return window.text("driver") == "manual drives";
+    return window.text("driver") == "manual holds the robot still";
   });
 }
 

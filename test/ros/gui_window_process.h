@@ -21,7 +21,7 @@ inline pid_t startWindowProcess() {
 /// What that program does: drives forward until it is ended.
 inline int driveForward() {
   Window window;
-  if (!waitFor([&] { return window.text("driver") == "manual drives"; })) return 1;
+  if (!waitFor([&] { return window.text("driver") == "manual holds the robot still"; })) return 1;
   double commanded = 0.0;
   ros::NodeHandle node;
   const ros::Subscriber manual = node.subscribe<geometry_msgs::Twist>(

@@ -19,6 +19,7 @@ class NavigatorTraffic(unittest.TestCase):
     send, ended, stands, drives = (NavigatorOnTheWire.send, NavigatorOnTheWire.ended, NavigatorOnTheWire.stands,
                                    NavigatorOnTheWire.drives)
     expect_end = NavigatorOnTheWire.expect_end
+    navigator_is_at_the_start = staticmethod(NavigatorOnTheWire.navigator_is_at_the_start)
 
     @classmethod
     def setUpClass(cls):

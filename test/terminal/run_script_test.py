@@ -118,6 +118,9 @@ class RunScript(unittest.TestCase):
     def test_ctrl_c_saves_the_map_and_leaves_nothing_behind(self):
         prefix = os.path.join(self.folder.name, 'floor')
         process, said = self.start_exploring(prefix)
+        while not re.search(r'driven +(0\.[1-9]|[1-9])', said):
+            said += process.stdout.readline()
+            self.assertIsNone(process.poll(), said)
         self.assertTrue(glob.glob(self.folder.name + '/frontier_pilot/runs/*/run_0.bag.active'),
                         'it explores before its recorder is ready')
         process.send_signal(signal.SIGINT)
