@@ -110,6 +110,7 @@ bool Arbiter::claims(const Source& source, Time now) const {
 
 Arbiter::Decision Arbiter::decide(Time now) const {
   if (latched_) return {ArbiterState::kEmergencyStop, std::nullopt, {}};
+  if (!unreachable_.empty()) return {ArbiterState::kUnreachable, std::nullopt, {}};
   if (contested()) return {ArbiterState::kContested, std::nullopt, {}};
   if (clock_.stopped()) return {ArbiterState::kClockStopped, std::nullopt, {}};
   bool forward_allowed = true;
@@ -173,6 +174,14 @@ std::optional<Twist2> Arbiter::contest(const std::string& rival, const Instant& 
   if (rival == rival_) return std::nullopt;
   rival_ = rival;
   if (parameters_.stand_when_contested) forgetAll();
+  return makeOutput(decide(now.ros), true);
+}
+
+std::optional<Twist2> Arbiter::setUnreachable(const std::string& why, const Instant& now) {
+  observe(now);
+  if (why == unreachable_) return std::nullopt;
+  unreachable_ = why;
+  forgetAll();
   return makeOutput(decide(now.ros), true);
 }
 

@@ -21,6 +21,8 @@ std::string whoDrives(const ArbiterSnapshot& status) {
       return "ROS time stands still: stopped";
     case ArbiterState::kContested:
       return status.rival + " could receive an emergency stop in this arbiter's place: stopped";
+    case ArbiterState::kUnreachable:
+      return "no emergency stop can be called, because " + status.unreachable + ": stopped";
     case ArbiterState::kDriving:
       return status.active_source + (status.command.isZero() ? " holds the robot still" : " drives");
     case ArbiterState::kIdle:
@@ -32,7 +34,7 @@ std::string whoDrives(const ArbiterSnapshot& status) {
 }  // namespace
 
 const char* toString(ArbiterState state) {
-  constexpr const char* kNames[] = {"idle", "driving", "emergency stop", "clock stopped", "contested"};
+  constexpr const char* kNames[] = {"idle", "driving", "emergency stop", "clock stopped", "contested", "unreachable"};
   return kNames[static_cast<int>(state)];
 }
 
@@ -91,6 +93,7 @@ ArbiterSnapshot Arbiter::status(const Instant& now) const {
   status.stop_cause = stop_cause_;
   status.stops = stops_;
   status.rival = rival_;
+  status.unreachable = unreachable_;
   status.command = last_.command;
   for (const Source& source : sources_) {
     status.sources.push_back(statusOf(source, decision, now.ros));

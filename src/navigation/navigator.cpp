@@ -107,7 +107,9 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
 }
 
 void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
-  if (inputs.pose && inputs.pose->pose.isFinite()) {
+  // A pose of the future would keep all true ones out of the history until its time has come.
+  const bool of_the_future = inputs.pose && toSeconds(inputs.pose->stamp - now) > params_.max_age;
+  if (inputs.pose && inputs.pose->pose.isFinite() && !of_the_future) {
     pose_ = inputs.pose;
     poses_.add(pose_->stamp, pose_->pose);
     track_.add(pose_->pose);

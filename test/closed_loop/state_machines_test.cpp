@@ -190,7 +190,7 @@ TEST(StateMachines, TheDrawingOfTheAvoiderIsThatOfTheCode) {
 
 TEST(StateMachines, TheDrawingOfTheArbiterNamesItsStates) {
   const std::string page = architecturePage();
-  for (const std::string& state : namesUpTo(arbiter::ArbiterState::kContested)) {
+  for (const std::string& state : namesUpTo(arbiter::ArbiterState::kUnreachable)) {
     EXPECT_NE(page.find("| " + state + "\n"), std::string::npos) << state;
   }
 }

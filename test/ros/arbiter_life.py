@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """How an arbiter starts and ends: configurations, the required source, and its last words."""
+import contextlib
 import os
 import resource
 import signal
@@ -66,6 +67,28 @@ class ArbiterLife(unittest.TestCase):
         threading.Thread(target=stop_and_clear, daemon=True).start()
         self.assertTrue(wait_for(lambda: len(answers) == 60, 30.0), '[ARB-7]')
         self.assertTrue(all(answers))
+
+    # [ARB-12] [FLT-1]
+    def test_it_stands_while_it_has_no_descriptor_left_for_a_caller_of_a_stop(self):
+        out, status = Record('/full/cmd_vel', Twist), Record('/full/cmd_vel_arbiter/status', ArbiterStatus)
+        node = self.arbiter('/full')
+        nav = Source('/full/cmd_vel_nav', 50.0).connect().start(0.1)
+        self.addCleanup(nav.close)
+        self.assertTrue(wait_for(lambda: out.last is not None and moves(out.last)))
+        few = len(os.listdir('/proc/%d/fd' % node.process.pid)) + 20
+        _, most = resource.prlimit(node.process.pid, resource.RLIMIT_NOFILE)
+        resource.prlimit(node.process.pid, resource.RLIMIT_NOFILE, (few, most))
+        port = int(rosgraph.Master('/test').lookupService('/full/emergency_stop').rsplit(':', 1)[1])
+        with contextlib.ExitStack() as idle:
+            for _ in range(20):
+                idle.enter_context(socket.create_connection(('127.0.0.1', port), 5.0))
+            self.assertTrue(wait_for(lambda: status.last.state == ArbiterStatus.UNREACHABLE, 5.0), status.last)
+            self.assertTrue(wait_for(lambda: not moves(out.last), 1.0))
+            self.assertFalse(wait_for(lambda: moves(out.last), 1.0), 'nav commands motion all the time')
+            self.assertIn('no emergency stop can be called', '; '.join(status.last.problems))
+        self.assertTrue(wait_for(lambda: moves(out.last), 10.0), 'the connections are closed')
+        self.assertTrue(call('/full/emergency_stop', Trigger).success)
+        self.assertTrue(wait_for(lambda: not moves(out.last), 1.0))
 
     # [FLT-1]
     def test_a_log_file_that_may_not_grow_does_not_end_the_arbiter(self):

@@ -55,6 +55,10 @@ class Arbiter {
   /// dropped. [ARB-12]
   std::optional<Twist2> contest(const std::string& rival, const Instant& now);
 
+  /// `why` is the reason for which no emergency stop can be received at the moment; empty: one can. Meanwhile only
+  /// zeros are published, and commands received are dropped. [ARB-12]
+  std::optional<Twist2> setUnreachable(const std::string& why, const Instant& now);
+
   /// Other limits of the speed, from now on. Commands that are in force are reduced to them, never increased; a stop
   /// stays latched. [ARB-5] [ARB-7]
   std::optional<Twist2> setLimits(const RobotLimits& limits, const Instant& now);
@@ -109,7 +113,7 @@ class Arbiter {
   ClockWatch clock_;
   bool latched_ = false;
   std::string stop_cause_;
-  std::string rival_;
+  std::string rival_, unreachable_;
   SteadyTime last_stop_;
   std::uint64_t stops_ = 0;
   SteadyTime rate_window_;

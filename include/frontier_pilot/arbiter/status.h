@@ -15,7 +15,8 @@ enum class ArbiterState : std::uint8_t {
   kDriving = 1,
   kEmergencyStop = 2,
   kClockStopped = 3,
-  kContested = 4,  ///< another node could receive an emergency stop in this one's place
+  kContested = 4,    ///< another node could receive an emergency stop in this one's place
+  kUnreachable = 5,  ///< nobody could receive an emergency stop
 };
 const char* toString(ArbiterState state);
 
@@ -50,6 +51,7 @@ struct ArbiterSnapshot {
   std::string stop_cause;                    ///< empty: not stopped
   std::uint64_t stops = 0;                   ///< asked for so far, also those while it was stopped already
   std::string rival;                         ///< who could receive a stop in this arbiter's place; empty: nobody
+  std::string unreachable;                   ///< why this arbiter could not receive a stop; empty: it could
   Twist2 command;                            ///< what was last published
   std::vector<std::string> missing_sources;  ///< required, enabled and silent
   std::vector<SourceStatus> sources;         ///< highest priority first

@@ -103,6 +103,9 @@ std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapsho
   if (!around.fleet_problem.empty()) problems.push_back({Level::ERROR, around.fleet_problem});
   if (!snapshot.stop_cause.empty()) problems.push_back({Level::WARN, "emergency stop: " + snapshot.stop_cause});
   for (const arbiter::SourceStatus& source : snapshot.sources) findSourceProblems(source, around, problems);
+  if (!snapshot.unreachable.empty()) {
+    problems.push_back({Level::ERROR, "no emergency stop can be called: " + snapshot.unreachable});
+  }
   if (!around.master_answers) {
     problems.push_back({Level::ERROR, "the master does not answer: no emergency stop can be called"});
   }

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 #include <ros/this_node.h>
 
+#include "ros/cmd_vel_arbiter/free_descriptors.h"
 #include "ros/cmd_vel_arbiter/source_topics.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
@@ -94,6 +95,7 @@ void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs
 void CmdVelArbiterAdapter::tick() {
   listenAfterHoldUp();
   endListening();
+  publish(arbiter_.setUnreachable(whyNoCallerCanConnect(), instantNow()));
   publish(arbiter_.tick(instantNow()));
   takeMasterReport();
   publishStatus(false);

@@ -56,8 +56,8 @@ bool stands(const ArbiterStatus& msg) {
 }
 
 teleop::Severity severityOf(const ArbiterStatus& msg) {
-  if (msg.emergency_stop || msg.state == ArbiterStatus::CLOCK_STOPPED || msg.state == ArbiterStatus::CONTESTED)
-    return teleop::Severity::kError;
+  const bool may_drive = msg.state == ArbiterStatus::IDLE || msg.state == ArbiterStatus::DRIVING;
+  if (msg.emergency_stop || !may_drive) return teleop::Severity::kError;
   if (!msg.problems.empty()) return teleop::Severity::kWarning;
   return stands(msg) ? teleop::Severity::kIdle : teleop::Severity::kGood;
 }

@@ -43,7 +43,7 @@ class DrivenRobot {
     for (int i = 0; i < 5; ++i) step();
     navigation::NavigatorInputs inputs = event_;
     event_ = {};
-    if (has_pose) inputs.pose = StampedPose2{simulator_.now(), simulator_.pose(0)};
+    if (has_pose) inputs.pose = StampedPose2{simulator_.now() + pose_ahead, simulator_.pose(0)};
     if (has_scan && scan_) inputs.scan = &*scan_;
     inputs.map_alive = has_map;
     inputs.twist = simulator_.velocity(0);
@@ -75,6 +75,7 @@ class DrivenRobot {
   double standingTime() const { return standing_; }
 
   bool has_pose = true;
+  Duration pose_ahead{};  ///< how far the stamps of the poses are ahead of the clock
   bool has_scan = true;
   bool has_map = true;
   bool is_blind = false;             ///< the scanner reports no return from any direction

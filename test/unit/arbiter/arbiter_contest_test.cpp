@@ -1,4 +1,5 @@
-// Another node that could answer an emergency stop in the arbiter's place.
+// Whether an emergency stop reaches the arbiter: another node that could answer in its place, callers that cannot
+// connect.
 #include "arbiter_fixture.h"
 
 namespace frontier_pilot {
@@ -46,6 +47,31 @@ TEST_F(ArbiterTest, AStopGivenWhileContestedHoldsWhenTheRivalIsGone_ARB_12) {
   contest("");
   EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kEmergencyStop) << "[ARB-12]";
   EXPECT_EQ(send("nav", 0.1), std::nullopt);
+}
+
+// [ARB-12]
+TEST_F(ArbiterTest, WhileNoStopCanBeCalledZerosLeaveAndAfterwardsOnlyANewCommandDrives_ARB_12) {
+  send("nav", 0.2);
+  EXPECT_EQ(setUnreachable("no socket is free"), Twist2{}) << "at once";
+  EXPECT_EQ(setUnreachable("no socket is free"), std::nullopt) << "the same reason again changes nothing";
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kUnreachable);
+  EXPECT_EQ(summarize(arbiter.status(now)), "no emergency stop can be called, because no socket is free: stopped");
+  EXPECT_EQ(send("nav", 0.2), std::nullopt);
+  published = 0;
+  wait(0.05);
+  EXPECT_EQ(published, 1) << "zero at 20 Hz";
+  setUnreachable("");
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kIdle);
+  EXPECT_EQ(send("nav", 0.1), (Twist2{0.1, 0.0}));
+}
+
+// [ARB-12] [ARB-7]
+TEST_F(ArbiterTest, AStopThatWasLatchedStaysLatchedWhileNoOtherCanBeCalled_ARB_12) {
+  stop();
+  setUnreachable("no socket is free");
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kEmergencyStop);
+  setUnreachable("");
+  EXPECT_EQ(arbiter.status(now).state, arbiter::ArbiterState::kEmergencyStop);
 }
 
 // [ARB-12]

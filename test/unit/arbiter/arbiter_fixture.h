@@ -49,6 +49,7 @@ class ArbiterTest : public ::testing::Test {
   arbiter::ArbiterAnswer enable(const std::string& source, bool enabled) {
     return answer(arbiter.setEnabled(*arbiter.find(source), enabled, now));
   }
+  std::optional<Twist2> setUnreachable(const std::string& why) { return out(arbiter.setUnreachable(why, now)); }
   std::optional<Twist2> contest(const std::string& rival) { return out(arbiter.contest(rival, now)); }
   arbiter::ArbiterAnswer stop() { return answer(arbiter.stop("test", now)); }
   arbiter::ArbiterAnswer clear() { return answer(arbiter.clear(now.steady, now)); }

@@ -153,6 +153,20 @@ TEST(Navigator, AbortsWithLostPoseAfterItsPatience_NAV_1) {
   EXPECT_STREQ(toString(navigation::NavReason::kNoPose), "lost pose");
 }
 
+TEST(Navigator, StandsByPosesOfTheFutureAndGoesOnByTheNextTrueOne_NAV_1_FLT_1) {
+  DrivenRobot robot(twoRooms(14), kLeft);
+  robot.send(kRight);
+  robot.run(2.0);
+  robot.pose_ahead = std::chrono::seconds(20);  // one node's transforms come from another time
+  robot.run(1.0);
+  EXPECT_STREQ(toString(robot.output().reason), toString(navigation::NavReason::kNoPose));
+  EXPECT_EQ(robot.output().command, Twist2{});
+  robot.pose_ahead = Duration::zero();
+  robot.run(0.3);
+  EXPECT_FALSE(robot.output().command->isZero());
+  expectFinished(robot.runUntilFinished(60.0), navigation::NavResult::kSucceeded, navigation::NavReason::kReached);
+}
+
 TEST(Navigator, AvoidsAnObstacleThatTheMapLacks_NAV_2_NAV_4) {
   // [NAV-2] [NAV-4]
   for (const navigation::NavigatorParams& params : {navigation::NavigatorParams{}, DrivenRobot::fast()}) {
