@@ -1,5 +1,6 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QKeyEvent>
 
 #include "gui/held_keys.h"
@@ -52,8 +53,22 @@ void PilotWidget::connectKeys() {
 bool PilotWidget::eventFilter(QObject* watched, QEvent* event) {
   if (!isKeyEvent(event->type())) return QWidget::eventFilter(watched, event);
   auto* widget = qobject_cast<QWidget*>(watched);
+  // In a dialog space is written, and stops the robot all the same. A list that completes a name has no parent.
+  if (widget != nullptr && (isInDialog(widget) || isInDialog(QApplication::focusWidget()))) {
+    const bool is_space = static_cast<QKeyEvent&>(*event).key() == Qt::Key_Space;
+    if (is_space && event->type() == QEvent::KeyPress) stopBecause("space was pressed");
+    return false;
+  }
   if (widget == nullptr || (widget != this && !isAncestorOf(widget))) return false;
   return handleKey(*widget, static_cast<QKeyEvent&>(*event));
+}
+
+/// Whether `widget` is in a window that this one has opened, such as the dialog that asks for a map file.
+bool PilotWidget::isInDialog(const QWidget* widget) const {
+  const QObject* window = widget == nullptr ? nullptr : widget->window();
+  if (window == this->window()) return false;
+  while (window != nullptr && window != this) window = window->parent();
+  return window == this;
 }
 
 /// Returns true if the key was meant for this widget, and must not be passed on.

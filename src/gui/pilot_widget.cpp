@@ -10,6 +10,7 @@
 #include "gui/cards/header_card.h"
 #include "gui/cards/map_card.h"
 #include "gui/cards/scan_card.h"
+#include "gui/window_watch.h"
 #include "teleop/operator_events.h"
 
 namespace frontier_pilot::gui {
@@ -42,6 +43,7 @@ PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* pa
     if (now == nullptr || (now != this && !isAncestorOf(now))) letGo();
   });
   connect(qApp, &QApplication::applicationStateChanged, this, &PilotWidget::letGo);
+  connect(new WindowWatch(*this), &WindowWatch::cannotBeSeen, this, &PilotWidget::loseSight);
 }
 
 // What the application says while the children are destroyed, of the focus for instance, comes too late.
@@ -263,6 +265,10 @@ void PilotWidget::changeEvent(QEvent* event) {
 
 void PilotWidget::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
+  loseSight();
+}
+
+void PilotWidget::loseSight() {
   letGo();
   stopBecause("its controls cannot be seen any more");
 }

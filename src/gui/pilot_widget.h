@@ -69,11 +69,13 @@ class PilotWidget : public QWidget {
   void press(teleop::Motion motion);
   void release(teleop::Motion motion);
   void letGo();
+  void loseSight();
   void haltAndClear();
   void goOnClearing(const teleop::OperatorState& state);
   void send(const teleop::OperatorRequest& request);
   void showCards(const teleop::OperatorState& state);
   void showSetPoint();
+  bool isInDialog(const QWidget* widget) const;
   bool handleKey(QWidget& focus, QKeyEvent& event);
 
   teleop::TeleopParameters parameters_;

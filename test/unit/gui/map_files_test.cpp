@@ -49,6 +49,22 @@ class MapFiles : public test::MapInTheWindow {
   }
 };
 
+// [GUI-1]
+TEST_F(MapFiles, SpaceInTheDialogStopsTheRobotAndIsWritten) {
+  state_.save_map_up = true;
+  widget_->setState(state_);
+  QTest::keyClick(widget_.get(), Qt::Key_W);
+  ASSERT_FALSE(widget_->setPoint().isZero());
+  click("map_save");
+  const QPointer<QFileDialog> dialog(find<QFileDialog>("map_file"));
+  auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+  name->clear();
+  QTest::keyClick(name, Qt::Key_Space);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  EXPECT_EQ(name->text(), " ");
+  delete dialog.data();
+}
+
 // [GUI-2]
 TEST_F(MapFiles, IsSavedAndLoadedByFileAndTheAnswerIsShown) {
   EXPECT_FALSE(find("map_save")->isEnabled()) << "the service is down";
