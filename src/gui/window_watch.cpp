@@ -34,7 +34,7 @@ class WindowWatch::Server {
 
   bool lost() const { return xcb_connection_has_error(connection_.get()) != 0; }
 
-  /// The answer to the last question if it has come, and asks again.
+  /// Asks the server, or reads the answer to what the call before has asked; false while there is none.
   bool isHidden(xcb_window_t window) {
     if (!asked_) {
       asked_ = Question{xcb_get_window_attributes(connection_.get(), window),
