@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "gui/controls.h"
 #include "gui/fleet_window.h"
@@ -87,6 +89,21 @@ TEST_F(FleetOnTheWire, DrivesTheRobotThatWasChosenAlone) {
   EXPECT_TRUE(waitFor([&] { return said("robot_state_robot2") == "manual drives"; }));
   click("Stop");
   EXPECT_TRUE(waitFor([&] { return two_.forward == 0.0; }));
+}
+
+/// Whether this process listens to `topic`.
+bool listensTo(const std::string& topic) {
+  std::vector<std::string> topics;
+  ros::this_node::getSubscribedTopics(topics);
+  return std::find(topics.begin(), topics.end(), topic) != topics.end();
+}
+
+// [GUI-3] [MUL-1]
+TEST_F(FleetOnTheWire, ListensToTheMapOfTheRobotThatWasChosenAndNotToTheMergedOne) {
+  EXPECT_TRUE(waitFor([] { return listensTo("/robot1/map_changes"); }));
+  click("robot_robot2");
+  EXPECT_TRUE(waitFor([] { return listensTo("/robot2/map_changes") && !listensTo("/robot1/map_changes"); }));
+  EXPECT_FALSE(listensTo("/map_changes"));
 }
 
 // [GUI-2] [MUL-4]

@@ -48,6 +48,9 @@ class NodeConnections {
     });
   }
 
+  /// The whole name of a topic or service, with the namespace and the remappings of the node's handle.
+  std::string resolve(const std::string& name) const { return node_.resolveName(name); }
+
   /// `handle(const Msg&)` for each message of `topic`.
   template <class Msg, class F>
   ros::Subscriber subscribe(const std::string& topic, std::uint32_t queue_size, F handle,

@@ -1,6 +1,5 @@
 #include "ros/common/messages/map_mirror.h"
 
-#include <ros/names.h>
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
@@ -73,7 +72,8 @@ void MapMirror::subscribe(NodeConnections& connections, const std::string& frame
   frame_ = frame;
   topic_ = names::ofRobot(robot, names::kMap);
   updates_topic_ = names::ofRobot(robot, names::kMapUpdates);
-  changes_topic_ = names::changesOf(ros::names::resolve(topic_));
+  whole_name_ = connections.resolve(topic_);
+  changes_topic_ = names::changesOf(whole_name_);
   connections_ = &connections;
   listenToChanges();
   listenToMap();
@@ -101,7 +101,7 @@ void MapMirror::listenToChanges() {
 
 bool MapMirror::isOfferedPlain(const MasterWatch& master) const {
   const std::vector<std::string> compact = master.publishersOf(changes_topic_);
-  const std::vector<std::string> all = master.publishersOf(ros::names::resolve(topic_));
+  const std::vector<std::string> all = master.publishersOf(whole_name_);
   return std::any_of(all.begin(), all.end(), [&](const std::string& node) {
     return std::find(compact.begin(), compact.end(), node) == compact.end();
   });
@@ -137,9 +137,9 @@ bool MapMirror::isAsking() const {
 }
 
 std::string MapMirror::missing(const InputWatch::Topics& topics) const {
-  const std::string topic = ros::names::resolve(topic_);
-  if (!published()) return robot_check::sayMissingTopic(mapsAmong(topics), topic, "nav_msgs/OccupancyGrid", topic_);
-  return ready() ? "" : topic + " is published, but no map has arrived yet";
+  if (!published())
+    return robot_check::sayMissingTopic(mapsAmong(topics), whole_name_, "nav_msgs/OccupancyGrid", topic_);
+  return ready() ? "" : whole_name_ + " is published, but no map has arrived yet";
 }
 
 bool MapMirror::rightFrame(const std::string& frame) {

@@ -121,6 +121,7 @@ class MapMirror {
   void replace(OccupancyGrid map);
 
   std::string topic_, updates_topic_, changes_topic_;
+  std::string whole_name_;  ///< of `topic_`, with the namespace and the remappings of the node's handle
   std::string frame_, heard_frame_;
   OccupancyGrid map_;
   CellRect changed_;
