@@ -140,7 +140,8 @@ class ArbiterLife(unittest.TestCase):
     # [ARB-1] [ARB-2]
     def test_a_source_whose_topic_is_the_arbiters_own_output_by_another_name_is_refused(self):
         for i, (topic, arguments) in enumerate([
-                ('//output/%d/cmd_vel', []), ('cmd_vel/', []), ('/base/%d', ['cmd_vel:=/base/%d']), ('joy', ['joy:=cmd_vel'])]):
+                ('//output/%d/cmd_vel', []), ('cmd_vel/', []), ('/base/%d', ['cmd_vel:=/base/%d']), ('joy', ['joy:=cmd_vel']),
+                ('emergency_stop_state', []), ('cmd_vel_arbiter/status', [])]):
             topic, arguments = topic.replace('%d', str(i)), [word.replace('%d', str(i)) for word in arguments]
             rospy.set_param('/output/%d/cmd_vel_arbiter' % i, {'sources': [{'name': 'joy', 'topic': topic, 'priority': 30}]})
             code, said = self.arbiter('/output/%d' % i, *arguments).finish()

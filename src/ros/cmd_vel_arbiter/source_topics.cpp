@@ -2,6 +2,7 @@
 
 #include <ros/names.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -14,6 +15,12 @@ namespace {
 bool isName(const std::string& topic) {
   std::string why;
   return topic.front() != '~' && ros::names::validate(topic, why);
+}
+
+/// Whether the arbiter publishes `topic`, a whole name, itself.
+bool isOwn(const std::string& topic, const ros::NodeHandle& node) {
+  const auto own = {names::kCmdVel, names::kEmergencyStopState, names::kArbiterStatus};
+  return std::any_of(own.begin(), own.end(), [&](const char* name) { return topic == node.resolveName(name); });
 }
 
 }  // namespace
@@ -31,7 +38,7 @@ arbiter::ArbiterParameters loadArbiterParameters(const ros::NodeHandle& node, co
     }
     const std::string topic = node.resolveName(source.topic);
     const auto [owner, is_new] = owners.try_emplace(topic, source.name);
-    if (topic == node.resolveName(names::kCmdVel)) problems.push_back(what + "is what the arbiter itself publishes");
+    if (isOwn(topic, node)) problems.push_back(what + "is what the arbiter itself publishes");
     if (!is_new) problems.push_back(what + "belongs to '" + owner->second + "' already");
   }
   if (!problems.empty()) throw ConfigurationError(private_node.getNamespace(), problems);
