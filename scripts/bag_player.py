@@ -14,20 +14,24 @@ import os
 import sys
 import time
 
-import rospy
-from frontier_pilot.srv import SaveMap
-from geometry_msgs.msg import TransformStamped
-from nav_msgs.msg import Odometry
-from nav_msgs.srv import GetMap
-from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import LaserScan
-from tf2_msgs.msg import TFMessage
-
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
+from command_line import CommandLine, end_quietly_until_main, exit_with  # noqa: E402
+
+if __name__ == '__main__':
+    end_quietly_until_main()
+
+import rospy  # noqa: E402
+from frontier_pilot.srv import SaveMap  # noqa: E402
+from geometry_msgs.msg import TransformStamped  # noqa: E402
+from nav_msgs.msg import Odometry  # noqa: E402
+from nav_msgs.srv import GetMap  # noqa: E402
+from rosgraph_msgs.msg import Clock  # noqa: E402
+from sensor_msgs.msg import LaserScan  # noqa: E402
+from tf2_msgs.msg import TFMessage  # noqa: E402
+
 from bag_drive import LATCHED, Drive  # noqa: E402
 from bag_topics import BagError, numbers_in, read_bag  # noqa: E402
 import ros_program  # noqa: E402
-from command_line import CommandLine, exit_with  # noqa: E402
 
 PERIOD = 0.01  # between two looks at the clock [s]
 LONGEST_STEP = 0.1  # of real time [s]: a player that was held up does not let the clock jump

@@ -2,6 +2,7 @@
 import argparse
 import errno
 import os
+import signal
 import sys
 
 
@@ -36,8 +37,16 @@ def say(text, stream=None):
         return False
 
 
+def end_quietly_until_main():
+    """From now on a Ctrl-C ends the process without a traceback: for a program whose imports take a second. Ended by exit_with."""
+    if signal.getsignal(signal.SIGINT) == signal.default_int_handler:  # it is ignored in the background of a script
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def exit_with(main):
     """Ends the program with what `main` returns, or with the exit code for a Ctrl-C."""
+    if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         sys.exit(main())
     except KeyboardInterrupt:

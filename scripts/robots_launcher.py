@@ -11,15 +11,19 @@ import os
 import sys
 import tempfile
 
-import rosgraph
-import roslaunch
-import roslaunch.core
-import rospkg
-import yaml
-
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
+from command_line import CommandLine, end_quietly_until_main, exit_with  # noqa: E402
+
+if __name__ == '__main__':
+    end_quietly_until_main()
+
+import rosgraph  # noqa: E402
+import roslaunch  # noqa: E402
+import roslaunch.core  # noqa: E402
+import rospkg  # noqa: E402
+import yaml  # noqa: E402
+
 import leftovers  # noqa: E402
-from command_line import CommandLine  # noqa: E402
 from robot_starts import StartsError, draw_starts, read_world, read_yaml, robot_name, text_of  # noqa: E402
 from robots_rviz import view_of, write_configuration  # noqa: E402
 
@@ -147,4 +151,4 @@ def main():
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    exit_with(main)

@@ -6,8 +6,10 @@ Usage: command_lines_test.py BUILD, the folder of a build; it has to be sourced.
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -133,6 +135,19 @@ class CommandLines(unittest.TestCase):
             self.assertIn('Optional Arguments', words)
             self.assertNotIn('Required Arguments', words)
             self.assertIn('yaw (default "auto")', words)
+
+    def test_an_interrupt_while_a_program_is_loaded_prints_no_traceback(self):
+        for program in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py'):
+            with self.subTest(program=program), tempfile.TemporaryDirectory() as slow:
+                for module in ('rospy', 'rosgraph'):  # one of them is the first that takes its time
+                    pathlib.Path(slow, module + '.py').write_text("import time\nprint('loads', flush=True)\ntime.sleep(20)\n")
+                path = slow + ':' + os.environ.get('PYTHONPATH', '')
+                started = subprocess.Popen([str(BUILD / 'devel/lib/frontier_pilot' / program)], text=True, stdin=subprocess.DEVNULL,
+                                           env=dict(os.environ, PYTHONPATH=path), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                self.assertEqual(started.stdout.readline(), 'loads\n')
+                started.send_signal(signal.SIGINT)
+                _, err = started.communicate(timeout=10.0)
+                self.assertEqual((started.returncode, err), (-signal.SIGINT, ''))
 
     def test_remappings_parameters_and_names_are_no_wrong_arguments(self):
         for program in installed():
