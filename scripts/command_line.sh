@@ -1,5 +1,10 @@
 # Sourced by the scripts: what their command lines have in common.
 
+# A standard stream that was closed (>&-) would make each line an error, and its number would be given to the next file.
+[ -e /proc/$$/fd/0 ] || exec 0</dev/null
+[ -e /proc/$$/fd/1 ] || exec 1>/dev/null
+[ -e /proc/$$/fd/2 ] || exec 2>/dev/null
+
 # With --help or -h among the words, prints the comment at the head of the script, and ends.
 help_if_asked() {
   local word

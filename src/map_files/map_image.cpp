@@ -13,11 +13,13 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/text.h"
 #include "map_files/pgm.h"
 
 namespace frontier_pilot::map_files {
 namespace {
 
+constexpr std::size_t kMostPath = 4096;  // bytes of a path in an error
 constexpr unsigned char kFreePixel = 254;
 constexpr unsigned char kOccupiedPixel = 0;
 constexpr unsigned char kUnknownPixel = 205;
@@ -48,6 +50,7 @@ struct MapYaml {
 
   void check(Problems& problems) const {
     if (image.empty()) problems.emplace_back("image: missing");
+    if (image.find('\0') != std::string::npos) problems.emplace_back("image: no file name holds a NUL character");
     if (!(resolution > 0.0)) problems.emplace_back("resolution: missing or not positive");
     if (origin.size() != 3) problems.emplace_back("origin: must be [x, y, yaw]");
     if (origin.size() == 3 && origin[2] != 0.0)
@@ -152,7 +155,7 @@ cv::Mat decodePng(const std::string& bytes, const ImageSize& size) {
 
 cv::Mat readImage(const std::string& yaml_path, const MapYaml& file) {
   const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / file.image;
-  const std::string name = "its image " + path.string();
+  const std::string name = "its image " + printable(path.string(), kMostPath);
   const FileContent content = readFile(path, bounds::kMostImageBytes);
   if (content.status == FileContent::Status::kMissing) fail(yaml_path, name + " does not exist");
   if (!content.ok()) fail(yaml_path, name + " cannot be read: " + content.problem);

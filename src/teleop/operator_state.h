@@ -121,6 +121,7 @@ struct OperatorState {
   std::string clear_refusal;    ///< why the last request to clear the stop was refused; empty: it was not
   std::optional<bool> contact;  ///< whether the robot touches something; nothing: it cannot tell
   std::optional<ArbiterView> arbiter;
+  std::uint64_t arbiter_connections = 0;  ///< made so far; an arbiter that was started anew makes another
   bool avoider_service_up = false;
   std::optional<AvoiderView> avoider;
   AvoiderSectors sectors;

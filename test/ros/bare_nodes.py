@@ -44,6 +44,15 @@ class BareNodes(unittest.TestCase):
     def test_the_one_that_publishes_the_map_as_the_mapper_does_starts_without_it(self):
         self.check(('map_merger',))
 
+    def test_which_may_hardly_open_a_file_say_so_and_end(self):
+        """[FLT-1]"""
+        for name in NODES:
+            for limit in ('4', '12'):
+                ended = subprocess.run(['prlimit', '--nofile=' + limit, find_node('frontier_pilot', name)], stdout=subprocess.PIPE,
+                                       stderr=subprocess.STDOUT, universal_newlines=True, timeout=30)
+                self.assertEqual(ended.returncode, 1, (name, limit, ended.stdout))
+                self.assertIn('may open %s files and connections, and a node needs 32' % limit, ended.stdout, name)
+
     def check(self, names):
         os.environ['QT_QPA_PLATFORM'] = 'offscreen'
         nodes = {name: Node(name) for name in names}

@@ -103,6 +103,8 @@ class RunScript(unittest.TestCase):
         self.assertRegex(err.strip().split('\n')[-1], r'^scripts/run: simulator: .*nowhere\.pgm does not exist')
         self.assertEqual(generated.stat().st_mtime, before, 'it configured the build again')
         self.assert_nothing_is_left()
+        silent = self.start('world:=broken.yaml', stdout=None, preexec_fn=lambda: (heed_ctrl_c(), os.close(1)))
+        self.assertEqual(silent.communicate(timeout=300)[1], err, 'with a standard output that is closed')
 
     def start_exploring(self, prefix, start=None):
         """The running script, once something is explored, and what it has said."""
@@ -138,9 +140,10 @@ class RunScript(unittest.TestCase):
         early = pathlib.Path(self.folder.name, 'early')
         early.write_text("trap 'case $BASH_COMMAND in watch=*\\!) kill -INT $$ ;; esac' DEBUG\n")
         with mock.patch.dict(os.environ, BASH_ENV=str(early)):
-            process = self.start('gui:=false', 'rviz:=false', 'record:=false')
+            process = self.start('gui:=false', 'rviz:=false')
         _, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 130, err)
+        self.assertIn('there is no report: the run ended before its recorder had begun', err)
         self.assert_nothing_is_left()
 
     def assert_the_map_is_saved(self, process, prefix, code):

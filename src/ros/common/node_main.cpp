@@ -5,6 +5,7 @@
 #include <ros/network.h>
 #include <ros/ros.h>
 #include <ros/service_manager.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -127,6 +128,16 @@ void refuseAWrongAddress(const std::vector<std::string>& words) {
   throw std::runtime_error(said + " is not an address like http://host:11311: " + uri);
 }
 
+/// With fewer, roscpp ends the process with a trap, or it cannot connect to the other nodes.
+void refuseAFewDescriptors() {
+  constexpr rlim_t kLeast = 32;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kLeast) return;
+  throw std::runtime_error("this process may open " + std::to_string(limit.rlim_cur) +
+                           " files and connections, and a node needs " + std::to_string(kLeast) +
+                           " at the very least: raise the limit (ulimit -n)");
+}
+
 int fail(const std::string& name, const std::exception& error, int exit_code) {
   ROS_FATAL_STREAM(name << ": " << error.what());
   // Also on stderr, because the console may be configured to hide or buffer it.
@@ -138,6 +149,7 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 
 void initNode(int& argc, char** argv, const std::string& name) {
   nameNodeInLines(name);
+  refuseAFewDescriptors();
   refuseAWrongAddress({argv + 1, argv + argc});
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
 }

@@ -58,7 +58,7 @@ class GuiBridge : public teleop::OperatorLink {
   void goTo(const Pose2& goal);
   void followWaypoints(const std::vector<Pose2>& poses);
   void onScan(const sensor_msgs::LaserScan& msg);
-  void onArbiter(const ArbiterStatus& msg);
+  void onArbiter(const ros::MessageEvent<const ArbiterStatus>& event);
   void refuseClear(const std::string& reason);
   void onAnswer(const std::string& service, bool success, const std::string& message);
   void onMapAnswer(bool success, const std::string& message);
@@ -77,6 +77,8 @@ class GuiBridge : public teleop::OperatorLink {
   teleop::ManualOutput manual_output_;
   SteadyTime last_motion_{};
   Latest<ArbiterStatus> arbiter_;
+  boost::shared_ptr<ros::M_string> arbiter_header_;  ///< of the connection that the last status came by
+  std::uint64_t arbiter_connections_ = 0;
   Latest<AvoiderStatus> avoider_;
   Latest<ExplorerStatus> explorer_;
   Latest<NavigatorProgress> navigation_;

@@ -38,7 +38,8 @@ void GuiBridge::subscribe() {
       connections_.subscribe<NavigatorProgress>(names::kNavigatorProgress, 1, [=](const NavigatorProgress& msg) {
         if (isShown(msg)) keep(navigation_, msg);
       });
-  connections_.subscribe(names::kArbiterStatus, 1, &GuiBridge::onArbiter, this);
+  connections_.subscribeToEvents<ArbiterStatus>(names::kArbiterStatus, 1,
+                                                [this](const auto& event) { onArbiter(event); });
   connections_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 1, [=](const geometry_msgs::Twist& msg) {
     keep(command_, Twist2{msg.linear.x, msg.angular.z});
   });
@@ -71,11 +72,14 @@ void GuiBridge::onMapAnswer(bool success, const std::string& message) {
   map_answer_ = {map_answer_.count + 1, success, printable(message, bounds::kMostReason)};
 }
 
-void GuiBridge::onArbiter(const ArbiterStatus& msg) {
+void GuiBridge::onArbiter(const ros::MessageEvent<const ArbiterStatus>& event) {
+  const ArbiterStatus& msg = *event.getConstMessage();
   if (!isShown(msg)) return;
   for (const ArbiterSource& source : msg.sources) watchSwitchOf(source.name);
   const std::lock_guard<std::mutex> lock(mutex_);
   arbiter_.put(msg, steadyNow());
+  if (event.getConnectionHeaderPtr() != arbiter_header_) ++arbiter_connections_;
+  arbiter_header_ = event.getConnectionHeaderPtr();
 }
 
 /// Watches the switch of a source. A source whose name cannot be part of a service name is shown without one. [FLT-1]
@@ -142,6 +146,7 @@ teleop::OperatorState GuiBridge::state() {
   const SteadyTime now = steadyNow();
   const std::lock_guard<std::mutex> lock(mutex_);
   state.emergency_stop = stopState(now);
+  state.arbiter_connections = arbiter_connections_;
   state.clear_refusal = clear_refusal_;
   state.map_answer = map_answer_;
   state.contact = contact_.fresh(now, kFresh);

@@ -234,6 +234,19 @@ TEST_F(Driving, ALatchedEmergencyStopDropsTheSetPointAndLocksThePad) {
   EXPECT_TRUE(widget_->setPoint().isZero());
 }
 
+// [GUI-1]
+TEST_F(Driving, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore) {
+  state_.arbiter_connections = 1;
+  widget_->setState(state_);
+  click("Go");
+  widget_->setState(state_);
+  EXPECT_FALSE(widget_->setPoint().isZero());
+  state_.arbiter_connections = 2;
+  widget_->setState(state_);
+  EXPECT_TRUE(widget_->setPoint().isZero());
+  EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains("set-point dropped: the arbiter was started anew"));
+}
+
 TEST_F(Driving, WhenAPatrolTakesTheWheelsTheSetPointIsDropped) {
   click("Go");
   state_.arbiter->active_source = "patrol";

@@ -91,6 +91,14 @@ TEST_F(WorldFiles, NamesEveryDefect_SIM_1) {
             std::string::npos);
 }
 
+// [FLT-1] [SIM-1]
+TEST_F(WorldFiles, MayNameAnImageOnlyAsAFileMayBeNamed_FLT_1_SIM_1) {
+  EXPECT_NE(refusal(writeYaml("image: \"world.pgm\\0x\"\n" + rest_)).find("no file name holds a NUL"),
+            std::string::npos);
+  const std::string line = refusal(writeYaml("image: |\n  other.pgm\n" + rest_));
+  EXPECT_NE(line.find("other.pgm\\n does not exist"), std::string::npos) << line;
+}
+
 // [FLT-1] [SIM-1] A pipe would keep the simulator waiting, a device would never end.
 TEST_F(WorldFiles, AreFilesAndNothingElse_FLT_1_SIM_1) {
   const std::string pipe = (folder_ / "pipe").string();
