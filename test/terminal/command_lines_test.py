@@ -142,8 +142,11 @@ class CommandLines(unittest.TestCase):
                 for module in ('rospy', 'rosgraph'):  # one of them is the first that takes its time
                     pathlib.Path(slow, module + '.py').write_text("import time\nprint('loads', flush=True)\ntime.sleep(20)\n")
                 path = slow + ':' + os.environ.get('PYTHONPATH', '')
+                # A shell starts what runs in its background with SIGINT ignored.
                 started = subprocess.Popen([str(BUILD / 'devel/lib/frontier_pilot' / program)], text=True, stdin=subprocess.DEVNULL,
-                                           env=dict(os.environ, PYTHONPATH=path), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                           env=dict(os.environ, PYTHONPATH=path), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                           preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+                self.addCleanup(started.kill)
                 self.assertEqual(started.stdout.readline(), 'loads\n')
                 started.send_signal(signal.SIGINT)
                 _, err = started.communicate(timeout=10.0)
