@@ -54,31 +54,32 @@ MapMerger::MapMerger(const MapMergerParameters& parameters)
 }
 
 void MapMerger::setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now) {
-  robots_[robot].map = &map;
-  MergedMap& view = robots_[robot].view;
-  if (view.setSource(0, map, changed, {}) !=
-      SourceResult::kTaken) {  // the robot's own map comes before those of others
-    withdraw(robot);
-    view.setSource(0, map, wholeOf(map), {});
+  Robot& own = robots_[robot];
+  const std::vector<CellRect> parts = own.snapshot.take(map, changed);
+  if (own.has_map && parts.empty()) return;
+  own.has_map = true;
+  if (own.view.setSourceParts(0, own.map(), parts, {}) != SourceResult::kTaken) {
+    withdraw(robot);  // the robot's own map comes before those of others
+    own.view.setSource(0, own.map(), wholeOf(own.map()), {});
   }
-  share(robot, changed, now);
+  share(robot, parts, now);
 }
 
 void MapMerger::setPlace(std::size_t robot, const std::optional<Pose2>& T_map_robot, Time now) {
   if (robot == 0) return;
   robots_[robot].T_map_robot = T_map_robot;
   robots_[robot].contradicted = false;
-  if (robots_[robot].map != nullptr) share(robot, {}, now);
+  if (robots_[robot].has_map) share(robot, {}, now);
 }
 
-void MapMerger::share(std::size_t robot, const CellRect& changed, Time now) {
+void MapMerger::share(std::size_t robot, const std::vector<CellRect>& changed, Time now) {
   const Robot& own = robots_[robot];
   if (!own.T_map_robot || own.contradicted) {
     withdraw(robot);
     return enter(robot, own.contradicted ? MergeState::kContradicted : MergeState::kPlaceUnknown, now);
   }
   const bool was_merged = isMerged(robot);
-  const SourceResult result = common_.setSource(robot, *own.map, changed, *own.T_map_robot);
+  const SourceResult result = common_.setSourceParts(robot, own.map(), changed, *own.T_map_robot);
   if (result != SourceResult::kTaken) withdraw(robot);
   enter(robot, stateAfter(result), now);
   if (!isMerged(robot)) return;
@@ -98,9 +99,9 @@ void MapMerger::withdraw(std::size_t robot) {
   }
 }
 
-void MapMerger::show(std::size_t other, std::size_t robot, const CellRect& changed) {
+void MapMerger::show(std::size_t other, std::size_t robot, const std::vector<CellRect>& changed) {
   const Pose2 T_robot_other = robots_[robot].T_map_robot->inverse() * *robots_[other].T_map_robot;
-  robots_[robot].view.setSource(sourceIndex(other, robot), *robots_[other].map, changed, T_robot_other);
+  robots_[robot].view.setSourceParts(sourceIndex(other, robot), robots_[other].map(), changed, T_robot_other);
 }
 
 void MapMerger::enter(std::size_t robot, MergeState state, Time now) {
@@ -123,7 +124,7 @@ void MapMerger::judge(std::size_t robot, Time now) {
   Agreement agreement;
   for (std::size_t other = 0; other < robot; ++other) {
     if (!isMerged(other)) continue;
-    agreement += compare(*robots_[other].map, *own.map, robots_[other].T_map_robot->inverse() * *own.T_map_robot);
+    agreement += compare(robots_[other].map(), own.map(), robots_[other].T_map_robot->inverse() * *own.T_map_robot);
   }
   own.status.agreement = agreement;
   // A place that was found, and not given, may belong to another room of the same shape.
@@ -139,7 +140,7 @@ void MapMerger::judge(std::size_t robot, Time now) {
     own.status.windows = own.searches = 0;
     return setPlace(robot, std::nullopt, now);  // it is looked for anew
   }
-  share(robot, wholeOf(*own.map), now);
+  share(robot, {wholeOf(own.map())}, now);
 }
 
 std::optional<Pose2> MapMerger::place(std::size_t robot) const {

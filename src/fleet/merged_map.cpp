@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fleet/clear_space.h"
+#include "fleet/lattice.h"
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/grids/growing_grid.h"
 
@@ -13,27 +14,10 @@ namespace {
 
 constexpr int kStep = 32;  ///< the extent of a rotated source ends at multiples of this [cells]
 
-/// Resolutions and offsets that differ by less are the same: messages carry them as single-precision numbers [cells].
-constexpr double kSameCell = 1e-3;
-
-bool sameResolution(const GridGeometry& a, const GridGeometry& b) {
-  return std::abs(a.resolution - b.resolution) < 1e-6 * a.resolution;
-}
-
 /// std::floor is a call where the compiler may not assume SSE 4.1.
 int floorOf(double value) {
   const int whole = static_cast<int>(value);
   return whole - (value < whole ? 1 : 0);
-}
-
-bool isWhole(double value) { return std::abs(value - std::round(value)) < kSameCell; }
-bool isWhole(const Vec2& value) { return isWhole(value.x()) && isWhole(value.y()); }
-
-/// Where `to` begins in `from` [cells].
-Vec2 offset(const GridGeometry& from, const GridGeometry& to) { return (to.origin - from.origin) / from.resolution; }
-
-Cell rounded(const Vec2& cells) {
-  return {static_cast<int>(std::lround(cells.x())), static_cast<int>(std::lround(cells.y()))};
 }
 
 bool alignedWith(const GridGeometry& lattice, const GridGeometry& grid, const Pose2& T_lattice_grid) {
@@ -73,15 +57,28 @@ Cell MergedMap::Sampler::at(double x, double y) const {
 
 SourceResult MergedMap::setSource(std::size_t index, const OccupancyGrid& grid, const CellRect& changed,
                                   const Pose2& T_target_source) {
+  const auto known = sources_.find(index);
+  const bool is_new = known == sources_.end() || known->second.geometry != grid.geometry();
+  return setSourceParts(index, grid, {is_new ? grid.geometry().rect() : changed}, T_target_source);
+}
+
+SourceResult MergedMap::setSourceParts(std::size_t index, const OccupancyGrid& grid,
+                                       const std::vector<CellRect>& changed, const Pose2& T_target_source) {
   const Source source{&grid, grid.geometry(), T_target_source};
   const auto known = sources_.find(index);
-  if (known == sources_.end() || known->second.geometry != source.geometry ||
-      !(known->second.T_target_source == T_target_source)) {
+  const bool stays = known != sources_.end() && known->second.T_target_source == T_target_source;
+  if (!stays || known->second.left_out || !placeOfOld(known->second.geometry, source.geometry))
     return replace(index, source);
+  if (known->second.geometry == source.geometry) {
+    known->second.grid = &grid;
+    samplers_[static_cast<std::size_t>(std::distance(sources_.begin(), known))].grid = &grid;
+  } else {
+    Sources sources = sources_;
+    sources[index] = source;
+    if (tooLarge(sources)) return replace(index, source);
+    if (!adopt(std::move(sources))) redraw(map_.geometry().rect());
   }
-  known->second.grid = &grid;
-  samplers_[static_cast<std::size_t>(std::distance(sources_.begin(), known))].grid = &grid;
-  redraw(footprint(source, changed.intersection(source.geometry.rect())));
+  for (const CellRect& part : changed) redraw(footprint(source, part.intersection(source.geometry.rect())));
   return SourceResult::kTaken;
 }
 
@@ -133,18 +130,25 @@ GridGeometry MergedMap::extentOf(const Sources& sources) {
   return geometry;
 }
 
-void MergedMap::rearrange(Sources sources, std::size_t index) {
-  std::swap(sources_, sources);
+bool MergedMap::adopt(Sources sources) {
+  sources_ = std::move(sources);
   const GridGeometry geometry = extentOf(sources_);
   const bool same_cells = sameResolution(map_.geometry(), geometry) && isWhole(offset(map_.geometry(), geometry));
-  const bool resized = geometry != map_.geometry();
-  if (resized) map_ = same_cells ? moved(map_, geometry) : OccupancyGrid(geometry, kUnknown);
+  if (geometry != map_.geometry()) {
+    map_ = same_cells ? moved(map_, geometry) : OccupancyGrid(geometry, kUnknown);
+    changed_ = geometry.rect();
+  }
   makeSamplers();
-  const CellRect before = shareOf(sources, index);
-  const CellRect now = same_cells ? shareOf(sources_, index) : geometry.rect();
+  return same_cells;
+}
+
+void MergedMap::rearrange(Sources sources, std::size_t index) {
+  const Sources earlier = sources_;
+  const bool same_cells = adopt(std::move(sources));
+  const CellRect before = shareOf(earlier, index);
+  const CellRect now = same_cells ? shareOf(sources_, index) : map_.geometry().rect();
   redraw(now);
   if (!(before.intersection(now) == before)) redraw(before);
-  if (resized) changed_ = geometry.rect();
 }
 
 void MergedMap::makeSamplers() {
@@ -174,7 +178,12 @@ CellRect MergedMap::shareOf(const Sources& sources, std::size_t index) const {
 CellRect MergedMap::takeChanged() { return std::exchange(changed_, CellRect{}); }
 
 void MergedMap::redraw(const CellRect& cells) {
-  for (Sampler& source : samplers_) source.current = source.grid->geometry() == source.geometry;
+  auto source = sources_.begin();
+  for (Sampler& sampler : samplers_) {
+    sampler.current = sampler.grid->geometry() == sampler.geometry;
+    if (!sampler.current) source->second.left_out = true;
+    ++source;
+  }
   const CellRect area = cells.intersection(map_.geometry().rect());
   for (int y = area.y; y < area.y + area.height; ++y) {
     int first = area.x + area.width;

@@ -52,14 +52,14 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
     const Robot& reference = robots_[finding.reference];
     finding.refined = isMerged(finding.robot);
     const bool later = finding.refined ? finding.reference < finding.robot : finding.reference != finding.robot;
-    if (finding.robot == 0 || !later || robot.map == nullptr || !isMerged(finding.reference)) continue;
+    if (finding.robot == 0 || !later || !robot.has_map || !isMerged(finding.reference)) continue;
     std::optional<Pose2> T_a_b;
     if (finding.refined) T_a_b = reference.T_map_robot->inverse() * *robot.T_map_robot;
     const std::size_t first = robot.next_window;
     robot.next_window += kWindows;
     searching_ = true;
-    const auto a = std::make_shared<const OccupancyGrid>(*reference.map);
-    const auto b = std::make_shared<const OccupancyGrid>(*robot.map);
+    const auto a = std::make_shared<const OccupancyGrid>(reference.map());
+    const auto b = std::make_shared<const OccupancyGrid>(robot.map());
     return [=] { return find(finding, *a, *b, first, T_a_b); };
   }
   return std::nullopt;

@@ -40,7 +40,6 @@ ClosedLoop::ClosedLoop(sim::World world, const ClosedLoopParameters& parameters,
       give_way_(parameters.give_way),
       wall_clock_(wall_clock) {
   for (std::size_t robot = 0; robot < simulator_.robotCount(); ++robot) {
-    unshared_.emplace_back();
     stacks_.push_back(std::make_unique<RobotStack>(simulator_, robot, parameters, wall_clock));
   }
 }
@@ -70,24 +69,19 @@ void ClosedLoop::step() {
 
 /// Each robot follows its own map at once, and those of the others once a second, as they are published.
 void ClosedLoop::shareMaps() {
-  for (std::size_t robot = 0; robot < stacks_.size(); ++robot) {
-    const CellRect changed = stacks_[robot]->takeMapChanges().cells;
-    if (changed.empty()) continue;
-    unshared_[robot].include(changed);
-    stacks_[robot]->mergeMap(robot, stacks_[robot]->mapper().grid(), changed, {});
-  }
+  for (const auto& stack : stacks_) stack->followMapper();
   if (steps_ % kStepsPerMessage != 0) return;
   for (std::size_t source = 0; source < stacks_.size(); ++source) {
-    const CellRect changed = std::exchange(unshared_[source], {});
+    const std::vector<CellRect> changed = stacks_[source]->publishMap();
     if (!changed.empty()) shareMap(source, changed);
   }
 }
 
-void ClosedLoop::shareMap(std::size_t source, const CellRect& changed) {
+void ClosedLoop::shareMap(std::size_t source, const std::vector<CellRect>& changed) {
   for (std::size_t robot = 0; robot < stacks_.size(); ++robot) {
     if (robot == source) continue;
     const Pose2 T_map_source = simulator_.startPose(robot).inverse() * simulator_.startPose(source);
-    stacks_[robot]->mergeMap(source, stacks_[source]->mapper().grid(), changed, T_map_source);
+    stacks_[robot]->mergeMap(source, stacks_[source]->published(), changed, T_map_source);
   }
 }
 

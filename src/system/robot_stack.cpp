@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <sstream>
+#include <utility>
 
 #include "frontier_pilot/system/behavior_ladder.h"
 #include "system/stopwatch.h"
@@ -69,13 +70,31 @@ void RobotStack::setMap(const OccupancyGrid& map, const CellRect& changed) {
   explorer_.setMap(map, changed);
 }
 
-void RobotStack::mergeMap(std::size_t source, const OccupancyGrid& map, const CellRect& changed,
+void RobotStack::followMapper() {
+  const CellRect changed = mapper_.takeChanges().cells;
+  if (changed.empty()) return;
+  if (simulator_.robotCount() == 1) return setMap(mapper_.grid(), changed);
+  unpublished_.include(changed);
+  std::vector<CellRect> parts;
+  {
+    const Stopwatch watch(wall_clock_, times_.mapper);
+    parts = followed_.take(mapper_.grid(), changed);
+  }
+  if (!parts.empty()) mergeMap(robot_, followed_.map(), parts, {});
+}
+
+std::vector<CellRect> RobotStack::publishMap() {
+  const Stopwatch watch(wall_clock_, times_.mapper);
+  const CellRect changed = std::exchange(unpublished_, {});
+  return changed.empty() ? std::vector<CellRect>() : published_.take(mapper_.grid(), changed);
+}
+
+void RobotStack::mergeMap(std::size_t source, const OccupancyGrid& map, const std::vector<CellRect>& changed,
                           const Pose2& T_map_source) {
-  if (simulator_.robotCount() == 1) return setMap(map, changed);
   {
     const Stopwatch watch(wall_clock_, times_.mapper);
     const std::size_t index = source == robot_ ? 0 : source + 1;
-    view_.setSource(index, map, changed, T_map_source);
+    view_.setSourceParts(index, map, changed, T_map_source);
   }
   const CellRect differing = view_.takeChanged();
   if (!differing.empty()) setMap(view_.map(), differing);

@@ -30,11 +30,16 @@ class RobotStack {
 
   /// Takes the readings of the simulator's last step, and maps the scans that have arrived by now.
   void sense();
-  /// What the mapper has changed since the last call.
-  occupancy::MapChanges takeMapChanges() { return mapper_.takeChanges(); }
-  /// Takes over the map of the robot `source`, which may be this one, and of which `changed` may differ. `T_map_source`
-  /// is the pose of its frame in this robot's map frame. A robot that is alone takes its own map as it is.
-  void mergeMap(std::size_t source, const OccupancyGrid& map, const CellRect& changed, const Pose2& T_map_source);
+  /// Lets navigator and explorer follow the mapper.
+  void followMapper();
+  /// Brings what the others know of its map up to date, and returns the parts that have changed by that.
+  std::vector<CellRect> publishMap();
+  /// What the others know of its map.
+  const OccupancyGrid& published() const { return published_.map(); }
+  /// Takes over the map of the robot `source`, which may be this one, and of which the parts `changed` may differ.
+  /// `T_map_source` is the pose of its frame in this robot's map frame.
+  void mergeMap(std::size_t source, const OccupancyGrid& map, const std::vector<CellRect>& changed,
+                const Pose2& T_map_source);
   /// What it tells the others, in the map frame of the first robot.
   fleet::ClaimsMessage claims() const;
   void hear(const fleet::ClaimsMessage& message) { book_.take(message, now()); }
@@ -87,7 +92,10 @@ class RobotStack {
   bool gives_way_;
   fleet::TrafficRule rule_;
   mapping::Mapper mapper_;
-  fleet::MergedMap view_{fleet::FirstSource::kPrevails};  ///< empty while the robot is alone
+  fleet::MapSnapshot followed_;  ///< this, the next two and the view are empty while the robot is alone
+  fleet::MapSnapshot published_;
+  CellRect unpublished_;
+  fleet::MergedMap view_{fleet::FirstSource::kPrevails};
   navigation::Navigator navigator_;
   exploration::Explorer explorer_;
   arbiter::Arbiter arbiter_;

@@ -83,7 +83,7 @@ class MapMerger {
   explicit MapMerger(const MapMergerParameters& parameters);
 
   std::size_t size() const { return robots_.size(); }
-  /// The cells `changed` of the map of robot `robot` are new. `map` is not copied and has to outlive this object.
+  /// The cells `changed` of the map of robot `robot` are new, or all of them if its geometry is.
   void setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now);
   /// Where robot `robot` started, in the frame of the first one; or that this is not known any more. The first robot's
   /// place is fixed.
@@ -106,11 +106,14 @@ class MapMerger {
 
  private:
   struct Robot {
-    const OccupancyGrid* map = nullptr;
+    MapSnapshot snapshot;
+    bool has_map = false;
     std::optional<Pose2> T_map_robot;
     bool contradicted = false;
     MergedMap view{FirstSource::kPrevails};
     MergeStatus status;
+
+    const OccupancyGrid& map() const { return snapshot.map(); }
     // The search for its place.
     std::size_t next_window = 0;
     std::optional<PlaceMatch> candidate;  ///< its transform is T_map_robot
@@ -119,10 +122,10 @@ class MapMerger {
 
   bool isMerged(std::size_t robot) const { return robots_[robot].status.state == MergeState::kMerged; }
   /// Takes the map of `robot` into the common map and into the views of the merged robots, or out of them.
-  void share(std::size_t robot, const CellRect& changed, Time now);
+  void share(std::size_t robot, const std::vector<CellRect>& changed, Time now);
   void withdraw(std::size_t robot);
   /// The map of `other` in the view of `robot`; both are merged.
-  void show(std::size_t other, std::size_t robot, const CellRect& changed);
+  void show(std::size_t other, std::size_t robot, const std::vector<CellRect>& changed);
   void enter(std::size_t robot, MergeState state, Time now);
   void judge(std::size_t robot, Time now);
   static void weigh(Robot& robot, const PlaceFinding& finding, const Pose2& T_map_reference);

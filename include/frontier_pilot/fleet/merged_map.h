@@ -22,6 +22,19 @@ enum class SourceResult {
   kTooLarge,         ///< with it the map would have more cells, or reach farther, than core/bounds.h allows
 };
 
+/// What others know of a map that goes on changing: a copy that is brought up to date from time to time, and which
+/// tells what that has changed in it. The box around all changes of a scan has many times as many cells.
+class MapSnapshot {
+ public:
+  /// Takes over the cells `changed` of `map`, or all of them if its geometry is new. Returns the parts in which the
+  /// copy has changed, blocks of at most 16 cells a side; the whole map if it has not merely grown.
+  std::vector<CellRect> take(const OccupancyGrid& map, const CellRect& changed);
+  const OccupancyGrid& map() const { return map_; }
+
+ private:
+  OccupancyGrid map_;
+};
+
 /// One occupancy grid in the frame `target`, assembled from the grids of several sources, whose frames have known poses
 /// in it. [MUL-1]
 ///
@@ -38,7 +51,8 @@ enum class SourceResult {
 /// otherwise have corners where free and unknown space meet, which look like frontiers.
 ///
 /// Costs follow what changed: an update redraws its own cells, a new transform the share of its source. When the
-/// extent changes, the cells are copied.
+/// extent changes, the cells are copied. A map that has grown is drawn as a whole, or only where it has changed if that
+/// is told in parts.
 class MergedMap {
  public:
   /// How much free space has to surround an occupied cell of another source to disprove it [m]. More than the error of
@@ -52,6 +66,9 @@ class MergedMap {
   /// until the source is removed or replaced by another grid. A source that is refused is removed.
   SourceResult setSource(std::size_t index, const OccupancyGrid& grid, const CellRect& changed,
                          const Pose2& T_target_source);
+  /// The same for several parts, as MapSnapshot tells them: of a grid that has merely grown, only these are read.
+  SourceResult setSourceParts(std::size_t index, const OccupancyGrid& grid, const std::vector<CellRect>& changed,
+                              const Pose2& T_target_source);
   /// The map without that source. Without any source it is empty.
   void removeSource(std::size_t index);
   bool hasSource(std::size_t index) const { return sources_.count(index) != 0; }
@@ -65,6 +82,7 @@ class MergedMap {
     const OccupancyGrid* grid = nullptr;
     GridGeometry geometry;  ///< of the grid when it was last read
     Pose2 T_target_source;
+    bool left_out = false;  ///< something was drawn without it, because its grid had another geometry by then
   };
   using Sources = std::map<std::size_t, Source>;
   /// Where the cells of the map lie in a source. Lengths are in cells of the source.
@@ -87,6 +105,8 @@ class MergedMap {
   static bool tooLarge(const Sources& sources);
   /// The geometry of a map of these sources.
   static GridGeometry extentOf(const Sources& sources);
+  /// Makes `sources` those of the map, without drawing anything. False if its cells are others now: all are unknown.
+  bool adopt(Sources sources);
   /// Makes `sources` those of the map, of which only the one with `index` is new, gone, or somewhere else.
   void rearrange(Sources sources, std::size_t index);
   void makeSamplers();

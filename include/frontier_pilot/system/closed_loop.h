@@ -93,7 +93,7 @@ class ClosedLoop {
 
  private:
   void shareMaps();
-  void shareMap(std::size_t source, const CellRect& changed);
+  void shareMap(std::size_t source, const std::vector<CellRect>& changed);
   void shareClaims();
   void shareMotions();
 
@@ -101,7 +101,6 @@ class ClosedLoop {
   bool agree_;
   bool give_way_;
   std::vector<std::unique_ptr<RobotStack>> stacks_;
-  std::vector<CellRect> unshared_;  ///< by robot, what it has mapped since the others followed
   double (*wall_clock_)();
   double simulator_time_ = 0.0;  ///< that the simulator was at work [s]
   std::uint64_t steps_ = 0;
