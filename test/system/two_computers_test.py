@@ -107,6 +107,12 @@ class TwoComputers(unittest.TestCase):
             return done or max(abs(a - b) for a, b in zip(here, before)) > 0.3
         return wait_until(has_moved, patience)
 
+    def heard_since(self, back):
+        """What came when, in seconds of ROS time, if something does not come back."""
+        return 'the network is back since %.1f, it is %.1f, the last whole map is of %.1f, the last change of %.1f, and the explorers: %s' % (
+            back.to_sec(), rospy.Time.now().to_sec(), self.maps[-1].header.stamp.to_sec(), self.changed.to_sec(),
+            {name: (status.state_text, status.header.stamp.to_sec()) for name, status in self.states.items()})
+
     def stop_all(self):
         rospy.wait_for_service('/fleet/emergency_stop', 60)
         return rospy.ServiceProxy('/fleet/emergency_stop', Trigger)()
@@ -120,11 +126,9 @@ class TwoComputers(unittest.TestCase):
         time.sleep(OUTAGE)
         self.link.cut = False
         back = rospy.Time.now()
-        self.assertTrue(wait_until(lambda: self.changed > back, 90), 'no change of the common map comes any more')
+        self.assertTrue(wait_until(lambda: self.changed > back, 90), 'no change of the common map: ' + self.heard_since(back))
         # A whole map is due a minute after the last one at the latest, and takes its time on this link.
-        self.assertTrue(wait_until(lambda: self.maps[-1].header.stamp > back, 90),
-                        'the common map does not come back: the last whole one is of %.1f s, the last change of %.1f s, the network is '
-                        'back since %.1f s' % (self.maps[-1].header.stamp.to_sec(), self.changed.to_sec(), back.to_sec()))
+        self.assertTrue(wait_until(lambda: self.maps[-1].header.stamp > back, 90), 'no common map: ' + self.heard_since(back))
         for name in ROBOTS:
             self.assertTrue(self.drives(name, 90), name)
         answer = self.stop_all()
