@@ -4,7 +4,6 @@
 #include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <gtest/gtest.h>
-#include <ros/network.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,7 +17,6 @@
 
 #include "frontier_pilot/core/geometry.h"
 #include "ros/common/clock.h"
-#include "ros/common/master/xml_rpc.h"
 #include "ros/common/names.h"
 #include "ros/gui_robot.h"
 #include "ros/gui_window.h"
@@ -46,37 +44,6 @@ TEST_F(GuiOnTheWire, ButtonsMoveTheRobotThroughTheArbiterAtTenHertz) {
   EXPECT_NEAR(40.0 / toSeconds(steadyNow() - start), 10.0, 1.0);
   window.click("Stop");
   EXPECT_TRUE(waitFor([&] { return robot_.command == 0.0 && std::abs(robot_.speed) < 1e-6; }));
-}
-
-/// The process id of a node, of which the master and the node are asked; 0 if one of them does not answer.
-int processOf(const std::string& name) {
-  XmlRpc::XmlRpcValue question;
-  question[0] = ros::this_node::getName();
-  XmlRpc::XmlRpcValue whom = question;
-  whom[1] = name;
-  auto uri = requestFromMaster("lookupNode", whom);
-  std::string host;
-  std::uint32_t port = 0;
-  if (!uri || !ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return 0;
-  auto process = requestFrom(host, port, "getPid", question);
-  return process ? static_cast<int>(*process) : 0;
-}
-
-// [GUI-1]
-TEST_F(GuiOnTheWire, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore) {
-  Window window;
-  ASSERT_TRUE(ready(window));
-  window.click("Go");
-  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
-  const int arbiter = processOf("/cmd_vel_arbiter");
-  ASSERT_GT(arbiter, 0);
-  kill(arbiter, SIGKILL);
-  EXPECT_TRUE(waitFor([&] { return window.log().contains("set-point dropped: the arbiter was started anew"); }));
-  EXPECT_TRUE(window.widget.setPoint().isZero());
-  ASSERT_TRUE(ready(window));
-  QTest::qWait(500);  // that nothing comes can only be seen by waiting
-  EXPECT_EQ(robot_.command, 0.0);
-  EXPECT_LT(std::abs(robot_.speed), 1e-6);
 }
 
 // [GUI-2]

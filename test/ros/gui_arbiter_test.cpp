@@ -1,0 +1,59 @@
+// The operator's window when the arbiter is killed and started anew.
+
+#include <gtest/gtest.h>
+#include <ros/network.h>
+#include <signal.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "ros/common/master/xml_rpc.h"
+#include "ros/gui_robot.h"
+#include "ros/gui_window.h"
+
+namespace frontier_pilot {
+namespace {
+
+using test::GuiOnTheWire;
+using test::waitFor;
+using test::Window;
+
+/// The process id of a node, of which the master and the node are asked; 0 if one of them does not answer.
+int processOf(const std::string& name) {
+  XmlRpc::XmlRpcValue question;
+  question[0] = ros::this_node::getName();
+  XmlRpc::XmlRpcValue whom = question;
+  whom[1] = name;
+  auto uri = requestFromMaster("lookupNode", whom);
+  std::string host;
+  std::uint32_t port = 0;
+  if (!uri || !ros::network::splitURI(static_cast<std::string>(*uri), host, port)) return 0;
+  auto process = requestFrom(host, port, "getPid", question);
+  return process ? static_cast<int>(*process) : 0;
+}
+
+// [GUI-1]
+TEST_F(GuiOnTheWire, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  window.click("Go");
+  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  const int arbiter = processOf("/cmd_vel_arbiter");
+  ASSERT_GT(arbiter, 0);
+  kill(arbiter, SIGKILL);
+  EXPECT_TRUE(waitFor([&] { return window.log().contains("set-point dropped: the arbiter was started anew"); }));
+  EXPECT_TRUE(window.widget.setPoint().isZero());
+  ASSERT_TRUE(ready(window));
+  QTest::qWait(500);  // that nothing comes can only be seen by waiting
+  EXPECT_EQ(robot_.command, 0.0);
+  EXPECT_LT(std::abs(robot_.speed), 1e-6);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  frontier_pilot::test::WindowProgram program(argc, argv, "gui_arbiter_test");
+  return program.runTests();
+}
