@@ -122,9 +122,9 @@ class TwoComputers(unittest.TestCase):
         self.assertTrue(wait_until(lambda: self.maps and self.changed, 90), 'no common map')
         for name in ROBOTS:
             self.assertTrue(self.drives(name, 90), name)
-        self.link.cut = True
+        self.link.set_cut(True)
         time.sleep(OUTAGE)
-        self.link.cut = False
+        self.link.set_cut(False)
         back = rospy.Time.now()
         self.assertTrue(wait_until(lambda: self.changed > back, 90), 'no change of the common map: ' + self.heard_since(back))
         # A whole map is due a minute after the last one at the latest, and takes its time on this link.
