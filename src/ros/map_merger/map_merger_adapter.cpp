@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "ros/common/clock.h"
 #include "ros/common/parameters.h"
@@ -56,15 +57,15 @@ void MapMergerAdapter::tick(Time now) {
   searchPlaces(now);
   merger_.update(now);
   common_.publish(merger_.common().map(), merger_.common().takeChanged(), now);
+  std::vector<FramePose> places;
   i = 0;
   for (Robot& robot : robots_) {
     fleet::MergedMap& view = merger_.view(i);
     robot.view.publish(view.map(), view.takeChanged(), now);
-    if (const auto place = merger_.place(i)) {
-      tf_.broadcast(parameters_.map_frame, robot.frame, *place, now);
-    }
+    if (const auto place = merger_.place(i)) places.push_back({parameters_.map_frame, robot.frame, *place});
     ++i;
   }
+  tf_.broadcast(places, now);
 }
 
 /// Starts that are not known are looked for on a thread of its own: large maps take long.

@@ -3,6 +3,7 @@
 #include <rosgraph_msgs/Clock.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
@@ -86,12 +87,19 @@ void SimulatorAdapter::step() {
   simulator_.step();
   pace_.stepped();
   publishClock();
-  const bool state_due = simulator_.now() >= next_state_;
-  if (state_due) next_state_ = std::max(next_state_ + state_period_, simulator_.now());
-  for (SimulatorRobot& robot : robots_) {
-    if (state_due) robot.publishState();
-    robot.publishNews();
+  if (simulator_.now() >= next_state_) {
+    next_state_ = std::max(next_state_ + state_period_, simulator_.now());
+    publishState();
   }
+  for (SimulatorRobot& robot : robots_) robot.publishNews();
+}
+
+/// Every node with a TF listener reads every message of /tf: one for all robots costs them much less than one for each.
+void SimulatorAdapter::publishState() {
+  std::vector<FramePose> poses;
+  for (const SimulatorRobot& robot : robots_) poses.push_back(robot.odometryPose());
+  tf_.broadcast(poses, simulator_.now());
+  for (SimulatorRobot& robot : robots_) robot.publishState();
 }
 
 void SimulatorAdapter::publishClock() {

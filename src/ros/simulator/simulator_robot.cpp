@@ -51,11 +51,12 @@ void SimulatorRobot::handleCommand(const geometry_msgs::Twist& msg) {
   simulator_.setCommand(index_, *twist);
 }
 
+FramePose SimulatorRobot::odometryPose() const { return {odom_frame_, base_frame_, simulator_.odometry(index_)}; }
+
 void SimulatorRobot::publishState() {
   const Time now = simulator_.now();
   const Pose2& odometry = simulator_.odometry(index_);
   const Twist2& twist = simulator_.velocity(index_);
-  tf_.broadcast(odom_frame_, base_frame_, odometry, now);
   odometry_.publish(toOdometryMsg({now, odometry, twist}, odom_frame_, base_frame_));
   truth_.publish(toOdometryMsg({now, simulator_.pose(index_), twist}, names::kWorldFrame, base_frame_));
   publishStalled();

@@ -21,7 +21,9 @@ class SimulatorRobot {
   SimulatorRobot(const ros::NodeHandle& node, NodeConnections& connections, TfBridge& tf, sim::Simulator& simulator,
                  std::size_t index, const RobotModel& model);
 
-  /// Publishes odometry with its transform, the ground truth, and whether the robot is in contact.
+  /// The pose by odometry.
+  FramePose odometryPose() const;
+  /// Publishes odometry, the ground truth, and whether the robot is in contact.
   void publishState();
   /// Publishes the results of the last step: a new scan, and a change of contact.
   void publishNews();

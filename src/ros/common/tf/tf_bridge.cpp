@@ -78,12 +78,15 @@ std::set<std::string> TfBridge::frames() const {
   return {names.begin(), names.end()};
 }
 
-void TfBridge::broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source,
-                         Time stamp) {
-  const auto [sent, first] = sent_.try_emplace(source, stamp);
-  if (!first && sent->second == stamp) return;
-  sent->second = stamp;
-  broadcaster_.sendTransform(stamped(target, source, T_target_source, stamp));
+void TfBridge::broadcast(const std::vector<FramePose>& poses, Time stamp) {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  for (const FramePose& pose : poses) {
+    const auto [sent, first] = sent_.try_emplace(pose.source, stamp);
+    if (!first && sent->second == stamp) continue;
+    sent->second = stamp;
+    transforms.push_back(stamped(pose.target, pose.source, pose.T_target_source, stamp));
+  }
+  if (!transforms.empty()) broadcaster_.sendTransform(transforms);
 }
 
 void TfBridge::broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,

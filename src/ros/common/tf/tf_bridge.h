@@ -9,12 +9,19 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/time.h"
 #include "ros/common/tf/tf_listener.h"
 
 namespace frontier_pilot {
+
+/// The pose of the frame `source` in the frame `target`.
+struct FramePose {
+  std::string target, source;
+  Pose2 T_target_source;
+};
 
 /// The nodes' access to TF. A lookup that fails gives std::nullopt, never the identity.
 class TfBridge {
@@ -36,10 +43,13 @@ class TfBridge {
   /// All frames that are known.
   std::set<std::string> frames() const;
 
-  /// Publishes `T_target_source`: `target` becomes the parent of `source`. Only once for each stamp, because TF keeps
-  /// the first and warns of others, and a timer that catches up with a simulated clock may tick several times at one
-  /// stamp.
-  void broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source, Time stamp);
+  /// Publishes `T_target_source` of each pose in one message: `target` becomes the parent of `source`. Only once for
+  /// each stamp, because TF keeps the first and warns of others, and a timer that catches up with a simulated clock may
+  /// tick several times at one stamp.
+  void broadcast(const std::vector<FramePose>& poses, Time stamp);
+  void broadcast(const std::string& target, const std::string& source, const Pose2& T_target_source, Time stamp) {
+    broadcast({{target, source, T_target_source}}, stamp);
+  }
   /// Publishes a static transform (latched); `height` is the z coordinate of `source` in `target` [m].
   void broadcastStatic(const std::string& target, const std::string& source, const Pose2& T_target_source,
                        double height = 0.0);
