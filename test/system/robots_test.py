@@ -7,7 +7,6 @@ import unittest
 import actionlib
 import rospy
 import rostest
-from actionlib_msgs.msg import GoalStatus
 from frontier_pilot.msg import ArbiterStatus, SpinAction, SpinGoal
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import OccupancyGrid, Odometry
@@ -112,7 +111,7 @@ class SeveralRobots(unittest.TestCase):
         def spun():
             """A server that has just begun, or waits for the CPU, refuses as long as it has no fresh scan."""
             client.send_goal(SpinGoal(target_yaw=1.0))
-            self.assertTrue(wait_until(lambda: client.get_state() > GoalStatus.ACTIVE, 30))
+            self.assertTrue(wait_until(lambda: client.get_result() is not None, 30))
             return 'no fresh scan' not in client.get_result().error_msg
         self.assertTrue(wait_until(spun, 20), client.get_result().error_msg)
         self.assertEqual(client.get_result().error_code, 0, client.get_result().error_msg)
