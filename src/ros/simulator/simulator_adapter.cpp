@@ -3,7 +3,6 @@
 #include <rosgraph_msgs/Clock.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
@@ -89,17 +88,9 @@ void SimulatorAdapter::step() {
   publishClock();
   if (simulator_.now() >= next_state_) {
     next_state_ = std::max(next_state_ + state_period_, simulator_.now());
-    publishState();
+    publishStates(robots_, tf_, simulator_.now());
   }
   for (SimulatorRobot& robot : robots_) robot.publishNews();
-}
-
-/// Every node with a TF listener reads every message of /tf: one for all robots costs them much less than one for each.
-void SimulatorAdapter::publishState() {
-  std::vector<FramePose> poses;
-  for (const SimulatorRobot& robot : robots_) poses.push_back(robot.odometryPose());
-  tf_.broadcast(poses, simulator_.now());
-  for (SimulatorRobot& robot : robots_) robot.publishState();
 }
 
 void SimulatorAdapter::publishClock() {

@@ -52,7 +52,6 @@ class SimulatorAdapter {
   void tick();
   void step();
   void publishClock();
-  void publishState();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   bool resetPositions(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);

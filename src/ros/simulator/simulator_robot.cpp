@@ -2,6 +2,8 @@
 
 #include <std_msgs/Bool.h>
 
+#include <vector>
+
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 
@@ -79,6 +81,13 @@ void SimulatorRobot::report(diagnostic_updater::DiagnosticStatusWrapper& status)
   const std::string& name = simulator_.name(index_);
   status.add(name.empty() ? "contacts" : name + ": contacts", simulator_.contactCount(index_));
   rejections_.report(status);
+}
+
+void publishStates(std::list<SimulatorRobot>& robots, TfBridge& tf, Time now) {
+  std::vector<FramePose> poses;
+  for (const SimulatorRobot& robot : robots) poses.push_back(robot.odometryPose());
+  tf.broadcast(poses, now);
+  for (SimulatorRobot& robot : robots) robot.publishState();
 }
 
 }  // namespace frontier_pilot

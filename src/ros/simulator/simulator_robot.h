@@ -3,6 +3,7 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/node_handle.h>
 
+#include <list>
 #include <string>
 
 #include "frontier_pilot/core/robot_model.h"
@@ -48,5 +49,9 @@ class SimulatorRobot {
   ros::Publisher scan_;
   ros::Publisher stalled_topic_;
 };
+
+/// Publishes the states of all robots, and their transforms in one message: every node with a TF listener reads every
+/// message of /tf.
+void publishStates(std::list<SimulatorRobot>& robots, TfBridge& tf, Time now);
 
 }  // namespace frontier_pilot
