@@ -64,7 +64,7 @@ class ExplorerTeam(ExplorerCase):
         places = [(claim.x, claim.y) for claim in self.own()[-1].claims]
         began = rospy.Time.now()
         while not self.comes(lambda status: status.reason == Status.LEFT_TO_OTHERS, 0.5):
-            self.assertLess((rospy.Time.now() - began).to_sec(), 30.0)
+            self.assertLess((rospy.Time.now() - began).to_sec(), 30.0, ([status.reason_text for _, status in self.status.items[-3:]], places))
             # What comes into sight once the first places are left to the other robot is claimed in turn.
             places = sorted({(claim.x, claim.y) for claims in self.own() for claim in claims.claims})[-40:]
             self.tell(places)

@@ -328,7 +328,7 @@ class Registration(unittest.TestCase):
         self.assertTrue(wait_for(lambda: set(first) <= set(self.services()), 20.0))
         seconds = [self.node(node, '__name:=second_' + node) for node in first.values()]
         taken = {service: ['/second_' + node] for service, node in first.items()}
-        self.assertTrue(wait_for(lambda: taken.items() <= self.services().items(), 20.0))
+        self.assertTrue(wait_for(lambda: taken.items() <= self.services().items(), 20.0), {name: self.services().get(name) for name in taken})
         for second in seconds:
             second.send_signal(signal.SIGINT)
             second.wait(10.0)
