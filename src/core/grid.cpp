@@ -61,19 +61,23 @@ bool operator==(const GridGeometry& a, const GridGeometry& b) {
   return a.resolution == b.resolution && a.origin == b.origin && a.width == b.width && a.height == b.height;
 }
 
-CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b) {
+CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b, const CellRect& cells) {
   CellRect changed;
-  for (int y = 0; y < a.height(); ++y) {
-    const std::int8_t* end = a.row(y) + a.width();
-    const auto first = std::mismatch(a.row(y), end, b.row(y)).first;
-    if (first == end) continue;
+  for (int y = cells.y; y < cells.y + cells.height; ++y) {
+    const std::int8_t* begin = a.row(y) + cells.x;
+    const std::int8_t* end = begin + cells.width;
+    const std::int8_t* other = b.row(y) + cells.x;
+    if (std::equal(begin, end, other)) continue;  // compares several cells at a time, other than std::mismatch
+    const auto first = std::mismatch(begin, end, other).first;
     const auto back = std::mismatch(std::make_reverse_iterator(end), std::make_reverse_iterator(first),
-                                    std::make_reverse_iterator(b.row(y) + b.width()));
+                                    std::make_reverse_iterator(other + cells.width));
     const int x = static_cast<int>(first - a.row(y));
     const int past = static_cast<int>(back.first.base() - a.row(y));
     changed.include(CellRect{x, y, past - x, 1});
   }
   return changed;
 }
+
+CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b) { return difference(a, b, a.geometry().rect()); }
 
 }  // namespace frontier_pilot

@@ -56,8 +56,7 @@ MapMerger::MapMerger(const MapMergerParameters& parameters)
 void MapMerger::setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now) {
   Robot& own = robots_[robot];
   const std::vector<CellRect> parts = own.snapshot.take(map, changed);
-  if (own.has_map && parts.empty()) return;
-  own.has_map = true;
+  if (own.hasMap() && parts.empty()) return;
   if (own.view.setSourceParts(0, own.map(), parts, {}) != SourceResult::kTaken) {
     withdraw(robot);  // the robot's own map comes before those of others
     own.view.setSource(0, own.map(), wholeOf(own.map()), {});
@@ -69,7 +68,7 @@ void MapMerger::setPlace(std::size_t robot, const std::optional<Pose2>& T_map_ro
   if (robot == 0) return;
   robots_[robot].T_map_robot = T_map_robot;
   robots_[robot].contradicted = false;
-  if (robots_[robot].has_map) share(robot, {}, now);
+  if (robots_[robot].hasMap()) share(robot, {}, now);
 }
 
 void MapMerger::share(std::size_t robot, const std::vector<CellRect>& changed, Time now) {

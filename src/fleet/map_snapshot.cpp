@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 #include <optional>
 
 #include "fleet/lattice.h"
@@ -13,19 +12,9 @@ namespace {
 /// reaches some cells beyond each of them.
 constexpr int kPart = 16;
 
-/// Copies the cells `part` of `map`, and returns the box around those that were different.
-CellRect update(OccupancyGrid& copy, const OccupancyGrid& map, const CellRect& part) {
-  CellRect differing;
-  for (int y = part.y; y < part.y + part.height; ++y) {
-    const std::int8_t* from = map.row(y) + part.x;
-    std::int8_t* to = copy.row(y) + part.x;
-    const auto width = static_cast<std::size_t>(part.width);
-    if (std::memcmp(from, to, width) == 0) continue;
-    const auto first = std::mismatch(from, from + part.width, to).first - from;
-    std::memcpy(to, from, width);
-    differing.include(CellRect{part.x + static_cast<int>(first), y, part.width - static_cast<int>(first), 1});
-  }
-  return differing;
+void copy(const OccupancyGrid& from, const CellRect& cells, OccupancyGrid& to) {
+  for (int y = cells.y; y < cells.y + cells.height; ++y)
+    std::copy_n(from.row(y) + cells.x, cells.width, to.row(y) + cells.x);
 }
 
 }  // namespace
@@ -45,8 +34,10 @@ std::vector<CellRect> MapSnapshot::take(const OccupancyGrid& map, const CellRect
   std::vector<CellRect> differing;
   for (int y = cells.y; y < cells.y + cells.height; y += kPart) {
     for (int x = cells.x; x < cells.x + cells.width; x += kPart) {
-      const CellRect part = update(map_, map, CellRect{x, y, kPart, kPart}.intersection(cells));
-      if (!part.empty()) differing.push_back(part);
+      const CellRect part = difference(map_, map, CellRect{x, y, kPart, kPart}.intersection(cells));
+      if (part.empty()) continue;
+      copy(map, part, map_);
+      differing.push_back(part);
     }
   }
   return differing;

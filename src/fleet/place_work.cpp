@@ -52,7 +52,7 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
     const Robot& reference = robots_[finding.reference];
     finding.refined = isMerged(finding.robot);
     const bool later = finding.refined ? finding.reference < finding.robot : finding.reference != finding.robot;
-    if (finding.robot == 0 || !later || !robot.has_map || !isMerged(finding.reference)) continue;
+    if (finding.robot == 0 || !later || !robot.hasMap() || !isMerged(finding.reference)) continue;
     std::optional<Pose2> T_a_b;
     if (finding.refined) T_a_b = reference.T_map_robot->inverse() * *robot.T_map_robot;
     const std::size_t first = robot.next_window;

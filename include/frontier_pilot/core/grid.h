@@ -109,7 +109,10 @@ class Grid {
 /// Occupancy as in nav_msgs/OccupancyGrid: -1 unknown, 0 (free) ... 100 (occupied).
 using OccupancyGrid = Grid<std::int8_t>;
 
-/// The smallest block that contains every cell in which two grids of the same geometry differ.
+/// The smallest block that contains every cell of `cells`, which must be inside, in which two grids of the same
+/// geometry differ.
+CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b, const CellRect& cells);
+/// The same for all cells.
 CellRect difference(const OccupancyGrid& a, const OccupancyGrid& b);
 
 constexpr std::int8_t kUnknown = -1;

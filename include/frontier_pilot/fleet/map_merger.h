@@ -107,17 +107,17 @@ class MapMerger {
  private:
   struct Robot {
     MapSnapshot snapshot;
-    bool has_map = false;
     std::optional<Pose2> T_map_robot;
     bool contradicted = false;
     MergedMap view{FirstSource::kPrevails};
     MergeStatus status;
-
-    const OccupancyGrid& map() const { return snapshot.map(); }
     // The search for its place.
     std::size_t next_window = 0;
     std::optional<PlaceMatch> candidate;  ///< its transform is T_map_robot
     int searches = 0;                     ///< in which parts of its map led there
+
+    const OccupancyGrid& map() const { return snapshot.map(); }
+    bool hasMap() const { return status.state != MergeState::kNoMap; }
   };
 
   bool isMerged(std::size_t robot) const { return robots_[robot].status.state == MergeState::kMerged; }
