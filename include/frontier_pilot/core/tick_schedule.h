@@ -14,6 +14,8 @@ class TickSchedule {
   /// Whether a tick is due at `now`; true once for each tick. Ticks that were missed by more than a period are skipped.
   /// A clock that jumps back starts a new period.
   bool isDue(Time now);
+  /// What is left until the next tick; zero if it is due, or not known yet.
+  Duration left(Time now) const;
 
  private:
   Duration period_;

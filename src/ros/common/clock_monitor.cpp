@@ -9,7 +9,7 @@ namespace frontier_pilot {
 
 namespace {
 
-constexpr double kMonitorPeriod = 0.02;  // [s]
+constexpr double kMonitorPeriod = 0.05;  // [s]
 constexpr Duration kRecentJump = std::chrono::seconds(10);
 constexpr Duration kStandstill = std::chrono::seconds(2);   // long enough for one step of a slow simulation
 constexpr Duration kLeastAhead = std::chrono::seconds(10);  // the clocks of two machines may differ

@@ -40,7 +40,7 @@ enum class Need { kNeeded, kOptional };
 class NodeConnections {
  public:
   /// `master_period` is the time between two looks at what the master knows of this node.
-  explicit NodeConnections(const ros::NodeHandle& node, Duration master_period = std::chrono::milliseconds(700))
+  explicit NodeConnections(const ros::NodeHandle& node, Duration master_period = std::chrono::milliseconds(1200))
       : node_(node), clock_(node), master_(master_period) {
     everySteady(ros::WallDuration(1.0), [this] {
       master_.listTopics(inputs_.needsSomething() && !inputs_.ready());

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <ros/subscriber.h>
 
 #include <functional>
 
@@ -9,10 +10,11 @@
 
 namespace frontier_pilot {
 
-/// Ticks once per period of ROS time, as ros::Timer does, on the node's own queue. Unlike ros::Timer it polls the clock
-/// from a steady timer: it goes on after any jump of the clock, and a time near the end of ROS time causes no
-/// exception, as it would in the arithmetic of roscpp's timer thread. If several ticks fall between two polls of a fast
-/// simulation, there are two. [FLT-1]
+/// Ticks once per period of ROS time, as ros::Timer does, on the node's own queue. Unlike ros::Timer it goes on after
+/// any jump of the clock, and a time near the end of ROS time causes no exception, as it would in the arithmetic of
+/// roscpp's timer thread. It looks at a simulated clock when that is published, and at a real one when a tick should be
+/// due, where ros::Timer looks at a simulated clock a thousand times a second. If several ticks fall between two looks
+/// at a fast simulation, there are two. [FLT-1]
 class RosTimer {
  public:
   RosTimer(const ros::NodeHandle& node, Duration period, std::function<void()> tick);
@@ -20,11 +22,12 @@ class RosTimer {
   RosTimer& operator=(const RosTimer&) = delete;
 
  private:
-  void poll();
+  void look();
 
   TickSchedule schedule_;
   std::function<void()> tick_;
   ros::SteadyTimer poll_;
+  ros::Subscriber clock_;  ///< if the clock is a simulated one
 };
 
 }  // namespace frontier_pilot

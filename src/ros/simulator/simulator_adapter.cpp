@@ -12,9 +12,8 @@
 namespace frontier_pilot {
 namespace {
 
-// Longest run of simulation steps between callbacks, so that a simulation at full speed still receives commands and
-// service calls.
-constexpr Duration kSlice = std::chrono::milliseconds(10);
+constexpr Duration kSlice = std::chrono::milliseconds(10);        // of steps, before commands and calls are read again
+constexpr Duration kClockPeriod = std::chrono::milliseconds(20);  // not each step: /clock wakes every node
 
 ros::WallDuration tickPeriod(double speed) {
   return ros::WallDuration(speed > 0.0 ? std::clamp(toSeconds(sim::Simulator::kStep) / speed, 0.001, 0.01) : 0.001);
@@ -85,8 +84,9 @@ void SimulatorAdapter::tick() {
 void SimulatorAdapter::step() {
   simulator_.step();
   pace_.stepped();
-  publishClock();
-  if (simulator_.now() >= next_state_) {
+  const bool state_due = simulator_.now() >= next_state_;
+  if (state_due || newScans(robots_) || simulator_.now() - clock_published_ >= kClockPeriod) publishClock();
+  if (state_due) {
     next_state_ = std::max(next_state_ + state_period_, simulator_.now());
     publishStates(robots_, tf_, simulator_.now());
   }
@@ -94,8 +94,9 @@ void SimulatorAdapter::step() {
 }
 
 void SimulatorAdapter::publishClock() {
+  clock_published_ = simulator_.now();
   rosgraph_msgs::Clock msg;
-  msg.clock = toRosTime(simulator_.now());
+  msg.clock = toRosTime(clock_published_);
   clock_.publish(msg);
 }
 

@@ -66,7 +66,7 @@ class SimulatorAdapter {
   TfBridge tf_;
   std::list<SimulatorRobot> robots_;
   Duration state_period_;
-  Time next_state_{};
+  Time next_state_{}, clock_published_{};
   bool paused_ = false;
   Time reported_sim_{};
   SteadyTime reported_real_{};

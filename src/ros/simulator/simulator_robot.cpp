@@ -2,6 +2,7 @@
 
 #include <std_msgs/Bool.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "ros/common/messages/conversions.h"
@@ -81,6 +82,10 @@ void SimulatorRobot::report(diagnostic_updater::DiagnosticStatusWrapper& status)
   const std::string& name = simulator_.name(index_);
   status.add(name.empty() ? "contacts" : name + ": contacts", simulator_.contactCount(index_));
   rejections_.report(status);
+}
+
+bool newScans(const std::list<SimulatorRobot>& robots) {
+  return std::any_of(robots.begin(), robots.end(), [](const SimulatorRobot& robot) { return robot.hasNewScan(); });
 }
 
 void publishStates(std::list<SimulatorRobot>& robots, TfBridge& tf, Time now) {

@@ -26,6 +26,8 @@ class SimulatorRobot {
   FramePose odometryPose() const;
   /// Publishes odometry, the ground truth, and whether the robot is in contact.
   void publishState();
+  /// Whether the last step has measured a scan.
+  bool hasNewScan() const { return simulator_.newScan(index_) != nullptr; }
   /// Publishes the results of the last step: a new scan, and a change of contact.
   void publishNews();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -50,6 +52,8 @@ class SimulatorRobot {
   ros::Publisher stalled_topic_;
 };
 
+/// Whether the last step has measured a scan of any robot.
+bool newScans(const std::list<SimulatorRobot>& robots);
 /// Publishes the states of all robots, and their transforms in one message: every node with a TF listener reads every
 /// message of /tf.
 void publishStates(std::list<SimulatorRobot>& robots, TfBridge& tf, Time now);

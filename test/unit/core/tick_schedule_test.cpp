@@ -19,6 +19,14 @@ TEST(TickSchedule, TicksOncePerPeriodAndNotAtTheBeginning) {
   EXPECT_EQ(ticks(schedule, 10.0, 11.0), 20);
 }
 
+TEST(TickSchedule, TellsWhatIsLeftUntilTheNextTick) {
+  TickSchedule schedule(fromSeconds(0.05));
+  EXPECT_EQ(schedule.left(timeFromSeconds(10.0)), Duration::zero()) << "not known yet";
+  schedule.isDue(timeFromSeconds(10.0));
+  EXPECT_EQ(schedule.left(timeFromSeconds(10.02)), fromSeconds(0.03));
+  EXPECT_EQ(schedule.left(timeFromSeconds(10.07)), Duration::zero()) << "due";
+}
+
 TEST(TickSchedule, TicksForEachPeriodThatWasSlightlyMissedAndOnceForMany) {
   TickSchedule schedule(fromSeconds(0.05));
   schedule.isDue(timeFromSeconds(10.0));
