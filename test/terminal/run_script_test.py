@@ -7,6 +7,7 @@ import glob
 import os
 import pathlib
 import re
+import resource
 import signal
 import socket
 import subprocess
@@ -92,6 +93,12 @@ class RunScript(unittest.TestCase):
                 self.assertEqual((code, out), (2, ''))
                 self.assertIn(words, err)
                 self.assertEqual(err.strip().count('\n'), 0, err)
+
+    def test_it_refuses_too_few_open_files(self):
+        process = self.start(preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (64, 64)))
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (1, ''))
+        self.assertRegex(err, "^scripts/run: only 64 files may be open at once, .* 'ulimit -n 1024' allows more\n$")
 
     def test_a_launch_that_cannot_begin_ends_with_the_reason_and_leaves_no_master(self):
         world = pathlib.Path(self.folder.name, 'broken.yaml')
