@@ -12,7 +12,7 @@ namespace frontier_pilot {
 
 namespace {
 
-constexpr Duration kListenPeriod = std::chrono::milliseconds(5);
+constexpr double kListenPeriod = 0.01;                   // [s]
 constexpr std::uint32_t kTfQueue = 100;                  // as in tf2_ros::TransformListener
 constexpr Duration kMargin = std::chrono::seconds(600);  // before the end of ROS time, for what tf2 adds to a stamp
 
@@ -64,10 +64,8 @@ void TfListener::run() {
   while (!ending_) {
     guard_.run("tf", [this] {
       watchClock();
-      queue_.callAvailable();
+      queue_.callAvailable(ros::WallDuration(kListenPeriod));
     });
-    // Instead of waiting for the next message: a fleet sends hundreds in a second, and each would wake this thread.
-    std::this_thread::sleep_for(kListenPeriod);
   }
 }
 
