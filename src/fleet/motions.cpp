@@ -94,8 +94,8 @@ void TrafficRule::listen(const TrafficInputs& inputs, Time now) {
 }
 
 /// Where those are by now that moved between their last two messages.
-std::vector<TrafficOrder::Moving> TrafficRule::movingNearby(const TrafficInputs& inputs, Time now) const {
-  std::vector<TrafficOrder::Moving> moving;
+std::vector<navigation::MovingDisc> TrafficRule::movingNearby(const TrafficInputs& inputs, Time now) const {
+  std::vector<navigation::MovingDisc> moving;
   if (!inputs.T_map_common) return moving;
   for (const auto& [name, heard] : heard_) {
     const double age = toSeconds(now - heard.at);

@@ -45,6 +45,16 @@ std::string TrafficOrder::text() const {
   return {};
 }
 
+navigation::NavOrder TrafficOrder::forNavigator() const {
+  navigation::NavOrder asked;
+  asked.hold = kind == Kind::kHold;
+  if (kind == Kind::kAside) asked.aside = place;
+  asked.why = text();
+  asked.making_way = making_way;
+  asked.moving = moving;
+  return asked;
+}
+
 bool TrafficRule::isAlone() const {
   return std::none_of(others_.begin(), others_.end(),
                       [](const Other& other) { return other.relation != Relation::kNone; });

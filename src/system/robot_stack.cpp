@@ -180,14 +180,7 @@ navigation::NavOrder RobotStack::giveWay() {
   inputs.aside_failed = navigation_.aside_failed;
   inputs.map = &view();
   inputs.T_map_common = T_common_map_.inverse();
-  const fleet::TrafficOrder order = rule_.update(inputs, now());
-  navigation::NavOrder asked;
-  asked.hold = order.kind == fleet::TrafficOrder::Kind::kHold;
-  if (order.kind == fleet::TrafficOrder::Kind::kAside) asked.aside = order.place;
-  asked.why = order.text();
-  for (const auto& body : order.making_way) asked.making_way.push_back({body.position, body.radius});
-  for (const auto& body : order.moving) asked.moving.push_back({body.position, body.velocity, body.radius});
-  return asked;
+  return rule_.update(inputs, now()).forNavigator();
 }
 
 void RobotStack::noteGoals(const navigation::NavigatorOutput& output) {

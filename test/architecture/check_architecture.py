@@ -33,7 +33,7 @@ MAY_INCLUDE = {
     'planning': {'core', 'grids'},
     'navigation': {'core', 'grids', 'planning'},
     'exploration': {'core', 'grids'},
-    'fleet': {'core', 'grids', 'surfaces', 'scan_matching', 'exploration'},
+    'fleet': {'core', 'grids', 'surfaces', 'scan_matching', 'exploration', 'navigation'},
     'system': {'core', 'sim', 'arbiter', 'behavior', 'mapping', 'occupancy', 'navigation', 'exploration', 'fleet'},
     'robot_check': {'core'},
     'tools': {'core', 'logs', 'mapping', 'occupancy', 'slam', 'map_files'},

@@ -10,6 +10,7 @@
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/core/time.h"
 #include "frontier_pilot/fleet/claims.h"
+#include "frontier_pilot/navigation/navigator_types.h"
 
 namespace frontier_pilot::fleet {
 
@@ -51,22 +52,14 @@ struct TrafficOrder {
     kAside,  ///< drive to `place` and wait there
   };
   Kind kind = Kind::kFree;
-  Vec2 place = Vec2::Zero();  ///< in the map frame [m]
-  std::string other;          ///< the robot that it is about; empty while free
-  struct Body {
-    Vec2 position = Vec2::Zero();  ///< in the map frame [m]
-    double radius = 0.0;           ///< [m]
-  };
-  struct Moving {
-    Vec2 position = Vec2::Zero();  ///< now, in the map frame [m]
-    Vec2 velocity = Vec2::Zero();  ///< [m/s]
-    double radius = 0.0;           ///< [m]
-  };
-  std::vector<Moving> moving;    ///< robots nearby that move, whatever their relation to this one
-  std::vector<Body> making_way;  ///< robots that get out of this one's way: plans need not lead around them
+  Vec2 place = Vec2::Zero();                   ///< in the map frame [m]
+  std::string other;                           ///< the robot that it is about; empty while free
+  std::vector<navigation::MovingDisc> moving;  ///< robots nearby that move, whatever their relation to this one
+  std::vector<navigation::Disc> making_way;  ///< robots that get out of this one's way: plans need not lead around them
 
   /// In words, for example "waits for robot2"; empty while free.
   std::string text() const;
+  navigation::NavOrder forNavigator() const;
 };
 
 /// The rule by which robots pass each other where there is no room for two: who is nearer to the way out of the narrow
@@ -116,7 +109,7 @@ class TrafficRule {
     Vec2 velocity = Vec2::Zero();  ///< in the common frame [m/s]
   };
 
-  std::vector<TrafficOrder::Moving> movingNearby(const TrafficInputs& inputs, Time now) const;
+  std::vector<navigation::MovingDisc> movingNearby(const TrafficInputs& inputs, Time now) const;
   void listen(const TrafficInputs& inputs, Time now);
   void decide(const TrafficInputs& inputs, Time now);
   void relate(Other& other, const TrafficInputs& inputs, Time now);

@@ -9,18 +9,14 @@
 
 #include "frontier_pilot/exploration/explorer_types.h"
 #include "frontier_pilot/fleet/claims.h"
-#include "ros/common/diagnostics.h"
+#include "ros/common/messages/fleet_channel.h"
 #include "ros/common/names.h"
-#include "ros/common/node_connections.h"
-#include "ros/common/tf/tf_bridge.h"
 
 namespace frontier_pilot {
 
 /// How an explorer takes part in a team.
-struct FleetParameters {
-  std::string name;
-  std::string frame = names::kMapFrame;
-  std::string topic = names::kFleetClaims;
+struct FleetParameters : FleetChannelParameters {
+  FleetParameters() : FleetChannelParameters{"", names::kMapFrame, names::kFleetClaims} {}
 
   template <class V>
   void describe(V& v) {
@@ -36,7 +32,7 @@ class TeamClaims {
  public:
   /// `tf` has to outlive it; `map_frame` is the robot's.
   TeamClaims(const FleetParameters& parameters, const std::string& map_frame, const TfBridge& tf)
-      : parameters_(parameters), map_frame_(map_frame), tf_(tf), book_(parameters.name) {}
+      : channel_(parameters, map_frame, tf, "claims"), book_(parameters.name) {}
 
   /// Does nothing for a robot without a name in a team, as nothing else of it does then.
   void connect(NodeConnections& connections, ros::NodeHandle& node, NodeDiagnostics& diagnostics);
@@ -46,18 +42,11 @@ class TeamClaims {
   void tell(const std::optional<StampedPose2>& T_map_base, const std::vector<exploration::Claim>& claims, Time now);
 
  private:
-  void hear(const FleetClaims& msg);
-  std::optional<Pose2> mapInCommon() const;
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
-  FleetParameters parameters_;
-  std::string map_frame_;
-  const TfBridge& tf_;
+  FleetChannel<FleetClaims> channel_;
   fleet::ClaimBook book_;
-  Rejections refused_{"claims"};
-  std::optional<Time> told_;
   std::size_t heard_ = 0;  ///< robots at the last tick
-  ros::Publisher publisher_;
 };
 
 }  // namespace frontier_pilot

@@ -8,18 +8,14 @@
 
 #include "frontier_pilot/fleet/traffic.h"
 #include "frontier_pilot/navigation/navigator.h"
-#include "ros/common/diagnostics.h"
+#include "ros/common/messages/fleet_channel.h"
 #include "ros/common/names.h"
-#include "ros/common/node_connections.h"
-#include "ros/common/tf/tf_bridge.h"
 
 namespace frontier_pilot {
 
 /// How a navigator takes part in the traffic of a fleet.
-struct TrafficParameters {
-  std::string name;
-  std::string frame = names::kMapFrame;
-  std::string topic = names::kFleetMotions;
+struct TrafficParameters : FleetChannelParameters {
+  TrafficParameters() : FleetChannelParameters{"", names::kMapFrame, names::kFleetMotions} {}
 
   template <class V>
   void describe(V& v) {
@@ -35,7 +31,7 @@ class FleetMotions {
  public:
   /// `tf` has to outlive it; `map_frame` is the robot's, `radius` [m] that of the disc around its outline.
   FleetMotions(const TrafficParameters& parameters, const std::string& map_frame, double radius, const TfBridge& tf)
-      : parameters_(parameters), map_frame_(map_frame), tf_(tf), rule_(parameters.name, radius) {}
+      : channel_(parameters, map_frame, tf, "motions"), rule_(parameters.name, radius) {}
 
   /// Does nothing for a robot without a name in a fleet, as nothing else of it does then.
   void connect(NodeConnections& connections, ros::NodeHandle& node, NodeDiagnostics& diagnostics);
@@ -46,20 +42,13 @@ class FleetMotions {
   void note(const navigation::NavigatorOutput& output);
 
  private:
-  void hear(const FleetMotion& msg);
-  std::optional<Pose2> commonInMap() const;
   void tell(Time now);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
-  TrafficParameters parameters_;
-  std::string map_frame_;
-  const TfBridge& tf_;
+  FleetChannel<FleetMotion> channel_;
   fleet::TrafficRule rule_;
-  Rejections refused_{"motions"};
-  std::optional<Time> told_;
   bool aside_failed_ = false;
   std::string traffic_;  ///< what the robot does for another one; empty: nothing
-  ros::Publisher publisher_;
 };
 
 }  // namespace frontier_pilot

@@ -86,12 +86,7 @@ void DrivenFleet::applyRule(Robot& robot, std::size_t index, navigation::Navigat
   traffic.aside_failed = robot.output.aside_failed;
   traffic.map = &map_;
   traffic.T_map_common = Pose2();
-  const fleet::TrafficOrder order = robot.rule.update(traffic, now());
-  inputs.order.hold = order.kind == fleet::TrafficOrder::Kind::kHold;
-  if (order.kind == fleet::TrafficOrder::Kind::kAside) inputs.order.aside = order.place;
-  inputs.order.why = order.text();
-  for (const auto& body : order.making_way) inputs.order.making_way.push_back({body.position, body.radius});
-  for (const auto& body : order.moving) inputs.order.moving.push_back({body.position, body.velocity, body.radius});
+  inputs.order = robot.rule.update(traffic, now()).forNavigator();
 }
 
 void DrivenFleet::tell() {

@@ -190,7 +190,7 @@ TEST(TrafficRule, TellsWhereTheOthersThatDriveAreByNow_MUL_3) {
   const auto moving = hear({2.0, 1.2}, 1.5);
   ASSERT_EQ(moving.size(), 1U);
   EXPECT_LT((moving[0].velocity - Vec2(0.0, 0.4)).norm(), 1e-9);
-  EXPECT_LT((moving[0].position - Vec2(2.0, 1.28)).norm(), 1e-9);
+  EXPECT_LT((moving[0].centre - Vec2(2.0, 1.28)).norm(), 1e-9);
   EXPECT_EQ(moving[0].radius, kRadius);
   EXPECT_TRUE(hear({2.0, 1.2}, 2.0).empty()) << "it stands";
   EXPECT_TRUE(hear({5.0, 1.2}, 2.5).empty()) << "its place was corrected";
