@@ -37,8 +37,7 @@ int processOf(const std::string& name) {
 TEST_F(GuiOnTheWire, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore) {
   Window window;
   ASSERT_TRUE(ready(window));
-  window.click("Go");
-  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  ASSERT_TRUE(drivesAtGo(window)) << window.log().toStdString();
   const int arbiter = processOf("/cmd_vel_arbiter");
   ASSERT_GT(arbiter, 0);
   kill(arbiter, SIGKILL);

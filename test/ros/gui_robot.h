@@ -56,11 +56,12 @@ using Switch = boost::function<bool(std_srvs::SetBool::Request&, std_srvs::SetBo
 class RestlessSource {
  public:
   RestlessSource() : publisher_(ros::NodeHandle().advertise<geometry_msgs::Twist>(names::kCmdVelNav, 1)) {}
+  /// Whether anybody hears it.
   bool asks() {
     geometry_msgs::Twist msg;
     msg.linear.x = 0.1;
     publisher_.publish(msg);
-    return true;
+    return publisher_.getNumSubscribers() > 0;
   }
 
  private:
@@ -146,6 +147,15 @@ class GuiOnTheWire : public ::testing::Test {
     return waitFor([&] {
       return window.find("enable_manual") != nullptr && window.find("enable_manual")->isEnabled() &&
              window.text("driver") == "manual holds the robot still";
+    });
+  }
+
+  /// Clicks Go until the robot drives that fast [m/s]. A window that was held up, as on a busy machine, drops its
+  /// set-point, and ignores clicks.
+  bool drivesAtGo(const Window& window, double speed = 0.05) {
+    return waitFor([&] {
+      if (window.widget.setPoint().linear < speed - 1e-6) window.click("Go");
+      return robot_.speed > speed - 0.01;
     });
   }
 

@@ -35,8 +35,7 @@ using test::Window;
 TEST_F(GuiOnTheWire, ButtonsMoveTheRobotThroughTheArbiterAtTenHertz) {
   Window window;
   ASSERT_TRUE(ready(window));
-  for (int i = 0; i < 2; ++i) window.click("Go");
-  EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed - 0.10) < 0.01; }));
+  EXPECT_TRUE(drivesAtGo(window, 0.10)) << window.log().toStdString();
   EXPECT_NEAR(robot_.command, 0.10, 1e-9);
   const SteadyTime start = steadyNow();
   const int before = robot_.manual_count;
@@ -50,12 +49,13 @@ TEST_F(GuiOnTheWire, ButtonsMoveTheRobotThroughTheArbiterAtTenHertz) {
 TEST_F(GuiOnTheWire, TheEmergencyStopLatchesIsShownAndIsClearedWithoutMotion) {
   Window window;
   ASSERT_TRUE(ready(window));
-  window.click("Go");
-  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  EXPECT_TRUE(drivesAtGo(window)) << window.log().toStdString();
   window.click("emergency_stop");
   EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
   EXPECT_TRUE(waitFor([&] { return robot_.command == 0.0 && std::abs(robot_.speed) < 1e-6; }));
   test::RestlessSource nav;
+  int asked = 0;
+  EXPECT_TRUE(waitFor([&] { return (asked += nav.asks() ? 1 : 0) > 30; })) << "it asks before Clear is clicked";
   EXPECT_TRUE(waitFor([&] {
     window.click("clear_emergency_stop");
     return nav.asks() && window.text("clear_refusal").startsWith("Not cleared: nav asked to move ");
@@ -71,8 +71,7 @@ TEST_F(GuiOnTheWire, TheEmergencyStopLatchesIsShownAndIsClearedWithoutMotion) {
 TEST_F(GuiOnTheWire, SwitchingManualOffSilencesItAndLocksThePad) {
   Window window;
   ASSERT_TRUE(ready(window));
-  window.click("Go");
-  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  EXPECT_TRUE(drivesAtGo(window)) << window.log().toStdString();
   window.click("enable_manual");
   EXPECT_TRUE(waitFor([&] { return !window.checked("enable_manual"); }));
   EXPECT_FALSE(window.find("Go")->isEnabled());
@@ -88,8 +87,7 @@ TEST_F(GuiOnTheWire, SwitchingManualOffSilencesItAndLocksThePad) {
 TEST_F(GuiOnTheWire, AWindowWhoseThreadIsStuckStopsTheRobotWithinASecond) {
   Window window;
   ASSERT_TRUE(ready(window));
-  window.click("Go");
-  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  ASSERT_TRUE(drivesAtGo(window)) << window.log().toStdString();
   const SteadyTime frozen = steadyNow();
   while (robot_.speed > 1e-6 && steadyNow() - frozen < std::chrono::seconds(3)) usleep(1000);  // no event is handled
   RecordProperty("stuck_to_standstill_ms", static_cast<int>(1000.0 * toSeconds(steadyNow() - frozen)));
@@ -274,8 +272,7 @@ TEST_F(GuiOnTheWire, HeldToRunTheRobotMovesFromPressToRelease) {
 TEST_F(GuiOnTheWire, ClosingSendsZeroAsTheLastWord) {
   Window window;
   ASSERT_TRUE(ready(window));
-  window.click("Go");
-  ASSERT_TRUE(waitFor([&] { return robot_.speed > 0.04; }));
+  ASSERT_TRUE(drivesAtGo(window)) << window.log().toStdString();
   window.controller.close();
   EXPECT_TRUE(waitFor([&] { return robot_.manual_command == 0.0 && robot_.command == 0.0; }));
   const int count = robot_.manual_count;
