@@ -69,6 +69,8 @@ def robot_name(value):
     """The name of a robot, which becomes a namespace; ValueError if it cannot be one."""
     if not re.fullmatch('[A-Za-z][A-Za-z0-9_]{0,255}', text_of(value)):
         raise ValueError('a name is a word of letters, digits and _ that begins with a letter')
+    if value == 'fleet':
+        raise ValueError("'fleet' cannot be a robot's name: fleet/emergency_stop stops all robots")
     return value
 
 

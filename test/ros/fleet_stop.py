@@ -121,6 +121,16 @@ class FleetStop(unittest.TestCase):
         answer, _ = self.stop()
         self.assertEqual(answer.message, '3 of 3 robots stopped')
 
+    def test_it_never_calls_itself(self):
+        """A robot called fleet would have its stop where the stop of all is. [FLT-1]"""
+        stranger = rospy.Publisher('/fleet/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.addCleanup(stranger.unregister)
+        self.test_a_robot_that_is_not_listed_is_found_and_stopped()
+        rospy.set_param('/refused/robots', [{'name': 'fleet'}])
+        code, said = Node('fleet_stop', '__name:=refused').finish(20.0)
+        self.assertEqual(code, 2)
+        self.assertIn("robots: 'fleet' cannot be a robot's name: fleet/emergency_stop stops all robots", said)
+
     def test_every_arbiter_says_when_the_stop_for_all_is_gone_or_hangs(self):
         for number in (signal.SIGKILL, signal.SIGSTOP):
             self.node.signal(number)

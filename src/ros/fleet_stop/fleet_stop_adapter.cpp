@@ -30,6 +30,9 @@ void FleetStopParameters::check(Problems& problems) const {
     std::string why;
     if (robot.name.empty() || !ros::names::validate(robot.name, why))
       problems.push_back("robots: '" + robot.name + "' is no name of a namespace: " + why);
+    if (names::ofRobot(robot.name, names::kEmergencyStop) == names::kFleetEmergencyStop)
+      problems.push_back("robots: '" + robot.name + "' cannot be a robot's name: " + names::kFleetEmergencyStop +
+                         " stops all robots");
   }
 }
 
@@ -76,7 +79,7 @@ void FleetStopAdapter::takeMasterReport() {
   if (!seen) return;
   for (const auto& [topic, nodes] : seen->publishers) {
     const std::string service = serviceBeside(topic);
-    if (service.empty()) continue;
+    if (service.empty() || service == node_.resolveName(names::kFleetEmergencyStop)) continue;  // not this node itself
     known_.see(service, steadyNow());
     addRobot(service);
   }
