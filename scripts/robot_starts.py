@@ -12,6 +12,7 @@ from PIL import Image
 CLEARANCE = 0.35  # around a start [m]
 APART = 0.8  # between two starts [m]
 MOST_ROBOTS = 20
+SHARED = ('fleet', 'fleet_stop', 'map_merger', 'robots_launcher', 'rviz', 'simulator', 'teleop_gui')  # namespaces that no robot can have
 LARGEST_YAML = 1000000  # [bytes]
 MOST_PIXELS = 64000000  # of a world's picture, as the simulator
 
@@ -69,8 +70,8 @@ def robot_name(value):
     """The name of a robot, which becomes a namespace; ValueError if it cannot be one."""
     if not re.fullmatch('[A-Za-z][A-Za-z0-9_]{0,255}', text_of(value)):
         raise ValueError('a name is a word of letters, digits and _ that begins with a letter')
-    if value == 'fleet':
-        raise ValueError("'fleet' cannot be a robot's name: fleet/emergency_stop stops all robots")
+    if value in SHARED:
+        raise ValueError("'%s' cannot be a robot's name: it is the namespace of what all robots share" % value)
     return value
 
 

@@ -300,7 +300,8 @@ class LaunchFilesTest(unittest.TestCase):
         for text, why in (('robots: ' + '[' * 5000 + ']' * 5000, 'nested too deeply'), ('robots: [[]]', 'no list `robots`'),
                           ('robots: [{name: a, y: 0, x: 1%s}]' % ('0' * 400), 'no list `robots`'), ('robots: "\xff', 'cannot be read'),
                           ('robots: [{name: 5, x: 0, y: 0}]', 'instead of a text'), ('robots: [{name: /a/b, x: 0, y: 0}]', 'a name is'),
-                          ('robots: [{name: fleet, x: 0, y: 0}]', "cannot be a robot's name"),
+                          ('robots: [{name: fleet, x: 0, y: 0}]', "'fleet' cannot be a robot's name"),
+                          ('robots: [{name: simulator, x: 0, y: 0}]', "'simulator' cannot be a robot's name"),
                           ('a: &a [1]\nrobots: [{name: *a, x: 0, y: 0}]', 'instead of a text'), ('#' * 1000001, 'more than')):
             with tempfile.NamedTemporaryFile('w', suffix='.yaml', encoding='latin-1') as file:
                 file.write(text)
