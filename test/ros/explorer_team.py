@@ -37,6 +37,12 @@ class ExplorerTeam(ExplorerCase):
         message.claims = [FleetClaim(x=x, y=y, cost=0.0) for x, y in places]
         self.publisher.publish(message)
 
+    def what_the_team_says(self):
+        """The explorer's last diagnostics of its team."""
+        said = [(status.message, [(value.key, value.value) for value in status.values])
+                for _, array in list(self.diagnostics.items) for status in array.status if status.name.endswith(': team')]
+        return said[-1:]
+
     def refused(self, word):
         return any(word in value.key for _, array in list(self.diagnostics.items)
                    for status in array.status for value in status.values)
@@ -64,7 +70,8 @@ class ExplorerTeam(ExplorerCase):
         places = [(claim.x, claim.y) for claim in self.own()[-1].claims]
         began = rospy.Time.now()
         while not self.comes(lambda status: status.reason == Status.LEFT_TO_OTHERS, 0.5):
-            self.assertLess((rospy.Time.now() - began).to_sec(), 30.0, ([status.reason_text for _, status in self.status.items[-3:]], places))
+            self.assertLess((rospy.Time.now() - began).to_sec(), 30.0, (self.status.last.reason_text, places, self.what_the_team_says(),
+                                                                        self.publisher.get_num_connections()))
             # What comes into sight once the first places are left to the other robot is claimed in turn.
             places = sorted({(claim.x, claim.y) for claims in self.own() for claim in claims.claims})[-40:]
             self.tell(places)
