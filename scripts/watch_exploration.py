@@ -133,12 +133,34 @@ class Starter:
 
 
 def default_prefix():
-    return os.path.join('maps', datetime.datetime.now().strftime('%Y-%m-%d_%H-%M-%S'))
+    """The path of a map in the folder maps that is this run's alone, also if another one ends in the same second: its picture is
+    there, and empty, until the map is saved. OSError if it cannot be made."""
+    name = os.path.abspath(os.path.join('maps', datetime.datetime.now().strftime('%Y-%m-%d_%H-%M-%S')))
+    os.makedirs(os.path.dirname(name), exist_ok=True)
+    for copy in range(100):
+        path = name + ('_%d' % copy if copy else '')
+        try:
+            os.close(os.open(path + '.pgm', os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+        except FileExistsError:
+            continue
+        return path
+    raise FileExistsError('%s and a hundred more of this name exist already' % name)
 
 
 def save_map(prefix):
     """Returns whether the mapper has written the map, and prints where, or why not."""
-    path = os.path.abspath(prefix or default_prefix())
+    try:
+        path = os.path.abspath(prefix) if prefix else default_prefix()
+        saved = ask_to_save(path)
+    except OSError as error:
+        say('The map could not be saved: %s' % error, sys.stderr)
+        return False
+    if not saved and not prefix and os.path.getsize(path + '.pgm') == 0:
+        os.remove(path + '.pgm')
+    return saved
+
+
+def ask_to_save(path):
     try:
         os.makedirs(os.path.dirname(path), exist_ok=True)
         rospy.wait_for_service('mapper/save_map', timeout=10.0)

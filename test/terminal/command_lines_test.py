@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / 'build'
@@ -135,6 +136,17 @@ class CommandLines(unittest.TestCase):
             self.assertIn('Optional Arguments', words)
             self.assertNotIn('Required Arguments', words)
             self.assertIn('yaw (default "auto")', words)
+
+    def test_runs_that_end_in_the_same_second_save_their_maps_under_different_names(self):
+        sys.path.insert(0, str(ROOT / 'scripts'))
+        import watch_exploration
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(watch_exploration, 'datetime') as clock:
+            clock.datetime.now.return_value.strftime.return_value = 'now'
+            before = os.getcwd()
+            self.addCleanup(os.chdir, before)
+            os.chdir(folder)
+            self.assertEqual([os.path.basename(watch_exploration.default_prefix()) for _ in range(3)], ['now', 'now_1', 'now_2'])
+            os.chdir(before)
 
     def test_an_interrupt_while_a_program_is_loaded_prints_no_traceback(self):
         for program in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py'):
