@@ -46,7 +46,9 @@ void Explorer::Impl::step(Time now) {
 void Explorer::Impl::selectGoal(Time now) {
   // While the explorer only waits for the map to change, an unchanged map need not be judged again.
   const bool waiting = nothing_left_since_ || status_.reason == ExplorerReason::kRobotOffKnownGround;
-  if (status_.reason == ExplorerReason::kLeftToOthers && !passed(last_decision_, parameters_.check_period, now)) return;
+  // One that stands aside looks again each check_period, until there is nothing that is left to others.
+  const bool aside = status_.reason == ExplorerReason::kLeftToOthers && !nothing_left_since_;
+  if (aside && !passed(last_decision_, parameters_.check_period, now)) return;
   const bool news = judged_changes_ != evaluator_.map().changes();
   if (nothing_left_since_ && leavesWorkToOthers()) return standAside(now);
   if (waiting && !(news && passed(last_decision_, parameters_.check_period, now))) {

@@ -174,6 +174,20 @@ TEST_F(SharedWorkTest, ARobotIsDoneOnlyWhenNothingIsLeftForTheOthersEither_MUL_2
 }
 
 // [MUL-2]
+TEST_F(SharedWorkTest, ARobotThatStoodAsideIsDoneAlsoWhileItsMapChanges_MUL_2) {
+  show(kClosedRoom);
+  otherClaims({{Vec2(20.0, 20.0), 5.0}});
+  EXPECT_EQ(tickFor(10.0).status.reason, Reason::kLeftToOthers);
+  otherClaims({});
+  const Cell here = world.map.geometry().cellAt(pose.position());
+  for (int i = 0; i < 100; ++i) {
+    change({here.x + 3, here.y, 1, 1}, i % 2 == 0 ? 100 : 0);  // by noise
+    tick();
+  }
+  EXPECT_TRUE(wentThrough(State::kDone, Reason::kNoReachableFrontier));
+}
+
+// [MUL-2]
 TEST_F(SharedWorkTest, ARobotThatHasEndedClaimsNothing_MUL_2) {
   show(kTwoEnds);
   tick();
