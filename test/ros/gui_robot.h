@@ -150,12 +150,14 @@ class GuiOnTheWire : public ::testing::Test {
     });
   }
 
-  /// Clicks Go until the robot drives that fast [m/s]. A window that was held up, as on a busy machine, drops its
-  /// set-point, and ignores clicks.
-  bool drivesAtGo(const Window& window, double speed = 0.05) {
+  /// Whether the robot drives by so many steps after as many clicks on Go. They are given again while there is no
+  /// set-point: a window that was held up, as on a busy machine, drops it, and ignores clicks.
+  bool drivesAtGo(const Window& window, int clicks = 1) {
     return waitFor([&] {
-      if (window.widget.setPoint().linear < speed - 1e-6) window.click("Go");
-      return robot_.speed > speed - 0.01;
+      if (window.widget.setPoint().isZero()) {
+        for (int i = 0; i < clicks; ++i) window.click("Go");
+      }
+      return std::abs(robot_.speed - 0.05 * clicks) < 0.01;
     });
   }
 
