@@ -15,7 +15,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
-from command_line import CommandLine, end_quietly_until_main, exit_with  # noqa: E402
+from command_line import CommandLine, end_quietly_until_main, exit_with, say  # noqa: E402
 
 if __name__ == '__main__':
     end_quietly_until_main()
@@ -173,7 +173,7 @@ def main():
     os.environ.setdefault('ROSCONSOLE_FORMAT', '[${severity}] [${time}] [${node}]: ${message}')  # as the other nodes of the launch
     ros_program.begin('bag_player')
     if not rospy.get_param('~bag', ''):
-        print('bag_player: which bag? _bag:=/path/drive.bag', file=sys.stderr)
+        say('bag_player: which bag? _bag:=/path/drive.bag', sys.stderr)
         return 2
     defaults = {'scan': '', 'odom': '', 'base_frame': 'base_footprint', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': ''}
     options = {name: str(rospy.get_param('~' + name, default)) for name, default in defaults.items()}

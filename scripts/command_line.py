@@ -20,8 +20,13 @@ class CommandLine(argparse.ArgumentParser):
                 self.error('unknown option ' + word)
         return super().parse_args(words)
 
+    def print_help(self, file=None):
+        if not _written(self.format_help()):
+            sys.exit(1)
+
     def error(self, message):
-        self.exit(2, "%s: %s; '%s --help' lists what it takes\n" % (self.prog, message, self.prog))
+        say("%s: %s; '%s --help' lists what it takes" % (self.prog, message, self.prog), sys.stderr)
+        sys.exit(2)
 
 
 def say(text, stream=None):
@@ -44,10 +49,26 @@ def end_quietly_until_main():
 
 
 def exit_with(main):
-    """Ends the program with what `main` returns, or with the exit code for a Ctrl-C."""
+    """Ends the program with what `main` returns, or with the exit code for a Ctrl-C; with 1 if what it printed cannot be written."""
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        sys.exit(main())
+        code = main()
     except KeyboardInterrupt:
-        sys.exit(130)
+        code = 130
+    except SystemExit as end:  # --help, for example
+        code = end.code
+    sys.exit(code if _written() else code or 1)
+
+
+def _written(text=''):
+    """Whether `text` and all that was printed before could be written; says so if not."""
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # else Python tries again, and prints a traceback
+        if error.errno != errno.EPIPE:
+            say('%s: cannot write its output: %s' % (os.path.basename(sys.argv[0]), error.strerror), sys.stderr)
+        return False
+    return True

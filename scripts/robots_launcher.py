@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
-from command_line import CommandLine, end_quietly_until_main, exit_with  # noqa: E402
+from command_line import CommandLine, end_quietly_until_main, exit_with, say  # noqa: E402
 
 if __name__ == '__main__':
     end_quietly_until_main()
@@ -142,7 +142,7 @@ def main():
             parent.start()
             parent.spin()  # rviz reads its file from the folder after it has started
         except (OSError, StartsError, rosgraph.MasterException, roslaunch.core.RLException) as error:
-            print('robots_launcher: %s' % error, file=sys.stderr)
+            say('robots_launcher: %s' % error, sys.stderr)
             return 1
         finally:
             # When the simulator ends while nodes are being started, roslaunch forgets those that come after.

@@ -9,6 +9,8 @@ import rosgraph
 import rospy
 import yaml
 
+from command_line import say
+
 WORD = re.compile(r'(?P<name>[^:]*):=(?P<value>.*)', re.DOTALL)
 POLL = 0.3  # [s]
 
@@ -50,13 +52,12 @@ def begin(name, wanted=lambda: True, silent_for=0.0, **options):
     if not problems and not is_address(uri):
         problems = ['ROS_MASTER_URI is not an address like http://host:11311: ' + uri]
     if problems:
-        print('%s: %s' % (name, problems[0]), file=sys.stderr)
+        say('%s: %s' % (name, problems[0]), sys.stderr)
         sys.exit(2)
     say_at = time.monotonic() + silent_for
     while wanted() and not rosgraph.is_master_online():
         if time.monotonic() >= say_at:
-            print('%s: no ROS master answers at %s: waiting for one, which roscore or roslaunch starts' % (name, uri),
-                  file=sys.stderr, flush=True)
+            say('%s: no ROS master answers at %s: waiting for one, which roscore or roslaunch starts' % (name, uri), sys.stderr)
             say_at = math.inf
         time.sleep(POLL)
     if wanted():

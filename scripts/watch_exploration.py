@@ -24,6 +24,7 @@ from std_srvs.srv import SetBool  # noqa: E402
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import ros_program  # noqa: E402
 from command_line import CommandLine, exit_with, say  # noqa: E402
+from run_recording import free_name  # noqa: E402
 from run_recording.topics import TOPICS  # noqa: E402
 
 RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
@@ -137,14 +138,7 @@ def default_prefix():
     there, and empty, until the map is saved. OSError if it cannot be made."""
     name = os.path.abspath(os.path.join('maps', datetime.datetime.now().strftime('%Y-%m-%d_%H-%M-%S')))
     os.makedirs(os.path.dirname(name), exist_ok=True)
-    for copy in range(100):
-        path = name + ('_%d' % copy if copy else '')
-        try:
-            os.close(os.open(path + '.pgm', os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
-        except FileExistsError:
-            continue
-        return path
-    raise FileExistsError('%s and a hundred more of this name exist already' % name)
+    return free_name.take(name, lambda path: os.close(os.open(path + '.pgm', os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666)))
 
 
 def save_map(prefix):

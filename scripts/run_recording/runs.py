@@ -4,6 +4,8 @@ import os
 import re
 import shutil
 
+from . import free_name
+
 BAG = 'run'  # rosbag adds the number of the part
 REPORT = 'report.html'  # what the report adds
 NAME = re.compile(r'^\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d(_\d+)?$')
@@ -34,14 +36,7 @@ def begin(folder, now=None):
     """Creates the folder of a new run and returns its path. Throws OSError."""
     name = (now or datetime.datetime.now()).strftime('%Y-%m-%d_%H-%M-%S')
     os.makedirs(folder, exist_ok=True)
-    for copy in range(100):
-        path = os.path.join(folder, name + ('_%d' % copy if copy else ''))
-        try:
-            os.mkdir(path)
-        except FileExistsError:
-            continue
-        return _marked(path)
-    raise FileExistsError('%s and a hundred more of this name exist already' % os.path.join(folder, name))
+    return _marked(free_name.take(os.path.join(folder, name), os.mkdir))
 
 
 def _marked(run):

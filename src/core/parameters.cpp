@@ -135,8 +135,9 @@ void Loader::field(const char* name, int& field, const char*, const char*, const
   if (value == nullptr) return;
   double storage = 0.0;
   const double* read = number(*value, storage);
-  const bool whole = read != nullptr && std::isfinite(*read) && *read == std::floor(*read) && std::abs(*read) < 2e9;
+  const bool whole = read != nullptr && std::isfinite(*read) && *read == std::floor(*read);
   if (!whole) return problem(name, "must be a whole number");
+  if (std::abs(*read) >= 2e9) return problem(name, "must be between -2e9 and 2e9, is " + text(*read));
   const std::string bad = complaint(*read, bounds);
   if (!bad.empty()) return problem(name, bad);
   field = static_cast<int>(*read);

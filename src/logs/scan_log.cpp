@@ -1,6 +1,7 @@
 #include "frontier_pilot/logs/scan_log.h"
 
 #include <algorithm>
+#include <array>
 
 #include "frontier_pilot/core/bounds.h"
 #include "logs/carmen_log.h"
@@ -8,17 +9,26 @@
 
 namespace frontier_pilot::logs {
 
+namespace {
+
+/// Whether a rosbag of any version begins like this.
+bool beginsBag(const std::string& line) {
+  constexpr std::array<const char*, 3> kMagics = {"#ROSBAG", "#ROSRECORD", "#ROSLOG"};
+  return std::any_of(kMagics.begin(), kMagics.end(), [&](const char* magic) { return line.rfind(magic, 0) == 0; });
+}
+
+}  // namespace
+
 LogFormat formatOf(std::istream& file) {
-  constexpr const char* kBagMagic = "#ROSBAG";
   const auto begin = file.tellg();
   std::string line;
   bool comment = true;
   while (comment && std::getline(file, line)) {
-    comment = line.find_first_not_of(" \t\r") == std::string::npos || (line[0] == '#' && line.rfind(kBagMagic, 0) != 0);
+    comment = line.find_first_not_of(" \t\r") == std::string::npos || (line[0] == '#' && !beginsBag(line));
   }
   file.clear();
   file.seekg(begin);
-  if (line.rfind(kBagMagic, 0) == 0) return LogFormat::kRosbag;
+  if (beginsBag(line)) return LogFormat::kRosbag;
   const bool starts_with_number = line.find_first_of("0123456789") <= line.find_first_not_of(" \t+-.");
   return starts_with_number && line.find(',') != std::string::npos ? LogFormat::kCsv : LogFormat::kCarmen;
 }

@@ -2,47 +2,32 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/map_files/map_image.h"
 #include "map_files/grid_drawing.h"
+#include "map_files/map_file_set.h"
 #include "map_files/map_yaml.h"
-#include "map_files/resampling.h"
 
 namespace frontier_pilot::map_files {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestExtension = 5;  // .yaml
-constexpr std::size_t kLongestYaml = 65536;   // [bytes]
-
-MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what) {
-  return {status, file + ": " + what};
-}
-
-fs::path withoutExtension(const std::string& path) {
-  const fs::path whole(path);
-  const std::string extension = whole.extension().string();
-  const bool ours = extension == ".pgm" || extension == ".yaml" || extension == ".bt";
-  return ours ? fs::path(whole).replace_extension() : whole;
-}
-
-MapIoResult checkTarget(const fs::path& base) {
-  const std::string problem = fileNameProblem(base.filename().string(), kLongestExtension);
-  // The message does not quote the name: what makes it unacceptable (control characters) would also harm a log.
-  if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
+MapIoResult checkTarget(const MapFileSet& files) {
+  const std::string problem = files.nameProblem();
+  if (!problem.empty()) return {MapIoStatus::kBadPath, problem};
+  const fs::path& base = files.base();
   if (base.string().find('\0') != std::string::npos) return {MapIoStatus::kBadPath, "the path holds a NUL character"};
   const fs::path directory = base.has_parent_path() ? base.parent_path() : fs::path(".");
   std::error_code error;
@@ -111,85 +96,18 @@ MapIoResult readBack(const std::array<MapFile, 3>& files) {
   return {};
 }
 
-std::string appended(const fs::path& base, const char* extension) { return base.string() + extension; }
-
-MapIoResult cannotRead(const std::string& path, const FileContent& content) {
-  const bool missing = content.status == FileContent::Status::kMissing;
-  return failure(missing ? MapIoStatus::kMissing : MapIoStatus::kBroken, path, content.problem);
-}
-
-/// Whether the YAML beside a .bt, if there is one, was written with it. If that is not certain, the text says so.
-MapIoResult compareWithYaml(const std::string& yaml_path, const std::string& bt_path, const std::string& octree) {
-  const FileContent yaml = readFile(yaml_path, kLongestYaml);
-  if (yaml.status == FileContent::Status::kMissing) return {MapIoStatus::kOk, ", not verified: it has no YAML"};
-  if (!yaml.ok()) return cannotRead(yaml_path, yaml);
-  try {
-    switch (compareOctree(yaml.bytes, octree)) {
-      case OctreeMatch::kSame:
-        return {};
-      case OctreeMatch::kNotMentioned:
-        return {MapIoStatus::kOk, ", not verified: its YAML holds no checksum"};
-      case OctreeMatch::kPrevious:
-        return {MapIoStatus::kOk, ", as it was before the last save, which was not completed"};
-      case OctreeMatch::kAnother:
-        break;
-    }
-  } catch (const std::invalid_argument& error) {
-    return failure(MapIoStatus::kBroken, yaml_path, error.what());
-  }
-  return failure(MapIoStatus::kBroken, bt_path,
-                 "is not the one that " + yaml_path + " was written with: length or checksum differs");
-}
-
-/// Whether there is a YAML that mentions no octree, as other programs write it. A YAML that `saveMap` wrote and whose
-/// .bt is missing belongs to a damaged map.
-bool isOfAnotherProgram(const std::string& yaml_path) {
-  const FileContent yaml = readFile(yaml_path, kLongestYaml);
-  try {
-    return yaml.ok() && compareOctree(yaml.bytes, {}) == OctreeMatch::kNotMentioned;
-  } catch (const std::invalid_argument&) {
-    return true;  // reading it as a map image reports what is wrong with it
-  }
-}
-
 /// The content of the .bt that a save is about to replace, if it is a map that can be loaded.
-std::optional<std::string> previousOctree(const fs::path& base, std::size_t most_bytes) {
-  const std::string bt = appended(base, ".bt");
-  FileContent octree = readFile(bt, most_bytes);
-  if (!octree.ok() || !compareWithYaml(appended(base, ".yaml"), bt, octree.bytes).ok()) return std::nullopt;
+std::optional<std::string> previousOctree(const MapFileSet& files, std::size_t most_bytes) {
+  FileContent octree = readFile(files.octree(), most_bytes);
+  if (!octree.ok() || !files.compareOctree(octree.bytes).ok()) return std::nullopt;
   return std::move(octree.bytes);
 }
 
-MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, occupancy::OccupancyMap& map) {
-  std::string why;
-  if (!map.read(bytes, why)) return failure(MapIoStatus::kBroken, bt_path, why);
-  return {MapIoStatus::kOk, "loaded " + bt_path};
-}
-
-std::string inMetres(double length) {
-  std::ostringstream text;
-  text << length << " m";
-  return text.str();
-}
-
-/// Loads a map without an octree, as another program has saved it.
-MapIoResult loadPicture(const std::string& yaml_path, occupancy::OccupancyMap& map) {
-  constexpr double kSame = 1e-6;  // [m]: tolerance for resolutions that were typed by hand
-  std::string change;
-  try {
-    const MapImage image = readMapImage(yaml_path);
-    const double resolution = map.parameters().resolution;
-    const bool same = std::abs(image.map.resolution() - resolution) <= kSame;
-    const std::optional<OccupancyGrid> fitting = same ? std::nullopt : resampled(image.map, resolution);
-    occupancy::OccupancyMap drawn(map.parameters());
-    const bool has_room = (same || fitting) && draw(same ? image.map : *fitting, drawn);
-    if (has_room && drawn.isBlank()) return failure(MapIoStatus::kBroken, yaml_path, "its image holds no known cell");
-    if (!has_room || !map.exchange(drawn)) return failure(MapIoStatus::kBroken, yaml_path, "is too large");
-    if (!same) change = "; its cells of " + inMetres(image.map.resolution()) + " have become " + inMetres(resolution);
-  } catch (const std::runtime_error& error) {
-    return {MapIoStatus::kBroken, error.what()};
-  }
-  return {MapIoStatus::kOk, "loaded " + yaml_path + " from its image: it has no octree" + change};
+/// The content of the picture that a save is about to replace.
+std::optional<std::string> previousPicture(const MapFileSet& files) {
+  FileContent picture = readFile(files.picture(), bounds::kMostImageBytes);
+  if (!picture.ok()) return std::nullopt;
+  return std::move(picture.bytes);
 }
 
 }  // namespace
@@ -235,48 +153,28 @@ MapIoResult saveGrid(const OccupancyGrid& grid, const std::string& path) {
 }
 
 MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives survives) {
-  const fs::path base = withoutExtension(path);
-  MapIoResult result = checkTarget(base);
+  const MapFileSet target(path);
+  MapIoResult result = checkTarget(target);
   if (!result.ok()) return result;
   // A map without any known cell could not be loaded again, and might replace one that can.
   if (map.blank) return {MapIoStatus::kEmptyMap, "the map is empty"};
   if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
-  const std::string name = base.filename().string();
-  const std::string yaml = mapYaml(map.geometry, name, map.octree, previousOctree(base, map.most_bytes));
-  // The YAML is replaced first: it has the checksums of the .bt that exists and of the one that will replace it.
-  std::array<MapFile, 3> files = {MapFile(appended(base, ".yaml"), yaml, survives),
-                                  MapFile(appended(base, ".bt"), map.octree, survives),
-                                  MapFile(appended(base, ".pgm"), map.picture, survives)};
-  if (!readsAs(yaml, name, map.octree))
+  const std::string yaml = mapYaml(map.geometry, target.name(), {map.octree, previousOctree(target, map.most_bytes)},
+                                   {map.picture, previousPicture(target)});
+  // The YAML is replaced first: it has the checksums of the files that exist and of those that will replace them.
+  std::array<MapFile, 3> files = {MapFile(target.yaml(), yaml, survives),
+                                  MapFile(target.octree(), map.octree, survives),
+                                  MapFile(target.picture(), map.picture, survives)};
+  if (!readsAs(yaml, target.name(), map.octree, map.picture))
     return files.front().cannot("cannot be written", "it could not be parsed again");
   for (const auto step : {prepare, putInPlace}) {
     result = step(files);
     if (!result.ok()) return result;
   }
   result = readBack(files);
-  if (result.ok()) result.text = "saved " + fs::absolute(base).lexically_normal().string() + ".pgm, .yaml and .bt";
+  if (result.ok())
+    result.text = "saved " + fs::absolute(target.base()).lexically_normal().string() + ".pgm, .yaml and .bt";
   return result;
-}
-
-MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
-  const fs::path base = withoutExtension(path);
-  const std::string problem = fileNameProblem(base.filename().string(), kLongestExtension);
-  if (!problem.empty()) return {MapIoStatus::kBadPath, "the map's name " + problem};
-  const std::string bt = appended(base, ".bt");
-  const FileContent octree = readFile(bt, map.mostBytes());
-  const std::string yaml = appended(base, ".yaml");
-  if (octree.status == FileContent::Status::kMissing && isOfAnotherProgram(yaml)) return loadPicture(yaml, map);
-  if (!octree.ok()) return cannotRead(bt, octree);
-  MapIoResult belongs = compareWithYaml(yaml, bt, octree.bytes);
-  if (!belongs.ok()) return belongs;
-  MapIoResult result = loadBytes(bt, octree.bytes, map);
-  if (result.ok()) result.text += belongs.text;
-  return result;
-}
-
-MapIoResult loadOctree(const std::string& bt_path, occupancy::OccupancyMap& map) {
-  const FileContent octree = readFile(bt_path, map.mostBytes());
-  return octree.ok() ? loadBytes(bt_path, octree.bytes, map) : cannotRead(bt_path, octree);
 }
 
 }  // namespace frontier_pilot::map_files

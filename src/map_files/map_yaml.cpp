@@ -36,40 +36,57 @@ bool names(const ParameterMap& entry, const char* bytes_key, const char* crc_key
          *crc == hex(crc32(octree));
 }
 
+const char* keyOf(SavedFile file) { return file == SavedFile::kOctree ? "octree" : "picture"; }
+
+/// The lines with length and checksum of a file under `prefix`.
+std::string checksums(const std::string& prefix, const std::string& content) {
+  std::ostringstream lines;
+  lines << "  " << prefix << "bytes: " << content.size() << "\n  " << prefix << "crc32: \"" << hex(crc32(content))
+        << "\"\n";
+  return lines.str();
+}
+
+std::string entryOf(SavedFile file, const std::string& name, const SavedContent& content) {
+  std::string entry = std::string(keyOf(file)) + ":\n  file: " + yamlText(name) + "\n" + checksums("", content.now);
+  return content.previous ? entry + checksums("previous_", *content.previous) : entry;
+}
+
 }  // namespace
 
-std::string mapYaml(const GridGeometry& geometry, const std::string& name, const std::string& octree,
-                    const std::optional<std::string>& previous) {
+std::string mapYaml(const GridGeometry& geometry, const std::string& name, const SavedContent& octree,
+                    const SavedContent& picture) {
   std::ostringstream yaml;
   yaml << std::setprecision(std::numeric_limits<double>::digits10);
   yaml << "image: " << yamlText(name + ".pgm") << "\nresolution: " << geometry.resolution << "\norigin: ["
        << geometry.origin.x() << ", " << geometry.origin.y()
-       << ", 0.0]\nnegate: 0\noccupied_thresh: " << kOccupiedThreshold << "\nfree_thresh: " << kFreeThreshold
-       << "\noctree:\n  file: " << yamlText(name + ".bt") << "\n  bytes: " << octree.size() << "\n  crc32: \""
-       << hex(crc32(octree)) << "\"\n";
-  if (previous) {
-    yaml << "  previous_bytes: " << previous->size() << "\n  previous_crc32: \"" << hex(crc32(*previous)) << "\"\n";
-  }
+       << ", 0.0]\nnegate: 0\noccupied_thresh: " << kOccupiedThreshold << "\nfree_thresh: " << kFreeThreshold << "\n"
+       << entryOf(SavedFile::kOctree, name + ".bt", octree) << entryOf(SavedFile::kPicture, name + ".pgm", picture);
   return yaml.str();
 }
 
-OctreeMatch compareOctree(const std::string& yaml, const std::string& octree) {
+FileMatch compareWithYaml(const std::string& yaml, SavedFile file, const std::string& content) {
   const ParameterMap map = parseYaml(yaml);
-  if (map.count("octree") == 0) return OctreeMatch::kNotMentioned;
-  const auto* entry = find<ParameterMap>(map, "octree");
-  if (entry == nullptr) return OctreeMatch::kAnother;
-  if (names(*entry, "bytes", "crc32", octree)) return OctreeMatch::kSame;
-  return names(*entry, "previous_bytes", "previous_crc32", octree) ? OctreeMatch::kPrevious : OctreeMatch::kAnother;
+  if (map.count(keyOf(file)) == 0) return FileMatch::kNotMentioned;
+  const auto* entry = find<ParameterMap>(map, keyOf(file));
+  if (entry == nullptr) return FileMatch::kAnother;
+  if (names(*entry, "bytes", "crc32", content)) return FileMatch::kSame;
+  return names(*entry, "previous_bytes", "previous_crc32", content) ? FileMatch::kPrevious : FileMatch::kAnother;
 }
 
-bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree) {
+std::string imageOf(const std::string& yaml) {
+  const ParameterMap map = parseYaml(yaml);
+  const auto* image = find<std::string>(map, "image");
+  return image != nullptr ? *image : "";
+}
+
+bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree, const std::string& picture) {
   try {
     const ParameterMap map = parseYaml(yaml);
-    const auto* image = find<std::string>(map, "image");
-    const auto* entry = find<ParameterMap>(map, "octree");
+    const auto* entry = find<ParameterMap>(map, keyOf(SavedFile::kOctree));
     const auto* file = entry != nullptr ? find<std::string>(*entry, "file") : nullptr;
-    return image != nullptr && *image == name + ".pgm" && file != nullptr && *file == name + ".bt" &&
-           compareOctree(yaml, octree) == OctreeMatch::kSame;
+    return imageOf(yaml) == name + ".pgm" && file != nullptr && *file == name + ".bt" &&
+           compareWithYaml(yaml, SavedFile::kOctree, octree) == FileMatch::kSame &&
+           compareWithYaml(yaml, SavedFile::kPicture, picture) == FileMatch::kSame;
   } catch (const std::invalid_argument&) {
     return false;
   }

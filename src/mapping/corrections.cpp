@@ -3,6 +3,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/localization/map_localization.h"
 #include "frontier_pilot/slam/graph_slam.h"
+#include "frontier_pilot/surfaces/surface_points.h"
 
 namespace frontier_pilot::mapping {
 
@@ -12,7 +13,10 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose) {
   return {pose, Eigen::Vector3d(kPosition * kPosition, kPosition * kPosition, kYaw * kYaw).asDiagonal()};
 }
 
-bool canBeKnown(const occupancy::OccupancyMap& map) { return map.geometry().size() <= bounds::kMostMapCells; }
+bool canBeKnown(const occupancy::OccupancyMap& map) {
+  return map.geometry().size() <= bounds::kMostMapCells &&
+         surfaces::surfaceSize(map.projection()) <= bounds::kMostSurfacePoints;
+}
 
 std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
                                                const scan_matching::PoseWithCovariance& T_map_base) {

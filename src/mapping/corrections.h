@@ -14,7 +14,8 @@ namespace frontier_pilot::mapping {
 /// An uncertain `pose` of the robot, with standard deviations of 0.5 m and 0.25 rad.
 scan_matching::PoseWithCovariance beliefOf(const Pose2& pose);
 
-/// Whether the robot may be localised in `map`, which keeps dense grids over its box, of up to 11 bytes a cell.
+/// Whether the robot may be localised in `map`, which keeps dense grids over its box, of up to 11 bytes a cell, and all
+/// borders between its walls and free space.
 bool canBeKnown(const occupancy::OccupancyMap& map);
 
 /// The corrector that the parameters determine for a robot at about `T_map_base` in a known map. Keeps no reference to

@@ -45,7 +45,6 @@ struct Mapper::Impl {
   bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
   bool isTooLarge(const slam::MapRevision& revision) const;
   bool refuse(slam::MapRevision& revision);
-  scan_matching::PoseWithCovariance presentBelief() const;
   void replace(std::unique_ptr<slam::PoseCorrection> corrector);
   void forgetEarlierPoses();
 
@@ -203,21 +202,20 @@ void Mapper::reviseNow() {
   }
 }
 
-scan_matching::PoseWithCovariance Mapper::Impl::presentBelief() const {
-  return beliefOf(last ? T_map_odom * last->pose : T_map_odom);
-}
-
 bool Mapper::load(occupancy::OccupancyMap& loaded) {
-  if (!canBeKnown(loaded) || !impl_->map.exchange(loaded)) return false;
+  if (!canBeKnown(loaded)) return false;
+  impl_->map.replaceBy(loaded);
   ++impl_->generation;
-  impl_->replace(knownMap(impl_->parameters, impl_->map, impl_->presentBelief()));
+  const Pose2 T_odom_base = impl_->last ? impl_->last->pose : Pose2();
+  impl_->replace(knownMap(impl_->parameters, impl_->map, beliefOf(impl_->T_map_odom * T_odom_base)));
   return true;
 }
 
 bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
   // If odometry has been trusted since the first scan, it still is.
   const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
-  if ((!trusted && !canBeKnown(map)) || !impl_->map.exchange(map)) return false;
+  if (!trusted && !canBeKnown(map)) return false;
+  impl_->map.replaceBy(map);
   ++impl_->generation;
   impl_->T_map_odom = T_map_odom;
   if (!trusted) impl_->replace(knownMap(impl_->parameters, impl_->map, beliefOf(T_map_odom * T_odom_base)));

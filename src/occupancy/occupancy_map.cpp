@@ -28,10 +28,12 @@ OccupancyMap::~OccupancyMap() = default;
 OccupancyMap::OccupancyMap(OccupancyMap&&) noexcept = default;
 OccupancyMap& OccupancyMap::operator=(OccupancyMap&&) noexcept = default;
 
+CellRect OccupancyMap::kept() const { return isBlank() ? CellRect() : extent_; }
+
 CellRect OccupancyMap::needed(const Vec2& low, const Vec2& high) const {
   GridGeometry frame;
   frame.resolution = parameters_.resolution;
-  CellRect cells = extent_;
+  CellRect cells = kept();
   // One cell more on each side: a point on a border may be rounded to either cell.
   const Cell first = frame.cellAt(low);
   const Cell last = frame.cellAt(high);
@@ -186,7 +188,7 @@ void OccupancyMap::clear() {
 }
 
 bool OccupancyMap::hasRoomFor(const OccupancyMap& other) const {
-  CellRect cells = extent_;
+  CellRect cells = kept();
   cells.include(other.extent_);
   return cells == other.extent_ || isAllowed(other.snapped(cells));
 }
@@ -214,19 +216,24 @@ CellRect OccupancyMap::changedFrom(const OccupancyMap& other) const {
 }
 
 bool OccupancyMap::exchange(OccupancyMap& other) {
-  CellRect cells = extent_;
+  CellRect cells = kept();
   cells.include(other.extent_);
   if (!other.reserveCells(cells)) return false;
   const bool grown = changes_.geometry_changed || other.geometry() != geometry();
   const CellRect differing = other.geometry() != geometry() ? other.geometry().rect() : changedFrom(other);
-  CellRect changed = changes_.cells;
-  changed.include(grown ? other.geometry().rect() : differing);
+  CellRect changed = grown ? other.geometry().rect() : changes_.cells;
+  changed.include(differing);
   std::swap(*this, other);
   changes_ = {grown, changed};
   grid_ = std::exchange(other.grid_, {});
   outdated_ = other.outdated_;
   outdated_.include(differing);
   return true;
+}
+
+void OccupancyMap::replaceBy(OccupancyMap& other) {
+  clear();
+  exchange(other);
 }
 
 std::size_t OccupancyMap::mostTiles() const {

@@ -200,6 +200,19 @@ bool onOneSurface(const SurfacePoint& a, const SurfacePoint& b, double max_gap) 
   return a.normal.dot(b.normal) > kSameWay && slope <= kFlat * gap;
 }
 
+/// Calls `visit` with each occupied cell and each of its sides behind which there is a free one.
+template <class Visit>
+void forEachBorder(const OccupancyGrid& map, const Visit& visit) {
+  constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}};
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (!isOccupied(map[i])) continue;
+    const Cell cell = map.geometry().cell(i);
+    for (const Cell& side : kSides) {
+      if (isFree(map.get({cell.x + side.x, cell.y + side.y}, kUnknown))) visit(cell, side);
+    }
+  }
+}
+
 }  // namespace
 
 SurfaceScan readScan(const LaserScan2& scan, const SurfaceParameters& parameters) {
@@ -265,18 +278,19 @@ SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& param
   return result;
 }
 
+std::size_t surfaceSize(const OccupancyGrid& map) {
+  std::size_t count = 0;
+  forEachBorder(map, [&](const Cell&, const Cell&) { ++count; });
+  return count;
+}
+
 SurfacePoints surfaceOf(const OccupancyGrid& map) {
-  constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}};
   SurfacePoints result;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    if (!isOccupied(map[i])) continue;
-    const Cell cell = map.geometry().cell(i);
-    for (const Cell& side : kSides) {
-      if (!isFree(map.get({cell.x + side.x, cell.y + side.y}, kUnknown))) continue;
-      const Vec2 normal(side.x, side.y);
-      result.push_back({map.geometry().centre(cell) + 0.5 * map.resolution() * normal, normal});
-    }
-  }
+  result.reserve(surfaceSize(map));
+  forEachBorder(map, [&](const Cell& cell, const Cell& side) {
+    const Vec2 normal(side.x, side.y);
+    result.push_back({map.geometry().centre(cell) + 0.5 * map.resolution() * normal, normal});
+  });
   return result;
 }
 

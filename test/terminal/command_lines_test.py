@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from unittest import mock
 
@@ -103,6 +104,24 @@ class CommandLines(unittest.TestCase):
                     self.assertRegex(out + err, re.escape(word) + ' is not|is not an address')
                     self.assertLess(len((out + err).splitlines()), 4, out + err)
             self.assertIn('ROS_MASTER_URI is not an address', call(program, master='nowhere')[2])
+
+    def test_a_python_program_says_that_its_output_cannot_be_written_in_one_line(self):
+        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report'):
+            with self.subTest(program=name), open('/dev/full', 'w') as full:
+                done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stdout=full, stderr=subprocess.PIPE,
+                                      timeout=60, stdin=subprocess.DEVNULL, universal_newlines=True)
+                self.assertEqual((done.returncode, done.stderr), (1, '%s: cannot write its output: No space left on device\n' % name))
+
+    def test_a_python_node_waits_for_a_master_also_if_nothing_can_be_said(self):
+        environment = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:9', ROS_IP='127.0.0.1')
+        with open('/dev/full', 'w') as full:
+            nodes = [subprocess.Popen([str(BUILD / 'devel/lib/frontier_pilot' / name)], stdout=full, stderr=full, env=environment,
+                                      stdin=subprocess.DEVNULL) for name in ('run_recorder', 'bag_player.py', 'watch_exploration.py')]
+        time.sleep(8.0)
+        for node in nodes:
+            self.assertIsNone(node.poll(), node.args)
+            node.kill()
+            node.wait()
 
     def test_help_of_a_node_has_an_example(self):
         for program in installed():

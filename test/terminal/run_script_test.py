@@ -57,9 +57,8 @@ class RunScript(unittest.TestCase):
 
     def start(self, *words, **how):
         how = dict({'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, 'stdin': subprocess.DEVNULL, 'start_new_session': True,
-                    'preexec_fn': heed_ctrl_c}, **how)
-        return subprocess.Popen([RUN, *words], env=environment(self.port, self.folder.name), cwd=self.folder.name,
-                                universal_newlines=True, **how)
+                    'preexec_fn': heed_ctrl_c, 'env': environment(self.port, self.folder.name)}, **how)
+        return subprocess.Popen([RUN, *words], cwd=self.folder.name, universal_newlines=True, **how)
 
     def start_in_terminal(self, *words):
         """Like `start`, in a terminal of its own, which closes with the returned process' stdout."""
@@ -99,6 +98,14 @@ class RunScript(unittest.TestCase):
         out, err = process.communicate(timeout=60)
         self.assertEqual((process.returncode, out), (1, ''))
         self.assertRegex(err, "^scripts/run: only 64 files may be open at once, .* 'ulimit -n 1024' allows more\n$")
+
+    def test_a_home_that_cannot_be_written_to_is_refused_before_anything_is_built(self):
+        of_nobody = dict(environment(self.port, ''), HOME='/proc/nobody')
+        del of_nobody['ROS_HOME']
+        process = self.start(env=of_nobody)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (1, ''))
+        self.assertEqual(err, "scripts/run: ROS cannot write its logs to /proc/nobody/.ros; 'export ROS_HOME=FOLDER' takes another folder\n")
 
     def test_a_launch_that_cannot_begin_ends_with_the_reason_and_leaves_no_master(self):
         world = pathlib.Path(self.folder.name, 'broken.yaml')

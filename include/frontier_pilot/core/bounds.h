@@ -43,6 +43,10 @@ constexpr int kMostSide = 20000;
 /// 14 bytes for each and needs 18 at its peak: 560 MB and 720 MB.
 constexpr std::size_t kMostMapCells = 40'000'000;
 
+/// Sides of occupied cells next to free ones in a map that scans are to be matched with: 170 bytes each while it is
+/// loaded, so 340 MB. The walls of 160,000 m^2 of offices have as many; a picture of noise has several times more.
+constexpr std::size_t kMostSurfacePoints = 2'000'000;
+
 /// Frontier cells of a map that the explorer sorts into clusters. An office building of 250 m x 250 m that is known in
 /// patches has 1.2 million; a map of pure noise has several times as many.
 constexpr std::size_t kMostFrontierCells = 2'000'000;

@@ -36,8 +36,8 @@ struct MapChanges {
 };
 
 /// The map: log-odds per cell in tiles that are allocated where something is known, so that memory follows the mapped
-/// area and not the box around it. [MAP-2] It grows, and never shrinks. The box's origin is a multiple of the
-/// resolution, so that cells keep their positions in the frame.
+/// area and not the box around it. [MAP-2] The box grows, and shrinks only when no cell is known: then it is made anew
+/// around what comes next. Its origin is a multiple of the resolution, so that cells keep their positions in the frame.
 class OccupancyMap {
  public:
   explicit OccupancyMap(const OccupancyMapParameters& parameters = {});
@@ -99,13 +99,16 @@ class OccupancyMap {
   /// What changed since the last call.
   MapChanges takeChanges();
 
-  /// Forgets every cell and keeps the geometry.
+  /// Forgets every cell. The geometry stays until `reserve` or `exchange` asks for room.
   void clear();
   /// Whether `exchange` would succeed.
   bool hasRoomFor(const OccupancyMap& other) const;
-  /// Swaps the contents with `other`, which must have the same parameters. The map grows to cover both, and cells that
-  /// differ count as changed. Returns false, and does nothing, when it would be too large.
+  /// Swaps the contents with `other`, which must have the same parameters. The map grows to cover both, unless no cell
+  /// of it is known, and cells that differ count as changed. Returns false, and does nothing, when it would be too
+  /// large.
   bool exchange(OccupancyMap& other);
+  /// Takes the contents and the box of `other`, which must have the same parameters; `other` is blank afterwards.
+  void replaceBy(OccupancyMap& other);
 
   /// Writes OctoMap's binary format. Returns false when the stream fails.
   bool write(std::ostream& out) const;
@@ -135,6 +138,8 @@ class OccupancyMap {
   CellRect changedFrom(const OccupancyMap& other) const;
   std::size_t mostTiles() const;
   std::uint64_t mostNodes() const;
+  /// The part of the box that must stay when the map grows: all of it, or nothing if no cell is known.
+  CellRect kept() const;
   CellRect needed(const Vec2& low, const Vec2& high) const;
   CellRect snapped(const CellRect& cells) const;
   bool isAllowed(const CellRect& snapped) const;

@@ -69,5 +69,7 @@ SurfacePoints filled(const SurfacePoints& points, const SurfaceParameters& param
 
 /// Points on the borders between occupied and free cells, in the map frame, with normals along the axes.
 SurfacePoints surfaceOf(const OccupancyGrid& map);
+/// How many points that would be.
+std::size_t surfaceSize(const OccupancyGrid& map);
 
 }  // namespace frontier_pilot::surfaces

@@ -1,4 +1,5 @@
 #include <nav_msgs/Odometry.h>
+#include <ros/serialization.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/LaserScan.h>
@@ -20,6 +21,8 @@
 
 namespace frontier_pilot {
 namespace {
+
+constexpr const char* kReindex = "'rosbag reindex' may recover what it holds";
 
 /// Goes through the messages of a bag and collects scans with their odometry.
 class BagReading {
@@ -77,8 +80,9 @@ class BagReading {
     }
   }
   void takeOdometry(const nav_msgs::Odometry::ConstPtr& msg) {
+    if (!msg) return reject("message on the odometry topic that is no odometry");
     std::string why;
-    const auto odometry = msg ? toOdometry(*msg, &why) : std::nullopt;
+    const auto odometry = toOdometry(*msg, &why);
     if (!odometry) return reject("odometry " + why);
     latest_ = odometry->stamp;
     pairing_.addOdometry(odometry->stamp, odometry->T_odom_base);
@@ -158,8 +162,14 @@ logs::ScanLog readBagLog(const std::string& path, const tools::BagTopics& wanted
     if (!log.records.empty()) return log;
     throw logs::LogError(path + ": holds no usable scan on '" + topics.scan + "' with odometry on '" + topics.odom +
                          "'" + listed(log.notes));
+  } catch (const rosbag::BagUnindexedException&) {
+    throw logs::LogError(path + ": has no index, because its recording did not end in an orderly way; " + kReindex);
+  } catch (const rosbag::BagIOException& error) {
+    throw logs::LogError(path + ": is cut off, or cannot be read (" + error.what() + "); " + kReindex);
   } catch (const rosbag::BagException& error) {
     throw logs::LogError(path + ": " + error.what());
+  } catch (const ros::serialization::StreamOverrunException&) {
+    throw logs::LogError(path + ": is broken: a message is shorter than its type says");
   }
 }
 

@@ -32,7 +32,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   revision_failure_.clear();
   looked_for_ = false;
   response.success = 1U;
-  response.message = "the map is cleared; its size stays";
+  response.message = "the map is cleared";
   return true;
 }
 

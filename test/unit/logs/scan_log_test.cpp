@@ -22,7 +22,9 @@ TEST(ScanLog, KnowsAFormatByItsFirstLine) {
   EXPECT_EQ(formatOfText("# a comment\n\n -1.5,0,0,0,1.6,1.7\n"), logs::LogFormat::kCsv);
   EXPECT_EQ(formatOfText("# message_name [message contents]\nPARAM a, 1\n"), logs::LogFormat::kCarmen);
   EXPECT_EQ(formatOfText(""), logs::LogFormat::kCarmen);
-  EXPECT_EQ(formatOfText("#ROSBAG V2.0\n"), logs::LogFormat::kRosbag);
+  for (const char* bag : {"#ROSBAG V2.0\n", "#ROSBAG V1.0\n", "#ROSRECORD V1.1\n", "#ROSLOG V1.1\n"}) {
+    EXPECT_EQ(formatOfText(bag), logs::LogFormat::kRosbag) << bag;
+  }
 }
 
 TEST(ScanLog, ReadsWhatItKnows) {

@@ -153,6 +153,20 @@ TEST_F(MapLocalizationTest, AResetForgetsAlsoWhatWasLoaded) {
 }
 
 // [MAP-5]
+TEST_F(MapLocalizationTest, ALoadedMapIsNoLargerThanItself_MAP_5) {
+  mapping::Mapper mapper = knowing(false);
+  const GridGeometry rooms = mapper.map().geometry();
+  occupancy::OccupancyMap far_away;
+  ASSERT_TRUE(far_away.reserve({-301.0, -301.0}, {-299.0, -299.0}));
+  far_away.beginScan();
+  far_away.hit(far_away.geometry().cellAt({-300.0, -300.0}));
+  ASSERT_TRUE(mapper.load(far_away));
+  EXPECT_LT(mapper.map().geometry().size(), 1'000'000U);
+  mapping::Mapper again = knowing(false);
+  ASSERT_TRUE(mapper.load(again.map()));
+  EXPECT_EQ(mapper.map().geometry(), rooms);
+}
+
 TEST_F(MapLocalizationTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
   mapping::Mapper mapper;
   drive(mapper, {4.0, 1.2, 0.0}, {4.2, 1.2, 0.0});
@@ -210,6 +224,21 @@ TEST(KnownMap, WhoseBoxIsTooLargeToLocaliseInIsRefusedAsAWhole_FLT_2) {
   EXPECT_FALSE(mapper.resume(large, Pose2(1.0, 0.0, 0.0), Pose2()));
   EXPECT_LT(mapper.map().geometry().size(), large.geometry().size()) << "the map is as it was";
   EXPECT_TRUE(mapper.resume(large, Pose2(), Pose2())) << "odometry is trusted, nobody localises";
+}
+
+// [FLT-1]
+TEST(KnownMap, ThatIsNoiseIsRefusedAsAWhole_FLT_1) {
+  mapping::Mapper mapper(mapping::MapperParameters{});
+  occupancy::OccupancyMap noise(mapping::MapperParameters{}.map);
+  ASSERT_TRUE(noise.reserve({0.0, 0.0}, {55.0, 55.0}));
+  for (int certainty = 0; certainty < 10; ++certainty) {
+    noise.beginScan();
+    for (int y = 0; y < 1050; ++y) {
+      for (int x = 0; x < 1050; ++x) (x + y) % 2 == 0 ? noise.hit({x, y}) : noise.miss({x, y});
+    }
+  }
+  EXPECT_FALSE(mapper.load(noise)) << "two million sides of walls";
+  EXPECT_TRUE(mapper.map().isBlank());
 }
 
 }  // namespace

@@ -62,6 +62,32 @@ TEST(OccupancyMap, KeepsItsProjectionUpToDateAfterTheFirstCall_MAP_2) {
   EXPECT_TRUE(map.grid().cells() == map.projection().cells());
 }
 
+// Otherwise two small maps far apart, loaded one after the other, would leave a box that nobody else can work with.
+TEST(OccupancyMap, MakesItsBoxAnewOnceNothingInItIsKnown) {
+  occupancy::OccupancyMap map;
+  ASSERT_TRUE(map.reserve({299.0, 299.0}, {301.0, 301.0}));
+  hit(map, cellAt(map, 300.0, 300.0));
+  occupancy::OccupancyMap other;
+  ASSERT_TRUE(other.reserve({-301.0, -301.0}, {-299.0, -299.0}));
+  hit(other, cellAt(other, -300.0, -300.0));
+  const GridGeometry of_other = other.geometry();
+  map.takeChanges();
+  map.clear();
+  ASSERT_TRUE(map.exchange(other));
+  EXPECT_EQ(map.geometry(), of_other);
+  const occupancy::MapChanges changes = map.takeChanges();
+  EXPECT_TRUE(changes.geometry_changed);
+  EXPECT_EQ(changes.cells, map.geometry().rect());
+  map.clear();
+  ASSERT_TRUE(map.reserve({-1.0, -1.0}, {1.0, 1.0}));
+  EXPECT_LT(map.geometry().size(), 1'000'000U);
+  EXPECT_EQ(map.takeChanges().cells, map.geometry().rect());
+  hit(map, cellAt(map, 0.5, 0.5));
+  EXPECT_TRUE(map.grid().cells() == map.projection().cells());
+  ASSERT_TRUE(map.reserve({10.0, 10.0}, {11.0, 11.0}));
+  EXPECT_TRUE(map.isOccupied(cellAt(map, 0.5, 0.5))) << "what is known stays inside";
+}
+
 // Numbers of scans have 16 bits: they begin anew, at 1, since 0 stands in cells that no scan has updated.
 TEST(OccupancyMap, CountsAHitWhateverTheNumberOfTheScanThatUpdatedTheCellBefore) {
   for (const int later : {65535, 65536}) {

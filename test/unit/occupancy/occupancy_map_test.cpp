@@ -81,10 +81,11 @@ TEST(OccupancyMap, GrowsWithoutMovingWhatItKnows) {
   EXPECT_GE(map.geometry().origin.y() + map.geometry().height * 0.05, 44.0);
 }
 
-TEST(OccupancyMap, NeverShrinks) {
+TEST(OccupancyMap, NeverShrinksWhileACellOfItIsKnown) {
   occupancy::OccupancyMap map;
   ASSERT_TRUE(map.reserve({-31.0, -2.0}, {0.0, 44.0}));
   const GridGeometry before = map.geometry();
+  miss(map, cellAt(map, -30.0, 40.0));
   ASSERT_TRUE(map.reserve({0.0, 0.0}, {0.1, 0.1}));
   map.clear();
   EXPECT_EQ(map.geometry(), before);

@@ -230,6 +230,35 @@ TEST_F(BagLog, IsRefusedWhenItNeedsTooMuch_FLT_1) {
   }
 }
 
+// [FLT-1] as a recorder leaves it that was killed
+TEST_F(BagLog, SaysWhatMayRecoverABagThatIsCutOff_FLT_1) {
+  writeMounts();
+  writeDrive(200);
+  bag_.close();
+  const std::uintmax_t whole = fs::file_size(path_);
+  for (const std::uintmax_t size : {whole - 100, whole / 2, std::uintmax_t{13}}) {
+    fs::resize_file(path_, size);
+    EXPECT_NE(problem().find("'rosbag reindex' may recover what it holds"), std::string::npos) << size << problem();
+  }
+}
+
+TEST_F(BagLog, SaysThatAMessageIsShorterThanItsType) {
+  writeMounts();
+  writeDrive(3);
+  std_msgs::Bool one_byte;
+  sensor_msgs::LaserScan header;
+  auto shortened = boost::make_shared<ros::M_string>();
+  (*shortened)["type"] = "sensor_msgs/LaserScan";
+  (*shortened)["md5sum"] = ros::message_traits::md5sum(header);
+  (*shortened)["message_definition"] = ros::message_traits::definition(header);
+  (*shortened)["topic"] = "/short";
+  bag_.write("/short", ros::Time(100.2), one_byte, shortened);
+  tools::BagTopics topics;
+  topics.scan = "/short";
+  EXPECT_NE(problem(topics).find("is broken: a message is shorter than its type says"), std::string::npos)
+      << problem(topics);
+}
+
 TEST_F(BagLog, SaysThatAFileIsNoBag) {
   bag_.close();
   std::ofstream(path_) << "#ROSBAG V2.0\nand nothing else";

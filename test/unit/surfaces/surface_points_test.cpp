@@ -236,6 +236,7 @@ TEST(SurfaceOf, IsTheBorderBetweenFreeAndOccupiedCells) {
                                                  0.1);
   const surfaces::SurfacePoints points = surfaces::surfaceOf(world.map);
   ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(surfaces::surfaceSize(world.map), 3U);
   EXPECT_NEAR(points[0].position.x(), 0.2, 1e-9);
   EXPECT_NEAR(points[0].position.y(), 0.05, 1e-9);
   EXPECT_EQ(points[0].normal, Vec2(1.0, 0.0));

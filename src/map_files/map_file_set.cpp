@@ -1,0 +1,80 @@
+#include "map_files/map_file_set.h"
+
+#include <cstddef>
+#include <stdexcept>
+
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/files.h"
+
+namespace frontier_pilot::map_files {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestExtension = 5;  // .yaml
+constexpr std::size_t kLongestYaml = 65536;   // [bytes]
+
+fs::path withoutExtension(const std::string& path) {
+  const fs::path whole(path);
+  const std::string extension = whole.extension().string();
+  const bool ours = extension == ".pgm" || extension == ".yaml" || extension == ".bt";
+  return ours ? fs::path(whole).replace_extension() : whole;
+}
+
+}  // namespace
+
+MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what) {
+  return {status, file + ": " + what};
+}
+
+MapFileSet::MapFileSet(const std::string& path) : base_(withoutExtension(path)) {}
+
+std::string MapFileSet::nameProblem() const {
+  const std::string problem = fileNameProblem(name(), kLongestExtension);
+  return problem.empty() ? "" : "the map's name " + problem;
+}
+
+MapIoResult MapFileSet::compareOctree(const std::string& content) const {
+  const FileContent text = readFile(yaml(), kLongestYaml);
+  if (text.status == FileContent::Status::kMissing) return {MapIoStatus::kOk, ", not verified: it has no YAML"};
+  if (!text.ok()) return failure(MapIoStatus::kBroken, yaml(), text.problem);
+  try {
+    switch (compareWithYaml(text.bytes, SavedFile::kOctree, content)) {
+      case FileMatch::kSame:
+        return {};
+      case FileMatch::kNotMentioned:
+        return {MapIoStatus::kOk, ", not verified: its YAML holds no checksum"};
+      case FileMatch::kPrevious:
+        return {MapIoStatus::kOk, ", as it was before the last save, which was not completed"};
+      case FileMatch::kAnother:
+        break;
+    }
+  } catch (const std::invalid_argument& error) {
+    return failure(MapIoStatus::kBroken, yaml(), error.what());
+  }
+  return failure(MapIoStatus::kBroken, octree(),
+                 "is not the one that " + yaml() + " was written with: length or checksum differs");
+}
+
+bool MapFileSet::isOfAnotherProgram() const {
+  const FileContent text = readFile(yaml(), kLongestYaml);
+  try {
+    return text.ok() && compareWithYaml(text.bytes, SavedFile::kOctree, {}) == FileMatch::kNotMentioned;
+  } catch (const std::invalid_argument&) {
+    return true;  // reading it as a map image reports what is wrong with it
+  }
+}
+
+bool MapFileSet::hasAnotherPicture() const {
+  const FileContent text = readFile(yaml(), kLongestYaml);
+  try {
+    if (!text.ok() || compareWithYaml(text.bytes, SavedFile::kPicture, {}) == FileMatch::kNotMentioned) return false;
+    const fs::path named = base_.parent_path() / imageOf(text.bytes);
+    const FileContent image = readFile(named.string(), bounds::kMostImageBytes);
+    return image.ok() && compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes) == FileMatch::kAnother;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+}  // namespace frontier_pilot::map_files

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "frontier_pilot/map_files/map_io.h"
+#include "map_files/map_yaml.h"
+
+namespace frontier_pilot::map_files {
+
+/// A failure that says what is wrong with `file`.
+MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what);
+
+/// The files of a saved map, which have the same name and different extensions.
+class MapFileSet {
+ public:
+  /// `path` may end in the extension of one of the files.
+  explicit MapFileSet(const std::string& path);
+
+  const std::filesystem::path& base() const { return base_; }
+  std::string name() const { return base_.filename().string(); }
+  std::string yaml() const { return base_.string() + ".yaml"; }
+  std::string octree() const { return base_.string() + ".bt"; }
+  std::string picture() const { return base_.string() + ".pgm"; }
+  /// What is wrong with the name; empty if nothing is. It does not quote the name: what makes one unacceptable (control
+  /// characters) would also harm a log.
+  std::string nameProblem() const;
+
+  /// Whether the .bt, whose content is `octree`, was written with the YAML, if there is one. If that is not certain,
+  /// the text says so.
+  MapIoResult compareOctree(const std::string& octree) const;
+  /// Whether there is a YAML that mentions no octree, as other programs write it. A YAML that `saveMap` wrote and whose
+  /// .bt is missing belongs to a damaged map.
+  bool isOfAnotherProgram() const;
+  /// Whether the picture that the YAML names is another one than was saved: somebody has edited it, or named another.
+  bool hasAnotherPicture() const;
+
+ private:
+  std::filesystem::path base_;
+};
+
+}  // namespace frontier_pilot::map_files

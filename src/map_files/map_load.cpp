@@ -1,0 +1,80 @@
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "frontier_pilot/core/files.h"
+#include "frontier_pilot/map_files/map_image.h"
+#include "frontier_pilot/map_files/map_io.h"
+#include "map_files/grid_drawing.h"
+#include "map_files/map_file_set.h"
+#include "map_files/resampling.h"
+
+namespace frontier_pilot::map_files {
+namespace {
+
+MapIoResult cannotRead(const std::string& path, const FileContent& content) {
+  const bool missing = content.status == FileContent::Status::kMissing;
+  return failure(missing ? MapIoStatus::kMissing : MapIoStatus::kBroken, path, content.problem);
+}
+
+MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, occupancy::OccupancyMap& map) {
+  std::string why;
+  if (!map.read(bytes, why)) return failure(MapIoStatus::kBroken, bt_path, why);
+  return {MapIoStatus::kOk, "loaded " + bt_path};
+}
+
+std::string inMetres(double length) {
+  std::ostringstream text;
+  text << length << " m";
+  return text.str();
+}
+
+/// Loads a map from its image; `why` that is done is told with it.
+MapIoResult loadPicture(const std::string& yaml_path, const std::string& why, occupancy::OccupancyMap& map) {
+  constexpr double kSame = 1e-6;  // [m]: tolerance for resolutions that were typed by hand
+  std::string change;
+  try {
+    const MapImage image = readMapImage(yaml_path);
+    const double resolution = map.parameters().resolution;
+    const bool same = std::abs(image.map.resolution() - resolution) <= kSame;
+    const std::optional<OccupancyGrid> fitting = same ? std::nullopt : resampled(image.map, resolution);
+    occupancy::OccupancyMap drawn(map.parameters());
+    const bool has_room = (same || fitting) && draw(same ? image.map : *fitting, drawn);
+    if (has_room && drawn.isBlank()) return failure(MapIoStatus::kBroken, yaml_path, "its image holds no known cell");
+    if (!has_room || !map.exchange(drawn)) return failure(MapIoStatus::kBroken, yaml_path, "is too large");
+    if (!same) change = "; its cells of " + inMetres(image.map.resolution()) + " have become " + inMetres(resolution);
+  } catch (const std::runtime_error& error) {
+    return {MapIoStatus::kBroken, error.what()};
+  }
+  return {MapIoStatus::kOk, "loaded " + yaml_path + " from its image: " + why + change};
+}
+
+}  // namespace
+
+MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
+  const MapFileSet files(path);
+  const std::string problem = files.nameProblem();
+  if (!problem.empty()) return {MapIoStatus::kBadPath, problem};
+  const FileContent octree = readFile(files.octree(), map.mostBytes());
+  if (octree.status == FileContent::Status::kMissing && files.isOfAnotherProgram())
+    return loadPicture(files.yaml(), "it has no octree", map);
+  if (!octree.ok()) return cannotRead(files.octree(), octree);
+  MapIoResult belongs = files.compareOctree(octree.bytes);
+  if (!belongs.ok()) return belongs;
+  if (files.hasAnotherPicture()) {
+    MapIoResult edited = loadPicture(files.yaml(), "it was edited after the map was saved", map);
+    if (edited.ok()) return edited;
+    belongs.text += "; its image was edited after the map was saved, but cannot be used: " + edited.text;
+  }
+  MapIoResult result = loadBytes(files.octree(), octree.bytes, map);
+  if (result.ok()) result.text += belongs.text;
+  return result;
+}
+
+MapIoResult loadOctree(const std::string& bt_path, occupancy::OccupancyMap& map) {
+  const FileContent octree = readFile(bt_path, map.mostBytes());
+  return octree.ok() ? loadBytes(bt_path, octree.bytes, map) : cannotRead(bt_path, octree);
+}
+
+}  // namespace frontier_pilot::map_files

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "frontier_pilot/map_files/map_io.h"
+#include "support/temporary_folder.h"
+
+namespace frontier_pilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A map with a wall of one cell, saved as `floor`.
+class EditedMap : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(map.reserve({0.0, 0.0}, {1.0, 1.0}));
+    map.beginScan();
+    for (int x = 5; x < 15; ++x) map.miss({x, 10});
+    map.hit(kWall);
+    ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  }
+
+  std::string path(const std::string& name) const { return (temporary.path() / name).string(); }
+  std::string read(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  void write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+  }
+  /// The picture without its only dark pixel, as somebody leaves it who has erased what stood there.
+  std::string withoutWall() const {
+    std::string picture = read("floor.pgm");
+    for (std::size_t i = picture.size() - map.grid().size(); i < picture.size(); ++i) {
+      if (picture[i] == '\0') picture[i] = static_cast<char>(254);
+    }
+    return picture;
+  }
+  map_files::MapIoResult load() { return map_files::loadMap(path("floor"), loaded); }
+  std::int8_t atWall() const {
+    return loaded.grid().get(loaded.geometry().cellAt(map.geometry().centre(kWall)), kUnknown);
+  }
+
+  static constexpr Cell kWall{10, 12};
+  const test::TemporaryFolder temporary;
+  occupancy::OccupancyMap map;
+  occupancy::OccupancyMap loaded;
+};
+
+TEST_F(EditedMap, IsLoadedFromTheOctreeAsLongAsNobodyHasEditedIt) {
+  const map_files::MapIoResult result = load();
+  ASSERT_TRUE(result.ok()) << result.text;
+  EXPECT_EQ(result.text, "loaded " + path("floor.bt"));
+  EXPECT_EQ(atWall(), kOccupied);
+}
+
+TEST_F(EditedMap, IsLoadedAsItsPictureShowsItAndSaysSo_MAP_5) {
+  write("floor.pgm", withoutWall());
+  const map_files::MapIoResult result = load();
+  ASSERT_TRUE(result.ok()) << result.text;
+  EXPECT_NE(result.text.find("edited after the map was saved"), std::string::npos) << result.text;
+  EXPECT_EQ(atWall(), kFree);
+}
+
+TEST_F(EditedMap, IsLoadedFromAnotherPictureThatItsYamlNames) {
+  write("mine.pgm", withoutWall());
+  std::string yaml = read("floor.yaml");
+  yaml.replace(yaml.find("floor.pgm"), 9, "mine.pgm");
+  write("floor.yaml", yaml);
+  ASSERT_TRUE(load().ok());
+  EXPECT_EQ(atWall(), kFree);
+}
+
+TEST_F(EditedMap, IsLoadedFromTheOctreeIfItsPictureCannotBeReadAndSaysSo) {
+  write("floor.pgm", "P5 nonsense");
+  const map_files::MapIoResult result = load();
+  ASSERT_TRUE(result.ok()) << result.text;
+  EXPECT_NE(result.text.find("cannot be used: "), std::string::npos) << result.text;
+  EXPECT_EQ(atWall(), kOccupied);
+  fs::remove(path("floor.pgm"));
+  EXPECT_EQ(load().text, "loaded " + path("floor.bt"));
+}
+
+TEST_F(EditedMap, CountsAsSavedWhenItIsSavedAgain) {
+  write("floor.pgm", withoutWall());
+  ASSERT_TRUE(load().ok());
+  ASSERT_TRUE(map_files::saveMap(loaded, path("floor")).ok());
+  const map_files::MapIoResult result = load();
+  EXPECT_EQ(result.text, "loaded " + path("floor.bt"));
+  EXPECT_EQ(atWall(), kFree);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
