@@ -6,6 +6,17 @@ import signal
 import sys
 
 
+def _open_closed_streams():
+    """A standard stream that was closed (>&-) is None, and its number would be given to the next file."""
+    for number, name, mode in ((0, 'stdin', 'r'), (1, 'stdout', 'w'), (2, 'stderr', 'w')):
+        if getattr(sys, name) is None:
+            os.dup2(os.open(os.devnull, os.O_RDWR), number)
+            setattr(sys, name, open(number, mode))
+
+
+_open_closed_streams()
+
+
 class CommandLine(argparse.ArgumentParser):
     """A parser that prints the docstring of a program for --help, and one line with exit code 2 for a wrong argument."""
 

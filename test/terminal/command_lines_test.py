@@ -112,6 +112,14 @@ class CommandLines(unittest.TestCase):
                                       timeout=60, stdin=subprocess.DEVNULL, universal_newlines=True)
                 self.assertEqual((done.returncode, done.stderr), (1, '%s: cannot write its output: No space left on device\n' % name))
 
+    def test_a_python_program_answers_help_also_with_closed_streams(self):
+        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report'):
+            for closed in (0, 1):
+                with self.subTest(program=name, closed=closed):
+                    done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stderr=subprocess.PIPE, timeout=60,
+                                          preexec_fn=lambda: os.close(closed), stdout=subprocess.DEVNULL, universal_newlines=True)
+                    self.assertEqual((done.returncode, done.stderr), (0, ''))
+
     def test_a_python_node_waits_for_a_master_also_if_nothing_can_be_said(self):
         environment = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:9', ROS_IP='127.0.0.1')
         with open('/dev/full', 'w') as full:
