@@ -72,6 +72,11 @@ def exit_with(main):
     sys.exit(code if _written() else code or 1)
 
 
+def answered(text):
+    """Prints the line that a program was called for, and returns whether it could be written; says so if not."""
+    return _written(text + '\n')
+
+
 def _written(text=''):
     """Whether `text` and all that was printed before could be written; says so if not."""
     try:

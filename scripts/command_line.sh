@@ -9,8 +9,14 @@
 help_if_asked() {
   local word
   for word in "$@"; do
-    case $word in -h | --help) sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0" | grep -v '^set '; exit 0 ;; esac
+    case $word in -h | --help) print_help; exit ;; esac
   done
+}
+
+print_help() {
+  local text
+  text=$(sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0" | grep -v '^set ')
+  echo "$text" 2>/dev/null || { echo "scripts/${0##*/}: cannot write its output" >&2; return 1; }
 }
 
 # wrong_argument WORD [WHY]: one line on stderr, and exit code 2.

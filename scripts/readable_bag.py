@@ -1,4 +1,5 @@
 """What can go wrong with a bag before and while rosbag reads it."""
+import errno
 import os
 import struct
 import zlib
@@ -11,6 +12,14 @@ import rosbag
 DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationException, genmsg.MsgNotFound,
           genmsg.InvalidMsgSpec, OSError, EOFError, ValueError, KeyError, IndexError, TypeError, AttributeError, struct.error,
           zlib.error, RuntimeError)
+
+# What the system lacks, of which a bag that is read cannot be the reason: rosbag writes the types of its messages to temporary files.
+LACKS = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EMFILE, errno.ENFILE)
+
+
+def is_of_the_system(error):
+    """Whether what was thrown while a bag was read says nothing about the bag."""
+    return isinstance(error, OSError) and error.errno in LACKS
 
 
 def is_no_file(path):

@@ -1,5 +1,6 @@
 """How the Python programs that are ROS nodes begin: with one line, and an exit code, where rospy prints a traceback or waits for a
 master for ever."""
+import logging
 import math
 import re
 import sys
@@ -44,6 +45,12 @@ def is_address(uri):
     return True
 
 
+def is_news(record):
+    """Whether a line of the log is for the user. rospy warns of each connection whose other end dies before it has said what it
+    wants, which happens whenever nodes end."""
+    return not record.getMessage().startswith('Inbound TCP/IP connection failed')
+
+
 def begin(name, wanted=lambda: True, silent_for=0.0, **options):
     """rospy.init_node, once there is a master; returns whether it was begun before `wanted()` became false. Ends the program with
     exit code 2 for words that ROS cannot use. That it waits for a master is said after `silent_for` seconds."""
@@ -61,5 +68,6 @@ def begin(name, wanted=lambda: True, silent_for=0.0, **options):
             say_at = math.inf
         time.sleep(POLL)
     if wanted():
+        logging.getLogger('rosout').addFilter(is_news)
         rospy.init_node(name, **options)
     return wanted()

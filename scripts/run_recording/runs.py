@@ -26,7 +26,7 @@ def all_runs(folder):
     versions, which come first: clocks are put back."""
     try:
         names = sorted(name for name in os.listdir(folder) if NAME.match(name))
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         return []
     paths = [os.path.join(folder, name) for name in names]
     return sorted((path for path in paths if os.path.isdir(path) and not os.path.islink(path)), key=number_of)

@@ -6,7 +6,7 @@ import tempfile
 
 import rosbag
 
-from readable_bag import DAMAGE, is_no_file
+from readable_bag import DAMAGE, is_no_file, is_of_the_system
 from run_recording import runs
 
 from .drawing import clock
@@ -68,6 +68,8 @@ class BagFiles:
             self.bags.append(bag)
             self.stretches[bag] = runs.stretch_of(path)
         except DAMAGE as error:
+            if is_of_the_system(error):
+                raise
             self.notes.append('%s: it cannot be read: %s' % (name, str(error) or type(error).__name__))
 
     def _open(self, path, name):
@@ -120,6 +122,8 @@ class BagFiles:
                     last = time.to_sec()
                     yield topic, message, last
             except DAMAGE as error:
+                if is_of_the_system(error):
+                    raise
                 note = '%s is damaged after %.0f s: %s' % (os.path.basename(bag.filename), last - self.span()[0],
                                                            str(error) or type(error).__name__)
                 if note not in self.notes:

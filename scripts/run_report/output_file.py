@@ -16,7 +16,14 @@ def check(out, bags):
 
 
 def write(out, text):
-    """Puts the page into the place of `out`; of a link, not of the file that it points to. Raises OSError."""
+    """Puts the page into the place of `out`; of a link, not of the file that it points to. Raises ReportError if it cannot."""
+    try:
+        _replace(out, text)
+    except OSError as error:
+        raise ReportError('%s cannot be written: %s' % (out, error.strerror)) from error
+
+
+def _replace(out, text):
     descriptor, part = tempfile.mkstemp(prefix='.report', suffix='.part', dir=os.path.dirname(os.path.abspath(out)))
     try:
         with open(descriptor, 'w', encoding='utf-8') as file:

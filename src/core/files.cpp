@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -132,6 +133,13 @@ std::string writeFile(const std::filesystem::path& target, std::string_view cont
   AtomicFile file(target, survives);
   const std::string problem = file.write(content);
   return problem.empty() ? file.commit() : problem;
+}
+
+std::string flushStandardOutput() {
+  // std::cout writes by way of stdout, which keeps an error of an earlier line.
+  const bool is_open = fcntl(STDOUT_FILENO, F_GETFD) >= 0;
+  if (std::fflush(stdout) != 0 && is_open) return "cannot write its output: " + errorText();
+  return is_open && std::ferror(stdout) != 0 ? "cannot write its output" : "";
 }
 
 std::string fileNameProblem(const std::string& name, std::size_t longest_addition) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "frontier_pilot/core/bounds.h"
 #include "logs/carmen_log.h"
@@ -17,9 +18,20 @@ bool beginsBag(const std::string& line) {
   return std::any_of(kMagics.begin(), kMagics.end(), [&](const char* magic) { return line.rfind(magic, 0) == 0; });
 }
 
+/// Skips the mark with which some editors begin a text in UTF-8.
+void skipByteOrderMark(std::istream& file) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  const auto begin = file.tellg();
+  std::array<char, kMark.size()> bytes{};
+  if (file.read(bytes.data(), bytes.size()) && std::string_view(bytes.data(), bytes.size()) == kMark) return;
+  file.clear();
+  file.seekg(begin);
+}
+
 }  // namespace
 
 LogFormat formatOf(std::istream& file) {
+  skipByteOrderMark(file);
   const auto begin = file.tellg();
   std::string line;
   bool comment = true;

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "frontier_pilot/core/files.h"
+
 namespace frontier_pilot::tools {
 namespace {
 
@@ -16,18 +18,25 @@ bool asksForHelp(const std::vector<std::string>& words) {
   return std::any_of(words.begin(), words.end(), [](const auto& word) { return word == "--help" || word == "-h"; });
 }
 
+/// The exit code of a program whose output could be written, else an exception.
+int withItsOutput(int code) {
+  const std::string problem = flushStandardOutput();
+  if (!problem.empty()) throw std::runtime_error(problem);
+  return code;
+}
+
 }  // namespace
 
 int runProgram(const std::string& name, const std::vector<std::string>& words, const char* usage,
                const std::function<int(const std::vector<std::string>&)>& run) {
   // A file that exceeds a limit of the system (ulimit -f) is an error of its writer, and no reason to be killed.
   std::signal(SIGXFSZ, SIG_IGN);
-  if (asksForHelp(words)) {
-    std::cout << usage;
-    return 0;
-  }
   try {
-    return run(words);
+    if (asksForHelp(words)) {
+      std::cout << usage;
+      return withItsOutput(0);
+    }
+    return withItsOutput(run(words));
   } catch (const std::invalid_argument& error) {
     const std::string text = usage;
     std::cerr << name << ": " << error.what() << "; " << text.substr(0, text.find('\n')) << ", see --help\n";

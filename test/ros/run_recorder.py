@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import unittest
@@ -92,6 +93,19 @@ class RunRecorder(unittest.TestCase):
         self.assertEqual(load[rospy.get_name()].pid, os.getpid())
         self.assertGreater(load['/run_recorder'].memory, MEGA)
         self.assertGreaterEqual(load['master'].cpu, 0.0)
+
+    def test_a_connection_that_ends_before_its_header_is_no_news(self):
+        process = self.start()
+        self.assertTrue(wait_for(lambda: self.loads, 60.0))
+        recorder = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode('/run_recorder'))
+        _, host, port = recorder.requestTopic(rospy.get_name(), '/run_recorder/load', [['TCPROS']])[2]
+        for _ in range(5):
+            socket.create_connection((host, port), 10.0).close()
+        count = len(self.loads)
+        self.assertTrue(wait_for(lambda: len(self.loads) > count + 2, 30.0))
+        self.end(process)
+        self.assertNotIn('Inbound', process.stdout.read())
+        self.assertFalse(self.has_logged('Inbound'))
 
     def test_a_run_that_is_full_loses_its_oldest_part(self):
         grid = OccupancyGrid()

@@ -105,8 +105,9 @@ class CommandLines(unittest.TestCase):
                     self.assertLess(len((out + err).splitlines()), 4, out + err)
             self.assertIn('ROS_MASTER_URI is not an address', call(program, master='nowhere')[2])
 
-    def test_a_python_program_says_that_its_output_cannot_be_written_in_one_line(self):
-        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report'):
+    def test_a_program_says_that_its_output_cannot_be_written_in_one_line(self):
+        for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report', 'map_log', 'mapper',
+                     'check_robot', 'patrol_client', 'teleop_gui'):
             with self.subTest(program=name), open('/dev/full', 'w') as full:
                 done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot' / name), '--help'], stdout=full, stderr=subprocess.PIPE,
                                       timeout=60, stdin=subprocess.DEVNULL, universal_newlines=True)

@@ -86,7 +86,9 @@ class RunScript(unittest.TestCase):
     def test_it_refuses_what_the_launch_file_does_not_have_and_says_what_there_is(self):
         for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
-                            ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
+                            ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
+                            ('map:=a\tb', 'control character'), ('map:=' + 252 * 'x', 'too long'), ('map_file:=nowhere', 'no saved map'),
+                            ('localize_only:=true', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
                 code, out, err = self.run_to_the_end(word)
                 self.assertEqual((code, out), (2, ''))
@@ -122,6 +124,27 @@ class RunScript(unittest.TestCase):
         lines, silent_lines = err.strip().split('\n'), silent_err.strip().split('\n')
         self.assertEqual((len(silent_lines), silent_lines[-1]), (len(lines), lines[-1]),
                          'with a standard output that is closed: ' + silent_err + 'instead of: ' + err)
+
+    def test_the_reason_of_a_parameter_that_cannot_be_is_said(self):
+        code, _, err = self.run_to_the_end('seed:=-1')
+        self.assertEqual(code, 1)
+        self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: simulator: .*seed: must be >= 0, is -1')
+
+    def test_it_ends_at_once_also_if_roslaunch_has_lost_the_ctrl_c(self):
+        lost = 'import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); time.sleep(90)'
+        process = self.start(env=dict(environment(self.port, self.folder.name),
+                                      **{'BASH_FUNC_roslaunch%%': '() { exec /usr/bin/python3 -c "' + lost + '"; }'}))
+        self.addCleanup(process.communicate)
+        line = process.stdout.readline()
+        while line and not line.startswith('Launching'):
+            line = process.stdout.readline()
+        time.sleep(0.5)
+        begin = time.monotonic()
+        os.killpg(process.pid, signal.SIGINT)
+        self.assertEqual(process.wait(40), 130)
+        self.assertLess(time.monotonic() - begin, 30.0, 'it waited until roslaunch would end')
+        self.assertNotIn('Traceback', process.stderr.read())
+        self.assert_nothing_is_left()
 
     def start_exploring(self, prefix, start=None):
         """The running script, once something is explored, and what it has said."""

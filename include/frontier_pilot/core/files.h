@@ -60,6 +60,9 @@ class AtomicFile {
 std::string writeFile(const std::filesystem::path& target, std::string_view content,
                       Survives survives = Survives::kPowerLoss);
 
+/// Writes what was printed to the standard output, if it is not closed. Returns what went wrong, or an empty string.
+std::string flushStandardOutput();
+
 /// Why `name` is not acceptable as a file name, or an empty string. It must be UTF-8 without control characters
 /// (`isControl`), so that people and YAML can read it, and with `longest_addition` [bytes] appended not too long.
 std::string fileNameProblem(const std::string& name, std::size_t longest_addition);

@@ -63,10 +63,7 @@ int runPatrolClient(int argc, char** argv) {
   ros::removeROSArgs(argc, argv, words);
   words.erase(words.begin());
   const patrol::PatrolCommandLine line = patrol::parsePatrolCommandLine(words);
-  if (line.help) {
-    std::cout << helpOf(patrolClientUsage());
-    return 0;
-  }
+  if (line.help) return printHelp(patrolClientUsage());
   if (!line.goal)
     return fail(line.problem + "; 'patrol_client --help' lists what it takes", patrol::PatrolExit::kUsage);
   try {

@@ -32,6 +32,12 @@ TEST(ScanLog, ReadsWhatItKnows) {
   EXPECT_EQ(recordsOf("FLASER 2 1 2 0 0 0 0 0 0 5 host 1\n"), 1U);
 }
 
+TEST(ScanLog, LosesNothingToTheMarkWithWhichSomeEditorsBeginAFile) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(recordsOf(mark + "1,0,0,0,1.6,1.7\n2,0,0,0,1.6,1.7\n"), 2U);
+  EXPECT_EQ(recordsOf(mark + "FLASER 2 1 2 0 0 0 0 0 0 5 host 1\nFLASER 2 1 2 0 0 0 0 0 0 6 host 1\n"), 2U);
+}
+
 // [FLT-1] The distance from base to scanner sizes the mapper's grids, whether a message or a log says it.
 TEST(ScanLog, RefusesALaserOrAPoseThatIsTooFarAway_FLT_1) {
   EXPECT_EQ(recordsOf("FLASER 2 1 2 9 0 0 0 0 0 5 host 1\n"), 1U);

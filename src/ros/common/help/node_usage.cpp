@@ -7,6 +7,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "frontier_pilot/core/files.h"
 #include "ros/common/names.h"
 
 namespace frontier_pilot {
@@ -100,11 +101,16 @@ std::string helpOf(const NodeUsage& usage) {
   return out.str();
 }
 
+int printHelp(const NodeUsage& usage) {
+  std::cout << helpOf(usage);
+  const std::string problem = flushStandardOutput();
+  if (problem.empty()) return 0;
+  std::cerr << usage.name << ": " << problem << std::endl;
+  return 1;
+}
+
 std::optional<int> answerCommandLine(const std::vector<std::string>& words, const NodeUsage& usage) {
-  if (contains(words, "--help") || contains(words, "-h")) {
-    std::cout << helpOf(usage);
-    return 0;
-  }
+  if (contains(words, "--help") || contains(words, "-h")) return printHelp(usage);
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i].find(":=") != std::string::npos) continue;
     if (i + 1 < words.size() && contains(usage.library_options, words[i])) {

@@ -59,6 +59,9 @@ std::vector<detail::Describer::Row> withOneItem(const std::vector<detail::Descri
 /// The text of --help.
 std::string helpOf(const NodeUsage& usage);
 
+/// Prints the help of a node. Returns its exit code: 1 if the help cannot be written, which is said on stderr.
+int printHelp(const NodeUsage& usage);
+
 /// Prints the text of --help when `words` (without the program's name) ask for it, and one line on stderr for the first
 /// word that is neither a remapping (`a:=b`, `_parameter:=value`, `__name:=x`) nor one of the library's options.
 /// Returns the exit code, 0 or 2; std::nullopt if the node is to run.

@@ -1,0 +1,68 @@
+"""scripts/report as a program, where its surroundings are not as they should be."""
+import errno
+import os
+import pathlib
+import resource
+import subprocess
+import unittest
+
+import synthetic_bag
+from folder_case import FolderCase
+
+PROGRAM = pathlib.Path(__file__).resolve().parents[3] / 'scripts/report'
+FULL = os.strerror(errno.ENOSPC)
+
+
+class Program(FolderCase):
+    def setUp(self):
+        super().setUp()
+        self.bag = self.path('run_0.bag')
+        synthetic_bag.write(self.bag)
+
+    def report(self, *words, stdout=subprocess.PIPE, preexec_fn=None, **environment):
+        return subprocess.run([PROGRAM, *words], stdin=subprocess.DEVNULL, stdout=stdout, stderr=subprocess.PIPE, timeout=120,
+                              preexec_fn=preexec_fn, universal_newlines=True, env=dict(os.environ, **environment))
+
+    # [FLT-1]
+    def test_an_output_that_cannot_be_written_is_named_in_one_line_also_without_a_buffer(self):
+        for unbuffered in ('', '1'):
+            with self.subTest(unbuffered=unbuffered), open('/dev/full', 'w') as full:
+                done = self.report(self.bag, stdout=full, PYTHONUNBUFFERED=unbuffered)
+                self.assertEqual((done.returncode, done.stderr), (1, 'report: cannot write its output: %s\n' % FULL))
+
+    # [FLT-1]
+    def test_a_reader_that_has_gone_is_no_news(self):
+        for unbuffered in ('', '1'):
+            reader, writer = os.pipe()
+            os.close(reader)
+            with self.subTest(unbuffered=unbuffered), open(writer, 'w') as nobody:
+                done = self.report(self.bag, stdout=nobody, PYTHONUNBUFFERED=unbuffered)
+                self.assertEqual((done.returncode, done.stderr), (1, ''))
+
+    def test_what_matplotlib_shows_windows_with_does_not_matter(self):
+        done = self.report(self.bag, MPLBACKEND='nonsense')
+        self.assertEqual((done.returncode, done.stderr), (0, ''))
+
+    # [FLT-1]
+    def test_a_place_where_no_page_can_be_written_is_named_as_the_user_has_called_it(self):
+        for out, why in ((self.path('nowhere/page.html'), errno.ENOENT), (self.path(300 * 'x'), errno.ENAMETOOLONG)):
+            with self.subTest(out=out):
+                done = self.report(self.bag, '--out', out)
+                self.assertEqual((done.returncode, done.stderr),
+                                 (1, 'report: %s cannot be written: %s\n' % (out, os.strerror(why))))
+
+    # [FLT-1]
+    def test_a_limit_of_files_is_no_damage_of_the_bag(self):
+        done = self.report(self.bag, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10240, 10240)))
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, '^report: .*' + os.strerror(errno.EFBIG))
+        self.assertEqual(os.listdir(self.folder), ['run_0.bag'])
+
+    def test_a_folder_of_runs_below_a_file_holds_no_run(self):
+        done = self.report('latest', ROS_HOME='/dev/null')
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, '^report: no run is recorded in /dev/null/frontier_pilot/runs; record:=true')
+
+
+if __name__ == '__main__':
+    unittest.main()
