@@ -48,10 +48,10 @@ def estimate_of(status):
 
 
 def goals_of(status):
-    """What became of the goals. Most are not reached: what was to be seen from there has been seen on the way."""
-    seen = status.goals_sent - status.goals_reached - status.goals_failed
+    """What became of the goals. Most are not reached: once nothing is left to see from there, they are dropped."""
+    dropped = status.goals_sent - status.goals_reached - status.goals_failed
     under_way = 1 if status.state == ExplorerStatus.NAVIGATING else 0
-    return '%d seen on the way, %d reached, %d failed' % (max(0, seen - under_way), status.goals_reached, status.goals_failed)
+    return '%d dropped on the way, %d reached, %d failed' % (max(0, dropped - under_way), status.goals_reached, status.goals_failed)
 
 
 class Watcher:

@@ -1,6 +1,6 @@
-"""What became of the explorer's goals, from its status: reached, failed, or seen on the way."""
+"""What became of the explorer's goals, from its status: reached, failed, or dropped on the way."""
 
-REACHED, FAILED, SEEN, OPEN = 'reached', 'failed', 'seen on the way', 'under way'
+REACHED, FAILED, DROPPED, OPEN = 'reached', 'failed', 'dropped', 'under way'
 
 
 class Goal:
@@ -12,7 +12,7 @@ class Goal:
 
 class Goals:
     """Pairs the goals with the counts of the status that follow. A goal that is neither reached nor failed when the next one
-    is sent, or when the explorer does not drive any more, was given up because there was nothing left to see from it."""
+    is sent, or when the explorer does not drive any more, was dropped: nothing was left to see from it, another one had become better, or the exploration was paused or stopped."""
 
     NAVIGATING = 2  # ExplorerStatus.NAVIGATING
 
@@ -35,7 +35,7 @@ class Goals:
         elif under_way and status.goals_failed > failed:
             self._end(under_way, time, FAILED, status.reason_text)
         elif under_way and (status.goals_sent > sent or status.state != self.NAVIGATING):
-            self._end(under_way, time, SEEN, status.reason_text)
+            self._end(under_way, time, DROPPED, status.reason_text)
         if status.goals_sent > sent:
             self.all.append(Goal(status.goals_sent, time))
 

@@ -90,11 +90,11 @@ def draw_run(axes, run):
     legend = []
     for piece in run.track.pieces():
         axes.plot(piece[:, 0], piece[:, 1], color=COLOURS['c1'], linewidth=1.5, alpha=0.9, zorder=3)
-    reached, failed, seen = ([goal.place for goal in run.goals.of(outcome) if goal.place]
-                             for outcome in (outcomes.REACHED, outcomes.FAILED, outcomes.SEEN))
+    reached, failed, dropped = ([goal.place for goal in run.goals.of(outcome) if goal.place]
+                             for outcome in (outcomes.REACHED, outcomes.FAILED, outcomes.DROPPED))
     kinds = (
         ('track', 'track of the robot, from the ring to the dot', [], {}),
-        ('seen', 'goal of which everything was seen on the way', seen, mark('c2', 'o', 6, filled=False)),
+        ('dropped', 'goal dropped on the way', dropped, mark('c2', 'o', 6, filled=False)),
         ('reached', 'goal reached', reached, mark('c2', 'o', 6)),
         ('failed', 'goal failed', failed, mark('bad', 'X', 8, width=0.5)),
         ('loop', 'place at which loops were closed', places_of(run, [time for time, _ in run.warnings.loops]), mark('c5', 'D', 7)),

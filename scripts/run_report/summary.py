@@ -49,13 +49,13 @@ def subject(run):
 
 
 def goal_counts(run):
-    """Goals sent, reached, failed, and seen on the way, by the explorer's last status; None without an explorer."""
+    """Goals sent, reached, failed, and dropped on the way, by the explorer's last status; None without an explorer."""
     status = run.status()
     if status is None:
         return None
     under_way = 1 if status.state == NAVIGATING else 0
-    seen = max(0, status.goals_sent - status.goals_reached - status.goals_failed - under_way)
-    return status.goals_sent, status.goals_reached, status.goals_failed, seen
+    dropped = max(0, status.goals_sent - status.goals_reached - status.goals_failed - under_way)
+    return status.goals_sent, status.goals_reached, status.goals_failed, dropped
 
 
 def time_words(run):
@@ -73,7 +73,7 @@ def exploration_words(run):
         return 'No explorer was running. The robot moved %.1f m.' % run.track.length
     words = 'It explored %.1f m² and drove %.1f m.' % (status.explored_area, status.distance_travelled)
     if counts[0]:
-        words += ' Of %s it reached %d, had seen everything at %d before it came there, and failed at %d.' % (
+        words += ' Of %s it reached %d, dropped %d on the way, and failed at %d.' % (
             counted(counts[0], 'goal'), counts[1], counts[3], counts[2])
     return words
 
@@ -136,7 +136,7 @@ def tiles(run):
                 ('distance', 'driven', status.distance_travelled, '%.1f m' % status.distance_travelled),
                 ('goals', 'goals sent', counts[0], '%d' % counts[0]),
                 ('goals_reached', 'reached', counts[1], '%d' % counts[1]),
-                ('goals_seen', 'seen on the way', counts[3], '%d' % counts[3]),
+                ('goals_dropped', 'dropped on the way', counts[3], '%d' % counts[3]),
                 ('goals_failed', 'failed', counts[2], '%d' % counts[2])]
         if not math.isnan(status.share_explored) and status.state != DONE:
             out.append(('share', 'of the whole, estimated', status.share_explored, '%.0f %%' % (100.0 * status.share_explored)))

@@ -165,9 +165,9 @@ void PilotWidget::connectMap() {
 }
 
 void PilotWidget::setState(const teleop::OperatorState& state) {
-  const bool had_arbiter = last_state_.arbiter_connections > 0;
-  if (had_arbiter && state.arbiter_connections != last_state_.arbiter_connections)
-    stopBecause("the arbiter was started anew");
+  const bool had_arbiter = last_state_.arbiter_changes > 0;
+  if (had_arbiter && state.arbiter_changes != last_state_.arbiter_changes)
+    stopBecause("the arbiter has ended or was started anew");
   const bool dropped = state.arbiter && drive_.setDriver(state.arbiter->active_source);
   const teleop::SourceView* manual = state.source("manual");
   const Twist2 before = drive_.setPoint();

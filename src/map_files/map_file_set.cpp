@@ -58,10 +58,13 @@ MapIoResult MapFileSet::compareOctree(const std::string& content) const {
 
 bool MapFileSet::isOfAnotherProgram() const {
   const FileContent text = readFile(yaml(), kLongestYaml);
+  if (text.status == FileContent::Status::kMissing) return false;
+  // Reading it as a map image reports what is wrong with it.
+  if (!text.ok()) return true;
   try {
-    return text.ok() && compareWithYaml(text.bytes, SavedFile::kOctree, {}) == FileMatch::kNotMentioned;
+    return compareWithYaml(text.bytes, SavedFile::kOctree, {}) == FileMatch::kNotMentioned;
   } catch (const std::invalid_argument&) {
-    return true;  // reading it as a map image reports what is wrong with it
+    return true;
   }
 }
 

@@ -29,8 +29,8 @@ class MapFileSet {
   /// Whether the .bt, whose content is `octree`, was written with the YAML, if there is one. If that is not certain,
   /// the text says so.
   MapIoResult compareOctree(const std::string& octree) const;
-  /// Whether there is a YAML that mentions no octree, as other programs write it. A YAML that `saveMap` wrote and whose
-  /// .bt is missing belongs to a damaged map.
+  /// Whether there is a YAML that mentions no octree, as other programs write it, or one that cannot be read. A YAML
+  /// that `saveMap` wrote and whose .bt is missing belongs to a damaged map.
   bool isOfAnotherProgram() const;
   /// Whether the picture that the YAML names is another one than was saved: somebody has edited it, or named another.
   bool hasAnotherPicture() const;

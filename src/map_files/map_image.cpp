@@ -88,7 +88,8 @@ constexpr const char* kPngHead = "\x89PNG\r\n\x1a\n";
 /// Whether the file is a picture in one of the usual formats, by its first bytes.
 bool isImage(const std::string& path) {
   std::string head(8, '\0');
-  if (!std::filesystem::is_regular_file(path)) return false;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
   const bool netpbm =
       head[0] == 'P' && head[1] >= '1' && head[1] <= '6' && std::isspace(static_cast<unsigned char>(head[2])) != 0;

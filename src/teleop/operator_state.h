@@ -75,7 +75,7 @@ struct ExplorerView {
   double explored_area = 0.0;            ///< [m^2]
   double distance_travelled = 0.0;       ///< [m]
   std::optional<double> share_explored;  ///< of the whole floor, estimated
-  unsigned goals_seen = 0;               ///< given up on the way, because nothing was left to see from there
+  unsigned goals_dropped = 0;            ///< on the way: nothing was left to see there, another was better, or a stop
   bool bounded = false;                  ///< bounds are in force, or are being drawn
   bool return_to_start = false;          ///< it drives back at the end
   bool inspections_wait = false;         ///< poses wait to be inspected on the way
@@ -121,7 +121,7 @@ struct OperatorState {
   std::string clear_refusal;    ///< why the last request to clear the stop was refused; empty: it was not
   std::optional<bool> contact;  ///< whether the robot touches something; nothing: it cannot tell
   std::optional<ArbiterView> arbiter;
-  std::uint64_t arbiter_connections = 0;  ///< made so far; an arbiter that was started anew makes another
+  std::uint64_t arbiter_changes = 0;  ///< how often an arbiter was first heard, or has ended
   bool avoider_service_up = false;
   std::optional<AvoiderView> avoider;
   AvoiderSectors sectors;

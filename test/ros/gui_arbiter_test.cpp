@@ -41,7 +41,9 @@ TEST_F(GuiOnTheWire, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore
   const int arbiter = processOf("/cmd_vel_arbiter");
   ASSERT_GT(arbiter, 0);
   kill(arbiter, SIGKILL);
-  EXPECT_TRUE(waitFor([&] { return window.log().contains("set-point dropped: the arbiter was started anew"); }));
+  EXPECT_TRUE(
+      waitFor([&] { return window.log().contains("set-point dropped: the arbiter has ended or was started anew"); }));
+  EXPECT_EQ(processOf("/cmd_vel_arbiter"), 0) << "the new arbiter might have heard the set-point";
   EXPECT_TRUE(window.widget.setPoint().isZero());
   ASSERT_TRUE(ready(window));
   QTest::qWait(500);  // that nothing comes can only be seen by waiting

@@ -63,6 +63,16 @@ class LostMemory(unittest.TestCase):
         for node, what in KEEPERS.items():
             self.assertTrue(self.says(node, DiagnosticStatus.WARN, *what), '%s: %s' % (node, self.memory(node)))
 
+    # [FLT-1]
+    def test_what_cannot_be_kept_is_said_once_in_the_log(self):
+        with open(self.home, 'w'):
+            pass
+        arbiter = self.start('cmd_vel_arbiter')
+        self.assertTrue(self.says('cmd_vel_arbiter', DiagnosticStatus.WARN, 'would not survive'))
+        call('set_nav_enabled', SetBool, False)
+        rospy.sleep(4.0)  # that nothing more is said can only be seen by waiting
+        self.assertEqual(arbiter.said().count('nav_disabled would not survive'), 1, arbiter.said())
+
     # [ARB-7]
     def test_a_stop_is_kept_although_the_home_cannot_be_written(self):
         with open(self.home, 'w'):

@@ -157,8 +157,8 @@ void ExplorerCard::showFigures(const teleop::ExplorerView& explorer) {
                           : QString("%1 of %2").arg(explorer.frontiers_selectable).arg(explorer.frontiers_found));
   share_->setText(explorer.share_explored ? QString("≈ %1 %").arg(100.0 * *explorer.share_explored, 0, 'f', 0)
                                           : kNoValue);
-  goals_->setFullText(QString("Goals: %1 seen, %2 reached, %3 failed")
-                          .arg(explorer.goals_seen)
+  goals_->setFullText(QString("Goals: %1 dropped, %2 reached, %3 failed")
+                          .arg(explorer.goals_dropped)
                           .arg(explorer.goals_reached)
                           .arg(explorer.goals_failed));
 }

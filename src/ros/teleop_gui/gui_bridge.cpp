@@ -93,7 +93,11 @@ void GuiBridge::publishManual() {
     THROTTLED_WARN("the window does not respond: zero sent, manual is silent");
   }
   if (!command) return;
-  if (!manual_publisher_) manual_publisher_ = node_.advertise<geometry_msgs::Twist>(names::kCmdVelManual, 1);
+  if (!manual_publisher_) {
+    manual_publisher_ = node_.advertise<geometry_msgs::Twist>(
+        names::kCmdVelManual, 1, {},
+        [this](const ros::SingleSubscriberPublisher& listener) { onListenerLost(listener); });
+  }
   manual_publisher_.publish(toTwistMsg(*command));
 }
 

@@ -59,6 +59,9 @@ class GuiBridge : public teleop::OperatorLink {
   void followWaypoints(const std::vector<Pose2>& poses);
   void onScan(const sensor_msgs::LaserScan& msg);
   void onArbiter(const ros::MessageEvent<const ArbiterStatus>& event);
+  /// For a node that no longer listens to the manual velocity. The end of the arbiter is known by that before the next
+  /// one listens.
+  void onListenerLost(const ros::SingleSubscriberPublisher& listener);
   void refuseClear(const std::string& reason);
   void onAnswer(const std::string& service, bool success, const std::string& message);
   void onMapAnswer(bool success, const std::string& message);
@@ -78,7 +81,7 @@ class GuiBridge : public teleop::OperatorLink {
   SteadyTime last_motion_{};
   Latest<ArbiterStatus> arbiter_;
   boost::shared_ptr<ros::M_string> arbiter_header_;  ///< of the connection that the last status came by
-  std::uint64_t arbiter_connections_ = 0;
+  std::uint64_t arbiter_changes_ = 0;
   Latest<AvoiderStatus> avoider_;
   Latest<ExplorerStatus> explorer_;
   Latest<NavigatorProgress> navigation_;

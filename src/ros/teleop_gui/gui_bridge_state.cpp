@@ -78,8 +78,14 @@ void GuiBridge::onArbiter(const ros::MessageEvent<const ArbiterStatus>& event) {
   for (const ArbiterSource& source : msg.sources) watchSwitchOf(source.name);
   const std::lock_guard<std::mutex> lock(mutex_);
   arbiter_.put(msg, steadyNow());
-  if (event.getConnectionHeaderPtr() != arbiter_header_) ++arbiter_connections_;
+  if (event.getConnectionHeaderPtr() != arbiter_header_) ++arbiter_changes_;
   arbiter_header_ = event.getConnectionHeaderPtr();
+}
+
+void GuiBridge::onListenerLost(const ros::SingleSubscriberPublisher& listener) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool was_arbiter = arbiter_header_ && (*arbiter_header_)["callerid"] == listener.getSubscriberName();
+  if (was_arbiter) ++arbiter_changes_;
 }
 
 /// Watches the switch of a source. A source whose name cannot be part of a service name is shown without one. [FLT-1]
@@ -146,7 +152,7 @@ teleop::OperatorState GuiBridge::state() {
   const SteadyTime now = steadyNow();
   const std::lock_guard<std::mutex> lock(mutex_);
   state.emergency_stop = stopState(now);
-  state.arbiter_connections = arbiter_connections_;
+  state.arbiter_changes = arbiter_changes_;
   state.clear_refusal = clear_refusal_;
   state.map_answer = map_answer_;
   state.contact = contact_.fresh(now, kFresh);

@@ -204,7 +204,7 @@ teleop::ExplorerView toView(const ExplorerStatus& msg, double status_age) {
   view.goals_failed = msg.goals_failed;
   const unsigned under_way = msg.state == ExplorerStatus::NAVIGATING ? 1 : 0;
   const unsigned ended = msg.goals_reached + msg.goals_failed + under_way;
-  view.goals_seen = msg.goals_sent > ended ? msg.goals_sent - ended : 0;
+  view.goals_dropped = msg.goals_sent > ended ? msg.goals_sent - ended : 0;
   view.explored_area = msg.explored_area;
   view.share_explored = msg.state == ExplorerStatus::DONE ? std::nullopt : known(msg.share_explored);
   view.distance_travelled = msg.distance_travelled;

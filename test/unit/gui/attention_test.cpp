@@ -114,11 +114,11 @@ TEST_F(Attention, AContactIsShown) {
 
 // [GUI-2]
 TEST_F(Attention, GoalsAreCountedAsSeenReachedAndFailed) {
-  state_.explorer->goals_seen = 24;
+  state_.explorer->goals_dropped = 24;
   state_.explorer->goals_reached = 3;
   state_.explorer->goals_failed = 1;
   widget_->setState(state_);
-  EXPECT_EQ(find<gui::ElidedLabel>("explorer_goals")->fullText(), "Goals: 24 seen, 3 reached, 1 failed");
+  EXPECT_EQ(find<gui::ElidedLabel>("explorer_goals")->fullText(), "Goals: 24 dropped, 3 reached, 1 failed");
 }
 
 // [GUI-2]

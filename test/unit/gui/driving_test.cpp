@@ -236,15 +236,16 @@ TEST_F(Driving, ALatchedEmergencyStopDropsTheSetPointAndLocksThePad) {
 
 // [GUI-1]
 TEST_F(Driving, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore) {
-  state_.arbiter_connections = 1;
+  state_.arbiter_changes = 1;
   widget_->setState(state_);
   click("Go");
   widget_->setState(state_);
   EXPECT_FALSE(widget_->setPoint().isZero());
-  state_.arbiter_connections = 2;
+  state_.arbiter_changes = 2;
   widget_->setState(state_);
   EXPECT_TRUE(widget_->setPoint().isZero());
-  EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains("set-point dropped: the arbiter was started anew"));
+  EXPECT_TRUE(find<QPlainTextEdit>("log")->toPlainText().contains(
+      "set-point dropped: the arbiter has ended or was started anew"));
 }
 
 TEST_F(Driving, WhenAPatrolTakesTheWheelsTheSetPointIsDropped) {

@@ -72,7 +72,7 @@ inline teleop::OperatorState exampleState() {
   explorer.frontiers_found = 31;
   explorer.frontiers_selectable = 24;
   explorer.goals_sent = 42;
-  explorer.goals_seen = 29;
+  explorer.goals_dropped = 29;
   explorer.goals_reached = 12;
   explorer.share_explored = 0.61;
   explorer.explored_area = 387.4;

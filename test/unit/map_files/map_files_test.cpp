@@ -146,6 +146,18 @@ TEST_F(MapFiles, AreFilesAndNothingElse_FLT_1) {
   }
 }
 
+// [FLT-1] [MAP-5]
+TEST_F(MapFiles, AreNamedWhereOneCannotBeRead_FLT_1_MAP_5) {
+  write("deep.yaml", std::string(100000, '['));
+  ASSERT_EQ(mkfifo(path("pipe.yaml").c_str(), 0600), 0);
+  std::filesystem::create_symlink("loop.yaml", path("loop.yaml"));
+  for (const char* name : {"deep", "pipe", "loop"}) {
+    const map_files::MapIoResult result = map_files::loadMap(path(name), map);
+    EXPECT_EQ(result.status, map_files::MapIoStatus::kBroken) << result.text;
+    EXPECT_NE(result.text.find(std::string(name) + ".yaml: "), std::string::npos) << result.text;
+  }
+}
+
 // [MAP-5]
 TEST_F(MapFiles, BelongTogether_MAP_5) {
   occupancy::OccupancyMap loaded;

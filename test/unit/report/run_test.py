@@ -127,7 +127,7 @@ class Reading(FolderCase):
 
     def test_each_goal_has_its_outcome_and_its_place(self):
         outcomes = [goal.outcome for goal in self.run_read.goals.all]
-        self.assertEqual(outcomes, [goals.REACHED, goals.SEEN, goals.FAILED, goals.SEEN])
+        self.assertEqual(outcomes, [goals.REACHED, goals.DROPPED, goals.FAILED, goals.DROPPED])
         self.assertEqual([goal.place[0] for goal in self.run_read.goals.all], [5.0, 15.0, 25.0, 36.0])
         self.assertEqual(summary.goal_counts(self.run_read), (4, 1, 1, 2))
 

@@ -40,14 +40,14 @@ TEST(OperatorViews, AnExplorerThatDoesNotExploreIsPausedOrWaits_GUI_2) {
 TEST(OperatorViews, GoalsThatWereNeitherReachedNorFailedWereSeen_GUI_2) {
   ExplorerStatus msg = explorerStatus(ExplorerStatus::DONE, "DONE", ExplorerStatus::NO_REACHABLE_FRONTIER);
   msg.goals_sent = 24;
-  EXPECT_EQ(toView(msg, 0.0).goals_seen, 24U);
+  EXPECT_EQ(toView(msg, 0.0).goals_dropped, 24U);
   msg.goals_reached = 3;
   msg.goals_failed = 1;
-  EXPECT_EQ(toView(msg, 0.0).goals_seen, 20U);
+  EXPECT_EQ(toView(msg, 0.0).goals_dropped, 20U);
   msg.state = ExplorerStatus::NAVIGATING;
-  EXPECT_EQ(toView(msg, 0.0).goals_seen, 19U) << "the last one is under way";
+  EXPECT_EQ(toView(msg, 0.0).goals_dropped, 19U) << "the last one is under way";
   msg.goals_sent = 2;
-  EXPECT_EQ(toView(msg, 0.0).goals_seen, 0U);
+  EXPECT_EQ(toView(msg, 0.0).goals_dropped, 0U);
 }
 
 // [GUI-2]

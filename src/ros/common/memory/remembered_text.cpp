@@ -37,11 +37,16 @@ std::string RememberedText::set(std::optional<std::string> text) {
   return write();
 }
 
-std::string RememberedText::write() const {
+std::string RememberedText::write() {
   if (ended_) return {};
   std::string problem = text_ ? memory_.remember(*text_) : memory_.problem();
   report_.setProblem(what_, problem);
-  if (text_ && !problem.empty()) THROTTLED_WARN(what_ << " would not survive a restart: " << problem);
+  if (!text_ || problem.empty()) {
+    warned_of_.clear();
+  } else if (problem != warned_of_) {
+    warned_of_ = problem;
+    THROTTLED_WARN(what_ << " would not survive a restart: " << problem);
+  }
   return problem;
 }
 

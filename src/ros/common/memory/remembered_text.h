@@ -36,15 +36,16 @@ class RememberedText {
   void end(bool forget);
 
  private:
-  std::string write() const;
+  std::string write();
 
   std::string what_;
   MemoryReport& report_;
   std::vector<std::string> left_, left_elsewhere_;
-  mutable std::mutex mutex_;  ///< guards the three that follow
+  std::mutex mutex_;  ///< guards the four that follow
   SessionMemory memory_;
   std::optional<std::string> text_;
   bool ended_ = false;
+  std::string warned_of_;  ///< the problem of which the log was told, as long as it lasts
 };
 
 }  // namespace frontier_pilot

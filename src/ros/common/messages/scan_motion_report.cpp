@@ -2,6 +2,7 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
+#include "ros/common/clock.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -15,13 +16,20 @@ bool ScanMotionReport::note(const BeamTiming& timing, bool covered, const LaserS
                             const std::optional<Pose2>& T_odom_base) {
   constexpr std::uint64_t kFirst = 5;  // odometry may begin a little later than the scans
   covered_ = covered_ || covered;
-  if (!covered && (covered_ || uncovered_ >= kFirst))
-    THROTTLED_WARN("odometry does not cover the whole scan: the rest of its beams are put where it ends");
   uncovered_ += covered ? 0 : 1;
+  if (!covered && (covered_ || uncovered_ > kFirst)) warnOfTheUncovered(steadyNow());
   problem_ = timing.problem();
   if (!problem_.empty() && !warned_) THROTTLED_WARN("the times of the scanner's beams: " << problem_);
   warned_ = warned_ || !problem_.empty();
   return !frozen_.isFrozen(scan, T_odom_base);
+}
+
+void ScanMotionReport::warnOfTheUncovered(SteadyTime now) {
+  constexpr Duration kLogPeriod = std::chrono::seconds(5);
+  if (told_ && now - *told_ < kLogPeriod) return;
+  told_ = now;
+  ROS_WARN_STREAM("odometry does not cover the whole scan: the rest of its beams are put where it ends ("
+                  << uncovered_ << " so far)");
 }
 
 void ScanMotionReport::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {

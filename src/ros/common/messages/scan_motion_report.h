@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/time.h"
 #include "ros/common/messages/frozen_scan.h"
 
 namespace frontier_pilot {
@@ -26,11 +27,14 @@ class ScanMotionReport {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
+  void warnOfTheUncovered(SteadyTime now);
+
   FrozenScanWatch frozen_;
   bool covered_ = false;  ///< odometry has covered a scan
   std::string problem_;
   bool warned_ = false;
-  std::uint64_t uncovered_ = 0;  ///< the number of scans that odometry did not cover
+  std::uint64_t uncovered_ = 0;     ///< the number of scans that odometry did not cover
+  std::optional<SteadyTime> told_;  ///< when the log was told of them last
 };
 
 }  // namespace frontier_pilot
