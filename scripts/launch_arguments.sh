@@ -37,13 +37,15 @@ check_value() {
           "robot: there is neither a robot nor a file '$value'; robots are $(names_in "$root/config/robots")" ;;
     map)
       case ${value##*/} in *[[:cntrl:]]*) wrong_argument "$value" "map: a name cannot have a control character" ;; esac
-      [ "$(printf %s.pgm "${value##*/}" | wc -c)" -le 255 ] || wrong_argument "$value" "map: the name '${value##*/}' is too long for a file"
+      [ "$(printf %s.yaml "${value##*/}" | wc -c)" -le 255 ] ||
+        wrong_argument "$value" "map: the name '${value##*/}' is too long for a file"
       [ ! -d "$value" ] || wrong_argument "$value" "map: '$value' is a folder; give the path of the map's files, such as ${value%/}/floor"
       mkdir -p "$(dirname "$value")" 2>/dev/null && [ -w "$(dirname "$value")" ] ||
         wrong_argument "$value" "map: nothing can be written to the folder of '$value'" ;;
     map_file)
       [ -z "$value" ] || [ "$value" = none ] || [ -f "$value" ] || [ -f "$value.yaml" ] || [ -f "$value.bt" ] ||
-        wrong_argument "$value" "map_file: there is no saved map '$value', neither a YAML file nor the path of one without extension" ;;
+        wrong_argument "$value" \
+          "map_file: there is no saved map '$value', neither a YAML file nor the path of one without extension" ;;
     limits)
       [ -z "$value" ] || [ "$value" = auto ] || [ -f "$root/config/limits_$value.yaml" ] ||
         wrong_argument "$value" "limits: must be burger (0.22 m/s) or fast (0.5 m/s), not '$value'" ;;

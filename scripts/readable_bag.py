@@ -13,7 +13,8 @@ DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationEx
           genmsg.InvalidMsgSpec, OSError, EOFError, ValueError, KeyError, IndexError, TypeError, AttributeError, struct.error,
           zlib.error, RuntimeError)
 
-# What the system lacks, of which a bag that is read cannot be the reason: rosbag writes the types of its messages to temporary files.
+# What the system lacks, of which a bag that is read cannot be the reason: rosbag writes the types of its messages to temporary
+# files.
 LACKS = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EMFILE, errno.ENFILE)
 
 

@@ -12,7 +12,8 @@ class Goal:
 
 class Goals:
     """Pairs the goals with the counts of the status that follow. A goal that is neither reached nor failed when the next one
-    is sent, or when the explorer does not drive any more, was dropped: nothing was left to see from it, another one had become better, or the exploration was paused or stopped."""
+    is sent, or when the explorer does not drive any more, was dropped: nothing was left to see from it, another one had become
+    better, or the exploration was paused or stopped."""
 
     NAVIGATING = 2  # ExplorerStatus.NAVIGATING
 

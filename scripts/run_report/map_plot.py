@@ -91,7 +91,7 @@ def draw_run(axes, run):
     for piece in run.track.pieces():
         axes.plot(piece[:, 0], piece[:, 1], color=COLOURS['c1'], linewidth=1.5, alpha=0.9, zorder=3)
     reached, failed, dropped = ([goal.place for goal in run.goals.of(outcome) if goal.place]
-                             for outcome in (outcomes.REACHED, outcomes.FAILED, outcomes.DROPPED))
+                                for outcome in (outcomes.REACHED, outcomes.FAILED, outcomes.DROPPED))
     kinds = (
         ('track', 'track of the robot, from the ring to the dot', [], {}),
         ('dropped', 'goal dropped on the way', dropped, mark('c2', 'o', 6, filled=False)),

@@ -10,7 +10,6 @@ namespace frontier_pilot {
 
 namespace {
 
-constexpr Duration kLogPeriod = std::chrono::seconds(5);
 constexpr Duration kRecentException = std::chrono::seconds(10);
 
 }  // namespace
@@ -22,8 +21,7 @@ void CallbackGuard::add(const std::string& what, const std::string& error) noexc
   Caught& caught = caught_[what];
   ++caught.count;
   caught.latest = printable(error, bounds::kMostReason);
-  if (caught.logged && latest_ - *caught.logged < kLogPeriod) return;
-  caught.logged = latest_;
+  if (!caught.log_interval.admit(latest_)) return;
   ROS_ERROR_STREAM("exception in " << what << ": " << caught.latest << " (" << caught.count << " so far)");
 } catch (...) {  // NOLINT(bugprone-empty-catch): without memory or a log nothing can be reported
 }

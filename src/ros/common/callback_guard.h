@@ -6,11 +6,11 @@
 #include <exception>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "frontier_pilot/core/time.h"
+#include "ros/common/log_interval.h"
 
 namespace frontier_pilot {
 
@@ -45,7 +45,7 @@ class CallbackGuard {
   struct Caught {
     std::uint64_t count = 0;
     std::string latest;  ///< its text
-    std::optional<SteadyTime> logged;
+    LogInterval log_interval;
   };
 
   mutable std::mutex mutex_;

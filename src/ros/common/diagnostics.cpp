@@ -22,9 +22,7 @@ void Rejections::add(const std::string& reason, ros::console::Level level) {
   if (by_reason_.count(why) == 0 && by_reason_.size() >= bounds::kMostReasons) forgetRarest();
   last_ = why;
   const std::uint64_t count = ++by_reason_[why];
-  const SteadyTime now = steadyNow();
-  if (last_line_ && now - *last_line_ < std::chrono::seconds(5)) return;
-  last_line_ = now;
+  if (!log_interval_.admit(steadyNow())) return;
   ROS_LOG_STREAM(level, ROSCONSOLE_DEFAULT_NAME, what_ << " refused: " << why << " (" << count << " so far)");
 }
 

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "frontier_pilot/core/time.h"
 #include "ros/common/callback_guard.h"
 #include "ros/common/inputs/start_grace.h"
+#include "ros/common/log_interval.h"
 
 namespace frontier_pilot {
 
@@ -43,7 +43,7 @@ class Rejections {
   std::string last_;
   std::map<std::string, std::uint64_t> by_reason_;
   std::uint64_t for_other_reasons_ = 0;
-  std::optional<SteadyTime> last_line_;
+  LogInterval log_interval_;
 };
 
 /// A node's /diagnostics: published every second of steady time, so that a stopped clock does not silence it.

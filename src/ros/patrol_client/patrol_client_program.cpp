@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -113,7 +113,7 @@ TEST_F(Attention, AContactIsShown) {
 }
 
 // [GUI-2]
-TEST_F(Attention, GoalsAreCountedAsSeenReachedAndFailed) {
+TEST_F(Attention, GoalsAreCountedAsDroppedReachedAndFailed) {
   state_.explorer->goals_dropped = 24;
   state_.explorer->goals_reached = 3;
   state_.explorer->goals_failed = 1;

@@ -37,7 +37,7 @@ TEST(OperatorViews, AnExplorerThatDoesNotExploreIsPausedOrWaits_GUI_2) {
 }
 
 // [GUI-2] Most goals are given up on the way, because all that they were chosen for has been seen by then.
-TEST(OperatorViews, GoalsThatWereNeitherReachedNorFailedWereSeen_GUI_2) {
+TEST(OperatorViews, GoalsThatWereNeitherReachedNorFailedWereDropped_GUI_2) {
   ExplorerStatus msg = explorerStatus(ExplorerStatus::DONE, "DONE", ExplorerStatus::NO_REACHABLE_FRONTIER);
   msg.goals_sent = 24;
   EXPECT_EQ(toView(msg, 0.0).goals_dropped, 24U);

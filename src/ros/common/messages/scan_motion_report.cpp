@@ -17,19 +17,14 @@ bool ScanMotionReport::note(const BeamTiming& timing, bool covered, const LaserS
   constexpr std::uint64_t kFirst = 5;  // odometry may begin a little later than the scans
   covered_ = covered_ || covered;
   uncovered_ += covered ? 0 : 1;
-  if (!covered && (covered_ || uncovered_ > kFirst)) warnOfTheUncovered(steadyNow());
+  const bool is_news = !covered && (covered_ || uncovered_ > kFirst);
+  if (is_news && log_interval_.admit(steadyNow()))
+    ROS_WARN_STREAM("odometry does not cover the whole scan: the rest of its beams are put where it ends ("
+                    << uncovered_ << " so far)");
   problem_ = timing.problem();
   if (!problem_.empty() && !warned_) THROTTLED_WARN("the times of the scanner's beams: " << problem_);
   warned_ = warned_ || !problem_.empty();
   return !frozen_.isFrozen(scan, T_odom_base);
-}
-
-void ScanMotionReport::warnOfTheUncovered(SteadyTime now) {
-  constexpr Duration kLogPeriod = std::chrono::seconds(5);
-  if (told_ && now - *told_ < kLogPeriod) return;
-  told_ = now;
-  ROS_WARN_STREAM("odometry does not cover the whole scan: the rest of its beams are put where it ends ("
-                  << uncovered_ << " so far)");
 }
 
 void ScanMotionReport::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {

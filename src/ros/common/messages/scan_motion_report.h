@@ -7,7 +7,7 @@
 #include <string>
 
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/core/time.h"
+#include "ros/common/log_interval.h"
 #include "ros/common/messages/frozen_scan.h"
 
 namespace frontier_pilot {
@@ -27,14 +27,12 @@ class ScanMotionReport {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
-  void warnOfTheUncovered(SteadyTime now);
-
   FrozenScanWatch frozen_;
   bool covered_ = false;  ///< odometry has covered a scan
   std::string problem_;
   bool warned_ = false;
-  std::uint64_t uncovered_ = 0;     ///< the number of scans that odometry did not cover
-  std::optional<SteadyTime> told_;  ///< when the log was told of them last
+  std::uint64_t uncovered_ = 0;  ///< the number of scans that odometry did not cover
+  LogInterval log_interval_;     ///< of the line about them
 };
 
 }  // namespace frontier_pilot
