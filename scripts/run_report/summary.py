@@ -136,7 +136,7 @@ def tiles(run):
                 ('distance', 'driven', status.distance_travelled, '%.1f m' % status.distance_travelled),
                 ('goals', 'goals sent', counts[0], '%d' % counts[0]),
                 ('goals_reached', 'reached', counts[1], '%d' % counts[1]),
-                ('goals_dropped', 'dropped on the way', counts[3], '%d' % counts[3]),
+                ('goals_dropped', 'dropped', counts[3], '%d' % counts[3]),
                 ('goals_failed', 'failed', counts[2], '%d' % counts[2])]
         if not math.isnan(status.share_explored) and status.state != DONE:
             out.append(('share', 'of the whole, estimated', status.share_explored, '%.0f %%' % (100.0 * status.share_explored)))

@@ -2,6 +2,7 @@
 import errno
 import os
 import pathlib
+import re
 import resource
 import subprocess
 import unittest
@@ -57,6 +58,13 @@ class Program(FolderCase):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, '^report: .*' + os.strerror(errno.EFBIG))
         self.assertEqual(os.listdir(self.folder), ['run_0.bag'])
+
+    def test_each_mark_of_the_legend_has_a_shape(self):
+        self.assertEqual(self.report(self.bag, '--out', self.path('page.html')).returncode, 0)
+        page = pathlib.Path(self.path('page.html')).read_text()
+        marks = set(re.findall(r'class="mark (\w+)"', page))
+        self.assertIn('reached', marks)
+        self.assertEqual([mark for mark in marks if not re.search(r'\.mark\.%s\b' % mark, page)], [])
 
     def test_a_folder_of_runs_below_a_file_holds_no_run(self):
         done = self.report('latest', ROS_HOME='/dev/null')
