@@ -10,6 +10,7 @@ LEAST_HOLE = 2.0  # [s]
 MOST_SKEW = 1.0  # [s] between the clocks of scans and odometry before they are aligned
 MOST_APART = 3600.0  # [s] between two messages, by their stamps, before the fewer ones on one side may be astray
 LEAST_SHARE = 0.1  # of the messages of the largest stretch that a stretch apart from it has to have to be played
+LATEST = 2.0 ** 32 - 86400.0  # [s] stamp that is played: the clock needs some time after it, and ROS counts to 2^32 s
 LATCHED = '/tf_static'
 
 
@@ -66,6 +67,8 @@ class Drive:
         self.entries.sort(key=lambda entry: entry[:2])
         if not self.entries:
             raise BagError('nothing to play')
+        if self.entries[-1][0] > LATEST:
+            raise BagError('its last stamp is %.0f s; ROS cannot count far beyond that, so it is not played' % self.entries[-1][0])
 
     @staticmethod
     def lead_of(topic):

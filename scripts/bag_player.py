@@ -36,14 +36,15 @@ import ros_program  # noqa: E402
 PERIOD = 0.01  # between two looks at the clock [s]
 LONGEST_STEP = 0.1  # of real time [s]: a player that was held up does not let the clock jump
 PATIENCE = 30.0  # for the mapper to subscribe [s]
+MOST_SPEED = 1000.0
 SETTLING = 5.0  # for which the clock goes on at the end, so that the mapper can finish [s]
 
 
 def speed_in(text):
     """How much faster than real time the bag is to be played."""
     speed, = numbers_in(text, 1, 'speed', '2')
-    if speed <= 0.0:
-        raise BagError('speed:=%s: the speed must be greater than 0' % text)
+    if not 0.0 < speed <= MOST_SPEED:
+        raise BagError('speed:=%s: the speed must be greater than 0 and at most %g' % (text, MOST_SPEED))
     return speed
 
 

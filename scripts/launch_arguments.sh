@@ -16,10 +16,8 @@ check_launch_arguments() {
       *) wrong_argument "$word" "there is no argument '${word%%:=*}', only: ${known% }" ;;
     esac
   done
-  case " $* " in
-    *' map_file:='*) ;;
-    *' localize_only:=true '*) wrong_argument localize_only:=true "localize_only: needs a saved map, map_file:=PATH" ;;
-  esac
+  [[ " $* " != *' localize_only:=true '* ]] || [[ " $* " =~ ' map_file:='[^\ ] && " $* " != *' map_file:=none '* ]] ||
+    wrong_argument localize_only:=true "localize_only: needs a saved map, map_file:=PATH"
 }
 
 # names_in FOLDER: the YAML files in it, without the ending.

@@ -1,6 +1,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
@@ -30,7 +31,8 @@ class Copy {
     for (const auto& entry : node) {
       if (!entry.first.IsScalar())
         throw std::invalid_argument("a key is a list, a dictionary or empty, and not a word");
-      map[entry.first.Scalar()] = value(entry.second);
+      if (!map.emplace(entry.first.Scalar(), value(entry.second)).second)
+        throw std::invalid_argument("the key '" + entry.first.Scalar() + "' is there twice");
     }
     return map;
   }
@@ -57,8 +59,11 @@ class Copy {
   int values_ = 0;
 };
 
-ParameterMap rootMap(const YAML::Node& node) {
-  if (node.IsNull()) return {};
+ParameterMap rootMap(const std::string& text) {
+  const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+  if (documents.empty() || (documents.size() == 1 && documents.front().IsNull())) return {};
+  if (documents.size() > 1) throw std::invalid_argument("there is more than one document");
+  const YAML::Node& node = documents.front();
   if (!node.IsMap()) throw std::invalid_argument("the top level must be a dictionary");
   return Copy().map(node);
 }
@@ -67,7 +72,7 @@ ParameterMap rootMap(const YAML::Node& node) {
 
 ParameterMap parseYaml(const std::string& text) {
   try {
-    return rootMap(YAML::Load(text));
+    return rootMap(text);
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(error.what());
   }
@@ -92,7 +97,7 @@ ParameterMap loadYamlFile(const std::string& path) {
   const FileContent file = readFile(path, bounds::kMostYamlBytes);
   if (!file.ok()) throw std::invalid_argument(path + ": cannot be read: " + file.problem);
   try {
-    return rootMap(YAML::Load(file.bytes));
+    return rootMap(file.bytes);
   } catch (const std::exception& error) {
     throw std::invalid_argument(path + ": " + error.what());
   }

@@ -12,7 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestExtension = 5;  // .yaml
-constexpr std::size_t kLongestYaml = 65536;   // [bytes]
 
 fs::path withoutExtension(const std::string& path) {
   const fs::path whole(path);
@@ -35,7 +34,7 @@ std::string MapFileSet::nameProblem() const {
 }
 
 MapIoResult MapFileSet::compareOctree(const std::string& content) const {
-  const FileContent text = readFile(yaml(), kLongestYaml);
+  const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
   if (text.status == FileContent::Status::kMissing) return {MapIoStatus::kOk, ", not verified: it has no YAML"};
   if (!text.ok()) return failure(MapIoStatus::kBroken, yaml(), text.problem);
   try {
@@ -57,7 +56,7 @@ MapIoResult MapFileSet::compareOctree(const std::string& content) const {
 }
 
 bool MapFileSet::isOfAnotherProgram() const {
-  const FileContent text = readFile(yaml(), kLongestYaml);
+  const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
   if (text.status == FileContent::Status::kMissing) return false;
   // Reading it as a map image reports what is wrong with it.
   if (!text.ok()) return true;
@@ -69,7 +68,7 @@ bool MapFileSet::isOfAnotherProgram() const {
 }
 
 bool MapFileSet::hasAnotherPicture() const {
-  const FileContent text = readFile(yaml(), kLongestYaml);
+  const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
   try {
     if (!text.ok() || compareWithYaml(text.bytes, SavedFile::kPicture, {}) == FileMatch::kNotMentioned) return false;
     const fs::path named = base_.parent_path() / imageOf(text.bytes);

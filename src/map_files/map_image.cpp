@@ -24,7 +24,7 @@ constexpr unsigned char kFreePixel = 254;
 constexpr unsigned char kOccupiedPixel = 0;
 constexpr unsigned char kUnknownPixel = 205;
 
-// The keys of a map_server YAML. Required keys have invalid defaults, so that their absence is noticed.
+// The keys of a map_server YAML. Without an image, a resolution or an origin it is refused.
 struct MapYaml {
   std::string image;
   double resolution = 0.0;
@@ -51,7 +51,6 @@ struct MapYaml {
   void check(Problems& problems) const {
     if (image.empty()) problems.emplace_back("image: missing");
     if (image.find('\0') != std::string::npos) problems.emplace_back("image: no file name holds a NUL character");
-    if (!(resolution > 0.0)) problems.emplace_back("resolution: missing or not positive");
     if (origin.size() != 3) problems.emplace_back("origin: must be [x, y, yaw]");
     if (origin.size() == 3 && origin[2] != 0.0)
       problems.emplace_back("origin: a rotated map (yaw not 0) is not supported");
@@ -104,7 +103,9 @@ MapYaml readYaml(const std::string& path) {
                    "', 'resolution: 0.05' (metres a pixel) and 'origin: [0, 0, 0]', and name that");
   }
   try {
-    const Problems problems = loadParameters(knownKeys(loadYamlFile(path)), file);
+    const ParameterMap known = knownKeys(loadYamlFile(path));
+    Problems problems = loadParameters(known, file);
+    if (known.count("resolution") == 0) problems.emplace_back("resolution: missing");
     std::string text;
     for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
     if (!problems.empty()) fail(path, text);

@@ -88,9 +88,9 @@ class RunScript(unittest.TestCase):
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
                             ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
                             ('map:=a\tb', 'control character'), ('map:=' + 251 * 'x', 'too long'), ('map_file:=nowhere', 'no saved map'),
-                            ('localize_only:=true', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
+                            ('localize_only:=true', 'map_file'), ('localize_only:=true map_file:=none', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
-                code, out, err = self.run_to_the_end(word)
+                code, out, err = self.run_to_the_end(*word.split(' '))
                 self.assertEqual((code, out), (2, ''))
                 self.assertIn(words, err)
                 self.assertEqual(err.strip().count('\n'), 0, err)

@@ -121,6 +121,13 @@ TEST(Parameters, ARefusedValueLeavesTheDefault) {
   EXPECT_EQ(sample.rate, 10.0);
 }
 
+TEST(Parameters, AKeyThatIsThereTwiceAndASecondDocumentAreErrors) {
+  for (const char* text : {"a: 1\na: 2", "b: {a: 1, a: 2}", "a: 1\n---\na: 2"}) {
+    EXPECT_THROW(parseYaml(text), std::invalid_argument) << text;
+  }
+  EXPECT_EQ(parseYaml("---\na: 1\n...\n").size(), 1U) << "marks of one document";
+}
+
 TEST(Parameters, BrokenYamlIsAnErrorWithItsPlace) {
   EXPECT_THROW(parseYaml("a: [1, 2"), std::invalid_argument);
   EXPECT_THROW(parseYaml("- a\n- b"), std::invalid_argument);

@@ -87,6 +87,9 @@ TEST_F(WorldFiles, NamesEveryDefect_SIM_1) {
   const std::string rotated = "image: world.pgm\nresolution: 0.1\norigin: [0, 0, 0.5]\n";
   EXPECT_NE(refusal(writeYaml(rotated)).find("rotated"), std::string::npos);
   EXPECT_NE(refusal(writeYaml("image: world.pgm\nmode: shades\n" + rest_)).find("must be trinary"), std::string::npos);
+  EXPECT_EQ(refusal(writeYaml("image: world.pgm\nresolution: 5\norigin: [0, 0, 0]\n")).find("missing"),
+            std::string::npos)
+      << "a wrong resolution is not missing";
   EXPECT_NE(refusal(writeYaml("image: world.pgm\nresolution: .nan\norigin: [0, 0, 0]\n")).find("resolution"),
             std::string::npos);
 }

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""A recorded drive, as play.launch plays it."""
+import io
+import unittest
+
+import folder_case  # noqa: F401: finds the scripts
+import rospy
+from bag_drive import Drive
+from bag_topics import BagError, Topic
+from sensor_msgs.msg import LaserScan
+
+OPTIONS = {'scan': '', 'odom': '', 'base_frame': 'base', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': '0 0 0'}
+
+
+def scans_at(stamps):
+    topic = Topic('/scan', LaserScan)
+    for stamp in stamps:
+        scan = LaserScan(angle_increment=0.1, ranges=[1.0, 2.0])
+        scan.header.frame_id, scan.header.stamp = 'laser', rospy.Time(stamp)
+        buffer = io.BytesIO()
+        scan.serialize(buffer)
+        topic.raw.append((float(stamp), buffer.getvalue()))
+    return {topic.name: topic}
+
+
+class Stamps(unittest.TestCase):
+    def test_a_drive_is_played_from_its_first_to_its_last_stamp(self):
+        self.assertEqual([entry[0] for entry in Drive(scans_at((5, 6)), {}, OPTIONS).entries], [5.0, 6.0])
+
+    def test_a_drive_whose_stamps_leave_the_clock_no_room_is_refused(self):
+        with self.assertRaisesRegex(BagError, 'its last stamp is 4294967000 s'):
+            Drive(scans_at((4294966999, 4294967000)), {}, OPTIONS)
+
+
+if __name__ == '__main__':
+    unittest.main()
