@@ -136,7 +136,8 @@ void MapMerger::judge(std::size_t robot, Time now) {
   own.contradicted = contradicted;
   if (contradicted && !parameters_.known_starts) {
     own.candidate.reset();
-    own.status.windows = own.searches = 0;
+    own.windows = {};
+    own.status.windows = 0;
     return setPlace(robot, std::nullopt, now);  // it is looked for anew
   }
   share(robot, {wholeOf(own.map())}, now);

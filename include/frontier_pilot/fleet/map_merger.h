@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -47,7 +48,9 @@ struct PlaceFinding {
   std::size_t reference = 0;  ///< the robot whose map is `a` of the matches
   std::size_t robot = 0;      ///< the one whose map is `b`
   bool refined = false;       ///< it was not looked for, but its present place was corrected
+  bool reversed = false;      ///< windows of `a` were searched for in `b`
   std::vector<PlaceMatch> matches;
+  std::optional<Cell> last_window;  ///< that was searched for, by its cell: the next search begins behind it
 };
 /// Such a search; to be called once. It holds copies of the maps, and may run on any thread.
 using PlaceWork = std::function<PlaceFinding()>;
@@ -92,8 +95,7 @@ class MapMerger {
   /// for one and two maps overlap that may. Without `known_starts` only. Its result goes to `accept`; only then another
   /// one is begun.
   std::optional<PlaceWork> takeWork(Time now);
-  /// A place counts as found when several windows of the robot's map lead to it, in more than one search, and no other
-  /// one does.
+  /// A place counts as found when several windows of either map lead to it, and no other one does.
   void accept(const PlaceFinding& finding, Time now);
   /// Checks a merge, if it is time to. To be called regularly.
   void update(Time now);
@@ -111,10 +113,12 @@ class MapMerger {
     bool contradicted = false;
     MergedMap view{FirstSource::kPrevails};
     MergeStatus status;
-    // The search for its place.
-    std::size_t next_window = 0;
-    std::optional<PlaceMatch> candidate;  ///< its transform is T_map_robot
-    int searches = 0;                     ///< in which parts of its map led there
+    // The search for its place: windows of its map are searched for in another one, and by turns windows of that in its
+    // map.
+    bool reversed = false;
+    std::array<std::optional<Cell>, 2> last_window;  ///< that was searched for, of its map and of another one
+    std::array<int, 2> windows{};                    ///< of either that lead to the candidate
+    std::optional<PlaceMatch> candidate;             ///< its transform is T_map_robot
 
     const OccupancyGrid& map() const { return snapshot.map(); }
     bool hasMap() const { return status.state != MergeState::kNoMap; }

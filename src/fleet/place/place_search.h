@@ -1,15 +1,18 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "fleet/place/map_windows.h"
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/grid.h"
 #include "frontier_pilot/fleet/map_merger.h"
 
 namespace frontier_pilot::fleet {
+
+/// Whether two poses differ by less than `distance` [m] and `angle` [rad].
+bool areNear(const Pose2& one, const Pose2& other, double distance, double angle);
 
 /// Looks for the transform between the frames of two maps that know some of the same rooms. [MUL-1]
 ///
@@ -25,9 +28,8 @@ class PlaceSearch {
   PlaceSearch(const PlaceSearch&) = delete;
   PlaceSearch& operator=(const PlaceSearch&) = delete;
 
-  /// The places at which up to `most` windows of `b` fit, beginning with window `first` of those that it has, which are
-  /// counted in a circle.
-  std::vector<PlaceMatch> search(std::size_t first, std::size_t most) const;
+  /// The places at which the next windows of `round` fit, which is moved on.
+  std::vector<PlaceMatch> search(WindowRound& round) const;
   /// The match near `T_a_b`; nothing if the maps do not agree there.
   std::optional<PlaceMatch> refine(const Pose2& T_a_b) const;
 

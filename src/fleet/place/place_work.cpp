@@ -3,28 +3,31 @@
 #include <cmath>
 #include <memory>
 
-#include "fleet/place_search.h"
+#include "fleet/place/place_search.h"
 #include "frontier_pilot/fleet/map_merger.h"
 
 namespace frontier_pilot::fleet {
 namespace {
 
 constexpr double kPlaceSearchPeriod = 1.0;  // [s]
-constexpr std::size_t kWindows = 6;         // of a search
-constexpr int kEnoughWindows = 4;           // that lead to a place
-constexpr int kEnoughSearches = 2;          // in which they do
-constexpr double kEnoughOverlap = 20.0;     // [m^2]
+constexpr std::size_t kWindows = 12;        // of a search
+constexpr int kEnoughWindows = 2;           // of either map that lead to a place
+constexpr double kEnoughOverlap = 25.0;     // [m^2]
 constexpr double kWorthwhile = 0.01;        // correction of a place [m]
 constexpr double kWorthwhileAngle = 0.002;  // [rad]
 
-PlaceFinding find(PlaceFinding finding, const OccupancyGrid& a, const OccupancyGrid& b, std::size_t first,
+PlaceFinding find(PlaceFinding finding, const OccupancyGrid& a, const OccupancyGrid& b,
                   const std::optional<Pose2>& T_a_b) {
-  const PlaceSearch search(a, b);
-  if (T_a_b) {
-    if (const auto match = search.refine(*T_a_b)) finding.matches = {*match};
-  } else {
-    finding.matches = search.search(first, kWindows);
+  if (finding.refined) {
+    if (const auto match = PlaceSearch(a, b).refine(*T_a_b)) finding.matches = {*match};
+    return finding;
   }
+  WindowRound round{kWindows, finding.last_window, T_a_b};
+  if (finding.reversed && T_a_b) round.T_a_b_guess = T_a_b->inverse();
+  finding.matches = finding.reversed ? PlaceSearch(b, a).search(round) : PlaceSearch(a, b).search(round);
+  finding.last_window = round.after;
+  if (!finding.reversed) return finding;
+  for (PlaceMatch& match : finding.matches) match.T_a_b = match.T_a_b.inverse();
   return finding;
 }
 
@@ -32,8 +35,7 @@ PlaceFinding find(PlaceFinding finding, const OccupancyGrid& a, const OccupancyG
 bool areAlike(const PlaceMatch& one, const PlaceMatch& other) {
   constexpr double kDistance = 0.15;  // [m]
   constexpr double kAngle = 0.03;     // [rad]
-  return (one.T_a_b.position() - other.T_a_b.position()).norm() < kDistance &&
-         std::abs(angleDifference(one.T_a_b.yaw, other.T_a_b.yaw)) < kAngle;
+  return areNear(one.T_a_b, other.T_a_b, kDistance, kAngle);
 }
 
 }  // namespace
@@ -53,14 +55,17 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
     finding.refined = isMerged(finding.robot);
     const bool later = finding.refined ? finding.reference < finding.robot : finding.reference != finding.robot;
     if (finding.robot == 0 || !later || !robot.hasMap() || !isMerged(finding.reference)) continue;
+    std::optional<Pose2> T_map_b = robot.T_map_robot;
+    if (!finding.refined && robot.candidate) T_map_b = robot.candidate->T_a_b;
     std::optional<Pose2> T_a_b;
-    if (finding.refined) T_a_b = reference.T_map_robot->inverse() * *robot.T_map_robot;
-    const std::size_t first = robot.next_window;
-    robot.next_window += kWindows;
+    if (T_map_b) T_a_b = reference.T_map_robot->inverse() * *T_map_b;
+    robot.reversed = !robot.reversed;
+    finding.reversed = robot.reversed;
+    finding.last_window = robot.last_window[robot.reversed ? 1 : 0];
     searching_ = true;
     const auto a = std::make_shared<const OccupancyGrid>(reference.map());
     const auto b = std::make_shared<const OccupancyGrid>(robot.map());
-    return [=] { return find(finding, *a, *b, first, T_a_b); };
+    return [=] { return find(finding, *a, *b, T_a_b); };
   }
   return std::nullopt;
 }
@@ -68,9 +73,11 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
 void MapMerger::accept(const PlaceFinding& finding, Time now) {
   searching_ = false;
   Robot& robot = robots_[finding.robot];
-  if (!isMerged(finding.reference) || finding.matches.empty() || finding.refined != isMerged(finding.robot)) return;
+  robot.last_window[finding.reversed ? 1 : 0] = finding.last_window;
+  if (!isMerged(finding.reference) || finding.refined != isMerged(finding.robot)) return;
   const Pose2& T_map_reference = *robots_[finding.reference].T_map_robot;
   if (finding.refined) {
+    if (finding.matches.empty()) return;
     const Pose2 T_map_robot = T_map_reference * finding.matches.front().T_a_b;
     const Pose2 change = robot.T_map_robot->inverse() * T_map_robot;
     const bool worthwhile = change.position().norm() > kWorthwhile || std::abs(change.yaw) > kWorthwhileAngle;
@@ -78,20 +85,23 @@ void MapMerger::accept(const PlaceFinding& finding, Time now) {
     return;
   }
   weigh(robot, finding, T_map_reference);
-  const bool sure = robot.status.windows >= kEnoughWindows && robot.searches >= kEnoughSearches &&
+  const bool sure = robot.windows[0] >= kEnoughWindows && robot.windows[1] >= kEnoughWindows &&
                     robot.candidate->agreement.overlap >= kEnoughOverlap;
   if (sure) setPlace(finding.robot, robot.candidate->T_a_b, now);
 }
 
-/// Counts what speaks for the robot's candidate. Another place that fits begins the count anew.
+/// Counts what the last searches in either direction say for the robot's candidate. Another place that fits begins the
+/// count anew.
 void MapMerger::weigh(Robot& robot, const PlaceFinding& finding, const Pose2& T_map_reference) {
+  int& windows = robot.windows[finding.reversed ? 1 : 0];
+  windows = 0;
   for (PlaceMatch match : finding.matches) {
     match.T_a_b = T_map_reference * match.T_a_b;
-    if (!robot.candidate || !areAlike(*robot.candidate, match)) robot.status.windows = robot.searches = 0;
+    if (!robot.candidate || !areAlike(*robot.candidate, match)) robot.windows = {};
     robot.candidate = match;
-    ++robot.status.windows;
+    ++windows;
   }
-  ++robot.searches;
+  robot.status.windows = robot.windows[0] + robot.windows[1];
 }
 
 }  // namespace frontier_pilot::fleet
