@@ -5,12 +5,15 @@ from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 
 from bag_topics import BagError, bare, choose_odometry, choose_scan, median, numbers_in
+from command_line import printable
 
+LONGEST_NAME = 100  # of a frame in a line of the log
 LEAST_HOLE = 2.0  # [s]
 MOST_SKEW = 1.0  # [s] between the clocks of scans and odometry before they are aligned
 MOST_APART = 3600.0  # [s] between two messages, by their stamps, before the fewer ones on one side may be astray
 LEAST_SHARE = 0.1  # of the messages of the largest stretch that a stretch apart from it has to have to be played
 LATEST = 2.0 ** 32 - 86400.0  # [s] stamp that is played: the clock needs some time after it, and ROS counts to 2^32 s
+LEAD_IN = 0.5  # [s] from which the clock runs before the first message is due
 LATCHED = '/tf_static'
 
 
@@ -65,10 +68,23 @@ class Drive:
         if self.astray:
             self.words.append('left out: %d messages whose stamps are more than an hour away from those of the scans' % self.astray)
         self.entries.sort(key=lambda entry: entry[:2])
+        self.next = 0  # of the entries to be played
         if not self.entries:
             raise BagError('nothing to play')
         if self.entries[-1][0] > LATEST:
             raise BagError('its last stamp is %.0f s; ROS cannot count far beyond that, so it is not played' % self.entries[-1][0])
+
+    def due_until(self, now):
+        """The entries that are due, each once."""
+        while self.next < len(self.entries) and self.entries[self.next][0] <= now:
+            self.next += 1
+            yield self.entries[self.next - 1]
+
+    def time_after(self, now):
+        """The time to go on from at `now`: where there is nothing for more than an hour, the clock jumps over it. The clock of the
+        robot may have been set while it drove."""
+        is_hole = self.next < len(self.entries) and self.entries[self.next][0] - now > MOST_APART
+        return self.entries[self.next][0] - LEAD_IN if is_hole else now
 
     @staticmethod
     def lead_of(topic):
@@ -120,8 +136,8 @@ class Drive:
 
     def note_holes(self, what, stamps):
         for begin, length in holes(stamps):
-            self.words.append('%s: nothing for %.1f s from %.1f s on; the clock goes on through it' % (
-                what, length, begin - stamps[0]))
+            self.words.append('%s: nothing for %.1f s from %.1f s on; the clock %s' % (
+                what, length, begin - stamps[0], 'jumps over it' if length > MOST_APART else 'goes on through it'))
 
     def frame(self, name):
         """A recorded frame under the name that our nodes know it by."""
@@ -142,7 +158,7 @@ class Drive:
         if self.base not in frames and base and base != self.base:
             self.renamed[base] = self.base
         for old, new in self.renamed.items():
-            self.words.append('the frame %s of the bag is played as %s' % (old, new))
+            self.words.append('the frame %s of the bag is played as %s' % (printable(old, LONGEST_NAME), new))
         dropped = {}
         self.odometry_is_transformed = False
         for topic in self.transforms:
@@ -151,7 +167,8 @@ class Drive:
                 for transform in message.transforms:
                     self.take_transform(transform, recorded, is_static, dropped)
         for (parent, child), count in sorted(dropped.items()):
-            self.words.append('left out: %d recorded transforms %s -> %s of another mapper' % (count, parent, child))
+            self.words.append('left out: %d recorded transforms %s -> %s of another mapper' % (
+                count, printable(parent, LONGEST_NAME), printable(child, LONGEST_NAME)))
 
     def recorded_frames(self):
         """The frame of odometry and that of the robot in it."""
@@ -197,4 +214,4 @@ class Drive:
             new = {frame for at in new for frame in links.get(at, ())} - reached - {self.options['odom_frame']}
         if self.frame(frame) not in reached:
             raise BagError("the transforms of the bag do not lead from %s to the scanner's frame %s: give mount:='x y yaw', or "
-                           'another base_frame:=' % (self.base, frame))
+                           'another base_frame:=' % (self.base, printable(frame, LONGEST_NAME)))

@@ -15,7 +15,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
-from command_line import CommandLine, end_quietly_until_main, exit_with, say  # noqa: E402
+from command_line import CommandLine, end_quietly_until_main, exit_with, printable, say  # noqa: E402
 
 if __name__ == '__main__':
     end_quietly_until_main()
@@ -29,7 +29,7 @@ from rosgraph_msgs.msg import Clock  # noqa: E402
 from sensor_msgs.msg import LaserScan  # noqa: E402
 from tf2_msgs.msg import TFMessage  # noqa: E402
 
-from bag_drive import LATCHED, Drive  # noqa: E402
+from bag_drive import LATCHED, LEAD_IN, Drive  # noqa: E402
 from bag_topics import BagError, numbers_in, read_bag  # noqa: E402
 import ros_program  # noqa: E402
 
@@ -54,7 +54,7 @@ class Player:
     def __init__(self, drive, speed):
         self.drive = drive
         self.speed = speed
-        self.now = max(PERIOD, drive.entries[0][0] - 0.5)  # a clock at 0 means that none runs
+        self.now = max(PERIOD, drive.entries[0][0] - LEAD_IN)  # a clock at 0 means that none runs
         self.clock = rospy.Publisher('/clock', Clock, queue_size=10)
         self.scan = rospy.Publisher('scan', LaserScan, queue_size=100)
         self.odom = rospy.Publisher('odom', Odometry, queue_size=1000)
@@ -92,14 +92,11 @@ class Player:
 
     def play(self):
         """Gives whether it came to the end of the bag."""
-        entries = self.drive.entries
-        self.next = 0
-
         def publish_due():
-            while self.next < len(entries) and entries[self.next][0] <= self.now:
-                self.publish(*entries[self.next])
-                self.next += 1
-        return self.run_until(entries[-1][0] + PERIOD, publish_due)
+            for entry in self.drive.due_until(self.now):
+                self.publish(*entry)
+            self.now = self.drive.time_after(self.now)
+        return self.run_until(self.drive.entries[-1][0] + PERIOD, publish_due)
 
     def publish(self, stamp, _, kind, content):
         self.played[kind] += 1
@@ -182,10 +179,10 @@ def main():
         speed = speed_in(rospy.get_param('~speed', 1.0))
         drive = Drive(*read_bag(rospy.get_param('~bag', '')), options)
     except BagError as error:
-        rospy.logfatal('%s', error)
+        rospy.logfatal('%s', printable(str(error)))
         return 1
     for words in drive.words:
-        rospy.loginfo(words)
+        rospy.loginfo('%s', printable(words))
     player = Player(drive, speed)
     player.await_mapper()
     if not player.play():

@@ -53,6 +53,12 @@ def say(text, stream=None):
         return False
 
 
+def printable(text, most=500):
+    """A text from outside for a line of the log: without control characters, and no longer than `most`."""
+    shown = ''.join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text[:most])
+    return shown if len(text) <= most else shown + '...'
+
+
 def end_quietly_until_main():
     """From now on a Ctrl-C ends the process without a traceback: for a program whose imports take a second. Ended by exit_with."""
     if signal.getsignal(signal.SIGINT) == signal.default_int_handler:  # it is ignored in the background of a script
@@ -60,13 +66,17 @@ def end_quietly_until_main():
 
 
 def exit_with(main):
-    """Ends the program with what `main` returns, or with the exit code for a Ctrl-C; with 1 if what it printed cannot be written."""
+    """Ends the program with what `main` returns, or with the exit code for a Ctrl-C; with 1 if what it printed cannot be written, or
+    if the ROS master has ended."""
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         code = main()
     except KeyboardInterrupt:
         code = 130
+    except ConnectionRefusedError:
+        say('%s: the ROS master has ended' % os.path.basename(sys.argv[0]), sys.stderr)
+        code = 1
     except SystemExit as end:  # --help, for example
         code = end.code
     sys.exit(code if _written() else code or 1)

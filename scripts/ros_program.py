@@ -3,17 +3,21 @@ master for ever."""
 import logging
 import math
 import re
+import socket
 import sys
 import time
+import xmlrpc.client
 
 import rosgraph
 import rospy
 import yaml
 
-from command_line import say
+from command_line import printable, say
 
 WORD = re.compile(r'(?P<name>[^:]*):=(?P<value>.*)', re.DOTALL)
 POLL = 0.3  # [s]
+PATIENCE = 2.0  # for the answer of a node [s]
+LAST_WORDS = 3.0  # for a node of the same name that is about to end [s]
 
 
 def problem_of(word):
@@ -28,11 +32,23 @@ def problem_of(word):
         return '' if rosgraph.names.is_legal_base_name(value) else '%s is not a name' % word
     if name == '__ns':
         return '' if rosgraph.names.is_legal_name(value) else '%s is not a namespace' % word
-    if name.startswith('_') and not name.startswith('__'):
-        try:
-            yaml.safe_load(value)
-        except (yaml.YAMLError, ValueError):
-            return '%s is not YAML' % word
+    if name.startswith('_') and not name.startswith('__') and value.strip():
+        return problem_of_value(word, value)
+    return ''
+
+
+def problem_of_value(word, text):
+    """What is wrong with the value of a private parameter, as YAML and on its way to the master."""
+    if ':=' in text:
+        return '%s holds := twice' % word
+    try:
+        value = yaml.safe_load(text)
+    except (yaml.YAMLError, ValueError, RecursionError):
+        return '%s is not YAML' % word
+    try:
+        xmlrpc.client.loads(xmlrpc.client.dumps((value,)).encode())
+    except Exception:  # what the library throws depends on the value
+        return "%s cannot be a parameter; a text in quotes can: _name:='\"text\"'" % word
     return ''
 
 
@@ -59,7 +75,7 @@ def begin(name, wanted=lambda: True, silent_for=0.0, **options):
     if not problems and not is_address(uri):
         problems = ['ROS_MASTER_URI is not an address like http://host:11311: ' + uri]
     if problems:
-        say('%s: %s' % (name, problems[0]), sys.stderr)
+        say('%s: %s' % (name, printable(problems[0])), sys.stderr)
         sys.exit(2)
     say_at = time.monotonic() + silent_for
     while wanted() and not rosgraph.is_master_online():
@@ -69,5 +85,41 @@ def begin(name, wanted=lambda: True, silent_for=0.0, **options):
         time.sleep(POLL)
     if wanted():
         logging.getLogger('rosout').addFilter(is_news)
-        rospy.init_node(name, **options)
+        if not options.get('anonymous'):
+            refuse_a_namesake(name)
+        init_node(name, options)
     return wanted()
+
+
+def refuse_a_namesake(name):
+    """Ends the program with a line and exit code 1 while a node of its name lives at the master: ROS would shut that down."""
+    own = rosgraph.names.ns_join(rosgraph.names.get_ros_namespace(), rosgraph.names.load_mappings(sys.argv).get('__name', name))
+    end = time.monotonic() + LAST_WORDS
+    while lives(own):
+        if time.monotonic() >= end:
+            say('%s: a node %s is already running, and ROS would shut it down for this one: end it first (rosnode kill %s), or give '
+                'this one another name (__name:=...)' % (name, own, own), sys.stderr)
+            sys.exit(1)
+        time.sleep(POLL)
+
+
+def lives(node):
+    """Whether a node is registered at the master, and answers or at least holds its port."""
+    socket.setdefaulttimeout(PATIENCE)
+    try:
+        return xmlrpc.client.ServerProxy(rosgraph.Master(node).lookupNode(node)).getPid(node)[0] == 1
+    except socket.timeout:
+        return True
+    except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+        return False
+    finally:
+        socket.setdefaulttimeout(None)
+
+
+def init_node(name, options):
+    """rospy.init_node; if the master ends in this moment, or refuses the node, a line and exit code 1."""
+    try:
+        rospy.init_node(name, **options)
+    except Exception as error:  # of sockets, of XML-RPC or of rospy
+        say('%s: cannot be a node of the ROS master: %s' % (name, printable(str(error) or type(error).__name__)), sys.stderr)
+        sys.exit(1)

@@ -94,6 +94,19 @@ class RunRecorder(unittest.TestCase):
         self.assertGreater(load['/run_recorder'].memory, MEGA)
         self.assertGreaterEqual(load['master'].cpu, 0.0)
 
+    # [FLT-1] ROS shuts a node down when another one registers with its name.
+    def test_a_second_one_of_the_same_name_refuses_to_start(self):
+        process = self.start()
+        self.assertTrue(wait_for(lambda: self.loads, 60.0))
+        second = self.start()
+        said, _ = second.communicate(timeout=60)
+        self.assertEqual(second.returncode, 1, said)
+        self.assertRegex(said, '^run_recorder: a node /run_recorder is already running, .*\n$')
+        count = len(self.loads)
+        self.assertTrue(wait_for(lambda: len(self.loads) > count + 2, 30.0))
+        self.end(process)
+        self.assertEqual(process.returncode, 0)
+
     def test_a_connection_that_ends_before_its_header_is_no_news(self):
         process = self.start()
         self.assertTrue(wait_for(lambda: self.loads, 60.0))

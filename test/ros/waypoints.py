@@ -145,7 +145,12 @@ class WaypointsOnTheWire(unittest.TestCase):
             add.publish(msg)
         self.assertTrue(wait_for(lambda: self.collected.last and len(self.collected.last.poses) == 2))
         self.assertEqual(places, tuple((at.position.x, at.position.y) for at in self.collected.last.poses))
-        self.assertTrue(call('waypoint_follower/start', Trigger).success)
+        self.assertTrue(emergency_stop().success)
+        stopped = 'the robot is stopped'
+        self.assertTrue(wait_for(lambda: call('waypoint_follower/start', Trigger).message.startswith(stopped), 5.0))
+        self.assertFalse(call('waypoint_follower/start', Trigger).success)
+        self.assertTrue(clear())
+        self.assertTrue(wait_for(lambda: call('waypoint_follower/start', Trigger).success, 5.0))
         for place in places:
             self.assertTrue(wait_for(lambda at=place: self.is_at(at), 40.0), self.at())
         self.assertTrue(wait_for(lambda: not self.active(), 20.0))

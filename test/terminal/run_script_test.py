@@ -95,6 +95,20 @@ class RunScript(unittest.TestCase):
                 self.assertIn(words, err)
                 self.assertEqual(err.strip().count('\n'), 0, err)
 
+    def test_a_folder_that_was_removed_is_refused_before_anything_is_built(self):
+        gone = os.path.join(self.folder.name, 'gone')
+        done = subprocess.run(['bash', '-c', 'mkdir "$1" && cd "$1" && rmdir "$1" && "$2"', 'bash', gone, RUN], timeout=60,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        self.assertEqual((done.returncode, done.stdout), (1, ''))
+        self.assertIn('scripts/run: this folder is not there any more', done.stderr)
+
+    def test_it_may_be_called_by_a_link(self):
+        link = os.path.join(self.folder.name, 'explore')
+        os.symlink(RUN, link)
+        done = subprocess.run([link, 'wrld:=x'], timeout=60, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no argument 'wrld'", done.stderr)
+
     def test_it_refuses_too_few_open_files(self):
         process = self.start(preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (64, 64)))
         out, err = process.communicate(timeout=60)
@@ -193,7 +207,8 @@ class RunScript(unittest.TestCase):
 
     def test_the_map_is_saved_although_ctrl_c_also_ended_the_program_that_reads_what_it_says(self):
         prefix = os.path.join(self.folder.name, 'floor')
-        process, _ = self.start_exploring(prefix)
+        with mock.patch.dict(os.environ, SHELLOPTS='noglob:noclobber'):  # what the caller's shell exports must not matter
+            process, _ = self.start_exploring(prefix)
         process.stdout.close()
         process.stderr.close()
         process.send_signal(signal.SIGINT)

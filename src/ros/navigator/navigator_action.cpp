@@ -92,7 +92,7 @@ void MoveBaseServer::setStopped(bool stopped) {
 
 void MoveBaseServer::cancelForStop() {
   if (active_id_ == 0 && !pending_) return;
-  ROS_WARN("the goal is canceled because of the emergency stop");
+  THROTTLED_WARN("the goal is canceled because of the emergency stop");
   cancelAll();
 }
 

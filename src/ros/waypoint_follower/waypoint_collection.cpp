@@ -29,10 +29,13 @@ void WaypointFollowerAdapter::handleAdd(const geometry_msgs::PoseStamped& msg) {
 
 /// Sends the collected waypoints as a goal of the node's own action, where they are seen and cancelled like others.
 bool WaypointFollowerAdapter::handleStart(Trigger::Request&, Trigger::Response& response) {
-  response.success = collected_.empty() ? 0 : 1;
-  response.message = collected_.empty() ? std::string("no waypoints were added")
-                                        : "follows " + std::to_string(collected_.size()) + " waypoints";
+  response.success = 0;
+  response.message = "no waypoints were added";
   if (collected_.empty()) return true;
+  response.message = "the robot is stopped: clear the emergency stop first";
+  if (inputs_.emergency_stop) return true;
+  response.success = 1;
+  response.message = "follows " + std::to_string(collected_.size()) + " waypoints";
   FollowWaypointsGoal goal;
   goal.poses = collected_;
   own_goals_.publish(server_.offer(goal));

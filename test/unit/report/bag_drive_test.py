@@ -12,11 +12,11 @@ from sensor_msgs.msg import LaserScan
 OPTIONS = {'scan': '', 'odom': '', 'base_frame': 'base', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': '0 0 0'}
 
 
-def scans_at(stamps):
+def scans_at(stamps, frame='laser'):
     topic = Topic('/scan', LaserScan)
     for stamp in stamps:
         scan = LaserScan(angle_increment=0.1, ranges=[1.0, 2.0])
-        scan.header.frame_id, scan.header.stamp = 'laser', rospy.Time(stamp)
+        scan.header.frame_id, scan.header.stamp = frame, rospy.Time(stamp)
         buffer = io.BytesIO()
         scan.serialize(buffer)
         topic.raw.append((float(stamp), buffer.getvalue()))
@@ -30,6 +30,22 @@ class Stamps(unittest.TestCase):
     def test_a_drive_whose_stamps_leave_the_clock_no_room_is_refused(self):
         with self.assertRaisesRegex(BagError, 'its last stamp is 4294967000 s'):
             Drive(scans_at((4294966999, 4294967000)), {}, OPTIONS)
+
+    def test_the_clock_jumps_over_hours_without_a_message(self):
+        drive = Drive(scans_at((5, 6, 400000000, 400000001)), {}, OPTIONS)
+        self.assertIn('scans: nothing for 399999994.0 s from 1.0 s on; the clock jumps over it', drive.words)
+        self.assertEqual([entry[0] for entry in drive.due_until(6.5)], [5.0, 6.0])
+        self.assertEqual(drive.time_after(6.5), 400000000 - 0.5)
+        self.assertEqual(drive.time_after(400000000.2), 400000000.2)
+
+
+class Frames(unittest.TestCase):
+    # [FLT-1]
+    def test_a_frame_is_shown_in_one_line_and_not_in_full(self):
+        for frame, shown in ((100000 * 'x', 100 * 'x' + '...'), ('a\nb', 'a\\nb'), ('a\0', 'a\\x00')):
+            with self.assertRaises(BagError) as raised:
+                Drive(scans_at((5, 6), frame), {}, dict(OPTIONS, mount=''))
+            self.assertIn("the scanner's frame %s: give mount" % shown, str(raised.exception))
 
 
 if __name__ == '__main__':
