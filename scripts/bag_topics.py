@@ -84,6 +84,9 @@ def read_bag(path):
                     others[name] = kind
                     continue
                 topics.setdefault(name, Topic(name, message_class)).raw.append((recorded.to_sec(), data))
+    except rosbag.ROSBagUnindexedException:
+        raise BagError("%s: has no index, because its recording did not end in an orderly way; 'rosbag reindex' may recover what it "
+                       'holds' % path)
     except DAMAGE as error:
         raise BagError('%s: %s' % (path, str(error) or type(error).__name__))
     return topics, others

@@ -141,6 +141,9 @@ def main():
                                                       sigint_timeout=PATIENCE[0], sigterm_timeout=PATIENCE[1])
             parent.start()
             parent.spin()  # rviz reads its file from the folder after it has started
+        except ConnectionRefusedError:
+            say('robots_launcher: no ROS master answers at %s: robots.launch starts one' % rosgraph.get_master_uri(), sys.stderr)
+            return 1
         except (OSError, StartsError, rosgraph.MasterException, roslaunch.core.RLException) as error:
             say('robots_launcher: %s' % error, sys.stderr)
             return 1

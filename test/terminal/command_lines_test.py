@@ -68,7 +68,7 @@ class CommandLines(unittest.TestCase):
             words = ['square'] if name == 'patrol_client' else []
             with self.subTest(program=name):
                 code, _, err = call(node, *words, '__name:=9')
-                wrong = 2 if name == 'patrol_client' else 1
+                wrong = 2 if name in ('patrol_client', 'check_robot') else 1
                 self.assertEqual(code, wrong)
                 self.assertRegex(err, '[Nn]ame')
                 code, _, err = call(node, *words, master='nowhere')

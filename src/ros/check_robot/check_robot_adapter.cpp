@@ -17,7 +17,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr int kNotReady = 1, kNoMaster = 3;
+constexpr int kNotReady = 1, kWrongWords = 2, kNoMaster = 3;
 constexpr double kLook = 0.05;  // [s] between two looks at the end
 int fail(const std::string& text, int exit_code) {
   std::cerr << "check_robot: " << text << std::endl;
@@ -98,7 +98,7 @@ int runCheckRobot(int argc, char** argv) {
   try {
     initProgram(argc, argv, usage.name);
   } catch (const std::exception& error) {
-    return fail(error.what(), kNotReady);
+    return fail(error.what(), kWrongWords);
   }
   if (!askMaster()) {
     return fail("no ROS master answers at " + ros::master::getURI() +

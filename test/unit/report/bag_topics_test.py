@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
 """Topics of a recorded drive, as play.launch reads them."""
 import io
+import os
+import shutil
+import tempfile
 import unittest
 
 import folder_case  # noqa: F401: finds the scripts
-from bag_topics import BagError, Topic
+import rosbag
+from bag_topics import BagError, Topic, read_bag
 from nav_msgs.msg import Odometry
 
 
@@ -18,6 +22,16 @@ class Damage(unittest.TestCase):
         for read in (lambda: topic.message(1), lambda: list(topic.messages())):
             with self.assertRaisesRegex(BagError, '/odom: a message cannot be read'):
                 read()
+
+    def test_a_bag_whose_recording_was_killed_is_refused_with_a_way_to_recover_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path, killed = os.path.join(folder, 'drive.bag'), os.path.join(folder, 'killed.bag')
+            with rosbag.Bag(path, 'w') as bag:
+                bag.write('/odom', Odometry())
+                bag.flush()
+                shutil.copyfile(path, killed)
+            with self.assertRaisesRegex(BagError, "has no index.*'rosbag reindex' may recover"):
+                read_bag(killed)
 
 
 if __name__ == '__main__':
