@@ -9,7 +9,7 @@
 namespace frontier_pilot::fleet {
 namespace {
 
-constexpr double kPlaceSearchPeriod = 1.0;  // [s]
+constexpr double kPause = 1.0;              // from the end of a search to the next, which may be a second of CPU [s]
 constexpr std::size_t kWindows = 12;        // of a search
 constexpr int kEnoughWindows = 2;           // of either map that lead to a place
 constexpr double kEnoughOverlap = 25.0;     // [m^2]
@@ -41,7 +41,7 @@ bool areAlike(const PlaceMatch& one, const PlaceMatch& other) {
 }  // namespace
 
 std::optional<PlaceWork> MapMerger::takeWork(Time now) {
-  const bool waiting = last_search_ && now >= *last_search_ && now - *last_search_ < fromSeconds(kPlaceSearchPeriod);
+  const bool waiting = last_search_ && now >= *last_search_ && now - *last_search_ < fromSeconds(kPause);
   if (parameters_.known_starts || searching_ || waiting || robots_.size() < 2) return std::nullopt;
   last_search_ = now;
   const std::size_t pairs = robots_.size() * robots_.size();
@@ -72,6 +72,7 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
 
 void MapMerger::accept(const PlaceFinding& finding, Time now) {
   searching_ = false;
+  last_search_ = now;
   Robot& robot = robots_[finding.robot];
   robot.last_window[finding.reversed ? 1 : 0] = finding.last_window;
   if (!isMerged(finding.reference) || finding.refined != isMerged(finding.robot)) return;

@@ -238,5 +238,15 @@ TEST_F(UnknownStarts, AreNotLookedForTwiceAtATime) {
   EXPECT_TRUE(merger_.takeWork(now_ + std::chrono::seconds(5)));
 }
 
+// [MUL-1] A search of large maps takes longer than the time between two of small ones.
+TEST_F(UnknownStarts, AreLookedForWithAPauseHoweverLongASearchTakes) {
+  give(0, one_);
+  give(1, two_);
+  ASSERT_TRUE(merger_.takeWork(now_));
+  merger_.accept({}, now_ + std::chrono::seconds(5));
+  EXPECT_FALSE(merger_.takeWork(now_ + std::chrono::milliseconds(5900)));
+  EXPECT_TRUE(merger_.takeWork(now_ + std::chrono::seconds(6)));
+}
+
 }  // namespace
 }  // namespace frontier_pilot
