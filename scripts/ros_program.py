@@ -1,5 +1,6 @@
 """How the Python programs that are ROS nodes begin: with one line, and an exit code, where rospy prints a traceback or waits for a
 master for ever."""
+import http.client
 import logging
 import math
 import re
@@ -16,8 +17,19 @@ from command_line import printable, say
 
 WORD = re.compile(r'(?P<name>[^:]*):=(?P<value>.*)', re.DOTALL)
 POLL = 0.3  # [s]
-PATIENCE = 2.0  # for the answer of a node [s]
+PATIENCE = 1.0  # for the answer of a node [s]
 LAST_WORDS = 3.0  # for a node of the same name that is about to end [s]
+# Of calls to the master and to nodes.
+FAILURES = (OSError, http.client.HTTPException, rosgraph.MasterException, xmlrpc.client.Error)
+
+
+class PatientTransport(xmlrpc.client.Transport):
+    """Waits no longer than PATIENCE, for a node may hang."""
+
+    def make_connection(self, host):
+        connection = super().make_connection(host)
+        connection.timeout = PATIENCE
+        return connection
 
 
 def problem_of(word):
@@ -69,7 +81,8 @@ def is_news(record):
 
 def begin(name, wanted=lambda: True, silent_for=0.0, **options):
     """rospy.init_node, once there is a master; returns whether it was begun before `wanted()` became false. Ends the program with
-    exit code 2 for words that ROS cannot use. That it waits for a master is said after `silent_for` seconds."""
+    exit code 2 for words that ROS cannot use, and with 1 if it cannot be a node of that name. That it waits for a master is said
+    after `silent_for` seconds."""
     problems = [problem for problem in map(problem_of, sys.argv[1:]) if problem]
     uri = '' if problems else rosgraph.get_master_uri()
     if not problems and not is_address(uri):
@@ -105,15 +118,13 @@ def refuse_a_namesake(name):
 
 def lives(node):
     """Whether a node is registered at the master, and answers or at least holds its port."""
-    socket.setdefaulttimeout(PATIENCE)
     try:
-        return xmlrpc.client.ServerProxy(rosgraph.Master(node).lookupNode(node)).getPid(node)[0] == 1
+        uri = rosgraph.Master(node).lookupNode(node)
+        return xmlrpc.client.ServerProxy(uri, transport=PatientTransport()).getPid(node)[0] == 1
     except socket.timeout:
         return True
-    except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+    except FAILURES:
         return False
-    finally:
-        socket.setdefaulttimeout(None)
 
 
 def init_node(name, options):

@@ -6,18 +6,10 @@ import xmlrpc.client
 
 import rosgraph
 
-PATIENCE = 1.0  # for the answer of a node [s]
+from ros_program import PatientTransport
+
 TICKS = os.sysconf('SC_CLK_TCK')
 PAGE = os.sysconf('SC_PAGE_SIZE')
-
-
-class PatientTransport(xmlrpc.client.Transport):
-    """Waits no longer than PATIENCE, for a node may hang."""
-
-    def make_connection(self, host):
-        connection = super().make_connection(host)
-        connection.timeout = PATIENCE
-        return connection
 
 
 def pid_behind(uri):

@@ -1,12 +1,10 @@
 """Registers nodes of Python and rosbag again at a new master, which knows nothing of those that the old one had."""
-import http.client
 import xmlrpc.client
 
 import rosgraph
 
-from .node_load import PatientTransport
+from ros_program import FAILURES, PatientTransport
 
-FAILURES = (OSError, http.client.HTTPException, rosgraph.MasterException, xmlrpc.client.Error)
 ANY = '*'  # the type of a subscription that takes whatever is published
 
 

@@ -71,7 +71,7 @@ struct MergeStatus {
   MergeState state = MergeState::kNoMap;
   Time since{};         ///< when the state began
   Agreement agreement;  ///< with the merged maps of the robots before it in the list, at the last check
-  int windows = 0;      ///< parts of its map that lead to the place at which it is looked for, or was found
+  int windows = 0;  ///< parts of its map and of another that lead to the place at which it is looked for, or was found
 };
 
 /// Several robots' maps as one: the common map, in the frame of the first robot, and a view for each robot in its own

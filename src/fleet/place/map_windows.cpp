@@ -1,7 +1,6 @@
 #include "fleet/place/map_windows.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -22,10 +21,6 @@ struct ByColumn {
   }
 };
 
-Cell cellOf(const Vec2& point, double side) {
-  return {static_cast<int>(std::floor(point.x() / side)), static_cast<int>(std::floor(point.y() / side))};
-}
-
 /// `windows` in a circle that begins behind the cell `after`.
 std::vector<MapWindow> circleFrom(const std::optional<Cell>& after, std::vector<MapWindow> windows) {
   const auto is_later = [&](const MapWindow& window) { return !after || ByColumn()(*after, window.cell); };
@@ -36,22 +31,23 @@ std::vector<MapWindow> circleFrom(const std::optional<Cell>& after, std::vector<
 }  // namespace
 
 SurfacePoints MapWindow::pointsOf(const SurfacePoints& surface) const {
+  const GridGeometry lattice{kPointSpacing};
   std::map<Cell, SurfacePoint, ByColumn> cells;
   for (const SurfacePoint& point : surface) {
     SurfacePoint moved = point;
     moved.position -= centre;
-    if (moved.position.squaredNorm() <= square(kWindowRadius))
-      cells.try_emplace(cellOf(moved.position, kPointSpacing), moved);
+    if (moved.position.squaredNorm() <= square(kWindowRadius)) cells.try_emplace(lattice.cellAt(moved.position), moved);
   }
   SurfacePoints points;
-  for (const auto& first : cells) points.push_back(first.second);
+  for (const auto& entry : cells) points.push_back(entry.second);
   return points;
 }
 
 std::vector<MapWindow> windowsOf(const SurfacePoints& surface) {
+  const GridGeometry lattice{kWindowSpacing};
   std::map<Cell, std::pair<Vec2, int>, ByColumn> cells;
   for (const SurfacePoint& point : surface) {
-    auto& [sum, count] = cells.try_emplace(cellOf(point.position, kWindowSpacing), Vec2::Zero(), 0).first->second;
+    auto& [sum, count] = cells.try_emplace(lattice.cellAt(point.position), Vec2::Zero(), 0).first->second;
     sum += point.position;
     ++count;
   }
