@@ -227,7 +227,8 @@ class UnknownStarts(unittest.TestCase):
         def told():
             return [pair.value for _, array in list(diagnostics.items) for status in array.status
                     for pair in status.values if pair.key == 'right']
-        self.assertTrue(wait_for(lambda: any('parts of its map lead' in text and 'overlap' in text for text in told())), told())
+        expected = ('parts of its map and of another lead', 'overlap')
+        self.assertTrue(wait_for(lambda: any(all(words in text for words in expected) for text in told())), told())
 
 
 class RefusesToStart(unittest.TestCase):

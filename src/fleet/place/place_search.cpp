@@ -171,7 +171,7 @@ struct PlaceSearch::Impl {
              !areNear(place.second, places.front().second, kSettled, kPi);
     };
     if (std::any_of(places.begin(), places.end(), is_as_good)) return std::nullopt;
-    return matchNear(places.front().second);
+    return places.front().second == match.T_a_b ? match : matchNear(places.front().second);
   }
 
   /// The only place on `whole`, which is `a`, at which the window fits.

@@ -9,7 +9,7 @@
 namespace frontier_pilot::fleet {
 namespace {
 
-constexpr double kPause = 1.0;              // from the end of a search to the next, which may be a second of CPU [s]
+constexpr double kPause = 2.0;              // from the end of a search to the next, which may be a second of CPU [s]
 constexpr std::size_t kWindows = 12;        // of a search
 constexpr int kEnoughWindows = 2;           // of either map that lead to a place
 constexpr double kEnoughOverlap = 25.0;     // [m^2]

@@ -112,7 +112,7 @@ std::string MapMergerAdapter::describeMerge(std::size_t robot) const {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << toString(merge.state);
   if (merge.state != fleet::MergeState::kNoMap) text << " for " << toSeconds(rosNow() - merge.since) << " s";
-  if (merge.windows > 0) text << ", to which " << merge.windows << " parts of its map lead";
+  if (merge.windows > 0) text << ", to which " << merge.windows << " parts of its map and of another lead";
   if (merge.agreement.known == 0) return text.str();
   text << ", overlap " << merge.agreement.overlap << " m2, of which " << 100.0 * merge.agreement.agreeingShare()
        << " % agree, " << 100.0 * merge.agreement.contradictedShare() << " % of the walls contradict";

@@ -244,8 +244,8 @@ TEST_F(UnknownStarts, AreLookedForWithAPauseHoweverLongASearchTakes) {
   give(1, two_);
   ASSERT_TRUE(merger_.takeWork(now_));
   merger_.accept({}, now_ + std::chrono::seconds(5));
-  EXPECT_FALSE(merger_.takeWork(now_ + std::chrono::milliseconds(5900)));
-  EXPECT_TRUE(merger_.takeWork(now_ + std::chrono::seconds(6)));
+  EXPECT_FALSE(merger_.takeWork(now_ + std::chrono::milliseconds(6900)));
+  EXPECT_TRUE(merger_.takeWork(now_ + std::chrono::seconds(7)));
 }
 
 }  // namespace
