@@ -1,5 +1,6 @@
 // How the map merger looks for the places of robots whose starts are not known: when, with which maps, and what it
 // takes to believe a match.
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -13,6 +14,7 @@ constexpr double kPause = 2.0;              // from the end of a search to the n
 constexpr std::size_t kWindows = 12;        // of a search
 constexpr int kEnoughWindows = 2;           // of either map that lead to a place
 constexpr double kEnoughOverlap = 25.0;     // [m^2]
+constexpr double kMostDoubt = 0.01;         // share of the walls in free space: 0 at most true places
 constexpr double kWorthwhile = 0.01;        // correction of a place [m]
 constexpr double kWorthwhileAngle = 0.002;  // [rad]
 
@@ -29,6 +31,12 @@ PlaceFinding find(PlaceFinding finding, const OccupancyGrid& a, const OccupancyG
   if (!finding.reversed) return finding;
   for (PlaceMatch& match : finding.matches) match.T_a_b = match.T_a_b.inverse();
   return finding;
+}
+
+/// Whether so many windows of either map, and what both maps know, leave no doubt about a place.
+bool isSure(const std::array<int, 2>& windows, const PlaceMatch& match) {
+  return windows[0] >= kEnoughWindows && windows[1] >= kEnoughWindows && match.agreement.overlap >= kEnoughOverlap &&
+         match.agreement.contradictedShare() <= kMostDoubt;
 }
 
 /// Whether two transforms are the same but for the errors of a match.
@@ -86,9 +94,7 @@ void MapMerger::accept(const PlaceFinding& finding, Time now) {
     return;
   }
   weigh(robot, finding, T_map_reference);
-  const bool sure = robot.windows[0] >= kEnoughWindows && robot.windows[1] >= kEnoughWindows &&
-                    robot.candidate->agreement.overlap >= kEnoughOverlap;
-  if (sure) setPlace(finding.robot, robot.candidate->T_a_b, now);
+  if (robot.candidate && isSure(robot.windows, *robot.candidate)) setPlace(finding.robot, robot.candidate->T_a_b, now);
 }
 
 /// Counts what the last searches in either direction say for the robot's candidate. Another place that fits begins the

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -188,6 +189,21 @@ TEST_F(UnknownStarts, AreFoundOnceTheMapsOverlap) {
   EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
   ASSERT_TRUE(merge(one_, two_));
   expectNear(*merger_.place(1), kFirstStart.inverse() * kSecondStart);
+}
+
+// [MUL-1] A place at which nearly everything fits is not believed before more is known. Where rooms are alike but for their
+// furniture, it is the wrong one.
+TEST_F(UnknownStarts, AreNotFoundWhereAFewWallsLieInTheOthersFreeSpace) {
+  const std::optional<PlaceMatch> exact = PlaceSearch(one_, two_).refine(kFirstStart.inverse() * kSecondStart);
+  ASSERT_TRUE(exact);
+  EXPECT_LT(exact->agreement.contradictedShare(), 0.005);
+  OccupancyGrid refurnished = world_;
+  fill(refurnished, {205, 150, 7, 7});
+  const OccupancyGrid later = test::seenFrom(refurnished, kSecondStart, 6.0);
+  const std::optional<PlaceMatch> match = PlaceSearch(one_, later).refine(kFirstStart.inverse() * kSecondStart);
+  ASSERT_TRUE(match);
+  ASSERT_GT(match->agreement.contradictedShare(), 0.01);
+  EXPECT_FALSE(merge(one_, later));
 }
 
 // [MUL-1] The maps change as loops are closed, and a place with them.
