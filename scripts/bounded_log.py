@@ -6,14 +6,18 @@ It ends when its input ends, and ignores SIGINT and SIGTERM, so that the last ou
 """
 import os
 import signal
+import stat
 import sys
 
 from command_line import CommandLine
 
 
 def open_new(path):
-    """Creates a new file of this name; an existing file is removed, and a symbolic link is not followed."""
+    """Creates a new file of this name; an existing file is removed, and a symbolic link is not followed. A device is an error."""
     try:
+        kind = os.lstat(path).st_mode
+        if stat.S_ISCHR(kind) or stat.S_ISBLK(kind):
+            raise OSError('%s is a device' % path)
         os.unlink(path)
     except FileNotFoundError:
         pass

@@ -66,8 +66,8 @@ def end_quietly_until_main():
 
 
 def exit_with(main):
-    """Ends the program with what `main` returns, or with the exit code for a Ctrl-C; with 1 if what it printed cannot be written, or
-    if the ROS master has ended."""
+    """Ends the program with what `main` returns, or with the exit code for a Ctrl-C; with 1 and one line if what it printed cannot be
+    written, if the ROS master has ended, or for any other exception."""
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
@@ -79,6 +79,12 @@ def exit_with(main):
         code = 1
     except SystemExit as end:  # --help, for example
         code = end.code
+    except Exception as error:  # of a library in surroundings that nobody thought of, or a defect
+        if os.environ.get('FRONTIER_PILOT_TRACEBACK'):
+            raise
+        say("%s: failed with %s: %s; with FRONTIER_PILOT_TRACEBACK=1 it says where" % (
+            os.path.basename(sys.argv[0]), type(error).__name__, printable(str(error))), sys.stderr)
+        code = 1
     sys.exit(code if _written() else code or 1)
 
 

@@ -10,7 +10,7 @@ import random
 
 import numpy as np
 
-from command_line import CommandLine
+from command_line import CommandLine, exit_with
 
 RESOLUTION = 0.05  # [m] side of a cell
 WALL = 0.15        # [m] thickness of a wall between rooms
@@ -263,4 +263,4 @@ def main():
 
 
 if __name__ == '__main__':
-    main()
+    exit_with(main)

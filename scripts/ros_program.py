@@ -4,6 +4,7 @@ import http.client
 import logging
 import math
 import re
+import signal
 import socket
 import sys
 import time
@@ -90,6 +91,7 @@ def begin(name, wanted=lambda: True, silent_for=0.0, **options):
     if problems:
         say('%s: %s' % (name, printable(problems[0])), sys.stderr)
         sys.exit(2)
+    interrupts = note_interrupts()
     say_at = time.monotonic() + silent_for
     while wanted() and not rosgraph.is_master_online():
         if time.monotonic() >= say_at:
@@ -100,8 +102,22 @@ def begin(name, wanted=lambda: True, silent_for=0.0, **options):
         logging.getLogger('rosout').addFilter(is_news)
         if not options.get('anonymous'):
             refuse_a_namesake(name)
-        init_node(name, options)
+        init_node(name, options, interrupts)
     return wanted()
+
+
+def note_interrupts():
+    """A list to which every Ctrl-C from now on is added, beside being a KeyboardInterrupt as before: rospy swallows some of these
+    while it makes a node."""
+    noted = []
+
+    def note(number, _frame):
+        noted.append(number)
+        raise KeyboardInterrupt
+
+    if signal.getsignal(signal.SIGINT) == signal.default_int_handler:  # it is ignored in the background of a script
+        signal.signal(signal.SIGINT, note)
+    return noted
 
 
 def refuse_a_namesake(name):
@@ -127,10 +143,15 @@ def lives(node):
         return False
 
 
-def init_node(name, options):
-    """rospy.init_node; if the master ends in this moment, or refuses the node, a line and exit code 1."""
+def init_node(name, options, interrupts):
+    """rospy.init_node; if the master ends in this moment, or refuses the node, a line and exit code 1; 130 after a Ctrl-C."""
+    problem = ''
     try:
         rospy.init_node(name, **options)
     except Exception as error:  # of sockets, of XML-RPC or of rospy
-        say('%s: cannot be a node of the ROS master: %s' % (name, printable(str(error) or type(error).__name__)), sys.stderr)
+        problem = str(error) or type(error).__name__
+    if interrupts:
+        sys.exit(130)
+    if problem:
+        say('%s: cannot be a node of the ROS master: %s' % (name, printable(problem)), sys.stderr)
         sys.exit(1)

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QScreen>
 #include <QStyleFactory>
+#include <cstdio>
 #include <cstdlib>
 
 #include "gui/fleet_window.h"
@@ -17,6 +18,14 @@ QSize windowSize(const QWidget& widget) {
   const QSize wanted(em * 86, em * 46);
   const QScreen* screen = QGuiApplication::primaryScreen();
   return screen == nullptr ? wanted : wanted.boundedTo(screen->availableSize() * 0.95);
+}
+
+/// Qt aborts where there is no display, after some lines of its own. The first of these is the reason.
+void sayWhyNoWindow(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text) {
+  static const QString reason = text.section('\n', 0, 0);
+  if (type != QtFatalMsg) return;
+  std::fprintf(stderr, "teleop_gui: no window can be opened: %s\n", qPrintable(reason));
+  std::_Exit(EXIT_FAILURE);
 }
 
 bool g_is_running = false;
@@ -42,7 +51,9 @@ int runUntilClosed() {
 int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const std::string& palette) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  qInstallMessageHandler(sayWhyNoWindow);
   QApplication application(argc, argv);
+  qInstallMessageHandler(nullptr);
   QApplication::setApplicationName("frontier_pilot");
   if (palette != "system") {
     QApplication::setStyle(QStyleFactory::create("Fusion"));

@@ -1,5 +1,8 @@
 #include "tools/program.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <exception>
@@ -18,6 +21,13 @@ bool asksForHelp(const std::vector<std::string>& words) {
   return std::any_of(words.begin(), words.end(), [](const auto& word) { return word == "--help" || word == "-h"; });
 }
 
+/// A standard stream that was closed (>&-) would give its number to the next file or pipe.
+void openClosedStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDWR);  // takes the lowest number that is free
+  }
+}
+
 /// The exit code of a program whose output could be written, else an exception.
 int withItsOutput(int code) {
   const std::string problem = flushStandardOutput();
@@ -29,6 +39,7 @@ int withItsOutput(int code) {
 
 int runProgram(const std::string& name, const std::vector<std::string>& words, const char* usage,
                const std::function<int(const std::vector<std::string>&)>& run) {
+  openClosedStreams();
   // A file that exceeds a limit of the system (ulimit -f) is an error of its writer, and no reason to be killed.
   std::signal(SIGXFSZ, SIG_IGN);
   try {

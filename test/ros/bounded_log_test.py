@@ -2,6 +2,7 @@
 """What a run of days says fits on the disk."""
 import os
 import pathlib
+import stat
 import signal
 import subprocess
 import tempfile
@@ -50,6 +51,16 @@ class BoundedLog(unittest.TestCase):
             os.symlink(victim, self.log + name)
         self.assertEqual(0, self.write(b'x' * 3 * SIZE))
         self.assertEqual('precious', victim.read_text())
+
+    def test_a_device_is_not_replaced(self):
+        """[FLT-1]"""
+        os.symlink('/dev/full', self.log)
+        self.assertEqual(0, self.write(b'x'))
+        if os.getuid() == 0:  # only root may make one
+            self.log += '.device'
+            os.mknod(self.log, 0o600 | stat.S_IFCHR, os.makedev(1, 7))
+            self.assertEqual(1, self.write(b'x'))
+            self.assertTrue(stat.S_ISCHR(os.lstat(self.log).st_mode))
 
     def test_a_log_that_cannot_be_written_holds_nobody_up(self):
         """[FLT-1]"""

@@ -190,7 +190,7 @@ class LaunchFilesTest(unittest.TestCase):
     def test_rviz_shows_everything_in_the_frame_of_the_map(self):
         """[ROB-2]"""
         for name in ('real_robot', 'operator'):
-            for given, frame in (({}, 'map'), ({'map_frame': 'floor'}, 'floor')):
+            for given, frame in (({}, 'map'), ({'map_frame': 'floor'}, 'floor'), ({'map_frame': 5}, '5')):
                 config = self.config(ROOT + '/launch/%s.launch' % name, **given)
                 rviz, = (node for node in config.nodes if node.type == 'rviz')
                 words = rviz.args.split()

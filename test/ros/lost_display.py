@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The window when its display server dies: it ends, and without an abort."""
+"""The window when its display server dies, or is not there: it ends, and without an abort."""
 import os
 import shutil
 import subprocess
@@ -44,6 +44,15 @@ class LostDisplay(unittest.TestCase):
             code, written = self.lose()
             self.assertEqual(code, 1, written)
             self.assertNotIn('terminate called', written)
+
+    def test_a_window_without_a_display_says_why_it_ends_in_one_line(self):
+        """[FLT-1]"""
+        for platform, words in (('xcb', 'display'), ('nosuch', 'nosuch')):
+            environment = dict(os.environ, QT_QPA_PLATFORM=platform, DISPLAY=':98765')
+            window = subprocess.run([find_node('frontier_pilot', 'teleop_gui'), '__name:=window_without_display'], env=environment,
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, timeout=30.0)
+            self.assertEqual(window.returncode, 1, window.stderr)
+            self.assertRegex(window.stderr, '^teleop_gui: no window can be opened: [^\n]*%s[^\n]*\n$' % words)
 
 
 if __name__ == '__main__':

@@ -121,6 +121,17 @@ class CommandLines(unittest.TestCase):
                                           preexec_fn=lambda: os.close(closed), stdout=subprocess.DEVNULL, universal_newlines=True)
                     self.assertEqual((done.returncode, done.stderr), (0, ''))
 
+    def test_map_log_makes_a_map_also_if_all_its_streams_are_closed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = os.path.join(folder, 'drive.log')
+            with open(log, 'w') as file:
+                for i in range(20):
+                    file.write('FLASER 3 2.0 2.0 2.0 %.1f 0 0 %.1f 0 0 %d host %d\n' % (0.1 * i, 0.1 * i, i, i))
+            done = subprocess.run([str(BUILD / 'devel/lib/frontier_pilot/map_log'), log, '--out', os.path.join(folder, 'map')],
+                                  preexec_fn=lambda: os.closerange(0, 3), timeout=60)
+            self.assertEqual(done.returncode, 0)
+            self.assertTrue(os.path.exists(os.path.join(folder, 'map.yaml')))
+
     def test_a_python_node_waits_for_a_master_also_if_nothing_can_be_said(self):
         environment = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:9', ROS_IP='127.0.0.1')
         with open('/dev/full', 'w') as full:

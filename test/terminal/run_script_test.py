@@ -207,7 +207,9 @@ class RunScript(unittest.TestCase):
 
     def test_the_map_is_saved_although_ctrl_c_also_ended_the_program_that_reads_what_it_says(self):
         prefix = os.path.join(self.folder.name, 'floor')
-        with mock.patch.dict(os.environ, SHELLOPTS='noglob:noclobber'):  # what the caller's shell exports must not matter
+        # What the caller's shell exports must not matter.
+        exported = {'SHELLOPTS': 'noglob:noclobber', 'FUNCNEST': '1', 'BASH_FUNC_kill%%': '() { :; }'}
+        with mock.patch.dict(os.environ, exported):
             process, _ = self.start_exploring(prefix)
         process.stdout.close()
         process.stderr.close()

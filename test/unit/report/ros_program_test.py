@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """Words of the command line that are for ROS, as the Python programs check them."""
 import io
+import os
+import signal
 import socket
+import time
 import unittest
 from unittest import mock
 
 import folder_case  # noqa: F401: finds the scripts
 from command_line import exit_with
-from ros_program import init_node, problem_of
+from ros_program import init_node, note_interrupts, problem_of
 
 
 class Words(unittest.TestCase):
@@ -39,9 +42,52 @@ class Masters(unittest.TestCase):
         said = io.StringIO()
         with mock.patch('sys.stderr', said), mock.patch('rospy.init_node', side_effect=ValueError('a\nb')), \
                 self.assertRaises(SystemExit) as end:
-            init_node('player', {})
+            init_node('player', {}, [])
         self.assertEqual(end.exception.code, 1)
         self.assertEqual(said.getvalue(), 'player: cannot be a node of the ROS master: a\\nb\n')
+
+
+class Interrupts(unittest.TestCase):
+    def ended_by(self, init):
+        """The exit code of a program whose rospy.init_node is `init`."""
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        interrupts = note_interrupts()
+        with mock.patch('rospy.init_node', side_effect=init), self.assertRaises(SystemExit) as end:
+            init_node('player', {}, interrupts)
+        return end.exception.code
+
+    # [FLT-1]
+    def test_a_ctrl_c_that_rospy_swallows_ends_the_program(self):
+        def swallowing(_name):
+            try:
+                os.kill(os.getpid(), signal.SIGINT)
+                time.sleep(1.0)
+            except KeyboardInterrupt:
+                pass
+
+        self.assertEqual(self.ended_by(swallowing), 130)
+
+    # [FLT-1]
+    def test_a_ctrl_c_that_makes_rospy_fail_is_no_failure(self):
+        def failing(_name):
+            try:
+                os.kill(os.getpid(), signal.SIGINT)
+                time.sleep(1.0)
+            except KeyboardInterrupt:
+                raise ValueError('init_node interrupted before it could complete')
+
+        self.assertEqual(self.ended_by(failing), 130)
+
+
+class Exceptions(unittest.TestCase):
+    # [FLT-1]
+    def test_an_exception_that_nobody_expects_is_said_in_one_line(self):
+        said = io.StringIO()
+        with mock.patch('sys.stderr', said), self.assertRaises(SystemExit) as end:
+            exit_with(lambda: {}['a\nb'])
+        self.assertEqual(end.exception.code, 1)
+        self.assertRegex(said.getvalue(), '^[^\n]*: failed with KeyError: [^\n]*FRONTIER_PILOT_TRACEBACK[^\n]*\n$')
 
 
 if __name__ == '__main__':
