@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "robot_check/checks.h"
@@ -44,7 +46,12 @@ void checkOdometryTransform(const Observation& seen, const Expectation& expected
     return problem(findings, "there is no transform from " + odom + " to " + base,
                    "the base's driver or robot_localization has to publish it");
   }
-  for (const FrameLink* link : wayUp(seen.links, base)) {
+  const std::vector<const FrameLink*> way = wayUp(seen.links, base);
+  if (std::none_of(way.begin(), way.end(), [&](const FrameLink* link) { return link->parent == odom; })) {
+    return problem(findings, odom + " is not above " + base + " in the tree of frames",
+                   "odom_frame has to be the frame in which odometry moves base_frame, or a frame above it");
+  }
+  for (const FrameLink* link : way) {
     if (!link->is_static) checkLag(seen, link->stream, "the transform " + arrow(*link), kTransformLag, findings);
     if (link->parent == odom) break;
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot_check/findings.h"
@@ -128,6 +129,12 @@ const std::vector<Mistake>& mistakes() {
       {"NoTransformFromOdometryToTheBase",
        [](SeenRobot& r) { r.seen.links[0] = link("odom", "dummy", {}, 0.0, "/base", false); },
        {"there is no transform from odom to base_link"}},
+      {"TheOdometryFrameAsTheBase",
+       [](SeenRobot& r) { r.expected.robot.base_frame = "odom"; },
+       {"odom is not above odom in the tree of frames"}},
+      {"FramesThatAreSwapped",
+       [](SeenRobot& r) { std::swap(r.expected.robot.base_frame, r.expected.robot.odom_frame); },
+       {"base_link is not above odom in the tree of frames"}},
       {"TwoParentsOfTheBase",
        [](SeenRobot& r) { r.seen.links.push_back(link("odom_combined", "base_link", {}, 0.0, "/ekf", false)); },
        {"base_link has several parents: odom (/base), odom_combined (/ekf)"}},
