@@ -121,6 +121,20 @@ class FleetStop(unittest.TestCase):
         answer, _ = self.stop()
         self.assertEqual(answer.message, '3 of 3 robots stopped')
 
+    def test_a_robot_on_a_computer_that_cannot_be_found_does_not_flood_the_log(self):
+        """[FLT-1]"""
+        master, service, there = rospy.get_master(), '/robot3/emergency_stop', 'rosrpc://no-such-computer.invalid:1'
+        stranger = rospy.Publisher('/robot3/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.addCleanup(stranger.unregister)
+        master.target.registerService('/stranger', service, there, 'http://127.0.0.1:1')
+        self.addCleanup(master.target.unregisterService, '/stranger', service, there)
+        self.assertTrue(wait_for(lambda: self.fleet.last is not None and service in self.fleet.last.not_reached, 10.0))
+        self.assertFalse(self.stop()[0].success)
+        rospy.sleep(15.0)
+        lines = [line for line in self.node.said().splitlines() if 'no-such-computer' in line]
+        self.assertTrue(lines)
+        self.assertLess(len(lines), 40, 'in 15 s, in the first of which it tries more often')
+
     def test_it_never_calls_itself(self):
         """A robot called fleet would have its stop where the stop of all is. [FLT-1]"""
         stranger = rospy.Publisher('/fleet/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)

@@ -12,8 +12,11 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr auto kRetry = std::chrono::milliseconds(500);
-constexpr auto kRetryWhileOwed = std::chrono::milliseconds(100);
+constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kRetryWhileOwed = std::chrono::milliseconds(100);
+// roscpp logs each attempt to connect to a computer that it cannot find, so they become rarer.
+constexpr Duration kRarestRetry = std::chrono::seconds(5);
+constexpr Duration kRarestRetryWhileOwed = std::chrono::seconds(1);
 constexpr Duration kGivenUp = std::chrono::seconds(5);
 constexpr Duration kOwed = std::chrono::seconds(30);  // how long a robot that was not reached is asked again
 
@@ -56,7 +59,10 @@ void StopLine::run() {
     lock.unlock();
     guard_.run("connecting to " + service_, [this] { connect(); });
     lock.lock();
-    wake_.wait_for(lock, owed_until_ ? kRetryWhileOwed : kRetry, [this] { return asked_ != answered_ || ending_; });
+    pause_ = connected_ ? Duration::zero() : std::min(kRarestRetry, 2 * pause_);
+    pause_ = std::max(pause_, owed_until_ ? kRetryWhileOwed : kRetry);
+    if (owed_until_) pause_ = std::min(pause_, kRarestRetryWhileOwed);
+    wake_.wait_for(lock, pause_, [this] { return asked_ != answered_ || ending_; });
     if (owed_until_ && steadyNow() > *owed_until_) owed_until_.reset();
     const bool late = asked_ == answered_;
     if (ending_ || (late && !(owed_until_ && connected_))) continue;
