@@ -3,8 +3,9 @@
 #include <QApplication>
 #include <QScreen>
 #include <QStyleFactory>
-#include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <string>
 
 #include "gui/fleet_window.h"
 #include "gui/theme.h"
@@ -20,11 +21,13 @@ QSize windowSize(const QWidget& widget) {
   return screen == nullptr ? wanted : wanted.boundedTo(screen->availableSize() * 0.95);
 }
 
+std::function<void(const std::string&)> g_say_why_not;
+
 /// Qt aborts where there is no display, after some lines of its own. The first of these is the reason.
-void sayWhyNoWindow(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text) {
+void endWithoutWindow(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text) {
   static const QString reason = text.section('\n', 0, 0);
   if (type != QtFatalMsg) return;
-  std::fprintf(stderr, "teleop_gui: no window can be opened: %s\n", qPrintable(reason));
+  g_say_why_not(reason.toStdString());
   std::_Exit(EXIT_FAILURE);
 }
 
@@ -48,10 +51,12 @@ int runUntilClosed() {
 
 }  // namespace
 
-int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const std::string& palette) {
+int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const std::string& palette,
+                   const std::function<void(const std::string&)>& say_why_not) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-  qInstallMessageHandler(sayWhyNoWindow);
+  g_say_why_not = say_why_not;
+  qInstallMessageHandler(endWithoutWindow);
   QApplication application(argc, argv);
   qInstallMessageHandler(nullptr);
   QApplication::setApplicationName("frontier_pilot");

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
         frontier_pilot::dropUnreadOutput();
         const auto parameters = frontier_pilot::loadNodeParameters<TeleopParameters>(private_node);
         FleetBridge bridge(node, parameters, running);
-        return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters.palette);
+        return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters.palette,
+                                                   frontier_pilot::sayWhyNoWindow);
       });
 }

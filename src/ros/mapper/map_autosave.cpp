@@ -132,7 +132,9 @@ void MapAutosave::replace() {
 void MapAutosave::lose(const std::string& why) {
   const std::optional<fs::path> base = find();
   const std::string lost = base ? kept_map::setAside(*base) : std::string();
-  loss_ = lost.empty() ? why : why + "; its files are kept, mapper/load_map may still read " + lost;
+  loss_ = lost.empty() ? why
+                       : why + "; its files are kept: mapper/load_map may still read " + lost +
+                             ", or its picture if the .bt is moved away";
   mapping_since_.reset();
 }
 

@@ -2,6 +2,7 @@
 
 #include <ros/init.h>
 
+#include <iostream>
 #include <utility>
 
 #include "frontier_pilot/core/bounds.h"
@@ -186,6 +187,10 @@ void FleetBridge::stopAll() {
     stop_ = {teleop::Severity::kWarning, "asking all robots to stop …"};
   }
   stop_caller_.insist(names::kFleetEmergencyStop);
+}
+
+void sayWhyNoWindow(const std::string& why) {
+  std::cerr << "teleop_gui: no window can be opened: " << why << std::endl;
 }
 
 }  // namespace frontier_pilot

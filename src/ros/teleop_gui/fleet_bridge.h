@@ -77,4 +77,7 @@ class FleetBridge : public teleop::FleetLink {
   Worker<teleop::OpenedRobot> opener_;
 };
 
+/// One line on stderr for a window that cannot be opened.
+void sayWhyNoWindow(const std::string& why);
+
 }  // namespace frontier_pilot

@@ -191,8 +191,8 @@ TEST_F(UnknownStarts, AreFoundOnceTheMapsOverlap) {
   expectNear(*merger_.place(1), kFirstStart.inverse() * kSecondStart);
 }
 
-// [MUL-1] A place at which nearly everything fits is not believed before more is known. Where rooms are alike but for their
-// furniture, it is the wrong one.
+// [MUL-1] A place at which nearly everything fits is not believed before more is known. Where rooms are alike but for
+// their furniture, it is the wrong one.
 TEST_F(UnknownStarts, AreNotFoundWhereAFewWallsLieInTheOthersFreeSpace) {
   const std::optional<PlaceMatch> exact = PlaceSearch(one_, two_).refine(kFirstStart.inverse() * kSecondStart);
   ASSERT_TRUE(exact);
