@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <ctime>
 #include <iterator>
 #include <sstream>
@@ -15,6 +14,7 @@
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/text.h"
+#include "ros/common/memory/disk.h"
 #include "ros/common/memory/process_identity.h"
 
 namespace frontier_pilot {
@@ -235,8 +235,11 @@ std::vector<std::string> SessionMemory::recallAll() const { return textsIn(findA
 std::vector<std::string> SessionMemory::recallFromElsewhere() const { return textsIn(elsewhere_); }
 
 std::optional<std::string> SessionMemory::recallOthers() const {
-  const std::vector<fs::path> files = others();
-  return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
+  const auto recalled = diskThread().run<std::optional<std::string>>([copy = *this] {
+    const std::vector<fs::path> files = copy.others();
+    return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
+  });
+  return recalled.value_or(std::nullopt);
 }
 
 std::string SessionMemory::remember(const std::string& text) const {
@@ -249,15 +252,18 @@ std::string SessionMemory::remember(const std::string& text) const {
     // zeros must not be delayed by waiting for the disk.
     return error ? error.message() : writeFile(file, bytes, Survives::kProcessDeath);
   };
-  std::string problem = tryAll(files_, write);
-  if (!spares_.empty() && tryAll(spares_, write).empty()) problem.clear();
-  if (problem.empty()) removeThoseOfTheDead();
-  return problem;
+  const bool spared = !spares_.empty() && tryAll(spares_, write).empty();
+  const std::string problem = onDisk([copy = *this, write, spared] {
+    std::string why = tryAll(copy.files_, write);
+    if (spared || why.empty()) copy.removeThoseOfTheDead();
+    return why;
+  });
+  return spared ? std::string() : problem;
 }
 
 std::string SessionMemory::problem() const {
   const auto look = [](const fs::path& file) { return whyNotWritable(file.parent_path()); };
-  const std::string problem = tryAll(files_, look);
+  const std::string problem = onDisk([files = files_, look] { return tryAll(files, look); });
   return !spares_.empty() && tryAll(spares_, look).empty() ? std::string() : problem;
 }
 
@@ -270,30 +276,23 @@ std::string SessionMemory::removeThoseOfTheDead() const {
 }
 
 std::string SessionMemory::forget() const {
-  const std::string problem = removeThoseOfTheDead();
-  const std::string mine = removeAll(own());
-  return mine.empty() ? problem : mine;
+  const std::string spare = removeAll(spares_);
+  const std::string problem = onDisk([copy = *this] {
+    const std::string of_the_dead = copy.removeThoseOfTheDead();
+    const std::string mine = removeAll(copy.files_);
+    return mine.empty() ? of_the_dead : mine;
+  });
+  return spare.empty() ? problem : spare;
 }
 
 void SessionMemory::endInOrder() const {
-  const timespec times[] = {kEndedInOrder, kEndedInOrder};
-  for (const fs::path& file : own()) utimensat(AT_FDCWD, file.c_str(), times, 0);
-}
-
-std::filesystem::path rosHome() {
-  if (const char* ros_home = std::getenv("ROS_HOME")) return ros_home;
-  const char* home = std::getenv("HOME");
-  return std::filesystem::path(home != nullptr ? home : "/") / ".ros";
-}
-
-fs::path spareFolder() {
-  if (const char* runtime = std::getenv("XDG_RUNTIME_DIR")) return runtime;
-  const fs::path folder = "/dev/shm/frontier_pilot-" + std::to_string(getuid());
-  mkdir(folder.c_str(), S_IRWXU);
-  struct stat status {};
-  const bool ours = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == getuid() &&
-                    (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
-  return ours ? folder : fs::path();
+  const auto mark = [](const std::vector<fs::path>& files) {
+    const timespec times[] = {kEndedInOrder, kEndedInOrder};
+    for (const fs::path& file : files) utimensat(AT_FDCWD, file.c_str(), times, 0);
+    return std::string();
+  };
+  mark(spares_);
+  onDisk([mark, files = files_] { return mark(files); });
 }
 
 }  // namespace frontier_pilot

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ros/common/memory/disk.h"
+
 namespace frontier_pilot {
 
 /// Keeps an operator's request, such as an emergency stop, beyond the death of the node that received it: in a file
@@ -15,6 +17,8 @@ namespace frontier_pilot {
 ///
 /// It is a file and not a parameter because writing it takes microseconds and depends on no other process. A write to
 /// the parameter server would wait forever while the master is gone, and meanwhile the arbiter would send no zeros.
+/// A disk that hangs, such as one of a server that is away, is waited for 50 ms, and not again before it answers; only
+/// construction and recall, with which a node starts, wait for it. The spare folder is in memory and does not hang.
 /// [ARB-7]
 class SessionMemory {
  public:
@@ -78,9 +82,4 @@ class SessionMemory {
   std::vector<std::filesystem::path> elsewhere_;  ///< of other sessions, removed once this process stores or forgets
 };
 
-/// ROS_HOME, or ROS' default, ~/.ros.
-std::filesystem::path rosHome();
-/// A folder of this user's own in memory, which can be written when the disk cannot: XDG_RUNTIME_DIR, or one below
-/// /dev/shm if that is not set. Empty if there is none, or if it belongs to somebody else.
-std::filesystem::path spareFolder();
 }  // namespace frontier_pilot

@@ -1,0 +1,45 @@
+#include "ros/common/memory/disk.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <mutex>
+
+namespace frontier_pilot {
+
+namespace fs = std::filesystem;
+
+PatientThread& diskThread() {
+  constexpr Duration kPatience = std::chrono::milliseconds(50);
+  static std::mutex mutex;
+  static pid_t owner = 0;
+  static PatientThread* thread = nullptr;  // as long as the process lives: it may hang
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (owner != getpid()) thread = new PatientThread(kPatience);
+  owner = getpid();
+  return *thread;
+}
+
+std::string onDisk(const std::function<std::string()>& job) {
+  return diskThread().run<std::string>(job).value_or("the disk does not answer");
+}
+
+fs::path rosHome() {
+  if (const char* ros_home = std::getenv("ROS_HOME")) return ros_home;
+  const char* home = std::getenv("HOME");
+  return fs::path(home != nullptr ? home : "/") / ".ros";
+}
+
+fs::path spareFolder() {
+  if (const char* runtime = std::getenv("XDG_RUNTIME_DIR")) return runtime;
+  const fs::path folder = "/dev/shm/frontier_pilot-" + std::to_string(getuid());
+  mkdir(folder.c_str(), S_IRWXU);
+  struct stat status {};
+  const bool ours = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == getuid() &&
+                    (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+  return ours ? folder : fs::path();
+}
+
+}  // namespace frontier_pilot
