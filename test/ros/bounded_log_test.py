@@ -2,8 +2,8 @@
 """What a run of days says fits on the disk."""
 import os
 import pathlib
-import stat
 import signal
+import stat
 import subprocess
 import tempfile
 import unittest

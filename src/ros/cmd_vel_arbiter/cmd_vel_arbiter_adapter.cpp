@@ -5,6 +5,7 @@
 
 #include "ros/cmd_vel_arbiter/free_descriptors.h"
 #include "ros/cmd_vel_arbiter/source_topics.h"
+#include "ros/common/memory/disk.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"

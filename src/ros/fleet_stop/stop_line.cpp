@@ -20,6 +20,12 @@ constexpr Duration kRarestRetryWhileOwed = std::chrono::seconds(1);
 constexpr Duration kGivenUp = std::chrono::seconds(5);
 constexpr Duration kOwed = std::chrono::seconds(30);  // how long a robot that was not reached is asked again
 
+/// Until the next attempt to connect: twice as long as the pause before this one, which has failed.
+Duration pauseAfter(Duration last, bool connected, bool owed) {
+  const Duration least = owed ? kRetryWhileOwed : kRetry;
+  return connected ? least : std::clamp(2 * last, least, owed ? kRarestRetryWhileOwed : kRarestRetry);
+}
+
 }  // namespace
 
 StopLine::StopLine(const ros::NodeHandle& node, std::string service)
@@ -55,14 +61,13 @@ StopAnswer StopLine::answerUntil(SteadyTime deadline) {
 
 void StopLine::run() {
   std::unique_lock<std::mutex> lock(mutex_);
+  Duration pause{};
   while (!ending_) {
     lock.unlock();
     guard_.run("connecting to " + service_, [this] { connect(); });
     lock.lock();
-    pause_ = connected_ ? Duration::zero() : std::min(kRarestRetry, 2 * pause_);
-    pause_ = std::max(pause_, owed_until_ ? kRetryWhileOwed : kRetry);
-    if (owed_until_) pause_ = std::min(pause_, kRarestRetryWhileOwed);
-    wake_.wait_for(lock, pause_, [this] { return asked_ != answered_ || ending_; });
+    pause = pauseAfter(pause, connected_, owed_until_.has_value());
+    wake_.wait_for(lock, pause, [this] { return asked_ != answered_ || ending_; });
     if (owed_until_ && steadyNow() > *owed_until_) owed_until_.reset();
     const bool late = asked_ == answered_;
     if (ending_ || (late && !(owed_until_ && connected_))) continue;

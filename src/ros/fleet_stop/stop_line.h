@@ -59,7 +59,6 @@ class StopLine {
   std::optional<SteadyTime> calling_since_;  ///< while a call is under way
   StopAnswer answer_;                        ///< to the last call that has ended
   std::optional<SteadyTime> owed_until_;     ///< until when a call that was not confirmed is made again
-  Duration pause_{};                         ///< until the next attempt to connect, longer after each that fails
   ros::ServiceClient client_;
   std::thread thread_;  ///< the last member: it starts when all others are constructed
 };

@@ -11,6 +11,7 @@
 #include "frontier_pilot/map_files/map_io.h"
 #include "ros/common/clock.h"
 #include "ros/common/master/ros_sessions.h"
+#include "ros/common/memory/disk.h"
 #include "ros/mapper/kept_map.h"
 #include "ros/mapper/map_autosave.h"
 

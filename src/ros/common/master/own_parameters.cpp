@@ -12,6 +12,7 @@
 #include "frontier_pilot/core/text.h"
 #include "ros/common/master/ros_sessions.h"
 #include "ros/common/master/xml_rpc.h"
+#include "ros/common/memory/disk.h"
 
 namespace frontier_pilot {
 namespace {
@@ -91,8 +92,10 @@ const XmlRpcValue* find(const XmlRpcValue& space, const std::string& name) {
   return slash == std::string::npos ? &space[first] : find(space[first], name.substr(slash + 1));
 }
 
+/// In memory only, so that no disk holds it up.
 SessionMemory memoryOfThisNode() {
-  return {spareFolder(), rosSessions(), "parameters", ros::this_node::getName(), SessionMemory::Owner::kLastingNode};
+  constexpr auto kKind = SessionMemory::Owner::kLastingNode;
+  return {{}, rosSessions(), "parameters", ros::this_node::getName(), kKind, spareFolder()};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ros/common/master/ros_sessions.h"
+#include "ros/common/memory/disk.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {

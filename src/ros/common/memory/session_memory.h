@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "ros/common/memory/disk.h"
-
 namespace frontier_pilot {
 
 /// Keeps an operator's request, such as an emergency stop, beyond the death of the node that received it: in a file
