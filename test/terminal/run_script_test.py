@@ -128,8 +128,12 @@ class RunScript(unittest.TestCase):
         world.write_text('image: nowhere.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n')
         generated = BUILD / 'CMakeFiles/TargetDirectories.txt'
         before = generated.stat().st_mtime
-        code, _, err = self.run_to_the_end('world:=broken.yaml')
+        slow = pathlib.Path(self.folder.name, 'slow_kill')  # what is killed has ended before the script goes on
+        slow.write_text('kill() { builtin kill "$@" || return; [ "$1" != -KILL ] || for i in {1..50000}; do :; done; }\n')
+        with mock.patch.dict(os.environ, BASH_ENV=str(slow)):
+            code, _, err = self.run_to_the_end('world:=broken.yaml')
         self.assertEqual(code, 1)
+        self.assertNotIn('Killed', err)
         self.assertRegex(err.strip().split('\n')[-1], r'^scripts/run: simulator: .*nowhere\.pgm does not exist')
         self.assertEqual(generated.stat().st_mtime, before, 'it configured the build again')
         self.assert_nothing_is_left()
