@@ -124,7 +124,7 @@ class MapperAutosave(unittest.TestCase):
         mapper.finish()
         before = self.known()
         kept = newest_map()
-        for damage in 'nowhere\n', None:  # and removed
+        for damage in 'nowhere\n', '1e9 -1e9 0\n', None:  # and removed
             for pose in poses_of_the_session(kept):
                 os.remove(pose)
                 if damage:

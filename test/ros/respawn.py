@@ -68,6 +68,27 @@ class Respawn(unittest.TestCase):
         self.assertFalse(files())
 
     # [ARB-7] [FLT-2]
+    def test_a_stop_whose_files_were_damaged_holds_and_says_that_its_cause_cannot_be_read(self):
+        status = Record('cmd_vel_arbiter/status', ArbiterStatus)
+        self.node = self.start('cmd_vel_arbiter')
+        call('emergency_stop', Trigger)
+        self.node.signal(signal.SIGKILL)
+        self.node.finish()
+        spare = os.environ.get('XDG_RUNTIME_DIR', '/dev/shm/frontier_pilot-%d' % os.getuid())
+        files = [f for folder in (os.environ['ROS_HOME'], spare)
+                 for f in glob.glob(folder + '/frontier_pilot/*/stopped.emergency_stop~%d' % self.node.process.pid)]
+        self.assertTrue(files)
+        for file in files:
+            os.truncate(file, 0)
+        status.items.clear()
+        self.node = self.start('cmd_vel_arbiter')
+        self.assertTrue(wait_for(lambda: status.last is not None))
+        self.assertTrue(status.last.emergency_stop, '[ARB-7]')
+        self.assertEqual(status.last.emergency_stop_cause,
+                         'from before a restart: the file that keeps its cause cannot be read')
+        self.assertTrue(clear())
+
+    # [ARB-7] [FLT-2]
     def test_the_cause_of_a_stop_is_the_same_after_many_restarts(self):
         status = Record('cmd_vel_arbiter/status', ArbiterStatus)
         self.node = self.start('cmd_vel_arbiter')

@@ -148,6 +148,15 @@ class RunScript(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: simulator: .*seed: must be >= 0, is -1')
 
+    def test_the_reason_of_surroundings_with_which_roslaunch_cannot_work_is_said(self):
+        for name, value, reason in (('ROS_IP', '10.255.255.1', 'RLException: Unable to contact my own server'),
+                                    ('ROS_LOG_DIR', '/dev/null', "NotADirectoryError: .*'/dev/null/")):
+            with self.subTest(name):
+                process = self.start(env=dict(environment(self.port, self.folder.name), **{name: value}))
+                _, err = process.communicate(timeout=120)
+                self.assertEqual(process.returncode, 1)
+                self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: ' + reason)
+
     def test_it_ends_at_once_also_if_roslaunch_has_lost_the_ctrl_c(self):
         lost = 'import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); time.sleep(90)'
         process = self.start(env=dict(environment(self.port, self.folder.name),

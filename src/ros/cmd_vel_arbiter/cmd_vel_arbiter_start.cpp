@@ -16,6 +16,7 @@ namespace frontier_pilot {
 namespace {
 
 constexpr const char* kRestarted = "from before a restart: ";
+constexpr const char* kUnreadable = "the file that keeps its cause cannot be read";
 
 /// How long an arbiter that starts at the same moment may take until it offers its services.
 constexpr Duration kElderPatience = std::chrono::seconds(3);
@@ -84,10 +85,11 @@ ros::Publisher CmdVelArbiterAdapter::takeItsPlace(ros::NodeHandle& node) {
 }
 
 void CmdVelArbiterAdapter::restoreStop() {
-  if (const auto cause = memory_.recall()) {
-    const bool said = cause->rfind(kRestarted, 0) == 0;  // after more than one restart
-    arbiter_.stop((said ? "" : kRestarted) + *cause, instantNow());
-    ROS_WARN_STREAM("starts stopped, like the arbiter before it: " << *cause);
+  if (const auto kept = memory_.recall()) {
+    const std::string cause = kept->empty() ? kUnreadable : *kept;
+    const bool said = cause.rfind(kRestarted, 0) == 0;  // after more than one restart
+    arbiter_.stop((said ? "" : kRestarted) + cause, instantNow());
+    ROS_WARN_STREAM("starts stopped, like the arbiter before it: " << cause);
   }
   keepStop();
   publishStopState();

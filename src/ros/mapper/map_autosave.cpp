@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/map_files/map_io.h"
 #include "ros/common/clock.h"
 #include "ros/common/master/ros_sessions.h"
@@ -30,10 +32,13 @@ std::string toText(const Pose2& pose) {
   return text.str();
 }
 
+/// Nothing if it is no pose, or one that no robot can have.
 std::optional<Pose2> toPose(const std::string& text) {
   std::istringstream in(text);
   Pose2 pose;
   if (!(in >> pose.x >> pose.y >> pose.yaw)) return std::nullopt;
+  if (!bounds::isWithin(pose.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate)) return std::nullopt;
+  if (!bounds::isWithin(pose.yaw, 2.0 * kPi)) return std::nullopt;
   return pose;
 }
 

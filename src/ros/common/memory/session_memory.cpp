@@ -68,9 +68,11 @@ std::string textIn(const fs::path& file) {
   return printable(text.substr(0, text.find('\n')), kLongestText);
 }
 
+/// Those that can be read first.
 std::vector<std::string> textsIn(const std::vector<fs::path>& files) {
   std::vector<std::string> texts;
   std::transform(files.begin(), files.end(), std::back_inserter(texts), textIn);
+  std::stable_partition(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
   return texts;
 }
 
@@ -226,8 +228,8 @@ std::vector<fs::path> SessionMemory::findAll() const {
 }
 
 std::optional<std::string> SessionMemory::recall() const {
-  const std::vector<fs::path> files = findAll();
-  return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
+  const std::vector<std::string> texts = recallAll();
+  return texts.empty() ? std::nullopt : std::make_optional(texts.front());
 }
 
 std::vector<std::string> SessionMemory::recallAll() const { return textsIn(findAll()); }
@@ -235,11 +237,8 @@ std::vector<std::string> SessionMemory::recallAll() const { return textsIn(findA
 std::vector<std::string> SessionMemory::recallFromElsewhere() const { return textsIn(elsewhere_); }
 
 std::optional<std::string> SessionMemory::recallOthers() const {
-  const auto recalled = diskThread().run<std::optional<std::string>>([copy = *this] {
-    const std::vector<fs::path> files = copy.others();
-    return files.empty() ? std::nullopt : std::optional<std::string>(textIn(files.front()));
-  });
-  return recalled.value_or(std::nullopt);
+  const auto texts = diskThread().run<std::vector<std::string>>([copy = *this] { return textsIn(copy.others()); });
+  return texts && !texts->empty() ? std::make_optional(texts->front()) : std::nullopt;
 }
 
 std::string SessionMemory::remember(const std::string& text) const {

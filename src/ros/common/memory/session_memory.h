@@ -39,7 +39,8 @@ class SessionMemory {
 
   /// Changes to the ROS session with these names; returns whether it is another one than before.
   bool enter(const std::vector<std::string>& sessions);
-  /// The remembered text, such as the cause of a stop; the first one if there are several. Nothing if there is none.
+  /// The remembered text, such as the cause of a stop; the first one that can be read if there are several, empty if
+  /// none of them can. Nothing if there is none.
   std::optional<std::string> recall() const;
   /// The texts remembered by this process, by earlier ones and by those that run at the same time.
   std::vector<std::string> recallAll() const;
