@@ -82,8 +82,8 @@ def judge_logs(probe, callers, sources, seconds, outcome):
     spans, judged = judge.stopped_spans(calls)
     stops = sum(call.stop for call in calls)
     held = judge.held_time(calls, max([call.answer for call in calls], default=0.0))
-    rate = sources['sent'] / max(0.1, sources['driving'])
-    outcome.figure('%.0f commands/s of all sources together while they drive; %d messages at the base, %d of them move' %
+    rate = sources['sent'] / max(0.1, sources['driven'])
+    outcome.figure('%.0f commands/s of each source while it drives; %d messages at the base, %d of them move' %
                    (rate, len(messages), moving))
     outcome.figure('%d stops answered without reserve, %d of them judged, %d with the reserve that the zero may not have '
                    'been sent yet; %d clears succeeded, %d were refused; the stop certainly held for '

@@ -22,9 +22,6 @@ class Timetable:
         cycle, place = divmod(now - self._start, CYCLE)
         return int(cycle), place
 
-    def sources_drive(self, now):
-        return self._place(now)[1] < DRIVING
-
     def source_drives(self, source, now):
         """Each source is silent in some tenths of the time in which they drive."""
         cycle, place = self._place(now)

@@ -29,24 +29,23 @@ class Written(Twist):
         buff.write(self.bytes)
 
 
-def send_all(timetable, publishers, commands, end, period):
-    """Lets the sources that drive send once in each period. Gives how many were sent and the time in which they drove [s]."""
-    sent, driving, last = 0, 0.0, time.monotonic()
-    drives = [False] * len(publishers)
-    looked_at = 0.0
-    while last < end and not rospy.is_shutdown():
-        if last - looked_at > 0.02:
-            drives, looked_at = [timetable.source_drives(number, last) for number in range(len(publishers))], last
-        for number, publisher in enumerate(publishers):
-            if drives[number]:
-                publisher.publish(commands[number])
-                sent += 1
-        time.sleep(max(0.0, last + period - time.monotonic()))
+def send_all(timetable, publishers, commands, begin, end, period):
+    """Lets the sources that drive send once in each period. Gives how many commands were sent, and the time in which a
+    source drove, the sum of all of them [s]."""
+    sent, driven, due, looked_at = 0, 0.0, begin, begin - 1.0
+    while due < end and not rospy.is_shutdown():
+        if due - looked_at > 0.02:
+            driving, looked_at = [number for number in range(len(publishers)) if timetable.source_drives(number, due)], due
+        for number in driving:
+            publishers[number].publish(commands[number])
+        sent += len(driving)
         now = time.monotonic()
-        if timetable.sources_drive(last):
-            driving += now - last
-        last = now
-    return sent, driving
+        # A delay is caught up with, so that the rate is that which was asked for, but not a long one.
+        following = max(due + period, now - 0.05)
+        driven += len(driving) * (following - due)
+        due = following
+        time.sleep(max(0.0, due - now))
+    return sent, driven
 
 
 def main(seed, start, seconds, rate, out):
@@ -57,9 +56,9 @@ def main(seed, start, seconds, rate, out):
     commands = [Written(0.02 * (number + 1), 2.0) for number in range(len(SOURCES))]
     begin = float(start)
     time.sleep(max(0.0, begin - time.monotonic()))
-    sent, driving = send_all(Timetable(int(seed), begin), publishers, commands, begin + float(seconds), 1.0 / float(rate))
+    sent, driven = send_all(Timetable(int(seed), begin), publishers, commands, begin, begin + float(seconds), 1.0 / float(rate))
     with open(out, 'w') as file:
-        json.dump({'sent': sent, 'driving': driving}, file)
+        json.dump({'sent': sent, 'driven': driven}, file)
 
 
 if __name__ == '__main__':
