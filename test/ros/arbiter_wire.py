@@ -14,14 +14,10 @@ from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
 from std_msgs.msg import Bool
 
-from wire import (Node, Record, Source, clear, emergency_stop, enable, moves, pid_of, set_emergency_stop, twist, wait_for)
+from wire import (Node, Record, Source, assert_memory_below, clear, emergency_stop, enable, memory_of, moves, pid_of,
+                  set_emergency_stop, twist, wait_for)
 
 SOURCES = ['avoid', 'behavior', 'patrol', 'nav', 'manual']
-
-
-def resident_kilobytes(pid):
-    with open('/proc/%d/status' % pid) as status:
-        return next(int(line.split()[1]) for line in status if line.startswith('VmRSS'))
 
 
 class ArbiterOnTheWire(unittest.TestCase):
@@ -209,10 +205,10 @@ class ArbiterOnTheWire(unittest.TestCase):
         fast = [Source('cmd_vel_' + name, 1000.0).connect().start(speed) for name, speed in load.items()]
         self.assertTrue(self.drives(0.05))
         pid, start = pid_of('/cmd_vel_arbiter'), time.monotonic()
-        before = resident_kilobytes(pid)
+        before = memory_of(pid)[0]
         self.assertTrue(wait_for(lambda: len(self.out.since(start)) >= 2000, 30.0))
         self.assertEqual({message.linear.x for message in self.out.since(start)}, {0.05}, 'never the wrong one [ARB-10]')
-        self.assertLess(resident_kilobytes(pid) - before, 1024, '[ARB-10]')
+        assert_memory_below(self, memory_of(pid)[0] - before, 1.0, '[MB] [ARB-10]')
         emergency_stop()
         stopped = time.monotonic()
         self.assertTrue(wait_for(lambda: len(self.out.since(stopped)) >= 20))

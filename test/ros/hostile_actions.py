@@ -17,7 +17,7 @@ from tf2_msgs.msg import TFMessage
 
 from frontier_pilot.msg import (PatrolAction, PatrolActionGoal, PatrolGoal, SpinAction, SpinActionGoal, SpinGoal,
                                 WaitAction, WaitActionGoal, WaitGoal)
-from wire import Node, Record, memory_of, wait_for
+from wire import Node, Record, assert_memory_below, memory_of, wait_for
 
 END_OF_TIME = rospy.Time(4294967295, 999999999)
 LONGEST = rospy.Duration(2147483647, 999999999)
@@ -165,7 +165,7 @@ class HostileActions(unittest.TestCase):
         self.assertTrue(wait_for(lambda: len(self.statuses['turtlebot3'].items) > heard + 10, 15.0))
         for name, node in dict(self.nodes, patrol_client=patrol).items():
             self.assertFalse(node.has_ended(), name)
-            self.assertLess(memory_of(node.process.pid)[1], 500.0, name + ' [MB] [FLT-1]')
+            assert_memory_below(self, memory_of(node.process.pid)[1], 500.0, name + ' [MB] [FLT-1]')
         patrol.signal(2)
         code, said = patrol.finish()
         self.assertIn('patrol canceled', said)

@@ -19,7 +19,7 @@ from nav_msgs.srv import GetPlan
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
 
-from wire import Record, call, memory_of, pid_of, wait_for
+from wire import Record, assert_memory_below, call, memory_of, pid_of, wait_for
 
 MAP_READERS = ('reader/navigator', 'reader/frontier_explorer')
 SCAN_READERS = ('mapper', 'obstacle_avoider', 'behavior_server', 'reader/navigator')
@@ -136,7 +136,7 @@ class HostileMessages(unittest.TestCase):
         for node in NODES:
             self.assertTrue(wait_for(lambda: self.said(node, start), MOST_SILENCE), node + ' answers no more [FLT-1]')
             self.assertEqual(pid_of('/' + node), self.pids[node], node + ' is another one [FLT-1]')
-            self.assertLess(memory_of(self.pids[node])[1], MOST_MEMORY, node + ' [MB] [FLT-1]')
+            assert_memory_below(self, memory_of(self.pids[node])[1], MOST_MEMORY, node + ' [MB] [FLT-1]')
 
     def expect_refusal(self, nodes, what, why, send):
         """That each of `nodes` counts one more for the message that is sent."""
@@ -169,7 +169,7 @@ class HostileMessages(unittest.TestCase):
         self.expect_refusal(MAP_READERS, 'map message', text, lambda: self.maps.publish(BigMap(8000, 8000)))
         for node in MAP_READERS:
             more = memory_of(self.pids[node])[0] - before[node]
-            self.assertLess(more, 250.0, node + ' keeps nothing of it [MB] [FLT-1]')
+            assert_memory_below(self, more, 250.0, node + ' keeps nothing of it [MB] [FLT-1]')
 
     def test_a_few_bytes_that_stand_for_too_many_cells(self):  # [FLT-1]
         before = {node: memory_of(self.pids[node])[0] for node in MAP_READERS}
@@ -183,7 +183,7 @@ class HostileMessages(unittest.TestCase):
             self.expect_refusal(MAP_READERS, 'map message', text, lambda: self.changes.publish(msg))
         for node in MAP_READERS:
             more = memory_of(self.pids[node])[0] - before[node]
-            self.assertLess(more, 30.0, node + ' decodes nothing of it [MB] [FLT-1]')
+            assert_memory_below(self, more, 30.0, node + ' decodes nothing of it [MB] [FLT-1]')
 
     def test_the_largest_maps_that_are_taken(self):  # [FLT-1]
         before = {node: memory_of(self.pids[node])[0] for node in MAP_READERS}
@@ -199,7 +199,7 @@ class HostileMessages(unittest.TestCase):
             now, most = memory_of(self.pids[node])
             for_each = (now - before[node]) * 1024 * 1024 / 16e6
             print('%s: %.1f bytes for each cell, at most %.0f MB' % (node, for_each, most))
-            self.assertLess(for_each, 30.0, node + ' [FLT-1]')
+            assert_memory_below(self, for_each, 30.0, node + ' [FLT-1]')
             self.assertEqual(self.said(node).get('map message refused'), refused[node])
         self.maps.publish(map_of(box_in_a_room(), 200))
 

@@ -163,11 +163,20 @@ def hears(node, topic):
     return any(way == 'i' and name == topic for _, _, way, _, name, *_ in connections)
 
 
+SANITIZED = 'ASAN_OPTIONS' in os.environ  # by scripts/sanitize: a node then needs memory and files that are not its own
+
+
 def memory_of(pid):
     """What it holds now, and what it has held at most [MB]."""
     with open('/proc/%d/status' % pid) as file:
         sizes = dict(line.split(':', 1) for line in file if line.startswith('Vm'))
     return tuple(int(sizes[key].split()[0]) / 1024.0 for key in ('VmRSS', 'VmHWM'))
+
+
+def assert_memory_below(test, megabytes, most, words):
+    """Not under a sanitizer."""
+    if not SANITIZED:
+        test.assertLess(megabytes, most, words)
 
 
 def call(service, kind, *arguments):
