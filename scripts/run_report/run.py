@@ -5,6 +5,7 @@ from .goals import Goals
 from .intervals import States, merged
 from .load import Load, is_time
 from .parameters import inside
+from .plausible import check
 from .track import MapImage, Track, bare
 from .warnings import Warnings
 
@@ -93,6 +94,7 @@ class Run:
                                           else 'its oldest part was removed to keep within the size allowed'))
 
     def _take(self, role, time, message):
+        check(message)
         if role.endswith('/result'):
             self._action(role[:-len('/result')], time, message)
         else:

@@ -5,7 +5,7 @@ import unittest
 
 import rosbag
 import rospy
-from frontier_pilot.msg import ProcessLoad, ProcessLoads
+from frontier_pilot.msg import ExplorerStatus, ProcessLoad, ProcessLoads
 from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import String
 
@@ -114,6 +114,24 @@ class Reading(FolderCase):
             _, axes = drawing.new_axes(0.2)
             drawing.time_axis(axes, 1.7e9)
             self.assertLess(len(axes.get_xticks()), 12)
+
+    def test_numbers_that_no_run_can_have_are_left_out_and_noted(self):
+        path = self.path('run_0.bag')
+        with rosbag.Bag(path, 'a') as bag:
+            time = rospy.Time(synthetic_bag.BEGIN + 30.0)
+            for far in 1.5e308, -1.5e308, 2e6, float('nan'), float('inf'):
+                bag.write('/tf', synthetic_bag.transform('odom', 'base_footprint', far, 0.0), time)
+                pose = PoseStamped()
+                pose.pose.position.y = far
+                bag.write('/frontier_explorer/goal', pose, time)
+            for area in 1.5e308, -1.5e308, float('inf'):
+                bag.write('/frontier_explorer/status', ExplorerStatus(explored_area=area), time)
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        self.assertEqual((run.track.poses, len(run.explorer), run.goals.places),
+                         (self.run_read.track.poses, len(self.run_read.explorer), self.run_read.goals.places))
+        self.assertEqual(len([note for note in run.notes if 'not understood: they have' in note]), 3, run.notes)
 
     def test_the_track_is_in_the_frame_of_the_map(self):
         run = self.run_read
