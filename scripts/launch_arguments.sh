@@ -25,6 +25,7 @@ names_in() { find "$1" -maxdepth 1 -name '*.yaml' -printf '%f\n' | sed 's/\.yaml
 
 check_value() {
   local root=$1 name=$2 value=$3
+  [ "$name" = map ] || [[ $value != *'$('* ]] || wrong_argument "$value" "$name: roslaunch takes '\$(' for the begin of a substitution"
   case $name in
     world)
       [ -f "$value" ] ||

@@ -114,6 +114,7 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Out
 
 bool isUsable(const LaserScan2& scan) {
   constexpr double kAhead = kPi / 6.0;  // to either side
+  constexpr double kLeastReach = 0.5;   // [m]
   std::size_t valid = 0, ahead = 0, answered_ahead = 0;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const bool is_ahead = std::abs(normalizeAngle(scan.T_base_sensor.yaw + scan.angle(i))) <= kAhead;
@@ -122,8 +123,7 @@ bool isUsable(const LaserScan2& scan) {
     // Many drivers report 0 where there was no return.
     answered_ahead += is_ahead && !std::isnan(scan.ranges[i]) ? 1 : 0;
   }
-  // A scanner that does not look ahead at all is the operator's choice.
-  return valid * 10 > scan.ranges.size() && (ahead == 0 || answered_ahead * 10 > ahead);
+  return valid * 10 > scan.ranges.size() && answered_ahead * 10 > ahead && scan.range_max >= kLeastReach;
 }
 
 void PoseHistory::add(Time stamp, const Pose2& T_map_base) {

@@ -87,7 +87,8 @@ class RunScript(unittest.TestCase):
         for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
                             ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
-                            ('map:=a\tb', 'control character'), ('map:=' + 251 * 'x', 'too long'), ('map_file:=nowhere', 'no saved map'),
+                            ('map:=a\tb', 'control character'), ('world:=/$(x)/a.yaml', 'substitution'),
+                            ('map:=' + 251 * 'x', 'too long'), ('map_file:=nowhere', 'no saved map'),
                             ('localize_only:=true', 'map_file'), ('localize_only:=true map_file:=none', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
                 code, out, err = self.run_to_the_end(*word.split(' '))

@@ -69,7 +69,12 @@ TEST(ScanPoints, AreNotToDriveByWhenTheScannerSaysNothingOfWhatIsAhead) {
   LaserScan2 backwards = fullCircle(0.0);
   backwards.angle_min = kPi / 2.0;
   backwards.ranges.resize(180);
-  EXPECT_TRUE(navigation::isUsable(backwards)) << "it never looks ahead";
+  EXPECT_FALSE(navigation::isUsable(backwards)) << "it does not look ahead";
+  backwards.ranges.resize(1);
+  EXPECT_FALSE(navigation::isUsable(backwards)) << "one beam, to the side";
+  LaserScan2 short_sighted = fullCircle(0.0);
+  short_sighted.range_max = 0.4;
+  EXPECT_FALSE(navigation::isUsable(short_sighted)) << "it sees an obstacle when it is too late";
   EXPECT_FALSE(navigation::isUsable(LaserScan2()));
 }
 
