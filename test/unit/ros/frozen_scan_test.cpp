@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "log_lines.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -38,6 +40,15 @@ TEST(FrozenScan, StaysFrozenUntilAnotherScanComes_FLT_1) {
   watch.isFrozen(kRoomScan, Pose2());
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(watch.isFrozen(kRoomScan, Pose2(0.5, 0.0, 0.0)));
   EXPECT_FALSE(watch.isFrozen(scanOf({2.0F, 2.1001F, kNone, kNone}), Pose2(0.5, 0.0, 0.0)));
+}
+
+// [FLT-1] Not once for each scan: that filled the log.
+TEST(FrozenScan, IsSaidOnceInALongTime_FLT_1) {
+  const LogLines log;
+  FrozenScanWatch watch;
+  watch.isFrozen(kRoomScan, Pose2());
+  for (int i = 0; i < 50; ++i) watch.isFrozen(kRoomScan, Pose2(0.5, 0.0, 0.0));
+  EXPECT_EQ(log.lines.size(), 1U);
 }
 
 // [FLT-1] As by a driver with two buffers that are no longer filled.

@@ -1,6 +1,7 @@
 #include "ros/common/messages/frozen_scan.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
+#include <ros/console.h>
 
 #include <algorithm>
 #include <functional>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/motion.h"
-#include "ros/common/throttled_log.h"
+#include "ros/common/clock.h"
 
 namespace frontier_pilot {
 namespace {
@@ -45,7 +46,7 @@ bool FrozenScanWatch::isFrozen(const LaserScan2& scan, const std::optional<Pose2
   if (!same->T_odom_base) same->T_odom_base = T_odom_base;
   frozen_ = T_odom_base && isJump(*same->T_odom_base, *T_odom_base, kMoved, kTurned);
   count_ += frozen_ ? 1 : 0;
-  if (frozen_) THROTTLED_ERROR(kFrozenScan << ": it is not used");
+  if (frozen_ && log_interval_.admit(steadyNow())) ROS_ERROR_STREAM(kFrozenScan << ": it is not used");
   return frozen_;
 }
 
