@@ -4,7 +4,7 @@ import math
 from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 
-from bag_topics import BagError, bare, choose_odometry, choose_scan, median, numbers_in
+from bag_topics import MOST_BYTES, BagError, bare, choose_odometry, choose_scan, median, numbers_in
 from command_line import printable
 
 LONGEST_NAME = 100  # of a frame in a line of the log
@@ -49,6 +49,8 @@ class Drive:
         self.words.append(why)
         self.odometry, why = choose_odometry(topics, options['odom'])
         self.words.append(why)
+        self.words += ['%s: %d messages of more than %d bytes are left out' % (topic.name, topic.too_long, MOST_BYTES)
+                       for topic in topics.values() if topic.too_long]
         if others:
             self.words.append('not played: %s' % ', '.join('%s (%s)' % item for item in sorted(others.items())))
         self.transforms = [topic for topic in topics.values() if topic.message_class is TFMessage]

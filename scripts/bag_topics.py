@@ -8,6 +8,7 @@ from tf2_msgs.msg import TFMessage
 
 from readable_bag import DAMAGE, is_no_file
 
+MOST_BYTES = 300_000  # of a message: those of a scan with as many beams as the nodes take, 36000
 SAMPLES = 50  # of a topic's scans, whose field of view is looked at
 FEW = 0.1  # a topic with a smaller share of the most frequent one's messages is not chosen
 
@@ -26,8 +27,9 @@ def median(values):
 
 
 def degrees(scan):
-    """A scan's field of view."""
-    return math.degrees(abs(scan.angle_increment)) * max(0, len(scan.ranges) - 1)
+    """A scan's field of view; 0 where it has none."""
+    degrees = math.degrees(abs(scan.angle_increment)) * max(0, len(scan.ranges) - 1)
+    return degrees if math.isfinite(degrees) else 0.0
 
 
 def field_of_view(topic):
@@ -53,6 +55,7 @@ class Topic:
         self.name = name
         self.message_class = message_class
         self.raw = []
+        self.too_long = 0  # messages that are left out, of more than MOST_BYTES
 
     def message(self, index):
         return self._read(self.raw[index][1])
@@ -83,13 +86,17 @@ def read_bag(path):
                 if message_class is None or message_class._md5sum != md5:
                     others[name] = kind
                     continue
-                topics.setdefault(name, Topic(name, message_class)).raw.append((recorded.to_sec(), data))
+                topic = topics.setdefault(name, Topic(name, message_class))
+                if len(data) > MOST_BYTES:
+                    topic.too_long += 1
+                else:
+                    topic.raw.append((recorded.to_sec(), data))
     except rosbag.ROSBagUnindexedException:
         raise BagError("%s: has no index, because its recording did not end in an orderly way; 'rosbag reindex' may recover what it "
                        'holds' % path)
     except DAMAGE as error:
         raise BagError('%s: %s' % (path, str(error) or type(error).__name__))
-    return topics, others
+    return {name: topic for name, topic in topics.items() if topic.raw}, others
 
 
 def those_with_many_messages(topics):

@@ -15,6 +15,8 @@ def _open_closed_streams():
 
 
 _open_closed_streams()
+# A path is printed as it was given, also if it is no text.
+sys.stdout.reconfigure(errors='surrogateescape')
 
 
 class CommandLine(argparse.ArgumentParser):

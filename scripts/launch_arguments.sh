@@ -3,7 +3,7 @@
 # check_launch_arguments ROOT OWN WORD...: each word has to be NAME:=VALUE, where NAME is an argument of
 # launch/system.launch or OWN. The first wrong one is named, with what there is instead, and ends the script.
 check_launch_arguments() {
-  local root=$1 own=$2 known word
+  local root=$1 own=$2 known word map=$PWD
   shift 2
   known="$own $(sed -n 's/^  <arg name="\([a-z_]*\)" default=.*/\1/p' "$root/launch/system.launch" | tr '\n' ' ')"
   for word in "$@"; do
@@ -11,11 +11,17 @@ check_launch_arguments() {
       [a-z]*:=*) ;;
       *) wrong_argument "$word" ;;
     esac
+    case $word in
+      map:=/*) map=${word#map:=} ;;
+      map:=*) map=$PWD/${word#map:=} ;;
+    esac
     case " $known" in
       *" ${word%%:=*} "*) check_value "$root" "${word%%:=*}" "${word#*:=}" ;;
       *) wrong_argument "$word" "there is no argument '${word%%:=*}', only: ${known% }" ;;
     esac
   done
+  iconv -f UTF-8 -t UTF-8 <<<"$map" >/dev/null 2>&1 ||
+    wrong_argument map "map: no map can be saved as ${map@Q}, because that is not UTF-8"
   [[ " $* " != *' localize_only:=true '* ]] || [[ " $* " =~ ' map_file:='[^\ ] && " $* " != *' map_file:=none '* ]] ||
     wrong_argument localize_only:=true "localize_only: needs a saved map, map_file:=PATH"
 }

@@ -26,7 +26,7 @@ def write(out, text):
 def _replace(out, text):
     descriptor, part = tempfile.mkstemp(prefix='.report', suffix='.part', dir=os.path.dirname(os.path.abspath(out)))
     try:
-        with open(descriptor, 'w', encoding='utf-8') as file:
+        with open(descriptor, 'w', encoding='utf-8', errors='replace') as file:  # a path may be no text
             file.write(text)
         mask = os.umask(0)
         os.umask(mask)

@@ -21,8 +21,10 @@ CollisionCheck::~CollisionCheck() = default;
 CollisionCheck::CollisionCheck(CollisionCheck&&) noexcept = default;
 CollisionCheck& CollisionCheck::operator=(CollisionCheck&&) noexcept = default;
 
-void CollisionCheck::insert(const LaserScan2& scan, const Pose2& T_odom_base) {
+bool CollisionCheck::insert(const LaserScan2& scan, const Pose2& T_odom_base) {
+  if (!looksAhead(scan)) return false;
   impl_->costmap.insert(scan, T_odom_base);
+  return true;
 }
 
 void CollisionCheck::clear() { impl_->costmap.clear(); }

@@ -1,5 +1,8 @@
 #include "frontier_pilot/core/laser_scan.h"
 
+#include <cmath>
+#include <cstddef>
+
 namespace frontier_pilot {
 
 RangeReading readRange(float range, double range_min, double range_max) {
@@ -17,6 +20,18 @@ RangeReading readRange(float range, double range_min, double range_max) {
 Time LaserScan2::end() const {
   if (isMoving() || ranges.empty()) return stamp;
   return stamp + fromSeconds(time_increment * static_cast<double>(ranges.size() - 1));
+}
+
+bool looksAhead(const LaserScan2& scan) {
+  constexpr double kAhead = kPi / 6.0;  // to either side
+  constexpr double kLeastReach = 0.5;   // [m]
+  std::size_t ahead = 0, answered = 0;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (std::abs(normalizeAngle(scan.T_base_sensor.yaw + scan.angle(i))) > kAhead) continue;
+    ++ahead;
+    answered += std::isnan(scan.ranges[i]) ? 0 : 1;
+  }
+  return answered * 10 > ahead && scan.range_max >= kLeastReach;
 }
 
 LaserScan2 withAtMost(std::size_t most, LaserScan2 scan) {

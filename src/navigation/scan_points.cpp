@@ -113,17 +113,9 @@ ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Out
 }
 
 bool isUsable(const LaserScan2& scan) {
-  constexpr double kAhead = kPi / 6.0;  // to either side
-  constexpr double kLeastReach = 0.5;   // [m]
-  std::size_t valid = 0, ahead = 0, answered_ahead = 0;
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    const bool is_ahead = std::abs(normalizeAngle(scan.T_base_sensor.yaw + scan.angle(i))) <= kAhead;
-    valid += readBeam(scan, i).kind != RangeKind::kInvalid ? 1 : 0;
-    ahead += is_ahead ? 1 : 0;
-    // Many drivers report 0 where there was no return.
-    answered_ahead += is_ahead && !std::isnan(scan.ranges[i]) ? 1 : 0;
-  }
-  return valid * 10 > scan.ranges.size() && answered_ahead * 10 > ahead && scan.range_max >= kLeastReach;
+  std::size_t valid = 0;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) valid += readBeam(scan, i).kind != RangeKind::kInvalid ? 1 : 0;
+  return valid * 10 > scan.ranges.size() && looksAhead(scan);
 }
 
 void PoseHistory::add(Time stamp, const Pose2& T_map_base) {

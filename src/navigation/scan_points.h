@@ -32,9 +32,8 @@ struct ScanPoints {
 /// the edge of the robot's outline, if that is nearer than the reading.
 ScanPoints scanPoints(const LaserScan2& scan, const Pose2& T_map_base, const Outline& outline);
 
-/// Whether the scan is good enough to drive by: more than a tenth of all beams are valid, some are within 30 degrees of
-/// straight ahead, more than a tenth of those are numbers, and `range_max` is at least 0.5 m. Straight ahead 0 counts
-/// as a number, because many drivers report it where there was no return. An empty scan is not good enough.
+/// Whether the scan is good enough to drive by: more than a tenth of all beams are valid, and it looks ahead. An empty
+/// scan is not good enough.
 bool isUsable(const LaserScan2& scan);
 
 /// Poses of the last second, so that a scan can be placed where it was taken, not where the robot is by now.

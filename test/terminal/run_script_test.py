@@ -87,7 +87,7 @@ class RunScript(unittest.TestCase):
         for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
                             ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
-                            ('map:=a\tb', 'control character'), ('world:=/$(x)/a.yaml', 'substitution'),
+                            ('map:=a\tb', 'control character'), ('map:=/tmp/\udcff', 'UTF-8'), ('world:=/$(x)/a.yaml', 'substitution'),
                             ('map:=' + 251 * 'x', 'too long'), ('map_file:=nowhere', 'no saved map'),
                             ('localize_only:=true', 'map_file'), ('localize_only:=true map_file:=none', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
@@ -130,7 +130,8 @@ class RunScript(unittest.TestCase):
         generated = BUILD / 'CMakeFiles/TargetDirectories.txt'
         before = generated.stat().st_mtime
         slow = pathlib.Path(self.folder.name, 'slow_kill')  # what is killed has ended before the script goes on
-        slow.write_text('kill() { builtin kill "$@" || return; [ "$1" != -KILL ] || for i in {1..50000}; do :; done; }\n')
+        slow.write_text('find() { command find "$@"; return 1; }\n'  # as when a folder of another program is removed
+                        'kill() { builtin kill "$@" || return; [ "$1" != -KILL ] || for i in {1..50000}; do :; done; }\n')
         with mock.patch.dict(os.environ, BASH_ENV=str(slow)):
             code, _, err = self.run_to_the_end('world:=broken.yaml')
         self.assertEqual(code, 1)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ros/common/messages/conversions.h"
+#include "ros/common/messages/message_problems.h"
 
 namespace frontier_pilot {
 
@@ -36,10 +37,10 @@ void BehaviorCostmap::takeIn() {
   const auto T_odom_base = tf_.lookup(frames_.odom_frame, frames_.base_frame, waiting_->end());
   if (!T_odom_base) return;
   const bool covered = placeBeams(motionDuring(*waiting_), ScanReference::kEnd, *waiting_);
-  if (scan_motion_.note(timing_, covered, *waiting_, T_odom_base)) {
-    surroundings_.insert(*waiting_, *T_odom_base);
-  } else {
+  if (!scan_motion_.note(timing_, covered, *waiting_, T_odom_base)) {
     rejections_.add(kFrozenScan);
+  } else if (!surroundings_.insert(*waiting_, *T_odom_base)) {
+    rejections_.add(kLooksElsewhere);
   }
   waiting_.reset();
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ros/common/messages/conversions.h"
+#include "ros/common/messages/message_problems.h"
 
 namespace frontier_pilot {
 namespace {
@@ -44,7 +45,8 @@ void PatrolSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
   auto scan = toLaserScan(msg, *T_base_sensor, &why);
   if (!scan) return rejections_.add(why);
   if (!scan_motion_.place(placer_, *scan)) return rejections_.add(kFrozenScan);
-  if (const auto T_odom_base = placer_.track().nearest(scan->stamp)) check_.insert(*scan, *T_odom_base);
+  const auto T_odom_base = placer_.track().nearest(scan->stamp);
+  if (T_odom_base && !check_.insert(*scan, *T_odom_base)) rejections_.add(kLooksElsewhere);
 }
 
 void PatrolSurroundings::addOdometry(Time stamp, const Pose2& T_odom_base) {

@@ -145,6 +145,19 @@ TEST(Sweep, NoCellThatAFineSweepTouchesIsMissed) {
   EXPECT_LE(missed, static_cast<int>(touched.size()) / 50);
 }
 
+// [SPN-3] What was free when the scanner still looked there may be free no more.
+TEST(CollisionCheck, BlocksEveryMotionOnceTheScansNoLongerShowWhatIsAhead) {
+  behavior::CollisionCheck check;
+  LaserScan2 scan = scanOf(1440, 2.0F);
+  EXPECT_TRUE(check.insert(scan, {}));
+  EXPECT_TRUE(check.lookAhead(0.5, scan.stamp));
+  scan.stamp += std::chrono::seconds(1);
+  scan.angle_min = 0.5 * kPi;
+  scan.ranges.resize(720);
+  EXPECT_FALSE(check.insert(scan, {}));
+  EXPECT_FALSE(check.lookAhead(0.5, scan.stamp));
+}
+
 // [ROB-1]
 TEST(Footprint, IsTheRobotsExactOutlineWithThePaddingAroundIt) {
   const Outline burger = behavior::CollisionCheck().footprint();

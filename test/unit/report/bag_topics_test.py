@@ -8,8 +8,9 @@ import unittest
 
 import folder_case  # noqa: F401: finds the scripts
 import rosbag
-from bag_topics import BagError, Topic, read_bag
+from bag_topics import MOST_BYTES, BagError, Topic, choose_scan, read_bag
 from nav_msgs.msg import Odometry
+from sensor_msgs.msg import LaserScan
 
 
 class Damage(unittest.TestCase):
@@ -22,6 +23,23 @@ class Damage(unittest.TestCase):
         for read in (lambda: topic.message(1), lambda: list(topic.messages())):
             with self.assertRaisesRegex(BagError, '/odom: a message cannot be read'):
                 read()
+
+    def test_a_field_of_view_that_is_not_finite_is_none(self):
+        buffer = io.BytesIO()
+        LaserScan(angle_increment=float('inf'), ranges=[1.0, 1.0]).serialize(buffer)
+        scan = Topic('/scan', LaserScan)
+        scan.raw = [(0.0, buffer.getvalue())]
+        self.assertEqual(choose_scan({'/scan': scan}, '')[0], scan)
+
+    def test_messages_that_no_node_would_take_are_left_out_before_they_take_memory(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'drive.bag')
+            with rosbag.Bag(path, 'w') as bag:
+                for beams in 36000, 1, MOST_BYTES:
+                    bag.write('/scan', LaserScan(ranges=[1.0] * beams, intensities=[1.0] * beams))
+                bag.write('/other', LaserScan(ranges=[1.0] * MOST_BYTES))
+            topics, _ = read_bag(path)
+            self.assertEqual((list(topics), len(topics['/scan'].raw), topics['/scan'].too_long), (['/scan'], 2, 1))
 
     def test_a_bag_whose_recording_was_killed_is_refused_with_a_way_to_recover_it(self):
         with tempfile.TemporaryDirectory() as folder:
