@@ -72,8 +72,8 @@ RangeReading readRange(float range, double range_min, double range_max);
 LaserScan2 withAtMost(std::size_t most, LaserScan2 scan);
 
 /// Whether the scan shows enough of what lies ahead to drive by it: some beams are within 30 degrees of straight ahead,
-/// more than a tenth of those are numbers, and `range_max` is at least 0.5 m. 0 counts as a number, because many drivers
-/// report it where there was no return.
+/// more than a tenth of those are numbers, and `range_max` is at least 0.5 m. 0 counts as a number, because many
+/// drivers report it where there was no return.
 bool looksAhead(const LaserScan2& scan);
 
 /// The reading of beam `beam`.
