@@ -3,6 +3,7 @@ import datetime
 import os
 import re
 import shutil
+import stat
 
 from . import free_name
 
@@ -58,7 +59,16 @@ def _names_in(run):
 
 
 def markers_of(run):
-    return [os.path.join(run, name) for name in _names_in(run) if MARKER.match(name)]
+    """The empty files that mark a folder as one of the recorder. What only has such a name is somebody else's."""
+    return [path for path in (os.path.join(run, name) for name in _names_in(run) if MARKER.match(name)) if _is_empty_file(path)]
+
+
+def _is_empty_file(path):
+    try:
+        status = os.lstat(path)
+    except OSError:
+        return False
+    return stat.S_ISREG(status.st_mode) and status.st_size == 0
 
 
 def number_of(run):

@@ -17,6 +17,8 @@ class MapFileSet {
   /// `path` may end in the extension of one of the files.
   explicit MapFileSet(const std::string& path);
 
+  /// The folder of the files.
+  std::filesystem::path folder() const { return base_.has_parent_path() ? base_.parent_path() : "."; }
   const std::filesystem::path& base() const { return base_; }
   std::string name() const { return base_.filename().string(); }
   std::string yaml() const { return base_.string() + ".yaml"; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/map_files/map_image.h"
+#include "map_files/folder_lock.h"
 #include "map_files/grid_drawing.h"
 #include "map_files/map_file_set.h"
 #include "map_files/map_yaml.h"
@@ -24,15 +26,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr Duration kPatience = std::chrono::seconds(5);
+
 MapIoResult checkTarget(const MapFileSet& files) {
   const std::string problem = files.nameProblem();
   if (!problem.empty()) return {MapIoStatus::kBadPath, problem};
-  const fs::path& base = files.base();
-  if (base.string().find('\0') != std::string::npos) return {MapIoStatus::kBadPath, "the path holds a NUL character"};
-  const fs::path directory = base.has_parent_path() ? base.parent_path() : fs::path(".");
+  if (files.base().string().find('\0') != std::string::npos)
+    return {MapIoStatus::kBadPath, "the path holds a NUL character"};
   std::error_code error;
-  if (!fs::is_directory(directory, error))
-    return failure(MapIoStatus::kBadPath, directory.string(), "no such directory");
+  if (!fs::is_directory(files.folder(), error))
+    return failure(MapIoStatus::kBadPath, files.folder().string(), "no such directory");
   return {};
 }
 
@@ -159,6 +162,11 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives su
   // A map without any known cell could not be loaded again, and might replace one that can.
   if (map.blank) return {MapIoStatus::kEmptyMap, "the map is empty"};
   if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
+  const FolderLock lock(target.folder(), FolderLock::Kind::kWrite, kPatience);
+  if (lock.isTaken()) {
+    return failure(MapIoStatus::kCannotWrite, target.folder().string(),
+                   "somebody else has been saving or loading a map there for five seconds");
+  }
   const std::string yaml = mapYaml(map.geometry, target.name(), {map.octree, previousOctree(target, map.most_bytes)},
                                    {map.picture, previousPicture(target)});
   // The YAML is replaced first: it has the checksums of the files that exist and of those that will replace them.

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -6,6 +7,7 @@
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/map_files/map_image.h"
 #include "frontier_pilot/map_files/map_io.h"
+#include "map_files/folder_lock.h"
 #include "map_files/grid_drawing.h"
 #include "map_files/map_file_set.h"
 #include "map_files/resampling.h"
@@ -56,6 +58,8 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   const MapFileSet files(path);
   const std::string problem = files.nameProblem();
   if (!problem.empty()) return {MapIoStatus::kBadPath, problem};
+  // Not between two files of a save. One that takes long is not waited for: the files tell whether they are of one map.
+  const FolderLock lock(files.folder(), FolderLock::Kind::kRead, std::chrono::seconds(1));
   const FileContent octree = readFile(files.octree(), map.mostBytes());
   if (octree.status == FileContent::Status::kMissing && files.isOfAnotherProgram())
     return loadPicture(files.yaml(), "it has no octree", map);

@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "frontier_pilot/map_files/map_io.h"
+#include "map_files/folder_lock.h"
 #include "support/temporary_folder.h"
 
 namespace frontier_pilot {
@@ -106,6 +111,30 @@ TEST_F(MapOverwriting, DoesNotMakeABrokenMapAGoodOne_MAP_5) {
   write("floor.bt", broken);
   occupancy::OccupancyMap loaded;
   EXPECT_EQ(map_files::loadMap(path("floor"), loaded).status, map_files::MapIoStatus::kBroken);
+}
+
+// [FLT-1] Files of two maps would lie under one name.
+TEST(FolderLock, LetsOnlyOneSaveInAFolderAtATime_FLT_1) {
+  const test::TemporaryFolder folder;
+  occupancy::OccupancyMap map;
+  ASSERT_TRUE(map.reserve({-3.0, -1.0}, {2.0, 11.0}));
+  map.beginScan();
+  for (int i = 0; i < 50; ++i) map.hit({17, 100 + i});
+  const std::string path = (folder.path() / "floor").string();
+  ASSERT_TRUE(map_files::saveMap(map, path).ok());
+  std::atomic<bool> other_saves{true};
+  auto other = std::make_unique<map_files::FolderLock>(folder.path(), map_files::FolderLock::Kind::kWrite, Duration{});
+  ASSERT_FALSE(other->isTaken());
+  EXPECT_TRUE(map_files::FolderLock(folder.path(), map_files::FolderLock::Kind::kRead, Duration{}).isTaken());
+  std::thread another([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    other_saves = false;
+    other.reset();
+  });
+  EXPECT_TRUE(map_files::saveMap(map, path).ok());
+  EXPECT_FALSE(other_saves);
+  another.join();
+  EXPECT_TRUE(map_files::loadMap(path, map).ok());
 }
 
 }  // namespace

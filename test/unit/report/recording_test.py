@@ -65,6 +65,9 @@ class Runs(FolderCase):
         self.touch('2026-01-03_00-00-00', 'run_0.bag')
         self.touch('2026-01-03_00-00-00', 'thesis.txt')
         self.touch('2026-01-04_00-00-00', 'report.html')
+        self.touch('2026-01-05_00-00-00/made_by_run_recorder.1', 'thesis.txt')
+        with open(self.touch('2026-01-06_00-00-00', 'made_by_run_recorder.2'), 'w') as thesis:
+            thesis.write('It was a dark and stormy night.')
         theirs = set(os.listdir(self.folder))
         ours = runs.begin(self.folder)
         self.touch(ours, 'notes.txt')
