@@ -8,7 +8,7 @@ from tf2_msgs.msg import TFMessage
 
 from readable_bag import DAMAGE, is_no_file
 
-MOST_BYTES = 300_000  # of a message: those of a scan with as many beams as the nodes take, 36000
+MOST_BYTES = 300_000  # of a message: 36000 ranges and intensities, as many as the nodes take, have 288 kB
 SAMPLES = 50  # of a topic's scans, whose field of view is looked at
 FEW = 0.1  # a topic with a smaller share of the most frequent one's messages is not chosen
 
@@ -28,8 +28,8 @@ def median(values):
 
 def degrees(scan):
     """A scan's field of view; 0 where it has none."""
-    degrees = math.degrees(abs(scan.angle_increment)) * max(0, len(scan.ranges) - 1)
-    return degrees if math.isfinite(degrees) else 0.0
+    width = math.degrees(abs(scan.angle_increment)) * max(0, len(scan.ranges) - 1)
+    return width if math.isfinite(width) else 0.0
 
 
 def field_of_view(topic):
@@ -96,7 +96,7 @@ def read_bag(path):
                        'holds' % path)
     except DAMAGE as error:
         raise BagError('%s: %s' % (path, str(error) or type(error).__name__))
-    return {name: topic for name, topic in topics.items() if topic.raw}, others
+    return topics, others
 
 
 def those_with_many_messages(topics):
@@ -107,7 +107,10 @@ def those_with_many_messages(topics):
 
 def choose_scan(topics, wanted):
     """The topic of the scans and why it was chosen."""
-    scans = {name: topic for name, topic in topics.items() if topic.message_class is LaserScan}
+    every = {name: topic for name, topic in topics.items() if topic.message_class is LaserScan}
+    scans = {name: topic for name, topic in every.items() if topic.raw}
+    if every and not scans:
+        raise BagError('all messages of %s are longer than %d bytes' % (', '.join(sorted(every)), MOST_BYTES))
     if not scans:
         raise BagError('no LaserScan topic')
     if wanted:
@@ -127,7 +130,7 @@ def choose_scan(topics, wanted):
 
 def choose_odometry(topics, wanted):
     """The topic of odometry and why it was chosen; no topic where the bag has none."""
-    odometry = {name: topic for name, topic in topics.items() if topic.message_class is Odometry}
+    odometry = {name: topic for name, topic in topics.items() if topic.message_class is Odometry and topic.raw}
     if wanted:
         return named(odometry, wanted, 'Odometry')
     if not odometry:

@@ -15,8 +15,9 @@ def _open_closed_streams():
 
 
 _open_closed_streams()
-# A path is printed as it was given, also if it is no text.
-sys.stdout.reconfigure(errors='surrogateescape')
+# A path that is not valid text is printed byte for byte as it was given.
+if sys.stdout.errors == 'strict':
+    sys.stdout.reconfigure(errors='surrogateescape')
 
 
 class CommandLine(argparse.ArgumentParser):

@@ -21,7 +21,7 @@ check_launch_arguments() {
     esac
   done
   iconv -f UTF-8 -t UTF-8 <<<"$map" >/dev/null 2>&1 ||
-    wrong_argument map "map: no map can be saved as ${map@Q}, because that is not UTF-8"
+    wrong_argument "$map" "map: no map can be saved as ${map@Q}, because that is not UTF-8; give another path with map:=PATH"
   [[ " $* " != *' localize_only:=true '* ]] || [[ " $* " =~ ' map_file:='[^\ ] && " $* " != *' map_file:=none '* ]] ||
     wrong_argument localize_only:=true "localize_only: needs a saved map, map_file:=PATH"
 }
@@ -31,7 +31,7 @@ names_in() { find "$1" -maxdepth 1 -name '*.yaml' -printf '%f\n' | sed 's/\.yaml
 
 check_value() {
   local root=$1 name=$2 value=$3
-  [ "$name" = map ] || [[ $value != *'$('* ]] || wrong_argument "$value" "$name: roslaunch takes '\$(' for the begin of a substitution"
+  [ "$name" = map ] || [[ $value != *'$('* ]] || wrong_argument "$value" "$name: a value must not contain '\$(', with which a substitution of roslaunch begins"
   case $name in
     world)
       [ -f "$value" ] ||

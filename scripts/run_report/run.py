@@ -1,5 +1,6 @@
 """What happened in a run, from the messages of its bags."""
 import json
+import math
 
 from .goals import Goals
 from .intervals import States, merged
@@ -147,6 +148,8 @@ class Run:
         self.recovery.add(time, text.data if text.data.startswith('recovering') else '')
 
     def _explorer(self, time, status):
+        if not math.isfinite(status.explored_area) or not math.isfinite(status.distance_travelled):
+            raise ValueError('they have an area or a distance that is not finite')
         self.goals.take_status(time, status)
         self.explorer.append((time, status))
 

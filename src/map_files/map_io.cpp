@@ -26,8 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Duration kPatience = std::chrono::seconds(5);
-
 MapIoResult checkTarget(const MapFileSet& files) {
   const std::string problem = files.nameProblem();
   if (!problem.empty()) return {MapIoStatus::kBadPath, problem};
@@ -162,11 +160,8 @@ MapIoResult saveMap(const MapSnapshot& map, const std::string& path, Survives su
   // A map without any known cell could not be loaded again, and might replace one that can.
   if (map.blank) return {MapIoStatus::kEmptyMap, "the map is empty"};
   if (map.octree.empty()) return {MapIoStatus::kCannotWrite, "the octree cannot be written"};
-  const FolderLock lock(target.folder(), FolderLock::Kind::kWrite, kPatience);
-  if (lock.isTaken()) {
-    return failure(MapIoStatus::kCannotWrite, target.folder().string(),
-                   "somebody else has been saving or loading a map there for five seconds");
-  }
+  // Who holds the lock for longer than this has been stopped, or hangs: its map must not cost this one.
+  const FolderLock lock(target.folder(), FolderLock::Kind::kWrite, std::chrono::seconds(10));
   const std::string yaml = mapYaml(map.geometry, target.name(), {map.octree, previousOctree(target, map.most_bytes)},
                                    {map.picture, previousPicture(target)});
   // The YAML is replaced first: it has the checksums of the files that exist and of those that will replace them.

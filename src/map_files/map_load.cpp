@@ -58,7 +58,8 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   const MapFileSet files(path);
   const std::string problem = files.nameProblem();
   if (!problem.empty()) return {MapIoStatus::kBadPath, problem};
-  // Not between two files of a save. One that takes long is not waited for: the files tell whether they are of one map.
+  // So that no file is read in the middle of a save. After a second they are read anyway: the checksums show whether
+  // the files belong together.
   const FolderLock lock(files.folder(), FolderLock::Kind::kRead, std::chrono::seconds(1));
   const FileContent octree = readFile(files.octree(), map.mostBytes());
   if (octree.status == FileContent::Status::kMissing && files.isOfAnotherProgram())

@@ -58,7 +58,7 @@ FOREIGN = (
 )
 IMPURE = re.compile(r'::now\((?!\) const)|\bsleep_(for|until)\(|\bu?sleep\(|\bnanosleep\(|\bgettimeofday\(|\bclock_gettime\(|'
                     r'\brandom_device\b|\bstd::(cout|cerr|clog)\b|\bf?printf\(')
-MAY_WAIT = {'src/map_files/folder_lock.cpp'}  # for another program that writes, as for the disk
+MAY_WAIT = {'src/map_files/folder_lock.cpp'}  # for the lock of another process, as any read waits for the disk
 LITERAL_NAME = re.compile(r'\b(advertise|advertiseService|subscribe|serviceClient|call|waitForService|SimpleActionServer|'
                           r'SimpleActionClient)\s*(<[^;{}]*?>)?\s*\w*\s*[({][^;"]*?"[^"]*"')
 # roscpp reads a message without checks, and logs each one that it cannot read.

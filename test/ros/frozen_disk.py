@@ -14,7 +14,7 @@ from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
 from std_srvs.srv import SetBool, Trigger
 
-from wire import SANITIZED, Node, Record, call, find_node, wait_for
+from wire import SANITIZED, Node, Record, Source, call, find_node, moves, wait_for
 
 
 @unittest.skipIf(SANITIZED, 'no library may be loaded before that of the sanitizer')
@@ -49,11 +49,16 @@ class FrozenDisk(unittest.TestCase):
     # [ARB-7] [FLT-2]
     def test_commands_stops_and_switches_go_on_while_it_hangs_and_the_stop_is_kept(self):
         arbiter = self.start()
+        manual = Source('cmd_vel_manual').connect().start(0.1)
+        self.addCleanup(manual.close)
+        self.assertTrue(wait_for(lambda: moves(self.out.last)))
         self.hangs.touch()
         self.assertTrue(self.sends(), 'the arbiter is silent while the disk hangs [FLT-2]')
+        self.assertTrue(moves(self.out.last), 'commands go on [FLT-2]')
         self.assertTrue(call('set_nav_enabled', SetBool, False).success)
         self.assertTrue(call('emergency_stop', Trigger).success)
         self.assertTrue(self.sends(), 'the arbiter is silent after a stop while the disk hangs [FLT-2]')
+        self.assertFalse(moves(self.out.last), '[ARB-7]')
         self.assertEqual(self.kept(), [])
         self.hangs.unlink()
         self.assertTrue(wait_for(self.kept), 'the stop is kept on the disk once it answers [ARB-7]')

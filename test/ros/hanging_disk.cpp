@@ -1,5 +1,5 @@
-// A disk that hangs, for a process that has this library preloaded (LD_PRELOAD): what opens a file or a folder below
-// the folder HANGING_DISK, or makes one there, waits as long as there is a file HANGING_DISK.hangs.
+// A disk that hangs, for a process that has this library preloaded (LD_PRELOAD): open, open64, opendir and mkdir of a
+// path below the folder HANGING_DISK wait as long as there is a file HANGING_DISK.hangs.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>

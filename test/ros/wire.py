@@ -173,10 +173,10 @@ def memory_of(pid):
     return tuple(int(sizes[key].split()[0]) / 1024.0 for key in ('VmRSS', 'VmHWM'))
 
 
-def assert_memory_below(test, megabytes, most, words):
+def assert_memory_below(test, amount, most, words):
     """Not under a sanitizer."""
     if not SANITIZED:
-        test.assertLess(megabytes, most, words)
+        test.assertLess(amount, most, words)
 
 
 def call(service, kind, *arguments):

@@ -131,7 +131,7 @@ class RunScript(unittest.TestCase):
         before = generated.stat().st_mtime
         slow = pathlib.Path(self.folder.name, 'slow_kill')  # what is killed has ended before the script goes on
         slow.write_text('find() { command find "$@"; return 1; }\n'  # as when a folder of another program is removed
-                        'kill() { builtin kill "$@" || return; [ "$1" != -KILL ] || for i in {1..50000}; do :; done; }\n')
+                        'kill() { builtin kill "$@" || return; [ "$1" != -KILL ] || while builtin kill -0 "$2" 2>/dev/null; do :; done; }\n')
         with mock.patch.dict(os.environ, BASH_ENV=str(slow)):
             code, _, err = self.run_to_the_end('world:=broken.yaml')
         self.assertEqual(code, 1)

@@ -37,9 +37,9 @@ class CollisionCheck {
   CollisionCheck& operator=(const CollisionCheck&) = delete;
 
   /// Inserts a scan into the costmap; `T_odom_base` is the pose at its stamp. Beams clear the cells that they cross,
-  /// hits occupy theirs, invalid beams change nothing. Unknown cells under the robot become free. A scan that does not
-  /// look ahead (core/laser_scan.h) is not inserted, which is returned: what was free when it was seen last may be no
-  /// more.
+  /// hits occupy theirs, invalid beams change nothing. Unknown cells under the robot become free. Returns whether the
+  /// scan was inserted: one that does not look ahead is not, because what was free when it was last seen may no longer
+  /// be.
   bool insert(const LaserScan2& scan, const Pose2& T_odom_base);
   /// Forgets all scans.
   void clear();

@@ -40,7 +40,7 @@ void BehaviorCostmap::takeIn() {
   if (!scan_motion_.note(timing_, covered, *waiting_, T_odom_base)) {
     rejections_.add(kFrozenScan);
   } else if (!surroundings_.insert(*waiting_, *T_odom_base)) {
-    rejections_.add(kLooksElsewhere);
+    rejections_.add(kDoesNotShowAhead);
   }
   waiting_.reset();
 }

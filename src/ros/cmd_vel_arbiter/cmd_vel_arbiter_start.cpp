@@ -16,7 +16,11 @@ namespace frontier_pilot {
 namespace {
 
 constexpr const char* kRestarted = "from before a restart: ";
-constexpr const char* kUnreadable = "the file that keeps its cause cannot be read";
+
+/// The cause of a stop by what was kept of it.
+std::string causeIn(const std::string& kept) {
+  return kept.empty() ? "the file that keeps its cause cannot be read" : kept;
+}
 
 /// How long an arbiter that starts at the same moment may take until it offers its services.
 constexpr Duration kElderPatience = std::chrono::seconds(3);
@@ -86,7 +90,7 @@ ros::Publisher CmdVelArbiterAdapter::takeItsPlace(ros::NodeHandle& node) {
 
 void CmdVelArbiterAdapter::restoreStop() {
   if (const auto kept = memory_.recall()) {
-    const std::string cause = kept->empty() ? kUnreadable : *kept;
+    const std::string cause = causeIn(*kept);
     const bool said = cause.rfind(kRestarted, 0) == 0;  // after more than one restart
     arbiter_.stop((said ? "" : kRestarted) + cause, instantNow());
     ROS_WARN_STREAM("starts stopped, like the arbiter before it: " << cause);
@@ -106,7 +110,8 @@ void CmdVelArbiterAdapter::keepStop() {
 void CmdVelArbiterAdapter::takeOverStop() {
   // Files that could not be removed when the stop was cleared must be ignored.
   if (arbiter_.stopped() || !around_.memory_problem.empty()) return;
-  if (const auto cause = memory_.recallOthers()) stop("taken over from another arbiter of this namespace: " + *cause);
+  if (const auto kept = memory_.recallOthers())
+    stop("taken over from another arbiter of this namespace: " + causeIn(*kept));
 }
 
 void CmdVelArbiterAdapter::restoreSwitch(std::size_t source) {

@@ -14,6 +14,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/master/ros_sessions.h"
 #include "ros/common/memory/disk.h"
+#include "ros/common/messages/message_problems.h"
 #include "ros/mapper/kept_map.h"
 #include "ros/mapper/map_autosave.h"
 
@@ -37,9 +38,8 @@ std::optional<Pose2> toPose(const std::string& text) {
   std::istringstream in(text);
   Pose2 pose;
   if (!(in >> pose.x >> pose.y >> pose.yaw)) return std::nullopt;
-  if (!bounds::isWithin(pose.position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate)) return std::nullopt;
-  if (!bounds::isWithin(pose.yaw, 2.0 * kPi)) return std::nullopt;
-  return pose;
+  const bool has_place = problemOfPlace(pose.x, pose.y, 0.0).empty();
+  return has_place && bounds::isWithin(pose.yaw, 2.0 * kPi) ? std::make_optional(pose) : std::nullopt;
 }
 
 /// Returns why it could not be saved; empty if it was.

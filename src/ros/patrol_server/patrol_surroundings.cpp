@@ -46,7 +46,7 @@ void PatrolSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
   if (!scan) return rejections_.add(why);
   if (!scan_motion_.place(placer_, *scan)) return rejections_.add(kFrozenScan);
   const auto T_odom_base = placer_.track().nearest(scan->stamp);
-  if (T_odom_base && !check_.insert(*scan, *T_odom_base)) rejections_.add(kLooksElsewhere);
+  if (T_odom_base && !check_.insert(*scan, *T_odom_base)) rejections_.add(kDoesNotShowAhead);
 }
 
 void PatrolSurroundings::addOdometry(Time stamp, const Pose2& T_odom_base) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "frontier_pilot/core/robot_model.h"
+#include "support/full_circle.h"
 
 namespace frontier_pilot {
 namespace {
@@ -59,20 +60,9 @@ TEST(LaserScan, ThatIsTooDenseKeepsEveryNthBeamWhereItPointed_FLT_1) {
   }
 }
 
-LaserScan2 fullCircle(double mounted_at) {
-  LaserScan2 scan;
-  scan.angle_min = -kPi;
-  scan.angle_increment = 2.0 * kPi / 360.0;
-  scan.range_min = 0.12;
-  scan.range_max = 8.0;
-  scan.T_base_sensor = {0.0, 0.0, mounted_at};
-  scan.ranges.assign(360, 2.0F);
-  return scan;
-}
-
 /// The scan with nothing said by the beams within 60 degrees of `direction` in the robot's frame.
 LaserScan2 blindTowards(double direction, double mounted_at, float said) {
-  LaserScan2 scan = fullCircle(mounted_at);
+  LaserScan2 scan = test::fullCircle(mounted_at);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     if (std::abs(angleDifference(mounted_at + scan.angle(i), direction)) < kPi / 3.0) scan.ranges[i] = said;
   }
@@ -83,20 +73,20 @@ LaserScan2 blindTowards(double direction, double mounted_at, float said) {
 TEST(ScanView, IsNotToDriveByWhenItSaysNothingOfWhatIsAhead) {
   const float nan = std::nanf("");
   for (const double mounted_at : {0.0, kPi, 1.0}) {
-    EXPECT_TRUE(looksAhead(fullCircle(mounted_at)));
+    EXPECT_TRUE(looksAhead(test::fullCircle(mounted_at)));
     EXPECT_FALSE(looksAhead(blindTowards(0.0, mounted_at, nan)));
     EXPECT_TRUE(looksAhead(blindTowards(kPi, mounted_at, nan))) << "only behind";
     EXPECT_TRUE(looksAhead(blindTowards(0.0, mounted_at, std::numeric_limits<float>::infinity())))
         << "no return is an answer";
     EXPECT_TRUE(looksAhead(blindTowards(0.0, mounted_at, 0.0F))) << "many drivers say 0 for no return";
   }
-  LaserScan2 backwards = fullCircle(0.0);
+  LaserScan2 backwards = test::fullCircle(0.0);
   backwards.angle_min = kPi / 2.0;
   backwards.ranges.resize(180);
   EXPECT_FALSE(looksAhead(backwards)) << "it does not look ahead";
   backwards.ranges.resize(1);
   EXPECT_FALSE(looksAhead(backwards)) << "one beam, to the side";
-  LaserScan2 short_sighted = fullCircle(0.0);
+  LaserScan2 short_sighted = test::fullCircle(0.0);
   short_sighted.range_max = 0.4;
   EXPECT_FALSE(looksAhead(short_sighted)) << "it sees an obstacle when it is too late";
   EXPECT_FALSE(looksAhead(LaserScan2()));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
+#include "support/full_circle.h"
 
 namespace frontier_pilot {
 namespace {
@@ -35,20 +36,9 @@ TEST(ScanPoints, TakesATooNearReadingForTheFootprintsEdge_NAV_4) {
   EXPECT_NEAR(static_cast<double>(points.x[1]), 10.0 - 0.105, 1e-5);
 }
 
-LaserScan2 fullCircle(double mounted_at) {
-  LaserScan2 scan;
-  scan.angle_min = -kPi;
-  scan.angle_increment = 2.0 * kPi / 360.0;
-  scan.range_min = 0.12;
-  scan.range_max = 8.0;
-  scan.T_base_sensor = {0.0, 0.0, mounted_at};
-  scan.ranges.assign(360, 2.0F);
-  return scan;
-}
-
 // [FLT-1] [NAV-4]
-TEST(ScanPoints, AreOfScansOfWhichATenthIsValid) {
-  LaserScan2 scan = fullCircle(0.0);
+TEST(ScanPoints, AreNotToDriveByWhenOnlyATenthOfTheBeamsIsValid) {
+  LaserScan2 scan = test::fullCircle(0.0);
   EXPECT_TRUE(navigation::isUsable(scan));
   std::fill(scan.ranges.begin() + 36, scan.ranges.end(), 0.0F);
   EXPECT_FALSE(navigation::isUsable(scan));

@@ -39,7 +39,10 @@ class Damage(unittest.TestCase):
                     bag.write('/scan', LaserScan(ranges=[1.0] * beams, intensities=[1.0] * beams))
                 bag.write('/other', LaserScan(ranges=[1.0] * MOST_BYTES))
             topics, _ = read_bag(path)
-            self.assertEqual((list(topics), len(topics['/scan'].raw), topics['/scan'].too_long), (['/scan'], 2, 1))
+            self.assertEqual([(len(topics[name].raw), topics[name].too_long) for name in ('/scan', '/other')], [(2, 1), (0, 1)])
+            self.assertEqual(choose_scan(topics, '')[0].name, '/scan')
+            with self.assertRaisesRegex(BagError, 'all messages of /other are longer'):
+                choose_scan({'/other': topics['/other']}, '')
 
     def test_a_bag_whose_recording_was_killed_is_refused_with_a_way_to_recover_it(self):
         with tempfile.TemporaryDirectory() as folder:

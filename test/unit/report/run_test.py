@@ -5,7 +5,7 @@ import unittest
 
 import rosbag
 import rospy
-from frontier_pilot.msg import ExplorerStatus, ProcessLoad, ProcessLoads
+from frontier_pilot.msg import AvoiderStatus, ExplorerStatus, ProcessLoad, ProcessLoads
 from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import String
 
@@ -124,6 +124,8 @@ class Reading(FolderCase):
                 pose = PoseStamped()
                 pose.pose.position.y = far
                 bag.write('/frontier_explorer/goal', pose, time)
+            nothing_behind = AvoiderStatus(state=AvoiderStatus.ROTATE, summary='rotating', rear=float('inf'))
+            bag.write('/obstacle_avoider/status', nothing_behind, time)
             for area in 1.5e308, -1.5e308, float('inf'):
                 bag.write('/frontier_explorer/status', ExplorerStatus(explored_area=area), time)
         run = Run()
@@ -131,7 +133,9 @@ class Reading(FolderCase):
             run.read(bags)
         self.assertEqual((run.track.poses, len(run.explorer), run.goals.places),
                          (self.run_read.track.poses, len(self.run_read.explorer), self.run_read.goals.places))
-        self.assertEqual(len([note for note in run.notes if 'not understood: they have' in note]), 3, run.notes)
+        self.assertEqual({note.split(' has ')[0] for note in run.notes if 'not understood: they have' in note},
+                         {'/tf', '/frontier_explorer/goal', '/frontier_explorer/status'}, run.notes)
+        self.assertEqual([text for _, _, text in run.avoiding.those(run.end)], ['rotating'], 'no obstacle at all is infinitely far away')
 
     def test_the_track_is_in_the_frame_of_the_map(self):
         run = self.run_read

@@ -68,7 +68,7 @@ std::string textIn(const fs::path& file) {
   return printable(text.substr(0, text.find('\n')), kLongestText);
 }
 
-/// Those that can be read first.
+/// The texts of these files; those of files that cannot be read are empty and come last.
 std::vector<std::string> textsIn(const std::vector<fs::path>& files) {
   std::vector<std::string> texts;
   std::transform(files.begin(), files.end(), std::back_inserter(texts), textIn);

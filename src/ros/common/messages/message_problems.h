@@ -12,8 +12,8 @@
 /// What is wrong with the numbers of a message, by the bounds of core/bounds.h; empty if nothing is wrong. [FLT-1]
 namespace frontier_pilot {
 
-/// What a scan is refused for that looksAhead() finds no good.
-inline constexpr const char* kLooksElsewhere = "it does not show what is ahead";
+/// Why a scan is refused that looksAhead() rejects.
+inline constexpr const char* kDoesNotShowAhead = "it does not show what is ahead";
 
 bool isFinite(const geometry_msgs::Vector3& v);
 std::string problemOfPlace(double x, double y, double z);
