@@ -16,6 +16,8 @@ from std_srvs.srv import SetBool, Trigger
 
 from wire import SANITIZED, Node, Record, Source, call, find_node, moves, wait_for
 
+LIBRARY = os.path.join(os.path.dirname(find_node('frontier_pilot', 'cmd_vel_arbiter')), '..', 'libhanging_disk.so')
+
 
 @unittest.skipIf(SANITIZED, 'no library may be loaded before that of the sanitizer')
 class FrozenDisk(unittest.TestCase):
@@ -26,7 +28,7 @@ class FrozenDisk(unittest.TestCase):
         self.hangs = pathlib.Path(self.home + '.hangs')
         self.addCleanup(lambda: self.hangs.unlink() if self.hangs.exists() else None)
         self.environment = dict(os.environ, ROS_HOME=self.home, XDG_RUNTIME_DIR=os.path.join(folder, 'spare'),
-                                HANGING_DISK=self.home, LD_PRELOAD=find_node('frontier_pilot', 'libhanging_disk.so'))
+                                HANGING_DISK=self.home, LD_PRELOAD=LIBRARY)
         os.mkdir(self.environment['XDG_RUNTIME_DIR'])
         self.out = Record('cmd_vel', Twist)
         self.status = Record('cmd_vel_arbiter/status', ArbiterStatus)
