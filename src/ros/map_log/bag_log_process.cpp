@@ -41,7 +41,8 @@ std::uint64_t addressSpace() {
 void restrict(const BagReadLimits& limits) {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
-#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reserves more address space than any limit allows
+  // The sanitizers of addresses and threads need more address space than any limit allows.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   const rlim_t memory = addressSpace() + limits.memory;
   const rlimit memory_limit{memory, memory};
   setrlimit(RLIMIT_AS, &memory_limit);
