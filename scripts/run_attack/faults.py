@@ -7,7 +7,7 @@ import random
 import signal
 import time
 
-from run_attack import environment, services, table
+from run_attack import environment, recordings, services, table
 from run_attack.phases import PHASES, Phases
 from run_attack.robot_watch import RobotWatch
 from run_attack.system import NODES, System, join, pid_of, provider, wait_until
@@ -185,7 +185,7 @@ def write_docs(results, seed, seconds):
 
 
 def attack(folder, seconds, arguments, outcome):
-    system = System(folder, WORLD, arguments.seed)
+    system = System(folder, WORLD, arguments.seed, recordings.ARGUMENTS)
     try:
         if not outcome.expect(system.begin(), 'the system does not start'):
             return
@@ -201,5 +201,7 @@ def attack(folder, seconds, arguments, outcome):
             len(results), 'at most %.2f s (%d cells)' % (max(stood), len(stood)) if stood else 'nothing that was drawn'))
         if arguments.write_docs:
             write_docs(results, arguments.seed, time.monotonic() - begin)
+        system.end_launch()
+        recordings.judge(folder, outcome)
     finally:
         system.end()

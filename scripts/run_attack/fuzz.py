@@ -11,13 +11,14 @@ import time
 import rospy
 from std_srvs.srv import Trigger
 
-from run_attack import fuzz_plan, fuzz_sender, interfaces, judge, services
+from run_attack import fuzz_plan, fuzz_sender, interfaces, judge, recordings, services
 from run_attack.environment import ROOT
+from run_attack.lives import Lives
 from run_attack.messages import Generator
 from run_attack.robot_watch import RobotWatch
 from run_attack.stop_callers import Caller
 from run_attack.stops import start_module
-from run_attack.system import System, join, pids, resident_memory, wait_until
+from run_attack.system import System, join, pids, wait_until
 
 WORLD = str(ROOT / 'config/worlds/small.yaml')
 RATE = 4000.0  # messages per second, if the machine and the nodes keep up
@@ -27,36 +28,6 @@ STOPPED = 0.6  # after this share of a turn the robot is stopped
 TO_WORK = 5.0  # [s] that the robot has before a turn to drive again
 MOST_GROWTH = 250.0  # [MB] of a node's memory over a round: the largest map and message that it takes, see docs/limits.md
 GOES_ON = 30.0  # [s] after the fuzz within which the robot explores again
-
-
-class Lives:
-    """The processes of the nodes and their memory, looked at all the time; the first deaths are told to `on_death`."""
-
-    def __init__(self, on_death):
-        self.before = pids()
-        self.dead = {}
-        self.most = {node: 0.0 for node in self.before}
-        self._first = {node: resident_memory(pid) or 0.0 for node, pid in self.before.items()}
-        self._on_death = on_death
-        self._ending = threading.Event()
-        threading.Thread(target=self._watch, daemon=True).start()
-
-    def _watch(self):
-        while not self._ending.wait(0.2):
-            for node, pid in self.before.items():
-                memory = resident_memory(pid)
-                if memory is not None:
-                    self.most[node] = max(self.most[node], memory)
-                elif node not in self.dead:
-                    self.dead[node] = time.monotonic()
-                    self._on_death(node)
-
-    def end(self):
-        self._ending.set()
-
-    def growth(self):
-        """By how much the memory of each node has grown at most [MB]."""
-        return {node: self.most[node] - self._first[node] for node in self.most}
 
 
 def some_of(names, draw):
@@ -261,7 +232,7 @@ def replay(system, path, outcome):
 
 def attack(folder, seconds, arguments, outcome):
     """Two rounds, or a replay. [FLT-1]"""
-    system = System(folder, WORLD, arguments.seed)
+    system = System(folder, WORLD, arguments.seed, recordings.ARGUMENTS)
     try:
         if not outcome.expect(system.begin(), 'the system does not start'):
             return
@@ -274,5 +245,7 @@ def attack(folder, seconds, arguments, outcome):
         for honest in (True, False):
             Round(system, watch, honest, arguments.seed, outcome).run(seconds / 2.0)
             explores_again(system, watch, outcome, 'honest' if honest else 'everything')
+        system.end_launch()
+        recordings.judge(folder, outcome)
     finally:
         system.end()

@@ -12,15 +12,15 @@ from run_attack.system import CALLER, NODES
 OWN = {'/' + node for node in NODES}
 
 
-def topics():
-    """{topic: message class} of all topics to which a node of the system is subscribed."""
+def topics(own=OWN):
+    """{topic: message class} of all topics to which one of the nodes `own` is subscribed."""
     master = rosgraph.Master(CALLER)
     subscribers = master.getSystemState()[1]
     types = dict(master.getTopicTypes())
     found = {}
     for topic, nodes in sorted(subscribers):
         kind = roslib.message.get_message_class(types.get(topic, '*')) if types.get(topic, '*') != '*' else None
-        if OWN & set(nodes) and kind is not None:
+        if own & set(nodes) and kind is not None:
             found[topic] = kind
     return found
 

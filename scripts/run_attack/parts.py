@@ -12,7 +12,7 @@ import leftovers
 from run_attack import processes
 from run_attack.outcome import Outcome
 
-SHARES = {'stops': 0.25, 'fuzz': 0.4, 'faults': 0.35, 'soak': 1.0}  # of the time, in relation to each other
+SHARES = {'stops': 0.25, 'fuzz': 0.4, 'faults': 0.35, 'fleet': 0.3, 'soak': 1.0}  # of the time, in relation to each other
 
 
 def seconds_of(part, parts, minutes):

@@ -13,9 +13,10 @@ RESTING = 1e-3  # [m/s] and [rad/s] together
 
 
 class RobotWatch:
-    """The true motion, the contacts, the map and the status of the explorer."""
+    """The true motion, the contacts, the map and the status of the explorer of one robot; `robot` is its namespace."""
 
-    def __init__(self):
+    def __init__(self, robot=''):
+        self._space = '/' + robot + '/' if robot else '/'
         self.contacts = 0
         self.distance = 0.0  # [m] driven
         self.known = 0  # cells of the map
@@ -23,20 +24,20 @@ class RobotWatch:
         self.explorer = None
         self.motion = collections.deque(maxlen=5000)  # (steady time, ROS time, |v| + |w|, time to brake)
         self._position = None
-        rospy.Subscriber('simulator/stalled', Bool, self._take_contact)
-        rospy.Subscriber('base_pose_ground_truth', Odometry, self._take_pose, tcp_nodelay=True)
-        rospy.Subscriber('map', OccupancyGrid, self._take_map, buff_size=1 << 22)
-        rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self._take_status)
+        rospy.Subscriber(self._space + 'simulator/stalled', Bool, self._take_contact)
+        rospy.Subscriber(self._space + 'base_pose_ground_truth', Odometry, self._take_pose, tcp_nodelay=True)
+        rospy.Subscriber(self._space + 'map', OccupancyGrid, self._take_map, buff_size=1 << 22)
+        rospy.Subscriber(self._space + 'frontier_explorer/status', ExplorerStatus, self._take_status)
 
     def _take_contact(self, message):
         self.contacts += message.data
 
     def _take_status(self, message):
-        if message._connection_header['callerid'] == '/frontier_explorer':
+        if message._connection_header['callerid'] == self._space + 'frontier_explorer':
             self.explorer = message
 
     def _take_map(self, message):
-        if message._connection_header['callerid'] == '/mapper':
+        if message._connection_header['callerid'] == self._space + 'mapper':
             self.known = sum(cell >= 0 for cell in message.data)
             self.maps += 1
 

@@ -24,17 +24,21 @@ UNSENT = 'may not have been sent yet'  # the answer to a stop on an overloaded m
 
 
 class Caller:
-    """Calls stops and clears, and logs them as [stop, begin, answer] with times of the steady clock [s]."""
+    """Calls stops and clears, and logs them as [stop, begin, answer] with times of the steady clock [s].
 
-    def __init__(self, persistent):
+    `space` is the robot's namespace, with the slash behind it.
+    """
+
+    def __init__(self, persistent, space=''):
         self.log = []
+        self._space = space
         self.refused = self.unanswered = self.unsent = 0
         self._persistent = persistent
         self._connect()
 
     def _connect(self):
-        self._stop = rospy.ServiceProxy('emergency_stop', Trigger, self._persistent)
-        self._set = rospy.ServiceProxy('set_emergency_stop', SetBool, self._persistent)
+        self._stop = rospy.ServiceProxy(self._space + 'emergency_stop', Trigger, self._persistent)
+        self._set = rospy.ServiceProxy(self._space + 'set_emergency_stop', SetBool, self._persistent)
 
     def stop(self, by_setting=False):
         begin = time.monotonic()

@@ -1,4 +1,4 @@
-"""The system that is attacked: launch/system.launch on a master of its own."""
+"""The system that is attacked: a launch file of the project on a master of its own."""
 import logging
 import os
 import resource
@@ -16,6 +16,7 @@ from run_attack import environment, processes
 
 CALLER = '/attack'
 LOG_SIZE = '20000000'  # [bytes] of the output of all nodes
+STARTED = 60.0  # [s] within which all nodes have to serve
 NODES = ('simulator', 'mapper', 'navigator', 'waypoint_follower', 'cmd_vel_arbiter', 'behavior_server', 'frontier_explorer',
          'obstacle_avoider', 'patrol_server')
 
@@ -23,12 +24,13 @@ NODES = ('simulator', 'mapper', 'navigator', 'waypoint_follower', 'cmd_vel_arbit
 class System:
     """A master and the launch, which work in `folder`. `begin` waits until every node serves; `end` ends both.
 
-    The environment of this process is changed so that it belongs to the same ROS graph.
+    `nodes` are those of the launch file that have to serve. The environment of this process is changed so that it belongs to
+    the same ROS graph.
     """
 
-    def __init__(self, folder, world, seed, launch_arguments=()):
-        self.folder = folder
-        self.words = ['world:=' + world, 'seed:=%d' % (seed % 1000000), 'gui:=false', 'rviz:=false', *launch_arguments]
+    def __init__(self, folder, world, seed, launch_arguments=(), file='system.launch', nodes=NODES):
+        self.folder, self.nodes = folder, nodes
+        self.words = [file, 'world:=' + world, 'seed:=%d' % (seed % 1000000), 'gui:=false', 'rviz:=false', *launch_arguments]
         self.master = self.launch = None
         self._port = processes.free_port()
         os.environ.update(HOME=folder, ROS_HOME=os.path.join(folder, 'ros'),
@@ -38,10 +40,10 @@ class System:
         os.makedirs(os.environ['ROS_HOME'], exist_ok=True)
 
     def begin(self):
-        """Starts everything; gives whether all nodes serve within a minute."""
+        """Starts everything; gives whether all nodes serve within `STARTED`."""
         self.start_master()
         self.start_launch()
-        return wait_until(self.is_up, 60.0)
+        return wait_until(self.is_up, STARTED)
 
     def start_master(self):
         self.master = processes.start(['rosmaster', '--core', '-p', str(self._port)], self.path('master.log'))
@@ -53,7 +55,7 @@ class System:
         bounded = str(environment.ROOT / 'scripts' / 'bounded_log.py')
         subprocess.Popen([sys.executable, bounded, self.path('log'), LOG_SIZE], stdin=reading, start_new_session=True)
         os.close(reading)
-        self.launch = subprocess.Popen(['roslaunch', 'frontier_pilot', 'system.launch', *self.words], stdin=subprocess.DEVNULL,
+        self.launch = subprocess.Popen(['roslaunch', 'frontier_pilot', *self.words], stdin=subprocess.DEVNULL,
                                        stdout=writing, stderr=subprocess.STDOUT, start_new_session=True,
                                        preexec_fn=prepare_launch)
         os.close(writing)
@@ -75,7 +77,7 @@ class System:
         leftovers.end(processes.MARK, self.folder)
 
     def is_up(self):
-        return self.launch.poll() is None and all(pid_of(node) is not None for node in NODES)
+        return self.launch.poll() is None and all(pid_of(node) is not None for node in self.nodes)
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -113,9 +115,9 @@ def pid_of(node):
         return None
 
 
-def pids():
-    """The process of each node of the launch."""
-    return {node: pid_of(node) for node in NODES}
+def pids(nodes=NODES):
+    """The process of each node."""
+    return {node: pid_of(node) for node in nodes}
 
 
 def provider(service):
@@ -128,7 +130,9 @@ def provider(service):
 
 
 def resident_memory(pid):
-    """What a process holds [MB]; None if it has ended."""
+    """What a process holds [MB]; None if it has ended, or if there is none."""
+    if pid is None:
+        return None
     try:
         with open('/proc/%d/status' % pid) as status:
             return next(int(line.split()[1]) / 1024.0 for line in status if line.startswith('VmRSS'))

@@ -118,7 +118,7 @@ class Lives(unittest.TestCase):
     # [FLT-1]
     def test_a_node_that_dies_is_noticed_and_its_last_messages_are_kept(self):
         try:
-            from run_attack import fuzz
+            from run_attack import lives
         except ImportError as error:
             self.skipTest('needs the messages of a build: %s' % error)
         nodes = {name: subprocess.Popen(['sleep', '60']) for name in ('mapper', 'navigator')}
@@ -126,15 +126,15 @@ class Lives(unittest.TestCase):
             self.addCleanup(process.wait)
             self.addCleanup(process.kill)
         told = threading.Event()
-        with unittest.mock.patch.object(fuzz, 'pids', lambda: {name: process.pid for name, process in nodes.items()}):
-            lives = fuzz.Lives(lambda node: told.set())
-            self.addCleanup(lives.end)
-            self.assertEqual(lives.dead, {})
+        with unittest.mock.patch.object(lives, 'pids', lambda _: {name: process.pid for name, process in nodes.items()}):
+            watched = lives.Lives(lambda node: told.set())
+            self.addCleanup(watched.end)
+            self.assertEqual(watched.dead, {})
             nodes['mapper'].send_signal(signal.SIGSEGV)
             nodes['mapper'].wait()
             self.assertTrue(told.wait(10.0))
-        self.assertEqual(set(lives.dead), {'mapper'})
-        self.assertLess(abs(lives.growth()['navigator']), 10.0)
+        self.assertEqual(set(watched.dead), {'mapper'})
+        self.assertLess(abs(watched.growth()['navigator']), 10.0)
 
 
 class Plan(unittest.TestCase):
