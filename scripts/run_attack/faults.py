@@ -9,8 +9,8 @@ import time
 
 from run_attack import environment, recordings, services, table
 from run_attack.phases import PHASES, Phases
-from run_attack.robot_watch import RobotWatch
-from run_attack.system import NODES, System, join, pid_of, provider, wait_until
+from run_attack.robot_watch import watch_from_the_start
+from run_attack.system import NODES, System, pid_of, provider, wait_until
 
 WORLD = str(environment.ROOT / 'config/worlds/small.yaml')
 PAGE = environment.ROOT / 'docs/reliability.md'
@@ -187,12 +187,10 @@ def write_docs(results, seed, seconds):
 def attack(folder, seconds, arguments, outcome):
     system = System(folder, WORLD, arguments.seed, recordings.ARGUMENTS)
     try:
-        if not outcome.expect(system.begin(), 'the system does not start'):
+        watch = watch_from_the_start(system, 'attack_faults', outcome)
+        if watch is None:
             return
-        join('attack_faults')
-        watch = RobotWatch()
         phases = Phases(watch)
-        outcome.expect(wait_until(lambda: watch.speed is not None and watch.maps > 0, 30.0), 'there is no map')
         outcome.expect(phases.wait_for_servers(), 'the actions are not served')
         begin = time.monotonic()
         results = draw_cells(watch, phases, seconds, arguments.seed, outcome)

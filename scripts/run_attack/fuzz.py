@@ -15,10 +15,10 @@ from run_attack import fuzz_plan, fuzz_sender, interfaces, judge, recordings, se
 from run_attack.environment import ROOT
 from run_attack.lives import Lives
 from run_attack.messages import Generator
-from run_attack.robot_watch import RobotWatch
+from run_attack.robot_watch import watch_from_the_start
 from run_attack.stop_callers import Caller
 from run_attack.stops import start_module
-from run_attack.system import System, join, pids, wait_until
+from run_attack.system import System, pids, wait_until
 
 WORLD = str(ROOT / 'config/worlds/small.yaml')
 RATE = 4000.0  # messages per second, if the machine and the nodes keep up
@@ -234,11 +234,9 @@ def attack(folder, seconds, arguments, outcome):
     """Two rounds, or a replay. [FLT-1]"""
     system = System(folder, WORLD, arguments.seed, recordings.ARGUMENTS)
     try:
-        if not outcome.expect(system.begin(), 'the system does not start'):
+        watch = watch_from_the_start(system, 'attack_fuzz', outcome)
+        if watch is None:
             return
-        join('attack_fuzz')
-        watch = RobotWatch()
-        outcome.expect(wait_until(lambda: watch.speed is not None and watch.maps > 0, 30.0), 'there is no map')
         if arguments.replay:
             return replay(system, arguments.replay, outcome)
         services.explore(True)

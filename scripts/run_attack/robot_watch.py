@@ -8,6 +8,8 @@ from frontier_pilot.msg import ExplorerStatus
 from nav_msgs.msg import OccupancyGrid, Odometry
 from std_msgs.msg import Bool
 
+from run_attack.system import join, wait_until
+
 BRAKING = (2.5, 3.2)  # [m/s^2] and [rad/s^2] of the simulated base
 RESTING = 1e-3  # [m/s] and [rad/s] together
 
@@ -83,3 +85,13 @@ class RobotWatch:
     def moved_since(self, since):
         """Whether the base has moved at any time from the steady time `since` on."""
         return any(at >= since and speed >= RESTING for at, _, speed, _ in list(self.motion))
+
+
+def watch_from_the_start(system, node, outcome):
+    """Starts the system, joins it as a node, and gives the watch of its robot, which has a map; None if the system does not start."""
+    if not outcome.expect(system.begin(), 'the system does not start'):
+        return None
+    join(node)
+    watch = RobotWatch()
+    outcome.expect(wait_until(lambda: watch.speed is not None and watch.maps > 0, 30.0), 'there is no map')
+    return watch

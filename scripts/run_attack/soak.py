@@ -13,8 +13,8 @@ from std_srvs.srv import Empty, Trigger
 
 from run_attack import environment, services
 from run_attack.phases import Phases
-from run_attack.robot_watch import RobotWatch
-from run_attack.system import System, join, pids, resident_memory, wait_until
+from run_attack.robot_watch import watch_from_the_start
+from run_attack.system import System, pids, resident_memory, wait_until
 
 WORLD = str(environment.ROOT / 'config/worlds/small.yaml')
 SPEED = 8  # of the simulation: more than the nodes keep up with all the time, as on a computer that is too slow
@@ -154,12 +154,10 @@ class Life:
 def attack(folder, seconds, arguments, outcome):
     system = System(folder, WORLD, arguments.seed, ['speed:=%d' % SPEED])
     try:
-        if not outcome.expect(system.begin(), 'the system does not start'):
+        watch = watch_from_the_start(system, 'attack_soak', outcome)
+        if watch is None:
             return
-        join('attack_soak')
-        watch = RobotWatch()
         phases = Phases(watch)
-        outcome.expect(wait_until(lambda: watch.speed is not None and watch.maps > 0, 30.0), 'there is no map')
         outcome.expect(phases.wait_for_servers(), 'the actions are not served')
         live(folder, seconds, Life(folder, watch, phases, random.Random(arguments.seed)), outcome)
         outcome.expect(watch.contacts == 0, 'the robot touched something')
