@@ -5,7 +5,7 @@ stderr how many there were of others.
 
 A library that is not instrumented synchronises by means that ThreadSanitizer does not see, such as the reference counts that are
 inlined into it, so that what it frees in another thread looks like a race. Whose an access, or a lock, is, is told by the innermost frame
-that lies neither in a header of the system nor in the sanitizer: what is inlined belongs to its caller. A race is the project's if both
+that lies neither in a header of the system nor in the sanitizer: what is inlined belongs to its caller, but for roscpp's buffers. A race is the project's if both
 accesses are; any other report, a cycle of mutexes above all, if one of its locks is. A cycle in a single thread is left out as well: it
 cannot block, and nodes call actionlib, which has locks of its own, from one thread only.
 """
@@ -20,6 +20,7 @@ SEPARATOR = '=================='
 FRAME = re.compile(r'^ *#\d+ (?P<name>.*) (?P<file>\S+) \((?P<module>[^()]*)\+0x[0-9a-f]+\)')
 TITLE = re.compile(r'WARNING: ThreadSanitizer: (?P<kind>.*?) \(pid=')
 TAKEN_IN = re.compile(r'acquired here while holding .* in (?P<thread>main thread|thread T\d+)')
+BUFFER_OF_ROSCPP = '/usr/include/ros/serialized_message.h'  # which is shared with its threads by a reference count
 ABOUT_OTHERS = re.compile(r'^\s*(Mutex .* created at|Thread .* created|Location is)')
 
 
@@ -81,6 +82,8 @@ def is_inlined(path, module):
 def owner_of(stack, build, root):
     """The place in this project that a stack belongs to, or None if it belongs to a library."""
     for name, path, module in stack.frames:
+        if path == BUFFER_OF_ROSCPP:
+            return None
         if not is_inlined(path, module):
             place = place_in_project(path, build, root)
             return f'{place}: {name}' if place else None

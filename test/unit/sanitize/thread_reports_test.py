@@ -55,6 +55,12 @@ class ThreadReports(unittest.TestCase):
         self.assertEqual(len(said(race([INTERCEPTOR, INLINED, MESSAGE, OURS], [INLINED, OURS_ABSOLUTE]))), 1)
         self.assertEqual(said(race([INTERCEPTOR, INLINED, ROSCPP, OURS], [INLINED, OURS])), {})
 
+    def test_a_buffer_of_roscpp_is_its_own_wherever_it_is_let_go(self):
+        buffer = 'ros::SerializedMessage::~SerializedMessage() /usr/include/ros/serialized_message.h:39 (mapper+0x3f68c)'
+        publish = 'void ros::Publisher::publish<Claim>(Claim const&) const /usr/include/ros/publisher.h:90 (mapper+0x3f700)'
+        self.assertEqual(said(race([INTERCEPTOR, INLINED, buffer, publish, OURS], [OURS])), {})
+        self.assertEqual(len(said(race([INTERCEPTOR, INLINED, publish, OURS], [OURS]))), 1, 'what is published may be shared')
+
     def test_a_race_with_an_access_of_a_library_is_counted_with_the_others(self):
         self.assertEqual(sorted_reports(race([OURS], [ROSCPP, OURS]) + race([ROSCPP], [ROSCPP])), ({}, 2))
 
