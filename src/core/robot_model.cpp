@@ -40,6 +40,7 @@ RobotModel loadRobot(const std::string& path) {
 void RobotModel::check(Problems& problems) const {
   if (odometry != "topic" && odometry != "tf")
     problems.push_back("odometry: must be topic or tf, not '" + odometry + "'");
+  if (base_frame == odom_frame) problems.push_back("base_frame: is odom_frame as well, '" + odom_frame + "'");
   if (outline.empty()) {
     if (disc_radius <= 0.0) problems.emplace_back("outline: must be given where disc_radius is 0");
     return;

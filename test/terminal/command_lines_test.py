@@ -105,6 +105,20 @@ class CommandLines(unittest.TestCase):
                     self.assertLess(len((out + err).splitlines()), 4, out + err)
             self.assertIn('ROS_MASTER_URI is not an address', call(program, master='nowhere')[2])
 
+    # [FLT-1]
+    def test_a_remapping_to_nothing_ends_a_node_with_the_reason(self):
+        for name in ('simulator', 'mapper', 'check_robot', 'teleop_gui'):
+            with self.subTest(program=name):
+                code, _, err = call(BUILD / 'devel/lib/frontier_pilot' / name, 'map:=/')
+                self.assertEqual(code, 2 if name == 'check_robot' else 1)
+                self.assertIn('map:=/ is not a remapping', err)
+
+    # Qt reads any file as a style sheet, and crashes on one that has no end.
+    def test_the_window_does_not_take_a_style_sheet(self):
+        code, _, err = call(BUILD / 'devel/lib/frontier_pilot/teleop_gui', '-stylesheet', '/dev/zero')
+        self.assertEqual(code, 2)
+        self.assertIn('-stylesheet', err)
+
     def test_a_program_says_that_its_output_cannot_be_written_in_one_line(self):
         for name in ('run_recorder', 'bag_player.py', 'robots_launcher.py', 'watch_exploration.py', 'report', 'map_log', 'mapper',
                      'check_robot', 'patrol_client', 'teleop_gui'):

@@ -107,7 +107,7 @@ struct FrontierParameters {
         "clearance_margin", clearance_margin, "m",
         "room that a path to a goal leaves on either side of the robot: about one cell, which is how exactly walls are "
         "mapped",
-        atLeast(0.0));
+        between(0.0, 10.0));
     v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
     v.fixed({"trap_margin", "escape_radius", "goal_search_radius"});
     v.field("min_distance", min_distance, "m", "goals to which the way is shorter than this are not sent",

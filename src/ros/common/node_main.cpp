@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
@@ -32,8 +33,11 @@ namespace frontier_pilot {
 
 namespace {
 
-volatile std::sig_atomic_t g_stop = 0;  ///< the signal that ends the node
-volatile std::sig_atomic_t g_building = 1;
+// A signal is handled on any thread, among them the one that watches the master and raises it.
+std::atomic<int> g_stop{0};  ///< the signal that ends the node
+std::atomic<bool> g_building{true};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+              "a handler of signals must not wait for a lock");
 
 constexpr unsigned kBuildPatience = 1;  // [s]
 constexpr unsigned kEndPatience =
@@ -43,9 +47,9 @@ void onSignal(int signal) {
   // A constructor may wait for something that never comes, or take long to read a large world. A shutdown of ROS ends
   // such a wait and unregisters what is registered so far. If the constructor goes on all the same, the alarm or the
   // next signal ends the process at once: a node under construction has not commanded anything yet.
-  if ((g_building != 0 && g_stop != 0) || signal == SIGALRM) _exit(128 + (g_stop != 0 ? g_stop : signal));
+  if ((g_building && g_stop != 0) || signal == SIGALRM) _exit(128 + (g_stop != 0 ? g_stop.load() : signal));
   g_stop = signal;
-  if (g_building == 0) return;
+  if (!g_building) return;
   alarm(kBuildPatience);
   ros::requestShutdown();
 }
@@ -73,7 +77,7 @@ void catchSignals() {
 
 /// Whether the node is to go on. To be called repeatedly, and only once the node is built.
 bool isRunning() {
-  g_building = 0;
+  g_building = false;
   return ros::ok() && g_stop == 0;
 }
 
@@ -128,6 +132,18 @@ void refuseAWrongAddress(const std::vector<std::string>& words) {
   throw std::runtime_error(said + " is not an address like http://host:11311: " + uri);
 }
 
+/// roscpp makes a topic without a name of it and aborts. What begins with `_` is a parameter or a word for roscpp
+/// itself.
+void refuseAnEmptyRemapping(const std::vector<std::string>& words) {
+  const std::string to_nothing = ":=/";
+  for (const std::string& word : words) {
+    const std::size_t separator = word.find(":=");
+    if (separator == std::string::npos || word[0] == '_') continue;
+    if (word.compare(separator, std::string::npos, to_nothing) == 0)
+      throw std::runtime_error(word + " is not a remapping: a topic or a service has a name after the slash");
+  }
+}
+
 /// With fewer, roscpp ends the process with a trap, or it cannot connect to the other nodes.
 void refuseAFewDescriptors() {
   constexpr rlim_t kLeast = 32;
@@ -151,6 +167,7 @@ void initNode(int& argc, char** argv, const std::string& name) {
   nameNodeInLines(name);
   refuseAFewDescriptors();
   refuseAWrongAddress({argv + 1, argv + argc});
+  refuseAnEmptyRemapping({argv + 1, argv + argc});
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
 }
 

@@ -8,9 +8,15 @@ namespace frontier_pilot {
 
 namespace {
 
+/// Values are quoted in problems; one of the size of a file would hide all other lines.
+std::string shortened(const std::string& problem) {
+  constexpr std::size_t kMost = 1000;
+  return problem.size() <= kMost ? problem : problem.substr(0, kMost) + " ...";
+}
+
 std::string joined(const std::string& where, const Problems& problems) {
   std::string text = "bad configuration of " + where + ":";
-  for (const std::string& problem : problems) text += "\n  " + problem;
+  for (const std::string& problem : problems) text += "\n  " + shortened(problem);
   return text;
 }
 

@@ -67,6 +67,13 @@ struct MapperNodeParameters {
   }
   void check(Problems& problems) const {
     if (autosave_period > 0.0 && autosave_period < 0.1) problems.push_back("autosave_period: must be 0 or >= 0.1");
+    const std::string& odom = mapper.robot.odomFrameOr(odom_frame);
+    const std::string& base = mapper.robot.baseFrameOr(base_frame);
+    if (map_frame == odom || map_frame == base)
+      problems.push_back("map_frame: is the frame of odometry or of the robot as well, '" + map_frame + "'");
+    if (odom == base &&
+        (!odom_frame.empty() || !base_frame.empty()))  // the robot's own frames are checked as the robot's
+      problems.push_back("base_frame: is the frame of odometry as well, '" + base + "'");
   }
 };
 

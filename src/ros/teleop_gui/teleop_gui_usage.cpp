@@ -69,7 +69,7 @@ NodeUsage teleopGuiUsage() {
                  servicePort<std_srvs::Trigger>(names::kFleetEmergencyStop)};
   usage.main_parameters = {"linear_step", "angular_step", "hold_to_run", "palette"};
   usage.parameters = describeParameters(teleop::TeleopParameters());
-  usage.library_options = {"-platform", "-style", "-stylesheet", "-geometry", "-display", "-title"};
+  usage.library_options = {"-platform", "-style", "-geometry", "-display", "-title"};
   usage.example = "rosrun frontier_pilot teleop_gui _palette:=dark";
   return usage;
 }

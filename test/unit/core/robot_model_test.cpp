@@ -49,6 +49,7 @@ TEST(RobotModels, AreRefusedWithEveryProblemByName) {
             (Problems{"robot/disc_radius: must be 0 or at least half the width of the outline"}));
   EXPECT_EQ(problems("robot: {base_frame: " + std::string(300, 'a') + "}"),
             (Problems{"robot/base_frame: must have at most 256 characters"}));
+  EXPECT_EQ(problems("robot: {base_frame: odom}"), (Problems{"robot/base_frame: is odom_frame as well, 'odom'"}));
   EXPECT_EQ(problems("robot: {base_frame: \"a\\nb\"}"),
             (Problems{"robot/base_frame: must not have control characters: no transform may have such a frame"}));
 }

@@ -106,6 +106,21 @@ TEST(ParameterBounds, NoRobotIsFasterOrSeesFartherThanAny_FLT_1) {
 }
 
 // [FLT-1]
+TEST(ParameterBounds, NoPathLeavesMoreRoomThanTheLargestMapHas_FLT_1) {
+  expectRefused<ExplorerNodeParameters>("frontier: {clearance_margin: 5000.0}", "frontier/clearance_margin");
+}
+
+// A transform from a frame to itself is none: TF would have no map -> odom. [FLT-1]
+TEST(ParameterBounds, TheFramesOfMapOdometryAndRobotDiffer_FLT_1) {
+  expectRefused<MapperNodeParameters>("map_frame: odom", "map_frame");
+  expectRefused<MapperNodeParameters>("map_frame: base_footprint", "map_frame");
+  expectRefused<MapperNodeParameters>("{map_frame: world, odom_frame: world}", "map_frame");
+  expectRefused<MapperNodeParameters>("base_frame: odom", "base_frame");
+  expectRefused<RobotModel>("base_frame: odom", "base_frame");
+  EXPECT_EQ(refusal<MapperNodeParameters>("{map_frame: world, odom_frame: map, base_frame: odom}"), "");
+}
+
+// [FLT-1]
 TEST(ParameterBounds, AFrameThatTfCannotHaveIsRefused_FLT_1) {
   for (const char* frame : {"''", "/map"}) {
     const std::string yaml = std::string("map_frame: ") + frame;

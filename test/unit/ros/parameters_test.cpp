@@ -57,6 +57,14 @@ TEST(Parameters, AnErrorListsEveryProblemByName) {
   }
 }
 
+TEST(Parameters, AProblemThatQuotesALongValueIsCut) {
+  const Problems problems = {"odometry: must be topic or tf, not '" + std::string(100000, 'a') + "'",
+                             "watchdog: must be > 0"};
+  const std::string text = ConfigurationError("/robot", problems).what();
+  EXPECT_LT(text.size(), 1200U);
+  EXPECT_NE(text.find("a ...\n  watchdog: must be > 0"), std::string::npos) << text;
+}
+
 // [FLT-1]
 TEST(Parameters, TooDeepOnesAndTooManyAreRefused) {
   XmlRpc::XmlRpcValue deep;
