@@ -10,8 +10,8 @@ namespace {
 
 /// Values are quoted in problems; one of the size of a file would hide all other lines.
 std::string shortened(const std::string& problem) {
-  constexpr std::size_t kMost = 1000;
-  return problem.size() <= kMost ? problem : problem.substr(0, kMost) + " ...";
+  constexpr std::size_t kLongest = 1000;
+  return problem.size() <= kLongest ? problem : problem.substr(0, kLongest) + " ...";
 }
 
 std::string joined(const std::string& where, const Problems& problems) {
