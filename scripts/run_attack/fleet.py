@@ -106,11 +106,11 @@ class Fleet:
 
     @staticmethod
     def drives(robots):
-        """Whether each of the robots drives at some time, unless it has nothing left to explore."""
+        """Whether each of the robots drives at some time, unless there is nothing left for it to explore."""
         waiting = list(robots)
 
         def all_seen():
-            waiting[:] = [robot for robot in waiting if not (robot.moves() or robot.watch.done())]
+            waiting[:] = [robot for robot in waiting if not (robot.moves() or robot.watch.has_nothing_to_do())]
             return not waiting
         return wait_until(all_seen, TO_WORK)
 

@@ -61,6 +61,10 @@ class RobotWatch:
     def done(self):
         return self.explorer is not None and self.explorer.state == ExplorerStatus.DONE
 
+    def has_nothing_to_do(self):
+        """Everything is explored, or other robots claim what is left."""
+        return self.done() or (self.explorer is not None and self.explorer.reason == ExplorerStatus.LEFT_TO_OTHERS)
+
     def stood_after(self, since):
         """How long after the steady time `since` the base came to rest first [s]; None where it has not.
 

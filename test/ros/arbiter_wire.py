@@ -14,6 +14,7 @@ from frontier_pilot.msg import ArbiterStatus
 from geometry_msgs.msg import Twist
 from std_msgs.msg import Bool
 
+from tap import Tap
 from wire import (Node, Record, Source, assert_memory_below, clear, emergency_stop, enable, memory_of, moves, pid_of,
                   set_emergency_stop, twist, wait_for)
 
@@ -75,6 +76,18 @@ class ArbiterOnTheWire(unittest.TestCase):
         publishers = rosgraph.Master('/test').getSystemState()[0]
         nodes = next(nodes for topic, nodes in publishers if topic == '/cmd_vel')
         self.assertEqual(nodes, ['/cmd_vel_arbiter'], 'nothing else publishes cmd_vel [ARB-11]')
+
+    # The explorer pauses when it hears of a clear. Whoever is told of the clear and lets it go on must not be overtaken. [ARB-8]
+    def test_a_clear_is_on_the_wire_before_it_is_answered(self):
+        tap = Tap('/cmd_vel_arbiter', '/emergency_stop_state', Bool)
+        self.addCleanup(tap.close)
+        late = 0
+        for _ in range(100):
+            self.assertTrue(emergency_stop().success)
+            self.assertTrue(wait_for(lambda: any(state.data for state in tap.arrived())))
+            self.assertTrue(set_emergency_stop(False).success)
+            late += all(state.data for state in tap.arrived())
+        self.assertEqual(late, 0, 'of 100 clears')
 
     # [ARB-3]
     def test_a_zero_of_avoid_is_a_heartbeat_and_a_zero_of_patrol_holds(self):

@@ -106,12 +106,15 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
 }
 
 arbiter::ArbiterAnswer CmdVelArbiterAdapter::clear(const std::string& caller) {
+  const bool was_stopped = arbiter_.stopped();
   arbiter::ArbiterAnswer answer = arbiter_.clear(clears_.arrival(), instantNow());
   publish(answer.publish);
   if (!arbiter_.stopped()) around_.memory_problem = memory_.forget();
   THROTTLED_INFO("set_emergency_stop false called by " << caller << ": " << answer.message);
   publishStopState();
   publishStatus(false);
+  // The explorer pauses when it hears of the clear: it has to hear of it before whoever is answered can let it go on.
+  if (was_stopped && !arbiter_.stopped()) flush_.wait(kFlushPatience);
   return answer;
 }
 

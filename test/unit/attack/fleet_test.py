@@ -26,7 +26,7 @@ class StandInWatch:
     def moved_since(self, _):
         return self.creeps
 
-    def done(self):
+    def has_nothing_to_do(self):
         return self.finished
 
 
