@@ -37,11 +37,6 @@ def names_in_help(name):
     return {'/' + word.lstrip('/') for word in words}
 
 
-def without_late_calls(said):
-    """What a node said, but for roscpp's error about a caller who asks for a service that an ending node has just taken back."""
-    return '\n'.join(line for line in said.splitlines() if 'connection for a nonexistent service' not in line)
-
-
 class BareNodes(unittest.TestCase):
     def test_start_and_end_without_complaint(self):
         self.check(NODES)
@@ -69,16 +64,16 @@ class BareNodes(unittest.TestCase):
         services = [name for name, _ in rosgraph.Master('/bare_nodes').getSystemState()[2]]
         offered = {name for name in names if '/%s/get_loggers' % name in services}
         unsaid = {name: own_names(name) - names_in_help(name) for name in names}
-        for node in nodes.values():
-            if not node.has_ended():
-                node.signal(signal.SIGINT)
         self.assertEqual(offered, set(), '[FLT-1]')
         self.assertEqual(unsaid, {name: set() for name in names}, '--help does not name them')
-        for name, node in nodes.items():
+        # The last ones call the first ones: roscpp says an ERROR about a call of a service that an ending node has just taken back.
+        for name, node in reversed(list(nodes.items())):
+            if not node.has_ended():
+                node.signal(signal.SIGINT)
             code, said = node.finish(15.0)
             self.assertTrue(came_up[name], (name, said))
             self.assertEqual(code, 0, (name, said))
-            self.assertNotIn('[ERROR]', without_late_calls(said), name)
+            self.assertNotIn('[ERROR]', said, name)
 
 
 if __name__ == '__main__':

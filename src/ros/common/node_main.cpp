@@ -135,11 +135,9 @@ void refuseAWrongAddress(const std::vector<std::string>& words) {
 /// roscpp makes a topic without a name of it and aborts. What begins with `_` is a parameter or a word for roscpp
 /// itself.
 void refuseAnEmptyRemapping(const std::vector<std::string>& words) {
-  const std::string to_nothing = ":=/";
   for (const std::string& word : words) {
     const std::size_t separator = word.find(":=");
-    if (separator == std::string::npos || word[0] == '_') continue;
-    if (word.compare(separator, std::string::npos, to_nothing) == 0)
+    if (separator != std::string::npos && word[0] != '_' && word.substr(separator) == ":=/")
       throw std::runtime_error(word + " is not a remapping: a topic or a service has a name after the slash");
   }
 }
@@ -166,8 +164,9 @@ int fail(const std::string& name, const std::exception& error, int exit_code) {
 void initNode(int& argc, char** argv, const std::string& name) {
   nameNodeInLines(name);
   refuseAFewDescriptors();
-  refuseAWrongAddress({argv + 1, argv + argc});
-  refuseAnEmptyRemapping({argv + 1, argv + argc});
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  refuseAWrongAddress(words);
+  refuseAnEmptyRemapping(words);
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
 }
 

@@ -106,7 +106,7 @@ TEST(ParameterBounds, NoRobotIsFasterOrSeesFartherThanAny_FLT_1) {
 }
 
 // [FLT-1]
-TEST(ParameterBounds, NoPathLeavesMoreRoomThanTheLargestMapHas_FLT_1) {
+TEST(ParameterBounds, NoPathLeavesMoreRoomThanARobotNeeds_FLT_1) {
   expectRefused<ExplorerNodeParameters>("frontier: {clearance_margin: 5000.0}", "frontier/clearance_margin");
 }
 
