@@ -37,6 +37,11 @@ RobotModel loadRobot(const std::string& path) {
   return robot;
 }
 
+void RobotModel::checkIsNotBase(Problems& problems, const std::string& name, const std::string& frame,
+                                const std::string& own_base) const {
+  if (frame == baseFrameOr(own_base)) problems.push_back(name + ": is the robot's frame as well, '" + frame + "'");
+}
+
 void RobotModel::check(Problems& problems) const {
   if (odometry != "topic" && odometry != "tf")
     problems.push_back("odometry: must be topic or tf, not '" + odometry + "'");

@@ -45,7 +45,7 @@ struct MapYaml {
     v.field("occupied_thresh", occupied_thresh, "", "darker than this is occupied", between(0.0, 1.0));
     v.field("free_thresh", free_thresh, "", "lighter than this is free", between(0.0, 1.0));
     v.field("mode", mode, "", "how grey values become cells");
-    v.field("start", start, "m, m, rad", "where a robot starts by default", anyNumber());
+    v.field("start", start, "m, m, rad", "where a robot starts by default", coordinate());
   }
 
   void check(Problems& problems) const {

@@ -22,11 +22,11 @@ struct TeleopParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     describeRobot(v, robot);
-    v.field("linear_step", linear_step, "m/s", "what one press of Go or Back adds", positive());
-    v.field("angular_step", angular_step, "rad/s", "what one press of Left or Right adds", positive());
+    v.field("linear_step", linear_step, "m/s", "what one press of Go or Back adds", baseSpeed());
+    v.field("angular_step", angular_step, "rad/s", "what one press of Left or Right adds", baseTurnRate());
     v.field("hold_to_run", hold_to_run, "", "start in the mode in which the robot moves only while a key is pressed");
-    v.field("hold_linear", hold_linear, "m/s", "speed while Go or Back is held", positive());
-    v.field("hold_angular", hold_angular, "rad/s", "rate of turn while Left or Right is held", positive());
+    v.field("hold_linear", hold_linear, "m/s", "speed while Go or Back is held", baseSpeed());
+    v.field("hold_angular", hold_angular, "rad/s", "rate of turn while Left or Right is held", baseTurnRate());
     v.field("publish_rate", publish_rate, "Hz", "messages on cmd_vel_manual per second", Bounds{1.0, 100.0, false});
     v.field("liveness_timeout", liveness_timeout, "s",
             "a window without a sign of life for this long counts as frozen: the robot is stopped",

@@ -25,7 +25,8 @@ struct SourceParameters {
     v.field("name", name, "", "name of the source, as in the service set_<name>_enabled");
     startFromBuiltIn();
     v.field("topic", topic, "", "topic of its commands (geometry_msgs/Twist)");
-    v.field("priority", priority, "", "the source with the highest priority drives; must be unique", anyNumber());
+    v.field("priority", priority, "", "the source with the highest priority drives; must be unique",
+            between(-1e9, 1e9));
     v.field("timeout", timeout, "s", "greatest age of its last message, after which it is stale",
             Bounds{0.0, 3600.0, true});
     v.field("enabled", enabled, "", "whether the source is enabled at the start");

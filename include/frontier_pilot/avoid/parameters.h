@@ -48,21 +48,21 @@ struct AvoiderParameters {
     v.field("stop_distance", stop_distance, "m",
             "an obstacle ahead that is nearer to the base's centre starts a recovery; 0: 0.395 m ahead of the robot's "
             "front, 0.5 m for a Burger",
-            atLeast(0.0));
+            scanRangeOrNone());
     v.field("clear_distance", clear_distance, "m",
             "a recovery ends when nothing ahead is nearer to the base's centre; 0: 0.15 m more than stop_distance",
-            atLeast(0.0));
+            scanRangeOrNone());
     v.field("rear_stop_distance", rear_stop_distance, "m",
             "no reversing when something behind is nearer to the base's centre; 0: 0.145 m behind the robot's rear, "
             "0.25 m for a Burger",
-            atLeast(0.0));
+            scanRangeOrNone());
     v.fixed({"guard_margin"});
     v.fixed({"guard_half_width"});
-    v.field("reverse_speed", reverse_speed, "m/s", "speed of reversing", positive());
+    v.field("reverse_speed", reverse_speed, "m/s", "speed of reversing", baseSpeed());
     v.field("reverse_time", reverse_time, "s", "duration of reversing in a cycle", Bounds{0.0, 60.0, false});
-    v.field("turn_speed", turn_speed, "rad/s", "rate of turning away", positive());
+    v.field("turn_speed", turn_speed, "rad/s", "rate of turning away", baseTurnRate());
     v.field("turn_time", turn_time, "s", "greatest duration of turning in a cycle", Bounds{0.0, 60.0, true});
-    v.field("max_cycles", max_cycles, "", "cycles that did not help before it gives up", atLeast(1.0));
+    v.field("max_cycles", max_cycles, "", "cycles that did not help before it gives up", countFrom(1));
     v.field("max_scan_age", max_scan_age, "s", "an older scan is a fault", Bounds{0.0, 60.0, true});
     v.field("max_invalid_share", max_invalid_share, "", "greatest share of invalid beams; a scan with more is a fault",
             between(0.0, 1.0));

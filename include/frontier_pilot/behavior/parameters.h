@@ -51,12 +51,13 @@ struct BehaviorParameters {
   void describe(Visitor& v) {
     describeRobot(v, robot);
     v.field("frequency", frequency, "Hz", "control cycles per second", between(5.0, 100.0));
-    v.field("min_rotational_vel", min_rotational_vel, "rad/s", "least rate of turn", positive());
-    v.field("max_rotational_vel", max_rotational_vel, "rad/s", "greatest rate of turn", positive());
-    v.field("linear_acc_lim", linear_acc_lim, "m/s^2", "deceleration at the end of a straight motion", positive());
+    v.field("min_rotational_vel", min_rotational_vel, "rad/s", "least rate of turn", baseTurnRate());
+    v.field("max_rotational_vel", max_rotational_vel, "rad/s", "greatest rate of turn", baseTurnRate());
+    v.field("linear_acc_lim", linear_acc_lim, "m/s^2", "deceleration at the end of a straight motion",
+            baseAcceleration());
     v.fixed({"min_linear_vel"});
     v.field("default_linear_vel", default_linear_vel, "m/s", "speed of a straight motion whose goal names none",
-            positive());
+            baseSpeed());
     v.field("simulate_ahead_time", simulate_ahead_time, "s",
             "how far ahead, in time, the motion must be free of obstacles", timeSpan());
     v.field("pose_timeout", pose_timeout, "s", "greatest age of the robot's pose", timeSpan());

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
+
 namespace frontier_pilot {
 
 /// A value as YAML or the parameter server delivers it.
@@ -32,11 +34,20 @@ struct Bounds {
   bool allows(double value) const;
   std::string text() const;
 };
-inline Bounds anyNumber() { return {}; }
-inline Bounds positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
-inline Bounds atLeast(double min) { return {min, std::numeric_limits<double>::infinity(), false}; }
 inline Bounds between(double min, double max) { return {min, max, false}; }
 inline Bounds positiveUpTo(double max) { return {0.0, max, true}; }
+/// How many, from `least` on. Every number of a configuration has a greatest value, because it may size a loop or a
+/// sum, and far beyond what any robot needs nobody has tried it. [FLT-1]
+inline Bounds countFrom(double least) { return between(least, 1e9); }
+/// A place, or a direction, in a plane [m, rad].
+inline Bounds coordinate() { return between(-bounds::kMostCoordinate, bounds::kMostCoordinate); }
+/// What a base on wheels can do at most [m/s; rad/s; m/s^2 or rad/s^2].
+inline Bounds baseSpeed() { return positiveUpTo(20.0); }
+inline Bounds baseTurnRate() { return positiveUpTo(50.0); }
+inline Bounds baseAcceleration() { return positiveUpTo(1000.0); }
+/// A distance that a scanner measures, or that is compared with one [m].
+inline Bounds scanRange() { return positiveUpTo(bounds::kMostRange); }
+inline Bounds scanRangeOrNone() { return between(0.0, bounds::kMostRange); }
 /// Rates [Hz] and periods [s] of repeated work. Timers run at them: at a rate that is too high a node would do nothing
 /// else, and a period that is too long does not fit into ros::Duration. [FLT-1]
 inline Bounds tickRate() { return between(0.1, 1000.0); }

@@ -19,10 +19,10 @@ struct RobotLimits {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("max_linear", max_linear, "m/s", "greatest speed, forward and in reverse", positiveUpTo(20.0));
-    v.field("max_angular", max_angular, "rad/s", "greatest rate of turn", positiveUpTo(50.0));
-    v.field("max_linear_acc", max_linear_acc, "m/s^2", "greatest change of speed", positiveUpTo(1000.0));
-    v.field("max_angular_acc", max_angular_acc, "rad/s^2", "greatest change of the rate of turn", positiveUpTo(1000.0));
+    v.field("max_linear", max_linear, "m/s", "greatest speed, forward and in reverse", baseSpeed());
+    v.field("max_angular", max_angular, "rad/s", "greatest rate of turn", baseTurnRate());
+    v.field("max_linear_acc", max_linear_acc, "m/s^2", "greatest change of speed", baseAcceleration());
+    v.field("max_angular_acc", max_angular_acc, "rad/s^2", "greatest change of the rate of turn", baseAcceleration());
   }
 };
 
@@ -60,8 +60,8 @@ struct ScannerModel {
     v.field("angle_min", angle_min, "rad", "angle of the first beam in the scanner's frame",
             between(-2.0 * kPi, 2.0 * kPi));
     v.field("field_of_view", field_of_view, "rad", "angle that the beams cover", {0.0, 2.0 * kPi, true});
-    v.field("range_min", range_min, "m", "nearest distance it measures", between(0.0, bounds::kMostRange));
-    v.field("range_max", range_max, "m", "farthest distance it measures", positiveUpTo(bounds::kMostRange));
+    v.field("range_min", range_min, "m", "nearest distance it measures", scanRangeOrNone());
+    v.field("range_max", range_max, "m", "farthest distance it measures", scanRange());
     v.field("rolling", rolling, "", "whether it measures one beam after the other, over the whole period of a scan");
     v.field("time_increment", time_increment, "s",
             "time from one beam to the next; 0: all beams are measured at once; -1: the one that the driver gives",
@@ -92,6 +92,10 @@ struct RobotModel {
   const std::string& baseFrameOr(const std::string& own) const { return own.empty() ? base_frame : own; }
   /// Likewise for the frame of odometry.
   const std::string& odomFrameOr(const std::string& own) const { return own.empty() ? odom_frame : own; }
+  /// Adds a problem if `frame`, a node's parameter called `name`, is the base frame of that node, whose own parameter
+  /// is `own_base`: between a frame and itself there is no transform that could say where the robot is. [FLT-1]
+  void checkIsNotBase(Problems& problems, const std::string& name, const std::string& frame,
+                      const std::string& own_base) const;
 
   template <class Visitor>
   void describe(Visitor& v) {

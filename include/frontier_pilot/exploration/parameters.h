@@ -32,7 +32,7 @@ struct ViewParameters {
   void describe(V& v) {
     v.field("sensor_range", sensor_range, "m",
             "range that is assumed when the view from a goal is estimated, at most that of the robot's scanner",
-            positive());
+            scanRange());
     v.fixed({"unknown_depth", "rays"});
   }
 };
@@ -51,10 +51,10 @@ struct ScoreParameters {
 
   template <class V>
   void describe(V& v) {
-    v.field("w_info", w_info, "", "weight of the expected information", atLeast(0.0));
-    v.field("w_dist", w_dist, "", "weight of the distance", atLeast(0.0));
-    v.field("w_obs", w_obs, "", "weight of the obstacle density around the goal", atLeast(0.0));
-    v.field("w_visit", w_visit, "", "weight of earlier goals close by", atLeast(0.0));
+    v.field("w_info", w_info, "", "weight of the expected information", between(0.0, 1e6));
+    v.field("w_dist", w_dist, "", "weight of the distance", between(0.0, 1e6));
+    v.field("w_obs", w_obs, "", "weight of the obstacle density around the goal", between(0.0, 1e6));
+    v.field("w_visit", w_visit, "", "weight of earlier goals close by", between(0.0, 1e6));
     v.fixed({"info_scale", "distance_scale", "switch_margin"});
     v.field("info_by_ray_casting", info_by_ray_casting, "",
             "estimate the information by ray casting; false: by the share of unknown cells around the goal");
@@ -101,7 +101,7 @@ struct FrontierParameters {
 
   template <class V>
   void describe(V& v) {
-    v.field("min_frontier_cells", min_frontier_cells, "", "frontiers of fewer cells are ignored", atLeast(1));
+    v.field("min_frontier_cells", min_frontier_cells, "", "frontiers of fewer cells are ignored", countFrom(1));
     v.fixed({"max_cluster_extent"});
     v.field(
         "clearance_margin", clearance_margin, "m",
@@ -111,13 +111,13 @@ struct FrontierParameters {
     v.moved("inscribed_radius", "clearance_margin (on top of half the robot's width)");
     v.fixed({"trap_margin", "escape_radius", "goal_search_radius"});
     v.field("min_distance", min_distance, "m", "goals to which the way is shorter than this are not sent",
-            atLeast(0.0));
+            between(0.0, 100.0));
     v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "radius in which the obstacle density is measured",
-            atLeast(1));
+            between(1, 100));
     v.field("max_obstacle_density", max_obstacle_density, "",
             "goals with a greater obstacle density around them are not sent", between(0.0, 1.0));
     v.field("min_info_area", min_info_area, "m^2",
-            "goals that are expected to show less unknown area than this are not sent", atLeast(0.0));
+            "goals that are expected to show less unknown area than this are not sent", between(0.0, 1e6));
     v.fixed({"min_info_share", "visit_radius"});
     v.group("view", view, "what is expected to be seen from a goal");
     v.group("score", score, "how goals are compared");
@@ -133,7 +133,7 @@ struct BlacklistParameters {
   template <class V>
   void describe(V& v) {
     v.field("radius", radius, "m", "frontiers with a goal nearer than this to a blacklisted goal are not tried",
-            positive());
+            positiveUpTo(1000.0));
     v.fixed({"change_radius", "change_cells"});
   }
 };
@@ -183,11 +183,12 @@ struct UntilParameters {
   template <class V>
   void describe(V& v) {
     v.field("area", area, "m^2", "end the exploration when this much floor is known to be free; 0: no such end",
-            atLeast(0.0));
+            between(0.0, 1e9));
     v.field("time", time, "s",
             "end the exploration after this long, without pauses and waiting for inputs; 0: no such end",
             timeSpanOrNone());
-    v.field("distance", distance, "m", "end the exploration after this much driving; 0: no such end", atLeast(0.0));
+    v.field("distance", distance, "m", "end the exploration after this much driving; 0: no such end",
+            between(0.0, 1e9));
     v.field("battery", battery, "",
             "end the exploration when battery_state reports this share of the charge or less; 0: no such end",
             between(0.0, 1.0));
@@ -205,7 +206,8 @@ struct InspectParameters {
   template <class V>
   void describe(V& v) {
     v.field("detour", detour, "m",
-            "a pose is inspected as soon as the way over it to the next goal is at most this longer", atLeast(0.0));
+            "a pose is inspected as soon as the way over it to the next goal is at most this longer",
+            between(0.0, 1000.0));
     v.field("stay", stay, "s", "how long the robot stands at a pose that it inspects", timeSpanOrNone());
   }
 };
@@ -249,7 +251,7 @@ struct ExplorerParameters {
             "is also blacklisted",
             timeSpan());
     v.field("max_goal_retries", max_goal_retries, "",
-            "failures allowed within blacklist/radius; with one more the place is blacklisted", atLeast(0));
+            "failures allowed within blacklist/radius; with one more the place is blacklisted", countFrom(0));
     v.fixed({"check_period"});
     v.field("decision_period", decision_period, "s", "time between two comparisons of the present goal with the others",
             timeSpan());

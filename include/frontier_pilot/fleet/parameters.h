@@ -24,9 +24,9 @@ struct FleetRobot {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("name", name, "", "namespace of the robot");
-    v.field("x", x, "m", "start, in a frame that all robots have in common", anyNumber());
-    v.field("y", y, "m", "start, in a frame that all robots have in common", anyNumber());
-    v.field("yaw", yaw, "rad", "start, in a frame that all robots have in common", anyNumber());
+    v.field("x", x, "m", "start, in a frame that all robots have in common", coordinate());
+    v.field("y", y, "m", "start, in a frame that all robots have in common", coordinate());
+    v.field("yaw", yaw, "rad", "start, in a frame that all robots have in common", coordinate());
   }
 };
 

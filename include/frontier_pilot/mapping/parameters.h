@@ -29,9 +29,9 @@ struct OdometryAnchorParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("max_speed", max_speed, "m/s", "greatest credible speed between two messages; more is a jump of odometry",
-            positive());
+            positiveUpTo(1000.0));
     v.field("max_turn_rate", max_turn_rate, "rad/s",
-            "greatest credible rate of turn between two messages; more is a jump of odometry", positive());
+            "greatest credible rate of turn between two messages; more is a jump of odometry", positiveUpTo(1000.0));
   }
 };
 
@@ -77,7 +77,7 @@ struct MapperParameters {
   void describe(Visitor& v) {
     v.field("max_age", max_age, "s", "an older scan is stale", timeSpan());
     v.fixed({"max_lead"});
-    v.field("min_travel", min_travel, "m", "a robot that moved less since the last scan stands", atLeast(0.0));
+    v.field("min_travel", min_travel, "m", "a robot that moved less since the last scan stands", between(0.0, 10.0));
     v.fixed({"min_rotation", "standing_period"});
     v.field("trust_odometry", trust_odometry, "", "take odometry for the truth: no scan matching, no loop closing");
     v.group("map", map, "the map and its octree");

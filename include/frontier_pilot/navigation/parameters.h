@@ -35,7 +35,7 @@ struct ObstacleLayerParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("range", range, "m", "range up to which obstacles missing from the map are marked", positive());
+    v.field("range", range, "m", "range up to which obstacles missing from the map are marked", scanRange());
     v.field("memory", memory, "s", "time after which an obstacle that is out of sight is forgotten", timeSpan());
     v.fixed({"map_tolerance", "seen_through"});
   }
@@ -70,9 +70,9 @@ struct RecoveryParams {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("back_up_distance", back_up_distance, "m", "distance that a blocked robot backs up", positive());
+    v.field("back_up_distance", back_up_distance, "m", "distance that a blocked robot backs up", positiveUpTo(10.0));
     v.fixed({"back_up_speed"});
-    v.field("spin_angle", spin_angle, "rad", "angle that a blocked robot turns to look around", positive());
+    v.field("spin_angle", spin_angle, "rad", "angle that a blocked robot turns to look around", positiveUpTo(100.0));
     v.fixed({"spin_rate"});
     v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", timeSpan());
     v.field("margin", margin, "m", "clearance of the robot's outline from the scan's points while it recovers",
@@ -107,9 +107,9 @@ struct NavigatorParams {
     v.group("obstacles", obstacles, "obstacles that the map lacks");
     v.group("watchdog", watchdog, "progress and oscillation");
     v.group("recovery", recovery, "recoveries");
-    v.field("goal_tolerance", goal_tolerance, "m", "a goal is reached at this distance", positive());
+    v.field("goal_tolerance", goal_tolerance, "m", "a goal is reached at this distance", positiveUpTo(100.0));
     v.field("yaw_tolerance", yaw_tolerance, "rad",
-            "greatest deviation of the yaw at the goal, if its direction matters", positive());
+            "greatest deviation of the yaw at the goal, if its direction matters", positiveUpTo(100.0));
     v.field("max_age", max_age, "s", "greatest age of pose and scan; beyond it the robot stands", timeSpan());
     v.field("data_patience", data_patience, "s", "a goal that waits for data longer is aborted", timeSpan());
     v.field("blocked_patience", blocked_patience, "s", "a blocked robot waits this long before a recovery",

@@ -55,7 +55,7 @@ struct ScanInsertionParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("max_clear_range", max_clear_range, "m", "a beam without a return clears at most this far", positive());
+    v.field("max_clear_range", max_clear_range, "m", "a beam without a return clears at most this far", scanRange());
     v.moved("robot_radius", "robot/disc_radius or robot/outline");
     v.fixed({"hit_offset", "clear_margin"});
   }

@@ -32,13 +32,13 @@ struct PatrolParameters {
   void describe(Visitor& v) {
     describeRobot(v, robot);
     v.field("frequency", frequency, "Hz", "control cycles per second", between(5.0, 100.0));
-    v.field("linear_speed", linear_speed, "m/s", "speed on a line or an arc", positive());
-    v.field("linear_acc", linear_acc, "m/s^2", "acceleration of the trapezoid profile", positive());
+    v.field("linear_speed", linear_speed, "m/s", "speed on a line or an arc", baseSpeed());
+    v.field("linear_acc", linear_acc, "m/s^2", "acceleration of the trapezoid profile", baseAcceleration());
     v.fixed({"min_linear_speed"});
-    v.field("turn_speed", turn_speed, "rad/s", "rate of turn at a corner, and greatest one on an arc", positive());
-    v.field("turn_acc", turn_acc, "rad/s^2", "acceleration of the trapezoid profile", positive());
+    v.field("turn_speed", turn_speed, "rad/s", "rate of turn at a corner, and greatest one on an arc", baseTurnRate());
+    v.field("turn_acc", turn_acc, "rad/s^2", "acceleration of the trapezoid profile", baseAcceleration());
     v.fixed({"min_turn_speed", "heading_gain", "lateral_gain"});
-    v.field("max_side", max_side, "m", "longest side, or radius, that is accepted", positive());
+    v.field("max_side", max_side, "m", "longest side, or radius, that is accepted", positiveUpTo(1000.0));
     v.field("max_laps", max_laps, "", "greatest number of laps that is accepted", between(1, 10000));
     v.field("odometry_timeout", odometry_timeout, "s", "greatest age of odometry", timeSpan());
     v.fixed({"jump_distance", "jump_angle"});

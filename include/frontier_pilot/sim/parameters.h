@@ -17,7 +17,7 @@ struct LidarNoise {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("noise_stddev", noise_stddev, "m", "standard deviation of a range", atLeast(0.0));
+    v.field("noise_stddev", noise_stddev, "m", "standard deviation of a range", between(0.0, 1000.0));
     v.field("dropout", dropout, "", "share of the beams that give no reading at all", between(0.0, 1.0));
     v.moved("rate", "robot/scanner/rate");
     v.moved("beams", "robot/scanner/beams");
@@ -46,15 +46,15 @@ struct OdometryParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("alpha1", alpha1, "rad^2/rad", "variance of the yaw per radian turned", atLeast(0.0));
-    v.field("alpha2", alpha2, "rad^2/m", "variance of the yaw per metre driven", atLeast(0.0));
-    v.field("alpha3", alpha3, "m^2/m", "variance of the distance per metre driven", atLeast(0.0));
-    v.field("alpha4", alpha4, "m^2/rad", "variance of the distance per radian turned", atLeast(0.0));
+    v.field("alpha1", alpha1, "rad^2/rad", "variance of the yaw per radian turned", between(0.0, 1000.0));
+    v.field("alpha2", alpha2, "rad^2/m", "variance of the yaw per metre driven", between(0.0, 1000.0));
+    v.field("alpha3", alpha3, "m^2/m", "variance of the distance per metre driven", between(0.0, 1000.0));
+    v.field("alpha4", alpha4, "m^2/rad", "variance of the distance per radian turned", between(0.0, 1000.0));
     v.field("distance_scale", distance_scale, "m/m", "standard deviation of a constant error per metre driven",
-            atLeast(0.0));
+            between(0.0, 1000.0));
     v.field("turn_scale", turn_scale, "rad/rad", "standard deviation of a constant error per radian turned",
-            atLeast(0.0));
-    v.field("drift", drift, "rad/m", "standard deviation of a constant turn per metre driven", atLeast(0.0));
+            between(0.0, 1000.0));
+    v.field("drift", drift, "rad/m", "standard deviation of a constant turn per metre driven", between(0.0, 1000.0));
   }
 };
 
@@ -69,9 +69,9 @@ struct RobotSpec {
   template <class Visitor>
   void describe(Visitor& v) {
     v.field("name", name, "", "namespace of the robot; empty for none");
-    v.field("x", x, "m", "start in the world's frame", anyNumber());
-    v.field("y", y, "m", "start in the world's frame", anyNumber());
-    v.field("yaw", yaw, "rad", "start in the world's frame", anyNumber());
+    v.field("x", x, "m", "start in the world's frame", coordinate());
+    v.field("y", y, "m", "start in the world's frame", coordinate());
+    v.field("yaw", yaw, "rad", "start in the world's frame", coordinate());
     v.field("robot", robot, "", "name of one of the `kinds`; empty: the robot that the group `robot` describes");
   }
 };
@@ -111,15 +111,15 @@ struct SimulatorParameters {
     v.field("world", world, "", "map_server YAML of the world; required");
     v.field("x", x, "m",
             "start in the world's frame; without x and y: the world's start, or the free place nearest to the middle",
-            anyNumber());
+            coordinate());
     v.field("y", y, "m",
             "start in the world's frame; without x and y: the world's start, or the free place nearest to the middle",
-            anyNumber());
+            coordinate());
     v.field("yaw", yaw, "rad", "start in the world's frame; without x, y and yaw: the world's start, or 0",
-            anyNumber());
+            coordinate());
     v.field("speed", speed, "", "simulated time over real time; 0: as fast as possible", between(0.0, 1e4));
     v.field("seed", seed, "", "seed of all noise; the same seed and commands give the same output, byte by byte",
-            atLeast(0));
+            countFrom(0));
     v.field("odom_noise", odom_noise, "", "whether the odometry drifts");
     v.field("unknown_is_free", unknown_is_free, "",
             "whether unknown cells of the world can be driven and seen through");

@@ -18,9 +18,12 @@ struct OdometryTrust {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("distance", distance, "m", "standard deviation of the position after a metre of odometry", positive());
-    v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre of odometry", positive());
-    v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a turn of a radian", positive());
+    v.field("distance", distance, "m", "standard deviation of the position after a metre of odometry",
+            positiveUpTo(1000.0));
+    v.field("yaw_distance", yaw_distance, "rad", "standard deviation of the yaw after a metre of odometry",
+            positiveUpTo(1000.0));
+    v.field("yaw_turn", yaw_turn, "rad", "standard deviation of the yaw after a turn of a radian",
+            positiveUpTo(1000.0));
     v.fixed({"distance_turn", "unseen_speed", "unseen_turn"});
   }
 };

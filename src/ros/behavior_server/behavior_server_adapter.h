@@ -29,7 +29,15 @@ struct BehaviorServerParameters {
     surroundings.describe(v);
     frames.describe(v);
   }
-  void check(Problems& problems) const { behavior.check(problems); }
+  void check(Problems& problems) const {
+    behavior.check(problems);
+    const RobotModel& robot = behavior.robot;
+    const bool are_the_robots =
+        frames.odom_frame.empty() && frames.base_frame.empty();  // which are checked as the robot's
+    if (!are_the_robots) {
+      robot.checkIsNotBase(problems, "odom_frame", robot.odomFrameOr(frames.odom_frame), frames.base_frame);
+    }
+  }
 };
 
 /// The node `behavior_server`: the actions spin, back_up, drive_on_heading and wait, which share one TimedBehavior. A

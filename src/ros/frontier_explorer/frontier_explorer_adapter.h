@@ -19,41 +19,17 @@
 #include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
-#include "ros/common/names.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/common/tuning/reconfigure_server.h"
 #include "ros/frontier_explorer/clicked_polygon.h"
 #include "ros/frontier_explorer/explorer_memory.h"
+#include "ros/frontier_explorer/explorer_parameters.h"
 #include "ros/frontier_explorer/move_base_client.h"
 #include "ros/frontier_explorer/save_map_caller.h"
 #include "ros/frontier_explorer/team_claims.h"
 
 namespace frontier_pilot {
-
-struct ExplorerNodeParameters {
-  bool autostart = false;
-  double rate = 10.0;
-  std::string map_frame = names::kMapFrame;
-  std::string base_frame;       ///< empty: the robot's
-  std::string save_map_at_end;  ///< path; empty: no
-  FleetParameters fleet;
-  exploration::ExplorerParameters explorer;
-
-  template <class V>
-  void describe(V& v) {
-    v.field("autostart", autostart, "",
-            "explore as soon as all inputs are available; false: wait for set_exploration_enabled");
-    v.field("rate", rate, "Hz", "ticks of the explorer", tickRate());
-    v.field("map_frame", map_frame, "", "frame of the map and of the goals", FrameName::kGiven);
-    v.field("base_frame", base_frame, "", "frame of the robot; empty: robot/base_frame", FrameName::kMayBeEmpty);
-    v.field("save_map_at_end", save_map_at_end, "",
-            "when the exploration has ended, have the mapper save the map here (as mapper/save_map); empty: no");
-    v.group("fleet", fleet, "other robots that explore the same building");
-    explorer.describe(v);
-  }
-  void check(Problems& problems) const { explorer.check(problems); }
-};
 
 /// The node `frontier_explorer`: takes map, odometry and TF, and sends goals to any `move_base`.
 class FrontierExplorerAdapter {

@@ -5,12 +5,10 @@ namespace frontier_pilot {
 void MapperNodeParameters::check(Problems& problems) const {
   if (autosave_period > 0.0 && autosave_period < 0.1) problems.emplace_back("autosave_period: must be 0 or >= 0.1");
   const std::string& odom = mapper.robot.odomFrameOr(odom_frame);
-  const std::string& base = mapper.robot.baseFrameOr(base_frame);
-  if (map_frame == odom || map_frame == base)
-    problems.push_back("map_frame: is the frame of odometry or of the robot as well, '" + map_frame + "'");
+  if (map_frame == odom) problems.push_back("map_frame: is the frame of odometry as well, '" + map_frame + "'");
+  mapper.robot.checkIsNotBase(problems, "map_frame", map_frame, base_frame);
   const bool are_the_robots = odom_frame.empty() && base_frame.empty();  // which are checked as the robot's
-  if (odom == base && !are_the_robots)
-    problems.push_back("base_frame: is the frame of odometry as well, '" + base + "'");
+  if (!are_the_robots) mapper.robot.checkIsNotBase(problems, "odom_frame", odom, base_frame);
 }
 
 }  // namespace frontier_pilot

@@ -43,6 +43,7 @@ struct NavigatorNodeParameters : navigation::NavigatorParams {
     v.field("map_must_live", map_must_live, "", "stand still while the map has no publisher");
     v.group("fleet", fleet, "other robots that drive in the same building");
   }
+  void check(Problems& problems) const { robot.checkIsNotBase(problems, "map_frame", map_frame, base_frame); }
 };
 
 /// The node `navigator`, with the interface of move_base; it takes map, scan, odometry and TF. [NAV-1]

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace frontier_pilot {
 namespace {
+
+Bounds positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
 
 struct Wheel {
   double radius = 0.033;
@@ -32,7 +35,7 @@ struct Sample {
     v.field("count", count, "", "how many", between(1, 5));
     v.field("rate", rate, "Hz", "how often", positive());
     v.field("name", name, "", "what it is called");
-    v.field("polygon", polygon, "m", "corners", anyNumber());
+    v.field("polygon", polygon, "m", "corners", Bounds{});
     v.field("polygons", polygons, "m", "corners of each", between(-10.0, 10.0));
     v.group("wheel", wheel, "the wheel");
     v.list("spares", spares, "more wheels");

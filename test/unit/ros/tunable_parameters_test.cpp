@@ -28,11 +28,11 @@ struct Tunable {
   template <class V>
   void describe(V& v) {
     describeRobot(v, robot);
-    v.field("near", near, "m", "the near one", atLeast(0.0));
-    v.field("far", far, "m", "the far one", anyNumber());
-    v.field("count", count, "", "how many", atLeast(1));
+    v.field("near", near, "m", "the near one", scanRangeOrNone());
+    v.field("far", far, "m", "the far one", coordinate());
+    v.field("count", count, "", "how many", countFrom(1));
     v.field("on", on, "", "whether");
-    v.field("rate", rate, "Hz", "how often", positive());
+    v.field("rate", rate, "Hz", "how often", tickRate());
     v.tunable({"near", "far", "count", "on", "limits/max_linear"});
   }
   void check(Problems& problems) const {
