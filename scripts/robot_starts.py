@@ -6,6 +6,7 @@ import random
 import re
 import struct
 
+import numpy
 import yaml
 from PIL import Image
 
@@ -15,6 +16,9 @@ MOST_ROBOTS = 20
 SHARED = ('fleet', 'fleet_stop', 'map_merger', 'robots_launcher', 'rviz', 'simulator', 'teleop_gui')  # namespaces that no robot can have
 LARGEST_YAML = 1000000  # [bytes]
 MOST_PIXELS = 64000000  # of a world's picture, as the simulator
+PIXEL_SIZES = 0.001, 1.0  # that a world may have, as for the simulator [m]
+MOST_ORIGIN, MOST_COORDINATE = 1e5, 1e6  # of a world, and of a start in it, as for the simulator [m]
+LEAST_CELL = 0.02  # side of the cells in which places are looked for [m]: finer pixels are put together
 
 
 class StartsError(Exception):
@@ -42,20 +46,27 @@ def read_yaml(path):
 
 
 def read_picture(path):
-    """Width, height and shades (0 ... 1) of a picture, from the upper left."""
+    """The shades (0 ... 255) of a picture, row by row from the top."""
     require_file(path)
     with Image.open(path) as picture:
         if picture.width * picture.height > MOST_PIXELS:
             raise StartsError('%s has more than %d pixels' % (path, MOST_PIXELS))
-        grey = picture.convert('L')
-    return grey.width, grey.height, [shade / 255 for shade in grey.getdata()]
+        return numpy.asarray(picture.convert('L'))
 
 
-def point_of(values):
-    """x and y of a list of finite numbers [m]; ValueError if it is none."""
+def pixel_size(value):
+    """The side of a pixel [m]; ValueError if it is none that the simulator takes."""
+    size = float(value)
+    if not PIXEL_SIZES[0] <= size <= PIXEL_SIZES[1]:
+        raise ValueError('the resolution must be from %g to %g m, not %g' % (*PIXEL_SIZES, size))
+    return size
+
+
+def point_of(values, most):
+    """x and y of a list of numbers, neither of them beyond `most` [m]; ValueError if it is none."""
     point = [float(value) for value in values[:2]]
-    if len(point) < 2 or not all(map(math.isfinite, point)):
-        raise ValueError('%r is no place' % (point,))
+    if len(point) < 2 or not all(abs(number) <= most for number in point):
+        raise ValueError('%r is no place within %g m' % (point, most))
     return point
 
 
@@ -75,36 +86,58 @@ def robot_name(value):
     return value
 
 
+def free_pixels(meta, shades):
+    """Which pixels a map_server YAML calls free, row by row from the bottom."""
+    darkest = 1.0 - float(meta['free_thresh'])
+    negate = bool(meta.get('negate'))
+    free = [(1.0 - shade / 255 if negate else shade / 255) > darkest for shade in range(256)]
+    return numpy.array(free)[shades[::-1]]
+
+
+def put_together(free, factor):
+    """The grid of the cells of factor x factor pixels. A cell is free if all of its pixels are there, and free."""
+    rows, columns = (-(-side // factor) for side in free.shape)
+    whole = numpy.zeros((rows * factor, columns * factor), bool)
+    whole[:free.shape[0], :free.shape[1]] = free
+    return whole.reshape(rows, factor, columns, factor).all(axis=(1, 3))
+
+
+def places_with_room(free, reach):
+    """Which cells of a grid lie in the middle of a disc of free cells, of this radius in cells. Outside of it nothing is free."""
+    rows, columns = free.shape
+    room = free.copy()
+    beside = numpy.pad(free, reach)  # whether a cell, and as many as `half` on either side of it, are free
+    for half in range(reach + 1):
+        if half > 0:
+            beside[:, 1:-1] = beside[:, 1:-1] & beside[:, :-2] & beside[:, 2:]
+        for row in range(-reach, reach + 1):
+            if math.isqrt(reach * reach - row * row) == half:  # half the width of the disc in this row
+                room &= beside[reach + row:reach + row + rows, reach:reach + columns]
+    return room
+
+
 class World:
-    """A map_server YAML and its picture."""
+    """A map_server YAML and its picture, and the cells in which a robot has room to start."""
 
     def __init__(self, path):
         meta = read_yaml(path)
-        self.width, self.height, shades = read_picture(os.path.join(os.path.dirname(path), meta['image']))
-        self.resolution = float(meta['resolution'])
-        if not self.resolution > 0.0:
-            raise ValueError('the resolution is not greater than zero')
-        self.origin = point_of(meta['origin'])
-        self.start = point_of(meta['start']) if meta.get('start') else None
-        darkest = 1.0 - float(meta['free_thresh'])
-        negate = bool(meta.get('negate'))
-        self.is_free = [(1.0 - shade if negate else shade) > darkest for shade in shades]
-        reach = math.ceil(CLEARANCE / self.resolution)
-        self.disc = [(x, y) for x in range(-reach, reach + 1) for y in range(-reach, reach + 1)
-                     if math.hypot(x, y) <= reach]
-
-    def free(self, x, y):
-        inside = 0 <= x < self.width and 0 <= y < self.height
-        return inside and self.is_free[(self.height - 1 - y) * self.width + x]
+        self.resolution = pixel_size(meta['resolution'])
+        self.origin = point_of(meta['origin'], MOST_ORIGIN)
+        self.start = point_of(meta['start'], MOST_COORDINATE) if meta.get('start') else None
+        shades = read_picture(os.path.join(os.path.dirname(path), meta['image']))
+        self.height, self.width = shades.shape
+        factor = math.ceil(LEAST_CELL / self.resolution)
+        self.cell_size = factor * self.resolution
+        self.room = places_with_room(put_together(free_pixels(meta, shades), factor), math.ceil(CLEARANCE / self.cell_size))
 
     def has_room(self, cell):
-        return all(self.free(cell[0] + x, cell[1] + y) for x, y in self.disc)
+        return all(0 <= cell[i] < self.room.shape[1 - i] for i in (0, 1)) and bool(self.room[cell[1], cell[0]])
 
     def cell(self, point):
-        return tuple(int((point[i] - self.origin[i]) / self.resolution) for i in (0, 1))
+        return tuple(int((point[i] - self.origin[i]) / self.cell_size) for i in (0, 1))
 
     def centre(self, cell):
-        return tuple(round(self.origin[i] + (cell[i] + 0.5) * self.resolution, 3) for i in (0, 1))
+        return tuple(round(self.origin[i] + (cell[i] + 0.5) * self.cell_size, 3) for i in (0, 1))
 
 
 def first_cell(world, generator):
@@ -112,7 +145,7 @@ def first_cell(world, generator):
     if world.start and world.has_room(world.cell(world.start)):
         return world.cell(world.start)
     for _ in range(10000):
-        cell = generator.randrange(world.width), generator.randrange(world.height)
+        cell = generator.randrange(world.room.shape[1]), generator.randrange(world.room.shape[0])
         if world.has_room(cell):
             return cell
     raise StartsError('no free place was found in the world')
