@@ -2,12 +2,14 @@
 """Starts the robots of robots.launch: the simulator and map_merger, and robot.launch for each robot.
 
 A launch file cannot repeat a part of itself for each entry of a list. This program is started by robots.launch, runs the other
-launch files as roslaunch does, and ends them when it is ended or when roslaunch itself has died.
+launch files as roslaunch does, and ends them when it is ended or when roslaunch itself has died. The arguments of robots.launch are
+its private parameters: words of its command line would be split at spaces and quotes.
 
 Exit code: 0 when it was ended or the simulator has ended, 1 when it could not start: the reason is printed,
 2 for wrong arguments.
 """
 import os
+import re
 import sys
 import tempfile
 
@@ -24,7 +26,7 @@ import rospkg  # noqa: E402
 import yaml  # noqa: E402
 
 import leftovers  # noqa: E402
-from robot_starts import StartsError, draw_starts, read_world, read_yaml, robot_name, text_of  # noqa: E402
+from robot_starts import MOST_ROBOTS, StartsError, draw_starts, read_world, read_yaml, robot_name, text_of  # noqa: E402
 from robots_rviz import view_of, write_configuration  # noqa: E402
 
 ROOT = rospkg.RosPack().get_path('frontier_pilot')
@@ -39,19 +41,35 @@ def absolute(path):
     return os.path.join(os.environ.get('PWD', '.'), path)
 
 
+def whole_number(text):
+    """The number that is written with at most ten digits; None if the text is anything else, such as a path."""
+    return int(text) if re.fullmatch('[0-9]{1,10}', text) else None
+
+
 def robots_of(arguments, world):
     """The list of the robots with their starts and kinds: of the file, or that many at free places of the World."""
-    robots = arguments['robots']
-    if robots.isdigit():
-        if not arguments['seed'].isdigit():
-            raise StartsError('seed:=%s is not a whole number' % arguments['seed'])
-        return [dict(start, robot=arguments['robot']) for start in draw_starts(world, int(robots), int(arguments['seed']))]
-    listed = read_yaml(absolute(robots))
+    count, seed = (whole_number(arguments[name]) for name in ('robots', 'seed'))
+    if count is None:
+        return listed_robots(arguments['robots'], arguments['robot'])
+    if seed is None:
+        raise StartsError('seed:=%s is not a whole number of at most ten digits' % arguments['seed'])
+    return [dict(start, robot=arguments['robot']) for start in draw_starts(world, count, seed)]
+
+
+def listed_robots(path, kind):
+    """The robots of a YAML file; `kind` is that of those for which it gives none."""
+    listed = read_yaml(absolute(path))
     try:
-        return [{'name': robot_name(entry['name']), 'x': float(entry['x']), 'y': float(entry['y']), 'yaw': float(entry.get('yaw', 0.0)),
-                 'robot': text_of(entry.get('robot') or arguments['robot'])} for entry in listed['robots']]
+        robots = [{'name': robot_name(entry['name']), 'x': float(entry['x']), 'y': float(entry['y']), 'yaw': float(entry.get('yaw', 0.0)),
+                   'robot': text_of(entry.get('robot') or kind)} for entry in listed['robots']]
     except (AttributeError, KeyError, TypeError, ValueError, OverflowError) as error:
-        raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (robots, error))
+        raise StartsError('robots:=%s: no list `robots` of name, x, y, yaw: %s' % (path, error))
+    if not 1 <= len(robots) <= MOST_ROBOTS:
+        raise StartsError('robots:=%s: the list has %d robots, it may have from 1 to %d' % (path, len(robots), MOST_ROBOTS))
+    twice = [robot['name'] for robot in robots if [other['name'] for other in robots].count(robot['name']) > 1]
+    if twice:
+        raise StartsError('robots:=%s: two robots are called %s' % (path, twice[0]))
+    return robots
 
 
 def kind_of(robot, limits):
@@ -88,10 +106,8 @@ def launches(arguments, folder):
     """The launch files that are to run, each with its arguments; the files that they read are written into `folder`."""
     in_rviz = arguments['rviz'].lower() == 'true'
     # Its picture is large: it is read once, and only if it is asked for.
-    world = read_world(absolute(arguments['world'])) if in_rviz or arguments['robots'].isdigit() else None
+    world = read_world(absolute(arguments['world'])) if in_rviz or whole_number(arguments['robots']) is not None else None
     robots = robots_of(arguments, world)
-    if not robots:
-        raise StartsError('robots:=%s: the list is empty' % arguments['robots'])
     places = places_of(robots, arguments)
     words = {name: '%s:=%s' % (name, arguments[name]) for name in set(OF_THE_WORLD + OF_A_ROBOT)}
     of_world = [words[name] for name in OF_THE_WORLD]
@@ -110,34 +126,29 @@ def launches(arguments, folder):
     return files
 
 
-def arguments_in(words):
-    """NAME:=VALUE as a dictionary, without those that roslaunch adds."""
-    pairs = (word.split(':=', 1) for word in words if ':=' in word)
-    return {name: value for name, value in pairs if not name.startswith('__')}
+def arguments_in(given):
+    """The arguments of robots.launch among the private parameters of this program."""
+    missing = sorted(set(OF_THE_WORLD + OF_A_ROBOT + ('robots', 'rviz')) - set(given))
+    if missing:
+        raise StartsError('its parameter %s is missing: robots.launch sets it' % missing[0])
+    return {name: str(value) for name, value in given.items()}
 
 
-def read_command_line():
-    parser = CommandLine(__doc__, 'roslaunch frontier_pilot robots.launch robots:=3')
-    parser.add_argument('arguments', nargs='*', metavar='NAME:=VALUE', help='those of robots.launch')
-    words = parser.parse_args().arguments
-    arguments = arguments_in(words)
-    wrong = [word for word in words if ':=' not in word]
-    missing = sorted(set(OF_THE_WORLD + OF_A_ROBOT + ('robots', 'rviz')) - set(arguments))
-    if wrong or missing:
-        parser.error('%s is not NAME:=VALUE' % wrong[0] if wrong else '%s:= is missing' % missing[0])
-    return arguments
+def own_parameters(master):
+    node = rosgraph.names.ns_join(rosgraph.names.get_ros_namespace(), 'robots_launcher')
+    return master.getParam(node) if master.hasParam(node) else {}
 
 
 def main():
-    arguments = read_command_line()
+    CommandLine(__doc__, 'roslaunch frontier_pilot robots.launch robots:=3').parse_args(rosgraph.myargv(sys.argv[1:]))
     leftovers.end_with_the_parent()  # which is roslaunch
     with tempfile.TemporaryDirectory() as folder:
         leftovers.end_after_this_process(MARK, folder)
         os.environ[MARK] = folder
         try:
-            run_id = rosgraph.Master('/robots_launcher').getParam('/run_id')
-            files = launches(arguments, folder)
-            parent = roslaunch.parent.ROSLaunchParent(run_id, files, is_core=False, show_summary=False,
+            master = rosgraph.Master('/robots_launcher')
+            files = launches(arguments_in(own_parameters(master)), folder)
+            parent = roslaunch.parent.ROSLaunchParent(master.getParam('/run_id'), files, is_core=False, show_summary=False,
                                                       sigint_timeout=PATIENCE[0], sigterm_timeout=PATIENCE[1])
             parent.start()
             parent.spin()  # rviz reads its file from the folder after it has started

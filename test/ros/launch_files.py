@@ -3,7 +3,6 @@
 import glob
 import math
 import os
-import shlex
 import shutil
 import sys
 import tempfile
@@ -66,7 +65,9 @@ class LaunchFilesTest(unittest.TestCase):
         launcher, = (node for node in config.nodes if node.type == 'robots_launcher.py')
         folder = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, folder)
-        return robots_launcher.launches(robots_launcher.arguments_in(shlex.split(launcher.args)), folder)
+        prefix = launcher.namespace + launcher.name + '/'
+        given = {name[len(prefix):]: param.value for name, param in config.params.items() if name.startswith(prefix)}
+        return robots_launcher.launches(robots_launcher.arguments_in(given), folder)
 
     def remaps(self, name, **arguments):
         return {node.name: dict(node.remap_args) for node in self.config(ROOT + '/launch/' + name, **arguments).nodes}
