@@ -9,6 +9,8 @@ from tf2_msgs.msg import TFMessage
 from readable_bag import DAMAGE, is_no_file
 
 MOST_BYTES = 300_000  # of a message: 36000 ranges and intensities, as many as the nodes take, have 288 kB
+MOST_MEMORY = 4_000_000_000  # of all messages that are played [bytes], as map_log takes for a bag
+OVERHEAD = 130  # of Python's objects for a message [bytes]
 SAMPLES = 50  # of a topic's scans, whose field of view is looked at
 FEW = 0.1  # a topic with a smaller share of the most frequent one's messages is not chosen
 
@@ -75,7 +77,7 @@ def read_bag(path):
     """Topics of the types that are played, by type; and the names and types of all others."""
     classes = {'sensor_msgs/LaserScan': LaserScan, 'nav_msgs/Odometry': Odometry, 'tf2_msgs/TFMessage': TFMessage,
                'tf/tfMessage': TFMessage}
-    topics, others = {}, {}
+    topics, others, memory = {}, {}, 0
     if is_no_file(path):
         raise BagError('%s: it is not a regular file' % path)
     try:
@@ -89,8 +91,12 @@ def read_bag(path):
                 topic = topics.setdefault(name, Topic(name, message_class))
                 if len(data) > MOST_BYTES:
                     topic.too_long += 1
-                else:
-                    topic.raw.append((recorded.to_sec(), data))
+                    continue
+                topic.raw.append((recorded.to_sec(), data))
+                memory += len(data) + OVERHEAD
+                if memory > MOST_MEMORY:
+                    raise BagError('%s: its scans, odometry and transforms take more than %.0f GB of memory; rosbag filter makes a '
+                                   'shorter bag of it' % (path, MOST_MEMORY / 1e9))
     except rosbag.ROSBagUnindexedException:
         raise BagError("%s: has no index, because its recording did not end in an orderly way; 'rosbag reindex' may recover what it "
                        'holds' % path)

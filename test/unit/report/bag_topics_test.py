@@ -5,6 +5,7 @@ import os
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
 import folder_case  # noqa: F401: finds the scripts
 import rosbag
@@ -43,6 +44,18 @@ class Damage(unittest.TestCase):
             self.assertEqual(choose_scan(topics, '')[0].name, '/scan')
             with self.assertRaisesRegex(BagError, 'all messages of /other are longer'):
                 choose_scan({'/other': topics['/other']}, '')
+
+    def test_a_bag_whose_messages_together_take_more_than_4_gb_is_refused(self):
+        """[FLT-1]"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'drive.bag')
+            with rosbag.Bag(path, 'w') as bag:
+                for _ in range(4):
+                    bag.write('/scan', LaserScan(ranges=[1.0] * 1000))
+            with mock.patch('bag_topics.MOST_MEMORY', 20000):
+                self.assertEqual(len(read_bag(path)[0]['/scan'].raw), 4)
+            with mock.patch('bag_topics.MOST_MEMORY', 16000), self.assertRaisesRegex(BagError, 'take more than .*; rosbag filter'):
+                read_bag(path)
 
     def test_a_bag_whose_recording_was_killed_is_refused_with_a_way_to_recover_it(self):
         with tempfile.TemporaryDirectory() as folder:
