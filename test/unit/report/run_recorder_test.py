@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""The parameters of run_recorder."""
+import importlib.machinery
+import importlib.util
+import pathlib
+import unittest
+from unittest import mock
+
+import folder_case  # noqa: F401: finds the scripts
+
+PATH = str(pathlib.Path(__file__).resolve().parents[3] / 'scripts/run_recorder')
+
+
+def load():
+    """The program as a module, although its name has no ending."""
+    loader = importlib.machinery.SourceFileLoader('run_recorder_program', PATH)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+class Parameters(unittest.TestCase):
+    def read(self, given):
+        program = load()
+        with mock.patch.object(program.rospy, 'get_param', return_value=given), \
+                mock.patch.object(program.rospy, 'get_name', return_value='/run_recorder'):
+            return program.read_parameters()
+
+    def test_a_single_value_in_place_of_parameters_is_said(self):
+        """[FLT-1]"""
+        for given in (5, 'text', [1, 2]):
+            self.assertEqual(self.read(given)[1], ['/run_recorder is a single value, not a dictionary of parameters'])
+
+    def test_what_is_not_given_has_its_default(self):
+        values, problems = self.read({'size': 100})
+        self.assertEqual((values['size'], values['runs'], problems), (100, 10, []))
+
+
+if __name__ == '__main__':
+    unittest.main()
