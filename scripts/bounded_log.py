@@ -4,12 +4,15 @@ it is renamed to FILE.1, which replaces an older FILE.1, and a new FILE is begun
 
 It ends when its input ends, and ignores SIGINT and SIGTERM, so that the last output of the writing processes is kept.
 """
+import argparse
 import os
 import signal
 import stat
 import sys
 
 from command_line import CommandLine
+
+LEAST_SIZE, MOST_SIZE = 1000, 10 ** 15  # a file of a few bytes would be renamed at each line
 
 
 def open_new(path):
@@ -24,8 +27,15 @@ def open_new(path):
     return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, 0o644)
 
 
+def size_in(text):
+    size = int(text)
+    if not LEAST_SIZE <= size <= MOST_SIZE:
+        raise argparse.ArgumentTypeError('must be from %d to %d bytes, not %d' % (LEAST_SIZE, MOST_SIZE, size))
+    return size
+
+
 def copy(source, path, size):
-    half = max(1, size // 2)
+    half = size // 2
     target, written = open_new(path), 0
     while True:
         chunk = os.read(source, 65536)
@@ -43,7 +53,7 @@ def copy(source, path, size):
 def main():
     parser = CommandLine(__doc__, 'roslaunch ... 2>&1 | scripts/bounded_log.py /tmp/log 1000000')
     parser.add_argument('file')
-    parser.add_argument('size', nargs='?', type=int, default=20000000, help='in bytes (20000000)')
+    parser.add_argument('size', nargs='?', type=size_in, default=20000000, help='in bytes (20000000)')
     arguments = parser.parse_args()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)

@@ -67,6 +67,16 @@ class BoundedLog(unittest.TestCase):
         os.mkdir(self.log)
         self.assertEqual(1, self.write(b'x' * 10 * SIZE))
 
+    def test_a_size_that_no_log_can_have_is_refused(self):
+        """[FLT-1]"""
+        for size, words in ((0, 'must be from 1000'), (-5, 'must be from 1000'), (999, 'must be from 1000'), ('many', 'invalid'),
+                            ('9' * 5000, 'invalid'), (10 ** 16, 'must be from 1000')):
+            done = subprocess.run([WRITER, self.log, str(size)], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=30, text=True)
+            self.assertEqual(2, done.returncode)
+            self.assertRegex(done.stderr, '^bounded_log.py: argument size: .*%s.*\n$' % words)
+        self.assertEqual(0, self.write(b'x' * 5000, 1000))
+        self.assertLessEqual(len(self.kept()), 1000)
+
     def test_hears_the_last_words(self):
         with subprocess.Popen([WRITER, self.log], stdin=subprocess.PIPE) as writer:
             writer.stdin.write(b'first\n')
