@@ -5,6 +5,7 @@ or when its terminal or what reads its output has been closed. A second Ctrl-C d
 Exit code: 0 when no reachable frontier is left and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal
 was closed, 141 when nobody reads the output any more, 1 otherwise.
 """
+import argparse
 import datetime
 import math
 import os
@@ -29,6 +30,7 @@ from run_recording.topics import TOPICS  # noqa: E402
 
 RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
+PERIODS = 0.2, 3600.0  # of the progress lines [s]
 
 # The ends that the stopping rules of the explorer have asked for.
 ASKED_FOR = (ExplorerStatus.UNTIL_AREA, ExplorerStatus.UNTIL_TIME, ExplorerStatus.UNTIL_DISTANCE, ExplorerStatus.UNTIL_SHARE,
@@ -165,7 +167,7 @@ def ask_to_save(path):
     if not answer.success:
         say('The map could not be saved: %s' % answer.message, sys.stderr)
         return False
-    say('Map saved: %s.pgm, .yaml and .bt' % path)
+    say('Map saved: %s' % answer.message.removeprefix('saved '))  # the mapper leaves an extension such as .yaml out of the names
     return True
 
 
@@ -201,12 +203,20 @@ def say_the_end(watcher, began):
     return complete or status.reason in ASKED_FOR
 
 
+def period_in(text):
+    period = float(text)
+    if not PERIODS[0] <= period <= PERIODS[1]:
+        raise argparse.ArgumentTypeError('must be from %g to %g s, not %g' % (*PERIODS, period))
+    return period
+
+
 def main():
     parser = CommandLine(__doc__, 'rosrun frontier_pilot watch_exploration.py --map /tmp/floor')
     parser.add_argument('--map', default='', help='where to save it, without extension (maps/<date and time>)')
     parser.add_argument('--start-when-recorded', action='store_true',
                         help='start the exploration as soon as the run is recorded, or after %.0f s without that' % RECORDER_START)
-    parser.add_argument('--period', type=float, default=5.0, help='seconds between two progress lines')
+    parser.add_argument('--period', type=period_in, default=5.0,
+                        help='seconds between two progress lines, from %g to %g (5)' % PERIODS)
     arguments = parser.parse_args(rospy.myargv()[1:])
     interrupt = Interrupt()
     # Periods are on the steady clock, because simulated time may stand still or run at any speed.
