@@ -1,10 +1,11 @@
 # Sourced by the scripts: what their command lines have in common.
 
 # The caller may have exported options of the shell (SHELLOPTS) with which no pattern matches a file and none is written
-# anew, aliases (by BASH_ENV) for the commands that are used here, or a limit to functions that call each other.
+# anew, aliases (by BASH_ENV) for the commands that are used here, a limit to functions that call each other, or folders
+# (CDPATH) in which cd looks as well, and then prints where it went.
 set +f +C
 unalias -a
-unset FUNCNEST
+unset FUNCNEST CDPATH
 
 # A standard stream that was closed (>&-) would make each line an error, and its number would be given to the next file.
 [ -e /proc/$$/fd/0 ] || exec 0</dev/null
