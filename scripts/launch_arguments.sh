@@ -31,6 +31,7 @@ names_in() { find "$1" -maxdepth 1 -name '*.yaml' -printf '%f\n' | sed 's/\.yaml
 
 check_value() {
   local root=$1 name=$2 value=$3
+  [[ $value != *:=* ]] || wrong_argument "$value" "$name: a value must not contain ':=', with which ROS writes arguments"
   [ "$name" = map ] || [[ $value != *'$('* ]] || wrong_argument "$value" "$name: a value must not contain '\$(', with which a substitution of roslaunch begins"
   case $name in
     world)
@@ -41,6 +42,8 @@ check_value() {
         wrong_argument "$value" \
           "robot: there is neither a robot nor a file '$value'; robots are $(names_in "$root/config/robots")" ;;
     map)
+      [[ $value == /* || $PWD != *:=* ]] ||
+        wrong_argument "$value" "map: the path of this folder contains ':='; give the whole path of another one"
       case ${value##*/} in *[[:cntrl:]]*) wrong_argument "$value" "map: a name cannot have a control character" ;; esac
       [ "$(printf %s.yaml "${value##*/}" | wc -c)" -le 255 ] ||
         wrong_argument "$value" "map: the name '${value##*/}' is too long for a file"
@@ -55,11 +58,14 @@ check_value() {
       [ -z "$value" ] || [ "$value" = auto ] || [ -f "$root/config/limits_$value.yaml" ] ||
         wrong_argument "$value" "limits: must be burger (0.22 m/s) or fast (0.5 m/s), not '$value'" ;;
     speed)
-      [[ $value =~ ^[0-9]+(\.[0-9]*)?$|^\.[0-9]+$ ]] ||
-        wrong_argument "$value" "speed: must be a number, 1 for real time, 2 to 5 for faster, not '$value'" ;;
+      [[ $value =~ ^([0-9]{1,9}(\.[0-9]{0,20})?|\.[0-9]{1,20})$ ]] ||
+        wrong_argument "$value" "speed: must be a number of at most nine digits, 1 for real time, 2 to 5 for faster, not '$value'" ;;
     x | y | yaw)
-      [[ $value =~ ^(auto|[+-]?([0-9]+\.?[0-9]*|\.[0-9]+))?$ ]] ||
-        wrong_argument "$value" "$name: must be a number, not '$value'" ;;
+      [[ $value =~ ^(auto|[+-]?([0-9]{1,9}(\.[0-9]{0,20})?|\.[0-9]{1,20}))?$ ]] ||
+        wrong_argument "$value" "$name: must be a number of at most nine digits, not '$value'" ;;
+    seed)
+      [[ $value =~ ^[0-9]{0,10}$ ]] && [ "$((10#${value:-0}))" -le 1000000000 ] ||
+        wrong_argument "$value" "seed: must be a whole number from 0 to 1000000000, not '$value'" ;;
     gui | rviz | explore | odom_noise | localize_only | avoider | record)
       [[ $value =~ ^(true|false)$ ]] || wrong_argument "$value" "$name: must be true or false, not '$value'" ;;
   esac

@@ -88,6 +88,9 @@ class RunScript(unittest.TestCase):
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
                             ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
                             ('map:=a\tb', 'control character'), ('map:=/tmp/\udcff', 'UTF-8'), ('world:=/$(x)/a.yaml', 'substitution'),
+                            ('map:=/tmp/a:=b', "must not contain ':='"), ('world:=a:=b', "must not contain ':='"),
+                            ('seed:=3000000000', 'seed: must be'), ('seed:=-1', 'seed: must be'), ('seed:=' + 30 * '9', 'seed: must be'),
+                            ('x:=1' + 300 * '0', 'at most nine digits'), ('speed:=1' + 300 * '0', 'at most nine digits'),
                             ('map:=' + 251 * 'x', 'too long'), ('map_file:=nowhere', 'no saved map'),
                             ('localize_only:=true', 'map_file'), ('localize_only:=true map_file:=none', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
@@ -146,9 +149,9 @@ class RunScript(unittest.TestCase):
                          'with a standard output that is closed: ' + silent_err + 'instead of: ' + err)
 
     def test_the_reason_of_a_parameter_that_cannot_be_is_said(self):
-        code, _, err = self.run_to_the_end('seed:=-1')
+        code, _, err = self.run_to_the_end('x:=20000000')
         self.assertEqual(code, 1)
-        self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: simulator: .*seed: must be >= 0, is -1')
+        self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: simulator: .*x: must be .*, is 2e\\+07')
 
     def test_the_reason_of_surroundings_with_which_roslaunch_cannot_work_is_said(self):
         for name, value, reason in (('ROS_IP', '10.255.255.1', 'RLException: Unable to contact my own server'),
