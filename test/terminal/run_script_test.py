@@ -13,8 +13,10 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
+import xmlrpc.server
 from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -149,9 +151,9 @@ class RunScript(unittest.TestCase):
                          'with a standard output that is closed: ' + silent_err + 'instead of: ' + err)
 
     def test_the_reason_of_a_parameter_that_cannot_be_is_said(self):
-        code, _, err = self.run_to_the_end('x:=20000000')
+        code, _, err = self.run_to_the_end('speed:=20000')
         self.assertEqual(code, 1)
-        self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: simulator: .*x: must be .*, is 2e\\+07')
+        self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: simulator: .*speed: must be >= 0 and <= 10000, is 20000')
 
     def test_the_reason_of_surroundings_with_which_roslaunch_cannot_work_is_said(self):
         for name, value, reason in (('ROS_IP', '10.255.255.1', 'RLException: Unable to contact my own server'),
@@ -177,6 +179,18 @@ class RunScript(unittest.TestCase):
         self.assertLess(time.monotonic() - begin, 30.0, 'it waited until roslaunch would end')
         self.assertNotIn('Traceback', process.stderr.read())
         self.assert_nothing_is_left()
+
+    def test_it_does_not_join_a_master_at_which_a_robot_runs(self):
+        """[FLT-1]"""
+        with xmlrpc.server.SimpleXMLRPCServer(('127.0.0.1', self.port), logRequests=False) as master:
+            master.register_function(lambda _: [1, 'current system state', [[['/robot1/odom', ['/robot1/base']]], [], []]],
+                                     'getSystemState')
+            threading.Thread(target=master.handle_request, daemon=True).start()
+            code, out, err = self.run_to_the_end()
+        self.assertEqual(code, 1)
+        self.assertRegex(err, '^scripts/run: /robot1/base publishes /robot1/odom at the ROS master http://127.0.0.1:%d, .* export '
+                              'ROS_MASTER_URI=http://127.0.0.1:PORT\n$' % self.port)
+        self.assertNotIn('Launching', out)
 
     def start_exploring(self, prefix, start=None):
         """The running script, once something is explored, and what it has said."""
@@ -235,10 +249,9 @@ class RunScript(unittest.TestCase):
         self.assert_the_map_is_saved(process, prefix, 130)
 
     def test_the_map_is_saved_when_the_terminal_is_closed(self):
-        prefix = os.path.join(self.folder.name, 'floor')
-        process, _ = self.start_exploring(prefix, self.start_in_terminal)
+        process, _ = self.start_exploring('-floor', self.start_in_terminal)  # a name that looks like an option is as good as any
         process.stdout.close()
-        self.assert_the_map_is_saved(process, prefix, 129)
+        self.assert_the_map_is_saved(process, os.path.join(self.folder.name, '-floor'), 129)
 
     def test_another_ctrl_c_ends_everything_although_the_mapper_hangs(self):
         process, said = self.start_exploring(os.path.join(self.folder.name, 'floor'))
