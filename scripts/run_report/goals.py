@@ -1,4 +1,5 @@
 """What became of the explorer's goals, from its status: reached, failed, or dropped on the way."""
+from .progress import NAVIGATING
 
 REACHED, FAILED, DROPPED, OPEN = 'reached', 'failed', 'dropped', 'under way'
 
@@ -14,8 +15,6 @@ class Goals:
     """Pairs the goals with the counts of the status that follow. A goal that is neither reached nor failed when the next one
     is sent, or when the explorer does not drive any more, was dropped: nothing was left to see from it, another one had become
     better, or the exploration was paused or stopped."""
-
-    NAVIGATING = 2  # ExplorerStatus.NAVIGATING
 
     def __init__(self):
         self.all = []
@@ -35,7 +34,7 @@ class Goals:
             self._end(under_way, time, REACHED, status.reason_text)
         elif under_way and status.goals_failed > failed:
             self._end(under_way, time, FAILED, status.reason_text)
-        elif under_way and (status.goals_sent > sent or status.state != self.NAVIGATING):
+        elif under_way and (status.goals_sent > sent or status.state != NAVIGATING):
             self._end(under_way, time, DROPPED, status.reason_text)
         if status.goals_sent > sent:
             self.all.append(Goal(status.goals_sent, time))

@@ -51,11 +51,6 @@ def places_of(run, times):
     return [place for place in (run.track.at(time) for time in times) if place]
 
 
-def frontiers_left(run):
-    status = run.status()
-    return [(frontier.centroid.x, frontier.centroid.y) for frontier in status.frontiers] if status else []
-
-
 def extent_of_track(run):
     points = numpy.array([pose[1:3] for pose in run.track.poses])
     return points[:, 0].min(), points[:, 0].max(), points[:, 1].min(), points[:, 1].max()
@@ -98,7 +93,7 @@ def draw_run(axes, run):
         ('reached', 'goal reached', reached, mark('c2', 'o', 6)),
         ('failed', 'goal failed', failed, mark('bad', 'X', 8, width=0.5)),
         ('loop', 'place at which loops were closed', places_of(run, [time for time, _ in run.warnings.loops]), mark('c5', 'D', 7)),
-        ('frontier', 'frontier that is left', frontiers_left(run), mark('c4', 's', 4)),
+        ('frontier', 'frontier that is left', run.frontiers, mark('c4', 's', 4)),
         ('recovery', 'recovery', places_of(run, [begin for begin, _ in run.recoveries()]), mark('c8', '^', 8)),
         ('stopped', 'emergency stop', places_of(run, [begin for begin, _, _ in run.stop.those(run.end)]), mark('bad', 's', 8)),
         ('contact', 'contact', places_of(run, [begin for begin, _, _ in run.contact.those(run.end)]), mark('bad', '*', 13)))

@@ -7,10 +7,11 @@ from .intervals import States, merged
 from .load import Load, is_time
 from .parameters import inside
 from .plausible import check
+from .progress import progress_of
 from .track import MapImage, Track, bare
 from .warnings import Warnings
 
-EMERGENCY_STOP, DONE = 2, 4  # ArbiterStatus, ExplorerStatus
+EMERGENCY_STOP = 2  # ArbiterStatus
 AVOIDING = (3, 4, 5, 6)  # AvoiderStatus: reverse, rotate, fault, stuck
 # What a bag is read for, by the names that our nodes give to the topics, with their types.
 ROLES = {'map': 'nav_msgs/OccupancyGrid', 'map_updates': 'map_msgs/OccupancyGridUpdate', '/tf': 'tf2_msgs/TFMessage',
@@ -60,7 +61,8 @@ class Run:
         self.start_info, self.end_info = None, None  # of the recorder
         self.map, self.track = MapImage(), Track()
         self.goals, self.load, self.warnings = Goals(), Load(), Warnings()
-        self.explorer = []  # (time, status)
+        self.explorer = []  # (time, Progress)
+        self.frontiers = []  # (x, y) of the last status [m]
         self.source, self.stop, self.contact = States(), States(), States()
         self.recovery, self.avoiding = States(), States()
         self.stalls_known = False  # whether the robot can tell that it touches something
@@ -148,10 +150,10 @@ class Run:
         self.recovery.add(time, text.data if text.data.startswith('recovering') else '')
 
     def _explorer(self, time, status):
-        if not math.isfinite(status.explored_area) or not math.isfinite(status.distance_travelled):
-            raise ValueError('they have an area or a distance that is not finite')
-        self.goals.take_status(time, status)
-        self.explorer.append((time, status))
+        progress = progress_of(status)
+        self.frontiers = [(frontier.centroid.x, frontier.centroid.y) for frontier in status.frontiers]
+        self.goals.take_status(time, progress)
+        self.explorer.append((time, progress))
 
     def _stalled(self, time, message):
         self.stalls_known = True
@@ -163,7 +165,7 @@ class Run:
         self.actions.append((time, action, text))
 
     def status(self):
-        """The explorer's last status; None if there is none."""
+        """The Progress of the explorer's last status; None if there is none."""
         return self.explorer[-1][1] if self.explorer else None
 
     def recoveries(self):

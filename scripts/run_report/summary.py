@@ -4,10 +4,8 @@ import os
 
 from .drawing import clock
 from .intervals import merged, total
-from .run import DONE
+from .progress import DONE, NAVIGATING
 from .warnings import Warnings
-
-NAVIGATING = 2  # ExplorerStatus
 
 
 def duration(seconds):

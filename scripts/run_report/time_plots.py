@@ -34,7 +34,7 @@ def area_plot(run):
 def draw_estimate(axes, run, most):
     """The estimate of the whole area with its deviation, as far as it was known."""
     known = [(time - run.begin, status.estimated_area, status.estimated_area_deviation) for time, status in run.explorer
-             if not math.isnan(getattr(status, 'estimated_area', math.nan))]
+             if not math.isnan(status.estimated_area)]
     if not known:
         return
     times, area, deviation = zip(*known)

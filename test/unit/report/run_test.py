@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """What a report finds in a run."""
 import json
+import tracemalloc
 import unittest
 
 import rosbag
 import rospy
-from frontier_pilot.msg import AvoiderStatus, ExplorerStatus, ProcessLoad, ProcessLoads
+from frontier_pilot.msg import AvoiderStatus, ExplorerStatus, FrontierStatus, ProcessLoad, ProcessLoads
 from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import String
 
@@ -182,6 +183,21 @@ class Reading(FolderCase):
     def test_a_run_that_was_cut_off_says_so(self):
         run = self.read(seconds=30, with_end=False)
         self.assertIn('was not finished', summary.end_words(run))
+    def test_a_run_of_many_statuses_takes_no_memory_for_the_frontiers_of_earlier_ones(self):
+        path = self.path('frontiers.bag')
+        with rosbag.Bag(path, 'w') as bag:
+            for second in range(100):
+                status = ExplorerStatus(frontiers=[FrontierStatus() for _ in range(100)])
+                status.frontiers[0].centroid.x = second
+                bag.write('/frontier_explorer/status', status, rospy.Time(100 + second))
+        run = Run()
+        with BagFiles([path]) as bags:
+            tracemalloc.start()
+            self.addCleanup(tracemalloc.stop)
+            run.read(bags)
+            self.assertLess(tracemalloc.get_traced_memory()[0], 3e6)
+        self.assertEqual((len(run.explorer), len(run.frontiers), run.frontiers[0]), (100, 100, (99.0, 0.0)))
+
 
 
 class Lines(unittest.TestCase):
