@@ -8,10 +8,10 @@ import genmsg
 import genpy
 import rosbag
 
-# What rosbag throws for bags that are damaged.
+# What rosbag throws for bags that are damaged, or hold a definition of a message that is none.
 DAMAGE = (rosbag.ROSBagException, genpy.MessageException, genmsg.MsgGenerationException, genmsg.MsgNotFound,
           genmsg.InvalidMsgSpec, OSError, EOFError, ValueError, KeyError, IndexError, TypeError, AttributeError, struct.error,
-          zlib.error, RuntimeError)
+          zlib.error, RuntimeError, SyntaxError, MemoryError)
 
 # What the system lacks, of which a bag that is read cannot be the reason: rosbag writes the types of its messages to temporary
 # files.

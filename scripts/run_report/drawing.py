@@ -7,17 +7,20 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from command_line import printable
+
 # Colours that stand for those of the page: each becomes var(--name), which the style sheet defines for light and dark.
 NAMES = ('ink', 'muted', 'grid', 'unknown', 'warn', 'bad') + tuple('c%d' % number for number in range(1, 9))
 COLOURS = {name: '#%02x1f%02x' % (index, index) for index, name in enumerate(NAMES)}
 STYLE = {
-    'svg.fonttype': 'none', 'font.family': 'sans-serif', 'font.size': 10.0, 'text.color': COLOURS['ink'],
+    'svg.fonttype': 'none', 'text.parse_math': False, 'font.family': 'sans-serif', 'font.size': 10.0, 'text.color': COLOURS['ink'],
     'axes.edgecolor': COLOURS['grid'], 'axes.labelcolor': COLOURS['muted'], 'axes.facecolor': 'none', 'axes.grid': True,
     'axes.axisbelow': True, 'axes.spines.top': False, 'axes.spines.right': False, 'axes.spines.left': False,
     'grid.color': COLOURS['grid'], 'grid.linewidth': 0.7, 'xtick.color': COLOURS['grid'], 'ytick.color': COLOURS['grid'],
     'xtick.labelcolor': COLOURS['muted'], 'ytick.labelcolor': COLOURS['muted'], 'ytick.major.size': 0.0,
     'lines.linewidth': 1.8, 'lines.solid_joinstyle': 'round', 'figure.facecolor': 'none', 'savefig.facecolor': 'none'}
 WIDTH = 9.2  # [inch] of 72 units
+LONGEST_NAME = 40  # [letters] beside a plot
 
 
 def clock(seconds, _=None):
@@ -27,6 +30,11 @@ def clock(seconds, _=None):
     if whole < 3600:
         return '%s%d:%02d' % (sign, whole // 60, whole % 60)
     return '%s%d:%02d:%02d' % (sign, whole // 3600, whole // 60 % 60, whole % 60)
+
+
+def name_of(text):
+    """A name as it stands beside a plot: anybody can choose one that is longer than the page is wide."""
+    return printable(text, LONGEST_NAME)
 
 
 def new_axes(height, width=WIDTH):

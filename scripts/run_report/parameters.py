@@ -58,7 +58,7 @@ def same(value, default):
         return value is parsed
     try:
         return math.isclose(float(value), float(parsed), rel_tol=1e-4, abs_tol=1e-9)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return str(value) == default.strip('"')
 
 
@@ -107,7 +107,7 @@ def describe(tables, node, name):
 
 def item_of_list(table, name):
     """The row of `list[i]/key`, in which the defaults of the items stand side by side where they differ."""
-    match = re.match(r'(.*)\[(\d+)\](/.*)$', name)
+    match = re.match(r'(.*)\[([0-9]{1,9})\](/.*)$', name)
     row = table.get(match.group(1) + '[i]' + match.group(3)) if match else None
     if row is None:
         return None

@@ -1,12 +1,11 @@
 """What happened in a run, from the messages of its bags."""
 import json
-import math
 
 from .goals import Goals
 from .intervals import States, merged
 from .load import Load, is_time
 from .parameters import inside
-from .plausible import check
+from .plausible import check, is_nested_too_deep
 from .progress import progress_of
 from .track import MapImage, Track, bare
 from .warnings import Warnings
@@ -29,12 +28,13 @@ def read_info(text):
     """What the recorder has noted; None if it is not of the recorder's form, because somebody else can publish there too."""
     try:
         info = json.loads(text)
-    except (ValueError, RecursionError):
+    except (ValueError, TypeError, RecursionError):
         return None
     forms = {'moment': str, 'wall_time': (int, float), 'namespace': str, 'topics': dict, 'parameters': dict}
     if not isinstance(info, dict) or not all(isinstance(info.get(key), form) for key, form in forms.items()):
         return None
-    is_good = is_time(info['wall_time']) and all(isinstance(topic, str) for topic in info['topics'].values())
+    is_good = is_time(info['wall_time']) and all(isinstance(topic, str) for topic in info['topics'].values()) and \
+        not is_nested_too_deep(info)
     return info if is_good else None
 
 
@@ -109,7 +109,7 @@ class Run:
 
     def _read_info(self, bags):
         topics = [name for name, kind in bags.topics().items() if name.endswith('run_recorder/info') and kind == 'std_msgs/String']
-        infos = [info for info in (read_info(message.data) for _, message, _ in bags.messages(topics)) if info]
+        infos = [info for info in (read_info(getattr(message, 'data', None)) for _, message, _ in bags.messages(topics)) if info]
         starts, ends = ([info for info in infos if info.get('moment') == word] for word in ('start', 'end'))
         self.start_info, self.end_info = starts[0] if starts else None, ends[-1] if ends else None
         return starts + ends
@@ -125,7 +125,7 @@ class Run:
                 for _, message, _ in bags.messages([names[role]]):
                     try:
                         take(message)
-                    except AttributeError:  # damaged: of another type
+                    except (AttributeError, TypeError):  # damaged: of another type
                         continue
                     break
 

@@ -2,7 +2,7 @@
 import math
 
 from . import goals as outcomes
-from .drawing import COLOURS, few_ticks, new_axes, styled, time_axis, to_svg
+from .drawing import COLOURS, few_ticks, name_of, new_axes, styled, time_axis, to_svg
 from .intervals import total
 
 SOURCE_COLOURS = {'avoid': 'c8', 'behavior': 'c5', 'patrol': 'c2', 'nav': 'c1', 'manual': 'c3'}
@@ -51,7 +51,7 @@ def draw_rows(axes, rows, end):
     for index, (_, spans, colour) in enumerate(rows):
         bars = [(begin, max(until - begin, THINNEST * end)) for begin, until in spans]
         axes.broken_barh(bars, (len(rows) - 1 - index - 0.32, 0.64), facecolors=COLOURS[colour], linewidth=0)
-    axes.set_yticks(range(len(rows)), [label for label, _, _ in reversed(rows)])
+    axes.set_yticks(range(len(rows)), [name_of(label) for label, _, _ in reversed(rows)])
     axes.tick_params(axis='y', labelcolor=COLOURS['ink'])
     axes.set_ylim(-0.6, len(rows) - 0.4)
     axes.grid(False, axis='y')
@@ -114,7 +114,7 @@ def load_plot(run, column, scale, unit, name, title):
         figure, axes = new_axes(2.9)
         for index, (node, samples) in enumerate(nodes):
             axes.plot([sample[0] - run.begin for sample in samples], [scale * sample[column] for sample in samples],
-                      color=COLOURS['c%d' % (index + 1)], linewidth=1.4, label=node.lstrip('/'))
+                      color=COLOURS['c%d' % (index + 1)], linewidth=1.4, label=name_of(node.lstrip('/')))
         axes.set_ylabel(unit)
         axes.set_ylim(0.0, 1.08 * max(scale * sample[column] for _, samples in nodes for sample in samples) or 1.0)
         few_ticks(axes.yaxis)

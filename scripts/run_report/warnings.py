@@ -3,6 +3,7 @@ import re
 
 LEVELS = {0: 'OK', 1: 'WARN', 2: 'ERROR', 3: 'STALE'}
 LOG_LEVELS = {4: 'WARN', 8: 'ERROR', 16: 'FATAL'}
+COUNT = re.compile('[0-9]{1,9}')  # isdigit() takes more than int() does
 SILENCE = 5.0  # [s] without a message of a status after which it no longer counts
 
 
@@ -49,7 +50,7 @@ class Warnings:
 
     def _count_loops(self, time, status):
         for value in status.values:
-            if value.key == 'loops closed' and value.value.isdigit():
+            if value.key == 'loops closed' and COUNT.fullmatch(value.value):
                 count = int(value.value)
                 if count > (self.loops[-1][1] if self.loops else 0):
                     self.loops.append((time, count))

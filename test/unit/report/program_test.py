@@ -40,6 +40,13 @@ class Program(FolderCase):
                 done = self.report(self.bag, stdout=nobody, PYTHONUNBUFFERED=unbuffered)
                 self.assertEqual((done.returncode, done.stderr), (1, ''))
 
+    def test_the_messages_of_this_package_need_not_be_installed(self):
+        done = self.report(self.bag, PYTHONPATH='', ROS_PACKAGE_PATH='/usr/share')
+        self.assertEqual((done.returncode, done.stderr), (0, ''))
+        page = pathlib.Path(done.stdout.strip()).read_text()
+        self.assertIn('explored 29.5', page)
+        self.assertNotIn('not understood', page)
+
     def test_what_matplotlib_is_told_does_not_matter(self):
         done = self.report(self.bag, MPLBACKEND='nonsense', SOURCE_DATE_EPOCH='nonsense')
         self.assertEqual((done.returncode, done.stderr), (0, ''))

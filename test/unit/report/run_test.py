@@ -41,8 +41,11 @@ class WhatSomebodyElsePublished(unittest.TestCase):
     def test_notes_of_a_run_with_times_or_topics_that_cannot_be_are_not_the_recorders(self):
         good = {'moment': 'start', 'wall_time': 1.7e9, 'namespace': '/', 'topics': {'map': '/map'}, 'parameters': {}}
         self.assertEqual(read_info(json.dumps(good)), good)
+        deep = {}
+        for _ in range(500):
+            deep = {'mapper': deep}
         for change in ({'wall_time': float('nan')}, {'wall_time': float('inf')}, {'wall_time': 10**400}, {'wall_time': -1.0},
-                       {'topics': {'map': [1]}}, {'topics': []}):
+                       {'topics': {'map': [1]}}, {'topics': []}, {'parameters': deep}):
             self.assertIsNone(read_info(json.dumps(dict(good, **change))), change)
 
     def test_loads_that_cannot_be_are_left_out(self):
@@ -180,9 +183,6 @@ class Reading(FolderCase):
         run.start_info['namespace'] = '/robot1'
         self.assertTrue(summary.subject(run).startswith('The robot robot1'))
 
-    def test_a_run_that_was_cut_off_says_so(self):
-        run = self.read(seconds=30, with_end=False)
-        self.assertIn('was not finished', summary.end_words(run))
     def test_a_run_of_many_statuses_takes_no_memory_for_the_frontiers_of_earlier_ones(self):
         path = self.path('frontiers.bag')
         with rosbag.Bag(path, 'w') as bag:
@@ -198,6 +198,9 @@ class Reading(FolderCase):
             self.assertLess(tracemalloc.get_traced_memory()[0], 3e6)
         self.assertEqual((len(run.explorer), len(run.frontiers), run.frontiers[0]), (100, 100, (99.0, 0.0)))
 
+    def test_a_run_that_was_cut_off_says_so(self):
+        run = self.read(seconds=30, with_end=False)
+        self.assertIn('was not finished', summary.end_words(run))
 
 
 class Lines(unittest.TestCase):
