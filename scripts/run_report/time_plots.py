@@ -6,6 +6,7 @@ from .drawing import COLOURS, few_ticks, name_of, new_axes, styled, time_axis, t
 from .intervals import total
 
 SOURCE_COLOURS = {'avoid': 'c8', 'behavior': 'c5', 'patrol': 'c2', 'nav': 'c1', 'manual': 'c3'}
+MOST_SOURCES = 20  # with a row in the plot
 BUSIEST = 8  # nodes with a line of their own
 THINNEST = 0.004  # of the width of the plot, so that what was short can still be seen
 
@@ -70,15 +71,18 @@ def shifted(run, spans):
 
 
 def driver_rows(run):
-    """(source, spans) of each source that has driven, those with a high priority first."""
-    names = [name for name in SOURCE_COLOURS if run.source.those(run.end, lambda value, name=name: value == name)]
-    names += sorted({value for _, value in run.source.changes if value} - set(names))
-    return [(name, run.source.those(run.end, lambda value, name=name: value == name)) for name in names]
+    """(source, spans) of each source that has driven: ours by their priority, then the others, which drove longest first."""
+    spans = {}
+    for span in run.source.those(run.end):
+        spans.setdefault(span[2], []).append(span)
+    ours = [name for name in SOURCE_COLOURS if name in spans]
+    others = sorted(spans.keys() - set(ours), key=lambda name: (-total(spans[name]), name))
+    return [(name, spans[name]) for name in ours + others]
 
 
 def drivers_plot(run):
-    """Who drove when; None where nobody did."""
-    rows = [(name, shifted(run, spans), SOURCE_COLOURS.get(name, 'c7')) for name, spans in driver_rows(run)]
+    """Who drove when, of the first of the sources; None where nobody did."""
+    rows = [(name, shifted(run, spans), SOURCE_COLOURS.get(name, 'c7')) for name, spans in driver_rows(run)[:MOST_SOURCES]]
     return rows_plot(run, rows, 'drivers', 'Which source of commands drove when') if rows else None
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What a report finds in a run."""
 import json
+import re
 import tracemalloc
 import unittest
 
@@ -16,6 +17,7 @@ from run_report import drawing, goals, parameters, summary, time_plots
 from run_report.bag_files import BagFiles
 from run_report.intervals import States, merged, total
 from run_report.load import Load
+from run_report.page import page
 from run_report.run import Run, read_info
 from run_report.warnings import Warnings
 
@@ -182,6 +184,20 @@ class Reading(FolderCase):
         self.assertTrue(summary.subject(run).startswith('The robot'))
         run.start_info['namespace'] = '/robot1'
         self.assertTrue(summary.subject(run).startswith('The robot robot1'))
+
+    def test_of_thousands_of_sources_those_that_drove_longest_have_a_row_and_the_others_are_counted(self):
+        run = self.run_read
+        run.source = States()
+        for number in range(5000):
+            run.source.add(run.begin + 0.01 * number, 'source %d' % number)
+        run.source.add(run.begin + 50.0, 'nav')
+        run.source.add(run.begin + 51.0, 'long')
+        run.source.add(run.begin + 59.0, '')
+        made = page(run, [], True, [])
+        drawn = re.search('<svg[^>]*class="drivers".*?</svg>', made, re.DOTALL).group()
+        self.assertEqual([name in drawn for name in ('>nav<', '>long<', '>source 4000<')], [True, True, False])
+        self.assertLess(float(re.search(r'viewBox="0 0 [\d.]+ ([\d.]+)"', drawn).group(1)), 500.0)
+        self.assertIn('and 4982 more, which drove for less time', made)
 
     def test_a_run_of_many_statuses_takes_no_memory_for_the_frontiers_of_earlier_ones(self):
         path = self.path('frontiers.bag')
