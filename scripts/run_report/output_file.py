@@ -1,8 +1,11 @@
-"""Where the page goes: all or nothing, and never over one of the bags or through a link."""
+"""Where the page goes: all or nothing, and never over one of the bags, through a link, or unasked over the page of somebody else."""
 import os
 import tempfile
 
 from .bag_files import ReportError
+
+MARK = '<meta name="generator" content="frontier_pilot report">'  # near the beginning of each page
+MARK_OF_EARLIER_VERSIONS = '<link rel="icon" href="data:,">\n<title>Report of a run</title>\n'
 
 
 def check(out, bags):
@@ -13,6 +16,22 @@ def check(out, bags):
         raise ReportError('%s is no file: name another one with --out' % out)
     if any(os.path.samefile(out, bag) for bag in bags):
         raise ReportError('%s is one of the bags that are read: name another file with --out' % out)
+
+
+def check_unasked(out):
+    """Raises ReportError if `out`, which the user has not named, is there and is no page that this program has made."""
+    if os.path.lexists(out) and not is_page(out):
+        raise ReportError('%s is there already, and is no page of this program: name another file, or this one to replace it, '
+                          'with --out' % out)
+
+
+def is_page(path):
+    """Whether this program has made the file."""
+    if not os.path.isfile(path):
+        return False
+    with open(path, 'rb') as file:
+        beginning = file.read(1000)
+    return any(mark.encode() in beginning for mark in (MARK, MARK_OF_EARLIER_VERSIONS))
 
 
 def write(out, text):

@@ -6,6 +6,7 @@ from html import escape
 from . import map_plot, summary, time_plots
 from .drawing import clock
 from .intervals import total
+from .output_file import MARK
 from .warnings import Warnings
 
 MOST_ROWS = 60  # of a table
@@ -168,8 +169,8 @@ def page(run, settings, defaults_known, sources):
                 parameters_section(settings, defaults_known))
     footer = '<footer>Made by <code>rosrun frontier_pilot report</code> from %s. Times are ROS time since the start ' \
              'of the record.</footer>' % escape(', '.join(sources))
-    return '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n' \
+    return '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n%s\n' \
            '<meta name="viewport" content="width=device-width, initial-scale=1">\n' \
            '<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n' \
            '<title>Report of a run</title>\n<style>\n%s</style>\n</head>\n<body>\n<main>\n%s%s</main>\n%s\n</body>\n</html>\n' % (
-               read_style(), head_of(run), ''.join(sections), footer)
+               MARK, read_style(), head_of(run), ''.join(sections), footer)

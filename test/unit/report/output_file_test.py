@@ -30,6 +30,17 @@ class OutputFile(FolderCase):
                 output_file.check(path, [])
 
     # [FLT-1]
+    def test_is_nothing_but_a_page_of_this_program_where_the_user_has_not_named_it(self):
+        os.mkfifo(self.path('pipe'))
+        os.symlink(self.path('nowhere'), self.path('link'))
+        for path in (self.path('pipe'), self.path('link'), self.touch('page'), self.folder):
+            with self.assertRaisesRegex(ReportError, 'is no page of this program'):
+                output_file.check_unasked(path)
+        output_file.check_unasked(self.path('free.html'))
+        output_file.write(self.path('page'), output_file.MARK)
+        output_file.check_unasked(self.path('page'))
+
+    # [FLT-1]
     def test_replaces_a_link_and_not_what_it_points_to(self):
         precious = self.touch('precious')
         os.symlink(precious, self.path('report.html'))

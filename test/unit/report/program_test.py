@@ -59,6 +59,24 @@ class Program(FolderCase):
                 self.assertEqual((done.returncode, done.stderr),
                                  (1, 'report: %s cannot be written: %s\n' % (out, os.strerror(why))))
 
+    # [REC-2] [FLT-1]
+    def test_a_file_of_another_program_is_replaced_only_if_the_user_has_named_it(self):
+        beside = pathlib.Path(self.path('run_0.html'))
+        for word, place in ((self.bag, beside), (self.folder, pathlib.Path(self.path('report.html')))):
+            with self.subTest(place=place.name):
+                place.write_text('<!DOCTYPE html><title>Report of a run</title> of a horse')
+                done = self.report(word)
+                self.assertEqual((done.returncode, done.stdout), (1, ''))
+                self.assertRegex(done.stderr, '^report: %s is there already, and is no page of this program: .*--out\n$' % place)
+                self.assertIn('of a horse', place.read_text())
+                self.assertEqual(self.report(word, '--out', place).returncode, 0)
+                self.assertEqual(self.report(word).returncode, 0, 'it replaces its own page')
+        of_an_earlier_version = re.sub('<meta name="generator".*\n', '', beside.read_text())
+        beside.write_text(of_an_earlier_version)
+        self.assertEqual(self.report(self.bag).returncode, 0)
+        self.assertNotEqual(beside.read_text(), of_an_earlier_version)
+        self.assertEqual(len(os.listdir(self.folder)), 3)
+
     # [FLT-1]
     def test_a_limit_of_files_is_no_damage_of_the_bag(self):
         done = self.report(self.bag, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10240, 10240)))
