@@ -68,6 +68,19 @@ def end_quietly_until_main():
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
+def clean_up_when_told_to_end():
+    """From now on Ctrl-C, SIGTERM and SIGHUP end the process by way of SystemExit, so that its temporary files are removed. Further
+    signals do not interrupt that. What is ignored stays ignored: SIGHUP by nohup, Ctrl-C in the background of a script."""
+    numbers = [number for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if signal.getsignal(number) != signal.SIG_IGN]
+
+    def end(number, _):
+        for each in numbers:
+            signal.signal(each, signal.SIG_IGN)
+        sys.exit(128 + number)
+    for number in numbers:
+        signal.signal(number, end)
+
+
 def exit_with(main):
     """Ends the program with what `main` returns, or with the exit code for a Ctrl-C; with 1 and one line if what it printed cannot be
     written, if the ROS master has ended, or for any other exception."""

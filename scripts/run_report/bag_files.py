@@ -44,13 +44,14 @@ class BagFiles:
         self.closer = contextlib.ExitStack()
 
     def __enter__(self):
-        for path in self.paths:
-            self._take(path)
-        self.bags.sort(key=lambda bag: bag.get_start_time())
-        if not self.bags:
-            self.closer.close()
-            raise ReportError('; '.join(self.notes) or 'the bag is empty')
-        self.notes += self._gaps()
+        with self.closer as opened:
+            for path in self.paths:
+                self._take(path)
+            self.bags.sort(key=lambda bag: bag.get_start_time())
+            if not self.bags:
+                raise ReportError('; '.join(self.notes) or 'the bag is empty')
+            self.notes += self._gaps()
+            self.closer = opened.pop_all()  # nothing went wrong: they stay open
         return self
 
     def __exit__(self, *_):

@@ -232,6 +232,28 @@ class RunScript(unittest.TestCase):
         self.assertIn('there is no report: the run ended before its recorder had begun', err)
         self.assert_nothing_is_left()
 
+    def test_a_report_that_takes_too_long_may_remove_its_copy_of_the_bag_before_it_is_killed(self):
+        functions = re.findall(r'^(?:await_end|kill_and_wait|make_report)\(\) \{\n.*?^\}\n', pathlib.Path(RUN).read_text(), re.M | re.S)
+        give_up = 'set -euo pipefail; say() { echo "$1"; }; trap impatient=true INT; root=. logs=. record=true\n'
+        folder = pathlib.Path(self.folder.name)
+        copy, report = folder / 'copy', folder / 'scripts/report'
+        report.parent.mkdir()
+        (folder / 'recorded').symlink_to(folder)
+        for on_term in ('rm copy; exit 143', ''):  # and one that hangs
+            report.write_text("#!/bin/bash\ntrap '%s' TERM; echo $$ >copy; while :; do sleep 0.05; done\n" % on_term)
+            report.chmod(0o755)
+            process = subprocess.Popen(['bash', '-c', give_up + ''.join(functions) + 'make_report'], cwd=folder, preexec_fn=heed_ctrl_c,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+            while not copy.exists() or not copy.read_text():
+                time.sleep(0.01)
+            number = int(copy.read_text())
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=60)
+            self.assertEqual((process.returncode, out), (0, ''))
+            self.assertRegex(err, r"^scripts/run: gave up making the report; 'rosrun frontier_pilot report latest' makes it\n$")
+            self.assertEqual(copy.exists(), on_term == '')
+            self.assertFalse(os.path.exists('/proc/%d' % number), 'it goes on')
+
     def assert_the_map_is_saved(self, process, prefix, code):
         self.assertEqual(process.wait(timeout=120), code)
         self.assertTrue(os.path.exists(prefix + '.yaml'))

@@ -1,10 +1,14 @@
 """scripts/report as a program, where its surroundings are not as they should be."""
 import errno
+import glob
 import os
 import pathlib
 import re
 import resource
+import signal
 import subprocess
+import tempfile
+import time
 import unittest
 
 import synthetic_bag
@@ -12,6 +16,12 @@ from folder_case import FolderCase
 
 PROGRAM = pathlib.Path(__file__).resolve().parents[3] / 'scripts/report'
 FULL = os.strerror(errno.ENOSPC)
+
+
+def receive_all_signals():
+    """As a program in the foreground does, also where this test is in the background."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 class Program(FolderCase):
@@ -83,6 +93,21 @@ class Program(FolderCase):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, '^report: .*' + os.strerror(errno.EFBIG))
         self.assertEqual(os.listdir(self.folder), ['run_0.bag'])
+
+    # [REC-2]
+    def test_a_signal_ends_it_without_leaving_the_copy_of_a_bag_that_was_not_closed(self):
+        os.rename(self.bag, self.bag + '.active')
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            with self.subTest(signal=number.name), tempfile.TemporaryDirectory() as temporary:
+                report = subprocess.Popen([PROGRAM, self.bag + '.active'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                          env=dict(os.environ, TMPDIR=temporary), preexec_fn=receive_all_signals, universal_newlines=True)
+                while report.poll() is None and not glob.glob(temporary + '/*/copy.bag'):
+                    time.sleep(0.001)
+                for _ in range(3):  # as of a terminal and of the shell in it
+                    report.send_signal(number)
+                said, _ = report.communicate(timeout=60)
+                self.assertEqual((report.returncode, said), (128 + number, ''))
+                self.assertEqual((os.listdir(temporary), os.listdir(self.folder)), ([], ['run_0.bag.active']))
 
     def test_each_mark_of_the_legend_has_a_shape(self):
         self.assertEqual(self.report(self.bag, '--out', self.path('page.html')).returncode, 0)
