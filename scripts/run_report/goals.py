@@ -1,4 +1,6 @@
 """What became of the explorer's goals, from its status: reached, failed, or dropped on the way."""
+import bisect
+
 from .progress import NAVIGATING
 
 REACHED, FAILED, DROPPED, OPEN = 'reached', 'failed', 'dropped', 'under way'
@@ -41,8 +43,10 @@ class Goals:
 
     def place_all(self):
         """Gives each goal the pose that was sent nearest in time to it; to be called at the end."""
+        self.places.sort()
         for goal in self.all:
-            near = min(self.places, key=lambda place: abs(place[0] - goal.sent), default=None)
+            index = bisect.bisect(self.places, (goal.sent,))
+            near = min(self.places[max(0, index - 1):index + 1], key=lambda place: abs(place[0] - goal.sent), default=None)
             goal.place = near[1:] if near else None
 
     @staticmethod

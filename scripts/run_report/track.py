@@ -1,4 +1,5 @@
 """The track of the robot on the map, and the map itself, from their messages."""
+import bisect
 import math
 
 import numpy
@@ -58,7 +59,7 @@ class Track:
 
     def at(self, time):
         """Where the robot was at that time (x, y), by the pose before it; None before the first."""
-        index = numpy.searchsorted([pose[0] for pose in self.poses], time, side='right') - 1
+        index = bisect.bisect(self.poses, (time, math.inf)) - 1
         return None if index < 0 else self.poses[index][1:3]
 
     def pieces(self):

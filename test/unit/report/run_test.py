@@ -2,6 +2,7 @@
 """What a report finds in a run."""
 import json
 import re
+import time
 import tracemalloc
 import unittest
 
@@ -124,16 +125,16 @@ class Reading(FolderCase):
     def test_numbers_that_no_run_can_have_are_left_out_and_noted(self):
         path = self.path('run_0.bag')
         with rosbag.Bag(path, 'a') as bag:
-            time = rospy.Time(synthetic_bag.BEGIN + 30.0)
+            at = rospy.Time(synthetic_bag.BEGIN + 30.0)
             for far in 1.5e308, -1.5e308, 2e6, float('nan'), float('inf'):
-                bag.write('/tf', synthetic_bag.transform('odom', 'base_footprint', far, 0.0), time)
+                bag.write('/tf', synthetic_bag.transform('odom', 'base_footprint', far, 0.0), at)
                 pose = PoseStamped()
                 pose.pose.position.y = far
-                bag.write('/frontier_explorer/goal', pose, time)
+                bag.write('/frontier_explorer/goal', pose, at)
             nothing_behind = AvoiderStatus(state=AvoiderStatus.ROTATE, summary='rotating', rear=float('inf'))
-            bag.write('/obstacle_avoider/status', nothing_behind, time)
+            bag.write('/obstacle_avoider/status', nothing_behind, at)
             for area in 1.5e308, -1.5e308, float('inf'):
-                bag.write('/frontier_explorer/status', ExplorerStatus(explored_area=area), time)
+                bag.write('/frontier_explorer/status', ExplorerStatus(explored_area=area), at)
         run = Run()
         with BagFiles([path]) as bags:
             run.read(bags)
@@ -147,6 +148,18 @@ class Reading(FolderCase):
         run = self.run_read
         self.assertAlmostEqual(run.track.length, 5.9, delta=0.1)
         self.assertEqual([round(number, 1) for number in run.track.at(run.begin + 30.5)], [3.0, 1.0])
+
+    def test_places_are_found_at_once_among_very_many(self):
+        run = Run()
+        run.track.poses = [(float(time), 0.5 * time, 0.0, 0.0) for time in range(100000)]
+        run.goals.places = [pose[:3] for pose in run.track.poses]
+        run.goals.all = [goals.Goal(number, 100.0 * number + 0.4) for number in range(1000)]
+        begin = time.process_time()
+        found = [run.track.at(goal.sent) for goal in run.goals.all]
+        run.goals.place_all()
+        self.assertLess(time.process_time() - begin, 5.0)
+        self.assertEqual([goal.place for goal in run.goals.all], found)
+        self.assertEqual((found[7], run.track.at(-1.0), run.track.at(1e9)), ((350.0, 0.0), None, (49999.5, 0.0)))
 
     def test_changes_are_part_of_the_map(self):
         cells = self.run_read.map.cells
