@@ -64,8 +64,13 @@ const char* toString(SweepResult result) {
   return kNames[static_cast<int>(result)];
 }
 
-SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, const AxisMotion& motion) {
+SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, AxisMotion motion) {
   if (grid.empty()) return SweepResult::kNoCostmap;
+  // After a full turn, or beyond the grid, nothing new is met.
+  const double farthest = motion.axis == AxisMotion::Axis::kTurn
+                              ? 2.0 * kPi
+                              : grid.resolution() * std::hypot(grid.geometry().width, grid.geometry().height);
+  motion.amount = std::clamp(motion.amount, -farthest, farthest);
   Sweeper sweeper(grid, footprint, pose, motion);
   const int steps = stepsFor(motion, footprint, grid.resolution());
   SweepResult met = SweepResult::kClear;

@@ -10,6 +10,6 @@ namespace frontier_pilot::behavior {
 /// checked poses its farthest corner moves by at most half a cell. On a line, an obstacle that lies under the trailing
 /// half of the footprint at the start does not count, because the robot moves away from it. An obstacle anywhere on the
 /// way counts more than unknown ground before it. [SPN-2] [SPN-3]
-SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, const AxisMotion& motion);
+SweepResult sweep(const OccupancyGrid& grid, const Outline& footprint, const Pose2& pose, AxisMotion motion);
 
 }  // namespace frontier_pilot::behavior

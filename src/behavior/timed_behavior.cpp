@@ -26,31 +26,6 @@ std::string seconds(double value) {
 
 }  // namespace
 
-const char* toString(BehaviorKind kind) {
-  constexpr const char* kNames[] = {"spin", "back_up", "drive_on_heading", "wait"};
-  return kNames[static_cast<int>(kind)];
-}
-
-const char* toString(BehaviorOutcome outcome) {
-  constexpr const char* kNames[] = {"idle",         "running",     "succeeded",
-                                    "timeout",      "pose lost",   "collision ahead",
-                                    "invalid goal", "no progress", "canceled"};
-  return kNames[static_cast<int>(outcome)];
-}
-
-std::optional<std::string> problemOf(const BehaviorGoal& goal) {
-  if (!std::isfinite(goal.target)) return "invalid goal: the target is not finite";
-  if (!(goal.time_allowance >= 0.0 && std::isfinite(goal.time_allowance))) {
-    return "invalid goal: the time allowance must not be negative";
-  }
-  if (!(goal.speed >= 0.0 && std::isfinite(goal.speed))) return "invalid goal: the speed must be finite, not negative";
-  if (goal.kind == BehaviorKind::kBackUp && goal.target < 0.0) {
-    return "invalid goal: the distance to back up must not be negative";
-  }
-  if (goal.kind == BehaviorKind::kWait && goal.target < 0.0) return "invalid goal: the time must not be negative";
-  return std::nullopt;
-}
-
 /// The state machine: moves or waits in every cycle, and settles once the target is reached.
 class TimedBehavior::Impl {
  public:

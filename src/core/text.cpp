@@ -82,4 +82,15 @@ std::string printable(std::string_view text, std::size_t most) {
   return out;
 }
 
+bool isRobotName(std::string_view name) {
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  char before = '/';
+  for (const char c : name) {
+    const bool goes_on = isLetter(c) || c == '_' || c == '/' || (c >= '0' && c <= '9');
+    if (before == '/' ? !isLetter(c) : !goes_on) return false;
+    before = c;
+  }
+  return before != '/';
+}
+
 }  // namespace frontier_pilot

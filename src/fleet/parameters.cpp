@@ -3,6 +3,7 @@
 #include <set>
 
 #include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 
 namespace frontier_pilot::fleet {
 
@@ -15,6 +16,8 @@ void MapMergerParameters::check(Problems& problems) const {
     const FleetRobot& robot = robots[i];
     const std::string entry = "robots[" + std::to_string(i) + "]/";
     if (robot.name.empty()) problems.push_back(entry + "name: missing");
+    if (!robot.name.empty() && !isRobotName(robot.name))
+      problems.push_back(entry + "name: '" + robot.name + "' is no name of a namespace");
     if (!robot.name.empty() && !names.insert(robot.name).second) {
       problems.push_back(entry + "name: '" + robot.name + "' is there twice");
     }

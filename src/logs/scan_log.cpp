@@ -63,6 +63,18 @@ ScanLog checked(ScanLog log, const std::string& name, const LogScanner& scanner)
 
 }  // namespace
 
+void requireOneDrive(const ScanLog& log, const std::string& name) {
+  constexpr Duration kMostDisorder = std::chrono::seconds(10);
+  Time latest{};
+  for (std::size_t i = 0; i < log.records.size(); ++i) {
+    const Time stamp = log.records[i].scan.stamp;
+    if (latest - stamp > kMostDisorder)
+      throw LogError(name + ": scan " + std::to_string(i + 1) + " is " + text(toSeconds(latest - stamp)) +
+                     " s older than one before it: are these several drives in one file? Each needs a file of its own");
+    latest = std::max(latest, stamp);
+  }
+}
+
 ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanner& scanner) {
   switch (formatOf(file)) {
     case LogFormat::kCsv:

@@ -91,8 +91,8 @@ Twist2 StepDriver::follow(double speed) const {
   const double wanted = std::clamp(-p.lateral_gain * off.left, -kMaxApproach, kMaxApproach);
   const double error = angleDifference(wanted, off.heading);
   const double forward = std::abs(error) > kTurnFirst ? 0.0 : speed;
-  const double curvature = step_.kind == PatrolStep::Kind::kArc ? 1.0 / step_.radius : 0.0;
-  return {forward, std::clamp(curvature * forward + p.heading_gain * error, -p.turn_speed, p.turn_speed)};
+  const double rate = step_.kind == PatrolStep::Kind::kArc ? forward / step_.radius : 0.0;  // [rad/s]
+  return {forward, std::clamp(rate + p.heading_gain * error, -p.turn_speed, p.turn_speed)};
 }
 
 }  // namespace frontier_pilot::patrol

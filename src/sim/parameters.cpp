@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "frontier_pilot/core/text.h"
 #include "frontier_pilot/sim/simulator.h"
 
 namespace frontier_pilot::sim {
@@ -10,6 +11,8 @@ namespace frontier_pilot::sim {
 void SimulatorParameters::check(Problems& problems) const {
   std::set<std::string> names;
   for (const RobotSpec& spec : robots) {
+    if (!spec.name.empty() && !isRobotName(spec.name))
+      problems.push_back("robots: '" + spec.name + "' is no name of a namespace");
     if (!names.insert(spec.name).second) problems.push_back("robots: two are named '" + spec.name + "'");
   }
   if (names.size() > 1 && names.count("") > 0) problems.emplace_back("robots: of several each must have a name");

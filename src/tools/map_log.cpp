@@ -1,7 +1,11 @@
 #include "tools/map_log.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -40,8 +44,19 @@ std::ifstream openFile(const std::string& path) {
 
 logs::ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
   std::ifstream file = openFile(options.log);
-  if (read_bag && logs::formatOf(file) == logs::LogFormat::kRosbag) return read_bag(options.log, options.topics);
-  return logs::readScanLog(file, options.log, options.scanner);
+  const bool is_bag = read_bag && logs::formatOf(file) == logs::LogFormat::kRosbag;
+  logs::ScanLog log =
+      is_bag ? read_bag(options.log, options.topics) : logs::readScanLog(file, options.log, options.scanner);
+  logs::requireOneDrive(log, options.log);
+  return log;
+}
+
+/// Throws LogError if no file can be made there: before the drive is mapped, which may take an hour.
+void requireFolderOf(const std::string& out) {
+  const std::filesystem::path path(out);
+  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  if (access(folder.c_str(), W_OK | X_OK) == 0) return;
+  throw logs::LogError(out + ": cannot be written, the folder " + folder + ": " + std::strerror(errno));
 }
 
 double lengthOf(const logs::Trajectory& trajectory) {
@@ -70,7 +85,7 @@ std::vector<std::pair<Vec2, Vec2>> closuresOf(const MappedDrive& drive) {
   const auto at = [&](Time stamp) {
     const auto later = std::lower_bound(drive.corrected.begin(), drive.corrected.end(), stamp,
                                         [](const StampedPose2& entry, Time time) { return entry.stamp < time; });
-    return later->pose.position();
+    return (later == drive.corrected.end() ? drive.corrected.back() : *later).pose.position();
   };
   std::vector<std::pair<Vec2, Vec2>> lines;
   for (const slam::LoopClosure& closure : drive.closures)
@@ -103,10 +118,14 @@ void printError(const char* what, const logs::Trajectory& trajectory,
               error.rotation.stddev * 180.0 / kPi, relations.size());
 }
 
-void printErrors(const MapLogOptions& options, const MappedDrive& drive) {
-  if (options.relations.empty()) return;
+std::vector<logs::PoseRelation> relationsOf(const MapLogOptions& options, std::size_t poses) {
+  if (options.relations.empty()) return {};
   std::ifstream file = openFile(options.relations);
-  const auto relations = logs::readRelations(file, options.relations, drive.odometry.size());
+  return logs::readRelations(file, options.relations, poses);
+}
+
+void printErrors(const std::vector<logs::PoseRelation>& relations, const MappedDrive& drive) {
+  if (relations.empty()) return;
   printError("odometry ", drive.odometry, relations);
   printError("corrected", drive.corrected, relations);
 }
@@ -130,14 +149,16 @@ void writeResults(const MapLogOptions& options, const MappedDrive& drive, mappin
 }
 
 int run(const MapLogOptions& options, const BagReader& read_bag) {
+  requireFolderOf(options.out);
   const logs::ScanLog log = readLog(options, read_bag);
+  const std::vector<logs::PoseRelation> relations = relationsOf(options, log.records.size());
   mapping::Mapper mapper(options.mapper);
   const double begin = cpuSeconds();
   const MappedDrive drive = mapLog(log, mapper);
   const double cpu = cpuSeconds() - begin;
   printLog(log, drive);
   printCounts(mapper, cpu);
-  printErrors(options, drive);
+  printErrors(relations, drive);
   writeResults(options, drive, mapper);
   return kDone;
 }

@@ -30,9 +30,9 @@ class ExplorerTeam(ExplorerCase):
     def own(self):
         return [claims for _, claims in list(self.heard.items) if claims.robot == 'robot_1']
 
-    def tell(self, places, version=FleetClaims.VERSION, frame='map'):
+    def tell(self, places, version=FleetClaims.VERSION, frame='map', robot='robot_2'):
         """One message of a second robot that sees each of the places at once."""
-        message = FleetClaims(version=version, robot='robot_2', valid_for=10.0)
+        message = FleetClaims(version=version, robot=robot, valid_for=10.0)
         message.header.frame_id, message.header.stamp = frame, rospy.Time.now()
         message.claims = [FleetClaim(x=x, y=y, cost=0.0) for x, y in places]
         self.publisher.publish(message)
@@ -92,7 +92,8 @@ class ExplorerTeam(ExplorerCase):
         self.status.items.clear()
         cases = (('another version of the protocol', {'version': 2}),
                  ('not finite', {'places': places + [(math.nan, 0.0)]}),
-                 ("in the frame 'elsewhere'", {'frame': 'elsewhere'}))
+                 ("in the frame 'elsewhere'", {'frame': 'elsewhere'}),
+                 ("another robot with this one's name", {'robot': 'robot_1'}))
         for word, change in cases:
             # Told until it is refused: the explorer may not be connected yet.
             self.assertTrue(wait_for(lambda: self.tell(**{'places': places, **change}) or self.refused(word)), word)

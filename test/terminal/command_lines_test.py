@@ -71,9 +71,10 @@ class CommandLines(unittest.TestCase):
                 wrong = 2 if name in ('patrol_client', 'check_robot') else 1
                 self.assertEqual(code, wrong)
                 self.assertRegex(err, '[Nn]ame')
-                code, _, err = call(node, *words, master='nowhere')
-                self.assertEqual(code, wrong)
-                self.assertIn('ROS_MASTER_URI is not an address', err)
+                for master in ('nowhere', 'http://localhost:abc', 'http://localhost:0', 'http://localhost:70000', 'http://localhost:'):
+                    code, _, err = call(node, *words, master=master)
+                    self.assertEqual(code, wrong)
+                    self.assertIn('ROS_MASTER_URI is not an address', err)
 
     def first_words_without_a_master(self, **environment):
         """The first line of a node that waits for a master, on stdout or stderr."""
@@ -109,9 +110,10 @@ class CommandLines(unittest.TestCase):
     def test_a_remapping_to_nothing_ends_a_node_with_the_reason(self):
         for name in ('simulator', 'mapper', 'check_robot', 'teleop_gui'):
             with self.subTest(program=name):
-                code, _, err = call(BUILD / 'devel/lib/frontier_pilot' / name, 'map:=/')
-                self.assertEqual(code, 2 if name == 'check_robot' else 1)
-                self.assertIn('map:=/ is not a remapping', err)
+                for word in ('map:=/', 'map:=///', 'map:='):
+                    code, _, err = call(BUILD / 'devel/lib/frontier_pilot' / name, word)
+                    self.assertEqual(code, 2 if name == 'check_robot' else 1)
+                    self.assertIn(word + ' is not a remapping', err)
 
     # Qt reads any file as a style sheet, and crashes on one that has no end.
     def test_the_window_does_not_take_a_style_sheet(self):

@@ -59,9 +59,9 @@ struct BehaviorParameters {
     v.field("default_linear_vel", default_linear_vel, "m/s", "speed of a straight motion whose goal names none",
             baseSpeed());
     v.field("simulate_ahead_time", simulate_ahead_time, "s",
-            "how far ahead, in time, the motion must be free of obstacles", timeSpan());
-    v.field("pose_timeout", pose_timeout, "s", "greatest age of the robot's pose", timeSpan());
-    v.field("costmap_timeout", costmap_timeout, "s", "greatest age of the last scan in the costmap", timeSpan());
+            "how far ahead, in time, the motion must be free of obstacles", positiveUpTo(30.0));
+    v.field("pose_timeout", pose_timeout, "s", "greatest age of the robot's pose", dataAge());
+    v.field("costmap_timeout", costmap_timeout, "s", "greatest age of the last scan in the costmap", dataAge());
     v.field("no_progress_timeout", no_progress_timeout, "s", "time without progress after which a motion is given up",
             timeSpan());
     v.fixed({"settle_timeout", "jump_distance", "jump_angle"});

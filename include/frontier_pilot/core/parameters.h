@@ -41,10 +41,11 @@ inline Bounds positiveUpTo(double max) { return {0.0, max, true}; }
 inline Bounds countFrom(double least) { return between(least, 1e9); }
 /// A place, or a direction, in a plane [m, rad].
 inline Bounds coordinate() { return between(-bounds::kMostCoordinate, bounds::kMostCoordinate); }
-/// What a base on wheels can do at most [m/s; rad/s; m/s^2 or rad/s^2].
-inline Bounds baseSpeed() { return positiveUpTo(20.0); }
-inline Bounds baseTurnRate() { return positiveUpTo(50.0); }
-inline Bounds baseAcceleration() { return positiveUpTo(1000.0); }
+/// What a base on wheels can do [m/s; rad/s; m/s^2 or rad/s^2]. With less than a thousandth it would hardly move, and
+/// what is computed until it has stopped would have no end.
+inline Bounds baseSpeed() { return between(0.001, 20.0); }
+inline Bounds baseTurnRate() { return between(0.001, 50.0); }
+inline Bounds baseAcceleration() { return between(0.001, 1000.0); }
 /// A distance that a scanner measures, or that is compared with one [m].
 inline Bounds scanRange() { return positiveUpTo(bounds::kMostRange); }
 inline Bounds scanRangeOrNone() { return between(0.0, bounds::kMostRange); }
@@ -55,6 +56,8 @@ inline Bounds tickPeriod() { return between(0.001, 3600.0); }
 /// How long something may last [s]: up to eleven days, so that sums of several such times still fit into ros::Time.
 inline Bounds timeSpan() { return positiveUpTo(1e6); }
 inline Bounds timeSpanOrNone() { return between(0.0, 1e6); }
+/// How old data may be that a robot drives by [s].
+inline Bounds dataAge() { return positiveUpTo(10.0); }
 
 /// Whether the name of a TF frame may be empty. A leading '/' is always refused, as by tf2. [FLT-1]
 enum class FrameName { kGiven, kMayBeEmpty };

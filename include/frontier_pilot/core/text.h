@@ -25,4 +25,9 @@ bool isControl(char32_t code);
 /// for example `\n`, `\x1b` or `\u2028`, and what exceeds `most` bytes is replaced by " ...". [FLT-1]
 std::string printable(std::string_view text, std::size_t most);
 
+/// Whether `name` can be the namespace of a robot, below which its topics, services and frames lie: words of letters,
+/// digits and underscores that begin with a letter, with single slashes between them. Two texts that mean the same
+/// namespace, such as "a" and "/a", are never both names.
+bool isRobotName(std::string_view name);
+
 }  // namespace frontier_pilot

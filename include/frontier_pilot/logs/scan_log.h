@@ -49,6 +49,11 @@ struct LogScanner {
 /// nothing if the log has infinite ranges or some beyond `range_max`, which mark such beams already.
 void recogniseMissingReturns(ScanLog& log);
 
+/// Throws a LogError if a scan's stamp is more than ten seconds before that of an earlier scan, as where two logs
+/// follow one another in one file, or a simulated clock was set back: one map would be made of two drives. In real logs
+/// the stamps of some scans go back by up to a second.
+void requireOneDrive(const ScanLog& log, const std::string& name);
+
 /// Reads a CSV or CARMEN log. Throws a LogError where it is broken or holds no scan.
 ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanner& scanner = {});
 

@@ -110,7 +110,7 @@ struct NavigatorParams {
     v.field("goal_tolerance", goal_tolerance, "m", "a goal is reached at this distance", positiveUpTo(100.0));
     v.field("yaw_tolerance", yaw_tolerance, "rad",
             "greatest deviation of the yaw at the goal, if its direction matters", positiveUpTo(100.0));
-    v.field("max_age", max_age, "s", "greatest age of pose and scan; beyond it the robot stands", timeSpan());
+    v.field("max_age", max_age, "s", "greatest age of pose and scan; beyond it the robot stands", dataAge());
     v.field("data_patience", data_patience, "s", "a goal that waits for data longer is aborted", timeSpan());
     v.field("blocked_patience", blocked_patience, "s", "a blocked robot waits this long before a recovery",
             timeSpanOrNone());

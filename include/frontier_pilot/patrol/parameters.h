@@ -40,13 +40,13 @@ struct PatrolParameters {
     v.fixed({"min_turn_speed", "heading_gain", "lateral_gain"});
     v.field("max_side", max_side, "m", "longest side, or radius, that is accepted", positiveUpTo(1000.0));
     v.field("max_laps", max_laps, "", "greatest number of laps that is accepted", between(1, 10000));
-    v.field("odometry_timeout", odometry_timeout, "s", "greatest age of odometry", timeSpan());
+    v.field("odometry_timeout", odometry_timeout, "s", "greatest age of odometry", dataAge());
     v.fixed({"jump_distance", "jump_angle"});
     v.field("blocked_timeout", blocked_timeout, "s",
             "time without the wheels, or without progress on a free way, after which a patrol is given up", timeSpan());
     v.fixed({"settle_timeout"});
     v.field("simulate_ahead_time", simulate_ahead_time, "s",
-            "how far ahead, in time at full speed, the way must be free of obstacles", timeSpan());
+            "how far ahead, in time at full speed, the way must be free of obstacles", positiveUpTo(30.0));
     v.field("obstacle_timeout", obstacle_timeout, "s",
             "how long the robot stands before an obstacle until the patrol is given up", timeSpanOrNone());
     v.tunable({"linear_speed", "linear_acc", "turn_speed", "turn_acc", "limits/max_linear", "limits/max_linear_acc",

@@ -27,10 +27,13 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
     ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Stamped>(*this, callback, owner), owner);
   }
   void removeByID(std::uint64_t owner) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    waiting_.erase(
-        std::remove_if(waiting_.begin(), waiting_.end(), [=](const auto& one) { return one.second == owner; }),
-        waiting_.end());
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      waiting_.erase(
+          std::remove_if(waiting_.begin(), waiting_.end(), [=](const auto& one) { return one.second == owner; }),
+          waiting_.end());
+    }
+    // Not under the lock: this waits for a callback of that owner that is running, which may be about to take the lock.
     ros::getGlobalCallbackQueue()->removeByID(owner);
   }
 

@@ -118,6 +118,16 @@ void sayIfThereIsNoMaster() {
                                               << ": waiting for one, which roscore or roslaunch starts");
 }
 
+/// Whether `uri` ends with `:PORT` or `:PORT/`, from 1 to 65535. roscpp reads as many digits as there are, and waits
+/// for ever for a master at any other port.
+bool endsWithAPort(std::string uri) {
+  if (!uri.empty() && uri.back() == '/') uri.pop_back();
+  const std::string digits = uri.substr(uri.rfind(':') + 1);
+  if (digits.empty() || digits.size() > 5 || digits.find_first_not_of("0123456789") != std::string::npos) return false;
+  const int port = std::stoi(digits);
+  return port >= 1 && port <= 65535;
+}
+
 /// roscpp aborts if the address of the master cannot be one.
 void refuseAWrongAddress(const std::vector<std::string>& words) {
   const std::string option = "__master:=";
@@ -128,7 +138,7 @@ void refuseAWrongAddress(const std::vector<std::string>& words) {
   }
   std::string host;
   std::uint32_t port = 0;
-  if (ros::network::splitURI(uri, host, port) && !host.empty()) return;
+  if (ros::network::splitURI(uri, host, port) && !host.empty() && endsWithAPort(uri)) return;
   throw std::runtime_error(said + " is not an address like http://host:11311: " + uri);
 }
 
@@ -137,8 +147,9 @@ void refuseAWrongAddress(const std::vector<std::string>& words) {
 void refuseAnEmptyRemapping(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     const std::size_t separator = word.find(":=");
-    if (separator != std::string::npos && word[0] != '_' && word.substr(separator) == ":=/")
-      throw std::runtime_error(word + " is not a remapping: a topic or a service has a name after the slash");
+    if (separator == std::string::npos || word[0] == '_') continue;
+    if (word.find_first_not_of('/', separator + 2) == std::string::npos)
+      throw std::runtime_error(word + " is not a remapping: it says no name of a topic or a service");
   }
 }
 

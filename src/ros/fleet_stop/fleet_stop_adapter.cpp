@@ -2,19 +2,22 @@
 
 #include <frontier_pilot/FleetStopStatus.h>
 #include <ros/console.h>
-#include <ros/names.h>
 
 #include <algorithm>
 
+#include "frontier_pilot/core/text.h"
 #include "ros/common/clock.h"
 #include "ros/common/names.h"
 #include "ros/common/parameters.h"
+#include "ros/common/throttled_log.h"
 #include "ros/fleet_stop/stop_answer.h"
 
 namespace frontier_pilot {
 namespace {
 
 constexpr Duration kPublished = std::chrono::seconds(1);
+/// Each line has a thread. There are fewer robots in any fleet, but anybody can publish topics that look like theirs.
+constexpr std::size_t kMostLines = 200;
 
 /// The service of the arbiter that publishes the status `topic`; empty if it is another topic.
 std::string serviceBeside(const std::string& topic) {
@@ -27,9 +30,7 @@ std::string serviceBeside(const std::string& topic) {
 
 void FleetStopParameters::check(Problems& problems) const {
   for (const fleet::FleetRobot& robot : robots) {
-    std::string why;
-    if (robot.name.empty() || !ros::names::validate(robot.name, why))
-      problems.push_back("robots: '" + robot.name + "' is no name of a namespace: " + why);
+    if (!isRobotName(robot.name)) problems.push_back("robots: '" + robot.name + "' is no name of a namespace");
     if (names::ofRobot(robot.name, names::kEmergencyStop) == names::kFleetEmergencyStop)
       problems.push_back("robots: '" + robot.name + "' cannot be a robot's name: " + names::kFleetEmergencyStop +
                          " stops all robots");
@@ -55,22 +56,31 @@ FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.everySteady(ros::WallDuration(0.2), [this] { tick(); });
 }
 
-void FleetStopAdapter::addRobot(const std::string& service) {
+bool FleetStopAdapter::addRobot(const std::string& service) {
   const auto is_it = [&](const auto& line) { return line->service() == service; };
-  if (std::any_of(lines_.begin(), lines_.end(), is_it)) return;
+  if (std::any_of(lines_.begin(), lines_.end(), is_it)) return true;
+  if (lines_.size() >= kMostLines) {
+    THROTTLED_ERROR("more than " << kMostLines << " arbiters: " << robotOf(service)
+                                 << " is not stopped with the others");
+    return false;
+  }
   lines_.push_back(std::make_unique<StopLine>(node_, service));
+  return true;
 }
 
+/// Those whose lines exist are asked first, whatever the master knows.
 bool FleetStopAdapter::handleStop(Call& call) {
-  takeMasterReport();
   for (const auto& line : lines_) line->ask();
+  const std::size_t asked = lines_.size();
+  takeMasterReport();
+  for (std::size_t i = asked; i < lines_.size(); ++i) lines_[i]->ask();
   const SteadyTime deadline = steadyNow() + fromSeconds(parameters_.patience);
   std::vector<RobotAnswer> answers;
   for (const auto& line : lines_) answers.push_back({line->service(), line->answerUntil(deadline)});
   const FleetAnswer answer = summarize(answers);
   call.getResponse().success = answer.success ? 1 : 0;
   call.getResponse().message = last_stop_ = answer.message;
-  ROS_WARN_STREAM(names::kFleetEmergencyStop << " called by " << call.getCallerName() << ": " << answer.message);
+  THROTTLED_WARN(names::kFleetEmergencyStop << " called by " << call.getCallerName() << ": " << answer.message);
   return true;
 }
 
@@ -80,8 +90,7 @@ void FleetStopAdapter::takeMasterReport() {
   for (const auto& [topic, nodes] : seen->publishers) {
     const std::string service = serviceBeside(topic);
     if (service.empty() || service == node_.resolveName(names::kFleetEmergencyStop)) continue;  // not this node itself
-    known_.see(service, steadyNow());
-    addRobot(service);
+    if (addRobot(service)) known_.see(service, steadyNow());
   }
 }
 

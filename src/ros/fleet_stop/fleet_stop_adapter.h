@@ -43,7 +43,8 @@ class FleetStopAdapter {
   using Call = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
 
   bool handleStop(Call& call);
-  void addRobot(const std::string& service);
+  /// Whether this robot is stopped with the others: there may be too many.
+  bool addRobot(const std::string& service);
   /// Adds the robots whose arbiters the master knows.
   void takeMasterReport();
   /// Drops the lines to robots that have been gone for long.

@@ -99,16 +99,19 @@ void FrontierExplorerAdapter::expireClicks() {
   THROTTLED_INFO("the corners clicked so far are dropped: no click for half a minute");
 }
 
-/// The point in the map's frame at its own stamp [m], without its height; `why` tells what is wrong if there is none.
+/// The point in the map's frame at its own stamp [m], or by the latest transform where TF does not reach that far;
+/// without its height. `why` tells what is wrong if there is none. Nothing is waited for: clicks may come in a flood.
 std::optional<Vec2> FrontierExplorerAdapter::inMapFrame(const geometry_msgs::PointStamped& msg,
                                                         std::string& why) const {
-  constexpr Duration kPatience = std::chrono::milliseconds(100);  // a stamp may be a little ahead of TF
   why = problemOfPlace(msg.point.x, msg.point.y, msg.point.z);
   if (!why.empty()) return std::nullopt;
   const Eigen::Vector3d point(msg.point.x, msg.point.y, msg.point.z);
   if (isSameFrame(msg.header.frame_id, parameters_.map_frame)) return point.head<2>();
-  const auto T_map_frame =
-      tf_.lookup3d(parameters_.map_frame, msg.header.frame_id, toTime(msg.header.stamp), kPatience, &why);
+  const auto at = [&](Time stamp) {
+    return tf_.lookup3d(parameters_.map_frame, msg.header.frame_id, stamp, Duration::zero(), &why);
+  };
+  auto T_map_frame = at(toTime(msg.header.stamp));
+  if (!T_map_frame) T_map_frame = at(Time{});
   if (!T_map_frame) return std::nullopt;
   return (*T_map_frame * point).head<2>();
 }

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "ros/common/throttled_log.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
 /// What the explorer serves, with its switches and how they outlive it, and its tunable parameters. The handlers of the
@@ -63,7 +64,8 @@ void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
   if (!was_stopped || stopped_ || !enabled_) return;
   enabled_ = false;
   paused_->set(true);
-  ROS_WARN("exploration paused because the emergency stop was cleared: call set_exploration_enabled true to go on");
+  THROTTLED_WARN(
+      "exploration paused because the emergency stop was cleared: call set_exploration_enabled true to go on");
   tick();
 }
 

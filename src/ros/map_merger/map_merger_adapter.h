@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ros/names.h>
 #include <ros/node_handle.h>
 
 #include <list>
@@ -34,8 +33,8 @@ struct MapMergerNodeParameters : fleet::MapMergerParameters {
   void check(Problems& problems) const {
     fleet::MapMergerParameters::check(problems);
     for (const fleet::FleetRobot& robot : robots) {
-      std::string why;
-      if (!ros::names::validate(robot.name, why)) problems.push_back("robots: no name of a namespace: " + why);
+      if (names::ofRobot(robot.name, names::kMapFrame) == map_frame)
+        problems.push_back("map_frame: is the frame of the map of '" + robot.name + "' as well, '" + map_frame + "'");
     }
   }
 };

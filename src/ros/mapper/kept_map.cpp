@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "ros/common/memory/session_memory.h"
+
 namespace frontier_pilot::kept_map {
 namespace {
 
@@ -30,7 +32,8 @@ bool move(const fs::path& from, const fs::path& to) {
   return kept_map::exists(to) && !kept_map::exists(from);
 }
 
-/// Maps that the same node has left in other sessions, put aside or not, the newest first.
+/// Maps that the same node has left in other sessions, put aside or not, the newest first. Without that of a mapper
+/// which runs in another session: its pose lies beside the map, in the file `base`.
 std::vector<fs::path> olderMaps(const fs::path& own) {
   std::vector<std::pair<fs::file_time_type, fs::path>> found;
   std::error_code ignored;
@@ -38,6 +41,7 @@ std::vector<fs::path> olderMaps(const fs::path& own) {
     const fs::path base = session.path() / own.filename();
     if (base == own) continue;
     for (int k = 0; k <= kMostLost; ++k) {
+      if (k == 0 && isKeptByALivingProcess(base)) continue;
       const fs::path map = k == 0 ? base : lostMap(base, k);
       std::error_code missing;
       const auto written = fs::last_write_time(map.string() + ".bt", missing);

@@ -24,7 +24,7 @@ struct PatrolSurroundingsParameters {
   void describe(Visitor& v) {
     v.field("check_collisions", check_collisions, "",
             "whether a patrol looks at the scan, and stops before an obstacle");
-    v.field("costmap_timeout", costmap_timeout, "s", "greatest age of the last scan in the costmap", timeSpan());
+    v.field("costmap_timeout", costmap_timeout, "s", "greatest age of the last scan in the costmap", dataAge());
     check.describe(v);
   }
 };

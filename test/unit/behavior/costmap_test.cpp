@@ -111,6 +111,10 @@ TEST(Sweep, UnknownCellsTheEdgeOfTheGridAndNoGridAreNotFree) {
   EXPECT_EQ(behavior::sweep(world.map, footprint, pose, {behavior::AxisMotion::Axis::kTurn, 6.0}),
             behavior::SweepResult::kClear);
   EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(0.05)), behavior::SweepResult::kClear);
+  EXPECT_EQ(behavior::sweep(world.map, footprint, pose, {behavior::AxisMotion::Axis::kTurn, 1e12}),
+            behavior::SweepResult::kClear)
+      << "of many turns one is looked at";
+  EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(-1e12)), behavior::SweepResult::kOffGrid);
   EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(0.2)), behavior::SweepResult::kUnseen);
   EXPECT_EQ(behavior::sweep(world.map, footprint, pose, line(-0.6)), behavior::SweepResult::kOffGrid);
   OccupancyGrid walled = world.map;

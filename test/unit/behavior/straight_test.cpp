@@ -187,5 +187,14 @@ TEST(Behaviors, NameWhereTheLimitsHaveGone_ROB_1) {
                       "max_linear_vel: is called robot/limits/max_linear now"}));
 }
 
+// A step of the robot would be lost in the rounding of such a number, and standing would count as progress. [FLT-1]
+TEST(Straight, RefusesTargetsThatNoRobotReaches_FLT_1) {
+  EXPECT_TRUE(problemOf(drive(1e15)).has_value());
+  EXPECT_TRUE(problemOf(backUp(1e5)).has_value());
+  EXPECT_TRUE(problemOf(behavior::BehaviorGoal{behavior::BehaviorKind::kSpin, -1e300, 0.0, 0.0, true}).has_value());
+  EXPECT_FALSE(problemOf(drive(-9999.0)).has_value());
+  EXPECT_FALSE(problemOf(wait(1e6)).has_value());
+}
+
 }  // namespace
 }  // namespace frontier_pilot

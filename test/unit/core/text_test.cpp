@@ -57,5 +57,12 @@ TEST(PrintableText, StaysAsItIsWhenItIsMadePrintableAgain) {
   EXPECT_EQ(printable(once, 100), once);
 }
 
+// [FLT-1] Two texts that mean one namespace would be two robots with the same topics.
+TEST(RobotName, FLT_1_SaysANamespaceInOneWayOnly) {
+  for (const char* name : {"robot1", "R", "site_2/robot_1"}) EXPECT_TRUE(isRobotName(name)) << name;
+  for (const char* name : {"", "/", "/a", "a/", "a//b", "1a", "_a", "a/_b", "a b", "a-b", "~a", "a\nb"})
+    EXPECT_FALSE(isRobotName(name)) << name;
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -146,6 +146,10 @@ TEST(MapMerger, RefusesAListThatNamesARobotTwiceOrNotAtAll) {
   parameters.robots[0].x = 1e9;
   parameters.check(problems);
   EXPECT_EQ(problems.size(), 2U);
+  parameters.robots[0] = {"/one", 0.0, 0.0, 0.0};
+  problems.clear();
+  parameters.check(problems);
+  EXPECT_EQ(problems, Problems{"robots[0]/name: '/one' is no name of a namespace"}) << "the same namespace as 'one'";
   parameters.robots[1].name = "";
   parameters.robots.resize(30, {"other", 0.0, 0.0, 0.0});
   problems.clear();

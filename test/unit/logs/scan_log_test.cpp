@@ -52,6 +52,18 @@ TEST(ScanLog, RefusesALaserOrAPoseThatIsTooFarAway_FLT_1) {
   EXPECT_EQ(readBeam(log.records[0].scan, 0).distance, 100.0);
 }
 
+void expectOneDrive(const std::string& text) {
+  std::istringstream file(text);
+  logs::requireOneDrive(logs::readScanLog(file, "drive"), "drive");
+}
+
+// [FLT-1] Two drives in one file would become one map, in which loops are closed between the two.
+TEST(ScanLog, MustBeOneDrive_FLT_1) {
+  EXPECT_NO_THROW(expectOneDrive("5,0,0,0,1.6,1.7\n4.2,0,0,0,1.6,1.7\n6,0,0,0,1.6,1.7\n"))
+      << "stamps go back a little in logs of real robots";
+  EXPECT_THROW(expectOneDrive("1,0,0,0,1.6,1.7\n20,0,0,0,1.6,1.7\n1,0,0,0,1.6,1.7\n"), logs::LogError);
+}
+
 TEST(ScanLog, SaysThatItCannotReadARosbag) { EXPECT_THROW(recordsOf("#ROSBAG V2.0\n"), logs::LogError); }
 
 }  // namespace

@@ -54,6 +54,16 @@ TEST_F(StepDriverTest, MakesTheErrorOfTheStepBeforeGoodInThisOne) {
   EXPECT_NEAR(driver.progress(), 0.05, 1e-12) << "the robot has turned too far already";
 }
 
+// [FLT-1] The inverse of a radius this small is infinite.
+TEST_F(StepDriverTest, DrivesAnArcOfHardlyAnyRadiusWithFiniteSpeeds_FLT_1) {
+  driver.begin(step(Kind::kArc, 2.0 * kPi, 1e-310), Pose2(), at(Pose2()));
+  for (int i = 0; i < 20; ++i) {
+    const Twist2 twist = driver.command(0.05, 0.0);
+    ASSERT_TRUE(std::isfinite(twist.linear) && std::isfinite(twist.angular)) << i;
+    EXPECT_LE(std::abs(twist.angular), limits.turn_speed);
+  }
+}
+
 TEST_F(StepDriverTest, HasReachedAStepOfNoLengthAtOnce) {
   driver.begin(step(Kind::kLine, 0.0), Pose2(), at(Pose2()));
   EXPECT_TRUE(driver.reached());

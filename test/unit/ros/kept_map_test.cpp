@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
+
+#include "ros/common/memory/process_identity.h"
 
 namespace frontier_pilot {
 namespace {
@@ -80,6 +83,26 @@ TEST_F(KeptMap, LostAgainAndAgainKeepsTheFirstOnesAndTheLast_FLT_2) {
   }
   EXPECT_EQ(contentOf((base_.parent_path() / "lost" / base_.filename()).string() + ".bt"), "1");
   EXPECT_EQ(contentOf(kept_map::lastSetAside(base_) + ".bt"), "12");
+}
+
+// A map that is only localised in is saved once, so that its files are older than those of runs that came and went
+// since. [FLT-2]
+TEST_F(KeptMap, OfAMapperThatRunsInAnotherSessionIsNotRemovedAsAnOldOne_FLT_2) {
+  write("living");
+  std::ofstream(base_) << "pose\n" << ProcessIdentity::own() << "\n";
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(24);
+  fs::last_write_time(base_.string() + ".bt", long_ago);
+  fs::path other;
+  for (int i = 0; i < 5; ++i) {
+    other = folder_ / ("session" + std::to_string(i)) / base_.filename();
+    fs::create_directory(other.parent_path());
+    std::ofstream(other.string() + ".bt") << i;
+    fs::last_write_time(other.string() + ".bt", long_ago + std::chrono::hours(i + 1));
+  }
+  kept_map::removeOldest(other);
+  EXPECT_TRUE(kept_map::exists(base_));
+  EXPECT_FALSE(kept_map::exists(folder_ / "session0" / base_.filename())) << "the fourth of those whose mapper is gone";
+  EXPECT_TRUE(kept_map::exists(folder_ / "session1" / base_.filename()));
 }
 
 TEST_F(KeptMap, ThatIsNotThereCannotBePutAside) {

@@ -104,8 +104,24 @@ TEST(ParameterBounds, NoRobotIsFasterOrSeesFartherThanAny_FLT_1) {
 // [FLT-1]
 TEST(ParameterBounds, NoPathLeavesMoreRoomThanARobotNeeds_FLT_1) {
   expectRefused<ExplorerNodeParameters>("frontier: {clearance_margin: 5000.0}", "frontier/clearance_margin");
-  expectRefused<ExplorerNodeParameters>("frontier: {obstacle_radius_cells: 30000}", "frontier/obstacle_radius_cells");
+  expectRefused<ExplorerNodeParameters>("frontier: {obstacle_radius_cells: 21}", "frontier/obstacle_radius_cells");
   expectRefused<ExplorerNodeParameters>("frontier: {min_distance: 1e300}", "frontier/min_distance");
+}
+
+// [FLT-1] With less a robot hardly moves, and what is computed until it stands has no end.
+TEST(ParameterBounds, NoRobotIsSlowerThanAMillimetreASecond_FLT_1) {
+  expectRefused<NavigatorNodeParameters>("robot: {limits: {max_angular_acc: 1e-18}}", "robot/limits/max_angular_acc");
+  expectRefused<teleop::TeleopParameters>("linear_step: 1e-10", "linear_step");
+  expectRefused<teleop::TeleopParameters>("angular_step: 1e-10", "angular_step");
+}
+
+// [FLT-1] Eight minutes, where half a second was meant.
+TEST(ParameterBounds, NoRobotDrivesByOldData_FLT_1) {
+  expectRefused<NavigatorNodeParameters>("max_age: 500", "max_age");
+  expectRefused<BehaviorServerParameters>("pose_timeout: 500", "pose_timeout");
+  expectRefused<BehaviorServerParameters>("costmap_timeout: 500", "costmap_timeout");
+  expectRefused<PatrolServerParameters>("odometry_timeout: 500", "odometry_timeout");
+  expectRefused<BehaviorServerParameters>("simulate_ahead_time: 1e6", "simulate_ahead_time");
 }
 
 // A transform from a frame to itself is none: TF would have no map -> odom. [FLT-1]

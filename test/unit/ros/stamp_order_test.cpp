@@ -52,5 +52,14 @@ TEST_F(StampOrders, KeepAFutureThatComesInOrder) {
   EXPECT_EQ(judge(230.0, 100.0), Verdict::kForgetAndKeep) << "thirty seconds back, and nearer to the clock";
 }
 
+// [FLT-1] Stamps that are nanoseconds apart never grow older than the buffer keeps.
+TEST_F(StampOrders, StartAnewWithTooManyOfOneFrame_FLT_1) {
+  const auto next = [this, i = 0]() mutable { return judge(100.0 + 1e-6 * ++i, 100.0); };
+  for (std::size_t i = 0; i < StampOrder::kMost; ++i) ASSERT_EQ(next(), Verdict::kKeep);
+  EXPECT_EQ(next(), Verdict::kTooMany);
+  EXPECT_EQ(next(), Verdict::kKeep);
+  EXPECT_EQ(judge(100.0, 100.0, "laser"), Verdict::kKeep) << "of all frames, since the buffer is cleared";
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -94,6 +94,9 @@ TEST(RobotKinds, MustBeKnownByName_ROB_1) {
                            parameters),
             (Problems{"kinds: two are named 'a'", "kinds: each must have a name",
                       "robots: 'r' is to be a 'b', which is none of the kinds"}));
+  SimulatorParameters alike;
+  EXPECT_EQ(loadParameters(parseYaml("{robots: [{name: a}, {name: /a}]}"), alike),
+            Problems{"robots: '/a' is no name of a namespace"});
   SimulatorParameters bad_kind;
   EXPECT_EQ(loadParameters(parseYaml("{kinds: [{name: a, robot: {watchdog: -1.0}}]}"), bad_kind),
             (Problems{"kinds[0]/robot/watchdog: must be > 0 and <= 1e+06, is -1"}));

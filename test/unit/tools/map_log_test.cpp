@@ -154,7 +154,11 @@ TEST_F(MapLog, SaysWhatItCannotReadOrWrite) {
   EXPECT_EQ(run({path("broken.csv"), "--out", path("map")}), 1);
   EXPECT_NE(errors_.find("broken.csv:2: odometry's yaw is not a number: 'zero'"), std::string::npos) << errors_;
   EXPECT_EQ(run({path("drive.csv"), "--out", path("no/such/map")}), 1);
-  EXPECT_NE(errors_.find("no such directory"), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find("no/such: No such file or directory"), std::string::npos) << errors_;
+  EXPECT_EQ(out_, "") << "said before the drive is mapped, which may take an hour";
+  EXPECT_EQ(run({path("drive.csv"), "--out", path("map"), "--relations", path("none")}), 1);
+  EXPECT_NE(errors_.find("none: cannot be read"), std::string::npos) << errors_;
+  EXPECT_EQ(out_, "") << "likewise";
   EXPECT_EQ(run({path("drive.csv")}), 2);
   EXPECT_NE(errors_.find("usage: map_log"), std::string::npos);
 }

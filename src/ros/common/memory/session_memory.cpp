@@ -154,6 +154,8 @@ void removeOld(const fs::path& session) {
 
 }  // namespace
 
+bool isKeptByALivingProcess(const fs::path& file) { return writerOf(file).lives(); }
+
 SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& sessions, std::string what,
                              std::string owner, Owner kind, fs::path spare)
     : ros_home_(std::move(ros_home)),

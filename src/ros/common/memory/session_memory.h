@@ -81,4 +81,7 @@ class SessionMemory {
   std::vector<std::filesystem::path> elsewhere_;  ///< of other sessions, removed once this process stores or forgets
 };
 
+/// Whether the process that has written `file`, a file of a SessionMemory, lives; false if there is no such file.
+bool isKeptByALivingProcess(const std::filesystem::path& file);
+
 }  // namespace frontier_pilot

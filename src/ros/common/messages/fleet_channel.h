@@ -1,6 +1,8 @@
 #pragma once
 
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
+#include <ros/this_node.h>
 
 #include <functional>
 #include <optional>
@@ -41,7 +43,7 @@ class FleetChannel {
                std::function<fleet::ClaimsVerdict(const Msg&, Time)> take) {
     take_ = std::move(take);
     publisher_ = node.advertise<Msg>(parameters_.topic, 5);
-    connections.subscribe(parameters_.topic, 100, &FleetChannel::hear, this);
+    connections.subscribeToEvents<Msg>(parameters_.topic, 100, [this](const auto& event) { hear(event); });
   }
 
   /// T_common_map by the latest transform; nothing if that is old: then the robots' maps are not merged any more.
@@ -65,14 +67,17 @@ class FleetChannel {
  private:
   static constexpr Duration kPeriod = std::chrono::milliseconds(500);
 
-  void hear(const Msg& msg) {
+  void hear(const ros::MessageEvent<const Msg>& event) {
+    const Msg& msg = *event.getConstMessage();
     if (msg.header.frame_id != parameters_.frame) {
       return refused_.add("in the frame '" + msg.header.frame_id + "', and not in '" + parameters_.frame + "'");
     }
     const fleet::ClaimsVerdict verdict = take_(msg, rosNow());
-    if (verdict != fleet::ClaimsVerdict::kTaken && verdict != fleet::ClaimsVerdict::kOwn) {
-      refused_.add(toString(verdict));
-    }
+    if (verdict == fleet::ClaimsVerdict::kTaken) return;
+    if (verdict != fleet::ClaimsVerdict::kOwn) return refused_.add(toString(verdict));
+    if (event.getPublisherName() == ros::this_node::getName()) return;
+    refused_.add("from " + event.getPublisherName() + ", another robot with this one's name, '" + robot() +
+                 "': neither knows of the other");
   }
 
   FleetChannelParameters parameters_;

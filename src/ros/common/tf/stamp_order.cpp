@@ -15,13 +15,19 @@ StampOrder::Verdict StampOrder::judge(const std::string& child, Time stamp, Time
   if (newest - stamp <= kept_) {
     if (!stamps.insert(stamp).second) return Verdict::kRepeated;
     stamps.erase(stamps.begin(), stamps.lower_bound(std::max(newest, stamp) - kept_));
-    return Verdict::kKeep;
+    if (stamps.size() <= kMost) return Verdict::kKeep;
+    startAnewWith(child, stamp);
+    return Verdict::kTooMany;
   }
   // If two stamps are that far apart, the one nearer to the clock is taken for the right one.
   if (newest <= now || apart(stamp, now) >= apart(newest, now)) return Verdict::kTooOld;
+  startAnewWith(child, stamp);
+  return Verdict::kForgetAndKeep;
+}
+
+void StampOrder::startAnewWith(const std::string& child, Time stamp) {
   clear();
   stamps_[child] = {stamp};
-  return Verdict::kForgetAndKeep;
 }
 
 }  // namespace frontier_pilot

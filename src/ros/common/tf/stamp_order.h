@@ -19,7 +19,11 @@ class StampOrder {
     kRepeated,       ///< a transform of this frame has this stamp already: tf2 would log a warning for each one
     kTooOld,         ///< compared with the newest of this frame, older than the buffer keeps
     kForgetAndKeep,  ///< the newest of this frame lies in the future: clear the buffer, then keep this one
+    kTooMany,        ///< there are kMost of this frame: clear the buffer, then keep this one
   };
+
+  /// Transforms of a frame that are kept: ten seconds at 2 kHz. tf2 itself has no such limit. [FLT-1]
+  static constexpr std::size_t kMost = 20'000;
 
   /// `kept`: how long the buffer keeps a transform.
   explicit StampOrder(Duration kept) : kept_(kept) {}
@@ -29,6 +33,8 @@ class StampOrder {
   void clear() { stamps_.clear(); }
 
  private:
+  void startAnewWith(const std::string& child, Time stamp);
+
   Duration kept_;
   std::map<std::string, std::set<Time>> stamps_;  ///< of what the buffer keeps, by frame
 };

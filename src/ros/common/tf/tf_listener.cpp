@@ -79,6 +79,7 @@ void TfListener::watchClock() {
 void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
   watchClock();
   const Time now = rosNow();
+  if (msg.transforms.size() > bounds::kMostFrames) return refuse("a message with more than 1000 transforms");
   for (const geometry_msgs::TransformStamped& transform : msg.transforms) {
     if (const char* why = problemOf(transform, now, is_static)) {
       refuse(why);
@@ -106,6 +107,10 @@ bool TfListener::isOfItsTime(const geometry_msgs::TransformStamped& transform, b
       return false;
     case StampOrder::Verdict::kForgetAndKeep:
       refuse("'" + child + "' had a stamp in the future: all earlier transforms are dropped");
+      buffer_.clear();
+      return true;
+    case StampOrder::Verdict::kTooMany:
+      refuse("'" + child + "' has more than 20000 transforms in ten seconds: all earlier transforms are dropped");
       buffer_.clear();
       return true;
   }
