@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "frontier_pilot/core/bounds.h"
@@ -69,7 +70,8 @@ void requireOneDrive(const ScanLog& log, const std::string& name) {
   for (std::size_t i = 0; i < log.records.size(); ++i) {
     const Time stamp = log.records[i].scan.stamp;
     if (latest - stamp > kMostDisorder)
-      throw LogError(name + ": scan " + std::to_string(i + 1) + " is " + text(toSeconds(latest - stamp)) +
+      throw LogError(name + ": scan " + std::to_string(i + 1) + " is " +
+                     std::to_string(std::lround(toSeconds(latest - stamp))) +
                      " s older than one before it: are these several drives in one file? Each needs a file of its own");
     latest = std::max(latest, stamp);
   }
