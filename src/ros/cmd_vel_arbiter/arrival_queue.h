@@ -2,6 +2,7 @@
 
 #include <ros/callback_queue.h>
 #include <ros/callback_queue_interface.h>
+#include <ros/init.h>
 
 #include <algorithm>
 #include <boost/enable_shared_from_this.hpp>

@@ -54,7 +54,7 @@ TEST_F(StampOrders, KeepAFutureThatComesInOrder) {
 
 // [FLT-1] Stamps that are nanoseconds apart never grow older than the buffer keeps.
 TEST_F(StampOrders, StartAnewWithTooManyOfOneFrame_FLT_1) {
-  const auto next = [this, i = 0]() mutable { return judge(100.0 + 1e-6 * ++i, 100.0); };
+  auto next = [this, i = 0]() mutable { return judge(100.0 + 1e-6 * ++i, 100.0); };
   for (std::size_t i = 0; i < StampOrder::kMost; ++i) ASSERT_EQ(next(), Verdict::kKeep);
   EXPECT_EQ(next(), Verdict::kTooMany);
   EXPECT_EQ(next(), Verdict::kKeep);
