@@ -105,6 +105,7 @@ class HostileRun(FolderCase):
         made.encode('utf-8', 'replace')
         return run
 
+    # [FLT-1]
     def test_any_text_and_any_number_in_any_field_of_any_message_gives_a_page(self):
         values = TEXTS + NUMBERS
         for some in (values[first:first + 7] for first in range(0, len(values), 7)):
@@ -114,6 +115,7 @@ class HostileRun(FolderCase):
                          for one in changed(message, value))
                 self.page()
 
+    # [FLT-1]
     def test_any_name_and_any_value_of_a_parameter_gives_a_page(self):
         values = TEXTS + NUMBERS + (10**400, '\ud800', None, [], [[]], {}, [{}], {'': {}}, True)
         names = TEXTS + ('list[0]/x', 'list[%s]/x' % (5000 * '9'), 'list[९]/x', 'list[-1]/x')
@@ -123,12 +125,14 @@ class HostileRun(FolderCase):
         for end in ({}, {'mapper': 7}, {'mapper': dict(given, x=[1])}):
             self.page(parameters.differing({'mapper': given, 'navigator': 7}, end, tables))
 
+    # [FLT-1]
     def test_a_note_of_the_recorder_with_any_value_gives_a_page(self):
         good = json.loads(synthetic_bag.info('start').data)
         self.add(('/run_recorder/info', String(json.dumps(dict(good, **{key: value})))) for key in good
                  for value in TEXTS + NUMBERS + (10**400, '\ud800', None, [], {'navigator': {'robot': {'base_frame': [1]}}}))
         self.page()
 
+    # [FLT-1]
     def test_a_message_of_another_form_than_ours_is_left_out_and_the_others_give_a_page(self):
         for topic, kind, definition in OTHER_FORMS:
             with self.subTest(kind=kind, definition=definition):
