@@ -21,11 +21,13 @@ namespace frontier_pilot {
 /// adds them from threads of its own.
 class ArrivalQueue : public ros::CallbackQueueInterface {
  public:
-  /// `before()` runs before each callback, and may hold the queue.
-  explicit ArrivalQueue(std::function<void()> before = [] {}) : before_(std::move(before)) {}
+  /// `before()` runs before each callback, and may hold the queue. `nodes` is the node's own queue.
+  explicit ArrivalQueue(
+      std::function<void()> before = [] {}, ros::CallbackQueueInterface* nodes = ros::getGlobalCallbackQueue())
+      : before_(std::move(before)), nodes_(*nodes) {}
 
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override {
-    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Stamped>(*this, callback, owner), owner);
+    nodes_.addCallback(boost::make_shared<Stamped>(*this, callback, owner), owner);
   }
   void removeByID(std::uint64_t owner) override {
     {
@@ -35,7 +37,7 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
           waiting_.end());
     }
     // Not under the lock: this waits for a callback of that owner that is running, which may be about to take the lock.
-    ros::getGlobalCallbackQueue()->removeByID(owner);
+    nodes_.removeByID(owner);
   }
 
   /// From now on callbacks wait.
@@ -47,7 +49,7 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
   void release() {
     const std::lock_guard<std::mutex> lock(mutex_);
     held_ = false;
-    for (const auto& [callback, owner] : waiting_) ros::getGlobalCallbackQueue()->addCallback(callback, owner);
+    for (const auto& [callback, owner] : waiting_) nodes_.addCallback(callback, owner);
     waiting_.clear();
   }
 
@@ -82,6 +84,7 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
   }
 
   std::function<void()> before_;
+  ros::CallbackQueueInterface& nodes_;
   std::mutex mutex_;
   bool held_ = false;
   std::vector<std::pair<ros::CallbackInterfacePtr, std::uint64_t>> waiting_;

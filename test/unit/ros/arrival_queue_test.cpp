@@ -25,13 +25,15 @@ struct Nothing : ros::CallbackInterface {
 /// more. [ARB-12]
 TEST(ArrivalQueue, IsNotLockedWhileARemovalWaitsForTheCallbackThatRuns_ARB_12) {
   std::atomic<bool> begun{false}, removing{false};
-  ArrivalQueue queue([&] {
+  const auto before = [&] {
     begun = true;
     while (!removing) std::this_thread::yield();
     std::this_thread::sleep_for(std::chrono::milliseconds(100));  // until the removal waits
-  });
+  };
+  ros::CallbackQueue nodes;
+  ArrivalQueue queue(before, &nodes);
   queue.addCallback(boost::make_shared<Nothing>(), kOwner);
-  auto calling = std::async(std::launch::async, [] { ros::getGlobalCallbackQueue()->callAvailable(); });
+  auto calling = std::async(std::launch::async, [&] { nodes.callAvailable(); });
   auto removal = std::async(std::launch::async, [&] {
     while (!begun) std::this_thread::yield();
     removing = true;
