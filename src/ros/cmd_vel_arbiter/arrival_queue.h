@@ -2,7 +2,6 @@
 
 #include <ros/callback_queue.h>
 #include <ros/callback_queue_interface.h>
-#include <ros/init.h>
 
 #include <algorithm>
 #include <boost/enable_shared_from_this.hpp>
@@ -21,23 +20,18 @@ namespace frontier_pilot {
 /// adds them from threads of its own.
 class ArrivalQueue : public ros::CallbackQueueInterface {
  public:
-  /// `before()` runs before each callback, and may hold the queue. `nodes` is the node's own queue.
-  explicit ArrivalQueue(
-      std::function<void()> before = [] {}, ros::CallbackQueueInterface* nodes = ros::getGlobalCallbackQueue())
-      : before_(std::move(before)), nodes_(*nodes) {}
+  /// `before()` runs before each callback, and may hold the queue.
+  explicit ArrivalQueue(std::function<void()> before = [] {}) : before_(std::move(before)) {}
 
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override {
-    nodes_.addCallback(boost::make_shared<Stamped>(*this, callback, owner), owner);
+    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Stamped>(*this, callback, owner), owner);
   }
   void removeByID(std::uint64_t owner) override {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      waiting_.erase(
-          std::remove_if(waiting_.begin(), waiting_.end(), [=](const auto& one) { return one.second == owner; }),
-          waiting_.end());
-    }
-    // Not under the lock: this waits for a callback of that owner that is running, which may be about to take the lock.
-    nodes_.removeByID(owner);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.erase(
+        std::remove_if(waiting_.begin(), waiting_.end(), [=](const auto& one) { return one.second == owner; }),
+        waiting_.end());
+    ros::getGlobalCallbackQueue()->removeByID(owner);
   }
 
   /// From now on callbacks wait.
@@ -49,7 +43,7 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
   void release() {
     const std::lock_guard<std::mutex> lock(mutex_);
     held_ = false;
-    for (const auto& [callback, owner] : waiting_) nodes_.addCallback(callback, owner);
+    for (const auto& [callback, owner] : waiting_) ros::getGlobalCallbackQueue()->addCallback(callback, owner);
     waiting_.clear();
   }
 
@@ -84,7 +78,6 @@ class ArrivalQueue : public ros::CallbackQueueInterface {
   }
 
   std::function<void()> before_;
-  ros::CallbackQueueInterface& nodes_;
   std::mutex mutex_;
   bool held_ = false;
   std::vector<std::pair<ros::CallbackInterfacePtr, std::uint64_t>> waiting_;

@@ -73,16 +73,16 @@ TEST_F(TunableParameters, AreToldWithTypeBoundsDefaultAndMeaning) {
   ASSERT_EQ(told.size(), 5U) << "rate may not change";
   EXPECT_EQ(told[0].name, "near");
   EXPECT_EQ(told[0].type, "double");
-  EXPECT_EQ(told[0].description, "the near one [m], >= 0");
+  EXPECT_EQ(told[0].description, "the near one [m], >= 0 and <= 1000");
   EXPECT_EQ(told[2].type, "int");
   EXPECT_EQ(told[3].type, "bool");
   EXPECT_EQ(told[4].name, "limits/max_linear");
   EXPECT_EQ(msg.dflt.doubles[0].value, 0.5);
   EXPECT_EQ(msg.min.doubles[0].value, 0.0);
-  EXPECT_EQ(msg.max.doubles[0].value, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(msg.max.doubles[0].value, 1000.0);
   EXPECT_EQ(msg.max.doubles[2].value, 20.0);
   EXPECT_EQ(msg.min.ints[0].value, 1);
-  EXPECT_EQ(msg.max.ints[0].value, std::numeric_limits<std::int32_t>::max());
+  EXPECT_EQ(msg.max.ints[0].value, 1000000000);
   EXPECT_EQ(msg.min.bools[0].value, 0);
   EXPECT_EQ(msg.max.bools[0].value, 1);
 }
