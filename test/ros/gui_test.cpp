@@ -25,7 +25,6 @@
 namespace frontier_pilot {
 namespace {
 
-using test::clears;
 using test::GuiOnTheWire;
 using test::startWindowProcess;
 using test::waitFor;
@@ -119,27 +118,6 @@ TEST_F(GuiOnTheWire, AProcessThatIsStoppedStopsTheRobotWithinASecond) {
   waitpid(child, nullptr, 0);
 }
 
-// [GUI-3]
-TEST_F(GuiOnTheWire, ServicesThatComeAndGoAreShown) {
-  Window window;
-  ASSERT_TRUE(ready(window));
-  EXPECT_FALSE(window.find("explore_start")->isEnabled());
-  ros::NodeHandle node;
-  std::atomic<int> calls{0};
-  const test::Switch handle = [&calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response& response) {
-    ++calls;
-    return response.success = 1;
-  };
-  for (int round = 1; round <= 2; ++round) {
-    ros::ServiceServer server = node.advertiseService(names::kSetExplorationEnabled, handle);
-    ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
-    window.click("explore_start");
-    EXPECT_TRUE(waitFor([&] { return calls == round; }));
-    server.shutdown();
-    EXPECT_TRUE(waitFor([&] { return !window.find("explore_start")->isEnabled(); }));
-  }
-}
-
 // [GUI-2] [EXP-10]
 TEST_F(GuiOnTheWire, BoundsPosesToInspectAndTheReturnToTheStartAreShownAndChanged) {
   Window window;
@@ -153,42 +131,6 @@ TEST_F(GuiOnTheWire, BoundsPosesToInspectAndTheReturnToTheStartAreShownAndChange
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.checked("return_to_start"); }));
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_bounds") == "none"; }));
   EXPECT_TRUE(waitFor([&] { return explorer.speaks() && window.text("explorer_inspect") == "nothing"; }));
-}
-
-// [FLT-1]
-TEST_F(GuiOnTheWire, SourcesThatNoServiceCanBeNamedAfterAreShownAndDoNotEndTheWindow) {
-  Window window;
-  ASSERT_TRUE(ready(window));
-  test::NamelessSources stranger;
-  EXPECT_TRUE(waitFor([&] { return stranger.speaks() && window.find("enable_a b") != nullptr; }));
-  window.bridge.request({teleop::OperatorRequest::Kind::kEnableSource, true, "a b"});
-  QTest::qWait(2500);  // the services are looked for once a second
-  EXPECT_TRUE(window.log().contains("'a b' has no switch") &&
-              window.log().contains("'set_a b_enabled' is not a valid service name"));
-}
-
-// [GUI-3]
-TEST_F(GuiOnTheWire, AServiceThatNeverAnswersHoldsNeitherTheWindowNorTheEmergencyStop) {
-  Window window;
-  ASSERT_TRUE(ready(window));
-  std::atomic<bool> hang{true};
-  std::atomic<int> calls{0};
-  const test::Switch handle = [&hang, &calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
-    for (++calls; hang;) usleep(10000);
-    return true;
-  };
-  ros::ServiceServer server = ros::NodeHandle().advertiseService(names::kSetExplorationEnabled, handle);
-  ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
-  window.click("explore_start");
-  EXPECT_TRUE(waitFor([&] { return calls == 1; }));
-  for (const char* button : {"explore_start", "explore_start", "Go"}) window.click(button);
-  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; })) << "the window still drives";
-  window.click("emergency_stop");
-  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
-  EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed) < 1e-6; }));
-  hang = false;
-  EXPECT_TRUE(clears(window));
-  EXPECT_EQ(calls, 1) << "a call that waits for its answer is not made again";
 }
 
 // [GUI-1] [GUI-3]

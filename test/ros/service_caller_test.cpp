@@ -1,16 +1,21 @@
 // The window's calls of services, without a window.
 #include "ros/teleop_gui/service_caller.h"
 
+#include <frontier_pilot/SaveMap.h>
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "ros/common/clock.h"
 #include "ros/common/publish_flush.h"
 
 namespace frontier_pilot {
@@ -22,6 +27,159 @@ bool waitFor(const std::function<bool()>& condition) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02));
   }
   return condition();
+}
+
+/// What the operator is told.
+class Lines {
+ public:
+  OperatorLog log() {
+    return [this](teleop::Severity, const std::string& line) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      text_ += line + "\n";
+    };
+  }
+  bool have(const std::string& words) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return text_.find(words) != std::string::npos;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string text_;
+};
+
+/// A service that keeps all its callers waiting until it is freed, or only the first of them.
+template <class Service>
+class HangingServer {
+ public:
+  using Request = typename Service::Request;
+  enum class Hangs { kAlways, kOnce };
+
+  explicit HangingServer(const std::string& name, Hangs hangs = Hangs::kAlways) : hangs_(hangs) {
+    ros::NodeHandle node;
+    node.setCallbackQueue(&queue_);
+    const boost::function<bool(Request&, typename Service::Response&)> handle =
+        [this](Request& request, typename Service::Response& response) {
+          const bool first = add(request) == 1;
+          while (!freed_ && (first || hangs_ == Hangs::kAlways)) ros::WallDuration(0.01).sleep();
+          return response.success = 1;
+        };
+    server_ = node.advertiseService(name, handle);
+    spinner_.start();
+  }
+  ~HangingServer() {
+    free();
+    spinner_.stop();
+  }
+  void free() { freed_ = true; }
+  std::vector<Request> calls() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return calls_;
+  }
+
+ private:
+  std::size_t add(const Request& request) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    calls_.push_back(request);
+    return calls_.size();
+  }
+
+  const Hangs hangs_;
+  std::atomic<bool> freed_{false};
+  std::mutex mutex_;
+  std::vector<Request> calls_;
+  ros::CallbackQueue queue_;
+  ros::ServiceServer server_;
+  ros::AsyncSpinner spinner_{2, &queue_};
+};
+
+using Switch = HangingServer<std_srvs::SetBool>;
+
+/// That nothing more comes can only be seen by waiting.
+void letTimePass(double seconds) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
+  EXPECT_TRUE(waitFor([end] { return ros::WallTime::now() > end; }));
+}
+
+// [GUI-2] Pause, Start, Pause, while the explorer hangs.
+TEST(ServiceCallerOnTheWire, TheOppositeOfTheLastWordThatStillWaitsIsNotCarriedOut_GUI_2) {
+  Switch explorer("explorer_that_hangs");
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  caller.set("explorer_that_hangs", false);
+  ASSERT_TRUE(waitFor([&] { return explorer.calls().size() == 1; }));
+  caller.set("explorer_that_hangs", true);
+  caller.set("explorer_that_hangs", false);
+  explorer.free();
+  letTimePass(1.0);
+  EXPECT_EQ(explorer.calls().size(), 1U) << "it was started after the last word, which was to pause";
+  EXPECT_TRUE(lines.have("explorer_that_hangs on is not done: explorer_that_hangs off was asked for after it"));
+}
+
+// [GUI-2] [GUI-3]
+TEST(ServiceCallerOnTheWire, OfWhatWaitsAtAStopOnlyWhatEndsAMotionIsDone_GUI_2) {
+  Switch hanging("first_switch"), start("second_switch"), pause("third_switch");
+  start.free();
+  pause.free();
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  caller.set("first_switch", false);
+  ASSERT_TRUE(waitFor([&] { return hanging.calls().size() == 1; }));
+  caller.set("second_switch", true);
+  caller.set("third_switch", false, ServiceCaller::Late::kDone);
+  caller.dropWhatWaits("somebody stopped the robot");
+  hanging.free();
+  EXPECT_TRUE(waitFor([&] { return pause.calls().size() == 1; }));
+  EXPECT_TRUE(start.calls().empty());
+  EXPECT_TRUE(lines.have("second_switch on is not done: somebody stopped the robot"));
+}
+
+// [GUI-3]
+TEST(ServiceCallerOnTheWire, WhatHasWaitedTooLongIsNotDoneWithAWord_GUI_3) {
+  Switch hanging("slow_switch"), start("late_switch"), pause("late_pause");
+  start.free();
+  pause.free();
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  caller.set("slow_switch", false);
+  ASSERT_TRUE(waitFor([&] { return hanging.calls().size() == 1; }));
+  caller.set("late_switch", true);
+  caller.set("late_pause", false, ServiceCaller::Late::kDone);
+  letTimePass(2.5);
+  hanging.free();
+  EXPECT_TRUE(waitFor([&] { return pause.calls().size() == 1; }));
+  EXPECT_TRUE(start.calls().empty());
+  EXPECT_TRUE(lines.have("late_switch on is not done: it has waited too long"));
+}
+
+// [GUI-2] The connection may hang for minutes after an outage of the network.
+TEST(ServiceCallerOnTheWire, AStopWithoutAnAnswerIsMadeAgainOverAnotherConnection_GUI_2) {
+  HangingServer<std_srvs::Trigger> arbiter("stop_that_hangs", HangingServer<std_srvs::Trigger>::Hangs::kOnce);
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  const ros::WallTime pressed = ros::WallTime::now();
+  caller.insist("stop_that_hangs");
+  EXPECT_TRUE(waitFor([&] {
+    caller.lookAfter(steadyNow());
+    return arbiter.calls().size() == 2 && lines.have("stop_that_hangs: done");
+  }));
+  EXPECT_LT((ros::WallTime::now() - pressed).toSec(), 5.0);
+  EXPECT_TRUE(lines.have("stop_that_hangs: it does not answer, trying again for 10 s"));
+}
+
+// [FLT-1]
+TEST(ServiceCallerOnTheWire, AMapThatIsNotSavedBecauseAnotherOneWasAskedForIsNamed_FLT_1) {
+  HangingServer<SaveMap> mapper("save_that_hangs");
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  caller.saveMap("save_that_hangs", "a");
+  ASSERT_TRUE(waitFor([&] { return mapper.calls().size() == 1; }));
+  caller.saveMap("save_that_hangs", "b");
+  caller.saveMap("save_that_hangs", "c");
+  EXPECT_TRUE(lines.have("save_that_hangs b is not done: save_that_hangs c was asked for after it"));
+  mapper.free();
+  EXPECT_TRUE(waitFor([&] { return mapper.calls().size() == 2; }));
+  EXPECT_EQ(mapper.calls().back().path, "c");
 }
 
 // [GUI-2] Pressed between the death of an arbiter and its return.

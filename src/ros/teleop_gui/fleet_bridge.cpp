@@ -111,7 +111,7 @@ teleop::RobotView FleetBridge::viewOf(const std::string& name, bool reached, Ste
 
 teleop::FleetView FleetBridge::fleet() {
   const SteadyTime now = steadyNow();
-  stop_caller_.reportSlow(now);
+  stop_caller_.lookAfter(now);
   endRetired(now);
   teleop::FleetView view;
   view.connected = watch_.masterUp();

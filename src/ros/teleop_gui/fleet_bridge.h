@@ -17,6 +17,7 @@
 #include "ros/common/threads/worker.h"
 #include "ros/teleop_gui/gui_bridge.h"
 #include "ros/teleop_gui/service_caller.h"
+#include "ros/teleop_gui/service_watch.h"
 #include "teleop/fleet_link.h"
 
 namespace frontier_pilot {

@@ -42,8 +42,10 @@ GuiBridge::GuiBridge(const ros::NodeHandle& node, const teleop::TeleopParameters
       navigate_(node_, connections_, names::kMoveBase, "navigation", logger(), NavigationLink::Logs::kOwn),
       map_(node, tf_, parameters.robot.base_frame),
       waypoints_(node_, connections_, names::kFollowWaypoints, "waypoints", logger()),
-      caller_(node_, logger(),
-              [this](const auto& service, bool success, const auto& message) { onAnswer(service, success, message); }),
+      caller_(node_, logger()),
+      arbiter_caller_(
+          node_, logger(),
+          [this](const auto& service, bool success, const auto& message) { onAnswer(service, success, message); }),
       stop_caller_(node_, logger()),
       map_caller_(node_, logger(),
                   [this](const auto&, bool success, const auto& message) { onMapAnswer(success, message); }),
@@ -81,9 +83,7 @@ bool GuiBridge::manualWanted(SteadyTime now) {
 /// Publishes while holding the lock, so that nothing can be published after the zero of close().
 void GuiBridge::publishManual() {
   const SteadyTime now = steadyNow();
-  caller_.reportSlow(now);
-  stop_caller_.reportSlow(now);
-  map_caller_.reportSlow(now);
+  for (ServiceCaller* caller : {&caller_, &arbiter_caller_, &stop_caller_, &map_caller_}) caller->lookAfter(now);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!manualWanted(now)) return manual_publisher_.shutdown();
   const auto before = manual_output_.state();
@@ -124,20 +124,27 @@ void GuiBridge::followWaypoints(const std::vector<Pose2>& poses) {
   waypoints_.start(msg);
 }
 
+void GuiBridge::dropWhatWaits(const std::string& why) {
+  for (ServiceCaller* caller : {&caller_, &arbiter_caller_}) caller->dropWhatWaits(why);
+}
+
 void GuiBridge::request(const teleop::OperatorRequest& request) {
   using Kind = teleop::OperatorRequest::Kind;
+  using Late = ServiceCaller::Late;
+  const Late unless_on = request.on ? Late::kDropped : Late::kDone;
   switch (request.kind) {
     case Kind::kEmergencyStop:
+      dropWhatWaits("the emergency stop was pressed after it");
       return stop_caller_.insist(names::kEmergencyStop);
     case Kind::kClearEmergencyStop:
       stop_caller_.withdraw();
-      return caller_.set(names::kSetEmergencyStop, false);
+      return arbiter_caller_.set(names::kSetEmergencyStop, false);
     case Kind::kEnableSource:
-      return caller_.set(names::setEnabled(request.name), request.on);
+      return arbiter_caller_.set(names::setEnabled(request.name), request.on, unless_on);
     case Kind::kEnableAvoider:
       return caller_.set(names::kSetObstacleAvoidEnabled, request.on);
     case Kind::kExplore:
-      return caller_.set(names::kSetExplorationEnabled, request.on);
+      return caller_.set(names::kSetExplorationEnabled, request.on, unless_on);
     case Kind::kResetExplorer:
       return caller_.trigger(names::kResetExplorer);
     case Kind::kClearBounds:

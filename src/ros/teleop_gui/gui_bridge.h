@@ -23,6 +23,7 @@
 #include "ros/teleop_gui/action_link.h"
 #include "ros/teleop_gui/map_link.h"
 #include "ros/teleop_gui/service_caller.h"
+#include "ros/teleop_gui/service_watch.h"
 #include "teleop/manual_output.h"
 #include "teleop/operator_link.h"
 #include "teleop/parameters.h"
@@ -30,9 +31,9 @@
 namespace frontier_pilot {
 
 /// Connects the operator's window to ROS. It has one thread for the topics and `cmd_vel_manual`, one for the map, one
-/// for service calls, one for the emergency stop alone, so that a stop never waits behind another call, one for maps
-/// that are saved and loaded, which takes seconds, and one that watches which services are available. The window's
-/// thread only copies data. [GUI-3]
+/// for service calls, one for those of the arbiter, one for the emergency stop alone, so that neither waits behind a
+/// node that hangs, one for maps that are saved and loaded, which takes seconds, and one that watches which services
+/// are available. The window's thread only copies data. [GUI-3]
 class GuiBridge : public teleop::OperatorLink {
  public:
   /// When `cmd_vel_manual` is published: always at the rate, or only from the first motion until a second after the
@@ -65,6 +66,10 @@ class GuiBridge : public teleop::OperatorLink {
   void refuseClear(const std::string& reason);
   void onAnswer(const std::string& service, bool success, const std::string& message);
   void onMapAnswer(bool success, const std::string& message);
+  /// Whether somebody has asked for a stop since the last status.
+  bool isAnotherStop(const ArbiterStatus& msg) const;
+  /// Drops the calls that a stop which came after them has overtaken.
+  void dropWhatWaits(const std::string& why);
   void watchSwitchOf(const std::string& source);
   void onServiceUp(const std::string& service);
   void publishManual();
@@ -108,7 +113,7 @@ class GuiBridge : public teleop::OperatorLink {
   NavigationLink navigate_;
   MapLink map_;
   WaypointsLink waypoints_;
-  ServiceCaller caller_, stop_caller_, map_caller_;
+  ServiceCaller caller_, arbiter_caller_, stop_caller_, map_caller_;
   ServiceWatch watch_;
   ros::AsyncSpinner spinner_;
 };

@@ -20,6 +20,7 @@ namespace {
 const Duration kFresh = fromSeconds(teleop::kStatusLifetime);
 
 constexpr const char* kManualSource = "manual";
+constexpr const char* kStopped = "somebody stopped the robot after it";
 
 }  // namespace
 
@@ -48,6 +49,7 @@ void GuiBridge::subscribe() {
       connections_.subscribe<std_msgs::Bool>(names::kEmergencyStopState, 1, [=](const std_msgs::Bool& msg) {
         keep(stop_, msg.data != 0);
         if (msg.data == 0) refuseClear("");
+        if (msg.data != 0) dropWhatWaits(kStopped);
       });
   connections_.subscribe<std_msgs::Bool>(names::kStalled, 1,
                                          [=](const std_msgs::Bool& msg) { keep(contact_, msg.data != 0); });
@@ -76,10 +78,16 @@ void GuiBridge::onArbiter(const ros::MessageEvent<const ArbiterStatus>& event) {
   const ArbiterStatus& msg = *event.getConstMessage();
   if (!isShown(msg)) return;
   for (const ArbiterSource& source : msg.sources) watchSwitchOf(source.name);
+  if (isAnotherStop(msg)) dropWhatWaits(kStopped);
   const std::lock_guard<std::mutex> lock(mutex_);
   arbiter_.put(msg, steadyNow());
   if (event.getConnectionHeaderPtr() != arbiter_header_) ++arbiter_changes_;
   arbiter_header_ = event.getConnectionHeaderPtr();
+}
+
+bool GuiBridge::isAnotherStop(const ArbiterStatus& msg) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return arbiter_.has() && msg.stops > arbiter_.get()->stops;
 }
 
 void GuiBridge::onListenerLost(const ros::SingleSubscriberPublisher& listener) {

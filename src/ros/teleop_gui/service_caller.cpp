@@ -2,15 +2,12 @@
 
 #include <frontier_pilot/LoadMap.h>
 #include <frontier_pilot/SaveMap.h>
-#include <ros/master.h>
 #include <ros/names.h>
-#include <ros/service.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
 
-#include "frontier_pilot/core/bounds.h"
 #include "ros/common/clock.h"
 #include "ros/common/publish_flush.h"
 #include "ros/common/throttled_log.h"
@@ -19,9 +16,11 @@ namespace frontier_pilot {
 namespace {
 
 constexpr Duration kSlow = std::chrono::seconds(2);
+constexpr Duration kMostWait = std::chrono::seconds(2);  // after that a call that waits is no more what is wanted
+// An arbiter answers a stop at once, and fleet_stop within a second.
+constexpr Duration kStopPatience = std::chrono::milliseconds(1500);
 constexpr Duration kInsists = std::chrono::seconds(10);
 constexpr auto kBetweenCalls = std::chrono::milliseconds(200);
-constexpr auto kWatchPeriod = std::chrono::seconds(1);
 
 teleop::Severity severityOf(bool success, const std::string& said) {
   if (!success) return teleop::Severity::kError;
@@ -57,25 +56,57 @@ ServiceCaller::~ServiceCaller() {
   thread_.join();
 }
 
-void ServiceCaller::set(const std::string& service, bool value) {
-  post({service, Call::Type::kSetBool, value, {}, false});
+void ServiceCaller::set(const std::string& service, bool value, Late late) {
+  post({service, Call::Type::kSetBool, late, value});
 }
-void ServiceCaller::trigger(const std::string& service) { post({service, Call::Type::kTrigger, false, {}, false}); }
-void ServiceCaller::insist(const std::string& service) { post({service, Call::Type::kTrigger, false, {}, true}); }
+void ServiceCaller::trigger(const std::string& service) { post({service, Call::Type::kTrigger, Late::kDropped}); }
+void ServiceCaller::insist(const std::string& service) {
+  Call call{service, Call::Type::kTrigger, Late::kDone};
+  call.insists = true;
+  post(call);
+}
+void ServiceCaller::saveMap(const std::string& service, const std::string& path) {
+  post({service, Call::Type::kSaveMap, Late::kDone, false, path});
+}
+void ServiceCaller::loadMap(const std::string& service, const std::string& path) {
+  post({service, Call::Type::kLoadMap, Late::kDone, false, path});
+}
+
 void ServiceCaller::withdraw() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     withdrawn_ = true;
-    calls_.erase(std::remove_if(calls_.begin(), calls_.end(), [](const Call& call) { return call.insists; }),
-                 calls_.end());
+    takeOut([](const Call& call) { return call.insists; });
   }
   wake_.notify_all();
 }
-void ServiceCaller::saveMap(const std::string& service, const std::string& path) {
-  post({service, Call::Type::kSaveMap, false, path, false});
+
+void ServiceCaller::dropWhatWaits(const std::string& why) {
+  std::vector<Call> dropped;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    dropped = takeOut([](const Call& call) { return call.late == Late::kDropped; });
+    if (under_way_ && under_way_->late == Late::kDropped && !sent_) why_not_ = why;
+  }
+  for (const Call& call : dropped) sayNotDone(call, why);
 }
-void ServiceCaller::loadMap(const std::string& service, const std::string& path) {
-  post({service, Call::Type::kLoadMap, false, path, false});
+
+std::string ServiceCaller::Call::text() const {
+  if (type == Type::kSetBool) return service + (value ? " on" : " off");
+  return path.empty() ? service : service + " " + path;
+}
+
+std::vector<ServiceCaller::Call> ServiceCaller::takeOut(const std::function<bool(const Call&)>& which) {
+  const auto first =
+      std::stable_partition(calls_.begin(), calls_.end(), [&](const Call& call) { return !which(call); });
+  std::vector<Call> taken(first, calls_.end());
+  calls_.erase(first, calls_.end());
+  return taken;
+}
+
+void ServiceCaller::sayNotDone(const Call& call, const std::string& why) {
+  if (answered_) answered_(call.service, false, "not done: " + why);
+  log_(teleop::Severity::kWarning, call.text() + " is not done: " + why);
 }
 
 bool ServiceCaller::isUnderWay(const Call& call) const {
@@ -83,16 +114,22 @@ bool ServiceCaller::isUnderWay(const Call& call) const {
          under_way_->value == call.value;
 }
 
-void ServiceCaller::post(const Call& call) {
+void ServiceCaller::post(Call call) {
+  call.asked_at = steadyNow();
   bool waits = false;
+  std::vector<Call> replaced;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waits = isUnderWay(call);
-    if (!waits) {
-      const auto same = [&call](const Call& other) { return other.service == call.service; };
-      calls_.erase(std::remove_if(calls_.begin(), calls_.end(), same), calls_.end());
-      calls_.push_back(call);
+    replaced = takeOut([&call](const Call& other) { return other.service == call.service; });
+    if (call.insists) {
+      patience_ = kStopPatience;
+      giveUpASilentStop(call.asked_at);
     }
+    if (!waits) calls_.push_back(call);
+  }
+  for (const Call& other : replaced) {
+    if (other.text() != call.text()) sayNotDone(other, call.text() + " was asked for after it");
   }
   if (waits) return log_(teleop::Severity::kWarning, call.service + " has not answered the last call yet");
   wake_.notify_all();
@@ -109,11 +146,14 @@ void ServiceCaller::run() {
     calls_.pop_front();
     under_way_ = call;
     since_ = steadyNow();
-    withdrawn_ = false;
+    patience_ = kStopPatience;
+    withdrawn_ = sent_ = gave_up_ = false;
+    why_not_.clear();
     lock.unlock();
     tryPerform(call);
     lock.lock();
     since_.reset();
+    asking_since_.reset();
     under_way_.reset();
     client_ = {};
   }
@@ -122,7 +162,11 @@ void ServiceCaller::run() {
 bool ServiceCaller::begin(const ros::ServiceClient& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   client_ = client;
-  return !stopping_ && client_.isValid();
+  asking_since_ = steadyNow();
+  const bool too_late = under_way_->late == Late::kDropped && *asking_since_ - under_way_->asked_at > kMostWait;
+  if (too_late && why_not_.empty()) why_not_ = "it has waited too long: ask again";
+  sent_ = !stopping_ && why_not_.empty() && client_.isValid();
+  return sent_;
 }
 
 bool ServiceCaller::isEnding() {
@@ -179,24 +223,35 @@ std::optional<ServiceCaller::Answer> ServiceCaller::askAgain(const Call& call) {
 }
 
 void ServiceCaller::perform(const Call& call) {
-  const std::string none = "no such service, or it died";
   std::optional<Answer> answer = ask(call);
   if (!answer && call.insists && !isEnding()) {
-    log_(teleop::Severity::kError, call.service + ": " + none + ", trying again for 10 s");
+    log_(teleop::Severity::kError, call.service + ": " + whyNone() + ", trying again for 10 s");
     answer = askAgain(call);
   }
   if (isEnding()) return;
+  if (const std::string why_not = whyNotDone(); !why_not.empty()) return sayNotDone(call, why_not);
+  const std::string none = whyNone();
   if (answered_) answered_(call.service, answer && answer->success, answer ? answer->message : none);
   if (!answer) return log_(teleop::Severity::kError, call.service + ": " + none);
-  const std::string value = call.type != Call::Type::kSetBool ? "" : (call.value ? " on" : " off");
   const std::string said = !answer->message.empty() ? answer->message : (answer->success ? "done" : "refused");
-  log_(severityOf(answer->success, said), call.service + value + ": " + said);
+  log_(severityOf(answer->success, said), (call.path.empty() ? call.text() : call.service) + ": " + said);
 }
 
-void ServiceCaller::reportSlow(SteadyTime now) {
+std::string ServiceCaller::whyNone() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return gave_up_ ? "it does not answer" : "no such service, or it died";
+}
+
+std::string ServiceCaller::whyNotDone() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return why_not_;
+}
+
+void ServiceCaller::lookAfter(SteadyTime now) {
   std::string slow;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    giveUpASilentStop(now);
     if (!since_ || now - *since_ < kSlow) return;
     since_.reset();
     slow = under_way_->service;
@@ -204,63 +259,13 @@ void ServiceCaller::reportSlow(SteadyTime now) {
   log_(teleop::Severity::kWarning, slow + " does not answer");
 }
 
-ServiceWatch::ServiceWatch(const ros::NodeHandle& node, std::function<void(const std::string&)> appeared)
-    : node_(node), appeared_(std::move(appeared)), thread_([this] { run(); }) {}
-
-ServiceWatch::~ServiceWatch() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopping_ = true;
-  }
-  wake_.notify_all();
-  thread_.join();
-}
-
-void ServiceWatch::watch(const std::string& service) {
-  if (!isServiceName(service)) return;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (up_.size() < bounds::kMostServices && up_.emplace(service, false).second) wake_.notify_all();
-}
-
-bool ServiceWatch::up(const std::string& service) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = up_.find(service);
-  return found != up_.end() && found->second;
-}
-
-bool ServiceWatch::masterUp() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return master_up_;
-}
-
-void ServiceWatch::run() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  while (!stopping_) {
-    lock.unlock();
-    guard_.run("the watch on the services", [this] { lookOnce(); });
-    lock.lock();
-    if (!stopping_) wake_.wait_for(lock, kWatchPeriod);
-  }
-}
-
-void ServiceWatch::lookOnce() {
-  std::map<std::string, bool> before;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    before = up_;
-  }
-  const bool master = ros::master::check();
-  for (const auto& [service, was_up] : before) {
-    // This contacts the server itself, too, so that the death of a server that is still registered is noticed.
-    const bool is_up = master && ros::service::exists(node_.resolveName(service), false);
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      up_[service] = is_up;
-    }
-    if (is_up && !was_up) appeared_(service);
-  }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  master_up_ = master;
+void ServiceCaller::giveUpASilentStop(SteadyTime now) {
+  const bool insists = under_way_ && under_way_->insists;
+  if (!insists || !asking_since_ || now - *asking_since_ < patience_) return;
+  patience_ *= 2;
+  gave_up_ = true;
+  asking_since_.reset();
+  client_.shutdown();
 }
 
 }  // namespace frontier_pilot

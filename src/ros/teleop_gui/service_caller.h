@@ -6,11 +6,11 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "frontier_pilot/core/time.h"
 #include "ros/common/callback_guard.h"
@@ -40,37 +40,56 @@ class ServiceCaller {
   ServiceCaller(const ServiceCaller&) = delete;
   ServiceCaller& operator=(const ServiceCaller&) = delete;
 
-  /// Calls a std_srvs/SetBool. A call of the same service that is still queued is replaced. While a call with the same
-  /// value waits for its answer, another one is not made: it would be carried out later than what others have asked for
-  /// meanwhile, and might clear a stop that nobody has seen here.
-  void set(const std::string& service, bool value);
+  /// What becomes of a call that cannot be made at once, because another one waits for its answer: it is right however
+  /// late it is, as what ends a motion, or it is dropped after two seconds, with a word to the operator.
+  enum class Late { kDone, kDropped };
+
+  /// Calls a std_srvs/SetBool. A call of the same service that is still queued is replaced, as with all that follow,
+  /// and the operator is told if it asked for something else. While a call with the same value waits for its answer,
+  /// another one is not made: it would be carried out later than what others have asked for meanwhile, and might clear
+  /// a stop that nobody has seen here.
+  void set(const std::string& service, bool value, Late late = Late::kDropped);
   /// Calls a std_srvs/Trigger.
   void trigger(const std::string& service);
+  /// Drops the calls that are not right however late they are and that have not been sent yet. For a stop that came
+  /// after them.
+  void dropWhatWaits(const std::string& why);
   /// Calls a std_srvs/Trigger again and again for ten seconds until there is an answer, or until `withdraw`: whoever
-  /// presses stop while the arbiter is being restarted has pressed it.
+  /// presses stop while the arbiter is being restarted has pressed it. A connection on which no answer comes is given
+  /// up after a moment, which becomes longer each time, and another one is made: after an outage of the network the old
+  /// one may hang for minutes.
   void insist(const std::string& service);
   void withdraw();
   /// Calls the mapper's SaveMap or LoadMap with a path.
   void saveMap(const std::string& service, const std::string& path);
   void loadMap(const std::string& service, const std::string& path);
-  /// Logs, once for each call, that it has been without an answer for too long. To be called periodically.
-  void reportSlow(SteadyTime now);
+  /// Logs, once for each call, that it has been without an answer for too long, and gives up the connections of a stop
+  /// on which no answer comes. To be called periodically.
+  void lookAfter(SteadyTime now);
 
  private:
   struct Call {
     enum class Type { kSetBool, kTrigger, kSaveMap, kLoadMap };
     std::string service;
     Type type = Type::kTrigger;
+    Late late = Late::kDropped;
     bool value = false;  ///< of a SetBool
-    std::string path;    ///< of a map
+    std::string path{};  ///< of a map
     bool insists = false;
+    SteadyTime asked_at{};
+
+    /// For the operator, with all that it asks for.
+    std::string text() const;
   };
   struct Answer {
     bool success = false;
     std::string message;
   };
 
-  void post(const Call& call);
+  void post(Call call);
+  /// Takes the queued calls out for which `which` is true. The caller holds the lock.
+  std::vector<Call> takeOut(const std::function<bool(const Call&)>& which);
+  void sayNotDone(const Call& call, const std::string& why);
   bool isUnderWay(const Call& call) const;
   void run();
   void tryPerform(const Call& call);
@@ -80,9 +99,14 @@ class ServiceCaller {
   std::optional<Answer> askAgain(const Call& call);
   template <class Service>
   std::optional<Answer> ask(const std::string& name, Service& service);
-  /// False if the service could not be connected to, or if this object is being destroyed.
+  /// False if the service could not be connected to, if the call is not to be made any more, or if this object is being
+  /// destroyed.
   bool begin(const ros::ServiceClient& client);
   bool isEnding();
+  std::string whyNone();
+  std::string whyNotDone();
+  /// The caller holds the lock.
+  void giveUpASilentStop(SteadyTime now);
 
   ros::NodeHandle node_;
   OperatorLog log_;
@@ -93,37 +117,13 @@ class ServiceCaller {
   std::deque<Call> calls_;
   ros::ServiceClient client_;  ///< of the call in progress
   std::optional<Call> under_way_;
-  std::optional<SteadyTime> since_;  ///< when the call that is under way was begun; none once it was called slow
+  std::optional<SteadyTime> since_;         ///< when the call that is under way was begun; none once it was called slow
+  std::optional<SteadyTime> asking_since_;  ///< when its last connection was made; none once that was given up
+  Duration patience_{};                     ///< for an answer on the connection of a stop
+  std::string why_not_;                     ///< why the call that is under way is not made; empty if it is
+  bool sent_ = false;                       ///< it cannot be taken back
+  bool gave_up_ = false;
   bool withdrawn_ = false;
-  bool stopping_ = false;
-  std::thread thread_;
-};
-
-/// Knows which services are available, by checking them once a second on a thread of its own.
-class ServiceWatch {
- public:
-  /// `appeared` is called on that thread when a service has become available.
-  ServiceWatch(const ros::NodeHandle& node, std::function<void(const std::string&)> appeared);
-  ~ServiceWatch();
-  ServiceWatch(const ServiceWatch&) = delete;
-  ServiceWatch& operator=(const ServiceWatch&) = delete;
-
-  /// An invalid name is ignored, and its service is never up.
-  void watch(const std::string& service);
-  bool up(const std::string& service) const;
-  bool masterUp() const;
-
- private:
-  void run();
-  void lookOnce();
-
-  ros::NodeHandle node_;
-  std::function<void(const std::string&)> appeared_;
-  CallbackGuard guard_;
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  std::map<std::string, bool> up_;
-  bool master_up_ = true;
   bool stopping_ = false;
   std::thread thread_;
 };

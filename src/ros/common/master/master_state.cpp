@@ -115,6 +115,8 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
 
 std::string uriOf(const std::string& node) { return lookUp("lookupNode", node); }
 
+std::string uriOfService(const std::string& service) { return lookUp("lookupService", service); }
+
 bool nodeLives(const std::string& node) {
   const std::optional<Reach> address = reach(uriOf(node));
   return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
@@ -126,7 +128,7 @@ bool anyMayLive(const std::set<std::string>& uris) {
 }
 
 bool serviceMayAnswer(const std::string& service) {
-  return reach(lookUp("lookupService", service)).value_or(Reach::kMayConnect) == Reach::kMayConnect;
+  return reach(uriOfService(service)).value_or(Reach::kMayConnect) == Reach::kMayConnect;
 }
 
 std::string firstLiving(const std::vector<std::string>& nodes) {

@@ -26,6 +26,8 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
 
 /// The XML-RPC URI of the node; empty if the master knows none or does not answer.
 std::string uriOf(const std::string& node);
+/// The address of the service, `rosrpc://host:port`; empty if the master knows none or does not answer.
+std::string uriOfService(const std::string& service);
 
 /// Whether the node's process exists, even if it hangs: its XML-RPC port does not refuse connections. A node that was
 /// killed stays registered, but its port refuses them.

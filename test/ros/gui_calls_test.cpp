@@ -1,0 +1,112 @@
+// The services that the operator's window calls: those that come and go, and those that hang.
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <std_srvs/SetBool.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "ros/common/names.h"
+#include "ros/gui_robot.h"
+#include "ros/gui_window.h"
+
+namespace frontier_pilot {
+namespace {
+
+using test::clears;
+using test::GuiOnTheWire;
+using test::waitFor;
+using test::Window;
+
+// [GUI-3]
+TEST_F(GuiOnTheWire, ServicesThatComeAndGoAreShown) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  EXPECT_FALSE(window.find("explore_start")->isEnabled());
+  ros::NodeHandle node;
+  std::atomic<int> calls{0};
+  const test::Switch handle = [&calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response& response) {
+    ++calls;
+    return response.success = 1;
+  };
+  for (int round = 1; round <= 2; ++round) {
+    ros::ServiceServer server = node.advertiseService(names::kSetExplorationEnabled, handle);
+    ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
+    window.click("explore_start");
+    EXPECT_TRUE(waitFor([&] { return calls == round; }));
+    server.shutdown();
+    EXPECT_TRUE(waitFor([&] { return !window.find("explore_start")->isEnabled(); }));
+  }
+}
+
+// [FLT-1]
+TEST_F(GuiOnTheWire, SourcesThatNoServiceCanBeNamedAfterAreShownAndDoNotEndTheWindow) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  test::NamelessSources stranger;
+  EXPECT_TRUE(waitFor([&] { return stranger.speaks() && window.find("enable_a b") != nullptr; }));
+  window.bridge.request({teleop::OperatorRequest::Kind::kEnableSource, true, "a b"});
+  QTest::qWait(2500);  // the services are looked for once a second
+  EXPECT_TRUE(window.log().contains("'a b' has no switch") &&
+              window.log().contains("'set_a b_enabled' is not a valid service name"));
+}
+
+// [GUI-3]
+TEST_F(GuiOnTheWire, AServiceThatNeverAnswersHoldsNeitherTheWindowNorTheEmergencyStop) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  std::atomic<bool> hang{true};
+  std::atomic<int> calls{0};
+  const test::Switch handle = [&hang, &calls](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
+    for (++calls; hang;) usleep(10000);
+    return true;
+  };
+  ros::ServiceServer server = ros::NodeHandle().advertiseService(names::kSetExplorationEnabled, handle);
+  ASSERT_TRUE(waitFor([&] { return window.find("explore_start")->isEnabled(); }));
+  window.click("explore_start");
+  EXPECT_TRUE(waitFor([&] { return calls == 1; }));
+  for (const char* button : {"explore_start", "explore_start", "Go"}) window.click(button);
+  EXPECT_TRUE(waitFor([&] { return robot_.speed > 0.04; })) << "the window still drives";
+  window.click("emergency_stop");
+  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
+  EXPECT_TRUE(waitFor([&] { return std::abs(robot_.speed) < 1e-6; }));
+  hang = false;
+  EXPECT_TRUE(clears(window));
+  EXPECT_EQ(calls, 1) << "a call that waits for its answer is not made again";
+}
+
+// [GUI-2] [ARB-12]
+TEST_F(GuiOnTheWire, AStopOvertakesWhatWaitsBehindAServiceThatHangsAndCanBeCleared_GUI_2) {
+  using Kind = teleop::OperatorRequest::Kind;
+  Window window;
+  ASSERT_TRUE(ready(window));
+  std::atomic<bool> hang{true};
+  std::atomic<int> pauses{0}, avoider_calls{0};
+  const test::Switch pause = [&](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) {
+    for (++pauses; hang;) usleep(10000);
+    return true;
+  };
+  const test::Switch avoid = [&](std_srvs::SetBool::Request&, std_srvs::SetBool::Response&) { return ++avoider_calls; };
+  const ros::ServiceServer explorer = ros::NodeHandle().advertiseService(names::kSetExplorationEnabled, pause);
+  const ros::ServiceServer avoider = ros::NodeHandle().advertiseService(names::kSetObstacleAvoidEnabled, avoid);
+  window.bridge.request({Kind::kExplore, false, {}});
+  EXPECT_TRUE(waitFor([&] { return pauses == 1; }));
+  window.bridge.request({Kind::kEnableAvoider, true, {}});
+  window.click("emergency_stop");
+  EXPECT_TRUE(waitFor([&] { return window.text("driver") == "Emergency stop"; }));
+  EXPECT_TRUE(clears(window)) << "the arbiter is not called by the one who waits for the explorer";
+  hang = false;
+  EXPECT_TRUE(waitFor([&] { return window.log().contains("set_obstacle_avoid_enabled on is not done"); }));
+  QTest::qWait(500);  // that nothing comes can only be seen by waiting
+  EXPECT_EQ(avoider_calls, 0);
+}
+
+}  // namespace
+}  // namespace frontier_pilot
+
+int main(int argc, char** argv) {
+  frontier_pilot::test::WindowProgram program(argc, argv, "gui_calls_test");
+  return program.runTests(2);
+}
