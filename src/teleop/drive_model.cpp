@@ -75,7 +75,7 @@ DriveModel::DriveModel(const TeleopParameters& parameters) : parameters_(paramet
 
 void DriveModel::press(Motion motion) {
   if (motion == Motion::kStop) return stop();
-  if (lock_ != DriveLock::kNone) return;
+  if (lock_ != DriveLock::kNone || machine_drives_) return;
   if (hold_) {
     ++held_[static_cast<std::size_t>(motion)];
   } else {

@@ -45,8 +45,9 @@ class DriveModel {
   DriveLock lock() const { return lock_; }
 
   /// Tells which source of the arbiter holds the wheels (empty: none). When an autonomous source takes them or gives
-  /// them back the set-point is reset to zero, so that the robot does not drive off by an old one; the avoider does not
-  /// count as such a source. True if a set-point that was not zero was reset.
+  /// them back the set-point is reset to zero, so that the robot does not drive off by an old one, and presses are
+  /// ignored while it has them; the avoider does not count as such a source. True if a set-point that was not zero was
+  /// reset.
   bool setDriver(const std::string& source);
   bool machineDrives() const { return machine_drives_; }
 

@@ -158,11 +158,25 @@ TEST(DriveModel, AMachineThatTakesOrGivesBackTheWheelsDropsTheSetPoint) {
   EXPECT_FALSE(drive.setDriver("manual"));
   EXPECT_TRUE(drive.setDriver("patrol"));
   EXPECT_TRUE(drive.setPoint().isZero());
-  drive.press(teleop::Motion::kGo);
   EXPECT_FALSE(drive.setDriver("nav")) << "from one machine to another nothing changes for the hand";
-  EXPECT_FALSE(drive.setPoint().isZero());
-  EXPECT_TRUE(drive.setDriver(""));
+  EXPECT_FALSE(drive.setDriver(""));
   EXPECT_TRUE(drive.setPoint().isZero());
+  drive.press(teleop::Motion::kGo);
+  EXPECT_FALSE(drive.setPoint().isZero());
+}
+
+// [GUI-1] [GUI-4] A machine that falls silent is known of only by the next status, and until then the robot would move.
+TEST(DriveModel, PressesWhileAMachineDrivesHaveNoEffectNotEvenAMomentAfterIt_GUI_1) {
+  for (const teleop::TeleopParameters& parameters : {teleop::TeleopParameters{}, holdParameters()}) {
+    teleop::DriveModel drive{parameters};
+    drive.setDriver("patrol");
+    drive.press(teleop::Motion::kGo);
+    EXPECT_TRUE(drive.setPoint().isZero());
+    drive.setDriver("");
+    EXPECT_TRUE(drive.setPoint().isZero());
+    drive.press(teleop::Motion::kGo);
+    EXPECT_FALSE(drive.setPoint().isZero());
+  }
 }
 
 TEST(DriveModel, TheAvoiderOnlyInterrupts) {
