@@ -52,7 +52,7 @@ int runUntilClosed() {
 }  // namespace
 
 int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const std::string& palette,
-                   const std::function<void(const std::string&)>& say_why_not) {
+                   const std::function<void(const std::string&)>& say_why_not, const std::function<void()>& closed) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   g_say_why_not = say_why_not;
@@ -70,7 +70,9 @@ int runPilotWindow(int argc, char** argv, teleop::FleetLink& link, const std::st
   QObject::connect(&application, &QApplication::aboutToQuit, &window, &FleetWindow::release);
   window.resize(windowSize(window));
   window.show();
-  return runUntilClosed();
+  const int exit_code = runUntilClosed();
+  closed();
+  return exit_code;
 }
 
 }  // namespace frontier_pilot::gui

@@ -16,6 +16,6 @@ int main(int argc, char** argv) {
         const auto parameters = frontier_pilot::loadNodeParameters<TeleopParameters>(private_node);
         FleetBridge bridge(node, parameters, running);
         return frontier_pilot::gui::runPilotWindow(argc, argv, bridge, parameters.palette,
-                                                   frontier_pilot::sayWhyNoWindow);
+                                                   frontier_pilot::sayWhyNoWindow, frontier_pilot::limitTheEnd);
       });
 }

@@ -89,23 +89,11 @@ void spinUntilStopped() {
   }
 }
 
-/// Waits until the published messages are written to the sockets; after a shutdown of ROS there are no sockets.
-void flush() {
-  constexpr Duration kLastWordsPatience = std::chrono::milliseconds(500);  // enough for a busy machine
-  if (ros::ok()) PublishFlush().wait(kLastWordsPatience);
-}
-
-/// roscpp waits for ever for a master that hangs, to unregister: the node ends all the same. One that is saving a map
-/// may take longer, as long as the master answers.
-void limitTheEnd() {
-  if (!pidOfMaster()) alarm(kEndPatience);
-}
-
 void end(const RunningNode& running) {
   if (!running.say_last_words) return;
   CallbackGuard guard;
   guard.run("the last words", running.say_last_words);
-  flush();
+  flushLastWords();
 }
 
 /// Only roslaunch names a node's log file.
@@ -187,6 +175,10 @@ void initProgram(int& argc, char** argv, const std::string& name) {
   ros::master::setRetryTimeout(ros::WallDuration(0.0));  // waits again
 }
 
+void limitTheEnd() {
+  if (!pidOfMaster()) alarm(kEndPatience);
+}
+
 int runNode(int argc, char** argv, const NodeUsage& usage,
             const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,
             const std::function<void()>& check) {
@@ -226,7 +218,7 @@ int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
     ros::ServiceManager::instance()->unadvertiseService(private_node.resolveName("get_loggers"));
     replaceHarmfulMethods();
     const int exit_code = body(node, private_node, isRunning);
-    flush();  // for the last lines on /rosout
+    flushLastWords();  // for the last lines on /rosout
     return exit_code;
   } catch (const ConfigurationError& error) {
     return cannot_start(error, 2);

@@ -56,8 +56,13 @@ int runNode(int argc, char** argv, const NodeUsage& usage, const std::function<v
       check);
 }
 
+/// To be called before a node is taken down. roscpp waits for ever for a master that hangs, to unregister: the process
+/// ends all the same some seconds later. One that is saving a map may take longer, as long as the master answers.
+void limitTheEnd();
+
 /// The same for a node with a main loop of its own, such as a window: `body(node, private_node, running)` runs the
-/// node, has to return soon after `running()` has become false, and returns the exit code.
+/// node, has to return soon after `running()` has become false, calls `limitTheEnd` before it takes the node down, and
+/// returns the exit code.
 using RunningFn = std::function<bool()>;
 int runNodeWithLoop(int& argc, char** argv, const NodeUsage& usage,
                     const std::function<int(ros::NodeHandle&, ros::NodeHandle&, const RunningFn&)>& body,

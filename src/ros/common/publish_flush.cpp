@@ -1,5 +1,6 @@
 #include "ros/common/publish_flush.h"
 
+#include <ros/init.h>
 #include <ros/poll_manager.h>
 
 #include "ros/common/clock.h"
@@ -45,6 +46,11 @@ bool PublishFlush::wait(Duration patience) {
     round_done_.wait_for(lock, left, [&] { return rounds_ > before; });
   }
   return true;
+}
+
+void flushLastWords() {
+  constexpr Duration kPatience = std::chrono::milliseconds(500);
+  if (ros::ok()) PublishFlush().wait(kPatience);
 }
 
 std::string answerOfStop(const std::string& said, bool sent) {

@@ -35,6 +35,10 @@ class PublishFlush {
   boost::signals2::connection listener_;
 };
 
+/// Waits until what a node has published before its end is written to the sockets, or for half a second, which is
+/// enough on a busy machine. After a shutdown of ROS there are no sockets.
+void flushLastWords();
+
 /// The answer to a stop that said `said`, whose zero was written to the sockets in time if `sent`. The stop holds in
 /// either case, so that it is a success, but where the zero was not written the base may still drive. [ARB-7]
 std::string answerOfStop(const std::string& said, bool sent);

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""The window at a master that hangs: it ends all the same. The test has a master of its own, which it may freeze."""
+import os
+import signal
+import socket
+import subprocess
+import time
+import unittest
+
+import rosgraph
+import rospy
+import rostest
+
+from wire import Node, wait_for
+
+
+def a_free_port():
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+class FrozenMaster(unittest.TestCase):
+    def setUp(self):
+        port = a_free_port()
+        self.uri = 'http://127.0.0.1:%d' % port
+        self.master = subprocess.Popen(['rosmaster', '--core', '-p', str(port)], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+        self.addCleanup(self.master.wait)
+        self.addCleanup(self.master.kill)
+        self.assertTrue(wait_for(lambda: self.publishers() is not None, 20.0))
+
+    def publishers(self):
+        try:
+            return dict(rosgraph.Master('/test', master_uri=self.uri).getSystemState()[0])
+        except (OSError, rosgraph.MasterException):
+            return None
+
+    def test_the_window_ends_while_the_master_hangs(self):
+        """[FLT-1] [GUI-3]"""
+        environment = dict(os.environ, ROS_MASTER_URI=self.uri, QT_QPA_PLATFORM='offscreen')
+        window = Node('teleop_gui', environment=environment)
+        self.addCleanup(window.process.kill)
+        self.assertTrue(wait_for(lambda: '/cmd_vel_manual' in self.publishers(), 20.0))
+        self.master.send_signal(signal.SIGSTOP)
+        time.sleep(2.0)  # until it is under way to ask the master again, as it does each second
+        window.signal(signal.SIGTERM)
+        self.assertTrue(wait_for(window.has_ended, 20.0), 'it waits for the master')
+
+
+if __name__ == '__main__':
+    rospy.init_node('frozen_master')
+    rostest.rosrun('frontier_pilot', 'frozen_master', FrozenMaster)
