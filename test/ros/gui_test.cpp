@@ -4,6 +4,7 @@
 #include <actionlib/server/simple_action_server.h>
 #include <frontier_pilot/PatrolAction.h>
 #include <gtest/gtest.h>
+#include <ros/poll_manager.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -220,6 +221,21 @@ TEST_F(GuiOnTheWire, ClosingSendsZeroAsTheLastWord) {
   const int count = robot_.manual_count;
   QTest::qWait(500);  // that nothing comes can only be seen by waiting
   EXPECT_EQ(robot_.manual_count, count);
+}
+
+// [GUI-3] A publisher that is destroyed drops what roscpp has not sent yet; the arbiter would wait a second for more.
+TEST_F(GuiOnTheWire, ClosingSendsZeroAlsoOnABusyMachine_GUI_3) {
+  auto window = std::make_unique<Window>();
+  ASSERT_TRUE(ready(*window));
+  ASSERT_TRUE(drivesAtGo(*window)) << window->log().toStdString();
+  const SteadyTime closed = steadyNow(), idle = closed + std::chrono::milliseconds(300);
+  const auto busy = ros::PollManager::instance()->addPollThreadListener([idle] {
+    while (steadyNow() < idle) usleep(1000);
+  });
+  window.reset();
+  EXPECT_TRUE(waitFor([&] { return robot_.command == 0.0; }));
+  EXPECT_LT(toSeconds(steadyNow() - closed), 0.75);
+  ros::PollManager::instance()->removePollThreadListener(busy);
 }
 
 }  // namespace

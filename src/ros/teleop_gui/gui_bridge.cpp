@@ -1,9 +1,12 @@
 #include "ros/teleop_gui/gui_bridge.h"
 
 #include <geometry_msgs/Twist.h>
+#include <utility>
 
+#include "ros/common/master/xml_rpc.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
+#include "ros/common/publish_flush.h"
 #include "ros/common/throttled_log.h"
 #include "ros/teleop_gui/operator_views.h"
 
@@ -57,8 +60,10 @@ GuiBridge::GuiBridge(const ros::NodeHandle& node, const teleop::TeleopParameters
   spinner_.start();
 }
 
+/// A publisher that is destroyed drops what has not been written yet.
 GuiBridge::~GuiBridge() {
   close();
+  flushLastWords();
   spinner_.stop();
 }
 
@@ -80,25 +85,58 @@ bool GuiBridge::manualWanted(SteadyTime now) {
   return manual_ == Manual::kAlways || (last_motion_ != SteadyTime{} && now - last_motion_ < kMotionLinger);
 }
 
-/// Publishes while holding the lock, so that nothing can be published after the zero of close().
 void GuiBridge::publishManual() {
   const SteadyTime now = steadyNow();
   for (ServiceCaller* caller : {&caller_, &arbiter_caller_, &stop_caller_, &map_caller_}) caller->lookAfter(now);
+  switch (publishManual(now)) {
+    case TopicNeed::kNone:
+      break;
+    case TopicNeed::kOpen:
+      openManual();
+      break;
+    case TopicNeed::kClose:
+      closeManual();
+      break;
+  }
+}
+
+/// Publishes while holding the lock, so that nothing can be published after the zero of close().
+GuiBridge::TopicNeed GuiBridge::publishManual(SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!manualWanted(now)) return manual_publisher_.shutdown();
+  if (!manualWanted(now)) return manual_publisher_ ? TopicNeed::kClose : TopicNeed::kNone;
   const auto before = manual_output_.state();
   const std::optional<Twist2> command = manual_output_.update(manualOn(now), now);
   if (manual_output_.state() == teleop::ManualOutput::State::kFrozen &&
       before != teleop::ManualOutput::State::kFrozen) {
     THROTTLED_WARN("the window does not respond: zero sent, manual is silent");
   }
-  if (!command) return;
-  if (!manual_publisher_) {
-    manual_publisher_ = node_.advertise<geometry_msgs::Twist>(
-        names::kCmdVelManual, 1, {},
-        [this](const ros::SingleSubscriberPublisher& listener) { onListenerLost(listener); });
-  }
+  if (!command) return TopicNeed::kNone;
+  if (!manual_publisher_) return TopicNeed::kOpen;
   manual_publisher_.publish(toTwistMsg(*command));
+  return TopicNeed::kNone;
+}
+
+/// roscpp waits for a master that is gone for ever, and so would whoever closes the window.
+bool GuiBridge::masterAnswers() const { return watch_.masterUp() && pidOfMaster(); }
+
+/// The command that needs the topic is not published, because it may be old by then: the next one comes soon enough.
+void GuiBridge::openManual() {
+  if (!masterAnswers()) return;
+  ros::Publisher publisher = node_.advertise<geometry_msgs::Twist>(
+      names::kCmdVelManual, 1, {},
+      [this](const ros::SingleSubscriberPublisher& listener) { onListenerLost(listener); });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  manual_publisher_ = publisher;
+}
+
+void GuiBridge::closeManual() {
+  if (!masterAnswers()) return;
+  ros::Publisher publisher;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::swap(publisher, manual_publisher_);
+  }
+  publisher.shutdown();
 }
 
 void GuiBridge::close() {

@@ -72,7 +72,14 @@ class GuiBridge : public teleop::OperatorLink {
   void dropWhatWaits(const std::string& why);
   void watchSwitchOf(const std::string& source);
   void onServiceUp(const std::string& service);
+  /// What the publisher of the manual velocity needs. The master is asked for it, which may hang, so that no lock must
+  /// be held meanwhile: the window's thread would wait, too.
+  enum class TopicNeed { kNone, kOpen, kClose };
   void publishManual();
+  TopicNeed publishManual(SteadyTime now);
+  bool masterAnswers() const;
+  void openManual();
+  void closeManual();
   bool manualWanted(SteadyTime now);
   bool manualOn(SteadyTime now) const;
   std::optional<bool> stopState(SteadyTime now) const;
