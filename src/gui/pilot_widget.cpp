@@ -43,7 +43,8 @@ PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* pa
     if (now == nullptr || (now != this && !isAncestorOf(now))) letGo();
   });
   connect(qApp, &QApplication::applicationStateChanged, this, &PilotWidget::letGo);
-  connect(new WindowWatch(*this), &WindowWatch::cannotBeSeen, this, &PilotWidget::loseSight);
+  connect(new WindowWatch(*this, fromSeconds(parameters.liveness_timeout)), &WindowWatch::cannotBeSeen, this,
+          &PilotWidget::loseSight);
 }
 
 // What the application says while the children are destroyed, of the focus for instance, comes too late.

@@ -3,6 +3,7 @@
 #include <xcb/xcb.h>
 #include <xcb/xcbext.h>
 
+#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <algorithm>
 #include <cstdlib>
@@ -32,6 +33,8 @@ class WindowWatch::Server {
     hidden_ = atomOf(hidden);
   }
 
+  /// Whether its answer to a question is late; it may say then that the window is seen when it has long been hidden.
+  bool isSilent(Duration patience) const { return asked_ && since_asked_.nsecsElapsed() > patience.count(); }
   bool lost() const { return xcb_connection_has_error(connection_.get()) != 0; }
 
   /// Asks the server, or reads the answer to what the call before has asked; false while there is none.
@@ -40,6 +43,7 @@ class WindowWatch::Server {
       asked_ = Question{xcb_get_window_attributes(connection_.get(), window),
                         xcb_get_property(connection_.get(), 0, window, state_, XCB_ATOM_ATOM, 0, kMostStates)};
       xcb_flush(connection_.get());
+      since_asked_.start();
       return false;
     }
     void* answer = nullptr;
@@ -75,11 +79,14 @@ class WindowWatch::Server {
   std::unique_ptr<xcb_connection_t, decltype(&xcb_disconnect)> connection_;
   xcb_atom_t state_ = XCB_ATOM_NONE, hidden_ = XCB_ATOM_NONE;
   std::optional<Question> asked_;
+  QElapsedTimer since_asked_;
 };
 
-WindowWatch::WindowWatch(QWidget& content) : QObject(&content), content_(content) {
+WindowWatch::WindowWatch(QWidget& content, Duration patience)
+    : QObject(&content), content_(content), patience_(patience) {
   if (QGuiApplication::platformName() != "xcb") return;
   server_ = std::make_unique<Server>();
+  if (server_->lost()) return;
   connect(&timer_, &QTimer::timeout, this, &WindowWatch::look);
   timer_.start(kLookPeriod);
 }
@@ -88,8 +95,10 @@ WindowWatch::~WindowWatch() = default;
 
 void WindowWatch::look() {
   const WId window = content_.window()->internalWinId();
-  if (window == 0 || server_->lost()) return;
-  if (server_->isHidden(static_cast<xcb_window_t>(window))) emit cannotBeSeen();
+  if (window == 0) return;
+  if (server_->lost() || server_->isHidden(static_cast<xcb_window_t>(window)) || server_->isSilent(patience_)) {
+    emit cannotBeSeen();
+  }
 }
 
 }  // namespace frontier_pilot::gui

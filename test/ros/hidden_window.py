@@ -11,7 +11,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import Twist
 
-from screen import Screen
+from screen import Network, Screen
 from wire import Record, find_node, moves, wait_for
 
 PRESS, RELEASE = 1, 0
@@ -95,8 +95,10 @@ class HiddenWindow(unittest.TestCase):
         self.manual = Record('cmd_vel_manual', Twist)
         screen = Screen(folder)
         self.addCleanup(screen.end)
+        self.network = Network(screen)
+        self.addCleanup(self.network.end)
         node = subprocess.Popen([find_node('frontier_pilot', 'teleop_gui'), '__name:=window_to_hide'],
-                                env=screen.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                env=self.network.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(node.wait)
         self.addCleanup(node.kill)
         self.manager = Manager(screen.environment['DISPLAY'])
@@ -131,6 +133,14 @@ class HiddenWindow(unittest.TestCase):
         self.drive()
         self.manager.unmap(self.window)
         self.assert_stands('it is unmapped itself')
+
+    def test_a_window_whose_display_stalls_does_not_drive_on(self):
+        """[GUI-4] It does not hear of a key that is let go."""
+        self.drive()
+        self.network.stall()
+        self.assert_stands('the X server does not answer')
+        self.network.go_on()
+        self.drive()
 
 
 if __name__ == '__main__':
