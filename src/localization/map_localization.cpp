@@ -97,6 +97,8 @@ std::vector<slam::KeyframePose> MapLocalization::trajectory() const {
   return trajectory;
 }
 
+std::size_t MapLocalization::keyframes() const { return impl_->graph_slam ? impl_->graph_slam->keyframes() : 0; }
+
 void MapLocalization::reset() {}
 
 }  // namespace frontier_pilot::localization

@@ -292,5 +292,6 @@ const char* Mapper::lastCorrection() const { return impl_->last_correction; }
 double Mapper::usableShare() const { return impl_->usable_share; }
 std::optional<ScanRemark> Mapper::remark(Time now) const { return impl_->health.worst(now); }
 std::vector<slam::KeyframePose> Mapper::trajectory() const { return impl_->correction->trajectory(); }
+std::size_t Mapper::keyframes() const { return impl_->correction->keyframes(); }
 
 }  // namespace frontier_pilot::mapping

@@ -10,10 +10,11 @@ import unittest
 import rospy
 import rostest
 import tf2_ros
-from frontier_pilot.srv import LoadMap
+from frontier_pilot.srv import LoadMap, SaveMap
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
 from sensor_msgs.msg import LaserScan
+from std_srvs.srv import Trigger
 
 from wire import Node, Record, call, use_a_home_of_its_own, wait_for
 
@@ -114,6 +115,41 @@ class MapperAutosave(unittest.TestCase):
             self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), other)
             self.assertGreater(self.known(), 0.95 * before, '[FLT-2]')
             self.assertTrue(wait_for(lambda: self.drive() or kept_maps(), 20.0))
+
+    def leave_a_map(self):
+        """Ends a mapper that has kept its map, by SIGKILL, and gives the number of the map's known cells."""
+        mapper = Node('mapper')
+        self.addCleanup(mapper.end)
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        known = self.known()
+        mapper.signal(signal.SIGKILL)
+        mapper.finish()
+        self.map.items.clear()
+        return known
+
+    def test_a_map_that_was_loaded_or_reset_before_the_first_odometry_stays(self):  # [FLT-2]
+        self.leave_a_map()
+        mapper = Node('mapper')
+        self.addCleanup(mapper.end)
+        self.assertTrue(call('mapper/reset', Trigger).success)
+        wait_for(lambda: self.say_where() and False, 3.0)
+        self.assertEqual(self.known(), 0, 'the map of before is not put back [FLT-2]')
+
+    def test_a_map_file_does_not_replace_the_kept_map_before_the_first_odometry(self):  # [FLT-2]
+        floor = os.path.join(os.environ['ROS_HOME'], 'small_floor')
+        known = self.leave_a_map()
+        first = Node('mapper')
+        self.addCleanup(first.end)
+        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * known, 20.0))
+        self.assertTrue(call('mapper/save_map', SaveMap, floor).success)
+        first.signal(signal.SIGKILL)
+        first.finish()
+        kept = newest_map() + '.bt'
+        before = os.stat(kept).st_mtime_ns
+        second = Node('mapper', '_map_file:=' + floor)
+        self.addCleanup(second.end)
+        time.sleep(4.0)  # two periods of the autosave, without odometry
+        self.assertEqual(os.stat(kept).st_mtime_ns, before, '[FLT-2]')
 
     def test_a_map_whose_pose_was_damaged_is_put_aside_and_can_be_loaded(self):  # [FLT-2]
         mapper = Node('mapper')

@@ -83,6 +83,7 @@ class MapLocalization final : public slam::PoseCorrection {
   bool refuse(const slam::MapRevision& revision) override;
   void abandonWork() override;
   std::vector<slam::KeyframePose> trajectory() const override;
+  std::size_t keyframes() const override;
   void reset() override;
 
  private:

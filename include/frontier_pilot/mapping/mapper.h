@@ -153,6 +153,9 @@ class Mapper {
   std::optional<ScanRemark> remark(Time now) const;
   /// The keyframes so far, at their presently estimated poses. Must not be called while work is under way.
   std::vector<slam::KeyframePose> trajectory() const;
+  /// How many keyframes are kept, each with what its scan saw: they are the part of the mapper's memory that grows with
+  /// the way driven, until a reset, a loaded map or a given pose.
+  std::size_t keyframes() const;
 
   /// Forgets the map and the correction; the grid's size and origin and the counts stay.
   void reset();

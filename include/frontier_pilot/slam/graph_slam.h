@@ -31,6 +31,7 @@ class GraphSlam final : public PoseCorrection {
   bool refuse(const MapRevision& revision) override;
   void abandonWork() override;
   std::vector<KeyframePose> trajectory() const override;
+  std::size_t keyframes() const override;
   void reset() override;
 
  private:

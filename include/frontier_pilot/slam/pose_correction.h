@@ -101,6 +101,8 @@ class PoseCorrection {
   virtual void abandonWork() {}
   /// The keyframes so far, if it keeps any. Must not be called while work is under way.
   virtual std::vector<KeyframePose> trajectory() const { return {}; }
+  /// How many keyframes it keeps.
+  virtual std::size_t keyframes() const { return 0; }
   /// Forgets everything: the map has been reset.
   virtual void reset() = 0;
 };

@@ -54,6 +54,29 @@ std::vector<fs::path> olderMaps(const fs::path& own) {
   return maps;
 }
 
+/// Whether `name` is that of a file of the map `base` that was not written to its end: AtomicFile appends a dot and
+/// eleven characters.
+bool isUnfinished(const std::string& name, const std::string& base) {
+  return std::any_of(std::begin(kEndings), std::end(kEndings), [&](const char* ending) {
+    const std::string target = base + ending + ".";
+    return name.size() == target.size() + 11 && name.rfind(target, 0) == 0;
+  });
+}
+
+/// Removes what processes that were killed while they saved have left. Nobody saves in the session of `own` now.
+void removeUnfinished(const fs::path& own) {
+  std::error_code ignored;
+  for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
+    const fs::path base = session.path() / own.filename();
+    if (base != own && isKeptByALivingProcess(base)) continue;
+    std::vector<fs::path> unfinished;
+    for (const auto& file : fs::directory_iterator(session.path(), ignored)) {
+      if (isUnfinished(file.path().filename().string(), own.filename().string())) unfinished.push_back(file.path());
+    }
+    for (const fs::path& file : unfinished) fs::remove(file, ignored);
+  }
+}
+
 }  // namespace
 
 bool exists(const fs::path& base) {
@@ -69,6 +92,7 @@ void removeFiles(const fs::path& base) {
 }
 
 void removeOldest(const fs::path& own) {
+  removeUnfinished(own);
   const std::vector<fs::path> maps = olderMaps(own);
   for (std::size_t i = kMostOlder; i < maps.size(); ++i) removeFiles(maps[i]);
 }

@@ -151,6 +151,7 @@ void MapAutosave::tell(MemoryReport& report) const {
 
 void MapAutosave::forget() {
   loss_.clear();
+  saved_content_.reset();  // or the pose alone would be kept, without a map
   *wanted_ = false;
   wanted_ = std::make_shared<std::atomic<bool>>(true);
   discard(memory_);

@@ -49,6 +49,7 @@ map_files::MapIoResult MapperAdapter::load(const std::string& path) {
   if (!result.ok()) return result;
   revision_failure_.clear();
   autosave_.replace();
+  restored_.reset();  // a map that was kept is not wanted any more
   looked_for_ = true;
   return result;
 }

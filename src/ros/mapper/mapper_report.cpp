@@ -13,6 +13,7 @@ using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
 constexpr double kMega = 1e-6;
 constexpr double kDegrees = 180.0 / kPi;
+constexpr std::size_t kManyKeyframes = 30'000;  // 300 to 600 MB, after six kilometres or more
 
 void reportScans(const mapping::Mapper& mapper, Status& status) {
   for (std::size_t i = 0; i < mapping::kScanVerdicts; ++i) {
@@ -53,6 +54,7 @@ void MapperAdapter::report(Status& status) const {
   reportOdometry(status);
   reportRevisions(mapper_.revisions(), status);
   status.addf("last revision took [s]", "%.3f", revision_seconds_);
+  status.add("scans kept to close loops with", mapper_.keyframes());
   const GridGeometry& geometry = mapper_.map().geometry();
   status.addf("map size [m]", "%.1f x %.1f", geometry.width * geometry.resolution,
               geometry.height * geometry.resolution);
@@ -78,6 +80,13 @@ void MapperAdapter::summarize(Status& status) const {
                          "the map has more than the %zu cells that navigator and explorer accept: choose a coarser "
                          "resolution",
                          bounds::kMostMapCells);
+  }
+  if (mapper_.keyframes() > kManyKeyframes) {
+    status.mergeSummaryf(
+        DiagnosticStatus::WARN,
+        "%zu scans are kept to close loops with, and each metre adds some: for operation over days, save "
+        "the map and load it with localize_only",
+        mapper_.keyframes());
   }
   if (!revision_failure_.empty()) {
     status.mergeSummary(DiagnosticStatus::WARN, "loop closing is off until a reset: " + revision_failure_);

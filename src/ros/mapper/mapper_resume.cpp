@@ -34,6 +34,7 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
 
 void MapperAdapter::autosave() {
   if (const auto session = session_.take()) autosave_.enter(*session);
+  if (restored_) return;  // the copy that is there is worth more than what the mapper has until it continues with it
   const std::string before = autosave_.problem();
   const std::uint64_t content = mapper_.counts()[mapping::ScanVerdict::kInserted] + mapper_.revisions().rendered;
   autosave_.save(mapper_.map(), T_map_odom(), content, saver_);

@@ -27,6 +27,7 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   }
   mapper_.reset();
   autosave_.forget();
+  restored_.reset();
   anchor_.reset();
   pairing_.clear();
   revision_failure_.clear();

@@ -54,6 +54,7 @@ struct GraphSlam::Impl {
   Pose2 T_map_local;
   std::shared_ptr<GraphBackEnd> back_end;  ///< while work is under way, only that work accesses it
   std::vector<PlacedKeyframe> inbox;       ///< keyframes for the next work
+  std::size_t kept = 0;                    ///< keyframes so far
   bool working = false;
   bool abandoned = false;  ///< the back end threw: it gets no more keyframes
   std::uint64_t generation = 0;
@@ -81,7 +82,9 @@ void GraphSlam::Impl::keep(LocalSlamOutput& output) {
   placed.T_map_base = T_map_local * placed.keyframe.T_local_base;
   for (const auto& submap : output.finished) addPlace(submap, placed);
   for (const auto& submap : local.active()) addPlace(submap, placed);
-  if (!placed.places.empty() && !abandoned) inbox.push_back(std::move(placed));
+  if (placed.places.empty() || abandoned) return;
+  inbox.push_back(std::move(placed));
+  ++kept;
 }
 
 CorrectedScan GraphSlam::correct(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base,
@@ -125,6 +128,7 @@ bool GraphSlam::refuse(const MapRevision& revision) {
 }
 
 std::vector<KeyframePose> GraphSlam::trajectory() const { return impl_->back_end->trajectory(); }
+std::size_t GraphSlam::keyframes() const { return impl_->kept; }
 
 void GraphSlam::abandonWork() {
   impl_->working = false;

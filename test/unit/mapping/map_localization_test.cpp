@@ -181,6 +181,20 @@ TEST_F(MapLocalizationTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
   EXPECT_FALSE(mapper.revise(revision));
 }
 
+// [FLT-1]
+TEST_F(MapLocalizationTest, KeepsScansToCloseLoopsWithUntilAMapIsLoadedAndNoneWhereItOnlyLocalises_FLT_1) {
+  mapping::Mapper mapper;
+  drive(mapper, {4.0, 1.2, 0.0}, {5.0, 1.2, 0.0});
+  EXPECT_GE(mapper.keyframes(), 4U) << "one for each 0.2 m";
+  EXPECT_EQ(mapper.keyframes(), mapper.trajectory().size());
+  occupancy::OccupancyMap empty(mapping::MapperParameters{}.map);
+  ASSERT_TRUE(mapper.load(empty));
+  EXPECT_EQ(mapper.keyframes(), 0U);
+  mapping::Mapper knows = knowing(true);
+  drive(knows, {4.0, 1.2, 0.0}, {5.0, 1.2, 0.0});
+  EXPECT_EQ(knows.keyframes(), 0U);
+}
+
 // [FLT-2]
 TEST_F(MapLocalizationTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseThatItHad_FLT_2) {
   mapping::Mapper first;

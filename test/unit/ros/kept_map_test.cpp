@@ -105,6 +105,23 @@ TEST_F(KeptMap, OfAMapperThatRunsInAnotherSessionIsNotRemovedAsAnOldOne_FLT_2) {
   EXPECT_TRUE(kept_map::exists(folder_ / "session1" / base_.filename()));
 }
 
+// A mapper that is killed again and again while it saves would fill the disk. [FLT-2]
+TEST_F(KeptMap, LeavesNoUnfinishedFiles_FLT_2) {
+  const fs::path earlier = folder_ / "earlier" / base_.filename();
+  fs::create_directory(earlier.parent_path());
+  for (const fs::path& base : {base_, earlier}) {
+    for (const char* ending : {".bt", ".pgm", ".yaml"})
+      std::ofstream(base.string() + ending + ".0123456789a") << "half";
+  }
+  std::ofstream(base_.string() + ".bt.backup") << "somebody's own";
+  write("whole");
+  kept_map::removeOldest(base_);
+  EXPECT_TRUE(fs::is_empty(earlier.parent_path()));
+  EXPECT_FALSE(fs::exists(base_.string() + ".bt.0123456789a"));
+  EXPECT_TRUE(fs::exists(base_.string() + ".bt.backup"));
+  EXPECT_EQ(contentOf(base_.string() + ".bt"), "whole");
+}
+
 TEST_F(KeptMap, ThatIsNotThereCannotBePutAside) {
   EXPECT_FALSE(kept_map::exists(base_));
   EXPECT_EQ(kept_map::setAside(base_), "");
