@@ -142,6 +142,7 @@ TEST(TfBridge, KeepsABoundedNumberOfFrames) {
   speaker.say({transform("root", "leaf1", ros::Time::now())});
   EXPECT_TRUE(comesToKnow(bridge, "leaf1", "leaf998"));
   EXPECT_FALSE(bridge.lookup("root", "leaf1500", Time{}));
+  EXPECT_NE(reportOf(bridge).find("beyond the first 1000 of a message"), std::string::npos) << reportOf(bridge);
 }
 
 }  // namespace

@@ -79,8 +79,9 @@ void TfListener::watchClock() {
 void TfListener::take(const tf2_msgs::TFMessage& msg, bool is_static) {
   watchClock();
   const Time now = rosNow();
-  if (msg.transforms.size() > bounds::kMostFrames) return refuse("a message with more than 1000 transforms");
+  std::size_t taken = 0;
   for (const geometry_msgs::TransformStamped& transform : msg.transforms) {
+    if (++taken > bounds::kMostFrames) return refuse("beyond the first 1000 of a message");
     if (const char* why = problemOf(transform, now, is_static)) {
       refuse(why);
     } else if (const std::string objection = fixed_.objection(transform, is_static, steadyNow()); !objection.empty()) {
