@@ -41,7 +41,7 @@ class FrozenMaster(unittest.TestCase):
         environment = dict(os.environ, ROS_MASTER_URI=self.uri, QT_QPA_PLATFORM='offscreen')
         window = Node('teleop_gui', environment=environment)
         self.addCleanup(window.process.kill)
-        self.assertTrue(wait_for(lambda: '/cmd_vel_manual' in self.publishers(), 20.0))
+        self.assertTrue(wait_for(lambda: '/cmd_vel_manual' in (self.publishers() or {}), 20.0))
         self.master.send_signal(signal.SIGSTOP)
         time.sleep(2.0)  # until it is under way to ask the master again, as it does each second
         window.signal(signal.SIGTERM)

@@ -15,6 +15,7 @@
 #include <mutex>
 #include <utility>
 
+#include "ros/common/clock.h"
 #include "ros/common/names.h"
 #include "ros/gui_window.h"
 
@@ -25,6 +26,7 @@ class Robot {
  public:
   Robot() {
     commands_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 50, [this](const auto& msg) {
+      if (command != msg->linear.x) changed_ = steadyNow();
       command = msg->linear.x;
       ++command_count;
     });
@@ -39,12 +41,15 @@ class Robot {
     });
   }
   bool turns() const { return std::abs(turn_rate) > 0.3; }
+  /// When another command came than the one before.
+  SteadyTime changed() const { return changed_; }
   bool stands() const { return std::abs(turn_rate) < 1e-6 && std::abs(speed) < 1e-6; }
 
   std::atomic<double> command{0.0}, speed{0.0}, turn_rate{0.0}, yaw{0.0}, manual_command{0.0};
   std::atomic<int> command_count{0}, manual_count{0};
 
  private:
+  std::atomic<SteadyTime> changed_{SteadyTime{}};
   ros::NodeHandle node_;
   ros::Subscriber commands_, manual_, odometry_;
 };

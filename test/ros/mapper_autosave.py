@@ -7,6 +7,7 @@ import signal
 import time
 import unittest
 
+import rospkg
 import rospy
 import rostest
 import tf2_ros
@@ -128,12 +129,18 @@ class MapperAutosave(unittest.TestCase):
         return known
 
     def test_a_map_that_was_loaded_or_reset_before_the_first_odometry_stays(self):  # [FLT-2]
-        self.leave_a_map()
-        mapper = Node('mapper')
-        self.addCleanup(mapper.end)
-        self.assertTrue(call('mapper/reset', Trigger).success)
-        wait_for(lambda: self.say_where() and False, 3.0)
-        self.assertEqual(self.known(), 0, 'the map of before is not put back [FLT-2]')
+        floor = os.path.join(rospkg.RosPack().get_path('frontier_pilot'), 'config', 'worlds', 'small.yaml')
+        for service, *request in (('mapper/reset', Trigger), ('mapper/load_map', LoadMap, floor)):
+            self.leave_a_map()
+            mapper = Node('mapper')
+            self.addCleanup(mapper.end)
+            self.assertTrue(call(service, *request).success)
+            self.assertTrue(wait_for(lambda: self.odometry.get_num_connections() > 0))
+            self.assertTrue(service == 'mapper/reset' or wait_for(lambda: self.known() > 0, 10.0))
+            known = self.known()
+            wait_for(lambda: self.say_where() and False, 3.0)
+            self.assertEqual(self.known(), known, 'the map of before is not put back [FLT-2]')
+            mapper.end()
 
     def test_a_map_file_does_not_replace_the_kept_map_before_the_first_odometry(self):  # [FLT-2]
         floor = os.path.join(os.environ['ROS_HOME'], 'small_floor')

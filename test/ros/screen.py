@@ -37,6 +37,8 @@ class Network:
         self._flows = threading.Event()
         self._flows.set()
         self._path = SOCKET + display
+        if os.path.exists(self._path):  # left by a test that was killed
+            os.unlink(self._path)
         self._listener = socket.socket(socket.AF_UNIX)
         self._listener.bind(self._path)
         self._listener.listen()

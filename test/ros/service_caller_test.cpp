@@ -21,6 +21,8 @@
 namespace frontier_pilot {
 namespace {
 
+constexpr Duration kPatience = std::chrono::milliseconds(1500);  // for the first answer to a stop
+
 bool waitFor(const std::function<bool()>& condition) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(15.0);
   while (!condition() && ros::WallTime::now() < end) {
@@ -158,7 +160,7 @@ TEST(ServiceCallerOnTheWire, AStopWithoutAnAnswerIsMadeAgainOverAnotherConnectio
   Lines lines;
   ServiceCaller caller(ros::NodeHandle(), lines.log());
   const ros::WallTime pressed = ros::WallTime::now();
-  caller.insist("stop_that_hangs");
+  caller.insist("stop_that_hangs", kPatience);
   EXPECT_TRUE(waitFor([&] {
     caller.lookAfter(steadyNow());
     return arbiter.calls().size() == 2 && lines.have("stop_that_hangs: done");
@@ -193,12 +195,12 @@ TEST(ServiceCallerOnTheWire, AStopIsAskedForAgainUntilThereIsSomebodyToAnswerOrI
   ros::NodeHandle node;
   std::atomic<int> lines{0};
   ServiceCaller caller(node, [&lines](teleop::Severity, const std::string&) { ++lines; });
-  caller.insist("late_stop");
+  caller.insist("late_stop", kPatience);
   EXPECT_TRUE(waitFor([&] { return lines == 1; })) << "it says that it tries again";
   ros::ServiceServer late = node.advertiseService("late_stop", handle);
   EXPECT_TRUE(waitFor([&] { return calls == 1 && lines == 2; }));
   late.shutdown();
-  caller.insist("late_stop");
+  caller.insist("late_stop", kPatience);
   EXPECT_TRUE(waitFor([&] { return lines == 3; }));
   caller.withdraw();
   EXPECT_TRUE(waitFor([&] { return lines == 4; })) << "it says that there was no answer";

@@ -63,7 +63,7 @@ struct AvoiderParameters {
     v.field("turn_speed", turn_speed, "rad/s", "rate of turning away", baseTurnRate());
     v.field("turn_time", turn_time, "s", "greatest duration of turning in a cycle", Bounds{0.0, 60.0, true});
     v.field("max_cycles", max_cycles, "", "cycles that did not help before it gives up", countFrom(1));
-    v.field("max_scan_age", max_scan_age, "s", "an older scan is a fault", Bounds{0.0, 60.0, true});
+    v.field("max_scan_age", max_scan_age, "s", "an older scan is a fault", dataAge());
     v.field("max_invalid_share", max_invalid_share, "", "greatest share of invalid beams; a scan with more is a fault",
             between(0.0, 1.0));
     v.tunable({"stop_distance", "clear_distance", "rear_stop_distance", "reverse_speed", "turn_speed"});

@@ -113,7 +113,7 @@ struct FrontierParameters {
     v.field("min_distance", min_distance, "m", "goals to which the way is shorter than this are not sent",
             between(0.0, 100.0));
     v.field("obstacle_radius_cells", obstacle_radius_cells, "cells", "radius in which the obstacle density is measured",
-            between(1, 20));
+            between(1, 40));
     v.field("max_obstacle_density", max_obstacle_density, "",
             "goals with a greater obstacle density around them are not sent", between(0.0, 1.0));
     v.field("min_info_area", min_info_area, "m^2",

@@ -32,11 +32,10 @@ struct BehaviorServerParameters {
   void check(Problems& problems) const {
     behavior.check(problems);
     const RobotModel& robot = behavior.robot;
-    const bool are_the_robots =
-        frames.odom_frame.empty() && frames.base_frame.empty();  // which are checked as the robot's
-    if (!are_the_robots) {
+    // The robot's own frames are checked with the robot.
+    const bool are_the_robots = frames.odom_frame.empty() && frames.base_frame.empty();
+    if (!are_the_robots)
       robot.checkIsNotBase(problems, "odom_frame", robot.odomFrameOr(frames.odom_frame), frames.base_frame);
-    }
   }
 };
 

@@ -106,14 +106,13 @@ void sayIfThereIsNoMaster() {
                                               << ": waiting for one, which roscore or roslaunch starts");
 }
 
-/// Whether `uri` ends with `:PORT` or `:PORT/`, from 1 to 65535. roscpp reads as many digits as there are, and waits
-/// for ever for a master at any other port.
-bool endsWithAPort(std::string uri) {
-  if (!uri.empty() && uri.back() == '/') uri.pop_back();
-  const std::string digits = uri.substr(uri.rfind(':') + 1);
+/// Whether `uri` has a port from 1 to 65535 at its end, or before a path. roscpp takes anything for one, and waits for
+/// ever for a master at another port.
+bool hasAPort(const std::string& uri) {
+  const std::string port = uri.substr(uri.rfind(':') + 1);
+  const std::string digits = port.substr(0, port.find('/'));
   if (digits.empty() || digits.size() > 5 || digits.find_first_not_of("0123456789") != std::string::npos) return false;
-  const int port = std::stoi(digits);
-  return port >= 1 && port <= 65535;
+  return std::stoi(digits) >= 1 && std::stoi(digits) <= 65535;
 }
 
 /// roscpp aborts if the address of the master cannot be one.
@@ -126,7 +125,7 @@ void refuseAWrongAddress(const std::vector<std::string>& words) {
   }
   std::string host;
   std::uint32_t port = 0;
-  if (ros::network::splitURI(uri, host, port) && !host.empty() && endsWithAPort(uri)) return;
+  if (ros::network::splitURI(uri, host, port) && !host.empty() && hasAPort(uri)) return;
   throw std::runtime_error(said + " is not an address like http://host:11311: " + uri);
 }
 

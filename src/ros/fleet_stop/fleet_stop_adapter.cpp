@@ -30,7 +30,10 @@ std::string serviceBeside(const std::string& topic) {
 
 void FleetStopParameters::check(Problems& problems) const {
   for (const fleet::FleetRobot& robot : robots) {
-    if (!isRobotName(robot.name)) problems.push_back("robots: '" + robot.name + "' is no name of a namespace");
+    // One that begins with a slash is not below the namespace of this node.
+    const bool is_absolute = robot.name.rfind('/', 0) == 0;
+    if (!isRobotName(robot.name.substr(is_absolute ? 1 : 0)))
+      problems.push_back("robots: '" + robot.name + "' is no name of a namespace");
     if (names::ofRobot(robot.name, names::kEmergencyStop) == names::kFleetEmergencyStop)
       problems.push_back("robots: '" + robot.name + "' cannot be a robot's name: " + names::kFleetEmergencyStop +
                          " stops all robots");

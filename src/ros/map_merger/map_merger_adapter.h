@@ -33,7 +33,7 @@ struct MapMergerNodeParameters : fleet::MapMergerParameters {
   void check(Problems& problems) const {
     fleet::MapMergerParameters::check(problems);
     for (const fleet::FleetRobot& robot : robots) {
-      if (names::ofRobot(robot.name, names::kMapFrame) == map_frame)
+      if (!robot.name.empty() && names::ofRobot(robot.name, names::kMapFrame) == map_frame)
         problems.push_back("map_frame: is the frame of the map of '" + robot.name + "' as well, '" + map_frame + "'");
     }
   }

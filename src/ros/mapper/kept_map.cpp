@@ -1,6 +1,7 @@
 #include "ros/mapper/kept_map.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <system_error>
 #include <utility>
@@ -63,17 +64,21 @@ bool isUnfinished(const std::string& name, const std::string& base) {
   });
 }
 
-/// Removes what processes that were killed while they saved have left. Nobody saves in the session of `own` now.
+/// Removes what processes that were killed while they saved have left. A file that is older than saving can take is not
+/// being written any more.
 void removeUnfinished(const fs::path& own) {
+  const fs::file_time_type since = fs::file_time_type::clock::now() - std::chrono::minutes(10);
   std::error_code ignored;
   for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
-    const fs::path base = session.path() / own.filename();
-    if (base != own && isKeptByALivingProcess(base)) continue;
     std::vector<fs::path> unfinished;
     for (const auto& file : fs::directory_iterator(session.path(), ignored)) {
       if (isUnfinished(file.path().filename().string(), own.filename().string())) unfinished.push_back(file.path());
     }
-    for (const fs::path& file : unfinished) fs::remove(file, ignored);
+    for (const fs::path& file : unfinished) {
+      std::error_code missing;
+      const auto written = fs::last_write_time(file, missing);
+      if (!missing && written < since) fs::remove(file, missing);
+    }
   }
 }
 

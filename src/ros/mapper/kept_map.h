@@ -11,7 +11,7 @@ namespace frontier_pilot::kept_map {
 bool exists(const std::filesystem::path& base);
 void removeFiles(const std::filesystem::path& base);
 /// Removes the maps that the same node has left in other sessions, but for the three newest and that of a mapper which
-/// runs, and files that were left unfinished. To be called when nothing is being saved at `own`.
+/// runs, and files that were left unfinished more than ten minutes ago.
 void removeOldest(const std::filesystem::path& own);
 /// Moves what there is of a map that cannot be continued with to the folder `lost` beside it or, if one is there
 /// already or nothing can be written there, to `lost.2` and so on, up to `lost.9`; a map in that one is replaced,

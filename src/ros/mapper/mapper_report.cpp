@@ -13,7 +13,7 @@ using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
 constexpr double kMega = 1e-6;
 constexpr double kDegrees = 180.0 / kPi;
-constexpr std::size_t kManyKeyframes = 30'000;  // 300 to 600 MB, after six kilometres or more
+constexpr std::size_t kManyKeyframes = 30'000;  // 300 to 600 MB, after six kilometres or less
 
 void reportScans(const mapping::Mapper& mapper, Status& status) {
   for (std::size_t i = 0; i < mapping::kScanVerdicts; ++i) {

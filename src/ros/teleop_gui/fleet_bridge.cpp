@@ -20,6 +20,9 @@ constexpr std::size_t kMostRobots = 50;  // that a window listens to
 constexpr const char* kRoot = "/";       // as fleet_stop calls a robot without a namespace
 // A stop that was pressed is asked for again and again for ten seconds, also when another robot is shown by then.
 constexpr Duration kRetirement = std::chrono::seconds(12);
+/// For the answer to a stop of all robots: fleet_stop waits for theirs for as long as its `patience`, which is at most
+/// ten seconds.
+constexpr Duration kFleetPatience = std::chrono::seconds(11);
 
 /// The absolute name of what belongs to a robot.
 std::string absolute(const std::string& robot, const std::string& name) {
@@ -186,7 +189,7 @@ void FleetBridge::stopAll() {
     const std::lock_guard<std::mutex> lock(mutex_);
     stop_ = {teleop::Severity::kWarning, "asking all robots to stop …"};
   }
-  stop_caller_.insist(names::kFleetEmergencyStop);
+  stop_caller_.insist(names::kFleetEmergencyStop, kFleetPatience);
 }
 
 void sayWhyNoWindow(const std::string& why) {

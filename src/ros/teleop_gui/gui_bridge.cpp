@@ -173,7 +173,7 @@ void GuiBridge::request(const teleop::OperatorRequest& request) {
   switch (request.kind) {
     case Kind::kEmergencyStop:
       dropWhatWaits("the emergency stop was pressed after it");
-      return stop_caller_.insist(names::kEmergencyStop);
+      return stop_caller_.insist(names::kEmergencyStop, std::chrono::milliseconds(1500));
     case Kind::kClearEmergencyStop:
       stop_caller_.withdraw();
       return arbiter_caller_.set(names::kSetEmergencyStop, false);

@@ -17,8 +17,6 @@ namespace {
 
 constexpr Duration kSlow = std::chrono::seconds(2);
 constexpr Duration kMostWait = std::chrono::seconds(2);  // after that a call that waits is no more what is wanted
-// An arbiter answers a stop at once, and fleet_stop within a second.
-constexpr Duration kStopPatience = std::chrono::milliseconds(1500);
 constexpr Duration kInsists = std::chrono::seconds(10);
 constexpr auto kBetweenCalls = std::chrono::milliseconds(200);
 
@@ -60,9 +58,10 @@ void ServiceCaller::set(const std::string& service, bool value, Late late) {
   post({service, Call::Type::kSetBool, late, value});
 }
 void ServiceCaller::trigger(const std::string& service) { post({service, Call::Type::kTrigger, Late::kDropped}); }
-void ServiceCaller::insist(const std::string& service) {
+void ServiceCaller::insist(const std::string& service, Duration patience) {
   Call call{service, Call::Type::kTrigger, Late::kDone};
   call.insists = true;
+  call.patience = patience;
   post(call);
 }
 void ServiceCaller::saveMap(const std::string& service, const std::string& path) {
@@ -123,7 +122,7 @@ void ServiceCaller::post(Call call) {
     waits = isUnderWay(call);
     replaced = takeOut([&call](const Call& other) { return other.service == call.service; });
     if (call.insists) {
-      patience_ = kStopPatience;
+      patience_ = call.patience;
       giveUpASilentStop(call.asked_at);
     }
     if (!waits) calls_.push_back(call);
@@ -146,7 +145,7 @@ void ServiceCaller::run() {
     calls_.pop_front();
     under_way_ = call;
     since_ = steadyNow();
-    patience_ = kStopPatience;
+    patience_ = call.patience;
     withdrawn_ = sent_ = gave_up_ = false;
     why_not_.clear();
     lock.unlock();

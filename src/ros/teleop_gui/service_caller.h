@@ -56,9 +56,9 @@ class ServiceCaller {
   void dropWhatWaits(const std::string& why);
   /// Calls a std_srvs/Trigger again and again for ten seconds until there is an answer, or until `withdraw`: whoever
   /// presses stop while the arbiter is being restarted has pressed it. A connection on which no answer comes is given
-  /// up after a moment, which becomes longer each time, and another one is made: after an outage of the network the old
-  /// one may hang for minutes.
-  void insist(const std::string& service);
+  /// up after `patience`, and after twice as long each time that follows, and another one is made: after an outage of
+  /// the network the old one may hang for minutes. A service that answers later than that is called again.
+  void insist(const std::string& service, Duration patience);
   void withdraw();
   /// Calls the mapper's SaveMap or LoadMap with a path.
   void saveMap(const std::string& service, const std::string& path);
@@ -76,6 +76,7 @@ class ServiceCaller {
     bool value = false;  ///< of a SetBool
     std::string path{};  ///< of a map
     bool insists = false;
+    Duration patience{};  ///< of a call that insists, for an answer on its first connection
     SteadyTime asked_at{};
 
     /// For the operator, with all that it asks for.
@@ -119,7 +120,7 @@ class ServiceCaller {
   std::optional<Call> under_way_;
   std::optional<SteadyTime> since_;         ///< when the call that is under way was begun; none once it was called slow
   std::optional<SteadyTime> asking_since_;  ///< when its last connection was made; none once that was given up
-  Duration patience_{};                     ///< for an answer on the connection of a stop
+  Duration patience_{};                     ///< for an answer on the present connection of a call that insists
   std::string why_not_;                     ///< why the call that is under way is not made; empty if it is
   bool sent_ = false;                       ///< it cannot be taken back
   bool gave_up_ = false;

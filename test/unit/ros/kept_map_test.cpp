@@ -110,15 +110,20 @@ TEST_F(KeptMap, LeavesNoUnfinishedFiles_FLT_2) {
   const fs::path earlier = folder_ / "earlier" / base_.filename();
   fs::create_directory(earlier.parent_path());
   for (const fs::path& base : {base_, earlier}) {
-    for (const char* ending : {".bt", ".pgm", ".yaml"})
-      std::ofstream(base.string() + ending + ".0123456789a") << "half";
+    for (const char* ending : {".bt", ".pgm", ".yaml"}) {
+      const std::string file = base.string() + ending + ".0123456789a";
+      std::ofstream(file) << "half";
+      fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1));
+    }
   }
+  std::ofstream(base_.string() + ".pgm.bcdefghijkl") << "being written";
   std::ofstream(base_.string() + ".bt.backup") << "somebody's own";
   write("whole");
   kept_map::removeOldest(base_);
   EXPECT_TRUE(fs::is_empty(earlier.parent_path()));
   EXPECT_FALSE(fs::exists(base_.string() + ".bt.0123456789a"));
   EXPECT_TRUE(fs::exists(base_.string() + ".bt.backup"));
+  EXPECT_TRUE(fs::exists(base_.string() + ".pgm.bcdefghijkl"));
   EXPECT_EQ(contentOf(base_.string() + ".bt"), "whole");
 }
 

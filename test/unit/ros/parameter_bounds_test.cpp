@@ -104,7 +104,7 @@ TEST(ParameterBounds, NoRobotIsFasterOrSeesFartherThanAny_FLT_1) {
 // [FLT-1]
 TEST(ParameterBounds, NoPathLeavesMoreRoomThanARobotNeeds_FLT_1) {
   expectRefused<ExplorerNodeParameters>("frontier: {clearance_margin: 5000.0}", "frontier/clearance_margin");
-  expectRefused<ExplorerNodeParameters>("frontier: {obstacle_radius_cells: 21}", "frontier/obstacle_radius_cells");
+  expectRefused<ExplorerNodeParameters>("frontier: {obstacle_radius_cells: 41}", "frontier/obstacle_radius_cells");
   expectRefused<ExplorerNodeParameters>("frontier: {min_distance: 1e300}", "frontier/min_distance");
 }
 
@@ -121,6 +121,7 @@ TEST(ParameterBounds, NoRobotDrivesByOldData_FLT_1) {
   expectRefused<BehaviorServerParameters>("pose_timeout: 500", "pose_timeout");
   expectRefused<BehaviorServerParameters>("costmap_timeout: 500", "costmap_timeout");
   expectRefused<PatrolServerParameters>("odometry_timeout: 500", "odometry_timeout");
+  expectRefused<ObstacleAvoiderNodeParameters>("max_scan_age: 500", "max_scan_age");
   expectRefused<BehaviorServerParameters>("simulate_ahead_time: 1e6", "simulate_ahead_time");
 }
 
