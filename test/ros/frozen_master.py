@@ -2,7 +2,6 @@
 """The window at a master that hangs: it ends all the same. The test has a master of its own, which it may freeze."""
 import os
 import signal
-import socket
 import subprocess
 import time
 import unittest
@@ -11,18 +10,12 @@ import rosgraph
 import rospy
 import rostest
 
-from wire import Node, wait_for
-
-
-def a_free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
+from wire import Node, free_port, wait_for
 
 
 class FrozenMaster(unittest.TestCase):
     def setUp(self):
-        port = a_free_port()
+        port = free_port()
         self.uri = 'http://127.0.0.1:%d' % port
         self.master = subprocess.Popen(['rosmaster', '--core', '-p', str(port)], stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL)

@@ -8,14 +8,16 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <string>
 
 #include "ros/common/clock.h"
 #include "ros/teleop_gui/gui_bridge.h"
+#include "ros/wait_for.h"
 
 namespace frontier_pilot {
 namespace {
+
+using test::waitFor;
 
 /// A ROS master at a port that depends on this process.
 class Master {
@@ -44,12 +46,6 @@ class Master {
 };
 
 Master* g_master = nullptr;
-
-bool waitFor(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(15.0);
-  while (!condition() && ros::WallTime::now() < end) ros::WallDuration(0.02).sleep();
-  return condition();
-}
 
 // [GUI-3] [FLT-1]
 TEST(PanelWithoutAMaster, AnArrowKeyDoesNotHoldTheWindowsThread_GUI_3) {

@@ -3,7 +3,6 @@
 import glob
 import os
 import signal
-import socket
 import subprocess
 import tempfile
 import threading
@@ -19,15 +18,9 @@ import rosgraph
 import rospy
 import rostest
 
-from wire import use_a_home_of_its_own, wait_for
+from wire import free_port, use_a_home_of_its_own, wait_for
 
 Answer = namedtuple('Answer', 'success message')
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
 
 
 class Registration(unittest.TestCase):

@@ -7,19 +7,15 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <functional>
 #include <string>
 
 #include "ros/common/master/xml_rpc.h"
+#include "ros/wait_for.h"
 
 namespace frontier_pilot {
 namespace {
 
-bool waitFor(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(15.0);
-  while (!condition() && ros::WallTime::now() < end) ros::WallDuration(0.02).sleep();
-  return condition();
-}
+using test::waitFor;
 
 /// A node that is frozen: it is registered for a service, and its system takes connections that nobody reads.
 class FrozenNode {

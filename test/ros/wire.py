@@ -5,6 +5,7 @@ import os
 import select
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import threading
@@ -102,6 +103,13 @@ class Source:
 
 
 @functools.lru_cache()
+def free_port():
+    """A port of the loopback interface at which nobody listens."""
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
 def find_node(package, executable):
     return roslib.packages.find_node(package, executable)[0]
 
