@@ -45,6 +45,7 @@ def poses_of_the_session(kept):
 class MapperAutosave(unittest.TestCase):
     def setUp(self):
         self.map = Record('map', OccupancyGrid)
+        self.addCleanup(lambda: self.map.subscriber.unregister())
         self.odometry = rospy.Publisher('odom', Odometry, queue_size=10)
         self.scans = rospy.Publisher('scan', LaserScan, queue_size=10)
         self.frames = tf2_ros.StaticTransformBroadcaster()
@@ -76,6 +77,11 @@ class MapperAutosave(unittest.TestCase):
         self.scans.publish(scan)
         time.sleep(0.1)
 
+    def forget_the_map(self):
+        """Subscribes anew: what a mapper that was killed left in its connection no longer counts."""
+        self.map.subscriber.unregister()
+        self.map = Record('map', OccupancyGrid)
+
     def known(self):
         return sum(cell >= 0 for cell in self.map.last.data) if self.map.last else 0
 
@@ -92,7 +98,7 @@ class MapperAutosave(unittest.TestCase):
         self.assertGreater(before, 5000)
         mapper.signal(signal.SIGKILL)
         mapper.finish()
-        self.map.items.clear()
+        self.forget_the_map()
         mapper = Node('mapper', '_map_file:=/no/longer/there')  # its copy is worth more than the file
         # Without a scan: what the map shows is what was kept.
         self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0))
@@ -111,7 +117,7 @@ class MapperAutosave(unittest.TestCase):
             rospy.set_param('/run_id', other) if other else rospy.delete_param('/run_id')
             mapper.signal(signal.SIGKILL)
             mapper.finish()
-            self.map.items.clear()
+            self.forget_the_map()
             mapper = Node('mapper')
             self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0, 20.0), other)
             self.assertGreater(self.known(), 0.95 * before, '[FLT-2]')
@@ -125,7 +131,7 @@ class MapperAutosave(unittest.TestCase):
         known = self.known()
         mapper.signal(signal.SIGKILL)
         mapper.finish()
-        self.map.items.clear()
+        self.forget_the_map()
         return known
 
     def test_a_map_that_was_loaded_or_reset_before_the_first_odometry_stays(self):  # [FLT-2]
@@ -173,7 +179,7 @@ class MapperAutosave(unittest.TestCase):
                 if damage:
                     with open(pose, 'w') as file:
                         file.write(damage)
-            self.map.items.clear()
+            self.forget_the_map()
             mapper = Node('mapper')
             lost = os.path.join(os.path.dirname(kept), 'lost', 'kept_map.mapper')
             self.assertTrue(wait_for(lambda: os.path.exists(lost + '.bt') and not os.path.exists(kept + '.bt'), 10.0))

@@ -85,9 +85,12 @@ class WaitingNodes(unittest.TestCase):
             said.append(node.said())
             return 'ready: all inputs are there' in said[-1]
         self.assertTrue(wait_for(ready, 30.0), said[-1])
-        values = {value.key: value.value for value in self.diagnostics.rows['told_mapper'].values}
-        self.assertTrue(wait_for(lambda: self.diagnostics.rows['told_mapper'].level == DiagnosticStatus.OK))
-        self.assertIn('inputs', values)
+
+        def well():
+            row = self.diagnostics.rows.get('told_mapper')
+            return row is not None and row.level == DiagnosticStatus.OK
+        self.assertTrue(wait_for(well), self.diagnostics.rows.get('told_mapper'))
+        self.assertIn('inputs', [value.key for value in self.diagnostics.rows['told_mapper'].values])
 
 
 if __name__ == '__main__':
