@@ -46,6 +46,7 @@ class MapperAutosave(unittest.TestCase):
     def setUp(self):
         self.map = Record('map', OccupancyGrid)
         self.addCleanup(lambda: self.map.subscriber.unregister())
+        self.addCleanup(self.forget_the_file)
         self.odometry = rospy.Publisher('odom', Odometry, queue_size=10)
         self.scans = rospy.Publisher('scan', LaserScan, queue_size=10)
         self.frames = tf2_ros.StaticTransformBroadcaster()
@@ -81,6 +82,11 @@ class MapperAutosave(unittest.TestCase):
         """Subscribes anew: what a mapper that was killed left in its connection no longer counts."""
         self.map.subscriber.unregister()
         self.map = Record('map', OccupancyGrid)
+
+    def forget_the_file(self):
+        """What one mapper was told in its command line stays on the parameter server, and would count for the next one."""
+        if rospy.has_param('mapper/map_file'):
+            rospy.delete_param('mapper/map_file')
 
     def known(self):
         return sum(cell >= 0 for cell in self.map.last.data) if self.map.last else 0
