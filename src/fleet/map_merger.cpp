@@ -30,6 +30,8 @@ const char* toString(MergeState state) {
       return "no map yet";
     case MergeState::kPlaceUnknown:
       return "its place is not known yet";
+    case MergeState::kTooLargeToSearch:
+      return "its place is not known, and not looked for: its map or the one to find it in is too large";
     case MergeState::kMerged:
       return "merged";
     case MergeState::kContradicted:
@@ -75,7 +77,7 @@ void MapMerger::share(std::size_t robot, const std::vector<CellRect>& changed, T
   const Robot& own = robots_[robot];
   if (!own.T_map_robot || own.contradicted) {
     withdraw(robot);
-    return enter(robot, own.contradicted ? MergeState::kContradicted : MergeState::kPlaceUnknown, now);
+    return enter(robot, own.contradicted ? MergeState::kContradicted : own.unplaced, now);
   }
   const bool was_merged = isMerged(robot);
   const SourceResult result = common_.setSourceParts(robot, own.map(), changed, *own.T_map_robot);

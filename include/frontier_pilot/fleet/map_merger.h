@@ -57,8 +57,9 @@ using PlaceWork = std::function<PlaceFinding()>;
 
 /// Whether a robot's map is part of the common one.
 enum class MergeState {
-  kNoMap,         ///< none has come yet
-  kPlaceUnknown,  ///< it is not known yet where the robot started; it is looked for
+  kNoMap,             ///< none has come yet
+  kPlaceUnknown,      ///< it is not known yet where the robot started; it is looked for
+  kTooLargeToSearch,  ///< that is not known, and not looked for: a search would need too much memory
   kMerged,
   kContradicted,     ///< its walls lie in the free space of others: its place is wrong, or its map
   kOtherResolution,  ///< see SourceResult
@@ -116,6 +117,7 @@ class MapMerger {
     // The search for its place: windows of its map are searched for in another one, and by turns windows of that in its
     // map.
     bool reversed = false;
+    MergeState unplaced = MergeState::kPlaceUnknown;  ///< its state while the place is not known
     std::array<std::optional<Cell>, 2> last_window;  ///< that was searched for, of its map and of another one
     std::array<int, 2> windows{};                    ///< of either that lead to the candidate
     std::optional<PlaceMatch> candidate;             ///< its transform is T_map_robot
@@ -133,6 +135,7 @@ class MapMerger {
   void enter(std::size_t robot, MergeState state, Time now);
   void judge(std::size_t robot, Time now);
   static void weigh(Robot& robot, const PlaceFinding& finding, const Pose2& T_map_reference);
+  bool mayBeSearched(const PlaceFinding& finding, Time now);
 
   MapMergerParameters parameters_;
   std::deque<Robot> robots_;

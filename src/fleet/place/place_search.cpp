@@ -8,6 +8,7 @@
 
 #include "fleet/place/map_windows.h"
 #include "fleet/place/wall_faces.h"
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/scan_matching/correlative_search.h"
 #include "frontier_pilot/scan_matching/surface_map.h"
 #include "frontier_pilot/surfaces/surface_points.h"
@@ -63,6 +64,17 @@ scan_matching::SearchRequest anywhereOn(const GridGeometry& geometry) {
   return request;
 }
 
+/// The block around the occupied cells.
+CellRect wallsOf(const OccupancyGrid& map) {
+  CellRect walls;
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      if (isOccupied(map.row(y)[x])) walls.include(Cell{x, y});
+    }
+  }
+  return walls;
+}
+
 bool isNear(const Grid<std::uint8_t>& walls, const Vec2& point) {
   return walls.get(walls.geometry().cellAt(point), 0) >= kOnWall;
 }
@@ -83,6 +95,13 @@ struct WholeMap {
 
 bool areNear(const Pose2& one, const Pose2& other, double distance, double angle) {
   return (other.position() - one.position()).norm() < distance && std::abs(angleDifference(other.yaw, one.yaw)) < angle;
+}
+
+bool canBeSearched(const OccupancyGrid& map) {
+  const double most = static_cast<double>(bounds::kMostMapCells) * square(kFine / map.resolution());
+  const auto fits = [&](const CellRect& cells) { return static_cast<double>(cells.width) * cells.height <= most; };
+  return (fits(map.geometry().rect()) || fits(wallsOf(map))) &&
+         surfaces::surfaceSize(map) <= bounds::kMostSurfacePoints;
 }
 
 struct PlaceSearch::Impl {

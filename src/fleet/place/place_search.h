@@ -15,6 +15,10 @@ namespace frontier_pilot::fleet {
 bool areNear(const Pose2& one, const Pose2& other, double distance, double angle);
 
 /// Looks for the transform between the frames of two maps that know some of the same rooms. [MUL-1]
+/// Whether a search needs no more memory for this map than docs/limits.md says: that follows the ground around its
+/// walls in cells of 5 cm, however large the map's cells are, and the number of points on the walls. [FLT-1]
+bool canBeSearched(const OccupancyGrid& map);
+
 ///
 /// Windows of `b`, some metres wide, are searched for all over `a`, in any direction, by branch and bound over a
 /// likelihood field (Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016). What is found is refined on

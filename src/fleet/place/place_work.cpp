@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "fleet/place/place_search.h"
+#include "fleet/lattice.h"
 #include "frontier_pilot/fleet/map_merger.h"
 
 namespace frontier_pilot::fleet {
@@ -64,6 +65,7 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
     const bool later = finding.refined ? finding.reference < finding.robot : finding.reference != finding.robot;
     if (finding.robot == 0 || !later || !robot.hasMap() || !isMerged(finding.reference)) continue;
     std::optional<Pose2> T_map_b = robot.T_map_robot;
+    if (!mayBeSearched(finding, now)) return std::nullopt;
     if (!finding.refined && robot.candidate) T_map_b = robot.candidate->T_a_b;
     std::optional<Pose2> T_a_b;
     if (T_map_b) T_a_b = reference.T_map_robot->inverse() * *T_map_b;
@@ -79,6 +81,17 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
 }
 
 void MapMerger::accept(const PlaceFinding& finding, Time now) {
+/// Whether the two maps can be searched; if not, the robot's state says why.
+bool MapMerger::mayBeSearched(const PlaceFinding& finding, Time now) {
+  Robot& robot = robots_[finding.robot];
+  const OccupancyGrid& reference = robots_[finding.reference].map();
+  robot.unplaced = !sameResolution(reference.geometry(), robot.map().geometry()) ? MergeState::kOtherResolution
+                   : !(canBeSearched(reference) && canBeSearched(robot.map()))   ? MergeState::kTooLargeToSearch
+                                                                                 : MergeState::kPlaceUnknown;
+  if (!finding.refined) enter(finding.robot, robot.unplaced, now);
+  return robot.unplaced == MergeState::kPlaceUnknown;
+}
+
   searching_ = false;
   last_search_ = now;
   Robot& robot = robots_[finding.robot];

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <random>
 #include <vector>
@@ -262,6 +263,50 @@ TEST_F(UnknownStarts, AreLookedForWithAPauseHoweverLongASearchTakes) {
   merger_.accept({}, now_ + std::chrono::seconds(5));
   EXPECT_FALSE(merger_.takeWork(now_ + std::chrono::milliseconds(6900)));
   EXPECT_TRUE(merger_.takeWork(now_ + std::chrono::seconds(7)));
+}
+
+/// A free map with a wall in each of two opposite corners; `side` and `cell` in metres.
+OccupancyGrid wideMap(double side, double cell) {
+  const int cells = static_cast<int>(std::lround(side / cell));
+  OccupancyGrid map(GridGeometry{cell, Vec2::Zero(), cells, cells}, kFree);
+  map[Cell{0, 0}] = map[Cell{cells - 1, cells - 1}] = kOccupied;
+  return map;
+}
+
+// [FLT-1] The search needs memory for the ground between the walls, and a few cells of a map may be very large.
+TEST_F(UnknownStarts, AreNotLookedForWhereTheWallsLieTooFarApart_FLT_1) {
+  for (const std::size_t wide : {1U, 0U}) {
+    give(wide, wideMap(400.0, 1.0));
+    give(1 - wide, wideMap(20.0, 1.0));
+    EXPECT_FALSE(merger_.takeWork(now_));
+    EXPECT_EQ(merger_.status(1).state, MergeState::kTooLargeToSearch);
+    give(1, merger_.view(1).map());
+    EXPECT_EQ(merger_.status(1).state, MergeState::kTooLargeToSearch) << "until there is another one";
+    now_ += std::chrono::seconds(5);
+  }
+  give(0, wideMap(300.0, 1.0));
+  give(1, wideMap(300.0, 1.0));
+  EXPECT_TRUE(merger_.takeWork(now_));
+  EXPECT_EQ(merger_.status(1).state, MergeState::kPlaceUnknown);
+}
+
+// [FLT-1]
+TEST_F(UnknownStarts, AreNotLookedForInAMapOfNoise_FLT_1) {
+  OccupancyGrid noise(GridGeometry{0.05, Vec2::Zero(), 1500, 1500}, kFree);
+  for (std::size_t i = 0; i < noise.size(); i += 2) noise[i] = kOccupied;
+  give(0, one_);
+  give(1, noise);
+  EXPECT_FALSE(merger_.takeWork(now_));
+  EXPECT_EQ(merger_.status(1).state, MergeState::kTooLargeToSearch);
+}
+
+// [MUL-1] Maps whose cells differ in size cannot be put together, wherever the robot is.
+TEST_F(UnknownStarts, AreNotLookedForInCellsOfAnotherSize) {
+  give(0, one_);
+  give(1, wideMap(20.0, 0.1));
+  EXPECT_FALSE(merger_.takeWork(now_));
+  EXPECT_EQ(merger_.status(1).state, MergeState::kOtherResolution);
+  EXPECT_TRUE(merge(one_, two_));
 }
 
 }  // namespace
