@@ -8,7 +8,7 @@ import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from frontier_pilot.msg import ArbiterStatus, FleetStopStatus
-from std_srvs.srv import SetBool, Trigger
+from std_srvs.srv import SetBool, Trigger, TriggerResponse
 
 from wire import Node, Record, call, wait_for
 
@@ -40,8 +40,8 @@ class FleetStop(unittest.TestCase):
         self.addCleanup(node.end)
         return node
 
-    def start(self):
-        node = Node('fleet_stop')
+    def start(self, *arguments):
+        node = Node('fleet_stop', *arguments)
         self.addCleanup(node.end)
         return node
 
@@ -134,6 +134,30 @@ class FleetStop(unittest.TestCase):
         lines = [line for line in self.node.said().splitlines() if 'no-such-computer' in line]
         self.assertTrue(lines)
         self.assertLess(len(lines), 40, 'in 15 s, in the first of which it tries more often')
+
+    def test_a_late_answer_confirms_no_later_stop(self):
+        """The robot may have been cleared in between. [MUL-4]"""
+        self.node.end()
+        self.fleet.items.clear()
+        self.node = self.start('_patience:=2.0')
+        self.addCleanup(rospy.delete_param, '/fleet_stop/patience')
+        calls = []
+
+        def stop(_):
+            calls.append(time.monotonic())
+            if len(calls) == 1:
+                time.sleep(2.5)
+            return TriggerResponse(True, 'stopped')
+        stranger = rospy.Publisher('/robot3/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.addCleanup(stranger.unregister)
+        service = rospy.Service('/robot3/emergency_stop', Trigger, stop)
+        self.addCleanup(service.shutdown)
+        self.assertTrue(self.reaches(SERVICES | {'/robot3/emergency_stop'}))
+        self.assertEqual(self.stop()[0].message, '2 of 3 robots stopped; not confirmed by robot3: silent')
+        self.assertEqual(self.stop()[0].message, '3 of 3 robots stopped')
+        self.assertEqual(len(calls), 2)
+        rospy.sleep(1.0)
+        self.assertEqual(len(calls), 2)
 
     def test_it_never_calls_itself(self):
         """A robot called fleet would have its stop where the stop of all is. [FLT-1]"""

@@ -31,8 +31,9 @@ class StopLine {
 
   const std::string& service() const { return service_; }
   bool connected() const { return connected_; }
-  /// Begins a call. One that waits for its answer counts for this one too, because the robot has been told; after some
-  /// seconds it is given up, and made again over a new connection.
+  /// Begins a call. While an earlier one waits for its answer this one follows it, one for all that are asked for
+  /// meanwhile: the robot may have been told and cleared since. After some seconds the earlier one is given up, and
+  /// made again over a new connection.
   void ask();
   /// The answer to the call begun last; kSilent if there is none at `deadline`.
   StopAnswer answerUntil(SteadyTime deadline);
