@@ -57,8 +57,9 @@ MapMerger::MapMerger(const MapMergerParameters& parameters)
 
 void MapMerger::setMap(std::size_t robot, const OccupancyGrid& map, const CellRect& changed, Time now) {
   Robot& own = robots_[robot];
+  const bool same_extent = own.hasMap() && own.map().geometry() == map.geometry();
   const std::vector<CellRect> parts = own.snapshot.take(map, changed);
-  if (own.hasMap() && parts.empty()) return;
+  if (same_extent && parts.empty()) return;
   if (own.view.setSourceParts(0, own.map(), parts, {}) != SourceResult::kTaken) {
     withdraw(robot);  // the robot's own map comes before those of others
     own.view.setSource(0, own.map(), wholeOf(own.map()), {});

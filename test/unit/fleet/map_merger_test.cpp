@@ -137,6 +137,26 @@ TEST(MapMerger, ARobotThatWasMergedBeforeIsSeenByOneThatComesLater) {
   EXPECT_EQ(early.common().map().cells(), late.common().map().cells());
 }
 
+// [MUL-1] Its map has grown by cells that nobody knows, so none of its cells has changed.
+TEST(MapMerger, KeepsTheMapOfARobotWhoseMapHasGrownByUnknownCellsAlone_MUL_1) {
+  OccupancyGrid one(GridGeometry{0.05, Vec2::Zero(), 60, 40}, kFree);
+  for (int y = 0; y < 40; ++y) one[Cell{20, y}] = kOccupied;
+  OccupancyGrid grown(GridGeometry{0.05, Vec2::Zero(), 61, 40}, kUnknown);
+  for (int y = 0; y < 40; ++y) std::copy_n(one.row(y), 60, grown.row(y));
+  OccupancyGrid two(GridGeometry{0.05, Vec2::Zero(), 60, 40}, kUnknown);
+  MapMerger merger(twoRobots(Pose2(), Pose2()));
+  give(merger, 0, one);
+  give(merger, 1, two);
+  give(merger, 0, grown);
+  two[Cell{22, 10}] = kOccupied;
+  merger.setMap(1, two, CellRect{22, 10, 1, 1}, kStart);
+  const Vec2 wall = one.geometry().centre({20, 10});
+  EXPECT_TRUE(isOccupied(cellAt(merger.common().map(), wall)));
+  EXPECT_TRUE(isOccupied(cellAt(merger.view(0).map(), wall)));
+  EXPECT_TRUE(isOccupied(cellAt(merger.view(1).map(), wall)));
+  EXPECT_EQ(merger.view(0).map().width(), 61);
+}
+
 TEST(MapMerger, RefusesAListThatNamesARobotTwiceOrNotAtAll) {
   MapMergerParameters parameters = twoRobots(kOne, kTwo);
   Problems problems;
