@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """One call stops all robots, and names those that have not confirmed it: two arbiters, of which one hangs or dies. [MUL-4]"""
 import signal
+import socket
 import time
 import unittest
 
@@ -158,6 +159,28 @@ class FleetStop(unittest.TestCase):
         self.assertEqual(len(calls), 2)
         rospy.sleep(1.0)
         self.assertEqual(len(calls), 2)
+
+    def test_it_ends_although_a_computer_takes_no_connection(self):
+        """[FLT-1]"""
+        master, service, waiting = rospy.get_master(), '/robot3/emergency_stop', []
+        full = socket.socket()
+        self.addCleanup(full.close)
+        full.bind(('127.0.0.1', 0))
+        full.listen(0)
+        for _ in range(3):  # its queue is full now, and what else wants to connect is not answered
+            waiting.append(socket.socket())
+            self.addCleanup(waiting[-1].close)
+            waiting[-1].setblocking(False)
+            waiting[-1].connect_ex(full.getsockname())
+        stranger = rospy.Publisher('/robot3/cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.addCleanup(stranger.unregister)
+        there = 'rosrpc://127.0.0.1:%d' % full.getsockname()[1]
+        master.target.registerService('/stranger', service, there, 'http://127.0.0.1:1')
+        self.addCleanup(master.target.unregisterService, '/stranger', service, there)
+        self.assertTrue(wait_for(lambda: self.fleet.last is not None and service in self.fleet.last.not_reached, 10.0))
+        rospy.sleep(1.0)
+        self.node.signal(signal.SIGINT)
+        self.node.finish(10.0)
 
     def test_it_never_calls_itself(self):
         """A robot called fleet would have its stop where the stop of all is. [FLT-1]"""

@@ -94,8 +94,9 @@ class MapMerger {
   void setPlace(std::size_t robot, const std::optional<Pose2>& T_map_robot, Time now);
   /// A search for the place of a robot that is not known, or for a better estimate of one that was found, if it is time
   /// for one and two maps overlap that may. Without `known_starts` only. Its result goes to `accept`; only then another
-  /// one is begun.
-  std::optional<PlaceWork> takeWork(Time now);
+  /// one is begun. Once `stop` is true, which is asked again and again and then has to stay true, a search ends without
+  /// a result. Maps for which it would need too much memory are not searched. [FLT-1]
+  std::optional<PlaceWork> takeWork(Time now, const std::function<bool()>& stop = {});
   /// A place counts as found when several windows of either map lead to it, and no other one does.
   void accept(const PlaceFinding& finding, Time now);
   /// Checks a merge, if it is time to. To be called regularly.
@@ -116,8 +117,8 @@ class MapMerger {
     MergeStatus status;
     // The search for its place: windows of its map are searched for in another one, and by turns windows of that in its
     // map.
-    bool reversed = false;
     MergeState unplaced = MergeState::kPlaceUnknown;  ///< its state while the place is not known
+    bool reversed = false;
     std::array<std::optional<Cell>, 2> last_window;  ///< that was searched for, of its map and of another one
     std::array<int, 2> windows{};                    ///< of either that lead to the candidate
     std::optional<PlaceMatch> candidate;             ///< its transform is T_map_robot
@@ -134,8 +135,8 @@ class MapMerger {
   void show(std::size_t other, std::size_t robot, const std::vector<CellRect>& changed);
   void enter(std::size_t robot, MergeState state, Time now);
   void judge(std::size_t robot, Time now);
-  static void weigh(Robot& robot, const PlaceFinding& finding, const Pose2& T_map_reference);
   bool mayBeSearched(const PlaceFinding& finding, Time now);
+  static void weigh(Robot& robot, const PlaceFinding& finding, const Pose2& T_map_reference);
 
   MapMergerParameters parameters_;
   std::deque<Robot> robots_;

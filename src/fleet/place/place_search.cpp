@@ -105,9 +105,10 @@ bool canBeSearched(const OccupancyGrid& map) {
 }
 
 struct PlaceSearch::Impl {
-  Impl(const OccupancyGrid& map_a, const OccupancyGrid& map_b)
+  Impl(const OccupancyGrid& map_a, const OccupancyGrid& map_b, const std::function<bool()>& stop_search)
       : a(map_a),
         b(map_b),
+        stop(stop_search),
         surface_a(surfaces::surfaceOf(a)),
         surface(surfaces::surfaceOf(b)),
         sparse(everyNth(surface, kSparse)),
@@ -115,6 +116,7 @@ struct PlaceSearch::Impl {
         walls(scan_matching::likelihoodField(surface_a, {kFine, 1.2 * kFine})),
         surroundings(scan_matching::likelihoodField(surface_a, {kCoarse, kNearWalls})) {}
 
+  bool isStopped() const { return stop && stop(); }
   bool isOnWall(const Vec2& point) const { return isNear(walls, point); }
   bool knows(const Vec2& point) const { return !isUnknown(a.get(a.geometry().cellAt(point), kUnknown)); }
 
@@ -178,7 +180,7 @@ struct PlaceSearch::Impl {
   std::optional<PlaceMatch> settled(const PlaceMatch& match) const {
     const Vec2 along = weakDirection(match.T_a_b);
     std::vector<std::pair<double, Pose2>> places{{flawOf(match.T_a_b), match.T_a_b}};
-    for (int i = -kSettleSteps; i <= kSettleSteps; ++i) {
+    for (int i = -kSettleSteps; i <= kSettleSteps && !isStopped(); ++i) {
       const Vec2 shifted = match.T_a_b.position() + i * kSettleStep * along;
       const Pose2 there = faces.climb(sparse, {shifted, match.T_a_b.yaw});
       const auto is_there = [&](const auto& place) { return areNear(place.second, there, kSettleStep, 0.02); };
@@ -202,6 +204,7 @@ struct PlaceSearch::Impl {
     std::optional<PlaceMatch> best, accepted;
     // Several poses around a peak may be asked for: one that has been refused tells of its neighbours, too.
     std::vector<Pose2> refused;
+    request.stop = stop;
     request.accept = [&](const Pose2& pose) {
       const auto is_near = [&](const Pose2& other) { return areNear(other, pose, 0.3, 0.1); };
       if (std::any_of(refused.begin(), refused.end(), is_near)) return false;
@@ -219,11 +222,12 @@ struct PlaceSearch::Impl {
     request.min_score = kRival * found->score;
     refused.clear();
     const bool ambiguous = scan_matching::correlativeSearch(whole.pyramid, points, request).has_value();
-    return ambiguous ? std::nullopt : settled(*best);
+    return ambiguous || isStopped() ? std::nullopt : settled(*best);
   }
 
   const OccupancyGrid& a;
   const OccupancyGrid& b;
+  std::function<bool()> stop;
   SurfacePoints surface_a;
   SurfacePoints surface;            ///< of b
   SurfacePoints sparse;             ///< of that, every kSparse-th point
@@ -232,7 +236,8 @@ struct PlaceSearch::Impl {
   Grid<std::uint8_t> surroundings;  ///< of these walls
 };
 
-PlaceSearch::PlaceSearch(const OccupancyGrid& a, const OccupancyGrid& b) : impl_(std::make_unique<Impl>(a, b)) {}
+PlaceSearch::PlaceSearch(const OccupancyGrid& a, const OccupancyGrid& b, const std::function<bool()>& stop)
+    : impl_(std::make_unique<Impl>(a, b, stop)) {}
 PlaceSearch::~PlaceSearch() = default;
 
 std::vector<PlaceMatch> PlaceSearch::search(WindowRound& round) const {
@@ -241,6 +246,7 @@ std::vector<PlaceMatch> PlaceSearch::search(WindowRound& round) const {
   const WholeMap whole(impl_->surface_a);
   const auto is_known = [this](const Vec2& point) { return impl_->knows(point); };
   for (const MapWindow& window : round.next(windowsOf(impl_->surface), is_known)) {
+    if (impl_->isStopped()) break;
     if (auto match = impl_->placeOf(window, whole)) matches.push_back(*match);
   }
   return matches;

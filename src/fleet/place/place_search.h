@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,11 +15,11 @@ namespace frontier_pilot::fleet {
 /// Whether two poses differ by less than `distance` [m] and `angle` [rad].
 bool areNear(const Pose2& one, const Pose2& other, double distance, double angle);
 
-/// Looks for the transform between the frames of two maps that know some of the same rooms. [MUL-1]
 /// Whether a search needs no more memory for this map than docs/limits.md says: that follows the ground around its
 /// walls in cells of 5 cm, however large the map's cells are, and the number of points on the walls. [FLT-1]
 bool canBeSearched(const OccupancyGrid& map);
 
+/// Looks for the transform between the frames of two maps that know some of the same rooms. [MUL-1]
 ///
 /// Windows of `b`, some metres wide, are searched for all over `a`, in any direction, by branch and bound over a
 /// likelihood field (Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016). What is found is refined on
@@ -27,7 +28,9 @@ bool canBeSearched(const OccupancyGrid& map);
 /// object.
 class PlaceSearch {
  public:
-  PlaceSearch(const OccupancyGrid& a, const OccupancyGrid& b);
+  /// `stop` is asked again and again: once it is true, which it then has to stay, the search ends and finds nothing.
+  /// Empty: it runs to its end.
+  PlaceSearch(const OccupancyGrid& a, const OccupancyGrid& b, const std::function<bool()>& stop = {});
   ~PlaceSearch();
   PlaceSearch(const PlaceSearch&) = delete;
   PlaceSearch& operator=(const PlaceSearch&) = delete;

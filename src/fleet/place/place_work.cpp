@@ -2,10 +2,11 @@
 // takes to believe a match.
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 
-#include "fleet/place/place_search.h"
 #include "fleet/lattice.h"
+#include "fleet/place/place_search.h"
 #include "frontier_pilot/fleet/map_merger.h"
 
 namespace frontier_pilot::fleet {
@@ -20,14 +21,14 @@ constexpr double kWorthwhile = 0.01;        // correction of a place [m]
 constexpr double kWorthwhileAngle = 0.002;  // [rad]
 
 PlaceFinding find(PlaceFinding finding, const OccupancyGrid& a, const OccupancyGrid& b,
-                  const std::optional<Pose2>& T_a_b) {
+                  const std::optional<Pose2>& T_a_b, const std::function<bool()>& stop) {
   if (finding.refined) {
-    if (const auto match = PlaceSearch(a, b).refine(*T_a_b)) finding.matches = {*match};
+    if (const auto match = PlaceSearch(a, b, stop).refine(*T_a_b)) finding.matches = {*match};
     return finding;
   }
   WindowRound round{kWindows, finding.last_window, T_a_b};
   if (finding.reversed && T_a_b) round.T_a_b_guess = T_a_b->inverse();
-  finding.matches = finding.reversed ? PlaceSearch(b, a).search(round) : PlaceSearch(a, b).search(round);
+  finding.matches = finding.reversed ? PlaceSearch(b, a, stop).search(round) : PlaceSearch(a, b, stop).search(round);
   finding.last_window = round.after;
   if (!finding.reversed) return finding;
   for (PlaceMatch& match : finding.matches) match.T_a_b = match.T_a_b.inverse();
@@ -49,7 +50,7 @@ bool areAlike(const PlaceMatch& one, const PlaceMatch& other) {
 
 }  // namespace
 
-std::optional<PlaceWork> MapMerger::takeWork(Time now) {
+std::optional<PlaceWork> MapMerger::takeWork(Time now, const std::function<bool()>& stop) {
   const bool waiting = last_search_ && now >= *last_search_ && now - *last_search_ < fromSeconds(kPause);
   if (parameters_.known_starts || searching_ || waiting || robots_.size() < 2) return std::nullopt;
   last_search_ = now;
@@ -64,8 +65,8 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
     finding.refined = isMerged(finding.robot);
     const bool later = finding.refined ? finding.reference < finding.robot : finding.reference != finding.robot;
     if (finding.robot == 0 || !later || !robot.hasMap() || !isMerged(finding.reference)) continue;
-    std::optional<Pose2> T_map_b = robot.T_map_robot;
     if (!mayBeSearched(finding, now)) return std::nullopt;
+    std::optional<Pose2> T_map_b = robot.T_map_robot;
     if (!finding.refined && robot.candidate) T_map_b = robot.candidate->T_a_b;
     std::optional<Pose2> T_a_b;
     if (T_map_b) T_a_b = reference.T_map_robot->inverse() * *T_map_b;
@@ -75,12 +76,11 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now) {
     searching_ = true;
     const auto a = std::make_shared<const OccupancyGrid>(reference.map());
     const auto b = std::make_shared<const OccupancyGrid>(robot.map());
-    return [=] { return find(finding, *a, *b, T_a_b); };
+    return [=] { return find(finding, *a, *b, T_a_b, stop); };
   }
   return std::nullopt;
 }
 
-void MapMerger::accept(const PlaceFinding& finding, Time now) {
 /// Whether the two maps can be searched; if not, the robot's state says why.
 bool MapMerger::mayBeSearched(const PlaceFinding& finding, Time now) {
   Robot& robot = robots_[finding.robot];
@@ -92,6 +92,7 @@ bool MapMerger::mayBeSearched(const PlaceFinding& finding, Time now) {
   return robot.unplaced == MergeState::kPlaceUnknown;
 }
 
+void MapMerger::accept(const PlaceFinding& finding, Time now) {
   searching_ = false;
   last_search_ = now;
   Robot& robot = robots_[finding.robot];

@@ -175,8 +175,10 @@ void initProgram(int& argc, char** argv, const std::string& name) {
 }
 
 void limitTheEnd() {
-  if (!pidOfMaster()) alarm(kEndPatience);
+  if (!pidOfMaster()) limitTheEndAnyway();
 }
+
+void limitTheEndAnyway() { alarm(kEndPatience); }
 
 int runNode(int argc, char** argv, const NodeUsage& usage,
             const std::function<RunningNode(ros::NodeHandle&, ros::NodeHandle&)>& make,

@@ -59,6 +59,8 @@ int runNode(int argc, char** argv, const NodeUsage& usage, const std::function<v
 /// To be called before a node is taken down. roscpp waits for ever for a master that hangs, to unregister: the process
 /// ends all the same some seconds later. One that is saving a map may take longer, as long as the master answers.
 void limitTheEnd();
+/// The same for a node that saves nothing: its process ends some seconds later whatever it waits for.
+void limitTheEndAnyway();
 
 /// The same for a node with a main loop of its own, such as a window: `body(node, private_node, running)` runs the
 /// node, has to return soon after `running()` has become false, calls `limitTheEnd` before it takes the node down, and

@@ -4,10 +4,12 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "frontier_pilot/core/text.h"
 #include "ros/common/clock.h"
 #include "ros/common/names.h"
+#include "ros/common/node_main.h"
 #include "ros/common/parameters.h"
 #include "ros/common/throttled_log.h"
 #include "ros/fleet_stop/stop_answer.h"
@@ -59,6 +61,12 @@ FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.everySteady(ros::WallDuration(0.2), [this] { tick(); });
 }
 
+/// A thread may be connecting to a computer that is switched off. Nothing is lost with this process.
+FleetStopAdapter::~FleetStopAdapter() {
+  limitTheEndAnyway();
+  for (const auto& line : lines_) line->end();
+}
+
 bool FleetStopAdapter::addRobot(const std::string& service) {
   const auto is_it = [&](const auto& line) { return line->service() == service; };
   if (std::any_of(lines_.begin(), lines_.end(), is_it)) return true;
@@ -105,9 +113,14 @@ void FleetStopAdapter::forgetRobots() {
   for (const std::string& service : known_.forget(now)) {
     ROS_INFO_STREAM(
         robotOf(service) << " has been gone for an hour, and is not stopped together with the others any more");
-    const auto is_it = [&](const auto& line) { return line->service() == service; };
-    lines_.erase(std::remove_if(lines_.begin(), lines_.end(), is_it), lines_.end());
+    const auto is_another = [&](const auto& line) { return line->service() != service; };
+    const auto gone = std::stable_partition(lines_.begin(), lines_.end(), is_another);
+    std::for_each(gone, lines_.end(), [](const auto& line) { line->end(); });
+    std::move(gone, lines_.end(), std::back_inserter(forgotten_));
+    lines_.erase(gone, lines_.end());
   }
+  const auto has_ended = [](const auto& line) { return line->ended(); };
+  forgotten_.erase(std::remove_if(forgotten_.begin(), forgotten_.end(), has_ended), forgotten_.end());
 }
 
 void FleetStopAdapter::tick() {

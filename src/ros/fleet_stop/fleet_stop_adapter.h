@@ -36,6 +36,7 @@ struct FleetStopParameters {
 class FleetStopAdapter {
  public:
   FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  ~FleetStopAdapter();
   FleetStopAdapter(const FleetStopAdapter&) = delete;
   FleetStopAdapter& operator=(const FleetStopAdapter&) = delete;
 
@@ -55,7 +56,8 @@ class FleetStopAdapter {
   FleetStopParameters parameters_;
   ros::NodeHandle node_;
   KnownRobots known_;
-  std::vector<std::unique_ptr<StopLine>> lines_;  ///< to each that is known
+  std::vector<std::unique_ptr<StopLine>> lines_;      ///< to each that is known
+  std::vector<std::unique_ptr<StopLine>> forgotten_;  ///< whose threads have not ended yet
   ros::Publisher status_;
   std::vector<std::string> not_reached_;  ///< as published last
   SteadyTime published_{};

@@ -32,13 +32,17 @@ StopLine::StopLine(const ros::NodeHandle& node, std::string service)
     : node_(node), service_(std::move(service)), thread_([this] { run(); }) {}
 
 StopLine::~StopLine() {
+  end();
+  thread_.join();
+}
+
+void StopLine::end() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ending_ = true;
     client_.shutdown();  // ends the call that waits for an answer
   }
   wake_.notify_all();
-  thread_.join();
 }
 
 void StopLine::ask() {
@@ -82,6 +86,7 @@ void StopLine::run() {
       settle(number, std::move(answer));
     }
   }
+  ended_ = true;
 }
 
 void StopLine::settle(std::uint64_t number, StopAnswer answer) {

@@ -25,12 +25,16 @@ namespace frontier_pilot {
 class StopLine {
  public:
   StopLine(const ros::NodeHandle& node, std::string service);
+  /// Waits for an attempt to connect, which may take two minutes where a computer is switched off.
   ~StopLine();
   StopLine(const StopLine&) = delete;
   StopLine& operator=(const StopLine&) = delete;
 
   const std::string& service() const { return service_; }
   bool connected() const { return connected_; }
+  /// Lets the thread end, without waiting for it: it has when `ended` is true.
+  void end();
+  bool ended() const { return ended_; }
   /// Begins a call. While an earlier one waits for its answer this one follows it, one for all that are asked for
   /// meanwhile: the robot may have been told and cleared since. After some seconds the earlier one is given up, and
   /// made again over a new connection.
@@ -52,6 +56,7 @@ class StopLine {
   std::string service_;
   CallbackGuard guard_;
   std::atomic<bool> connected_{false};
+  std::atomic<bool> ended_{false};
   std::mutex mutex_;  ///< guards all that follow
   std::condition_variable wake_;
   bool ending_ = false;

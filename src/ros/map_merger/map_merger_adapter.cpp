@@ -76,7 +76,7 @@ void MapMergerAdapter::searchPlaces(Time now) {
     merger_.accept({}, now);
   }
   if (!searcher_.idle()) return;
-  if (auto work = merger_.takeWork(now)) searcher_.start(std::move(*work));
+  if (auto work = merger_.takeWork(now, [this] { return ending_.load(); })) searcher_.start(std::move(*work));
 }
 
 void MapMergerAdapter::takeRivals() {

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <atomic>
 #include <list>
 #include <string>
 
@@ -44,7 +45,10 @@ struct MapMergerNodeParameters : fleet::MapMergerParameters {
 class MapMergerAdapter {
  public:
   MapMergerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node);
-  ~MapMergerAdapter() { saver_.close(); }
+  ~MapMergerAdapter() {
+    ending_ = true;
+    saver_.close();
+  }
   MapMergerAdapter(const MapMergerAdapter&) = delete;
   MapMergerAdapter& operator=(const MapMergerAdapter&) = delete;
 
@@ -77,6 +81,7 @@ class MapMergerAdapter {
   NodeDiagnostics diagnostics_;
   MergedMapSaver saver_;
   NodeConnections connections_;
+  std::atomic<bool> ending_{false};  ///< read on the searcher's thread
   Worker<fleet::PlaceFinding> searcher_;
 };
 

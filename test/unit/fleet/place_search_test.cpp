@@ -265,6 +265,24 @@ TEST_F(UnknownStarts, AreLookedForWithAPauseHoweverLongASearchTakes) {
   EXPECT_TRUE(merger_.takeWork(now_ + std::chrono::seconds(7)));
 }
 
+// [FLT-1] The end of a node does not wait for a search.
+TEST_F(UnknownStarts, AreNoLongerLookedForOnceTheSearchIsStopped_FLT_1) {
+  give(0, one_);
+  give(1, two_);
+  int asked = 0;
+  const auto whole = merger_.takeWork(now_, [&] { return ++asked < 0; });
+  ASSERT_TRUE(whole);
+  EXPECT_FALSE((*whole)().matches.empty());
+  EXPECT_GT(asked, 100);
+  merger_.accept({}, now_);
+  const int most = asked / 2;
+  asked = 0;
+  const auto stopped = merger_.takeWork(now_ + std::chrono::seconds(5), [&] { return ++asked > most; });
+  ASSERT_TRUE(stopped);
+  (*stopped)();
+  EXPECT_LT(asked, most + 10);
+}
+
 /// A free map with a wall in each of two opposite corners; `side` and `cell` in metres.
 OccupancyGrid wideMap(double side, double cell) {
   const int cells = static_cast<int>(std::lround(side / cell));
