@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -14,10 +15,14 @@ struct KeepOff {
   double apart = 0.0;
 };
 
-/// The nearest place, by the length of the way there, where a robot of this radius [m] is off all ways `off`, without
-/// driving through the discs `bodies`, which are lines of one point. Cells that are not known to be free are not
-/// entered. Nothing if there is none within `kBayReach`. In the frame of the map.
-constexpr double kBayReach = 15.0;  // [m]
+/// The nearest place, by the length of the way there, where a robot of this radius [m] is off the `kMostBayLines` ways
+/// of `off` that come nearest to it, without driving through the discs `bodies`, which are lines of one point. Cells
+/// that are not known to be free are not entered. Places are looked at `kBaySpacing` apart, or a cell if that is more.
+/// Nothing if there is none within `kBayReach` and among the nearest `kMostBayPlaces`. In the frame of the map.
+constexpr double kBayReach = 15.0;    // [m]
+constexpr double kBaySpacing = 0.05;  // [m]
+constexpr std::size_t kMostBayPlaces = 40'000;
+constexpr std::size_t kMostBayLines = 20;
 std::optional<Vec2> findBay(const OccupancyGrid& map, const Vec2& from, double radius, const std::vector<KeepOff>& off,
                             const std::vector<KeepOff>& bodies);
 

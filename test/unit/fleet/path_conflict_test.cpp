@@ -86,5 +86,27 @@ TEST(BaySearch, FindsNoneBehindTheOtherRobotNorInUnknownSpace_MUL_3) {
   EXPECT_FALSE(findBay(OccupancyGrid(corridor().geometry(), kUnknown), {1.9, kMiddle}, 0.1, {{way, 0.3}}, {}));
 }
 
+// [FLT-1] Anybody can send the ways of a hundred robots.
+TEST(BaySearch, MindsTheWaysOfTheTwentyNearestRobots_FLT_1) {
+  const OccupancyGrid hall(GridGeometry{0.1, Vec2::Zero(), 300, 300}, kFree);
+  const Vec2 here(15.0, 15.0);
+  const std::vector<KeepOff> near(20, KeepOff{{here, {15.5, 15.0}}, 1.0});
+  std::vector<KeepOff> all(80, KeepOff{{{20.0, 15.0}, {20.0, 16.0}}, 100.0});
+  all.insert(all.begin() + 40, near.begin(), near.end());
+  EXPECT_TRUE(findBay(hall, here, 0.1, near, {}));
+  EXPECT_EQ(findBay(hall, here, 0.1, all, {}), findBay(hall, here, 0.1, near, {}));
+}
+
+// [FLT-1] In cells of 1 cm, each place costs a look at thousands of them.
+TEST(BaySearch, LooksAtPlacesFiveCentimetresApartAndNotAtAnyNumberOfThem_FLT_1) {
+  const OccupancyGrid hall(GridGeometry{0.01, Vec2::Zero(), 3000, 3000}, kFree);
+  const Vec2 here(15.005, 15.005);
+  const auto bay = findBay(hall, here, 0.1, {{{here}, 0.43}}, {});
+  ASSERT_TRUE(bay);
+  EXPECT_NEAR((*bay - here).norm(), 0.45, 1e-6) << "along an axis, in steps of 5 cm";
+  EXPECT_TRUE(findBay(hall, here, 0.1, {{{here}, 4.0}}, {}));
+  EXPECT_FALSE(findBay(hall, here, 0.1, {{{here}, 8.0}}, {})) << "beyond 40,000 places";
+}
+
 }  // namespace
 }  // namespace frontier_pilot::fleet
