@@ -62,10 +62,7 @@ FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
 }
 
 /// A thread may be connecting to a computer that is switched off. Nothing is lost with this process.
-FleetStopAdapter::~FleetStopAdapter() {
-  limitTheEndAnyway();
-  for (const auto& line : lines_) line->end();
-}
+FleetStopAdapter::~FleetStopAdapter() { limitTheEndAnyway(); }
 
 bool FleetStopAdapter::addRobot(const std::string& service) {
   const auto is_it = [&](const auto& line) { return line->service() == service; };
