@@ -53,6 +53,7 @@ struct Observation {
   std::vector<Topic> topics;
   std::map<std::string, std::string> providers;  ///< node by service
   std::vector<FrameLink> links;
+  std::vector<FrameLink> useless_links;  ///< no transform of these could be used: for the nodes they do not exist
   ScanStream scan;
   Stream odometry;
 };

@@ -15,6 +15,17 @@ constexpr double kTransformLag = 0.1;  // [s] that a transform may be behind
 
 std::string arrow(const FrameLink& link) { return link.parent + " -> " + link.child; }
 
+/// Transforms that the nodes drop, always or now and then.
+void checkRefused(const std::vector<FrameLink>& links, Findings& findings) {
+  for (const FrameLink& link : links) {
+    if (link.stream.problem.empty()) continue;
+    problem(findings,
+            "the transform " + arrow(link) + " of " + joined(link.stream.publishers) +
+                " cannot be used: " + link.stream.problem,
+            "all nodes drop it: look into the node that publishes it");
+  }
+}
+
 /// A frame has one parent, and one node that says where it is in it.
 void checkOneParent(const Observation& seen, Findings& findings) {
   std::map<std::string, std::vector<const FrameLink*>> by_child;
@@ -82,9 +93,12 @@ void checkTime(const Observation& seen, Findings& findings) {
 }
 
 void checkFrames(const Observation& seen, const Expectation& expected, Findings& findings) {
+  checkRefused(seen.useless_links, findings);
+  checkRefused(seen.links, findings);
   const std::set<std::string> frames = framesOf(seen.links);
   if (frames.empty()) {
-    problem(findings, "nobody publishes a transform",
+    problem(findings,
+            "nobody publishes a transform" + std::string(seen.useless_links.empty() ? "" : " that can be used"),
             "start the base's driver and robot_state_publisher; TF is shared, its topics are /tf and /tf_static");
   } else if (frames.count(expected.robot.base_frame) == 0) {
     problem(findings, sayMissingFrame(expected.robot.base_frame, frames, "base_frame"),

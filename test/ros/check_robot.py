@@ -25,6 +25,15 @@ def no_beams(scan):
     scan.ranges = [NAN] * len(scan.ranges)
 
 
+def no_rotation(transform):
+    transform.transform.rotation.x = transform.transform.rotation.y = 0.0
+    transform.transform.rotation.z = transform.transform.rotation.w = 0.0
+
+
+def no_place(message):
+    message.transforms[0].transform.translation.x = NAN
+
+
 def no_increment(scan):
     scan.angle_increment = 0.0
 
@@ -45,6 +54,10 @@ MISTAKES = {
     'unknown_frame': (dict(scan_frame='lidar'), ['the frame lidar of', 'is not connected to base_link in TF',
                                                  'static_transform_publisher']),
     'tilted': (dict(roll=math.pi / 2), ['tilted by 90 deg']),
+    'unset_mount': (dict(spoil_mount=no_rotation), ['PROBLEM the transform base_link -> laser of /check_robot', 'cannot be used',
+                                                    'its quaternion not of unit length']),
+    'transform_nowhere': (dict(spoil_transforms=no_place), ['PROBLEM the transform odom -> base_link of /check_robot',
+                                                            'cannot be used: not finite']),
     'slow_scanner': (dict(scan_rate=1.2), ['/slow_scanner/base_scan comes at 1.', 'at least 2.00 Hz']),
     'late_scans': (dict(scan_lag=0.6), ['the stamps of /late_scans/base_scan are 0.', 's behind this computer', 'chrony']),
     'early_scans': (dict(scan_lag=-0.4), ['the stamps of /early_scans/base_scan are 0.', 's ahead of this computer', 'chrony']),

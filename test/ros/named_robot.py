@@ -45,7 +45,7 @@ class NamedRobot:
     """All its topics begin with /NAME; each argument but `told_base` and `second` is a mistake."""
 
     def __init__(self, name, scan='base_scan', scan_rate=10.0, scan_frame='laser', scan_lag=0.0, roll=math.pi,
-                 spoil_scan=None, odom='wheels/odom', odom_lag=0.0, odom_frame_id='odom', spoil_odometry=None,
+                 spoil_mount=None, spoil_scan=None, spoil_transforms=None, odom='wheels/odom', odom_lag=0.0, odom_frame_id='odom', spoil_odometry=None,
                  base_in='odom', also_in=None, map_in=None, told_base='base_link', listens='drive', drives=False,
                  arbiter=False, second=None):
         self.name, self.told_base = name, told_base
@@ -53,7 +53,10 @@ class NamedRobot:
         self._connections = [rospy.Publisher('/%s/tf' % name, TFMessage, queue_size=10),
                              rospy.Publisher('/%s/tf_static' % name, TFMessage, queue_size=1, latch=True)]
         tf, fixed = self._connections
-        fixed.publish(TFMessage([transform('base_link', 'laser', 0.05, roll, 3.0)]))
+        mount = transform('base_link', 'laser', 0.05, roll, 3.0)
+        if spoil_mount:
+            spoil_mount(mount)
+        fixed.publish(TFMessage([mount]))
         self._begin = rospy.Time.now()
         if listens:
             self._connections.append(rospy.Subscriber('/%s/%s' % (name, listens), Twist, lambda _: None))
@@ -86,8 +89,13 @@ class NamedRobot:
                 odometry.publish(message)
             self._every(1.0 / ODOMETRY_RATE, publish_odometry)
         parents = [(base_in, 'base_link'), (also_in, 'base_link'), (map_in, 'odom')]
-        self._every(1.0 / ODOMETRY_RATE, lambda: tf.publish(
-            TFMessage([transform(parent, child) for parent, child in parents if parent])))
+
+        def publish_transforms():
+            message = TFMessage([transform(parent, child) for parent, child in parents if parent])
+            if spoil_transforms:
+                spoil_transforms(message)
+            tf.publish(message)
+        self._every(1.0 / ODOMETRY_RATE, publish_transforms)
 
     def names(self):
         """The arguments by which a program learns them."""

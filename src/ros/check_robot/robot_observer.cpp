@@ -9,6 +9,7 @@
 #include "ros/common/messages/message_problems.h"
 #include "ros/common/names.h"
 #include "ros/common/tf/frame_name.h"
+#include "ros/common/tf/tf_listener.h"
 
 namespace frontier_pilot {
 namespace {
@@ -20,6 +21,11 @@ double usableShare(const sensor_msgs::LaserScan& msg) {
            RangeKind::kInvalid;
   });
   return static_cast<double>(usable) / static_cast<double>(msg.ranges.size());
+}
+
+/// What nothing but a static transform may have.
+std::string problemOf(const ros::Time& stamp) {
+  return stamp.isZero() && !ros::Time::isSimTime() ? "its stamp is 0" : "";
 }
 
 }  // namespace
@@ -44,7 +50,9 @@ RobotObserver::RobotObserver(ros::NodeHandle& node) {
 
 void RobotObserver::takeScan(const Event<sensor_msgs::LaserScan>& event) {
   const sensor_msgs::LaserScan& msg = *event.getConstMessage();
-  scan_.add(event.getPublisherName(), plain(msg.header.frame_id), msg.header.stamp, problemOf(msg));
+  const std::string problem = problemOf(msg);
+  scan_.add(event.getPublisherName(), plain(msg.header.frame_id), msg.header.stamp,
+            problem.empty() ? problemOf(msg.header.stamp) : problem);
   last_scan_.usable_share = usableShare(msg);
   last_scan_.beams = msg.ranges.size();
   last_scan_.angle_increment = static_cast<double>(msg.angle_increment);
@@ -54,7 +62,7 @@ void RobotObserver::takeScan(const Event<sensor_msgs::LaserScan>& event) {
 void RobotObserver::takeOdometry(const Event<nav_msgs::Odometry>& event) {
   const nav_msgs::Odometry& msg = *event.getConstMessage();
   std::string why;
-  if (toOdometry(msg, &why)) why.clear();
+  if (toOdometry(msg, &why)) why = problemOf(msg.header.stamp);
   odometry_.add(event.getPublisherName(), plain(msg.header.frame_id), msg.header.stamp, why);
 }
 
@@ -63,9 +71,11 @@ void RobotObserver::takeTransforms(const Event<tf2_msgs::TFMessage>& event, bool
     const auto key = std::make_pair(plain(transform.child_frame_id), plain(transform.header.frame_id));
     if (links_.count(key) == 0 && links_.size() >= bounds::kMostFrames) continue;
     Link& link = links_[key];
-    link.stream.add(event.getPublisherName(), {}, transform.header.stamp, {});
+    const char* why = problemOf(transform, rosNow(), is_static);
+    const std::string problem = why != nullptr ? why : is_static ? "" : problemOf(transform.header.stamp);
+    link.stream.add(event.getPublisherName(), {}, transform.header.stamp, problem);
     link.is_static = is_static;
-    if (const auto T_parent_child = toIsometry(transform.transform)) link.T_parent_child = *T_parent_child;
+    if (why == nullptr) link.T_parent_child = toIsometry(transform.transform);
   }
 }
 
@@ -78,7 +88,9 @@ robot_check::Observation RobotObserver::observation() const {
   seen.scan.time_increment = last_scan_.time_increment;
   seen.odometry = odometry_.summary();
   for (const auto& [names, link] : links_) {
-    seen.links.push_back({names.second, names.first, link.T_parent_child, link.is_static, link.stream.summary()});
+    std::vector<robot_check::FrameLink>& links = link.T_parent_child ? seen.links : seen.useless_links;
+    links.push_back({names.second, names.first, link.T_parent_child.value_or(Eigen::Isometry3d::Identity()),
+                     link.is_static, link.stream.summary()});
   }
   return seen;
 }

@@ -7,6 +7,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ class RobotObserver {
   using Event = ros::MessageEvent<const Msg>;
   struct Link {
     StreamRecorder stream;
-    Eigen::Isometry3d T_parent_child = Eigen::Isometry3d::Identity();
+    std::optional<Eigen::Isometry3d> T_parent_child;  ///< the latest that the nodes would take
     bool is_static = false;
   };
 

@@ -29,7 +29,6 @@ void StreamRecorder::add(const std::string& publisher, const std::string& frame,
   insertSome(frames_, frame);
   if (stamps_.size() < 2) stamps_.insert(toTime(stamp));
   if (!problem.empty()) problem_ = problem;
-  if (stamp.isZero() && !ros::Time::isSimTime() && problem_.empty()) problem_ = "its stamp is 0";
   if (now != Time{} && !stamp.isZero() && lags_.size() < kMostLags) lags_.push_back(toSeconds(now - toTime(stamp)));
 }
 

@@ -64,6 +64,19 @@ const std::vector<Mistake>& mistakes() {
        },
        {"outside of the robot's outline", "robot:="},
        true},
+      {"AMountThatWasNeverSet",
+       [](SeenRobot& r) {
+         r.seen.useless_links = {r.seen.links[1]};
+         r.seen.useless_links[0].stream.problem = "its quaternion not of unit length";
+         r.seen.links.pop_back();
+       },
+       {"transform base_link -> laser of /state_publisher cannot be used: its quaternion not of unit length"}},
+      {"ATransformThatIsNoTransformNowAndThen",
+       [](SeenRobot& r) { r.seen.links[0].stream.problem = "not finite"; },
+       {"transform odom -> base_link of /base cannot be used: not finite"}},
+      {"NoTransformThatCanBeUsed",
+       [](SeenRobot& r) { r.seen.useless_links.swap(r.seen.links); },
+       {"nobody publishes a transform that can be used"}},
       {"ASlowScanner",
        [](SeenRobot& r) { r.seen.scan.rate = 0.8; },
        {"/base_scan comes at 0.80 Hz", "at least 2.00 Hz"}},
