@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/core/robot_model.h"
 
 /// What a running robot looks like from outside, and what is wrong with it. No ROS: an observation is plain data.
@@ -32,10 +33,11 @@ struct Stream {
 };
 
 struct ScanStream : Stream {
-  double usable_share = 1.0;     ///< of the beams of the last scan
-  std::size_t beams = 0;         ///< of the last scan
-  double angle_increment = 0.0;  ///< between two beams of the last scan [rad]
-  double time_increment = 0.0;   ///< between two beams, as the last scan says [s]
+  double usable_share = 1.0;       ///< of the beams of the last scan
+  std::size_t beams = 0;           ///< of the last scan
+  double angle_increment = 0.0;    ///< between two beams of the last scan [rad]
+  double time_increment = 0.0;     ///< between two beams, as the last scan says [s]
+  std::optional<LaserScan2> last;  ///< in the scanner's own frame; none if no scan could be used
 };
 
 /// A transform that somebody publishes.

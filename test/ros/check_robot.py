@@ -30,6 +30,15 @@ def no_rotation(transform):
     transform.transform.rotation.z = transform.transform.rotation.w = 0.0
 
 
+def in_millimetres(transform):
+    transform.transform.translation.x = 172.0
+
+
+def only_the_rear(scan):  # the scanner of the robot is turned by 172 degrees
+    scan.angle_min, scan.angle_max = -math.pi / 2, math.pi / 2
+    scan.ranges = [2.0] * (1 + round(math.pi / scan.angle_increment))
+
+
 def no_place(message):
     message.transforms[0].transform.translation.x = NAN
 
@@ -56,6 +65,8 @@ MISTAKES = {
     'tilted': (dict(roll=math.pi / 2), ['tilted by 90 deg']),
     'unset_mount': (dict(spoil_mount=no_rotation), ['PROBLEM the transform base_link -> laser of /check_robot', 'cannot be used',
                                                     'its quaternion not of unit length']),
+    'distant_mount': (dict(spoil_mount=in_millimetres), ['PROBLEM by TF the scanner is 172.', 'in metres?']),
+    'looks_back': (dict(spoil_scan=only_the_rear), ['PROBLEM /looks_back/base_scan does not show what is ahead']),
     'transform_nowhere': (dict(spoil_transforms=no_place), ['PROBLEM the transform odom -> base_link of /check_robot',
                                                             'cannot be used: not finite']),
     'slow_scanner': (dict(scan_rate=1.2), ['/slow_scanner/base_scan comes at 1.', 'at least 2.00 Hz']),

@@ -1,6 +1,7 @@
 #include "ros/check_robot/robot_observer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/laser_scan.h"
@@ -57,6 +58,7 @@ void RobotObserver::takeScan(const Event<sensor_msgs::LaserScan>& event) {
   last_scan_.beams = msg.ranges.size();
   last_scan_.angle_increment = static_cast<double>(msg.angle_increment);
   last_scan_.time_increment = static_cast<double>(msg.time_increment);
+  if (auto scan = toLaserScan(msg, Eigen::Isometry3d::Identity())) last_scan_.last = std::move(scan);
 }
 
 void RobotObserver::takeOdometry(const Event<nav_msgs::Odometry>& event) {
@@ -81,11 +83,8 @@ void RobotObserver::takeTransforms(const Event<tf2_msgs::TFMessage>& event, bool
 
 robot_check::Observation RobotObserver::observation() const {
   robot_check::Observation seen;
+  seen.scan = last_scan_;
   static_cast<robot_check::Stream&>(seen.scan) = scan_.summary();
-  seen.scan.usable_share = last_scan_.usable_share;
-  seen.scan.beams = last_scan_.beams;
-  seen.scan.angle_increment = last_scan_.angle_increment;
-  seen.scan.time_increment = last_scan_.time_increment;
   seen.odometry = odometry_.summary();
   for (const auto& [names, link] : links_) {
     std::vector<robot_check::FrameLink>& links = link.T_parent_child ? seen.links : seen.useless_links;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -58,6 +59,39 @@ const std::vector<Mistake>& mistakes() {
       {"ATiltedScanner",
        [](SeenRobot& r) { r.seen.links[1].T_parent_child.rotate(Eigen::AngleAxisd(1.5, Eigen::Vector3d::UnitX())); },
        {"tilted by 86 deg"}},
+      {"AScannerTiltedByElevenDegrees",
+       [](SeenRobot& r) { r.seen.links[1].T_parent_child.rotate(Eigen::AngleAxisd(0.19, Eigen::Vector3d::UnitX())); },
+       {"tilted by 11 deg"}},
+      {"AMountInMillimetres",
+       [](SeenRobot& r) {
+         r.seen.links[1] = link("base_link", "laser", {172.0, 0.0, 0.0}, 0.2, "/s", true);
+       },
+       {"by TF the scanner is 172.00 m from the base's origin", "farther than 10.00 m", "in metres?"}},
+      {"AScannerThatLooksBack",  // it is turned by 172 degrees
+       [](SeenRobot& r) {
+         r.seen.scan.last->angle_min = -kPi / 2.0;
+         r.seen.scan.last->ranges.resize(180);
+       },
+       {"/base_scan does not show what is ahead"}},
+      {"AScannerUpsideDownThatLooksToTheWrongSide",
+       [](SeenRobot& r) {
+         r.seen.links[1] = link("base_link", "laser", {}, 0.2, "/s", true);
+         r.seen.links[1].T_parent_child.rotate(Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()));
+         r.seen.links[1].T_parent_child.rotate(Eigen::AngleAxisd(kPi / 2.0, Eigen::Vector3d::UnitZ()));
+         r.seen.scan.last->angle_min = 0.0;
+         r.seen.scan.last->ranges.resize(60);
+       },
+       {"/base_scan does not show what is ahead"}},
+      {"AScannerThatIsCoveredAhead",  // it is turned by 172 degrees
+       [](SeenRobot& r) {
+         std::vector<float>& ranges = r.seen.scan.last->ranges;
+         std::fill(ranges.begin(), ranges.begin() + 90, std::nanf(""));
+         std::fill(ranges.end() - 90, ranges.end(), std::nanf(""));
+       },
+       {"/base_scan does not show what is ahead"}},
+      {"AShortSightedScanner",
+       [](SeenRobot& r) { r.seen.scan.last->range_max = 0.4; },
+       {"/base_scan does not show what is ahead", "range_max below 0.5 m"}},
       {"AScannerOutsideOfTheRobot",
        [](SeenRobot& r) {
          r.seen.links[1] = link("base_link", "laser", {0.5, 0.0, 0.0}, 0.2, "/s", true);
@@ -253,6 +287,14 @@ TEST(RobotCheck, AScannerUpsideDownIsNoMistake_ROB_2) {
   const Findings findings = judge(robot.seen, robot.expected);
   EXPECT_TRUE(couldDrive(findings)) << toText(findings);
   EXPECT_NE(toText(findings).find("upside down"), std::string::npos) << toText(findings);
+}
+
+// [ROB-2]
+TEST(RobotCheck, AScannerThatLooksBackAndIsMountedBackwardsIsNoMistake_ROB_2) {
+  SeenRobot robot;  // whose scanner is turned by 172 degrees
+  robot.seen.scan.last->angle_min = kPi / 2.0;
+  robot.seen.scan.last->ranges.resize(180);
+  EXPECT_TRUE(couldDrive(judge(robot.seen, robot.expected)));
 }
 
 // [ROB-2]

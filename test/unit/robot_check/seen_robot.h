@@ -44,6 +44,11 @@ struct SeenRobot {
     seen.scan.beams = 360;
     seen.scan.angle_increment = 2.0 * kPi / 360.0;
     seen.scan.time_increment = 0.1 / 360.0;
+    seen.scan.last = LaserScan2();
+    seen.scan.last->angle_min = -kPi;
+    seen.scan.last->angle_increment = seen.scan.angle_increment;
+    seen.scan.last->range_max = 8.0;
+    seen.scan.last->ranges.assign(seen.scan.beams, 2.0F);
     seen.odometry.count = 150;
     seen.odometry.rate = 30.0;
     seen.odometry.publishers = {"/base"};
