@@ -3,11 +3,14 @@ master for ever."""
 import http.client
 import logging
 import math
+import os
 import re
 import signal
 import socket
 import sys
+import threading
 import time
+import xml.parsers.expat
 import xmlrpc.client
 
 import rosgraph
@@ -18,10 +21,11 @@ from command_line import printable, say
 
 WORD = re.compile(r'(?P<name>[^:]*):=(?P<value>.*)', re.DOTALL)
 POLL = 0.3  # [s]
-PATIENCE = 1.0  # for the answer of a node [s]
+PATIENCE = 1.0  # for the answer of a node or of the master [s]
+GOODBYE = 2.0  # to them [s]
 LAST_WORDS = 3.0  # for a node of the same name that is about to end [s]
-# Of calls to the master and to nodes.
-FAILURES = (OSError, http.client.HTTPException, rosgraph.MasterException, xmlrpc.client.Error)
+# Of calls to the master and to nodes. An answer that breaks off is no XML.
+FAILURES = (OSError, http.client.HTTPException, rosgraph.MasterException, xmlrpc.client.Error, xml.parsers.expat.ExpatError)
 
 
 class PatientTransport(xmlrpc.client.Transport):
@@ -31,6 +35,13 @@ class PatientTransport(xmlrpc.client.Transport):
         connection = super().make_connection(host)
         connection.timeout = PATIENCE
         return connection
+
+
+def master(node):
+    """The rosgraph.Master of a node of this name, which would wait for a master that hangs for ever; here that is one of FAILURES."""
+    patient = rosgraph.Master(node)
+    patient.handle = xmlrpc.client.ServerProxy(patient.master_uri, transport=PatientTransport())
+    return patient
 
 
 def problem_of(word):
@@ -135,7 +146,10 @@ def refuse_a_namesake(name):
 def lives(node):
     """Whether a node is registered at the master, and answers or at least holds its port."""
     try:
-        uri = rosgraph.Master(node).lookupNode(node)
+        uri = master(node).lookupNode(node)
+    except FAILURES:
+        return False
+    try:
         return xmlrpc.client.ServerProxy(uri, transport=PatientTransport()).getPid(node)[0] == 1
     except socket.timeout:
         return True
@@ -155,3 +169,14 @@ def init_node(name, options, interrupts):
     if problem:
         say('%s: cannot be a node of the ROS master: %s' % (name, printable(problem)), sys.stderr)
         sys.exit(1)
+
+
+def leave(code):
+    """Shuts rospy down, and returns the exit code of the program. rospy waits for a master that hangs for ever, and Python for the
+    threads of rospy: then the process ends here."""
+    goodbye = threading.Thread(target=rospy.signal_shutdown, args=('ended',), daemon=True)
+    goodbye.start()
+    goodbye.join(GOODBYE)
+    if goodbye.is_alive():
+        os._exit(code)
+    return code

@@ -16,7 +16,6 @@ import time
 if __name__ == '__main__':
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # until main: a Ctrl-C while the rest is imported prints no traceback
 
-import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 from frontier_pilot.msg import ExplorerStatus  # noqa: E402
 from frontier_pilot.srv import SaveMap  # noqa: E402
@@ -123,8 +122,8 @@ class Starter:
         """Whether it has subscribed to the last of its topics; it subscribes in the order of their names."""
         last = max(rospy.resolve_name(topic) for topic in TOPICS)
         try:
-            listeners = dict(rosgraph.Master(rospy.get_name()).getSystemState()[1])
-        except (OSError, rosgraph.MasterException):
+            listeners = dict(ros_program.master(rospy.get_name()).getSystemState()[1])
+        except ros_program.FAILURES:
             return False
         return rospy.resolve_name('run_recorder_rosbag') in listeners.get(last, [])
 

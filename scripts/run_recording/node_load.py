@@ -6,7 +6,7 @@ import xmlrpc.client
 
 import rosgraph
 
-from ros_program import PatientTransport
+from ros_program import FAILURES, PatientTransport, master
 
 TICKS = os.sysconf('SC_CLK_TCK')
 PAGE = os.sysconf('SC_PAGE_SIZE')
@@ -20,7 +20,7 @@ def pid_behind(uri):
             return None
         code, _, pid = xmlrpc.client.ServerProxy(uri, transport=PatientTransport()).getPid('/run_recorder')
         return pid if code == 1 else None
-    except (OSError, xmlrpc.client.Error, ValueError, TypeError):
+    except (*FAILURES, ValueError, TypeError):
         return None
 
 
@@ -40,7 +40,7 @@ class Nodes:
     """The processes of the nodes, asked for again from time to time, because nodes come and go."""
 
     def __init__(self, name, period=10.0):
-        self.master = rosgraph.Master(name)
+        self.master = master(name)
         self.period = period  # [s]
         self.asked = None
         self.uris, self.pids = {}, {}
@@ -57,9 +57,9 @@ class Nodes:
         try:
             names = {name for kind in self.master.getSystemState() for _, nodes in kind for name in nodes}
             uris = {name: self.master.lookupNode(name) for name in names}
-        except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+            uris['master'] = self.uris.get('master') or self.master.getUri()
+        except FAILURES:
             return  # a master that is gone for a while changes nothing
-        uris['master'] = self.master.getUri() if not self.uris.get('master') else self.uris['master']
         known = {name: pid for name, pid in self.pids.items() if self.uris.get(name) == uris.get(name) and used_by(pid)}
         self.pids = {name: known.get(name) or pid_behind(uri) for name, uri in uris.items()}
         self.pids = {name: pid for name, pid in self.pids.items() if pid}

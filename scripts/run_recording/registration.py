@@ -3,7 +3,7 @@ import xmlrpc.client
 
 import rosgraph
 
-from ros_program import FAILURES, PatientTransport
+from ros_program import FAILURES, PatientTransport, master
 
 ANY = '*'  # the type of a subscription that takes whatever is published
 
@@ -13,7 +13,7 @@ class Registration:
     it, so this works for a rosbag of ours as well. Connections that exist are not touched."""
 
     def __init__(self, name, publications=(), subscriptions=()):
-        self.master = rosgraph.Master(name)
+        self.master = master(name)
         self.name = name
         self.publications = list(publications)  # (topic, type)
         self.subscriptions = list(subscriptions)  # topics

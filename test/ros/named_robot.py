@@ -45,8 +45,8 @@ class NamedRobot:
     """All its topics begin with /NAME; each argument but `told_base` and `second` is a mistake."""
 
     def __init__(self, name, scan='base_scan', scan_rate=10.0, scan_frame='laser', scan_lag=0.0, roll=math.pi,
-                 spoil_mount=None, spoil_scan=None, spoil_transforms=None, odom='wheels/odom', odom_lag=0.0, odom_frame_id='odom', spoil_odometry=None,
-                 base_in='odom', also_in=None, map_in=None, told_base='base_link', listens='drive', drives=False,
+                 spoil_mount=None, spoil_scan=None, spoil_transforms=None, odom='wheels/odom', odom_lag=0.0, odom_frame_id='odom',
+                 spoil_odometry=None, base_in='odom', also_in=None, map_in=None, told_base='base_link', listens='drive', drives=False,
                  arbiter=False, second=None):
         self.name, self.told_base = name, told_base
         self._ending = threading.Event()

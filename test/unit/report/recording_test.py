@@ -6,10 +6,12 @@ import os
 import subprocess
 import unittest
 import unittest.mock
+import xml.parsers.expat
+import xmlrpc.client
 
 from folder_case import FolderCase
 from run_recording import bag_writer, runs
-from run_recording.node_load import LoadMeter, used_by
+from run_recording.node_load import LoadMeter, Nodes, used_by
 
 
 class Runs(FolderCase):
@@ -97,6 +99,22 @@ class Runs(FolderCase):
         """[REC-1]"""
         for limit in (10, 400, 5000):
             self.assertLessEqual(bag_writer.part_size(limit) * (bag_writer.PARTS + 1), limit)
+
+
+class Processes(unittest.TestCase):
+    def test_a_master_whose_answer_cannot_be_read_changes_nothing(self):
+        """[FLT-1]"""
+        failures = (ConnectionRefusedError(), xmlrpc.client.Fault(1, 'no'), xml.parsers.expat.ExpatError('no element found'))
+        for failure in failures:
+            for call in ('getSystemState', 'lookupNode', 'getUri'):
+                with self.subTest(failure=failure, call=call):
+                    nodes = Nodes('/run_recorder')
+                    nodes.pids = {'/mapper': 7}
+                    nodes.master = unittest.mock.Mock()
+                    nodes.master.getSystemState.return_value = [[['/map', ['/mapper']]], [], []]
+                    nodes.master.lookupNode.return_value = nodes.master.getUri.return_value = 'http://192.0.2.1:1'
+                    getattr(nodes.master, call).side_effect = failure
+                    self.assertEqual(nodes.processes(), {'/mapper': 7})
 
 
 class Load(unittest.TestCase):

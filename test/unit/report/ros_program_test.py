@@ -4,12 +4,14 @@ import io
 import os
 import signal
 import socket
+import threading
 import time
 import unittest
 from unittest import mock
 
 import folder_case  # noqa: F401: finds the scripts
 from command_line import exit_with
+import ros_program
 from ros_program import init_node, note_interrupts, problem_of
 
 
@@ -45,6 +47,41 @@ class Masters(unittest.TestCase):
             init_node('player', {}, [])
         self.assertEqual(end.exception.code, 1)
         self.assertEqual(said.getvalue(), 'player: cannot be a node of the ROS master: a\\nb\n')
+
+
+class HangingMasters(unittest.TestCase):
+    def setUp(self):
+        listener = socket.create_server(('127.0.0.1', 0))  # which takes connections, and never answers
+        self.addCleanup(listener.close)
+        environment = {'ROS_MASTER_URI': 'http://127.0.0.1:%d' % listener.getsockname()[1]}
+        for patch in (mock.patch.dict(os.environ, environment), mock.patch('ros_program.PATIENCE', 0.2)):
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    # [FLT-1]
+    def test_an_answer_is_not_waited_for_for_ever(self):
+        with self.assertRaises(ros_program.FAILURES):
+            ros_program.master('/test').getSystemState()
+
+    # [FLT-1]
+    def test_no_node_is_known_to_live(self):
+        self.assertFalse(ros_program.lives('/test'))
+
+    # [FLT-1]
+    def test_leaving_ros_is_not_waited_for_for_ever(self):
+        goes_on = threading.Event()
+        self.addCleanup(goes_on.set)
+        with mock.patch('rospy.signal_shutdown', side_effect=lambda _: goes_on.wait()), mock.patch('os._exit') as end, \
+                mock.patch('ros_program.GOODBYE', 0.1):
+            ros_program.leave(3)
+        end.assert_called_once_with(3)
+
+    # [FLT-1]
+    def test_a_master_that_answers_is_left_as_ever(self):
+        with mock.patch('rospy.signal_shutdown') as shutdown, mock.patch('os._exit') as end:
+            self.assertEqual(ros_program.leave(3), 3)
+        shutdown.assert_called_once_with('ended')
+        end.assert_not_called()
 
 
 class Interrupts(unittest.TestCase):

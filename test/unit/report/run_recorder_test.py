@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
-"""The parameters of run_recorder."""
+"""The parameters of run_recorder, and what it does when the master answers nonsense."""
 import importlib.machinery
 import importlib.util
+import io
+import json
 import pathlib
 import unittest
+import xmlrpc.client
+import xml.parsers.expat
 from unittest import mock
 
 import folder_case  # noqa: F401: finds the scripts
@@ -34,6 +38,23 @@ class Parameters(unittest.TestCase):
     def test_what_is_not_given_has_its_default(self):
         values, problems = self.read({'size': 100})
         self.assertEqual((values['size'], values['runs'], problems), (100, 10, []))
+
+
+class Master(unittest.TestCase):
+    def test_parameters_that_the_master_cannot_give_are_left_out_of_the_record(self):
+        """[FLT-1] [REC-1] The master cannot write what is in some of them, or dies in the middle of its answer."""
+        for failure in (xmlrpc.client.Fault(1, 'cannot marshal'), xml.parsers.expat.ExpatError('no element found')):
+            with self.subTest(failure=failure):
+                program = load()
+                recorder = program.RunRecorder.__new__(program.RunRecorder)
+                recorder.nodes, recorder.info = mock.Mock(), mock.Mock()
+                recorder.nodes.master.getParam.side_effect = failure
+                recorder.names, recorder.run, recorder.parameters = {}, '/run', {'robot': ''}
+                with mock.patch.object(program.rospy, 'get_namespace', return_value='/'), \
+                        mock.patch('sys.stderr', io.StringIO()) as said:
+                    recorder.say('start')
+                self.assertEqual(json.loads(recorder.info.publish.call_args[0][0])['parameters'], {})
+                self.assertRegex(said.getvalue(), r'^run_recorder: the record lacks the parameters, .*\n$')
 
 
 if __name__ == '__main__':
