@@ -3,6 +3,8 @@
 import datetime
 import errno
 import os
+import pathlib
+import re
 import subprocess
 import unittest
 import unittest.mock
@@ -12,6 +14,19 @@ import xmlrpc.client
 from folder_case import FolderCase
 from run_recording import bag_writer, runs
 from run_recording.node_load import LoadMeter, Nodes, used_by
+from run_recording.topics import TOPICS
+
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+
+
+class Topics(unittest.TestCase):
+    def test_the_goals_of_all_actions_are_recorded(self):
+        """[REC-1]"""
+        names = dict(re.findall(r'constexpr const char\* k(\w+) = "(.*)";', (ROOT / 'src/ros/common/names.h').read_text()))
+        actions = [names[file.stem] for file in (ROOT / 'action').glob('*.action')] + [names['MoveBase']]
+        self.assertGreater(len(actions), 5)
+        self.assertEqual([action for action in actions if action + '/goal' not in TOPICS], [])
 
 
 class Runs(FolderCase):
