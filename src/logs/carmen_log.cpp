@@ -124,6 +124,7 @@ ScanLog readCarmenLog(std::istream& file, const std::string& name, const LogScan
       continue;
     }
     read.push_back(message == kFrontLaser ? readFrontLaser(reader, scanner) : readRobotLaser(reader, scanner));
+    reader.keep(sizeof(CarmenRecord) + read.back().record.scan.ranges.size() * sizeof(float));
   }
   if (read.empty())
     throw LogError(

@@ -45,6 +45,7 @@ ScanLog readCsvLog(std::istream& file, const std::string& name, const LogScanner
     if (beams != expected) {
       reader.fail("has " + std::to_string(beams) + " ranges, the first scan has " + std::to_string(expected));
     }
+    reader.keep(sizeof(record) + beams * sizeof(float));
     log.records.push_back(std::move(record));
   }
   if (log.records.empty()) throw LogError(name + ": holds no scan");

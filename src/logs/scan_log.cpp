@@ -8,6 +8,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "logs/carmen_log.h"
 #include "logs/csv_log.h"
+#include "logs/text_reader.h"
 
 namespace frontier_pilot::logs {
 
@@ -36,7 +37,7 @@ LogFormat formatOf(std::istream& file) {
   const auto begin = file.tellg();
   std::string line;
   bool comment = true;
-  while (comment && std::getline(file, line)) {
+  while (comment && readLine(file, line) && line.size() <= kMostLineBytes) {
     comment = line.find_first_not_of(" \t\r") == std::string::npos || (line[0] == '#' && !beginsBag(line));
   }
   file.clear();

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <istream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace frontier_pilot::logs {
+
+/// Longest line that is read [bytes]: several times that of the densest scan.
+constexpr std::size_t kMostLineBytes = 4'000'000;
+
+/// Reads a line without its end, like std::getline, but not on once it is longer than `kMostLineBytes`. Returns whether
+/// there was one.
+bool readLine(std::istream& file, std::string& line);
 
 /// Reads a text file line by line and word by word, and reports errors with the file and the line.
 class TextReader {
@@ -24,6 +32,10 @@ class TextReader {
   std::size_t count(const char* what);
   void skip(std::size_t words, const char* what);
 
+  /// To be told how much memory is taken by what is kept of the line. Fails once that is too much of all lines
+  /// together.
+  void keep(std::size_t bytes);
+
   /// Throws a LogError with the file, the line and `problem`.
   [[noreturn]] void fail(const std::string& problem) const;
 
@@ -34,6 +46,7 @@ class TextReader {
   std::string name_;
   const char* separators_;
   std::size_t line_number_ = 0;
+  std::size_t kept_ = 0;  ///< [bytes]
   std::string line_;
   std::vector<std::string_view> words_;
   std::size_t next_ = 0;

@@ -46,6 +46,7 @@ std::vector<PoseRelation> readRelations(std::istream& file, const std::string& n
     if (!reader.atEnd()) reader.fail("has more than five values");
     const std::size_t last = std::max(relation.from, relation.to);
     if (last >= records) reader.fail("record " + std::to_string(last) + " is beyond the log's end");
+    reader.keep(sizeof(relation));
     relations.push_back(relation);
   }
   if (relations.empty()) throw LogError(name + ": holds no relation");

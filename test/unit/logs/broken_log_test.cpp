@@ -2,9 +2,12 @@
 
 #include <random>
 #include <sstream>
+#include <streambuf>
+#include <utility>
 
 #include "frontier_pilot/logs/scan_log.h"
 #include "frontier_pilot/logs/trajectory.h"
+#include "logs/text_reader.h"
 
 namespace frontier_pilot {
 namespace {
@@ -82,6 +85,83 @@ TEST(BrokenLog, ALineOfMoreValuesThanAnyScanHasIsRefusedByItsNumber_FLT_1) {
   for (int i = 0; i < 200000; ++i) line += ",1";
   EXPECT_NE(problemOf("1,0,0,0,1,2\n" + line + "\n").find("drive.log:2: has more than 108000 values"),
             std::string::npos);
+}
+
+/// A file that begins with `text` and goes on with one character, without an end of a line.
+class LongLine : public std::streambuf {
+ public:
+  LongLine(std::string text, char character, std::size_t size)
+      : text_(std::move(text)), fill_(kPart, character), left_(size) {
+    begin();
+  }
+  std::size_t left() const { return left_; }
+
+ protected:
+  int_type underflow() override {
+    if (left_ < kPart) return traits_type::eof();
+    left_ -= kPart;
+    setg(fill_.data(), fill_.data(), fill_.data() + kPart);
+    return traits_type::to_int_type(*gptr());
+  }
+  pos_type seekoff(off_type /*offset*/, std::ios_base::seekdir /*from*/, std::ios_base::openmode /*which*/) override {
+    return 0;
+  }
+  pos_type seekpos(pos_type /*position*/, std::ios_base::openmode /*which*/) override {
+    begin();
+    return 0;
+  }
+
+ private:
+  void begin() { setg(text_.data(), text_.data(), text_.data() + text_.size()); }
+
+  static constexpr std::size_t kPart = 65536;
+  std::string text_, fill_;
+  std::size_t left_;
+};
+
+// [FLT-1]
+TEST(BrokenLogs, ALineWithoutAnEndIsNotReadToTheEndOfTheFile_FLT_1) {
+  constexpr std::size_t kSize = 200'000'000;
+  const auto problemOfLine = [](const std::string& begin, char character, const auto& read) -> std::string {
+    LongLine bytes(begin, character, kSize);
+    std::istream file(&bytes);
+    try {
+      read(file);
+    } catch (const logs::LogError& error) {
+      EXPECT_GT(bytes.left(), kSize - 20'000'000) << "it was read on";
+      return error.what();
+    }
+    return "";
+  };
+  const auto log = [](std::istream& file) { logs::readScanLog(file, "drive.log"); };
+  const auto relations = [](std::istream& file) { logs::readRelations(file, "relations", 2); };
+  const std::string too_long = ":1: is longer than 4000000 bytes";
+  for (const char character : {'\0', ' ', '#', '1', ','}) {
+    EXPECT_EQ(problemOfLine("     ", character, log), "drive.log" + too_long) << character;
+    EXPECT_EQ(problemOfLine("", character, relations), "relations" + too_long) << character;
+  }
+  EXPECT_EQ(problemOfLine("1, 2, 3", '0', log), "drive.log" + too_long);
+}
+
+// [FLT-1]
+TEST(BrokenLogs, WhatIsNoNumberIsNotQuotedInFull_FLT_1) {
+  EXPECT_LT(problemOf("1, 2, 3, " + std::string(1'000'000, 'x') + ", 1, 1\n").size(), 500U);
+  EXPECT_NE(problemOf("1, 2, 3, a\1b, 1, 1\n").find("'a\\x01b'"), std::string::npos);
+}
+
+// [FLT-1]
+TEST(BrokenLogs, WhatIsKeptOfAFileIsLimited_FLT_1) {
+  std::istringstream file("\n1\n");
+  logs::TextReader reader(file, "drive.log", " ");
+  ASSERT_TRUE(reader.nextLine());
+  reader.keep(3'000'000'000);
+  reader.keep(1'000'000'000);
+  try {
+    reader.keep(1);
+    FAIL() << "it was kept";
+  } catch (const logs::LogError& error) {
+    EXPECT_STREQ(error.what(), "drive.log:2: until here it takes more than 4 GB of memory");
+  }
 }
 
 }  // namespace
