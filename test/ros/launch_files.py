@@ -201,6 +201,13 @@ class LaunchFilesTest(unittest.TestCase):
         with open(words[words.index('-d') + 1]) as file:
             return yaml.safe_load(file)['Visualization Manager']['Global Options']['Fixed Frame']
 
+    def test_no_value_of_an_earlier_launch_stays_at_a_node(self):
+        """[ROB-1]"""
+        for file in FILES:
+            config = self.config(file)
+            ours = {node.namespace + node.name + '/' for node in config.nodes if node.package == 'frontier_pilot'}
+            self.assertEqual(ours - set(config.clear_params), set(), file)
+
     def test_a_robot_that_is_not_there_is_named(self):
         """[ROB-1]"""
         with self.assertRaisesRegex(Exception, 'config/robots/wafle.yaml'):
