@@ -4,6 +4,7 @@
 #include <frontier_pilot/SaveMap.h>
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
+#include <ros/master.h>
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "hanging_server.h"
 #include "ros/common/clock.h"
 #include "ros/common/publish_flush.h"
 
@@ -48,51 +50,6 @@ class Lines {
  private:
   std::mutex mutex_;
   std::string text_;
-};
-
-/// A service that keeps all its callers waiting until it is freed, or only the first of them.
-template <class Service>
-class HangingServer {
- public:
-  using Request = typename Service::Request;
-  enum class Hangs { kAlways, kOnce };
-
-  explicit HangingServer(const std::string& name, Hangs hangs = Hangs::kAlways) : hangs_(hangs) {
-    ros::NodeHandle node;
-    node.setCallbackQueue(&queue_);
-    const boost::function<bool(Request&, typename Service::Response&)> handle =
-        [this](Request& request, typename Service::Response& response) {
-          const bool first = add(request) == 1;
-          while (!freed_ && (first || hangs_ == Hangs::kAlways)) ros::WallDuration(0.01).sleep();
-          return response.success = 1;
-        };
-    server_ = node.advertiseService(name, handle);
-    spinner_.start();
-  }
-  ~HangingServer() {
-    free();
-    spinner_.stop();
-  }
-  void free() { freed_ = true; }
-  std::vector<Request> calls() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return calls_;
-  }
-
- private:
-  std::size_t add(const Request& request) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    calls_.push_back(request);
-    return calls_.size();
-  }
-
-  const Hangs hangs_;
-  std::atomic<bool> freed_{false};
-  std::mutex mutex_;
-  std::vector<Request> calls_;
-  ros::CallbackQueue queue_;
-  ros::ServiceServer server_;
-  ros::AsyncSpinner spinner_{2, &queue_};
 };
 
 using Switch = HangingServer<std_srvs::SetBool>;
@@ -167,6 +124,68 @@ TEST(ServiceCallerOnTheWire, AStopWithoutAnAnswerIsMadeAgainOverAnotherConnectio
   }));
   EXPECT_LT((ros::WallTime::now() - pressed).toSec(), 5.0);
   EXPECT_TRUE(lines.have("stop_that_hangs: it does not answer, trying again for 10 s"));
+}
+
+void waitUntilReady(ServiceCaller& caller, const std::string& service) {
+  ASSERT_TRUE(waitFor([&] {
+    caller.getReady(service);
+    return caller.isReady(service);
+  }));
+}
+
+/// Makes the master forget a service of this node, as one that was started anew has.
+void forget(const std::string& service) {
+  XmlRpc::XmlRpcValue asked, response, payload;
+  asked[0] = ros::this_node::getName();
+  asked[1] = service;
+  ASSERT_TRUE(ros::master::execute("lookupService", asked, response, payload, false));
+  asked[2] = std::string(payload);
+  ASSERT_TRUE(ros::master::execute("unregisterService", asked, response, payload, false));
+}
+
+// [ARB-12] [GUI-2]
+TEST(ServiceCallerOnTheWire, AStopThatWasConnectedToBeforeNeedsNoMaster_ARB_12_GUI_2) {
+  HangingServer<std_srvs::Trigger> arbiter("stop_without_master");
+  arbiter.free();
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  EXPECT_FALSE(caller.isReady("stop_without_master"));
+  waitUntilReady(caller, "stop_without_master");
+  forget("/stop_without_master");
+  for (const std::size_t pressed : {1U, 2U}) {
+    caller.insist("stop_without_master", kPatience);
+    EXPECT_TRUE(waitFor([&] { return arbiter.calls().size() == pressed; })) << pressed;
+  }
+  EXPECT_TRUE(waitFor([&] { return lines.have("stop_without_master: done"); }));
+  EXPECT_FALSE(lines.have("trying again"));
+}
+
+// [GUI-2] The connection that was made before may be one to an arbiter that has ended.
+TEST(ServiceCallerOnTheWire, AStopGoesToTheArbiterThatCameAfterTheOneConnectedTo_GUI_2) {
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  {
+    HangingServer<std_srvs::Trigger> first("stop_of_two");
+    waitUntilReady(caller, "stop_of_two");
+  }
+  HangingServer<std_srvs::Trigger> second("stop_of_two");
+  second.free();
+  caller.insist("stop_of_two", kPatience);
+  EXPECT_TRUE(waitFor([&] { return second.calls().size() == 1 && lines.have("stop_of_two: done"); }));
+}
+
+// [GUI-2]
+TEST(ServiceCallerOnTheWire, AConnectionMadeBeforeThatDoesNotAnswerIsReplaced_GUI_2) {
+  HangingServer<std_srvs::Trigger> arbiter("ready_stop_that_hangs", HangingServer<std_srvs::Trigger>::Hangs::kOnce);
+  Lines lines;
+  ServiceCaller caller(ros::NodeHandle(), lines.log());
+  waitUntilReady(caller, "ready_stop_that_hangs");
+  caller.insist("ready_stop_that_hangs", kPatience);
+  EXPECT_TRUE(waitFor([&] {
+    caller.lookAfter(steadyNow());
+    return arbiter.calls().size() == 2 && lines.have("ready_stop_that_hangs: done");
+  }));
+  EXPECT_TRUE(lines.have("ready_stop_that_hangs: it does not answer, trying again for 10 s"));
 }
 
 // [FLT-1]

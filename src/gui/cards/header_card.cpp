@@ -38,7 +38,11 @@ QString detailOf(const teleop::ArbiterView& arbiter, const QString& title) {
 }
 
 Headline headlineOf(const teleop::OperatorState& state) {
-  if (!state.connected) return {"No ROS master", "Waiting for it to answer.", teleop::Severity::kError};
+  if (!state.connected) {
+    const char* detail = state.stop_service_up ? "Waiting for it to answer. The emergency stop works without it."
+                                               : "Waiting for it to answer.";
+    return {"No ROS master", detail, teleop::Severity::kError};
+  }
   const bool stopped = state.emergency_stop.value_or(false);
   if (!state.arbiter) {
     if (stopped) return {"Emergency stop", "The arbiter gives no status.", teleop::Severity::kError};

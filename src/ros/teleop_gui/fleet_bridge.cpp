@@ -118,7 +118,8 @@ teleop::FleetView FleetBridge::fleet() {
   endRetired(now);
   teleop::FleetView view;
   view.connected = watch_.masterUp();
-  const bool stop_up = watch_.up(names::kFleetEmergencyStop);
+  if (watch_.up(names::kFleetEmergencyStop)) stop_caller_.getReady(names::kFleetEmergencyStop);
+  const bool stop_up = watch_.up(names::kFleetEmergencyStop) || stop_caller_.isReady(names::kFleetEmergencyStop);
   const std::lock_guard<std::mutex> lock(mutex_);
   view.stop = stop_;
   if (!stop_up && stop_.severity != teleop::Severity::kError)

@@ -143,7 +143,7 @@ std::optional<bool> GuiBridge::stopState(SteadyTime now) const {
 teleop::OperatorState GuiBridge::state() {
   teleop::OperatorState state;
   state.connected = watch_.masterUp();
-  state.stop_service_up = watch_.up(names::kEmergencyStop);
+  state.stop_service_up = watch_.up(names::kEmergencyStop) || stop_caller_.isReady(names::kEmergencyStop);
   state.clear_service_up = watch_.up(names::kSetEmergencyStop);
   state.avoider_service_up = watch_.up(names::kSetObstacleAvoidEnabled);
   state.explorer_service_up = watch_.up(names::kSetExplorationEnabled);

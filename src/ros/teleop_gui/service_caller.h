@@ -58,8 +58,13 @@ class ServiceCaller {
   /// presses stop while the arbiter is being restarted has pressed it. A connection on which no answer comes is given
   /// up after `patience`, and after twice as long each time that follows, and another one is made: after an outage of
   /// the network the old one may hang for minutes. A service that answers later than that is called again.
+  /// The first connection is the one that was made before, if there is one.
   void insist(const std::string& service, Duration patience);
   void withdraw();
+  /// Connects to a service that is there and that may have to be insisted on, unless that has been done, so that the
+  /// call needs no master. Tries once a second at most. To be called periodically.
+  void getReady(const std::string& service);
+  bool isReady(const std::string& service);
   /// Calls the mapper's SaveMap or LoadMap with a path.
   void saveMap(const std::string& service, const std::string& path);
   void loadMap(const std::string& service, const std::string& path);
@@ -98,12 +103,19 @@ class ServiceCaller {
   /// The server's answer; nothing if there is none.
   std::optional<Answer> ask(const Call& call);
   std::optional<Answer> askAgain(const Call& call);
+  /// Over the connection that was made before.
+  std::optional<Answer> askReady(const Call& call);
   template <class Service>
   std::optional<Answer> ask(const std::string& name, Service& service);
+  template <class Service>
+  std::optional<Answer> ask(ros::ServiceClient client, Service& service);
+  /// The caller holds the lock, which is not held meanwhile.
+  void connectAhead(std::unique_lock<std::mutex>& lock);
   /// False if the service could not be connected to, if the call is not to be made any more, or if this object is being
   /// destroyed.
   bool begin(const ros::ServiceClient& client);
   bool isEnding();
+  bool gaveUp();
   std::string whyNone();
   std::string whyNotDone();
   /// The caller holds the lock.
@@ -117,6 +129,10 @@ class ServiceCaller {
   std::condition_variable wake_;
   std::deque<Call> calls_;
   ros::ServiceClient client_;  ///< of the call in progress
+  ros::ServiceClient ready_;   ///< connected before it is needed
+  std::string ready_service_;  ///< to which `ready_` leads, or is to lead
+  bool to_connect_ = false;
+  SteadyTime connected_at_{};  ///< when that was tried last
   std::optional<Call> under_way_;
   std::optional<SteadyTime> since_;         ///< when the call that is under way was begun; none once it was called slow
   std::optional<SteadyTime> asking_since_;  ///< when its last connection was made; none once that was given up

@@ -140,5 +140,15 @@ TEST_F(Attention, TheGoalOfTheNavigationIsShownAndCanBeCancelled) {
   EXPECT_EQ(find<gui::ElidedLabel>("navigation_status")->fullText(), "idle: canceled");
 }
 
+TEST_F(Attention, AMasterThatIsGoneDoesNotHideThatTheStopWorks_GUI_2) {
+  state_.connected = false;
+  state_.stop_service_up = true;
+  widget_->setState(state_);
+  EXPECT_EQ(text("summary"), "Waiting for it to answer. The emergency stop works without it.");
+  state_.stop_service_up = false;
+  widget_->setState(state_);
+  EXPECT_EQ(text("summary"), "Waiting for it to answer.");
+}
+
 }  // namespace
 }  // namespace frontier_pilot
