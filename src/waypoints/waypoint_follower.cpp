@@ -67,7 +67,7 @@ WaypointOutput WaypointFollower::update(const WaypointInputs& inputs, Time now) 
 
 /// What the end of a goal means for the rest; something if the waypoints end with it.
 std::optional<WaypointOutput> WaypointFollower::take(const LegEnd& ended) {
-  if (!under_way_ || ended.leg != last_leg_) return std::nullopt;
+  if (!pursued_ || ended.leg != last_leg_) return std::nullopt;
   under_way_ = false;
   pursued_ = ended.kind == LegEnd::Kind::kLost;  // another server may still pursue it
   switch (ended.kind) {

@@ -143,6 +143,31 @@ TEST_F(Waypoints, AreCancelledAlsoWhileTheNavigationSeemsToBeGone) {
 }
 
 // [NAV-5]
+TEST_F(Waypoints, EndWithAGoalThatWasReplacedWhileTheNavigationSeemedToBeGone) {
+  follower_.start(2, now_);
+  ASSERT_TRUE(update().send);
+  inputs_.navigation_up = false;
+  update();
+  const WaypointOutput output = ends(LegEnd::Kind::kReplaced, "preempted");
+  EXPECT_TRUE(output.ended);
+  EXPECT_EQ(output.outcome, WaypointOutcome::kReplaced);
+  EXPECT_FALSE(output.cancel) << "that would be the other goal";
+  inputs_.navigation_up = true;
+  EXPECT_FALSE(update().send) << "whoever has cancelled or replaced it wants nothing more of it";
+}
+
+// [NAV-5]
+TEST_F(Waypoints, ThatAreReachedWhileTheNavigationSeemsToBeGoneAreNotGoneToAgain) {
+  follower_.start(2, now_);
+  ASSERT_TRUE(update().send);
+  inputs_.navigation_up = false;
+  update();
+  EXPECT_FALSE(ends(LegEnd::Kind::kReached).send) << "nobody takes it yet";
+  inputs_.navigation_up = true;
+  EXPECT_EQ(update().send->waypoint, 1U);
+}
+
+// [NAV-5]
 TEST_F(Waypoints, OfWhichNoneIsReachedAreNoSuccess) {
   follower_.start(2, now_);
   update();
