@@ -23,6 +23,8 @@ class Localizer {
   /// why it was not.
   slam::MatchVerdict update(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base);
 
+  /// Whether the map shows anything to find the robot by.
+  bool hasSurfaces() const { return pyramid_.has_value(); }
   /// Whether the robot has been found.
   bool isLocated() const { return !sought_; }
   const Pose2& T_map_odom() const { return T_map_odom_; }

@@ -63,7 +63,9 @@ slam::CorrectedScan MapLocalization::correct(const surfaces::SurfaceScan& scan, 
     Localizer& localizer = impl_->localizer;
     const slam::MatchVerdict verdict = localizer.update(scan, T_odom_base);
     const bool fits = slam::isMatched(verdict);
-    if (impl_->use == Use::kLocalizeOnly || !localizer.isLocated())
+    // On a map that shows nothing yet the robot cannot be found, and is where it is said to be.
+    const bool is_known = localizer.isLocated() || !localizer.hasSurfaces();
+    if (impl_->use == Use::kLocalizeOnly || !is_known)
       return {localizer.T_map_odom(), fits, textOf(verdict), verdict == slam::MatchVerdict::kMatched, fits};
     T_map_odom = localizer.T_map_odom();
   }

@@ -29,6 +29,18 @@ class MapLocalizationTest : public ::testing::Test {
       mapper.reviseNow();
     }
   }
+  /// The robot goes on by a metre along x.
+  void goOn(mapping::Mapper& mapper) {
+    const Pose2 T_world_odom = T_world_base * T_odom_base.inverse();
+    for (int i = 0; i < 20; ++i) {
+      T_world_base.x += 0.05;
+      T_odom_base = T_world_odom.inverse() * T_world_base;
+      seconds += 0.6;
+      verdict =
+          mapper.insert(scanner.scan(T_world_base, timeFromSeconds(seconds)), T_odom_base, timeFromSeconds(seconds));
+      mapper.reviseNow();
+    }
+  }
   /// A mapper that knows the rooms; its map begins where the world does.
   mapping::Mapper knowing(bool localize_only, bool trust_odometry = false) {
     mapping::MapperParameters parameters;
@@ -159,7 +171,9 @@ TEST_F(MapLocalizationTest, ALoadedMapIsNoLargerThanItself_MAP_5) {
   occupancy::OccupancyMap far_away;
   ASSERT_TRUE(far_away.reserve({-301.0, -301.0}, {-299.0, -299.0}));
   far_away.beginScan();
-  far_away.hit(far_away.geometry().cellAt({-300.0, -300.0}));
+  const Cell wall = far_away.geometry().cellAt({-300.0, -300.0});
+  far_away.hit(wall);
+  far_away.miss({wall.x + 1, wall.y});
   ASSERT_TRUE(mapper.load(far_away));
   EXPECT_LT(mapper.map().geometry().size(), 1'000'000U);
   mapping::Mapper again = knowing(false);
@@ -175,8 +189,8 @@ TEST_F(MapLocalizationTest, WorkFromBeforeALoadedMapIsVoid_MAP_5) {
                 timeFromSeconds(seconds));
   const slam::RevisionWork work = mapper.takeWork();
   ASSERT_TRUE(work);
-  occupancy::OccupancyMap empty(mapping::MapperParameters{}.map);
-  ASSERT_TRUE(mapper.load(empty));
+  mapping::Mapper other = knowing(false);
+  ASSERT_TRUE(mapper.load(other.map()));
   slam::MapRevision revision = work();
   EXPECT_FALSE(mapper.revise(revision));
 }
@@ -187,8 +201,8 @@ TEST_F(MapLocalizationTest, KeepsScansToCloseLoopsWithUntilAMapIsLoadedAndNoneWh
   drive(mapper, {4.0, 1.2, 0.0}, {5.0, 1.2, 0.0});
   EXPECT_GE(mapper.keyframes(), 4U) << "one for each 0.2 m";
   EXPECT_EQ(mapper.keyframes(), mapper.trajectory().size());
-  occupancy::OccupancyMap empty(mapping::MapperParameters{}.map);
-  ASSERT_TRUE(mapper.load(empty));
+  mapping::Mapper other = knowing(false);
+  ASSERT_TRUE(mapper.load(other.map()));
   EXPECT_EQ(mapper.keyframes(), 0U);
   mapping::Mapper knows = knowing(true);
   drive(knows, {4.0, 1.2, 0.0}, {5.0, 1.2, 0.0});
@@ -212,18 +226,31 @@ TEST_F(MapLocalizationTest, AMapperThatIsStartedAgainGoesOnWithTheMapAndThePoseT
   mapping::Mapper second;
   ASSERT_TRUE(second.resume(kept, first.T_map_odom(), T_odom_base));
   EXPECT_GE(known(second), before) << "[FLT-2]";
-  const Pose2 T_world_odom = T_world_base * T_odom_base.inverse();
-  for (int i = 0; i < 20; ++i) {
-    T_world_base.x += 0.05;
-    T_odom_base = T_world_odom.inverse() * T_world_base;
-    seconds += 0.6;
-    verdict =
-        second.insert(scanner.scan(T_world_base, timeFromSeconds(seconds)), T_odom_base, timeFromSeconds(seconds));
-    second.reviseNow();
-  }
+  goOn(second);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
   // The first one's map begins where odometry does.
   EXPECT_FALSE(isJump(T_odom_base, second.T_map_odom() * T_odom_base, 0.05, 0.03));
+}
+
+// [FLT-2]
+TEST_F(MapLocalizationTest, AMapperThatDiedBeforeItSawAnyWallGoesOnMapping_FLT_2) {
+  for (const bool trust_odometry : {false, true}) {
+    mapping::MapperParameters parameters;
+    parameters.trust_odometry = trust_odometry;
+    mapping::Mapper first(parameters);
+    scanner = Scanner(Grid<std::uint8_t>(world.map.geometry(), 0), 0.01);
+    drive(first, {1.0, 1.0, 0.0}, {2.0, 1.0, 0.0});
+    ASSERT_TRUE(verdict == mapping::ScanVerdict::kInserted && !first.map().hasOccupied());
+    mapping::Mapper second(parameters);
+    ASSERT_TRUE(second.resume(first.map(), Pose2(0.5, 0.0, 0.0), T_odom_base)) << "another frame than odometry's";
+    goOn(second);
+    EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
+    scanner = Scanner(world.solid(), 0.01);
+    goOn(second);
+    EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
+    EXPECT_TRUE(second.map().hasOccupied());
+    EXPECT_FALSE(isJump(second.T_map_odom(), Pose2(0.5, 0.0, 0.0), 0.1, 0.03)) << "from where the first one was";
+  }
 }
 
 // [FLT-2]
@@ -238,6 +265,19 @@ TEST(KnownMap, WhoseBoxIsTooLargeToLocaliseInIsRefusedAsAWhole_FLT_2) {
   EXPECT_FALSE(mapper.resume(large, Pose2(1.0, 0.0, 0.0), Pose2()));
   EXPECT_LT(mapper.map().geometry().size(), large.geometry().size()) << "the map is as it was";
   EXPECT_TRUE(mapper.resume(large, Pose2(), Pose2())) << "odometry is trusted, nobody localises";
+}
+
+// [MAP-5]
+TEST(KnownMap, WithoutAWallIsRefusedWithTheReasonBecauseNoRobotCanBeFoundInIt_MAP_5) {
+  mapping::Mapper mapper;
+  occupancy::OccupancyMap open(mapping::MapperParameters{}.map);
+  ASSERT_TRUE(open.reserve({0.0, 0.0}, {5.0, 5.0}));
+  open.beginScan();
+  for (int i = 0; i < 2500; ++i) open.miss({i % 50, i / 50});
+  std::string why;
+  EXPECT_FALSE(mapper.load(open, &why));
+  EXPECT_EQ(why, "it shows no wall beside free space, and without one the robot cannot be found on it");
+  EXPECT_TRUE(mapper.map().isBlank());
 }
 
 // [FLT-1]
