@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """What bounds and ends an exploration, and goals of others, against a move_base and a map that are not ours."""
 import math
+import signal
 import threading
+import time
 
 import actionlib
 import rospy
@@ -13,6 +15,7 @@ from frontier_pilot.srv import SaveMap, SaveMapResponse, SetBounds
 from geometry_msgs.msg import Point32, Polygon
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from sensor_msgs.msg import BatteryState
+from std_msgs.msg import Bool
 from std_srvs.srv import SetBool, Trigger
 
 from explorer_case import ExplorerCase
@@ -183,6 +186,33 @@ class ExplorerLimits(ExplorerCase):
         self.assertEqual(time, self.status.last.exploring_time)
         self.assertTrue(call('set_exploration_enabled', SetBool, True).success)
         self.assertTrue(wait_for(lambda: self.robot.position != position))
+
+    # [ARB-8] [FLT-2]
+    def test_a_call_that_waited_while_it_was_frozen_through_a_stop_and_its_clearing_sends_no_goal(self):
+        stop = rospy.Publisher('emergency_stop_state', Bool, queue_size=10)
+        self.addCleanup(stop.unregister)
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.explore()
+        self.assertTrue(wait_for(lambda: self.robot.goals and stop.get_num_connections() > 0))
+        # Over a connection that is there already the call arrives before the stop.
+        reset = rospy.ServiceProxy('frontier_explorer/reset', Trigger, persistent=True)
+        self.addCleanup(reset.close)
+        self.assertTrue(reset().success)
+        self.assertTrue(wait_for(lambda: len(self.robot.goals) == 2), 'a reset sends a goal')
+        self.node.signal(signal.SIGSTOP)
+        caller = threading.Thread(target=reset)
+        caller.start()
+        time.sleep(0.2)
+        stop.publish(True)
+        stop.publish(False)
+        time.sleep(0.6)
+        self.node.signal(signal.SIGCONT)
+        caller.join()
+        self.expect_reason(Status.PAUSED)
+        goals = list(self.robot.goals)
+        self.assertTrue(call('set_exploration_enabled', SetBool, True).success)  # the next explorer is not paused
+        self.assertEqual(2, len(goals), goals)
 
     # [EXP-10]
     def test_returns_to_the_start_and_has_the_map_saved_without_waiting_for_it(self):

@@ -40,10 +40,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>(names::kFrontiers, 1, true);
   goal_publisher_ = node.advertise<geometry_msgs::PoseStamped>(names::kExplorerGoal, 5, true);
   addServices();
-  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
-    const auto now = connections_.clock().now();
-    if (now && !connections_.clock().isCatchingUp()) update(*now);
-  });
+  connections_.every(ros::Duration(1.0 / parameters_.rate), [this] { tick(); });
   connections_.everySteady(ros::WallDuration(parameters_.explorer.report_period), [this] { watchClock(); });
   connections_.clock().onJump([this] { odometry_stamp_ = last_status_ = std::nullopt; });
 }
@@ -53,6 +50,12 @@ void FrontierExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   const auto odometry = toOdometry(msg, &why);
   if (!odometry) return bad_odometry_.add(why);
   odometry_stamp_ = odometry->stamp;
+}
+
+/// After a hold-up it first reads what came meanwhile, a stop among it perhaps; but a pause takes effect at once.
+void FrontierExplorerAdapter::tick() {
+  const auto now = connections_.clock().now();
+  if (now && !(enabled_ && connections_.clock().isCatchingUp())) update(*now);
 }
 
 void FrontierExplorerAdapter::update(Time now) {

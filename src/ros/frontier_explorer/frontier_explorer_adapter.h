@@ -68,9 +68,7 @@ class FrontierExplorerAdapter {
   void closePolygon();
   void expireClicks();
   std::optional<Vec2> inMapFrame(const geometry_msgs::PointStamped& msg, std::string& why) const;
-  void tick() {
-    if (const auto now = connections_.clock().now()) update(*now);
-  }
+  void tick();
   void update(Time now);
   exploration::ExplorerInputs gather(Time now);
   void obey(const exploration::GoalCommand& command, Time now);
