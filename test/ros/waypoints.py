@@ -64,6 +64,9 @@ class WaypointsOnTheWire(unittest.TestCase):
     def drives(self):
         return self.odom.last.twist.twist.linear.x > 0.1
 
+    def moves(self):
+        return self.drives() or abs(self.odom.last.twist.twist.angular.z) > 0.1
+
     def stands(self):
         twist = self.odom.last.twist.twist
         return abs(twist.linear.x) < 1e-6 and abs(twist.angular.z) < 1e-6
@@ -81,7 +84,7 @@ class WaypointsOnTheWire(unittest.TestCase):
 
     def start_driving(self):
         self.follow(FAR if self.is_at(NEAR) or self.at()[0] < 0.7 else NEAR, MIDDLE)
-        self.assertTrue(wait_for(lambda: self.drives() or abs(self.odom.last.twist.twist.angular.z) > 0.1, 20.0))
+        self.assertTrue(wait_for(self.moves, 20.0))
 
     def test_are_gone_to_in_their_order_without_those_that_cannot_be_reached(self):  # [NAV-5]
         self.follow(MIDDLE, OUTSIDE, FAR, NEAR)
@@ -156,6 +159,21 @@ class WaypointsOnTheWire(unittest.TestCase):
         self.assertTrue(wait_for(lambda: not self.active(), 20.0))
         self.assertTrue(call('waypoint_follower/clear', Trigger).success)
         self.assertTrue(wait_for(lambda: not self.collected.last.poses))
+
+    def test_that_were_collected_are_no_longer_driven_to_once_they_are_taken_back(self):  # [NAV-5]
+        add = rospy.Publisher('waypoint_follower/add', PoseStamped, queue_size=10)
+        self.assertTrue(wait_for(lambda: add.get_num_connections() > 0))
+        add.publish(pose(FAR if self.at()[0] < 0.7 else NEAR))
+        add.publish(pose(MIDDLE))
+        self.assertTrue(wait_for(lambda: self.collected.last and len(self.collected.last.poses) == 2))
+        self.assertTrue(wait_for(lambda: call('waypoint_follower/start', Trigger).success, 5.0))
+        self.assertTrue(wait_for(self.moves, 20.0))
+        answer = call('waypoint_follower/clear', Trigger)
+        self.assertEqual((True, '2 waypoints taken back, and the drive to them is ended'), (answer.success, answer.message))
+        self.expect_standstill()
+        self.start_driving()
+        self.assertEqual('0 waypoints taken back', call('waypoint_follower/clear', Trigger).message)
+        self.expect_end(GoalStatus.SUCCEEDED, FollowWaypointsResult.NONE)  # those of an action are of somebody else
 
 
 if __name__ == '__main__':

@@ -1,19 +1,14 @@
 #include <geometry_msgs/PoseArray.h>
 
-#include "ros/common/messages/conversions.h"
+#include "ros/common/clock.h"
 #include "ros/common/names.h"
 #include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 #include "ros/waypoint_follower/waypoint_follower_adapter.h"
+#include "ros/waypoint_follower/waypoint_problem.h"
 
 /// Waypoints that are collected one by one, and what the node says of itself.
 namespace frontier_pilot {
-
-std::string problemOfWaypoint(const geometry_msgs::PoseStamped& msg) {
-  std::string why;
-  if (!toPose(msg.pose, &why)) return why;
-  return msg.header.frame_id.empty() ? "no frame" : "";
-}
 
 void WaypointFollowerAdapter::handleAdd(const geometry_msgs::PoseStamped& msg) {
   std::string why = problemOfWaypoint(msg);
@@ -39,12 +34,17 @@ bool WaypointFollowerAdapter::handleStart(Trigger::Request&, Trigger::Response& 
   FollowWaypointsGoal goal;
   goal.poses = collected_;
   own_goals_.publish(server_.offer(goal));
+  follows_collected_ = follower_.active();
   return true;
 }
 
+/// Ends also the drive to them, but not that of an action of somebody else.
 bool WaypointFollowerAdapter::handleClear(Trigger::Request&, Trigger::Response& response) {
+  const bool drives = follows_collected_ && follower_.active();
+  if (drives) put(follower_.cancel());
   response.success = 1;
-  response.message = std::to_string(collected_.size()) + " waypoints taken back";
+  response.message =
+      std::to_string(collected_.size()) + " waypoints taken back" + (drives ? ", and the drive to them is ended" : "");
   collected_.clear();
   publishCollected();
   return true;

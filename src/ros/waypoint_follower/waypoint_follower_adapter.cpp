@@ -5,6 +5,7 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/throttled_log.h"
+#include "ros/waypoint_follower/waypoint_problem.h"
 
 namespace frontier_pilot {
 namespace {
@@ -77,12 +78,10 @@ void WaypointFollowerAdapter::sayLastWords() {
 void WaypointFollowerAdapter::handleGoal(const FollowWaypointsGoal& goal) {
   // The action server has already ended the waypoints that were under way.
   inputs_.ended.clear();
+  follows_collected_ = false;
+  if (const auto output = follower_.start(goal.poses.size(), rosNow()); output.ended) return put(output);
+  if (const std::string why = problemOfWaypoints(goal.poses); !why.empty()) return put(follower_.refuse(why));
   poses_ = goal.poses;
-  if (const auto output = follower_.start(poses_.size(), rosNow()); output.ended) return put(output);
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
-    const std::string why = problemOfWaypoint(poses_[i]);
-    if (!why.empty()) return put(follower_.refuse("waypoint " + std::to_string(i + 1) + ": " + why));
-  }
   THROTTLED_INFO("follows " << poses_.size() << " waypoints");
   tick();
 }
@@ -130,6 +129,7 @@ void WaypointFollowerAdapter::send(const waypoints::Leg& leg) {
 
 void WaypointFollowerAdapter::finish(const waypoints::WaypointOutput& output) {
   last_text_ = output.text;
+  poses_.clear();
   FollowWaypointsResult result;
   result.error_code = codeOf(output.outcome);
   if (result.error_code != FollowWaypointsResult::NONE) result.error_msg = output.text;

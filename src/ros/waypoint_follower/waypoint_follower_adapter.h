@@ -50,6 +50,7 @@ class WaypointFollowerAdapter {
   waypoints::WaypointInputs inputs_;
   std::vector<geometry_msgs::PoseStamped> poses_;      ///< of the present goal
   std::vector<geometry_msgs::PoseStamped> collected_;  ///< all in one frame
+  bool follows_collected_ = false;                     ///< the present goal is of those
   std::string last_text_ = "no waypoints yet";
   Rejections bad_poses_{"waypoint"};
   ros::Publisher own_goals_, collected_publisher_;
@@ -58,8 +59,5 @@ class WaypointFollowerAdapter {
   NodeDiagnostics diagnostics_;
   NodeConnections connections_;
 };
-
-/// Why this is no pose to go to; empty if it is one.
-std::string problemOfWaypoint(const geometry_msgs::PoseStamped& msg);
 
 }  // namespace frontier_pilot

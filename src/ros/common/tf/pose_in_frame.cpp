@@ -1,6 +1,5 @@
 #include "ros/common/tf/pose_in_frame.h"
 
-#include "frontier_pilot/core/bounds.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/tf/frame_name.h"
 
@@ -10,10 +9,8 @@ std::optional<Pose2> poseInFrame(const geometry_msgs::PoseStamped& msg, const st
                                  std::string& why) {
   const auto pose = toPose(msg.pose, &why);
   if (!pose || isSameFrame(msg.header.frame_id, frame)) return pose;
-  if (msg.header.frame_id.size() > bounds::kMostName) {
-    why = "the name of the frame has more than " + std::to_string(bounds::kMostName) + " characters";
-    return std::nullopt;
-  }
+  why = problemOfFrameName(msg.header.frame_id);
+  if (!why.empty()) return std::nullopt;
   const auto T_frame_msg = tf.lookup(frame, msg.header.frame_id, Time{}, Duration::zero(), &why);
   if (!T_frame_msg) return std::nullopt;
   return *T_frame_msg * *pose;

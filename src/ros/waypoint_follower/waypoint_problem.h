@@ -1,0 +1,15 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+
+#include <string>
+#include <vector>
+
+namespace frontier_pilot {
+
+/// Why this is no pose to go to; empty if it is one. [FLT-1]
+std::string problemOfWaypoint(const geometry_msgs::PoseStamped& msg);
+/// Which of them is none, and why.
+std::string problemOfWaypoints(const std::vector<geometry_msgs::PoseStamped>& poses);
+
+}  // namespace frontier_pilot
