@@ -54,6 +54,8 @@ void Explorer::setBounds(const ExplorationBounds& bounds, const OccupancyGrid& m
 const ExplorationBounds& Explorer::bounds() const { return impl_->evaluator().map().bounds(); }
 void Explorer::setReturnToStart(bool on) { impl_->setReturnToStart(on); }
 bool Explorer::returnsToStart() const { return impl_->returnsToStart(); }
+const std::optional<Pose2>& Explorer::start() const { return impl_->start(); }
+void Explorer::setStart(const Pose2& T_map_start) { impl_->setStart(T_map_start); }
 std::optional<ExplorerReason> Explorer::endedBy() const { return impl_->endedBy(); }
 void Explorer::setParameters(const ExplorerParameters& parameters) { impl_->setParameters(parameters); }
 void Explorer::setPlan(PlanFn plan) { impl_->evaluator().setPlan(std::move(plan)); }

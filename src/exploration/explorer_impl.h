@@ -32,6 +32,8 @@ class Explorer::Impl {
   void setBounds(const ExplorationBounds& bounds, const OccupancyGrid& map);
   void setReturnToStart(bool on) { parameters_.return_to_start = on; }
   bool returnsToStart() const { return parameters_.return_to_start; }
+  const std::optional<Pose2>& start() const { return start_; }
+  void setStart(const Pose2& T_map_start) { start_ = T_map_start; }
   std::optional<ExplorerReason> endedBy() const { return ended_by_; }
   void setParameters(const ExplorerParameters& parameters);
   std::string inspect(const Pose2& pose);

@@ -18,7 +18,7 @@ from sensor_msgs.msg import BatteryState
 from std_msgs.msg import Bool
 from std_srvs.srv import SetBool, Trigger
 
-from explorer_case import ExplorerCase
+from explorer_case import START, ExplorerCase
 from foreign_robot import hall
 from wire import Record, call, wait_for
 
@@ -171,6 +171,19 @@ class ExplorerLimits(ExplorerCase):
         self.assertEqual((True, 'returns to the start at the end'), (answer.success, answer.message))
         self.assertTrue(self.comes(lambda status: status.return_to_start))
         self.expect_done(Status.UNTIL_DISTANCE)
+        self.assertTrue(self.is_at_start(), self.robot.position)
+
+    # [EXP-10] [FLT-2]
+    def test_returns_to_where_it_began_also_when_it_dies_far_from_there(self):
+        self.robot.held.set()
+        self.addCleanup(self.robot.held.clear)
+        self.explore(until={'area': 9.8}, return_to_start=True)
+        self.assertTrue(wait_for(lambda: abs(self.robot.position[0] - START[0]) > 1.0), self.robot.goals)
+        self.start_again()
+        self.robot.held.clear()
+        self.assertTrue(self.comes(lambda status: status.state == Status.NAVIGATING))
+        self.robot.show(hall(known_to=2.8))
+        self.expect_done(Status.UNTIL_AREA)
         self.assertTrue(self.is_at_start(), self.robot.position)
 
     # [EXP-8]

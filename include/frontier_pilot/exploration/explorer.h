@@ -34,6 +34,11 @@ class Explorer {
   /// on its way back already is not stopped. [EXP-10]
   void setReturnToStart(bool on);
   bool returnsToStart() const;
+  /// Where the exploration began, in the map's frame: where the robot was when it was first to explore, or what was
+  /// set.
+  const std::optional<Pose2>& start() const;
+  /// To be called before the first update of an explorer that goes on with what another one has begun.
+  void setStart(const Pose2& T_map_start);
   /// The stopping rule that has ended the exploration; nothing while none has, or once it was started again. [EXP-10]
   std::optional<ExplorerReason> endedBy() const;
   /// Takes over what may change while it runs: the filters of the frontiers, the weights of the score and the goals'

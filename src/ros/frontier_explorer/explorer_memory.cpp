@@ -6,10 +6,12 @@
 #include <sstream>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
+
 namespace frontier_pilot {
 namespace {
 
-constexpr char kBounds = 'b', kReturns = 'r', kStays = 's', kUntold = '-';
+constexpr char kBounds = 'b', kReturns = 'r', kStays = 's', kUntold = '-', kStart = '@';
 
 void write(std::ostream& text, const std::vector<Vec2>& corners) {
   text << corners.size();
@@ -40,6 +42,14 @@ bool read(std::istream& text, exploration::ExplorationBounds& bounds) {
   return bounds.problem().empty();
 }
 
+/// Whether a start that is there can be read.
+bool read(std::istream& text, std::optional<Pose2>& start) {
+  if ((text >> std::ws).peek() != kStart) return true;
+  start.emplace();
+  if (!(text.ignore() >> start->x >> start->y >> start->yaw)) return false;
+  return start->isFinite() && bounds::isWithin(start->position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate);
+}
+
 }  // namespace
 
 std::string toText(const ExplorerOrders& orders) {
@@ -52,6 +62,7 @@ std::string toText(const ExplorerOrders& orders) {
   }
   const auto home = orders.returns_to_start;
   text << ' ' << (home ? (*home ? kReturns : kStays) : kUntold);
+  if (const auto& start = orders.start) text << ' ' << kStart << start->x << ' ' << start->y << ' ' << start->yaw;
   if (orders.ended) text << ' ' << *orders.ended;
   return text.str();
 }
@@ -68,6 +79,7 @@ std::optional<ExplorerOrders> ordersIn(const std::string& text) {
   }
   if (!(words >> home) || (home != kReturns && home != kStays && home != kUntold)) return std::nullopt;
   if (home != kUntold) orders.returns_to_start = home == kReturns;
+  if (!read(words, orders.start)) return std::nullopt;
   if (std::string ended; std::getline(words >> std::ws, ended)) orders.ended = ended;
   return orders;
 }
@@ -96,6 +108,12 @@ std::string ExplorerMemory::keepBounds(const exploration::ExplorationBounds& bou
 std::string ExplorerMemory::keepReturnToStart(bool returns) {
   orders_.returns_to_start = returns;
   return keep();
+}
+
+void ExplorerMemory::keepStart(const std::optional<Pose2>& start) {
+  if (start == orders_.start) return;
+  orders_.start = start;
+  keep();
 }
 
 void ExplorerMemory::keepEnd(const std::optional<std::string>& reason) {

@@ -8,11 +8,12 @@
 
 namespace frontier_pilot {
 
-/// What an operator has told an explorer, and whether a stopping rule has ended its exploration. Nothing stands for
-/// what has not been told.
+/// What an operator has told an explorer, where it has begun, and whether a stopping rule has ended its exploration.
+/// Nothing stands for what has not been told.
 struct ExplorerOrders {
   std::optional<exploration::ExplorationBounds> bounds;  ///< empty if they were lifted
   std::optional<bool> returns_to_start;
+  std::optional<Pose2> start;        ///< in the map's frame
   std::optional<std::string> ended;  ///< the rule that has ended the exploration, in words
 };
 
@@ -20,8 +21,9 @@ struct ExplorerOrders {
 std::string toText(const ExplorerOrders& orders);
 std::optional<ExplorerOrders> ordersIn(const std::string& text);
 
-/// Keeps the orders beyond the death of the node: the next one must neither leave the bounds nor drive off again. All
-/// is forgotten at a regular shutdown. (That it is paused is a SafeSwitch.) [FLT-2] [EXP-10]
+/// Keeps the orders beyond the death of the node: the next one must neither leave the bounds nor drive off again, nor
+/// return to another place. All is forgotten at a regular shutdown. (That it is paused is a SafeSwitch.) [FLT-2]
+/// [EXP-10]
 class ExplorerMemory {
  public:
   explicit ExplorerMemory(NodeConnections& connections);
@@ -38,6 +40,7 @@ class ExplorerMemory {
   /// would.
   std::string keepBounds(const exploration::ExplorationBounds& bounds);
   std::string keepReturnToStart(bool returns);
+  void keepStart(const std::optional<Pose2>& start);
   /// The rule that has ended the exploration; nothing once it goes on.
   void keepEnd(const std::optional<std::string>& reason);
   /// Forgets all of it: a regular end.

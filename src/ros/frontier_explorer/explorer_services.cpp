@@ -26,6 +26,7 @@ void FrontierExplorerAdapter::resume() {
   memory_.emplace(connections_);
   const ExplorerOrders& left = memory_->orders();
   if (left.returns_to_start) explorer_.setReturnToStart(*left.returns_to_start);
+  if (left.start) explorer_.setStart(*left.start);
   if (left.bounds) {
     explorer_.setBounds(*left.bounds, OccupancyGrid());
     ROS_WARN_STREAM("starts with the bounds that were set before: " << left.bounds->describe());
@@ -37,7 +38,8 @@ void FrontierExplorerAdapter::resume() {
 }
 
 /// An exploration that is paused after its end has ended still.
-void FrontierExplorerAdapter::keepEnd() {
+void FrontierExplorerAdapter::keepStartAndEnd() {
+  memory_->keepStart(explorer_.start());
   if (const auto rule = explorer_.endedBy()) {
     memory_->keepEnd(toString(*rule));
   } else if (enabled_) {

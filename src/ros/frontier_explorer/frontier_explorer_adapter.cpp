@@ -66,7 +66,7 @@ void FrontierExplorerAdapter::update(Time now) {
   const exploration::ExplorerOutput output = explorer_.update(inputs, now);
   team_.tell(inputs.T_map_base, explorer_.claims(), now);
   status_ = output.status;
-  keepEnd();
+  keepStartAndEnd();
   saveMap(output);
   obey(output.command, now);
   report(output);

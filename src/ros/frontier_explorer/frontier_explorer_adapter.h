@@ -63,7 +63,7 @@ class FrontierExplorerAdapter {
   bool handleReturnToStart(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void addServices();
   void resume();
-  void keepEnd();
+  void keepStartAndEnd();
   BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
   void closePolygon();
   void expireClicks();

@@ -236,6 +236,17 @@ TEST_F(ReturnToStart, TheStartIsWhereTheExplorationBeginsAndNotWhereTheRobotWasB
   EXPECT_EQ(sent.goal, pose);
 }
 
+// [EXP-10] [FLT-2]
+TEST_F(ReturnToStart, TheStartIsThatOfTheExplorerBeforeItIfThatDied_EXP_10_FLT_2) {
+  show(kClosedRoom);
+  EXPECT_FALSE(explorer.start());
+  const Pose2 before(0.5, pose.y, 1.0);
+  explorer.setStart(before);
+  EXPECT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  EXPECT_EQ(sent.goal, before);
+  EXPECT_EQ(explorer.start(), before);
+}
+
 // [EXP-7]
 TEST_F(ExplorerStates, IsDoneAlsoWhereItsStartHasTurnedOutToBeAWall_EXP_7) {
   show(kClosedRoom);

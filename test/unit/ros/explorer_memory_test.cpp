@@ -12,11 +12,13 @@ TEST(ExplorerMemory, WritesOrdersSoThatTheyAreReadAsTheyWere_EXP_10_FLT_2) {
   exploration::ExplorationBounds bounds;
   bounds.stay_within = {{0.1, -2.0}, {1.0 / 3.0, 0.0}, {5.0, 7.25}};
   bounds.keep_out = {{{1.0, 1.0}, {2.0, 1.0}, {2.0, 2.0}}, {{3.0, 3.0}, {4.0, 3.0}, {4.0, 4.0}, {3.0, 4.0}}};
-  const auto read = ordersIn(toText({bounds, true, "the time asked for has passed"}));
+  const Pose2 start(-3.25, 1.0 / 3.0, 2.5);
+  const auto read = ordersIn(toText({bounds, true, start, "the time asked for has passed"}));
   ASSERT_TRUE(read && read->bounds);
   EXPECT_EQ(read->bounds->stay_within, bounds.stay_within);
   EXPECT_EQ(read->bounds->keep_out, bounds.keep_out);
   EXPECT_EQ(read->returns_to_start, true);
+  EXPECT_EQ(read->start, start);
   EXPECT_EQ(read->ended, "the time asked for has passed");
 }
 
@@ -24,8 +26,8 @@ TEST(ExplorerMemory, WritesOrdersSoThatTheyAreReadAsTheyWere_EXP_10_FLT_2) {
 TEST(ExplorerMemory, TellsWhatWasLiftedFromWhatWasNeverTold_EXP_10) {
   const auto untold = ordersIn(toText({}));
   ASSERT_TRUE(untold);
-  EXPECT_FALSE(untold->bounds || untold->returns_to_start || untold->ended);
-  const auto lifted = ordersIn(toText({exploration::ExplorationBounds(), false, {}}));
+  EXPECT_FALSE(untold->bounds || untold->returns_to_start || untold->start || untold->ended);
+  const auto lifted = ordersIn(toText({exploration::ExplorationBounds(), false, {}, {}}));
   ASSERT_TRUE(lifted && lifted->bounds);
   EXPECT_TRUE(lifted->bounds->empty());
   EXPECT_EQ(lifted->returns_to_start, false);
@@ -35,7 +37,8 @@ TEST(ExplorerMemory, TellsWhatWasLiftedFromWhatWasNeverTold_EXP_10) {
 TEST(ExplorerMemory, TakesNothingThatIsDamagedForOrders_FLT_1) {
   for (const char* text :
        {"", "x", "-", "- x", "b 3 0 0 1 0 -", "b 0 -", "b 0 1 -", "b 0 99999999999999999999 -", "b 2 0 0 1 0 0 -",
-        "b 0 0", "b 3 0 0 1 0 nan 1 0 -", "b 3 0 0 1e300 0 1 1 0 -", "b -1 0 -"}) {
+        "b 0 0", "- - @ 1 2", "- - @ 1 2 nan", "- - @ 1e300 2 3", "- - @ 1 -1e300 3 the end", "b 3 0 0 1 0 nan 1 0 -",
+        "b 3 0 0 1e300 0 1 1 0 -", "b -1 0 -"}) {
     EXPECT_FALSE(ordersIn(text)) << text;
   }
 }
