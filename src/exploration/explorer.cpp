@@ -63,7 +63,6 @@ std::string Explorer::inspect(const Pose2& pose) { return impl_->inspect(pose); 
 void Explorer::clearInspections() { impl_->clearInspections(); }
 std::vector<Pose2> Explorer::inspections() const { return impl_->inspections(); }
 ExplorerOutput Explorer::update(const ExplorerInputs& inputs, Time now) { return impl_->update(inputs, now); }
-
 const std::vector<Frontier>& Explorer::frontiers() const { return impl_->evaluator().frontiers(); }
 const std::vector<Frontier>& Explorer::frontiersWithCells() {
   impl_->evaluator().listCells();
