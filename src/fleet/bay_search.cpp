@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -66,11 +67,12 @@ class BaySearch {
   /// Whether the disc around the cell is known to be free.
   bool fits(Cell cell) const {
     const int most = static_cast<int>(reach_);
+    const CellRect box = CellRect{cell.x, cell.y, 1, 1}.grown(most);
+    if (!(box.intersection(map_.geometry().rect()) == box)) return false;
     for (int dy = -most; dy <= most; ++dy) {
-      for (int dx = -most; dx <= most; ++dx) {
-        const bool inside = dx * dx + dy * dy <= reach_ * reach_;
-        if (inside && !isFree(map_.get({cell.x + dx, cell.y + dy}, kUnknown))) return false;
-      }
+      const int half = static_cast<int>(std::sqrt(reach_ * reach_ - dy * dy));
+      const std::int8_t* middle = map_.row(cell.y + dy) + cell.x;
+      if (!std::all_of(middle - half, middle + half + 1, isFree)) return false;
     }
     return true;
   }
@@ -94,9 +96,21 @@ std::vector<KeepOff> nearest(std::vector<KeepOff> lines, const Vec2& place) {
   return result;
 }
 
+/// Whether `distanceTo` would be less than `apart`, without roots and lengths: it is asked at every place.
+bool comesNear(const KeepOff& off, const Vec2& place) {
+  const double most = off.apart > 0.0 ? square(off.apart) : 0.0;
+  if ((off.line.front() - place).squaredNorm() < most) return true;
+  for (std::size_t i = 0; i + 1 < off.line.size(); ++i) {
+    const Vec2 step = off.line[i + 1] - off.line[i];
+    const Vec2 to_place = place - off.line[i];
+    const double part = std::clamp(step.dot(to_place) / std::max(step.squaredNorm(), 1e-12), 0.0, 1.0);
+    if ((part * step - to_place).squaredNorm() < most) return true;
+  }
+  return false;
+}
+
 bool isOff(const std::vector<KeepOff>& lines, const Vec2& place) {
-  return std::all_of(lines.begin(), lines.end(),
-                     [&](const KeepOff& off) { return distanceTo(off.line, place) >= off.apart; });
+  return std::none_of(lines.begin(), lines.end(), [&](const KeepOff& off) { return comesNear(off, place); });
 }
 
 }  // namespace
