@@ -58,8 +58,8 @@ std::string describe(const WholeMapSearch& search);
 
 /// Localisation in a known map: finds the robot in it, and then either tracks it there and leaves the map as it is, or
 /// continues mapping. In that case new scans are matched only with each other, and inserted into the known map. Until
-/// the robot is found no scan is inserted. On a map without walls it cannot be found: mapping continues from where it is
-/// said to be. [MAP-5]
+/// the robot is found no scan is inserted. On a map without walls it cannot be found: mapping continues from where it
+/// is said to be. [MAP-5]
 class MapLocalization final : public slam::PoseCorrection {
  public:
   enum class Use {

@@ -107,7 +107,9 @@ std::vector<ArbiterProblem> findProblems(const arbiter::ArbiterSnapshot& snapsho
     problems.push_back({Level::ERROR, "no emergency stop can be called: " + snapshot.unreachable});
   }
   if (!around.master_answers) {
-    problems.push_back({Level::ERROR, "the master does not answer: only a window that was connected before can call an emergency stop"});
+    problems.push_back(
+        {Level::ERROR,
+         "the master does not answer: only a window that was connected before can call an emergency stop"});
   }
   return problems;
 }
