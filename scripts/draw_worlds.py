@@ -239,25 +239,29 @@ def small():
 WORLDS = (flat, office, maze, cave, loop, small)
 
 
-def write(path, content):
-    """Replaces the file as a whole, or leaves it as it was."""
-    part = path + '.part'
+def write(contents):
+    """Replaces all these files, or leaves them as they were if one of them cannot be written."""
+    parts = {path: path + '.part' for path in contents}
     try:
-        with open(part, 'wb') as file:
-            file.write(content)
-        os.replace(part, path)
+        for path, part in parts.items():
+            with open(part, 'wb') as file:
+                file.write(contents[path])
+        for path, part in parts.items():
+            os.replace(part, path)
     finally:
-        if os.path.exists(part):
-            os.remove(part)
+        for part in parts.values():
+            if os.path.exists(part):
+                os.remove(part)
 
 
 def save(directory, name, plan, start, about):
     image = np.where(np.flipud(plan.solid), 0, 254).astype(np.uint8)
-    write(os.path.join(directory, name + '.pgm'), b'P5\n%d %d\n255\n' % (image.shape[1], image.shape[0]) + image.tobytes())
+    picture = b'P5\n%d %d\n255\n' % (image.shape[1], image.shape[0]) + image.tobytes()
     text = '# %s\n' % about.split('\n')[0]
     text += 'image: %s.pgm\nresolution: %g\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n' % (name, RESOLUTION)
     text += 'occupied_thresh: 0.65\nfree_thresh: 0.196\nstart: [%g, %g, %g]\n' % start
-    write(os.path.join(directory, name + '.yaml'), text.encode())
+    stem = os.path.join(directory, name)
+    write({stem + '.pgm': picture, stem + '.yaml': text.encode()})
 
 
 def main():

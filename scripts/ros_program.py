@@ -38,7 +38,8 @@ class PatientTransport(xmlrpc.client.Transport):
 
 
 def master(node):
-    """The rosgraph.Master of a node of this name, which would wait for a master that hangs for ever; here that is one of FAILURES."""
+    """The rosgraph.Master of a node of this name. rosgraph's own waits for ever for a master that hangs; with this one a call ends after
+    PATIENCE, with one of FAILURES."""
     patient = rosgraph.Master(node)
     patient.handle = xmlrpc.client.ServerProxy(patient.master_uri, transport=PatientTransport())
     return patient
@@ -135,18 +136,24 @@ def refuse_a_namesake(name):
     """Ends the program with a line and exit code 1 while a node of its name lives at the master: ROS would shut that down."""
     own = rosgraph.names.ns_join(rosgraph.names.get_ros_namespace(), rosgraph.names.load_mappings(sys.argv).get('__name', name))
     end = time.monotonic() + LAST_WORDS
-    while lives(own):
+    alive = lives(own)
+    while alive is not False:
         if time.monotonic() >= end:
+            if alive is None:
+                return
             say('%s: a node %s is already running, and ROS would shut it down for this one: end it first (rosnode kill %s), or give '
                 'this one another name (__name:=...)' % (name, own, own), sys.stderr)
             sys.exit(1)
         time.sleep(POLL)
+        alive = lives(own)
 
 
 def lives(node):
-    """Whether a node is registered at the master, and answers or at least holds its port."""
+    """Whether a node is registered at the master, and answers or at least holds its port; None if the master does not say in time."""
     try:
         uri = master(node).lookupNode(node)
+    except socket.timeout:
+        return None
     except FAILURES:
         return False
     try:

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "ros/common/master/xml_rpc.h"
@@ -49,6 +50,36 @@ TEST_F(GuiOnTheWire, AnArbiterThatWasStartedAnewIsNotDrivenByTheSetPointOfBefore
   QTest::qWait(500);  // that nothing comes can only be seen by waiting
   EXPECT_EQ(robot_.command, 0.0);
   EXPECT_LT(std::abs(robot_.speed), 1e-6);
+}
+
+/// A process that is suspended, until this is destroyed.
+class Frozen {
+ public:
+  explicit Frozen(int pid) : pid_(pid) { kill(pid_, SIGSTOP); }
+  ~Frozen() { kill(pid_, SIGCONT); }
+  Frozen(const Frozen&) = delete;
+  Frozen& operator=(const Frozen&) = delete;
+
+ private:
+  int pid_;
+};
+
+// [ARB-12] [GUI-2]
+TEST_F(GuiOnTheWire, TheStopNeedsNoMasterAndTheWindowSaysSoWhileTheArbiterIsHeard) {
+  Window window;
+  ASSERT_TRUE(ready(window));
+  ASSERT_TRUE(drivesAtGo(window)) << window.log().toStdString();
+  const int arbiter = processOf("/cmd_vel_arbiter");
+  const std::optional<int> master = pidOfMaster();
+  ASSERT_TRUE(arbiter > 0 && master) << arbiter;
+  const Frozen frozen_master(*master);
+  const auto says = [&] { return window.text("summary").contains("The emergency stop works without it"); };
+  EXPECT_TRUE(waitFor(says));
+  window.click("emergency_stop");
+  const auto* stop = qobject_cast<QAbstractButton*>(window.find("emergency_stop"));
+  EXPECT_TRUE(waitFor([&] { return stop->text() == "STOPPED"; })) << window.log().toStdString();
+  const Frozen frozen_arbiter(arbiter);
+  EXPECT_TRUE(waitFor([&] { return !says(); })) << "a connection alone says nothing";
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST(ServiceCallerOnTheWire, AStopWithoutAnAnswerIsMadeAgainOverAnotherConnectio
 
 void waitUntilReady(ServiceCaller& caller, const std::string& service) {
   ASSERT_TRUE(waitFor([&] {
-    caller.getReady(service);
+    caller.getReady(service, true);
     return caller.isReady(service);
   }));
 }
@@ -152,6 +152,7 @@ TEST(ServiceCallerOnTheWire, AStopThatWasConnectedToBeforeNeedsNoMaster_ARB_12_G
   EXPECT_FALSE(caller.isReady("stop_without_master"));
   waitUntilReady(caller, "stop_without_master");
   forget("/stop_without_master");
+  caller.getReady("stop_without_master", false);
   for (const std::size_t pressed : {1U, 2U}) {
     caller.insist("stop_without_master", kPatience);
     EXPECT_TRUE(waitFor([&] { return arbiter.calls().size() == pressed; })) << pressed;
@@ -167,6 +168,7 @@ TEST(ServiceCallerOnTheWire, AStopGoesToTheArbiterThatCameAfterTheOneConnectedTo
   {
     HangingServer<std_srvs::Trigger> first("stop_of_two");
     waitUntilReady(caller, "stop_of_two");
+    caller.getReady("stop_of_two", false);  // seen no more, and the next one is not seen yet
   }
   HangingServer<std_srvs::Trigger> second("stop_of_two");
   second.free();
@@ -180,6 +182,7 @@ TEST(ServiceCallerOnTheWire, AConnectionMadeBeforeThatDoesNotAnswerIsReplaced_GU
   Lines lines;
   ServiceCaller caller(ros::NodeHandle(), lines.log());
   waitUntilReady(caller, "ready_stop_that_hangs");
+  caller.getReady("ready_stop_that_hangs", false);
   caller.insist("ready_stop_that_hangs", kPatience);
   EXPECT_TRUE(waitFor([&] {
     caller.lookAfter(steadyNow());

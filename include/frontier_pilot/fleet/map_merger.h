@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
@@ -118,6 +119,7 @@ class MapMerger {
     // The search for its place: windows of its map are searched for in another one, and by turns windows of that in its
     // map.
     MergeState unplaced = MergeState::kPlaceUnknown;  ///< its state while the place is not known
+    std::set<std::size_t> not_searched;               ///< robots in whose maps it cannot be looked for
     bool reversed = false;
     std::array<std::optional<Cell>, 2> last_window;  ///< that was searched for, of its map and of another one
     std::array<int, 2> windows{};                    ///< of either that lead to the candidate

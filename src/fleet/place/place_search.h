@@ -15,8 +15,9 @@ namespace frontier_pilot::fleet {
 /// Whether two poses differ by less than `distance` [m] and `angle` [rad].
 bool areNear(const Pose2& one, const Pose2& other, double distance, double angle);
 
-/// Whether a search needs no more memory for this map than docs/limits.md says: that follows the ground around its
-/// walls in cells of 5 cm, however large the map's cells are, and the number of points on the walls. [FLT-1]
+/// Whether a search needs no more memory for this map than docs/limits.md says. The memory depends on the size of the
+/// ground around the map's walls, in cells of 5 cm however large the map's own are, and on the number of points on the
+/// walls. [FLT-1]
 bool canBeSearched(const OccupancyGrid& map);
 
 /// Looks for the transform between the frames of two maps that know some of the same rooms. [MUL-1]

@@ -85,11 +85,21 @@ std::optional<PlaceWork> MapMerger::takeWork(Time now, const std::function<bool(
 bool MapMerger::mayBeSearched(const PlaceFinding& finding, Time now) {
   Robot& robot = robots_[finding.robot];
   const OccupancyGrid& reference = robots_[finding.reference].map();
-  robot.unplaced = !sameResolution(reference.geometry(), robot.map().geometry()) ? MergeState::kOtherResolution
-                   : !(canBeSearched(reference) && canBeSearched(robot.map()))   ? MergeState::kTooLargeToSearch
-                                                                                 : MergeState::kPlaceUnknown;
+  const MergeState state = !sameResolution(reference.geometry(), robot.map().geometry()) ? MergeState::kOtherResolution
+                           : !(canBeSearched(reference) && canBeSearched(robot.map()))   ? MergeState::kTooLargeToSearch
+                                                                                         : MergeState::kPlaceUnknown;
+  const bool may = state == MergeState::kPlaceUnknown;
+  if (may) {
+    robot.not_searched.erase(finding.reference);
+  } else {
+    robot.not_searched.insert(finding.reference);
+  }
+  bool anywhere = false;  // it is looked for in the map of one robot at least, or will be
+  for (std::size_t other = 0; other < robots_.size(); ++other)
+    anywhere |= other != finding.robot && isMerged(other) && robot.not_searched.count(other) == 0;
+  robot.unplaced = anywhere ? MergeState::kPlaceUnknown : state;
   if (!finding.refined) enter(finding.robot, robot.unplaced, now);
-  return robot.unplaced == MergeState::kPlaceUnknown;
+  return may;
 }
 
 void MapMerger::accept(const PlaceFinding& finding, Time now) {

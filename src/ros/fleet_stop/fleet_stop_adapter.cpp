@@ -62,7 +62,10 @@ FleetStopAdapter::FleetStopAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
 }
 
 /// A thread may be connecting to a computer that is switched off. Nothing is lost with this process.
-FleetStopAdapter::~FleetStopAdapter() { limitTheEndAnyway(); }
+FleetStopAdapter::~FleetStopAdapter() {
+  limitTheEndAnyway();
+  for (const auto& line : lines_) line->end();  // all, before one of them is waited for
+}
 
 bool FleetStopAdapter::addRobot(const std::string& service) {
   const auto is_it = [&](const auto& line) { return line->service() == service; };
@@ -108,8 +111,7 @@ void FleetStopAdapter::forgetRobots() {
     if (line->connected()) known_.see(line->service(), now);
   }
   for (const std::string& service : known_.forget(now)) {
-    ROS_INFO_STREAM(
-        robotOf(service) << " has been gone for an hour, and is not stopped together with the others any more");
+    ROS_INFO_STREAM(robotOf(service) << " has been gone for an hour, and is not stopped with the others any more");
     const auto is_another = [&](const auto& line) { return line->service() != service; };
     const auto gone = std::stable_partition(lines_.begin(), lines_.end(), is_another);
     std::for_each(gone, lines_.end(), [](const auto& line) { line->end(); });

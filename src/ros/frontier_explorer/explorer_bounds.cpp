@@ -59,7 +59,7 @@ FrontierExplorerAdapter::BoundsAnswer FrontierExplorerAdapter::takeBounds(
   if (!problem.empty()) return {false, problem + "; the bounds are as before"};
   explorer_.setBounds(bounds, map_.ready() ? map_.map() : OccupancyGrid());
   tick();  // so that a goal that is outside now is cancelled before the caller is answered
-  std::string message = bounds.describe() + memory_->keepBounds(bounds);
+  std::string message = bounds.describe() + memory_->keepBounds(bounds) + fromWhen();
   if (status_.reason == exploration::ExplorerReason::kRobotOutOfBounds) {
     message += std::string("; ") + toString(status_.reason) + " and is not driven";
   }

@@ -25,8 +25,9 @@ bool FrontierExplorerAdapter::handleClearInspections(std_srvs::Trigger::Request&
   last_status_.reset();
   tick();  // so that a goal to one of them is cancelled before the caller is answered
   response.success = 1U;
-  response.message = waiting == 0 ? "nothing waits to be inspected: nothing changed"
-                                  : "poses that need not be inspected any more: " + std::to_string(waiting);
+  response.message = waiting == 0
+                         ? "nothing waits to be inspected: nothing changed"
+                         : "poses that need not be inspected any more: " + std::to_string(waiting) + fromWhen();
   return true;
 }
 

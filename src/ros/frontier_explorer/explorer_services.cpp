@@ -54,9 +54,10 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   const exploration::ExplorerState state_before = status_.state;
   tick();  // so that a pause cancels the goal before the call is answered
   response.success = 1U;
-  response.message = std::string(enabled_ ? "exploration enabled" : "exploration paused") +
-                     (before == enabled_ && status_.state == state_before ? " already: nothing changed" : "") +
-                     (enabled_ && stopped_ ? "; the robot is stopped, and clearing the stop pauses it" : "") + problem;
+  response.message =
+      std::string(enabled_ ? "exploration enabled" : "exploration paused") +
+      (before == enabled_ && status_.state == state_before && !waits() ? " already: nothing changed" : "") +
+      (enabled_ && stopped_ ? "; the robot is stopped, and clearing the stop pauses it" : "") + problem + fromWhen();
   return true;
 }
 
@@ -89,7 +90,7 @@ bool FrontierExplorerAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs:
   reset_ = true;
   tick();
   response.success = 1U;
-  response.message = "blacklist, visits and phase forgotten";
+  response.message = "blacklist, visits and phase forgotten" + fromWhen();
   return true;
 }
 

@@ -52,10 +52,17 @@ void FrontierExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   odometry_stamp_ = odometry->stamp;
 }
 
-/// After a hold-up it first reads what came meanwhile, a stop among it perhaps; but a pause takes effect at once.
+/// After a hold-up the explorer first reads what came meanwhile, a stop among it perhaps; but a pause takes effect at
+/// once.
 void FrontierExplorerAdapter::tick() {
   const auto now = connections_.clock().now();
-  if (now && !(enabled_ && connections_.clock().isCatchingUp())) update(*now);
+  if (now && !waits()) update(*now);
+}
+
+bool FrontierExplorerAdapter::waits() { return enabled_ && connections_.clock().isCatchingUp(); }
+
+std::string FrontierExplorerAdapter::fromWhen() {
+  return waits() ? "; this takes effect in less than a second, because the explorer was held up" : "";
 }
 
 void FrontierExplorerAdapter::update(Time now) {

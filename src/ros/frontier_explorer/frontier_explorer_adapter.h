@@ -69,6 +69,9 @@ class FrontierExplorerAdapter {
   void expireClicks();
   std::optional<Vec2> inMapFrame(const geometry_msgs::PointStamped& msg, std::string& why) const;
   void tick();
+  bool waits();
+  /// For the answer to a call whose effect the caller has to wait for; empty if it has taken effect.
+  std::string fromWhen();
   void update(Time now);
   exploration::ExplorerInputs gather(Time now);
   void obey(const exploration::GoalCommand& command, Time now);

@@ -20,6 +20,7 @@ constexpr std::size_t kMostRobots = 50;  // that a window listens to
 constexpr const char* kRoot = "/";       // as fleet_stop calls a robot without a namespace
 // A stop that was pressed is asked for again and again for ten seconds, also when another robot is shown by then.
 constexpr Duration kRetirement = std::chrono::seconds(12);
+constexpr Duration kHeard = std::chrono::seconds(3);  // fleet_stop reports once a second
 /// For the answer to a stop of all robots: fleet_stop waits for theirs for as long as its `patience`, which is at most
 /// ten seconds.
 constexpr Duration kFleetPatience = std::chrono::seconds(11);
@@ -80,6 +81,7 @@ void FleetBridge::handleStopStatus(const FleetStopStatus& msg) {
   for (const auto& [name, reached] : listed) listenTo(name);
   const std::lock_guard<std::mutex> lock(mutex_);
   listed_ = std::move(listed);
+  listed_at_ = steadyNow();
 }
 
 void FleetBridge::listenTo(const std::string& name) {
@@ -118,10 +120,13 @@ teleop::FleetView FleetBridge::fleet() {
   endRetired(now);
   teleop::FleetView view;
   view.connected = watch_.masterUp();
-  if (watch_.up(names::kFleetEmergencyStop)) stop_caller_.getReady(names::kFleetEmergencyStop);
-  const bool stop_up = watch_.up(names::kFleetEmergencyStop) || stop_caller_.isReady(names::kFleetEmergencyStop);
+  const bool stop_seen = watch_.up(names::kFleetEmergencyStop);
+  stop_caller_.getReady(names::kFleetEmergencyStop, stop_seen);
+  const bool stop_ready = stop_caller_.isReady(names::kFleetEmergencyStop);
   const std::lock_guard<std::mutex> lock(mutex_);
   view.stop = stop_;
+  // A connection alone says nothing: after an outage of the network it looks sound for minutes.
+  const bool stop_up = stop_seen || (stop_ready && listed_at_ && now - *listed_at_ < kHeard);
   if (!stop_up && stop_.severity != teleop::Severity::kError)
     view.stop = {teleop::Severity::kError, "fleet/emergency_stop is down: stop each robot by itself."};
   for (const auto& [name, reached] : listed_) view.robots.push_back(viewOf(name, reached, now));

@@ -64,6 +64,7 @@ class FleetBridge : public teleop::FleetLink {
   std::mutex mutex_;                    ///< guards what follows, up to stop_
   std::map<std::string, Robot> heard_;  ///< all that were ever listed
   std::map<std::string, bool> listed_;  ///< those that are, and whether a stop of the fleet reaches them
+  std::optional<SteadyTime> listed_at_;
   teleop::FleetStopView stop_;
   const ros::NodeHandle own_node_;
   ros::CallbackQueue queue_;

@@ -88,7 +88,7 @@ bool GuiBridge::manualWanted(SteadyTime now) {
 void GuiBridge::publishManual() {
   const SteadyTime now = steadyNow();
   for (ServiceCaller* caller : {&caller_, &arbiter_caller_, &stop_caller_, &map_caller_}) caller->lookAfter(now);
-  if (watch_.up(names::kEmergencyStop)) stop_caller_.getReady(names::kEmergencyStop);
+  stop_caller_.getReady(names::kEmergencyStop, watch_.up(names::kEmergencyStop));
   switch (publishManual(now)) {
     case TopicNeed::kNone:
       break;

@@ -143,7 +143,7 @@ std::optional<bool> GuiBridge::stopState(SteadyTime now) const {
 teleop::OperatorState GuiBridge::state() {
   teleop::OperatorState state;
   state.connected = watch_.masterUp();
-  state.stop_service_up = watch_.up(names::kEmergencyStop) || stop_caller_.isReady(names::kEmergencyStop);
+  state.stop_service_up = watch_.up(names::kEmergencyStop);
   state.clear_service_up = watch_.up(names::kSetEmergencyStop);
   state.avoider_service_up = watch_.up(names::kSetObstacleAvoidEnabled);
   state.explorer_service_up = watch_.up(names::kSetExplorationEnabled);
@@ -157,8 +157,11 @@ teleop::OperatorState GuiBridge::state() {
   state.waypoints = waypoints_.view();
   state.save_map_up = watch_.up(names::kSaveMap);
   state.load_map_up = watch_.up(names::kLoadMap);
+  const bool stop_ready = stop_caller_.isReady(names::kEmergencyStop);
   const SteadyTime now = steadyNow();
   const std::lock_guard<std::mutex> lock(mutex_);
+  // A connection alone says nothing: after an outage of the network it looks sound for minutes.
+  if (stop_ready && arbiter_.fresh(now, kFresh)) state.stop_service_up = true;
   state.emergency_stop = stopState(now);
   state.arbiter_changes = arbiter_changes_;
   state.clear_refusal = clear_refusal_;

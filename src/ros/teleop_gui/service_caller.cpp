@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ros/common/clock.h"
+#include "ros/common/master/xml_rpc.h"
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
@@ -74,11 +75,13 @@ bool ServiceCaller::isReady(const std::string& service) {
   return ready_service_ == service && ready_.isValid();
 }
 
-void ServiceCaller::getReady(const std::string& service) {
-  if (!isServiceName(service) || isReady(service)) return;
+void ServiceCaller::getReady(const std::string& service, bool seen) {
+  if (!isServiceName(service)) return;
+  const bool ready = isReady(service);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (steadyNow() - connected_at_ < kBetweenConnections) return;
+    seen_ = seen;
+    if (ready || !seen || steadyNow() - connected_at_ < kBetweenConnections) return;
     ready_service_ = service;
     to_connect_ = true;
   }
@@ -91,7 +94,9 @@ void ServiceCaller::connectAhead(std::unique_lock<std::mutex>& lock) {
   connected_at_ = steadyNow();
   lock.unlock();
   ros::ServiceClient fresh;
-  guard_.run("connecting to " + service, [&] { fresh = node_.serviceClient<std_srvs::Trigger>(service, true); });
+  guard_.run("connecting to " + service, [&] {
+    if (pidOfMaster()) fresh = node_.serviceClient<std_srvs::Trigger>(service, true);
+  });
   lock.lock();
   ready_ = fresh;
 }
@@ -166,7 +171,7 @@ void ServiceCaller::run() {
     under_way_ = call;
     since_ = steadyNow();
     patience_ = call.patience;
-    withdrawn_ = sent_ = gave_up_ = false;
+    withdrawn_ = sent_ = gave_up_ = no_master_ = false;
     why_not_.clear();
     lock.unlock();
     tryPerform(call);

@@ -58,12 +58,13 @@ class ServiceCaller {
   /// presses stop while the arbiter is being restarted has pressed it. A connection on which no answer comes is given
   /// up after `patience`, and after twice as long each time that follows, and another one is made: after an outage of
   /// the network the old one may hang for minutes. A service that answers later than that is called again.
-  /// The first connection is the one that was made before, if there is one.
+  /// While the master does not answer, or has no such service, the connection that was made before is used.
   void insist(const std::string& service, Duration patience);
   void withdraw();
-  /// Connects to a service that is there and that may have to be insisted on, unless that has been done, so that the
-  /// call needs no master. Tries once a second at most. To be called periodically.
-  void getReady(const std::string& service);
+  /// Connects to a service that may have to be insisted on, unless that has been done, so that the call needs no
+  /// master. Tries once a second at most, and only while it is `seen` at the master. To be called periodically.
+  void getReady(const std::string& service, bool seen);
+  /// Whether there is such a connection. Its other end may have been unreachable for minutes without a sign of it here.
   bool isReady(const std::string& service);
   /// Calls the mapper's SaveMap or LoadMap with a path.
   void saveMap(const std::string& service, const std::string& path);
@@ -100,7 +101,12 @@ class ServiceCaller {
   void run();
   void tryPerform(const Call& call);
   void perform(const Call& call);
-  /// The server's answer; nothing if there is none.
+  /// The server's answer; nothing if there is none. roscpp waits for ever for a master that hangs, so the master is
+  /// asked first whether it answers.
+  std::optional<Answer> attempt(const Call& call);
+  bool masterAnswers();
+  bool isSeen(const std::string& service);
+  /// Over a new connection.
   std::optional<Answer> ask(const Call& call);
   std::optional<Answer> askAgain(const Call& call);
   /// Over the connection that was made before.
@@ -115,7 +121,7 @@ class ServiceCaller {
   /// destroyed.
   bool begin(const ros::ServiceClient& client);
   bool isEnding();
-  bool gaveUp();
+  bool isCalledOff();
   std::string whyNone();
   std::string whyNotDone();
   /// The caller holds the lock.
@@ -132,6 +138,7 @@ class ServiceCaller {
   ros::ServiceClient ready_;   ///< connected before it is needed
   std::string ready_service_;  ///< to which `ready_` leads, or is to lead
   bool to_connect_ = false;
+  bool seen_ = true;           ///< at the master, as far as is known
   SteadyTime connected_at_{};  ///< when that was tried last
   std::optional<Call> under_way_;
   std::optional<SteadyTime> since_;         ///< when the call that is under way was begun; none once it was called slow
@@ -140,6 +147,7 @@ class ServiceCaller {
   std::string why_not_;                     ///< why the call that is under way is not made; empty if it is
   bool sent_ = false;                       ///< it cannot be taken back
   bool gave_up_ = false;
+  bool no_master_ = false;  ///< it did not answer when it was asked last
   bool withdrawn_ = false;
   bool stopping_ = false;
   std::thread thread_;

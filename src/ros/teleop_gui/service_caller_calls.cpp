@@ -5,6 +5,7 @@
 #include <std_srvs/Trigger.h>
 
 #include "ros/common/clock.h"
+#include "ros/common/master/xml_rpc.h"
 #include "ros/common/publish_flush.h"
 #include "ros/teleop_gui/service_caller.h"
 
@@ -25,16 +26,34 @@ teleop::Severity severityOf(bool success, const std::string& said) {
 bool ServiceCaller::begin(const ros::ServiceClient& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   client_ = client;
-  asking_since_ = steadyNow();
-  const bool too_late = under_way_->late == Late::kDropped && *asking_since_ - under_way_->asked_at > kMostWait;
+  const SteadyTime now = steadyNow();
+  const bool too_late = under_way_->late == Late::kDropped && now - under_way_->asked_at > kMostWait;
   if (too_late && why_not_.empty()) why_not_ = "it has waited too long: ask again";
   sent_ = !stopping_ && why_not_.empty() && client_.isValid();
+  asking_since_ = sent_ ? std::optional<SteadyTime>(now) : std::nullopt;
   return sent_;
 }
 
 bool ServiceCaller::isEnding() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return stopping_;
+}
+
+bool ServiceCaller::isCalledOff() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return stopping_ || withdrawn_;
+}
+
+bool ServiceCaller::isSeen(const std::string& service) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return ready_service_ != service || seen_;
+}
+
+bool ServiceCaller::masterAnswers() {
+  const bool answers = pidOfMaster().has_value();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  no_master_ = !answers;
+  return answers;
 }
 
 void ServiceCaller::tryPerform(const Call& call) {
@@ -54,6 +73,14 @@ template <class Service>
 std::optional<ServiceCaller::Answer> ServiceCaller::ask(ros::ServiceClient client, Service& service) {
   if (!begin(client) || !client.call(service)) return std::nullopt;
   return Answer{service.response.success != 0, service.response.message};
+}
+
+std::optional<ServiceCaller::Answer> ServiceCaller::attempt(const Call& call) {
+  // The master knows best where a server is, which may have moved.
+  if ((!call.insists || isSeen(call.service)) && masterAnswers()) return ask(call);
+  if (!call.insists) return std::nullopt;
+  const std::optional<Answer> answer = askReady(call);
+  return answer || isCalledOff() || !masterAnswers() ? answer : ask(call);
 }
 
 std::optional<ServiceCaller::Answer> ServiceCaller::askReady(const Call& call) {
@@ -95,15 +122,13 @@ std::optional<ServiceCaller::Answer> ServiceCaller::askAgain(const Call& call) {
       std::unique_lock<std::mutex> lock(mutex_);
       if (wake_.wait_for(lock, kBetweenCalls, [this] { return stopping_ || withdrawn_; })) return std::nullopt;
     }
-    answer = ask(call);
+    answer = attempt(call);
   }
   return answer;
 }
 
 void ServiceCaller::perform(const Call& call) {
-  std::optional<Answer> answer;
-  if (call.insists) answer = askReady(call);
-  if (!answer && !gaveUp()) answer = ask(call);
+  std::optional<Answer> answer = attempt(call);
   if (!answer && call.insists && !isEnding()) {
     log_(teleop::Severity::kError, call.service + ": " + whyNone() + ", trying again for 10 s");
     answer = askAgain(call);
@@ -117,11 +142,10 @@ void ServiceCaller::perform(const Call& call) {
   log_(severityOf(answer->success, said), (call.path.empty() ? call.text() : call.service) + ": " + said);
 }
 
-std::string ServiceCaller::whyNone() { return gaveUp() ? "it does not answer" : "no such service, or it died"; }
-
-bool ServiceCaller::gaveUp() {
+std::string ServiceCaller::whyNone() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return gave_up_;
+  if (gave_up_) return "it does not answer";
+  return no_master_ ? "the ROS master does not answer" : "no such service, or it died";
 }
 
 std::string ServiceCaller::whyNotDone() {

@@ -153,6 +153,7 @@ TEST_F(UnknownStarts, AreNoLongerLookedForOnceTheSearchIsStopped_FLT_1) {
   const auto stopped = merger_.takeWork(now_ + std::chrono::seconds(5), [&] { return ++asked > most; });
   ASSERT_TRUE(stopped);
   (*stopped)();
+  EXPECT_GT(asked, most) << "it ended before it was stopped";
   EXPECT_LT(asked, most + 10);
 }
 

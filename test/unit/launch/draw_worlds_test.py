@@ -29,9 +29,11 @@ class Files(unittest.TestCase):
         self.assertEqual(set(before), {'small.pgm', 'small.yaml'})
         opened = open
 
-        def cut_off(failure):
+        def cut_off(failure, ending):
             def open_and_fail(path, mode):
                 file = opened(path, mode)
+                if not path.endswith(ending):
+                    return file
                 handle = mock.MagicMock(wraps=file)
                 handle.__enter__.return_value = handle
                 handle.__exit__.side_effect = lambda *_: file.close()
@@ -39,10 +41,12 @@ class Files(unittest.TestCase):
                 return handle
             return open_and_fail
 
-        for failure in (OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)), KeyboardInterrupt()):
-            with self.subTest(failure=failure), mock.patch('builtins.open', cut_off(failure)), self.assertRaises(type(failure)):
+        full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        for failure, ending in ((full, 'pgm.part'), (KeyboardInterrupt(), 'pgm.part'), (full, 'yaml.part')):
+            plan.solid[:, 0] ^= True  # another picture
+            with mock.patch('builtins.open', cut_off(failure, ending)), self.assertRaises(type(failure)):
                 draw_worlds.save(str(self.folder), 'small', plan, start, 'Two rooms.')
-            self.assertEqual(self.contents(), before)
+            self.assertEqual(self.contents(), before, (failure, ending))
 
     def test_the_worlds_of_the_package_are_those_that_are_drawn(self):
         plan, start = draw_worlds.small()
