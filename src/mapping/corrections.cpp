@@ -18,12 +18,6 @@ bool canBeKnown(const occupancy::OccupancyMap& map) {
          surfaces::surfaceSize(map.projection()) <= bounds::kMostSurfacePoints;
 }
 
-std::string problemOfLoading(const occupancy::OccupancyMap& map) {
-  if (!canBeKnown(map)) return "too large, see docs/limits.md";
-  const bool shows_walls = surfaces::surfaceSize(map.projection()) > 0;
-  return shows_walls ? "" : "it shows no wall beside free space, and without one the robot cannot be found on it";
-}
-
 std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameters, occupancy::OccupancyMap& map,
                                                const scan_matching::PoseWithCovariance& T_map_base) {
   auto use = parameters.trust_odometry ? localization::MapLocalization::Use::kTrustOdometry

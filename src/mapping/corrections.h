@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "frontier_pilot/core/geometry.h"
 #include "frontier_pilot/core/laser_scan.h"
@@ -18,9 +17,6 @@ scan_matching::PoseWithCovariance beliefOf(const Pose2& pose);
 /// Whether the robot may be localised in `map`, which keeps dense grids over its box, of up to 11 bytes a cell, and all
 /// borders between its walls and free space.
 bool canBeKnown(const occupancy::OccupancyMap& map);
-
-/// Why no robot could be found in `map` if it were loaded; empty if one could.
-std::string problemOfLoading(const occupancy::OccupancyMap& map);
 
 /// The corrector that the parameters determine for a robot at about `T_map_base` in a known map. Keeps no reference to
 /// `map`.

@@ -202,10 +202,8 @@ void Mapper::reviseNow() {
   }
 }
 
-bool Mapper::load(occupancy::OccupancyMap& loaded, std::string* why) {
-  const std::string problem = problemOfLoading(loaded);
-  if (why != nullptr) *why = problem;
-  if (!problem.empty()) return false;
+bool Mapper::load(occupancy::OccupancyMap& loaded) {
+  if (!canBeKnown(loaded)) return false;
   impl_->map.replaceBy(loaded);
   ++impl_->generation;
   const Pose2 T_odom_base = impl_->last ? impl_->last->pose : Pose2();

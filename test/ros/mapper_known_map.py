@@ -150,14 +150,6 @@ class KnownMap(unittest.TestCase):
         answer = load(os.path.join(self.folder, 'broken.bt'))
         self.assertFalse(answer.success)
         self.assertIn('broken.bt: no octree', answer.message)
-        with open(os.path.join(self.folder, 'open.pgm'), 'wb') as picture:
-            picture.write(b'P5 40 40 255\n' + 1600 * b'\xfe')
-        with open(os.path.join(self.folder, 'open.yaml'), 'w') as yaml:
-            yaml.write('image: open.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n'
-                       'negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n')
-        answer = load(os.path.join(self.folder, 'open'))
-        self.assertFalse(answer.success)
-        self.assertIn('no wall beside free space', answer.message)
         self.assertFalse(load('').success)
         self.assertEqual(before, self.map_of('').data)
 

@@ -114,12 +114,13 @@ class Mapper {
   /// Runs the work that there is, and takes its result over, before it returns.
   void reviseNow();
 
-  /// Swaps the map with `loaded`; the following scans look for the robot around the present estimate of its pose.
-  /// Returns false, does nothing and sets `why` when it would be too large, or shows nothing to find the robot by.
-  bool load(occupancy::OccupancyMap& loaded, std::string* why = nullptr);
+  /// Swaps the map with `loaded`; the following scans look for the robot around the present estimate of its pose. On a
+  /// map without walls it cannot be found, and counts as being there. Returns false, and does nothing, when a map that
+  /// covers both would be too large.
+  bool load(occupancy::OccupancyMap& loaded);
   /// Continues with an earlier map, in which the odometry frame was at `T_map_odom`; odometry now has the robot at
-  /// `T_odom_base`. In a map without walls the robot is not looked for, it is there. Returns false, and does nothing,
-  /// when the map would be too large.
+  /// `T_odom_base`. On a map without walls the robot is not looked for, and counts as being there. Returns false, and
+  /// does nothing, when the map would be too large.
   bool resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base);
   /// Takes the present map as known; the following scans look for the robot around `T_map_base`. Returns false, and
   /// does nothing, when the map has no occupied cell.

@@ -44,8 +44,8 @@ void MapperAdapter::loadFirstMap(const ros::NodeHandle& private_node) {
 map_files::MapIoResult MapperAdapter::load(const std::string& path) {
   occupancy::OccupancyMap loaded(parameters_.mapper.map);
   map_files::MapIoResult result = map_files::loadMap(path, loaded);
-  std::string why;
-  if (result.ok() && !mapper_.load(loaded, &why)) return {map_files::MapIoStatus::kBroken, path + ": " + why};
+  if (result.ok() && !mapper_.load(loaded))
+    return {map_files::MapIoStatus::kBroken, path + ": too large, see docs/limits.md"};
   if (!result.ok()) return result;
   revision_failure_.clear();
   autosave_.replace();
