@@ -30,9 +30,13 @@ class FleetStop(unittest.TestCase):
         self.diagnostics.items.clear()
         self.arbiters = {robot: self.arbiter(robot) for robot in ROBOTS}
         self.node = self.start()
-        self.assertTrue(self.reaches(SERVICES))
+        self.assertTrue(self.reaches(SERVICES), self.state())
         for robot in ROBOTS:
             self.clear(robot)
+
+    def state(self):
+        """Why a test may have failed."""
+        return self.node.process.poll(), self.node.said(), self.fleet.last
 
     def arbiter(self, robot):
         for record in self.status.values():
@@ -202,7 +206,7 @@ class FleetStop(unittest.TestCase):
             else:
                 self.node.signal(signal.SIGCONT)
             for robot in ROBOTS:
-                self.assertTrue(self.complains(robot, False, 8.0), (number, robot))
+                self.assertTrue(self.complains(robot, False, 8.0), (number, robot, self.state()))
         said = [status.message for _, array in list(self.diagnostics.items) for status in array.status
                 if status.level == DiagnosticStatus.ERROR]
         self.assertTrue(any('fleet/emergency_stop does not stop this robot' in text for text in said))

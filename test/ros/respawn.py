@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 """A node that is started again finds what the operator said to the one before it, and one that runs stays."""
+import contextlib
+import functools
 import glob
 import os
 import signal
+import socket
+import threading
 import unittest
 
 import rosgraph
@@ -12,6 +16,14 @@ from frontier_pilot.msg import ArbiterStatus, AvoiderStatus
 from std_srvs.srv import SetBool, Trigger
 
 from wire import Node, Record, call, clear, use_a_home_of_its_own, wait_for
+
+
+def lookup(master, node):
+    """Empty while the master does not know the node."""
+    try:
+        return master.lookupNode(node)
+    except rosgraph.MasterError:
+        return ''
 
 
 class Respawn(unittest.TestCase):
@@ -25,6 +37,38 @@ class Respawn(unittest.TestCase):
         self.node.signal(number)
         self.node.finish()
         self.node = self.start(executable)
+
+    # [FLT-2]
+    def test_a_node_is_started_again_although_another_process_has_the_port_of_the_one_that_was_killed(self):
+        self.node = self.start('obstacle_avoider')
+        call('set_obstacle_avoid_enabled', SetBool, False)
+        uri = rosgraph.Master('/test').lookupNode('/obstacle_avoider')
+        self.node.signal(signal.SIGKILL)
+        self.node.finish()
+        heard = []
+        with socket.create_server(('127.0.0.1', int(uri.rstrip('/').rsplit(':', 1)[1]))) as other:
+            threading.Thread(target=self.answer, args=(other, heard), daemon=True).start()
+            self.node = self.start('obstacle_avoider')
+            master = rosgraph.Master('/test')
+            self.assertTrue(wait_for(lambda: lookup(master, '/obstacle_avoider') not in ('', uri)), self.node.said())
+            rospy.sleep(1.0)  # the master would send it within 0.1 s
+            self.assertIsNone(self.node.process.poll())
+            self.assertTrue(heard)
+            self.assertFalse([text for text in heard if b'shutdown' in text], 'another node would end')
+
+    @staticmethod
+    def answer(server, heard):
+        """Notes what each caller sends, until the server is closed."""
+        try:
+            while True:
+                with server.accept()[0] as caller:
+                    caller.settimeout(0.3)
+                    heard.append(b'')
+                    with contextlib.suppress(OSError):
+                        for part in iter(functools.partial(caller.recv, 4096), b''):
+                            heard[-1] += part
+        except OSError:
+            pass
 
     def switch(self, service, on):
         self.assertTrue(call(service, SetBool, on).success)

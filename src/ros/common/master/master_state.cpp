@@ -119,7 +119,8 @@ std::string uriOfService(const std::string& service) { return lookUp("lookupServ
 
 bool nodeLives(const std::string& node) {
   const std::optional<Reach> address = reach(uriOf(node));
-  return address && *address != Reach::kRefused;  // a host that is unknown here may be known to others
+  if (!address || *address == Reach::kRefused) return false;  // a host that is unknown here may be known to others
+  return reach(uriOfService(node + "/set_logger_level")) != Reach::kRefused;
 }
 
 bool anyMayLive(const std::set<std::string>& uris) {

@@ -29,8 +29,9 @@ std::string uriOf(const std::string& node);
 /// The address of the service, `rosrpc://host:port`; empty if the master knows none or does not answer.
 std::string uriOfService(const std::string& service);
 
-/// Whether the node's process exists, even if it hangs: its XML-RPC port does not refuse connections. A node that was
-/// killed stays registered, but its port refuses them.
+/// Whether the node's process exists, even if it hangs: neither its XML-RPC port nor that of its services refuses
+/// connections. A node that was killed stays registered, but its ports refuse them; another process may have got one of
+/// the two since, hardly both. Every node of roscpp and rospy has the service `set_logger_level`.
 bool nodeLives(const std::string& node);
 
 /// Whether one of the processes with these XML-RPC URIs may exist, for a thread that must not wait: no name server is

@@ -12,6 +12,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/master/local_name.h"
 #include "ros/common/master/master_state.h"
+#include "ros/common/master/xml_rpc.h"
 
 namespace frontier_pilot {
 namespace {
@@ -26,6 +27,34 @@ std::string findOtherProvider(const char* service) {
   std::vector<std::string> nodes = nodesOf(state->providers, ros::names::resolve(service));
   nodes.erase(std::remove(nodes.begin(), nodes.end(), ros::this_node::getName()), nodes.end());
   return firstLiving(nodes);
+}
+
+/// Takes back what `node` is registered for under these names. False if the master does not answer.
+bool unregister(const char* method, const NodesByName& registered, const std::string& node,
+                const std::function<std::string(const std::string&)>& addressOf) {
+  for (const auto& [name, nodes] : registered) {
+    if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
+    XmlRpc::XmlRpcValue request;
+    request[0] = node;
+    request[1] = name;
+    request[2] = addressOf(name);
+    if (!requestFromMaster(method, request)) return false;
+  }
+  return true;
+}
+
+/// Takes back the registrations of a node with this one's name that was killed. Otherwise the master would ask whatever
+/// process listens at its address now to shut down, and that may be another node.
+void unregisterTheDead(const std::string& self) {
+  const std::string uri = uriOf(self);
+  if (uri.empty()) return;
+  const std::optional<MasterState> state = askMaster();
+  if (!state) return;
+  const auto of_node = [&uri](const std::string&) { return uri; };
+  // One after the other: a master that hangs is waited for once.
+  if (!unregister("unregisterService", state->providers, self, uriOfService)) return;
+  if (!unregister("unregisterPublisher", state->publishers, self, of_node)) return;
+  unregister("unregisterSubscriber", state->subscribers, self, of_node);
 }
 
 }  // namespace
@@ -45,7 +74,8 @@ void refuseANamesake() {
   // Kept until the process ends.
   static LocalName name(ros::master::getURI() + ' ' + self);
   const bool is_new_here = waitUntilGone([&self] { return name.take() ? std::string() : self; }).empty();
-  if (is_new_here && waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty()) return;
+  if (is_new_here && waitUntilGone([&self] { return nodeLives(self) ? self : std::string(); }).empty())
+    return unregisterTheDead(self);
   std::string process, remedy = "rosnode kill " + self;
   const int owner = is_new_here ? 0 : name.owner();
   if (owner > 0) {
