@@ -16,6 +16,11 @@ class MapLocalizationTest : public ::testing::Test {
  protected:
   MapLocalizationTest() : world(drawWorld(kUnlikeRooms, 0.2)), scanner(world.solid(), 0.01) {}
 
+  void scan(mapping::Mapper& mapper) {
+    const auto stamp = timeFromSeconds(seconds += 0.6);
+    verdict = mapper.insert(scanner.scan(T_world_base, stamp), T_odom_base, stamp);
+    mapper.reviseNow();
+  }
   /// The robot goes from one pose to the other, in steps of 5 cm; odometry begins at zero at the start.
   void drive(mapping::Mapper& mapper, const Pose2& from, const Pose2& to) {
     const double length = (to.position() - from.position()).norm();
@@ -23,10 +28,7 @@ class MapLocalizationTest : public ::testing::Test {
     for (int i = 0; i <= steps; ++i) {
       T_world_base = interpolate(from, to, static_cast<double>(i) / steps);
       T_odom_base = from.inverse() * T_world_base;
-      seconds += 0.6;
-      verdict =
-          mapper.insert(scanner.scan(T_world_base, timeFromSeconds(seconds)), T_odom_base, timeFromSeconds(seconds));
-      mapper.reviseNow();
+      scan(mapper);
     }
   }
   /// The robot goes on by a metre along x.
@@ -35,10 +37,7 @@ class MapLocalizationTest : public ::testing::Test {
     for (int i = 0; i < 20; ++i) {
       T_world_base.x += 0.05;
       T_odom_base = T_world_odom.inverse() * T_world_base;
-      seconds += 0.6;
-      verdict =
-          mapper.insert(scanner.scan(T_world_base, timeFromSeconds(seconds)), T_odom_base, timeFromSeconds(seconds));
-      mapper.reviseNow();
+      scan(mapper);
     }
   }
   /// A mapper that knows the rooms; its map begins where the world does.
@@ -275,8 +274,7 @@ TEST_F(MapLocalizationTest, AMapWithoutWallsThatWasLoadedKeepsTheMapperNotFromMa
   ASSERT_TRUE(open.reserve({0.0, 0.0}, {5.0, 5.0}));
   open.beginScan();
   for (int i = 0; i < 2500; ++i) open.miss({i % 50, i / 50});
-  ASSERT_TRUE(mapper.load(open));
-  EXPECT_FALSE(mapper.map().hasOccupied());
+  ASSERT_TRUE(mapper.load(open) && !mapper.map().hasOccupied());
   goOn(mapper);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
   EXPECT_TRUE(mapper.map().hasOccupied());
