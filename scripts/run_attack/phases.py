@@ -56,7 +56,7 @@ class Phases:
         if self._watch.done() or not self._on_the_way(8.0):
             services.call('mapper/reset', Trigger)
             services.call('frontier_explorer/reset', Trigger)
-            return self._on_the_way(seconds)
+            return self._on_the_way(seconds) and self._sees_the_new_map()
         return True
 
     def patrol(self):
@@ -74,6 +74,11 @@ class Phases:
             if self._on_the_way(4.0):
                 return True
         return False
+
+    def _sees_the_new_map(self):
+        """The next map may still be one of before the reset."""
+        maps = self._watch.maps
+        return wait_until(lambda: self._watch.maps >= maps + 2, 10.0)
 
     def _on_the_way(self, seconds):
         """Whether the base moves within so many seconds, and not only for a moment."""

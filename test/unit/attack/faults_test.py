@@ -85,7 +85,7 @@ class Faults(unittest.TestCase):
         with self.assertRaises(ProcessLookupError):
             self.faults.starve(busy.pid, 1.0, 0.05)
 
-    def cell(self, motion, fault='killed'):
+    def cell(self, motion, fault='killed', node='navigator'):
         """A cell that was judged on a motion of the base, (time, speed), with the fault at 10.0, in a slow simulation."""
         class Watch:
             stood_after = self.robot_watch.RobotWatch.stood_after
@@ -94,7 +94,7 @@ class Faults(unittest.TestCase):
             moved_since = self.robot_watch.RobotWatch.moved_since
         watch = Watch()
         watch.motion = [(at, 5.0 + 0.5 * at, speed, speed / 2.0) for at, speed in motion]
-        return self.faults.Cell(watch, None, 'navigator', fault, 'exploring')
+        return self.faults.Cell(watch, None, node, fault, 'exploring')
 
     # [FLT-2]
     def test_a_base_that_moves_on_for_too_long_fails(self):
@@ -109,6 +109,9 @@ class Faults(unittest.TestCase):
         never = self.cell(moving)
         never.judge_standing(10.05)
         self.assertEqual(never.failures, ['stood after still moving instead of 1.30 s'])
+        back = self.cell(moving, 'suspended 1 s', 'cmd_vel_arbiter')  # after 0.6 s the base brakes, for a long time
+        back.watch.motion = [(at, stamp, speed, 0.7) for at, stamp, speed, _ in back.watch.motion]
+        self.assertEqual((back.judge_standing(10.05), back.failures), ('held', []))
         stopped = self.cell([(9.0, 0.2), (10.5, 0.0)])
         self.assertFalse(stopped.watch.moved_since(10.0))
         self.assertTrue(self.cell([(11.0, 0.1)]).watch.moved_since(10.0))
