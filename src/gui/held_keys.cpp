@@ -18,33 +18,44 @@ void HeldKeys::press(const QKeyEvent& event) {
   if (event.isAutoRepeat()) return;
   const auto release = releases_.find(event.key());
   if (release != releases_.end()) {
-    const bool is_repetition = event.timestamp() - release->second.stamp <= kAtOnce;
-    const bool waited = takeTimer(release->second);
-    if (is_repetition) return;
-    if (waited) emit released(event.key());
+    stopTimer(release->second);
+    if (event.timestamp() - release->second.stamp <= kAtOnce) return;
   }
+  letGo(event.key());  // its release was not seen, or not counted yet
+  held_[event.key()] = event.nativeScanCode();
   emit pressed(event.key());
 }
 
 void HeldKeys::release(const QKeyEvent& event) {
   if (event.isAutoRepeat()) return;
-  if (event.timestamp() == 0) return emit released(event.key());
-  Release& release = releases_[event.key()];
-  takeTimer(release);
+  const int key = heldKeyOf(event);
+  if (event.timestamp() == 0) return letGo(key);
+  if (held_.count(key) == 0 && releases_.count(key) == 0) return;  // never pressed here
+  Release& release = releases_[key];
+  stopTimer(release);
   release = {event.timestamp(), startTimer(kPatience)};
 }
 
-bool HeldKeys::takeTimer(Release& release) {
-  if (release.timer == 0) return false;
-  killTimer(std::exchange(release.timer, 0));
-  return true;
+int HeldKeys::heldKeyOf(const QKeyEvent& event) const {
+  for (const auto& [key, scan_code] : held_) {
+    if (scan_code != 0 && scan_code == event.nativeScanCode()) return key;
+  }
+  return event.key();
+}
+
+void HeldKeys::letGo(int key) {
+  if (held_.erase(key) > 0) emit released(key);
+}
+
+void HeldKeys::stopTimer(Release& release) {
+  if (release.timer != 0) killTimer(std::exchange(release.timer, 0));
 }
 
 void HeldKeys::timerEvent(QTimerEvent* event) {
   for (auto& [key, release] : releases_) {
     if (release.timer != event->timerId()) continue;
-    takeTimer(release);
-    return emit released(key);
+    stopTimer(release);
+    return letGo(key);
   }
 }
 

@@ -11,7 +11,8 @@ namespace frontier_pilot::gui {
 /// Tells the presses and releases of the operator from those that a window system invents while a key is held. X sends
 /// a release and a press with one time stamp for each repetition; Qt marks both as repetitions, but only if it reads
 /// the second one together with the first. Otherwise a key that is held through an emergency stop would look like a new
-/// press after it was cleared, and move the robot. [GUI-1]
+/// press after it was cleared, and move the robot. Each press is followed by one release before the next press of that
+/// key. [GUI-1] [GUI-4]
 class HeldKeys : public QObject {
   Q_OBJECT
 
@@ -20,6 +21,8 @@ class HeldKeys : public QObject {
   using QObject::QObject;
 
   void press(const QKeyEvent& event);
+  /// May be told of any key, and more than once: what counts is that of a key that is held, also if a modifier has
+  /// given it another letter meanwhile.
   void release(const QKeyEvent& event);
 
  signals:
@@ -35,9 +38,12 @@ class HeldKeys : public QObject {
     int timer;            ///< running as long as it may still turn out to be a repetition; then 0
   };
 
-  /// Whether the release was waiting, which it does not do any more.
-  bool takeTimer(Release& release);
+  /// The release does not wait any more.
+  void stopTimer(Release& release);
+  int heldKeyOf(const QKeyEvent& event) const;
+  void letGo(int key);
 
+  std::map<int, quint32> held_;      ///< the scan codes of the keys whose press has counted; 0: not known
   std::map<int, Release> releases_;  ///< the last one of each key
 };
 

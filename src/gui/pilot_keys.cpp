@@ -38,6 +38,9 @@ bool isKeyEvent(QEvent::Type type) {
   return type == QEvent::KeyPress || type == QEvent::KeyRelease || type == QEvent::ShortcutOverride;
 }
 
+/// Whether the arrows and letters are the widget's, which edits a number.
+bool edits(const QWidget* widget) { return qobject_cast<const QAbstractSpinBox*>(widget) != nullptr; }
+
 bool hasCommandModifier(const QKeyEvent& event) {
   return (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
 }
@@ -48,11 +51,19 @@ void PilotWidget::connectKeys() {
   keys_ = new HeldKeys(this);
   connect(keys_, &HeldKeys::pressed, this, [this](int key) { press(teleop::motionOf(*driveKeyOf(key))); });
   connect(keys_, &HeldKeys::released, this, [this](int key) { release(teleop::motionOf(*driveKeyOf(key))); });
+  // Keys drive wherever in the widget the focus is, so they are filtered before the child with the focus gets them.
+  qApp->installEventFilter(this);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now == nullptr || (now != this && !isAncestorOf(now)) || edits(now)) letGo();
+  });
 }
 
 bool PilotWidget::eventFilter(QObject* watched, QEvent* event) {
-  if (!isKeyEvent(event->type())) return QWidget::eventFilter(watched, event);
   auto* widget = qobject_cast<QWidget*>(watched);
+  if (event->type() == QEvent::Show && widget != nullptr && widget->windowType() == Qt::Popup) letGo();
+  if (!isKeyEvent(event->type())) return QWidget::eventFilter(watched, event);
+  // Whoever reads it: a key that was let go must not drive.
+  if (event->type() == QEvent::KeyRelease) keys_->release(static_cast<QKeyEvent&>(*event));
   // In a dialog space is written, and stops the robot all the same. A list that completes a name has no parent.
   if (widget != nullptr && (isInDialog(widget) || isInDialog(QApplication::focusWidget()))) {
     const bool is_space = static_cast<QKeyEvent&>(*event).key() == Qt::Key_Space;
@@ -81,12 +92,10 @@ bool PilotWidget::handleKey(QWidget& focus, QKeyEvent& event) {
     return event.type() == QEvent::KeyPress;
   }
   const auto key = driveKeyOf(event.key());
-  const bool editing = qobject_cast<QAbstractSpinBox*>(&focus) != nullptr;
-  if (!key || (editing && *key != teleop::DriveKey::kSpace)) return false;
+  if (!key || (edits(&focus) && *key != teleop::DriveKey::kSpace)) return false;
   // So that the key does not trigger a shortcut of the host application, such as a tool of rviz.
   if (event.type() == QEvent::ShortcutOverride) event.accept();
   if (event.type() == QEvent::KeyPress) keys_->press(event);
-  if (event.type() == QEvent::KeyRelease) keys_->release(event);
   return true;
 }
 

@@ -37,11 +37,6 @@ PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* pa
   setState({});
   layOut(1);
   applyTheme(*this);
-  // Keys drive wherever in the widget the focus is, so they are filtered before the child with the focus gets them.
-  qApp->installEventFilter(this);
-  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-    if (now == nullptr || (now != this && !isAncestorOf(now))) letGo();
-  });
   connect(qApp, &QApplication::applicationStateChanged, this, &PilotWidget::letGo);
   connect(new WindowWatch(*this, fromSeconds(parameters.liveness_timeout)), &WindowWatch::cannotBeSeen, this,
           &PilotWidget::loseSight);
