@@ -19,6 +19,7 @@ if __name__ == '__main__':
 import rospy  # noqa: E402
 from frontier_pilot.msg import ExplorerStatus  # noqa: E402
 from frontier_pilot.srv import SaveMap  # noqa: E402
+from std_msgs.msg import Bool  # noqa: E402
 from std_srvs.srv import SetBool  # noqa: E402
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
@@ -95,22 +96,32 @@ class Watcher:
 
 
 class Starter:
-    """Starts the exploration when the recorder of the run is ready, or after RECORDER_START without it."""
+    """Starts the exploration when the recorder of the run is ready, or after RECORDER_START without it; not once the robot was stopped.
+    A pause cannot be respected: nothing that the explorer publishes tells it from the pause in which it was launched."""
 
     def __init__(self):
         self.heard = None  # when the explorer was first heard, by the steady clock
         self.asked = -1.0  # when the master or the explorer was last asked, by the steady clock
-        self.started = False
+        self.settled = False  # whether there is nothing to start any more
+        self.stopped = False  # also if that was cleared
+        rospy.Subscriber('emergency_stop_state', Bool, self.on_stop_state)
+
+    def on_stop_state(self, stopped):
+        self.stopped = self.stopped or stopped.data
 
     def go_on(self, status):
         """To be called often, with the latest status of the explorer or None."""
         now = time.monotonic()
-        if self.started or status is None or now - self.asked < 1.0:
+        if self.settled or status is None or now - self.asked < 1.0:
             return
         self.asked = now
         self.heard = self.heard or now
         if status.state != ExplorerStatus.IDLE:
-            self.started = True  # by somebody else
+            self.settled = True  # somebody else has started it
+        elif self.stopped:
+            self.settled = True
+            say('The robot was stopped: the exploration is not started any more; when the stop is cleared, "rosservice call %s true" '
+                'starts it' % rospy.resolve_name('set_exploration_enabled'))
         elif self.recorder_is_ready():
             self.start()
         elif now - self.heard > RECORDER_START:
@@ -129,7 +140,7 @@ class Starter:
 
     def start(self):
         try:
-            self.started = rospy.ServiceProxy('set_exploration_enabled', SetBool)(True).success
+            self.settled = rospy.ServiceProxy('set_exploration_enabled', SetBool)(True).success
         except rospy.ServiceException as error:
             say('The exploration could not be started, it is tried again: %s' % error)
 

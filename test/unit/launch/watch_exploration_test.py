@@ -10,7 +10,9 @@ from unittest import mock
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / 'scripts'))
 import watch_exploration  # noqa: E402
+from frontier_pilot.msg import ExplorerStatus  # noqa: E402
 from frontier_pilot.srv import SaveMapResponse  # noqa: E402
+from std_msgs.msg import Bool  # noqa: E402
 
 
 class Words(unittest.TestCase):
@@ -38,6 +40,61 @@ class Map(unittest.TestCase):
     def test_why_no_map_was_saved_is_said(self):
         answer = SaveMapResponse(success=False, message='the disk is full')
         self.assertEqual(self.said(answer, '/tmp/floor'), 'The map could not be saved: the disk is full\n')
+
+
+class Start(unittest.TestCase):
+    def setUp(self):
+        self.calls, self.clock = [], 100.0
+        self.out = io.StringIO()
+        for patch in (mock.patch('sys.stdout', self.out), mock.patch('rospy.resolve_name', lambda name: '/' + name),
+                      mock.patch('rospy.Subscriber', self.subscribe), mock.patch('rospy.ServiceProxy', lambda name, _: self.serve(name)),
+                      mock.patch('watch_exploration.time.monotonic', lambda: self.clock)):
+            patch.start()
+            self.addCleanup(patch.stop)
+        self.listeners = {}
+        self.starter = watch_exploration.Starter()
+
+    def subscribe(self, topic, _, take, **__):
+        self.listeners[topic] = take
+
+    def serve(self, name):
+        def call(on):
+            self.calls.append((name, on))
+            return mock.Mock(success=True)
+        return call
+
+    def go_on(self, recorded, state=ExplorerStatus.IDLE):
+        self.clock += 2.0
+        self.starter.recorder_is_ready = lambda: recorded
+        self.starter.go_on(ExplorerStatus(state=state))
+
+    def test_the_exploration_starts_when_it_is_recorded(self):
+        self.go_on(False)
+        self.assertEqual(self.calls, [])
+        self.go_on(True)
+        self.go_on(True)
+        self.assertEqual(self.calls, [('set_exploration_enabled', True)])
+
+    def test_a_stop_is_not_overridden_by_the_start_also_if_it_was_cleared(self):
+        """[ARB-8]"""
+        self.go_on(False)
+        for stopped in (False, True, False):
+            self.listeners['emergency_stop_state'](Bool(stopped))
+        for _ in range(30):
+            self.go_on(True)
+        self.assertEqual(self.calls, [])
+        self.assertEqual(self.out.getvalue(), 'The robot was stopped: the exploration is not started any more; when the stop is cleared, '
+                         '"rosservice call /set_exploration_enabled true" starts it\n')
+
+    def test_an_arbiter_that_is_not_stopped_does_not_keep_it_from_starting(self):
+        self.listeners['emergency_stop_state'](Bool(False))
+        self.go_on(True)
+        self.assertEqual(len(self.calls), 1)
+
+    def test_what_an_operator_has_started_is_left_to_him(self):
+        self.go_on(False, ExplorerStatus.SELECT_GOAL)
+        self.go_on(True)
+        self.assertEqual((self.calls, self.out.getvalue()), ([], ''))
 
 
 if __name__ == '__main__':
