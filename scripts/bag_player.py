@@ -66,7 +66,7 @@ class Player:
     def tick(self, seconds):
         """Lets the clock go on by recorded `seconds`."""
         self.now += seconds
-        self.clock.publish(rospy.Time.from_sec(self.now))
+        ros_program.publish(self.clock, Clock(rospy.Time.from_sec(self.now)))
 
     def run_until(self, end, each=None):
         """Lets the clock run to `end`; `each` is called at every step. False when the node was shut down."""
@@ -81,7 +81,7 @@ class Player:
         return not rospy.is_shutdown()
 
     def await_mapper(self):
-        self.tf_static.publish(TFMessage(list(self.drive.fixed.values())))
+        ros_program.publish(self.tf_static, TFMessage(list(self.drive.fixed.values())))
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end and not rospy.is_shutdown():
             self.tick(0.0)
@@ -102,17 +102,17 @@ class Player:
         self.played[kind] += 1
         if kind == 'tf':
             content.header.stamp = rospy.Time.from_sec(stamp)
-            self.tf.publish(TFMessage([content]))
+            ros_program.publish(self.tf, TFMessage([content]))
         elif kind == 'scan':
             message = content[0].message(content[1])
             message.header.frame_id = self.drive.frame(message.header.frame_id)
             if message.header.stamp.is_zero():
                 message.header.stamp = rospy.Time.from_sec(stamp)
-            self.scan.publish(message)
+            ros_program.publish(self.scan, message)
         elif kind == 'odom':
-            self.odom.publish(self.odometry_of(stamp, content))
+            ros_program.publish(self.odom, self.odometry_of(stamp, content))
         else:
-            self.tf.publish(TFMessage([transform_of(self.odometry_of(stamp, content))]))
+            ros_program.publish(self.tf, TFMessage([transform_of(self.odometry_of(stamp, content))]))
 
     def odometry_of(self, stamp, content):
         if isinstance(content, TransformStamped):

@@ -178,6 +178,15 @@ def init_node(name, options, interrupts):
         sys.exit(1)
 
 
+def publish(publisher, message):
+    """Publishes the message, unless the node is shut down meanwhile: its topics are closed before rospy.is_shutdown says so."""
+    try:
+        publisher.publish(message)
+    except rospy.ROSException:
+        if not rospy.core.is_shutdown_requested():
+            raise
+
+
 def leave(code):
     """Shuts rospy down, and returns the exit code of the program. rospy waits for a master that hangs for ever, and Python for the
     threads of rospy: then the process ends here."""
