@@ -288,6 +288,7 @@ const Pose2& Mapper::T_map_odom() const { return impl_->T_map_odom; }
 const ScanCounts& Mapper::counts() const { return impl_->counts; }
 const RevisionReport& Mapper::revisions() const { return impl_->revisions; }
 const std::map<std::string, std::uint64_t>& Mapper::correctionCounts() const { return impl_->correction_counts; }
+std::uint64_t Mapper::generation() const { return impl_->generation; }
 const char* Mapper::lastCorrection() const { return impl_->last_correction; }
 double Mapper::usableShare() const { return impl_->usable_share; }
 std::optional<ScanRemark> Mapper::remark(Time now) const { return impl_->health.worst(now); }

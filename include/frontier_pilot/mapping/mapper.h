@@ -131,8 +131,10 @@ class Mapper {
   std::function<RobotSearch()> searchWork(const std::function<bool()>& stop = {}) const;
   /// Goes on from where the search has found the robot, which may have driven on since, as from an estimate of its
   /// pose. Returns false, and does nothing, when it was not found, or when the mapper has been reset or been given a
-  /// map since `searchWork`.
+  /// map since `searchWork`, or its clock was set back, or the map is too large by now.
   bool locate(const RobotSearch& search);
+  /// The number of the map, for `RobotSearch`.
+  std::uint64_t generation() const;
 
   /// Counts a scan that was rejected before it could be passed to `insert`.
   void reject(ScanVerdict verdict, Time now);

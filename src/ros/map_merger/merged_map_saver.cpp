@@ -14,7 +14,8 @@ void MergedMapSaver::serve(NodeConnections& connections) {
 
 bool MergedMapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
   const auto map = thread_.ask<OccupancyGrid>([](const OccupancyGrid& common) { return common; });
-  const map_files::MapIoResult none{map_files::MapIoStatus::kCannotWrite, thread_.whyNoMap("map merger")};
+  const map_files::MapIoResult none{map_files::MapIoStatus::kCannotWrite,
+                                    thread_.whyNot("map merger", "hand over its map")};
   answerSave(map ? map_files::saveGrid(*map, request.path) : none, response);
   return true;
 }

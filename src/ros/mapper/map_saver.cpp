@@ -43,7 +43,7 @@ bool MapSaver::handle(SaveMap::Request& request, SaveMap::Response& response) {
 map_files::MapIoResult MapSaver::save(const std::string& path) {
   const auto snapshot = thread_.ask<map_files::MapSnapshot>(map_files::takeSnapshot);
   if (snapshot) return map_files::saveMap(*snapshot, path);
-  return {map_files::MapIoStatus::kCannotWrite, thread_.whyNoMap("mapper")};
+  return {map_files::MapIoStatus::kCannotWrite, thread_.whyNot("mapper", "hand over its map")};
 }
 
 }  // namespace frontier_pilot

@@ -3,6 +3,7 @@
 #include <functional>
 #include <iomanip>
 #include <sstream>
+#include <string>
 
 #include "ros/common/clock.h"
 #include "ros/common/names.h"
@@ -11,7 +12,12 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr const char* kBusy = "refused: the mapper is too busy, or shut down";
+/// Has the mapper go on from where the search has found the robot; empty, or why it does not.
+std::string goOnFrom(const mapping::RobotSearch& search, mapping::Mapper& mapper) {
+  if (mapper.locate(search)) return {};
+  if (search.generation != mapper.generation()) return "the map was replaced meanwhile";
+  return "the clock was set back meanwhile, or the map has grown too large";
+}
 
 }  // namespace
 
@@ -26,11 +32,13 @@ bool MapSearcher::handle(std_srvs::Trigger::Request&, std_srvs::Trigger::Respons
   using Work = std::function<mapping::RobotSearch()>;
   constexpr double kLongest = 30.0;  // [s]
   response.success = 0U;
-  response.message = kBusy;
   const SteadyTime begin = steadyNow();
   const auto stop = [this, begin] { return thread_.closed() || toSeconds(steadyNow() - begin) > kLongest; };
   const auto work = thread_.ask<Work>([stop](mapping::Mapper& mapper) { return mapper.searchWork(stop); });
-  if (!work) return true;
+  if (!work) {
+    response.message = "refused: " + thread_.whyNot("mapper", "hand over its map");
+    return true;
+  }
   const mapping::RobotSearch search = (*work)();
   std::ostringstream text;
   text << localization::describe(search.result) << std::fixed << std::setprecision(1) << " (searched for "
@@ -40,9 +48,10 @@ bool MapSearcher::handle(std_srvs::Trigger::Request&, std_srvs::Trigger::Respons
     THROTTLED_WARN("robot not localised, " << response.message);
     return true;
   }
-  const auto taken = thread_.ask<bool>([search](mapping::Mapper& mapper) { return mapper.locate(search); });
-  response.success = static_cast<std::uint8_t>(taken.value_or(false));
-  if (!taken.value_or(false)) response.message = "refused: the map was replaced meanwhile, or the mapper is shut down";
+  const auto answer = thread_.ask<std::string>([search](mapping::Mapper& mapper) { return goOnFrom(search, mapper); });
+  const std::string why = answer.value_or(thread_.whyNot("mapper", "go on from where the robot was found"));
+  response.success = static_cast<std::uint8_t>(why.empty());
+  if (!why.empty()) response.message = "refused: " + why;
   THROTTLED_INFO(response.message);
   return true;
 }

@@ -167,10 +167,22 @@ TEST_F(LostMapper, TakesOverNothingFromASearchOfAMapThatItHasForgottenSince_MAP_
   drive(10);
   const mapping::RobotSearch search = mapper.searchWork()();
   ASSERT_EQ(search.result.verdict, localization::SearchVerdict::kFound) << describe(search.result);
+  EXPECT_EQ(search.generation, mapper.generation());
   mapper.reset();
   drive(1);
   ASSERT_EQ(verdict, mapping::ScanVerdict::kInserted) << "into a new map";
   EXPECT_FALSE(mapper.locate(search));
+  EXPECT_NE(search.generation, mapper.generation()) << "why";
+}
+
+// [MAP-5]
+TEST_F(LostMapper, TakesOverNothingWhileItHasNoScanSinceItsClockWasSetBack_MAP_5) {
+  drive(10);
+  const mapping::RobotSearch search = mapper.searchWork()();
+  ASSERT_EQ(search.result.verdict, localization::SearchVerdict::kFound) << describe(search.result);
+  mapper.insert({}, T_odom_base, timeFromSeconds(1.0));
+  EXPECT_FALSE(mapper.locate(search));
+  EXPECT_EQ(search.generation, mapper.generation()) << "the map is still the same";
 }
 
 // [MAP-5]

@@ -3,16 +3,13 @@
 #include <ros/callback_queue.h>
 #include <ros/spinner.h>
 
-#include <atomic>
 #include <chrono>
 #include <functional>
-#include <future>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "ros/common/messages/mailbox.h"
 #include "ros/common/node_connections.h"
+#include "ros/common/threads/questions.h"
 
 namespace frontier_pilot {
 
@@ -29,47 +26,30 @@ class ServiceThread {
     spinner_.start();
   }
 
-  /// What `question` gives on the node's thread; nothing if it was not answered within ten seconds, or threw, or the
-  /// thread is closed. To be called by `handle`.
+  /// What `question` gives on the node's thread; nothing if that did not take it up within ten seconds, or it threw, or
+  /// the thread is closed. To be called by `handle`.
   template <class Answer>
   std::optional<Answer> ask(const std::function<Answer(Subject&)>& question) {
-    constexpr auto kPatience = std::chrono::seconds(10);  // enough for a busy node
-    auto promise = std::make_shared<std::promise<Answer>>();
-    std::future<Answer> answer = promise->get_future();
-    asked_.put([promise, question](Subject& subject) { promise->set_value(question(subject)); });
-    promise.reset();
-    if (closed_ || answer.wait_for(kPatience) != std::future_status::ready) asked_.take();
-    if (answer.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-    try {
-      return answer.get();
-    } catch (const std::future_error&) {
-      return std::nullopt;
-    }
+    return questions_.template ask<Answer>(question);
   }
 
   /// Answers a question that waits. To be called periodically on the node's thread.
-  void answer(Subject& subject) {
-    if (const auto question = asked_.take()) (*question)(subject);
-  }
+  void answer(Subject& subject) { questions_.answer(subject); }
 
   /// Makes questions that wait fail, and all later ones. To be called before the connections are destroyed, which waits
   /// for the call that is being served.
-  void close() {
-    closed_ = true;
-    asked_.take();  // destroying the promise wakes the thread that waits for it
-  }
-  bool closed() const { return closed_; }
-  /// Why `ask` has given nothing, of a subject that is the map of `node`.
-  std::string whyNoMap(const std::string& node) const {
-    return "the " + node + (closed_ ? " is shut down" : " was too busy to hand over its map");
+  void close() { questions_.close(); }
+  bool closed() const { return questions_.closed(); }
+  /// Why `ask` has given nothing, where the node was to do `what` with its map.
+  std::string whyNot(const std::string& node, const std::string& what) const {
+    return "the " + node + (closed() ? " is shut down" : " was too busy to " + what);
   }
 
   /// What the thread has to do: calls of the service, and other callbacks.
   ros::CallbackQueue& queue() { return queue_; }
 
  private:
-  std::atomic<bool> closed_{false};
-  Mailbox<std::function<void(Subject&)>> asked_;
+  Questions<Subject> questions_{std::chrono::seconds(10)};  // enough for a busy node
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{1, &queue_};  ///< the last member: all others exist while it runs
 };
