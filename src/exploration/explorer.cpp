@@ -125,22 +125,15 @@ ExplorerOutput Explorer::Impl::update(const ExplorerInputs& inputs, Time now) {
 
 bool Explorer::Impl::clockJumped(Time now) const { return last_update_ && now < *last_update_; }
 
-/// Returns to IDLE: times measured before the clock jumped cannot be compared with those after it.
+/// Times measured before the clock jumped cannot be compared with those after it. What is under way starts over from
+/// IDLE; an exploration that is done stays so, because starting over it would drive to its start once more.
 void Explorer::Impl::forgetTime(Time now) {
-  cancelGoal();
   last_report_.reset();
   nothing_left_since_.reset();
+  state_since_ = last_check_ = last_decision_ = claims_at_ = now;
+  if (status_.state == ExplorerState::kDone) return;
+  cancelGoal();
   enter(ExplorerState::kIdle, ExplorerReason::kClockJumpedBack, "", now);
-  last_check_ = last_decision_ = now;
-}
-
-void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
-  constexpr double kJump = 1.0;  // [m] between two ticks: larger steps are corrections of the pose, not motion
-  if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite()) return;
-  const Pose2& pose = inputs.T_map_base->pose;
-  const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;
-  if (moved < kJump) status_.distance_travelled += moved;
-  T_map_base_ = pose;
 }
 
 void Explorer::Impl::reset(Time now) {

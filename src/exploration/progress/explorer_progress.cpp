@@ -5,6 +5,15 @@
 
 namespace frontier_pilot::exploration {
 
+void Explorer::Impl::trackMotion(const ExplorerInputs& inputs) {
+  constexpr double kJump = 1.0;  // [m] between two ticks: larger steps are corrections of the pose, not motion
+  if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite()) return;
+  const Pose2& pose = inputs.T_map_base->pose;
+  const double moved = T_map_base_ ? (pose.position() - T_map_base_->position()).norm() : 0.0;
+  if (moved < kJump) status_.distance_travelled += moved;
+  T_map_base_ = pose;
+}
+
 void Explorer::Impl::countFrontiers() {
   status_.frontiers_found = static_cast<std::uint32_t>(evaluator_.frontiers().size());
   status_.frontiers_selectable = static_cast<std::uint32_t>(countRejected(Rejection::kNone));

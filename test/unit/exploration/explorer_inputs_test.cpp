@@ -127,6 +127,51 @@ TEST_F(ExplorerInputsTest, WhatIsDoneStaysDoneWhileTheEmergencyStopIsLatched_ARB
   EXPECT_EQ(tickFor(5.0).status.state, State::kDone);
 }
 
+class ExplorationThatReturns : public ExplorerTest {
+ protected:
+  static exploration::ExplorerParameters parameters(double until_time) {
+    exploration::ExplorerParameters p = shortSighted();
+    p.return_to_start = true;
+    if (until_time > 0.0) p.until.time = until_time;
+    return p;
+  }
+  explicit ExplorationThatReturns(double until_time = 0.0) : ExplorerTest(parameters(until_time)) {}
+
+  /// The robot is carried away once the exploration is done, and the clock jumps back.
+  void expectItStaysDone() {
+    pose.x += 0.7;
+    const std::size_t goals = tick().status.goals_sent;
+    history.clear();
+    now -= std::chrono::seconds(50);
+    const exploration::ExplorerOutput output = tickFor(20.0);
+    EXPECT_EQ(output.status.state, State::kDone);
+    EXPECT_EQ(output.status.goals_sent, goals);
+    EXPECT_TRUE(history.empty()) << history.front().reason_text;
+  }
+};
+class ExplorationForATime : public ExplorationThatReturns {
+ protected:
+  ExplorationForATime() : ExplorationThatReturns(3.0) {}
+};
+
+// [EXP-10]
+TEST_F(ExplorationThatReturns, StaysDoneWithoutDrivingToItsStartOnceMoreWhenTheClockJumpsBack_EXP_10) {
+  show(kClosedRoom);
+  ASSERT_EQ(tickFor(5.0).status.reason, Reason::kReturningToStart);
+  goalEnds(exploration::GoalEvent::Kind::kReached);
+  ASSERT_EQ(tickFor(0.5).status.state, State::kDone);
+  expectItStaysDone();
+}
+
+// [EXP-10]
+TEST_F(ExplorationForATime, StaysEndedWithoutDrivingToItsStartOnceMoreWhenTheClockJumpsBack_EXP_10) {
+  show(kRoom);
+  ASSERT_EQ(tickFor(4.0).status.reason, Reason::kReturningToStart);
+  goalEnds(exploration::GoalEvent::Kind::kReached);
+  ASSERT_EQ(tickFor(0.5).status.reason, Reason::kUntilTime);
+  expectItStaysDone();
+}
+
 TEST_F(ExplorerInputsTest, ResetForgetsBlacklistAndPhase) {
   show(kTwoEnds);
   tick();
