@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -63,7 +64,12 @@ class Arbiter {
   /// stays latched. [ARB-5] [ARB-7]
   std::optional<Twist2> setLimits(const RobotLimits& limits, const Instant& now);
 
+  /// The arbiter before this one was asked for `earlier` stops, which count as well; one that was latched then is among
+  /// them.
+  void countStopsFrom(std::uint64_t earlier) { stops_ = std::max(stops_, earlier); }
+
   bool stopped() const { return latched_; }
+  std::uint64_t stops() const { return stops_; }
   const std::string& stopCause() const { return stop_cause_; }
   const ArbiterParameters& parameters() const { return parameters_; }
   std::optional<std::size_t> find(const std::string& source) const;

@@ -41,6 +41,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
   around_.status = status_.getTopic();
   around_.emergency_stop_state = stop_state_.getTopic();
   restoreStop();
+  restoreCount();
   for (std::size_t i = 0; i < arbiter_.parameters().sources.size(); ++i) addSource(i);
   addServices();
   connections_.subscribeToEvents<std_msgs::Bool>(
@@ -68,6 +69,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
 void CmdVelArbiterAdapter::sayLastWords() {
   publish(Twist2{});
   memory_.endInOrder();
+  stops_->end(false);
   for (SafeSwitch& source : switches_) source.end();
 }
 

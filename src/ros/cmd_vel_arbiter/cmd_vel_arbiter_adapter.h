@@ -53,6 +53,10 @@ class CmdVelArbiterAdapter {
   void restoreStop();
   /// Stores a latched stop for the next arbiter of this namespace, or removes the stored one once it is cleared.
   void keepStop();
+  /// Goes on with the count of stops of the arbiter before this one: a node that was away can tell by it whether the
+  /// robot was stopped meanwhile. [ARB-8] [FLT-2]
+  void restoreCount();
+  void keepCount() { stops_->set(std::to_string(arbiter_.stops())); }
   /// Latches a stop that another arbiter of this namespace has stored, even if that arbiter has ended.
   void takeOverStop();
   void addSource(std::size_t source);
@@ -93,6 +97,7 @@ class CmdVelArbiterAdapter {
   /// Just after this process was held up, commands may have been sent long before, and are dropped.
   HoldUpWatch hold_ups_{std::chrono::milliseconds(100), Duration::max()};
   std::deque<SafeSwitch> switches_;            ///< of the sources; the safe side is disabled
+  std::optional<RememberedText> stops_;        ///< how many were asked for; nothing as long as none was
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
   std::optional<ReconfigureServer> tuning_;
   std::optional<SteadyTime> listening_until_;  ///< until then calls of `set_emergency_stop` wait

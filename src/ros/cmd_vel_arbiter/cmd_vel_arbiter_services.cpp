@@ -101,6 +101,7 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
   if (!around_.memory_problem.empty()) answer.message += "; would not survive a restart: " + around_.memory_problem;
   publishStopState();
   publishStatus(true);  // the count of stops has changed
+  keepCount();
   arbiter_.answerStop(steadyNow());
   return answer;
 }

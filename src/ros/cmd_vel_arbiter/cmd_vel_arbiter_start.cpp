@@ -4,6 +4,7 @@
 #include <ros/this_node.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
@@ -97,6 +98,16 @@ void CmdVelArbiterAdapter::restoreStop() {
   }
   keepStop();
   publishStopState();
+}
+
+void CmdVelArbiterAdapter::restoreCount() {
+  const std::string service = node_.resolveName(names::kEmergencyStop);
+  stops_.emplace("count_of_stops", service, SessionMemory::Owner::kService, connections_);
+  for (const std::string& text : stops_->left()) {
+    std::uint64_t count = 0;
+    if (std::istringstream(text) >> count) arbiter_.countStopsFrom(count);
+  }
+  if (arbiter_.stops() > 0) keepCount();
 }
 
 void CmdVelArbiterAdapter::keepStop() {

@@ -57,6 +57,16 @@ TEST_F(ArbiterTest, StoppingTwiceIsOneLatchThatKeepsItsFirstCause_ARB_7) {
   EXPECT_FALSE(arbiter.stopped()) << "one clear undoes two stops [ARB-7]";
 }
 
+// [FLT-2]
+TEST_F(ArbiterTest, TheStopsOfTheArbiterBeforeItCountAndTheOneThatWasLatchedThenCountsOnce_FLT_2) {
+  stop();
+  arbiter.countStopsFrom(3);
+  EXPECT_EQ(arbiter.stops(), 3U);
+  stop();
+  arbiter.countStopsFrom(0);
+  EXPECT_EQ(arbiter.stops(), 4U);
+}
+
 // [ARB-8]
 TEST_F(ArbiterTest, ClearingDropsEveryCommandAndNeverMovesTheRobot_ARB_8) {
   send("nav", 0.2);
