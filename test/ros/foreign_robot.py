@@ -51,6 +51,10 @@ class ForeignRobot:
     def show(self, grid):
         self._map.publish(grid)
 
+    def drives(self):
+        """Whether it has a goal."""
+        return self._server.is_active()
+
     def _tell(self, _):
         now = rospy.Time.now()
         odom = Odometry()

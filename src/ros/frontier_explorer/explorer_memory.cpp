@@ -11,7 +11,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr char kBounds = 'b', kReturns = 'r', kStays = 's', kUntold = '-', kStart = '@';
+constexpr char kBounds = 'b', kReturns = 'r', kStays = 's', kUntold = '-', kStart = '@', kStops = '#';
 
 void write(std::ostream& text, const std::vector<Vec2>& corners) {
   text << corners.size();
@@ -50,6 +50,12 @@ bool read(std::istream& text, std::optional<Pose2>& start) {
   return start->isFinite() && bounds::isWithin(start->position().cwiseAbs().maxCoeff(), bounds::kMostCoordinate);
 }
 
+/// Whether a count that is there can be read.
+bool read(std::istream& text, std::optional<std::uint64_t>& count) {
+  if ((text >> std::ws).peek() != kStops) return true;
+  return !(text.ignore() >> count.emplace()).fail();
+}
+
 }  // namespace
 
 std::string toText(const ExplorerOrders& orders) {
@@ -63,6 +69,7 @@ std::string toText(const ExplorerOrders& orders) {
   const auto home = orders.returns_to_start;
   text << ' ' << (home ? (*home ? kReturns : kStays) : kUntold);
   if (const auto& start = orders.start) text << ' ' << kStart << start->x << ' ' << start->y << ' ' << start->yaw;
+  if (orders.stops) text << ' ' << kStops << *orders.stops;
   if (orders.ended) text << ' ' << *orders.ended;
   return text.str();
 }
@@ -79,7 +86,7 @@ std::optional<ExplorerOrders> ordersIn(const std::string& text) {
   }
   if (!(words >> home) || (home != kReturns && home != kStays && home != kUntold)) return std::nullopt;
   if (home != kUntold) orders.returns_to_start = home == kReturns;
-  if (!read(words, orders.start)) return std::nullopt;
+  if (!read(words, orders.start) || !read(words, orders.stops)) return std::nullopt;
   if (std::string ended; std::getline(words >> std::ws, ended)) orders.ended = ended;
   return orders;
 }
@@ -119,6 +126,12 @@ void ExplorerMemory::keepStart(const std::optional<Pose2>& start) {
 void ExplorerMemory::keepEnd(const std::optional<std::string>& reason) {
   if (reason == orders_.ended) return;
   orders_.ended = reason;
+  keep();
+}
+
+void ExplorerMemory::keepStops(std::uint64_t stops) {
+  if (stops == orders_.stops) return;
+  orders_.stops = stops;
   keep();
 }
 

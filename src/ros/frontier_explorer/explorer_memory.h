@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -8,13 +10,17 @@
 
 namespace frontier_pilot {
 
-/// What an operator has told an explorer, where it has begun, and whether a stopping rule has ended its exploration.
-/// Nothing stands for what has not been told.
+/// What an operator has told an explorer, where it has begun, whether a stopping rule has ended its exploration, and of
+/// which emergency stops it knew. Nothing stands for what has not been told.
 struct ExplorerOrders {
   std::optional<exploration::ExplorationBounds> bounds;  ///< empty if they were lifted
   std::optional<bool> returns_to_start;
   std::optional<Pose2> start;        ///< in the map's frame
   std::optional<std::string> ended;  ///< the rule that has ended the exploration, in words
+  /// How many emergency stops the arbiter had been asked for when the robot explored; kStopped if it was stopped then.
+  std::optional<std::uint64_t> stops;
+
+  static constexpr std::uint64_t kStopped = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// The orders on one line, and back; nothing if the text is not such a line, or something is wrong with the bounds.
@@ -43,6 +49,7 @@ class ExplorerMemory {
   void keepStart(const std::optional<Pose2>& start);
   /// The rule that has ended the exploration; nothing once it goes on.
   void keepEnd(const std::optional<std::string>& reason);
+  void keepStops(std::uint64_t stops);
   /// Forgets all of it: a regular end.
   void end() { text_.end(true); }
 

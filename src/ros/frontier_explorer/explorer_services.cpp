@@ -3,8 +3,9 @@
 #include "ros/common/throttled_log.h"
 #include "ros/frontier_explorer/frontier_explorer_adapter.h"
 
-/// What the explorer serves, with its switches and how they outlive it, and its tunable parameters. The handlers of the
-/// bounds are in explorer_bounds.cpp, that of the poses to be inspected is in explorer_inspections.cpp.
+/// What the explorer serves, with its switches and how they outlive it, an emergency stop among them, and its tunable
+/// parameters. The handlers of the bounds are in explorer_bounds.cpp, that of the poses to be inspected is in
+/// explorer_inspections.cpp.
 namespace frontier_pilot {
 
 void FrontierExplorerAdapter::addServices() {
@@ -31,25 +32,34 @@ void FrontierExplorerAdapter::resume() {
     explorer_.setBounds(*left.bounds, OccupancyGrid());
     ROS_WARN_STREAM("starts with the bounds that were set before: " << left.bounds->describe());
   }
-  const std::string why = memory_->whyStand();
-  if (why.empty()) return;
-  enabled_ = false;
-  ROS_WARN_STREAM("starts paused: " << why);
+  if (const std::string why = memory_->whyStand(); !why.empty()) {
+    enabled_ = false;
+    ROS_WARN_STREAM("starts paused: " << why);
+  }
+  awaits_arbiter_ = enabled_ && left.stops;
+  connections_.inputs().need([this](const auto&) {
+    return awaits_arbiter_ ? std::string("no arbiter says whether the robot was stopped since the last explorer died")
+                           : std::string();
+  });
 }
 
 /// An exploration that is paused after its end has ended still.
-void FrontierExplorerAdapter::keepStartAndEnd() {
+void FrontierExplorerAdapter::remember() {
   memory_->keepStart(explorer_.start());
   if (const auto rule = explorer_.endedBy()) {
     memory_->keepEnd(toString(*rule));
   } else if (enabled_) {
     memory_->keepEnd(std::nullopt);
   }
+  if (!enabled_ || awaits_arbiter_ || !arbiter_.has()) return;
+  const bool stopped = stopped_ || arbiter_.get()->emergency_stop != 0;
+  memory_->keepStops(stopped ? ExplorerOrders::kStopped : arbiter_.get()->stops);
 }
 
 bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   const bool before = enabled_;
   enabled_ = start_ = request.data != 0;
+  awaits_arbiter_ = false;  // whoever calls knows whether the robot was stopped
   const std::string problem = paused_->set(!enabled_);
   const exploration::ExplorerState state_before = status_.state;
   tick();  // so that a pause cancels the goal before the call is answered
@@ -63,12 +73,26 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
 
 /// While the robot is stopped its goal is canceled. After the clear the exploration does not go on by itself. [ARB-8]
 void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
+  hears_stops_ = true;
   const bool was_stopped = std::exchange(stopped_, msg.data != 0);
-  if (!was_stopped || stopped_ || !enabled_) return;
-  enabled_ = false;
+  if (was_stopped && !stopped_) pause("the emergency stop was cleared");
+}
+
+/// Whoever goes on after a death has not seen what happened meanwhile. A status that comes when stops are heard already
+/// tells of all that were called before. [ARB-8] [FLT-2]
+void FrontierExplorerAdapter::handleArbiter(const ArbiterStatus& msg) {
+  arbiter_.put(msg, steadyNow());
+  if (!awaits_arbiter_ || !hears_stops_) return;
+  awaits_arbiter_ = false;
+  if (msg.stops == memory_->orders().stops) return;
+  pause("an emergency stop was called while no explorer was there to be paused by its clear");
+}
+
+void FrontierExplorerAdapter::pause(const std::string& why) {
+  if (!enabled_) return;
+  enabled_ = awaits_arbiter_ = false;
   paused_->set(true);
-  THROTTLED_WARN(
-      "exploration paused because the emergency stop was cleared: call set_exploration_enabled true to go on");
+  THROTTLED_WARN("exploration paused because " << why << ": call set_exploration_enabled true to go on");
   tick();
 }
 

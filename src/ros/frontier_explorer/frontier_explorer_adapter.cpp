@@ -33,6 +33,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
     return navigation_.available() ? "" : std::string("no move_base: start navigation.launch, or another navigation");
   });
   connections_.followStop(&FrontierExplorerAdapter::handleStop, this);
+  connections_.subscribe(names::kArbiterStatus, 1, &FrontierExplorerAdapter::handleArbiter, this);
   connections_.subscribe(names::kBatteryState, 1, &FrontierExplorerAdapter::handleBattery, this);
   connections_.subscribeToCommands(names::kClickedPoint, 20, &FrontierExplorerAdapter::handleClick, this);
   connections_.subscribeToCommands(names::kInspect, 20, &FrontierExplorerAdapter::handleInspect, this);
@@ -73,7 +74,7 @@ void FrontierExplorerAdapter::update(Time now) {
   const exploration::ExplorerOutput output = explorer_.update(inputs, now);
   team_.tell(inputs.T_map_base, explorer_.claims(), now);
   status_ = output.status;
-  keepStartAndEnd();
+  remember();
   saveMap(output);
   obey(output.command, now);
   report(output);
@@ -84,7 +85,7 @@ void FrontierExplorerAdapter::update(Time now) {
 
 exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   exploration::ExplorerInputs inputs;
-  inputs.enabled = enabled_;
+  inputs.enabled = enabled_ && !awaits_arbiter_;
   inputs.stopped = stopped_;
   inputs.reset = std::exchange(reset_, false);
   inputs.start = std::exchange(start_, false);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
 #include <frontier_pilot/SetBounds.h>
 #include <geometry_msgs/PointStamped.h>
@@ -52,6 +53,7 @@ class FrontierExplorerAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   void handleBattery(const sensor_msgs::BatteryState& msg);
   void handleStop(const std_msgs::Bool& msg);
+  void handleArbiter(const ArbiterStatus& msg);
   void handleClick(const geometry_msgs::PointStamped& msg);
   void handleInspect(const geometry_msgs::PoseStamped& msg);
   bool handleClearInspections(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -63,7 +65,8 @@ class FrontierExplorerAdapter {
   bool handleReturnToStart(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void addServices();
   void resume();
-  void keepStartAndEnd();
+  void remember();
+  void pause(const std::string& why);
   BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
   void closePolygon();
   void expireClicks();
@@ -103,10 +106,13 @@ class FrontierExplorerAdapter {
   Rejections bad_inspections_{"pose to inspect"};
   ClickedPolygon clicked_;
   Latest<double> battery_;
+  Latest<ArbiterStatus> arbiter_;
   bool battery_in_percent_ = false;  ///< its driver sends percent, not shares
   exploration::ExplorerProgress status_;
   bool enabled_;
   bool stopped_ = false;                ///< by an emergency stop
+  bool hears_stops_ = false;            ///< whether one that is called would be heard
+  bool awaits_arbiter_ = false;         ///< for its count of stops, before it may go on after a death
   bool reset_ = false, start_ = false;  ///< asked for since the last tick
   bool map_lost_ = false;               ///< the last map at the end was not saved
   std::string map_saved_;

@@ -1,5 +1,6 @@
 #include "ros/common/help/usages.h"
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/ExplorerStatus.h>
 #include <frontier_pilot/FleetClaims.h>
 #include <frontier_pilot/MapChanges.h>
@@ -34,6 +35,7 @@ NodeUsage frontierExplorerUsage() {
                  port<MapChanges>(names::changesOf(names::kMap)),
                  port<nav_msgs::Odometry>(names::kOdom),
                  port<std_msgs::Bool>(names::kEmergencyStopState),
+                 port<ArbiterStatus>(names::kArbiterStatus),
                  port<geometry_msgs::PointStamped>(names::kClickedPoint),
                  port<geometry_msgs::PoseStamped>(names::kInspect),
                  port<sensor_msgs::BatteryState>(names::kBatteryState),
