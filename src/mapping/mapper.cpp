@@ -58,7 +58,7 @@ struct Mapper::Impl {
   ScanCounts counts;
   std::uint64_t epoch = 0;       ///< number of the corrector: work of an earlier one is void
   std::uint64_t generation = 0;  ///< number of the map: a search of an earlier one is void
-  bool working = false;
+  bool working = false, abandoned = false;
   std::vector<Inserted> meanwhile;  ///< scans inserted into the map while work is under way
   RevisionReport revisions;
   std::map<std::string, std::uint64_t> correction_counts;
@@ -190,10 +190,12 @@ bool Mapper::Impl::refuse(slam::MapRevision& revision) {
 bool Mapper::abandonWork() {
   if (!impl_->working) return false;
   impl_->correction->abandonWork();
-  impl_->working = false;
+  impl_->abandoned = std::exchange(impl_->working, false);
   impl_->meanwhile.clear();
   return true;
 }
+
+bool Mapper::hasAbandonedWork() const { return impl_->abandoned; }
 
 void Mapper::reviseNow() {
   if (const slam::RevisionWork work = takeWork()) {
@@ -247,7 +249,7 @@ void Mapper::Impl::replace(std::unique_ptr<slam::PoseCorrection> corrector) {
 
 void Mapper::Impl::forgetEarlierPoses() {
   inserter.forgetLoneReturns();
-  working = false;
+  working = abandoned = false;
   overgrown = false;
   out_of_bounds = 0;
   meanwhile.clear();

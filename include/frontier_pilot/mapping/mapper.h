@@ -111,6 +111,8 @@ class Mapper {
   /// The work taken last threw: the map stays as it is, and mapping continues without revisions until a reset.
   /// Returns false, and does nothing, when no work is under way, as after a reset.
   bool abandonWork();
+  /// Whether that is so: mapping continues without revisions until a reset, a loaded map or a given pose.
+  bool hasAbandonedWork() const;
   /// Runs the work that there is, and takes its result over, before it returns.
   void reviseNow();
 

@@ -93,7 +93,7 @@ class MapperAdapter {
   BeamTiming timing_{parameters_.mapper.robot.scanner};
   ScanMotionReport scan_motion_;
   std::optional<SteadyTime> odometry_reset_, last_inserted_;  ///< when it was reset, when a scan was accepted last
-  std::string revision_failure_;                              ///< the exception that ended loop closing, until a reset
+  std::string revision_failure_;                              ///< the exception that ended loop closing last
   double revision_seconds_ = 0.0;                             ///< how long the last revision took [s]
   std::shared_ptr<slam::MapRevision> old_;  ///< the map that the last revision replaced, to be freed by the worker
   Worker<TimedRevision> worker_;

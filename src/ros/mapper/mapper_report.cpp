@@ -88,7 +88,7 @@ void MapperAdapter::summarize(Status& status) const {
         "the map and load it with localize_only",
         mapper_.keyframes());
   }
-  if (!revision_failure_.empty()) {
+  if (mapper_.hasAbandonedWork()) {
     status.mergeSummary(DiagnosticStatus::WARN, "loop closing is off until a reset: " + revision_failure_);
   }
   if (!publisher_.other().empty()) {

@@ -30,7 +30,6 @@ bool MapperAdapter::handleReset(std_srvs::Trigger::Request&, std_srvs::Trigger::
   restored_.reset();
   anchor_.reset();
   pairing_.clear();
-  revision_failure_.clear();
   looked_for_ = false;
   response.success = 1U;
   response.message = "the map is cleared";

@@ -71,6 +71,22 @@ TEST_F(AbandonedWork, IsTheLastUntilAResetAndScansGoOnWhereTheyBelong_FLT_1) {
   EXPECT_TRUE(mapper.takeWork()) << "a new map has a new back end";
 }
 
+// Loops are closed again by the new corrector, and the mapper must not go on saying that they are not. [FLT-1]
+TEST_F(AbandonedWork, IsOverWithAResetOrAGivenPose_FLT_1) {
+  drive(0, 100);
+  EXPECT_FALSE(mapper.hasAbandonedWork());
+  ASSERT_TRUE(fail());
+  EXPECT_TRUE(mapper.hasAbandonedWork());
+  const Eigen::Vector3d variances(0.01, 0.01, 0.01);
+  ASSERT_TRUE(mapper.locate({mapper.T_map_odom() * (poses[0].inverse() * poses[99]), variances.asDiagonal()}));
+  EXPECT_FALSE(mapper.hasAbandonedWork());
+  drive(100, 200);
+  ASSERT_TRUE(fail());
+  EXPECT_TRUE(mapper.hasAbandonedWork());
+  mapper.reset();
+  EXPECT_FALSE(mapper.hasAbandonedWork());
+}
+
 // [FLT-1]
 TEST_F(AbandonedWork, IsVoidWhenItEndsAfterAll_FLT_1) {
   drive(0, 100);
