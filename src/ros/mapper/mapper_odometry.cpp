@@ -65,6 +65,8 @@ void MapperAdapter::noteOdometryReset() {
 }
 
 void MapperAdapter::broadcast() {
+  // Where odometry is in the map that is kept is not known before it comes: it may have been reset as well. [FLT-2]
+  if (restored_) return;
   const auto now = connections_.clock().now();
   if (!now) return;  // after a jump of the clock the stamp might lie far in the future
   const Time stamp = *now + fromSeconds(parameters_.tf_lead);
