@@ -6,10 +6,12 @@ import time
 
 import rospy
 import rostest
+from frontier_pilot.srv import LoadMap
+from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
-from mapper_case import MapperCase, kept_maps, newest_map
-from wire import Node, Record, use_a_home_of_its_own, wait_for
+from mapper_case import SMALL, MapperCase, kept_maps, newest_map
+from wire import Node, Record, call, use_a_home_of_its_own, wait_for
 
 JUMP = 3.0  # of odometry [m]
 
@@ -40,21 +42,58 @@ class MapperResume(MapperCase):
     def has_jumped(self):
         return self.corrections() and abs(self.corrections()[-1] + JUMP) < 0.3
 
-    def test_the_robot_is_nowhere_until_odometry_comes_and_then_where_it_was(self):  # [FLT-2]
-        mapper = self.start()
+    def test_the_robot_is_nowhere_until_odometry_comes_and_then_where_odometry_was_reset_last(self):  # [FLT-2]
+        mapper = self.start('_autosave_period:=6')
         self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps() and
                                                           os.path.exists(newest_map())), 20.0))
+        self.drive()  # meanwhile the save ends
         self.jump = JUMP
         self.assertTrue(wait_for(lambda: self.say_where() and self.has_jumped(), 3.0), self.corrections()[-1:])
-        before = os.path.getmtime(newest_map())
-        self.assertTrue(wait_for(lambda: self.drive() or os.path.getmtime(newest_map()) > before + 2.5, 10.0))
         self.kill(mapper)
         self.start()
         rospy.wait_for_service('mapper/reset', 15.0)
         time.sleep(2.0)  # forty periods of map -> odom
         self.assertEqual(self.corrections(), [], 'not the identity [FLT-2]')
         self.assertTrue(wait_for(lambda: self.say_where() and self.corrections(), 10.0))
-        self.assertLess(abs(self.corrections()[0] + JUMP), 0.3, '[FLT-2]')
+        self.assertLess(abs(self.corrections()[0] + JUMP), 0.3, 'the reset was not forgotten [FLT-2]')
+
+    def test_a_map_that_another_one_was_loaded_in_place_of_does_not_come_back(self):  # [FLT-2]
+        mapper = self.start()
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        room = self.map.last.info.width
+        self.assertTrue(call('mapper/load_map', LoadMap, SMALL).success)
+        self.kill(mapper)
+        self.start()
+        self.assertFalse(wait_for(lambda: self.say_where() and self.map.last and self.map.last.info.width == room, 4.0),
+                         '[FLT-2]')
+
+    def test_a_map_of_a_launch_with_another_map_file_is_put_aside(self):  # [FLT-2]
+        room = self.leave_a_map()
+        kept = newest_map()
+        mapper = self.start('_map_file:=' + SMALL)
+        lost = os.path.join(os.path.dirname(kept), 'lost', 'kept_map.mapper')
+        self.assertTrue(wait_for(lambda: os.path.exists(lost + '.bt') and self.say_where() and self.known() > 0), '[FLT-2]')
+        small = self.known()
+        wait_for(lambda: self.say_where() and False, 3.0)
+        self.assertEqual(self.known(), small, 'the map of the file [FLT-2]')
+        said = mapper.said()
+        self.assertIn('without a map_file', said)
+        self.assertIn(SMALL, said)
+        self.assertIn(lost, said)
+        # What is loaded meanwhile belongs to this launch: one that is started again with the same file gets it.
+        self.assertTrue(call('mapper/load_map', LoadMap, lost).success)
+        self.assertTrue(wait_for(lambda: self.known() > 0.95 * room))
+        self.assertTrue(wait_for(lambda: os.path.exists(kept + '.bt') and os.path.exists(kept), 10.0))
+        self.kill(mapper)
+        self.start('_map_file:=' + SMALL)
+        self.assertTrue(wait_for(lambda: self.say_where() and self.known() > 0.95 * room, 20.0), '[FLT-2]')
+
+    def test_a_map_without_a_known_cell_is_not_missed(self):  # [FLT-2]
+        mapper = self.start()
+        self.assertTrue(wait_for(lambda: self.drive() or (self.known() > 5000 and kept_maps()), 20.0))
+        self.assertTrue(call('mapper/reset', Trigger).success)
+        time.sleep(5.0)  # two periods of the autosave, without a scan
+        self.assertNotIn('would not survive', mapper.said())
 
 
 if __name__ == '__main__':

@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iomanip>
 #include <iterator>
+#include <limits>
+#include <sstream>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "ros/common/memory/session_memory.h"
+#include "ros/common/messages/message_problems.h"
 
 namespace frontier_pilot::kept_map {
 namespace {
@@ -18,6 +24,16 @@ constexpr std::size_t kMostOlder = 3;
 constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
 
 constexpr int kMostLost = 9;
+
+/// What lies in `folder`, as far as it can be read: a loop over directory_iterator would throw.
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    entries.push_back(entry->path());
+  }
+  return entries;
+}
 
 /// Where the `k`-th lost map lies, from 1. The files keep their names, because one of them contains those of the
 /// others.
@@ -37,9 +53,8 @@ bool move(const fs::path& from, const fs::path& to) {
 /// which runs in another session: its pose lies beside the map, in the file `base`.
 std::vector<fs::path> olderMaps(const fs::path& own) {
   std::vector<std::pair<fs::file_time_type, fs::path>> found;
-  std::error_code ignored;
-  for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
-    const fs::path base = session.path() / own.filename();
+  for (const fs::path& session : entriesOf(own.parent_path().parent_path())) {
+    const fs::path base = session / own.filename();
     if (base == own) continue;
     for (int k = 0; k <= kMostLost; ++k) {
       if (k == 0 && isKeptByALivingProcess(base)) continue;
@@ -68,13 +83,9 @@ bool isUnfinished(const std::string& name, const std::string& base) {
 /// being written any more.
 void removeUnfinished(const fs::path& own) {
   const fs::file_time_type since = fs::file_time_type::clock::now() - std::chrono::minutes(10);
-  std::error_code ignored;
-  for (const auto& session : fs::directory_iterator(own.parent_path().parent_path(), ignored)) {
-    std::vector<fs::path> unfinished;
-    for (const auto& file : fs::directory_iterator(session.path(), ignored)) {
-      if (isUnfinished(file.path().filename().string(), own.filename().string())) unfinished.push_back(file.path());
-    }
-    for (const fs::path& file : unfinished) {
+  for (const fs::path& session : entriesOf(own.parent_path().parent_path())) {
+    for (const fs::path& file : entriesOf(session)) {
+      if (!isUnfinished(file.filename().string(), own.filename().string())) continue;
       std::error_code missing;
       const auto written = fs::last_write_time(file, missing);
       if (!missing && written < since) fs::remove(file, missing);
@@ -119,3 +130,41 @@ std::string lastSetAside(const fs::path& base) {
 }
 
 }  // namespace frontier_pilot::kept_map
+
+namespace frontier_pilot {
+namespace {
+
+constexpr const char* kMapFile = " map_file:=";
+constexpr std::size_t kLongestPath = 4096;  // [bytes], which is that of Linux
+
+}  // namespace
+
+std::string mapFileName(const std::string& map_file) {
+  if (map_file.empty()) return {};
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(map_file, error);
+  return printable(error ? map_file : whole.lexically_normal().string(), kLongestPath);
+}
+
+std::string toText(const KeptPose& pose) {
+  const Pose2& T_map_odom = pose.T_map_odom;
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << T_map_odom.x << ' ' << T_map_odom.y << ' '
+       << T_map_odom.yaw;
+  if (pose.map_file) text << kMapFile << *pose.map_file;
+  return text.str();
+}
+
+std::optional<KeptPose> toKeptPose(const std::string& text) {
+  std::istringstream in(text);
+  KeptPose kept;
+  Pose2& pose = kept.T_map_odom;
+  if (!(in >> pose.x >> pose.y >> pose.yaw)) return std::nullopt;
+  const bool has_place = problemOfPlace(pose.x, pose.y, 0.0).empty();
+  if (!has_place || !bounds::isWithin(pose.yaw, 2.0 * kPi)) return std::nullopt;
+  const std::size_t at = text.find(kMapFile);
+  if (at != text.npos) kept.map_file = text.substr(at + std::string(kMapFile).size());
+  return kept;
+}
+
+}  // namespace frontier_pilot

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "frontier_pilot/core/geometry.h"
 
 /// The files of a map that is kept for the next mapper. `base` is their common path without the endings: the name of
 /// the session's folder, and in it that of the node.
@@ -22,3 +25,21 @@ std::string setAside(const std::filesystem::path& base);
 std::string lastSetAside(const std::filesystem::path& base);
 
 }  // namespace frontier_pilot::kept_map
+
+namespace frontier_pilot {
+
+/// What is remembered beside the map that is kept for the next mapper.
+struct KeptPose {
+  Pose2 T_map_odom;
+  /// The map that its mapper began with, as `mapFileName` tells it; nothing in a copy that an earlier version left.
+  std::optional<std::string> map_file;
+};
+
+/// The parameter `map_file` as a whole path that can stand in a line; empty if there is none.
+std::string mapFileName(const std::string& map_file);
+/// One line with all digits, so that exactly the same pose is read back.
+std::string toText(const KeptPose& pose);
+/// Nothing if it is no pose, or one that no robot can have.
+std::optional<KeptPose> toKeptPose(const std::string& text);
+
+}  // namespace frontier_pilot

@@ -14,7 +14,9 @@
 #include "ros/common/memory/memory_report.h"
 #include "ros/common/memory/session_memory.h"
 #include "ros/common/messages/mailbox.h"
+#include "ros/mapper/kept_map.h"
 #include "ros/mapper/map_saver.h"
+#include "ros/mapper/save_schedule.h"
 
 namespace frontier_pilot {
 
@@ -23,18 +25,26 @@ namespace frontier_pilot {
 /// At most three maps of earlier sessions are kept. [FLT-2]
 class MapAutosave {
  public:
-  MapAutosave();
+  /// `map_file` is the parameter: the map that this mapper begins with.
+  explicit MapAutosave(const std::string& map_file);
 
+  /// What the mapper that died began with, if that is not what this one begins with: a `map_file`, or empty for none.
+  /// Its map then belongs to another launch. Nothing if it is the same, or not known.
+  std::optional<std::string> otherMapFile() const;
+  /// Moves the copy that is there to the folder `lost` (`kept_map::setAside`), and forgets its pose. Returns its new
+  /// base; empty if it could not be moved.
+  std::string putAside();
   /// Reads the map of a mapper that died and returns its T_map_odom; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
   std::optional<Pose2> restore(occupancy::OccupancyMap& map) const;
   /// Saves `map` on the thread of `saver`. A map is not saved if it has not changed (`content` counts its changes),
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
-  /// the time.
+  /// the time (SaveSchedule); the pose is kept each time.
   void save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver);
-  /// To be called when another map was loaded: the next one is saved whatever its `content`.
-  void replace();
-  /// Removes the copy, because the map was reset or the mapper is shut down regularly.
+  /// Keeps `T_map_odom` beside the copy that there is, without saving the map.
+  void remember(const Pose2& T_map_odom);
+  /// Removes the copy, because the map was reset, another one was loaded, or the mapper is shut down regularly. The
+  /// next map is saved whatever its `content`, and as soon as it can be.
   void forget();
   /// Records that the map of the mapper that died cannot be continued with, and moves its files to the folder `lost`
   /// beside them (`kept_map::setAside`). It is reported until the map is reset or loaded, or for a
@@ -44,8 +54,8 @@ class MapAutosave {
   const std::string& loss() const { return loss_; }
   /// Reports what would be lost with this node, and what was lost with the one before it.
   void tell(MemoryReport& report) const;
-  /// Why the last map could not be saved; empty if it was.
-  const std::string& problem() const { return problem_; }
+  /// Why the last map or pose could not be saved; empty if they were.
+  const std::string& problem() const { return problem_.empty() ? pose_problem_ : problem_; }
   /// Changes to the ROS session with these names.
   void enter(const std::vector<std::string>& sessions);
 
@@ -58,16 +68,17 @@ class MapAutosave {
 
   /// The base name of the copy's files; nothing if there is none.
   std::optional<std::filesystem::path> find() const;
+  /// What is remembered beside the copy; nothing if it cannot be read.
+  std::optional<KeptPose> recall() const;
   std::string keptBefore() const;
   void noteMapping(std::uint64_t content, SteadyTime now);
 
-  SessionMemory memory_;                       ///< holds T_map_odom; the map's files lie beside it
+  const std::string map_file_;
+  SessionMemory memory_;                       ///< holds a KeptPose; the map's files lie beside it
   std::shared_ptr<std::atomic<bool>> wanted_;  ///< false once the copy being saved is obsolete
   std::shared_ptr<Mailbox<Saved>> done_;
-  bool saving_ = false;
-  SteadyTime next_{};
-  std::optional<std::uint64_t> saved_content_;
-  std::string problem_;
+  SaveSchedule schedule_;
+  std::string problem_, pose_problem_;       ///< why the last map, and the last pose, could not be saved
   std::string loss_;                         ///< why the map of the mapper that died is lost
   std::optional<SteadyTime> mapping_since_;  ///< when the first scan came into the new map
 };

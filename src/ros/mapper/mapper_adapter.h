@@ -70,6 +70,7 @@ class MapperAdapter {
   map_files::MapIoResult load(const std::string& path);
   /// Reads the map of a mapper that died in this session, if there is one.
   void restore();
+  void putAside(const std::string& other_map_file);
   void resume(const Pose2& T_odom_base);
   void autosave();
   void sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2& T_map_base);
@@ -99,7 +100,7 @@ class MapperAdapter {
   Worker<TimedRevision> worker_;
   MapSaver saver_;
   MapSearcher searcher_;
-  MapAutosave autosave_;
+  MapAutosave autosave_{parameters_.map_file};
   bool looked_for_ = false;                    ///< whether the robot is to be found on a known map
   std::optional<Restored> restored_;           ///< until resume() has taken it over
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master

@@ -27,14 +27,17 @@ std::optional<Eigen::Matrix3d> covarianceOf(const geometry_msgs::PoseWithCovaria
 }  // namespace
 
 /// Loads `map_file` and then the copy of the map that this mapper had when it died, which replaces it. With a copy, a
-/// file that cannot be read any more is no reason not to start. [FLT-2]
+/// file that cannot be read any more is no reason not to start. A copy of a mapper that began with another file is put
+/// aside. [FLT-2]
 void MapperAdapter::loadFirstMap(const ros::NodeHandle& private_node) {
   std::string problem;
   if (!parameters_.map_file.empty()) {
     const map_files::MapIoResult result = load(parameters_.map_file);
     if (!result.ok()) problem = "map_file: " + result.text;
   }
-  restore();
+  const auto other = parameters_.autosave_period > 0.0 ? autosave_.otherMapFile() : std::nullopt;
+  if (parameters_.autosave_period > 0.0 && !other) restore();
+  if (problem.empty() && other) putAside(*other);
   if (problem.empty()) return;
   if (!restored_) throw ConfigurationError(private_node.getNamespace(), {problem});
   ROS_ERROR_STREAM("not loaded, " << problem
@@ -47,9 +50,6 @@ map_files::MapIoResult MapperAdapter::load(const std::string& path) {
   if (result.ok() && !mapper_.load(loaded))
     return {map_files::MapIoStatus::kBroken, path + ": too large, see docs/limits.md"};
   if (!result.ok()) return result;
-  revision_failure_.clear();
-  autosave_.replace();
-  restored_.reset();  // a map that was kept is not wanted any more
   looked_for_ = true;
   return result;
 }
@@ -59,6 +59,9 @@ bool MapperAdapter::handleLoad(LoadMap::Request& request, LoadMap::Response& res
   response.success = static_cast<std::uint8_t>(result.ok());
   response.message = result.text;
   if (result.ok()) {
+    restored_.reset();  // a map that was kept is not wanted any more
+    autosave_.forget();
+    autosave();
     THROTTLED_INFO(result.text);
   } else {
     THROTTLED_ERROR("map not loaded, " << toString(result.status) << ": " << result.text);
@@ -89,6 +92,7 @@ void MapperAdapter::sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2&
   if (verdict == ScanVerdict::kNotLocated) looked_for_ = true;
   const bool fits = verdict == ScanVerdict::kInserted || verdict == ScanVerdict::kLocalized;
   if (!fits || !std::exchange(looked_for_, false)) return;
+  autosave_.remember(T_map_odom());
   THROTTLED_INFO("localised: the robot is at " << std::fixed << std::setprecision(2) << T_map_base.x << ", "
                                                << T_map_base.y << ", " << std::setprecision(0)
                                                << T_map_base.yaw * 180.0 / kPi << " deg on the map");

@@ -7,7 +7,6 @@
 namespace frontier_pilot {
 
 void MapperAdapter::restore() {
-  if (parameters_.autosave_period == 0.0) return;
   Restored restored{occupancy::OccupancyMap(parameters_.mapper.map), Pose2()};
   try {
     const std::optional<Pose2> T_map_odom = autosave_.restore(restored.map);
@@ -18,6 +17,19 @@ void MapperAdapter::restore() {
     autosave_.lose(error.what());
     ROS_ERROR_STREAM("the map that the mapper had when it died is lost: " << autosave_.loss());
   }
+}
+
+/// A map of another launch at the same master is not what this one is to begin with.
+void MapperAdapter::putAside(const std::string& other_map_file) {
+  const auto beginning = [](const std::string& map_file) {
+    return map_file.empty() ? std::string("without a map_file") : "with the map_file " + map_file;
+  };
+  const std::string lost = autosave_.putAside();
+  ROS_WARN_STREAM("the mapper does not continue with the map of one that died, because that one began "
+                  << beginning(other_map_file) << ", and this one begins "
+                  << beginning(mapFileName(parameters_.map_file)) << "; its files "
+                  << (lost.empty() ? "could not be put aside, and will be replaced"
+                                   : "are kept: mapper/load_map may still read " + lost));
 }
 
 /// Continues with that map, once the first odometry message has come.
@@ -33,6 +45,7 @@ void MapperAdapter::resume(const Pose2& T_odom_base) {
 }
 
 void MapperAdapter::autosave() {
+  if (parameters_.autosave_period == 0.0) return;
   if (const auto session = session_.take()) autosave_.enter(*session);
   if (restored_) return;  // the copy that is there is worth more than what the mapper has until it continues with it
   const std::string before = autosave_.problem();

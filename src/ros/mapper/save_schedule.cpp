@@ -1,0 +1,48 @@
+#include "ros/mapper/save_schedule.h"
+
+#include <chrono>
+#include <sstream>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr int kRest = 20;  // pause after saving, in multiples of the time that saving took
+constexpr Duration kLong = std::chrono::seconds(30);
+
+}  // namespace
+
+bool SaveSchedule::isDue(std::uint64_t content, SteadyTime now) const {
+  return !begun_ && content_ != content && now >= next_;
+}
+
+void SaveSchedule::begin(std::uint64_t content, SteadyTime now) {
+  begun_ = now;
+  content_ = content;
+}
+
+void SaveSchedule::end(bool saved, SteadyTime at, Duration took) {
+  begun_.reset();
+  if (!content_) return;  // it was discarded meanwhile
+  next_ = at + kRest * took;
+  if (saved) {
+    has_copy_ = true;
+  } else {
+    content_.reset();
+  }
+}
+
+void SaveSchedule::discard() {
+  content_.reset();
+  next_ = {};
+  has_copy_ = false;
+}
+
+std::string SaveSchedule::delay(SteadyTime now) const {
+  if (!begun_ || now - *begun_ < kLong) return {};
+  std::ostringstream text;
+  text << "it has not been kept for " << std::chrono::duration_cast<std::chrono::seconds>(now - *begun_).count()
+       << " s: a disk does not answer, that of the copy or that of mapper/save_map";
+  return text.str();
+}
+
+}  // namespace frontier_pilot
