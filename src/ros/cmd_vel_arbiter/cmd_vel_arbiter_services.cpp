@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/common/names.h"
 #include "ros/common/throttled_log.h"
@@ -94,7 +96,8 @@ arbiter::ArbiterAnswer CmdVelArbiterAdapter::signedBy(arbiter::ArbiterAnswer ans
 }
 
 arbiter::ArbiterAnswer CmdVelArbiterAdapter::stop(const std::string& cause) {
-  arbiter::ArbiterAnswer answer = arbiter_.stop(cause, instantNow());
+  // It names a caller or a node, whose name may be anything of any length. [FLT-1]
+  arbiter::ArbiterAnswer answer = arbiter_.stop(printable(cause, bounds::kMostLine), instantNow());
   publish(answer.publish);
   answer.message = answerOfStop(answer.message, flush_.wait(kFlushPatience));
   around_.memory_problem = memory_.remember(arbiter_.stopCause());

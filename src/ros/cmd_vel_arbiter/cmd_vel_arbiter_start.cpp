@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "frontier_pilot/core/bounds.h"
+#include "frontier_pilot/core/text.h"
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 #include "ros/common/clock.h"
 #include "ros/common/master/master_state.h"
@@ -20,7 +22,7 @@ constexpr const char* kRestarted = "from before a restart: ";
 
 /// The cause of a stop by what was kept of it.
 std::string causeIn(const std::string& kept) {
-  return kept.empty() ? "the file that keeps its cause cannot be read" : kept;
+  return kept.empty() ? "the file that keeps its cause cannot be read" : printable(kept, bounds::kMostLine);
 }
 
 /// How long an arbiter that starts at the same moment may take until it offers its services.

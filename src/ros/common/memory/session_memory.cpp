@@ -20,7 +20,7 @@
 namespace frontier_pilot {
 namespace {
 
-constexpr std::size_t kLongestText = 262144;  // [bytes]
+constexpr std::size_t kLongestText = 262144;  // [bytes], of a file
 
 std::string asFileName(std::string name) {
   std::replace(name.begin(), name.end(), '/', '.');
@@ -49,9 +49,8 @@ constexpr const char* kLasting = "lasting_";  // before the names of the files o
 /// The process that wrote `file`, from the second line of the file; none if that cannot be read.
 ProcessIdentity writerOf(const fs::path& file) {
   std::istringstream content(readFile(file, kLongestText).bytes);
-  std::string text;
+  content.ignore(kLongestText, '\n');
   ProcessIdentity writer;
-  std::getline(content, text);
   content >> writer;
   return writer;
 }
@@ -197,12 +196,13 @@ std::vector<fs::path> SessionMemory::own() const {
 
 bool SessionMemory::enter(const std::vector<std::string>& sessions) {
   const std::vector<fs::path> before = own();
+  if (filesIn(ros_home_, sessions).empty() && filesIn(spare_, sessions).empty()) return false;
   files_ = filesIn(ros_home_, sessions);
   spares_ = filesIn(spare_, sessions);
   const std::vector<fs::path> now = own();
   if (now == before) return false;
   const auto stays = [&now](const fs::path& file) { return std::find(now.begin(), now.end(), file) != now.end(); };
-  elsewhere_.clear();
+  if (!before.empty()) elsewhere_.clear();
   std::remove_copy_if(before.begin(), before.end(), std::back_inserter(elsewhere_), stays);
   return true;
 }
@@ -245,7 +245,7 @@ std::optional<std::string> SessionMemory::recallOthers() const {
 
 std::string SessionMemory::remember(const std::string& text) const {
   std::ostringstream content;
-  content << text << '\n' << ProcessIdentity::own();
+  content << printable(text, kLongestText / 2) << '\n' << ProcessIdentity::own();
   const auto write = [bytes = content.str()](const fs::path& file) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);

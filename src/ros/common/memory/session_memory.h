@@ -37,7 +37,8 @@ class SessionMemory {
   SessionMemory(std::filesystem::path ros_home, const std::vector<std::string>& sessions, std::string what,
                 std::string owner, Owner kind, std::filesystem::path spare = {});
 
-  /// Changes to the ROS session with these names; returns whether it is another one than before.
+  /// Changes to the ROS session with these names; returns whether it is another one than before. Without a name it
+  /// stays in the one that it is in.
   bool enter(const std::vector<std::string>& sessions);
   /// The remembered text, such as the cause of a stop; the first one that can be read if there are several, empty if
   /// none of them can. Nothing if there is none.
@@ -50,7 +51,8 @@ class SessionMemory {
   std::optional<std::string> recallOthers() const;
   /// The files with the texts that recallAll() returns.
   std::vector<std::filesystem::path> findAll() const;
-  /// Stores `text`, in place of what dead processes have remembered. Returns an empty text if it will survive this
+  /// Stores `text`, in place of what dead processes have remembered; what is not printable in it is escaped, and of one
+  /// that is longer than 128 KiB the beginning is stored. Returns an empty text if it will survive this
   /// process, otherwise why it will not.
   std::string remember(const std::string& text) const;
   /// Why nothing could be stored now; empty if it could. Creates the folder.
