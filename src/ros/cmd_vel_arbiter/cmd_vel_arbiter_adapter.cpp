@@ -49,7 +49,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
       ros::TransportHints().tcpNoDelay());
   connections_.master().claimTopics({around_.status, around_.cmd_vel});  // a node that publishes both is an arbiter
   // A new master means a new session, in which a restarted arbiter has to find the stop again.
-  connections_.master().onRenewal([this] { session_.put(rosSessions()); });
+  connections_.master().onSession([this](const auto& sessions) { session_.put(sessions); });
   diagnostics_.add("velocity commands", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     fillDiagnostics(arbiter_.status(instantNow()), around_, status);
   });

@@ -4,7 +4,6 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/clock_monitor.h"
-#include "ros/common/master/ros_sessions.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/tf/frame_name.h"
@@ -60,7 +59,7 @@ void MapperAdapter::connect() {
     pairing_.clear();
     anchor_.forgetTime();
   });
-  connections_.master().onRenewal([this] { session_.put(rosSessions()); });
+  connections_.master().onSession([this](const auto& sessions) { session_.put(sessions); });
   if (parameters_.autosave_period > 0.0) {
     connections_.everySteady(ros::WallDuration(parameters_.autosave_period), [this] { autosave(); });
   }

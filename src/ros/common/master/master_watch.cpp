@@ -55,6 +55,7 @@ std::vector<std::string> publishersOfAll(const std::vector<std::string>& topics,
 
 MasterWatch::MasterWatch(Duration period) : period_(period), last_answer_(steadyNow()) {
   claimService(ros::this_node::getName() + "/set_logger_level");  // roscpp's own
+  session_.add([this](const auto& sessions) { parameters_.enter(sessions); });
   thread_ = std::thread(&MasterWatch::run, this);
 }
 
@@ -80,11 +81,6 @@ void MasterWatch::claimTopics(const std::vector<std::string>& topics) {
 MasterWatch::Claims MasterWatch::claims() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return claims_;
-}
-
-void MasterWatch::onRenewal(std::function<void()> f) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  renewals_.push_back(std::move(f));
 }
 
 void MasterWatch::setParameter(const std::string& name, const XmlRpc::XmlRpcValue& value) {
@@ -132,6 +128,7 @@ void MasterWatch::look() {
   lookAtAnAddress(*state);
   findTakers(report.rivals);
   sayWhatWasRenewed();
+  session_.tell();
   setRivals(report.rivals);
   if (lists_topics_) {
     if (const auto types = askTopicTypes()) {
@@ -228,12 +225,7 @@ void MasterWatch::sayWhatWasRenewed() {
   THROTTLED_ERROR("the master had forgotten this node: registered again as " << renewed.front() << more);
   for (const std::string& what : renewed) remembered_[what] = steadyNow();
   if (parameters_.restore()) THROTTLED_WARN("the master had lost the parameters of this node: they are set again");
-  std::vector<std::function<void()>> renewals;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    renewals = renewals_;
-  }
-  for (const auto& renewal : renewals) renewal();
+  session_.renew();
 }
 
 void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {

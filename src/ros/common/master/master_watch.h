@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "frontier_pilot/core/time.h"
@@ -21,6 +22,7 @@
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/own_parameters.h"
 #include "ros/common/master/registration.h"
+#include "ros/common/master/session_news.h"
 #include "ros/common/messages/mailbox.h"
 
 namespace frontier_pilot {
@@ -51,9 +53,10 @@ class MasterWatch {
   void claimService(const std::string& service);
   /// The same for topics: another living node that publishes all of them is a rival.
   void claimTopics(const std::vector<std::string>& topics);
-  /// `f` is called, on the watch's thread, after something was registered again: the master may have been restarted.
-  /// Functions that were given earlier are still called.
-  void onRenewal(std::function<void()> f);
+  /// `f` is called, on the watch's thread, with the names of the ROS session: once at the start, and after something
+  /// was registered again, because the master may have been restarted. While the master tells no name, it is asked
+  /// again in each look. Functions that were given earlier are still called.
+  void onSession(SessionNews::Listener f) { session_.add(std::move(f)); }
   /// Sets a parameter of this node's private namespace at the master, on the watch's thread: a caller never waits for a
   /// master that is gone. A restarted master is given it as well.
   void setParameter(const std::string& name, const XmlRpc::XmlRpcValue& value);
@@ -106,7 +109,8 @@ class MasterWatch {
   CallbackGuard guard_;
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
-  mutable std::mutex mutex_;  ///< guards the nine that follow
+  SessionNews session_;
+  mutable std::mutex mutex_;  ///< guards the eight that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
@@ -114,7 +118,6 @@ class MasterWatch {
   std::vector<robot_check::Topic> topics_;
   UrisByTopic connected_;  ///< publishers from which this node receives
   NodesByName publishers_;
-  std::vector<std::function<void()>> renewals_;
   std::map<std::string, XmlRpc::XmlRpcValue> new_parameters_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow
   std::map<std::string, std::string> rivals_;

@@ -122,10 +122,11 @@ void OwnParameters::change(const std::string& name, const XmlRpcValue& value) {
   keep();
 }
 
-bool OwnParameters::restore() {
-  if (memory_.enter(rosSessions())) keep();
-  return restoreBoth(private_, use_sim_time_, Missing::kNone);
+void OwnParameters::enter(const std::vector<std::string>& sessions) {
+  if (memory_.enter(sessions)) keep();
 }
+
+bool OwnParameters::restore() { return restoreBoth(private_, use_sim_time_, Missing::kNone); }
 
 void OwnParameters::sendChanges() {
   for (auto name = unsent_.begin(); name != unsent_.end();) {

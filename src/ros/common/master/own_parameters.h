@@ -23,6 +23,8 @@ class OwnParameters {
   OwnParameters(const OwnParameters&) = delete;
   OwnParameters& operator=(const OwnParameters&) = delete;
 
+  /// Keeps them for the ROS session with these names from now on.
+  void enter(const std::vector<std::string>& sessions);
   /// Sets the private namespace if the master no longer has it, and `/use_sim_time`; returns whether there was anything
   /// to set. A namespace that it has in part is that of a new launch.
   bool restore();

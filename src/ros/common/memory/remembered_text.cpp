@@ -13,8 +13,7 @@ RememberedText::RememberedText(std::string what, const std::string& owner, Sessi
     : what_(std::move(what)), report_(connections.memory()), memory_(rosHome(), rosSessions(), what_, owner, kind) {
   left_ = memory_.recallAll();
   left_elsewhere_ = memory_.recallFromElsewhere();
-  connections.master().onRenewal([this] {
-    const std::vector<std::string> sessions = rosSessions();
+  connections.master().onSession([this](const std::vector<std::string>& sessions) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (memory_.enter(sessions)) write();
   });
