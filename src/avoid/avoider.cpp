@@ -1,6 +1,7 @@
 #include "frontier_pilot/avoid/avoider.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "avoid/sector_reader.h"
 
@@ -49,8 +50,10 @@ class Avoider::Impl {
   void startCycle(Time now);
   void recover(Time now);
   void enter(AvoiderState state, const std::string& reason, Time now);
+  void resume(Time now);
   void turnAway(Time now, const std::string& reason);
-  bool rearFree() const { return around_.rear >= distances_.rear_stop; }
+  bool rearFree() const { return around_.sees_rear && around_.rear >= distances_.rear_stop; }
+  std::string noReversing() const;
   bool turnFree() const { return around_.nearest >= distances_.turn; }
   bool ahead() const;
   bool clear() const;
@@ -67,7 +70,13 @@ class Avoider::Impl {
   Time scan_stamp_, scan_received_;
   Time last_now_;
   Time phase_start_;
-  int turn_ = 0, cycle_ = 0;
+  int turn_ = 0, cycle_ = 0;  ///< kept during a fault, which interrupts an episode but does not end it
+  struct Interrupted {
+    AvoiderState state;
+    std::string reason;
+    Duration phase;  ///< how long it had lasted
+  };
+  std::optional<Interrupted> interrupted_;  ///< by the present fault
   std::uint32_t episodes_ = 0;
   std::uint64_t faults_ = 0;
   AvoiderCommand last_;
@@ -144,7 +153,17 @@ bool Avoider::Impl::clear() const {
 }
 
 void Avoider::Impl::fault(const std::string& why) {
-  if (state_ != AvoiderState::kFault || reason_ != why) enter(AvoiderState::kFault, why, last_now_);
+  if (state_ == AvoiderState::kFault && reason_ == why) return;
+  if (state_ != AvoiderState::kFault) interrupted_ = Interrupted{state_, reason_, last_now_ - phase_start_};
+  enter(AvoiderState::kFault, why, last_now_);
+}
+
+/// After a fault, goes on with the episode that it interrupted, as long as the way ahead is not clear.
+void Avoider::Impl::resume(Time now) {
+  const std::optional<Interrupted> before = std::exchange(interrupted_, std::nullopt);
+  const bool was_avoiding = before && (before->state == AvoiderState::kReverse ||
+                                       before->state == AvoiderState::kRotate || before->state == AvoiderState::kStuck);
+  if (was_avoiding && !clear()) enter(before->state, before->reason, now - before->phase);
 }
 
 void Avoider::Impl::decide(Time now) {
@@ -154,6 +173,7 @@ void Avoider::Impl::decide(Time now) {
   if (now - scan_received_ > max_age) return fault("no scan arrives");
   if (now - scan_stamp_ > max_age) return fault("the scan is old");
   if (scan_stamp_ - now > max_age) return fault("the scan is from the future");
+  resume(now);
   if (state_ == AvoiderState::kReverse || state_ == AvoiderState::kRotate) return recover(now);
   if (state_ == AvoiderState::kStuck && !clear()) return;
   if (ahead()) return startEpisode(now);
@@ -175,7 +195,12 @@ void Avoider::Impl::startCycle(Time now) {
   if (rearFree() && parameters_.reverse_time > 0.0) {
     return enter(AvoiderState::kReverse, "obstacle ahead: backing up", now);
   }
-  turnAway(now, "obstacle ahead, and no room behind: turning away");
+  turnAway(now, noReversing());
+}
+
+std::string Avoider::Impl::noReversing() const {
+  const char* why = around_.sees_rear ? "no room behind" : "no beam looks behind";
+  return std::string("obstacle ahead, and ") + why + ": turning away";
 }
 
 void Avoider::Impl::turnAway(Time now, const std::string& reason) {
@@ -189,7 +214,7 @@ void Avoider::Impl::recover(Time now) {
   if (clear()) return enter(AvoiderState::kClear, "nothing near ahead", now);
   const bool reversing = state_ == AvoiderState::kReverse;
   if (reversing && !rearFree()) {
-    return turnAway(now, "obstacle ahead, and no room behind: turning away");
+    return turnAway(now, noReversing());
   }
   if (!reversing && !turnFree()) return turnAway(now, {});
   const double phase_time = reversing ? parameters_.reverse_time : parameters_.turn_time;
@@ -203,6 +228,8 @@ void Avoider::Impl::enter(AvoiderState state, const std::string& reason, Time no
   state_ = state;
   reason_ = reason;
   phase_start_ = now;
+  if (state == AvoiderState::kFault) return;
+  interrupted_.reset();
   const bool recovering = state == AvoiderState::kReverse || state == AvoiderState::kRotate;
   if (!recovering) turn_ = 0;
   if (!recovering && state != AvoiderState::kStuck) cycle_ = 0;
@@ -237,7 +264,7 @@ AvoiderSnapshot Avoider::Impl::status(Time now) const {
   status.state = state_;
   status.reason = reason_;
   status.around = around_;
-  status.turn = turn_;
+  status.turn = state_ == AvoiderState::kFault ? 0 : turn_;
   status.cycle = cycle_;
   status.episodes = episodes_;
   status.faults = faults_;

@@ -71,6 +71,7 @@ SectorDistances SectorReader::read(const LaserScan2& scan) {
   const Vec2 sensor = scan.T_base_sensor.position();
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const RangeReading reading = readBeam(scan, i);
+    if (reading.kind != RangeKind::kInvalid && rear_.contains(directions[i])) around.sees_rear = true;
     if (reading.kind != RangeKind::kHit && reading.kind != RangeKind::kTooNear) continue;
     // What is too near for a scanner with a large range_min may be anywhere before that, also within the stop distance.
     const bool too_near = reading.kind == RangeKind::kTooNear;

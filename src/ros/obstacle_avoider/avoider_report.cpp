@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "ros/obstacle_avoider/avoider_report.h"
@@ -41,7 +42,8 @@ AvoiderStatus toStatusMsg(const avoid::AvoiderSnapshot& snapshot) {
   msg.obstacle_distance = orUnknown(snapshot.around.obstacleDistance());
   msg.front_left = orUnknown(snapshot.around.front_left);
   msg.front_right = orUnknown(snapshot.around.front_right);
-  msg.rear = orUnknown(snapshot.around.rear);
+  const bool sees_rear = snapshot.around.sees_rear || std::isfinite(snapshot.around.rear);
+  msg.rear = sees_rear ? orUnknown(snapshot.around.rear) : std::numeric_limits<double>::quiet_NaN();
   msg.direction = directionOf(snapshot.turn);
   msg.cycle = static_cast<std::uint32_t>(snapshot.cycle);
   msg.episodes = snapshot.episodes;

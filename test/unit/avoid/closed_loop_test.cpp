@@ -120,8 +120,7 @@ class BlindDrive {
   double distance_ = 0.0;
 };
 
-void driveBlindly(const std::string& name) {
-  const RobotModel robot = test::shippedRobot(name);
+void driveBlindly(const RobotModel& robot) {
   const int seeds = fromEnvironment("FRONTIER_PILOT_SEEDS", 4);
   const int seconds = fromEnvironment("FRONTIER_PILOT_SECONDS", 300);
   double distance = 0.0;
@@ -140,16 +139,25 @@ void driveBlindly(const std::string& name) {
 }
 
 // [AVO-3] [AVO-4]
-TEST(BlindDrive, TouchesNothingAtTheBurgersFullSpeed_AVO_3) { driveBlindly("burger"); }
+TEST(BlindDrive, TouchesNothingAtTheBurgersFullSpeed_AVO_3) { driveBlindly(test::shippedRobot("burger")); }
 
 // [AVO-3] [AVO-4]
-TEST(BlindDrive, TouchesNothingAtTheFastBasesFullSpeed_AVO_3) { driveBlindly("fast"); }
+TEST(BlindDrive, TouchesNothingAtTheFastBasesFullSpeed_AVO_3) { driveBlindly(test::shippedRobot("fast")); }
 
 // [AVO-3] [AVO-4] [ROB-1]
-TEST(BlindDrive, TouchesNothingWithTheCornersOfAWaffle_AVO_3) { driveBlindly("waffle"); }
+TEST(BlindDrive, TouchesNothingWithTheCornersOfAWaffle_AVO_3) { driveBlindly(test::shippedRobot("waffle")); }
 
 // [AVO-3] [AVO-4] [ROB-1]
-TEST(BlindDrive, TouchesNothingAtTheFullSpeedOfATurtleBot2_AVO_3) { driveBlindly("turtlebot2"); }
+TEST(BlindDrive, TouchesNothingAtTheFullSpeedOfATurtleBot2_AVO_3) { driveBlindly(test::shippedRobot("turtlebot2")); }
+
+// [AVO-3] [AVO-4]
+TEST(BlindDrive, TouchesNothingAndGetsOutByTurningWithAScannerThatDoesNotLookBack_AVO_4) {
+  RobotModel robot = test::shippedRobot("burger");
+  robot.scanner.field_of_view = kPi;
+  robot.scanner.angle_min = -kPi / 2.0;
+  robot.scanner.beams = 181;
+  driveBlindly(robot);
+}
 
 }  // namespace
 }  // namespace frontier_pilot
