@@ -9,7 +9,7 @@ from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
-from frontier_pilot.msg import PatrolAction, PatrolGoal
+from frontier_pilot.msg import ArbiterStatus, PatrolAction, PatrolGoal
 from wire import wait_for
 
 
@@ -20,6 +20,7 @@ class PatrolOdometryTest(unittest.TestCase):
         self.odometry.header.frame_id, self.odometry.child_frame_id = 'odom', 'base_footprint'
         self.odometry.pose.pose.orientation.w = 1.0
         self.publishing = False
+        self.stamps = rospy.Time.now
         self.publisher = rospy.Publisher('odom', Odometry, queue_size=1)
         self.subscriber = rospy.Subscriber('cmd_vel_patrol', Twist, self.commands.append, queue_size=1000)
         self.timer = rospy.Timer(rospy.Duration(0.03), self.publish)
@@ -36,7 +37,7 @@ class PatrolOdometryTest(unittest.TestCase):
 
     def publish(self, _):
         if self.publishing:
-            self.odometry.header.stamp = rospy.Time.now()
+            self.odometry.header.stamp = self.stamps()
             self.publisher.publish(self.odometry)
 
     def start(self):
@@ -70,6 +71,29 @@ class PatrolOdometryTest(unittest.TestCase):
         self.start_moving()
         self.publishing = False
         self.assert_aborted('no odometry for 0.5 s')
+
+    def test_the_same_message_again_and_again_is_none(self):
+        """As by a relay that hangs: what the robot has driven since is not in it."""
+        self.start_moving()
+        last = rospy.Time.now()
+        self.stamps = lambda: last
+        self.assert_aborted('no odometry for 0.5 s')
+
+    def test_a_base_that_sets_no_stamps_is_followed_by_the_arrival_of_its_messages(self):
+        self.stamps = rospy.Time
+        self.start_moving()
+        driven = len(self.commands)
+        self.assertTrue(wait_for(lambda: len(self.commands) > driven + 40))
+        self.assertEqual(self.client.get_state(), GoalStatus.ACTIVE)
+
+    def test_a_source_of_which_nothing_is_heard_any_more_does_not_hold_the_wheels(self):
+        arbiter = rospy.Publisher('cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.addCleanup(arbiter.unregister)
+        self.assertTrue(wait_for(lambda: arbiter.get_num_connections() > 0))
+        self.publishing = True
+        arbiter.publish(ArbiterStatus(state=ArbiterStatus.DRIVING, active_source='nav'))
+        self.start_moving()
+        self.assert_aborted('no progress')
 
     def test_a_quaternion_of_no_length(self):
         self.start_moving()

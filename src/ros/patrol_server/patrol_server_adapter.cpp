@@ -10,7 +10,6 @@
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
-
 PatrolServerAdapter::PatrolServerAdapter(ros::NodeHandle& node, ros::NodeHandle& private_node)
     : node_(node),
       parameters_(loadNodeParameters<PatrolServerParameters>(private_node)),
@@ -65,8 +64,12 @@ void PatrolServerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   }
   inputs_.odometry_problem.reset();
   surroundings_.addOdometry(odometry->stamp, odometry->T_odom_base);
-  // Stamped with the time of arrival, so that a small offset of the base's clock does not stop the patrol.
-  inputs_.odometry = MotionSample{rosNow(), odometry->T_odom_base, odometry->twist};
+  // Stamped with the time of arrival, so that a small offset of the base's clock does not stop the patrol. A message
+  // that comes again is as old as it was; a base that sets no stamps has only the arrival.
+  const bool is_repeat = inputs_.odometry && odometry->stamp == odometry_stamp_ && odometry_stamp_ != Time{};
+  const Time arrival = is_repeat ? inputs_.odometry->stamp : rosNow();
+  odometry_stamp_ = odometry->stamp;
+  inputs_.odometry = MotionSample{arrival, odometry->T_odom_base, odometry->twist};
 }
 
 void PatrolServerAdapter::handleStop(const std_msgs::Bool& msg) {
@@ -76,7 +79,8 @@ void PatrolServerAdapter::handleStop(const std_msgs::Bool& msg) {
 
 void PatrolServerAdapter::handleArbiter(const ArbiterStatus& msg) {
   const bool other = msg.state == ArbiterStatus::DRIVING && msg.active_source != parameters_.source;
-  inputs_.wheels_held_by = other ? std::make_optional(msg.active_source.substr(0, bounds::kMostName)) : std::nullopt;
+  wheels_held_by_.put(other ? std::make_optional(msg.active_source.substr(0, bounds::kMostName)) : std::nullopt,
+                      steadyNow());
 }
 
 void PatrolServerAdapter::tick() {
@@ -87,6 +91,7 @@ void PatrolServerAdapter::tick() {
 
 void PatrolServerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;
+  inputs_.wheels_held_by = wheels_held_by_.fresh(steadyNow(), kArbiterPatience).value_or(std::nullopt);
   inputs_.way_ahead = surroundings_.wayAhead(*now);
   put(patrol_.update(inputs_, *now));
 }

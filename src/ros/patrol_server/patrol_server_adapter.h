@@ -6,11 +6,13 @@
 #include <ros/node_handle.h>
 #include <std_msgs/Bool.h>
 
+#include <optional>
 #include <string>
 
 #include "frontier_pilot/patrol/patrol.h"
 #include "ros/common/actions/action_server.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/messages/mailbox.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
 #include "ros/common/tuning/reconfigure_server.h"
@@ -44,6 +46,9 @@ class PatrolServerAdapter {
  private:
   using Server = SingleGoalServer<PatrolAction>;
 
+  /// The arbiter says once a second who drives. One that has fallen silent says nothing about the wheels.
+  static constexpr Duration kArbiterPatience = std::chrono::seconds(2);
+
   void subscribe();
   void handleGoal(const PatrolGoal& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);
@@ -59,6 +64,8 @@ class PatrolServerAdapter {
   PatrolServerParameters parameters_;
   patrol::Patrol patrol_;
   patrol::PatrolInputs inputs_;
+  Time odometry_stamp_;                                ///< of the last odometry, by the clock of the base
+  Latest<std::optional<std::string>> wheels_held_by_;  ///< the other source that holds the wheels
   std::string last_text_ = "no patrol yet";
   Rejections bad_odometry_{"odometry"};
   ros::Publisher cmd_vel_;
