@@ -60,6 +60,31 @@ TEST(FrozenScan, IsNoticedWhenSeveralScansComeInTurn_FLT_1) {
     EXPECT_TRUE(watch.isFrozen(scanOf({1.0F + 0.1F * static_cast<float>(i)}), Pose2(1.0, 0, 0)));
 }
 
+LaserScan2 roomScanAt(double seconds) {
+  LaserScan2 scan = kRoomScan;
+  scan.stamp = timeFromSeconds(seconds);
+  return scan;
+}
+
+// [FLT-1] A robot that stands in a simulator without noise could not move to end that.
+TEST(FrozenScan, IsNotOneAfterOdometryOrTheClockWasReset_FLT_1) {
+  FrozenScanWatch watch;
+  EXPECT_FALSE(watch.isFrozen(roomScanAt(10.0), Pose2(4.0, 2.0, 0.0)));
+  EXPECT_FALSE(watch.isFrozen(roomScanAt(10.2), Pose2(4.0, 2.0, 0.0)));
+  EXPECT_FALSE(watch.isFrozen(roomScanAt(10.4), Pose2())) << "odometry was reset";
+  EXPECT_FALSE(watch.isFrozen(roomScanAt(10.6), Pose2()));
+  EXPECT_FALSE(watch.isFrozen(roomScanAt(0.2), Pose2(0.5, 0.0, 0.0))) << "the clock was reset";
+  EXPECT_TRUE(watch.isFrozen(roomScanAt(0.4), Pose2(0.7, 0.0, 0.0))) << "now it drives";
+}
+
+// [FLT-1]
+TEST(FrozenScan, IsNoticedAlsoOfARobotThatDrivesFastAndOfAScannerThatRepeatsItsStamps_FLT_1) {
+  FrozenScanWatch watch;
+  watch.isFrozen(roomScanAt(10.0), Pose2());
+  for (int i = 1; i < 10; ++i) EXPECT_TRUE(watch.isFrozen(roomScanAt(10.0 + 0.5 * i), Pose2(0.8 * i, 0.0, 0.0)));
+  EXPECT_TRUE(watch.isFrozen(roomScanAt(14.4), Pose2(7.2, 0.0, 0.0)));
+}
+
 // [FLT-1] A simulator without noise repeats the scan of a robot that stands.
 TEST(FrozenScan, IsNotOneOfARobotThatStands_FLT_1) {
   FrozenScanWatch watch;

@@ -4,11 +4,11 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string_view>
 #include <vector>
 
-#include "frontier_pilot/core/motion.h"
 #include "ros/common/clock.h"
 
 namespace frontier_pilot {
@@ -17,6 +17,9 @@ namespace {
 constexpr double kMoved = 0.05;  // [m]
 constexpr double kTurned = 0.1;  // [rad]
 constexpr std::size_t kScansRemembered = 64;
+// From scan to scan odometry changes by less than this while the robot drives: [m], [rad], [m/s], [rad/s].
+constexpr double kJump = 0.1, kAngleJump = 0.2, kFastest = 3.0, kFastestTurn = 6.0;
+constexpr Duration kClockJump = std::chrono::seconds(1);  // back; a driver may repeat stamps, too
 
 bool hasReturn(const LaserScan2& scan) {
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
@@ -33,9 +36,21 @@ std::size_t hashOf(const std::vector<float>& ranges) {
 
 }  // namespace
 
+/// Forgets what was seen before odometry was reset or the clock was set back: the robot may stand where it stood.
+void FrozenScanWatch::notePose(Time stamp, const Pose2& T_odom_base) {
+  if (last_ && stamp != last_->stamp) {
+    const double passed = std::abs(toSeconds(stamp - last_->stamp));
+    const double angle = std::min(kAngleJump + kFastestTurn * passed, kPi);
+    const bool jumped = isJump(last_->pose, T_odom_base, kJump + kFastest * passed, angle);
+    if (jumped || last_->stamp - stamp > kClockJump) seen_.clear();
+  }
+  last_ = StampedPose2{stamp, T_odom_base};
+}
+
 bool FrozenScanWatch::isFrozen(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base) {
   frozen_ = false;
   if (!hasReturn(scan)) return false;
+  if (T_odom_base) notePose(scan.stamp, *T_odom_base);
   const std::size_t hash = hashOf(scan.ranges);
   const auto same = std::find_if(seen_.begin(), seen_.end(), [&](const Seen& seen) { return seen.hash == hash; });
   if (same == seen_.end()) {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "frontier_pilot/core/laser_scan.h"
+#include "frontier_pilot/core/motion.h"
 #include "ros/common/log_interval.h"
 
 namespace frontier_pilot {
@@ -23,7 +24,9 @@ class FrozenScanWatch {
   /// Whether `scan` repeats one of the last 64 different ones, and the robot is 0.05 m or 0.1 rad from where it was
   /// when that came first. A scan without any return is never frozen, because open ground looks the same from
   /// everywhere; what is too near to be measured, such as parts of the robot, is no return. A scan without a pose is
-  /// not judged. Logs an error, at most one in five seconds.
+  /// not judged. When odometry changes between two scans by more than any such robot drives, or a stamp lies a
+  /// second before the last one, a simulator for instance was reset, and the earlier scans are forgotten. Logs an
+  /// error, at most one in five seconds.
   bool isFrozen(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base);
   /// An error as long as the last scan was frozen.
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -34,7 +37,10 @@ class FrozenScanWatch {
     std::optional<Pose2> T_odom_base;  ///< when they came first
   };
 
-  std::deque<Seen> seen_;  ///< the last different scans, the newest last
+  void notePose(Time stamp, const Pose2& T_odom_base);
+
+  std::optional<StampedPose2> last_;  ///< of the last scan with a pose
+  std::deque<Seen> seen_;             ///< the last different scans, the newest last
   bool frozen_ = false;
   std::uint64_t count_ = 0;
   LogInterval log_interval_;  ///< of the error
