@@ -128,6 +128,10 @@ bool anyMayLive(const std::set<std::string>& uris) {
                      [](const std::string& uri) { return reach(uri, true) != Reach::kRefused; });
 }
 
+bool anyMayLivePatiently(const std::set<std::string>& uris) {
+  return std::any_of(uris.begin(), uris.end(), [](const std::string& uri) { return reach(uri) != Reach::kRefused; });
+}
+
 bool serviceMayAnswer(const std::string& service) {
   return reach(uriOfService(service)).value_or(Reach::kMayConnect) == Reach::kMayConnect;
 }

@@ -37,6 +37,8 @@ bool nodeLives(const std::string& node);
 /// Whether one of the processes with these XML-RPC URIs may exist, for a thread that must not wait: no name server is
 /// asked, and no address for longer than 20 ms. In doubt it may.
 bool anyMayLive(const std::set<std::string>& uris);
+/// The same for a thread that may wait: names of hosts are looked up, and each address is given 0.3 s.
+bool anyMayLivePatiently(const std::set<std::string>& uris);
 
 /// Whether calls of `service` could be answered at the address that the master has for it: not if it refuses
 /// connections, and not if its host is unknown here. So a provider that has died is recognised even if its node's own

@@ -106,6 +106,7 @@ void MasterWatch::run() {
   while (!ending_) {
     lock.unlock();
     guard_.run("the watch on the master", [this] {
+      watched_.look();  // before all that a master which does not answer delays
       sendParameters();
       look();
     });

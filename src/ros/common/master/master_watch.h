@@ -21,6 +21,7 @@
 #include "ros/common/master/lost_connections.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/own_parameters.h"
+#include "ros/common/master/publisher_watch.h"
 #include "ros/common/master/registration.h"
 #include "ros/common/master/session_news.h"
 #include "ros/common/messages/mailbox.h"
@@ -70,6 +71,11 @@ class MasterWatch {
   void listTopics(bool wanted) { lists_topics_ = wanted; }
   /// The XML-RPC URIs of the nodes from which this one receives `topic`, a resolved name, as of the last look.
   std::set<std::string> connectedPublishersOf(const std::string& topic) const;
+  /// Each look is also to find out whether the publishers of `topic`, a resolved name, exist.
+  void watchPublishers(const std::string& topic) { watched_.add(topic); }
+  /// False if none of the processes existed any more, at the last look, from which this node receives the watched
+  /// `topic`: they were killed, and roscpp still counts them as publishers.
+  bool mayBePublished(const std::string& topic) const { return watched_.mayBePublished(topic); }
   /// The topics of the last look that listed them; empty before.
   std::vector<robot_check::Topic> topics() const;
   /// ERROR while another node has a service or topic that belongs to this one alone, and for ten seconds after
@@ -105,6 +111,7 @@ class MasterWatch {
   void setRivals(const std::map<std::string, std::string>& rivals);
 
   Mailbox<MasterReport> report_;
+  PublisherWatch watched_;
   Duration period_;
   CallbackGuard guard_;
   std::atomic<SteadyTime> last_answer_;

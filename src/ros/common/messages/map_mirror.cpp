@@ -1,17 +1,13 @@
 #include "ros/common/messages/map_mirror.h"
 
-#include <boost/algorithm/string/predicate.hpp>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "frontier_pilot/core/bounds.h"
-#include "robot_check/other_names.h"
 #include "ros/common/clock.h"
 #include "ros/common/maps/map_changes.h"
 #include "ros/common/master/master_state.h"
-#include "ros/common/names.h"
 #include "ros/common/tf/frame_name.h"
 #include "ros/common/throttled_log.h"
 
@@ -29,14 +25,6 @@ void copy(const GridUpdate& update, OccupancyGrid& map) {
 
 bool isInside(const CellRect& rect, const OccupancyGrid& map) {
   return rect.intersection(map.geometry().rect()) == rect;
-}
-
-/// Without the simulator's picture of the world, which has the type of a map, but is not to be taken for one.
-InputWatch::Topics mapsAmong(InputWatch::Topics topics) {
-  const std::string world = std::string("/") + names::kWorld;
-  const auto is_world = [&world](const auto& topic) { return boost::algorithm::ends_with(topic.name, world); };
-  topics.erase(std::remove_if(topics.begin(), topics.end(), is_world), topics.end());
-  return topics;
 }
 
 }  // namespace
@@ -66,80 +54,6 @@ std::optional<Time> RecentUpdates::applyTo(OccupancyGrid& map) const {
     last = recent.stamp;
   }
   return last;
-}
-
-void MapMirror::subscribe(NodeConnections& connections, const std::string& frame, const std::string& robot, Need need) {
-  frame_ = frame;
-  topic_ = names::ofRobot(robot, names::kMap);
-  updates_topic_ = names::ofRobot(robot, names::kMapUpdates);
-  whole_name_ = connections.resolve(topic_);
-  changes_topic_ = names::changesOf(whole_name_);
-  connections_ = &connections;
-  listenToChanges();
-  listenToMap();
-  connections.everySteady(ros::WallDuration(0.5), [this, &connections] { chooseTopics(connections.master()); });
-  if (need == Need::kNeeded)
-    connections.inputs().need([this](const InputWatch::Topics& topics) { return missing(topics); });
-}
-
-void MapMirror::listenToMap() {
-  map_subscriber_.shutdown();
-  updates_subscriber_.shutdown();
-  map_subscriber_ = connections_->subscribeToEvents<nav_msgs::OccupancyGrid>(
-      topic_, 1, [this](const auto& event) { handleMap(*event.getConstMessage(), event.getPublisherName()); });
-  updates_subscriber_ = connections_->subscribeToEvents<map_msgs::OccupancyGridUpdate>(
-      updates_topic_, 100,
-      [this](const auto& event) { handleUpdate(*event.getConstMessage(), event.getPublisherName()); });
-}
-
-void MapMirror::listenToChanges() {
-  changes_subscriber_.shutdown();
-  changes_subscriber_ = connections_->subscribeToEvents<MapChanges>(changes_topic_, 100, [this](const auto& event) {
-    handleChanges(*event.getConstMessage(), event.getPublisherName());
-  });
-}
-
-bool MapMirror::isOfferedPlain(const MasterWatch& master) const {
-  const std::vector<std::string> compact = master.publishersOf(changes_topic_);
-  const std::vector<std::string> all = master.publishersOf(whole_name_);
-  return std::any_of(all.begin(), all.end(), [&](const std::string& node) {
-    return std::find(compact.begin(), compact.end(), node) == compact.end();
-  });
-}
-
-void MapMirror::chooseTopics(const MasterWatch& master) {
-  constexpr Duration kBetweenQuestions = std::chrono::seconds(5);
-  constexpr Duration kRecent = std::chrono::seconds(2);
-  if (changes_subscriber_.getNumPublishers() == 0 && !isAsking()) way_ = Way::kPlain;
-  const bool wants_map = way_ == Way::kPlain || isOfferedPlain(master);
-  const bool asks = way_ == Way::kCompact && lacks_changes_ && steadyNow() - asked_ > kBetweenQuestions;
-  const bool listens = map_subscriber_;
-  if (wants_map == listens && !asks) return;
-  // Without a master, each of these would wait for it. One that hangs is not asked: that takes long.
-  if (steadyNow() - master.lastAnswer() > kRecent || !askMaster()) return;
-  if (asks) {
-    asked_ = steadyNow();
-    listenToChanges();
-  }
-  if (wants_map && !listens) listenToMap();
-  if (wants_map || !listens) return;
-  map_subscriber_.shutdown();
-  updates_subscriber_.shutdown();
-}
-
-bool MapMirror::published() const {
-  return map_subscriber_.getNumPublishers() > 0 || changes_subscriber_.getNumPublishers() > 0 || isAsking();
-}
-
-bool MapMirror::isAsking() const {
-  constexpr Duration kConnecting = std::chrono::seconds(2);
-  return lacks_changes_ && steadyNow() - asked_ < kConnecting;
-}
-
-std::string MapMirror::missing(const InputWatch::Topics& topics) const {
-  if (!published())
-    return robot_check::sayMissingTopic(mapsAmong(topics), whole_name_, "nav_msgs/OccupancyGrid", topic_);
-  return ready() ? "" : whole_name_ + " is published, but no map has arrived yet";
 }
 
 bool MapMirror::rightFrame(const std::string& frame) {
@@ -280,15 +194,6 @@ void MapMirror::remember(Time stamp, const GridUpdate& update) {
   if (update_stamp_ && stamp < *update_stamp_) startOver();
   update_stamp_ = stamp;
   if (!isOld(stamp)) recent_.add(stamp, update);
-}
-
-void MapMirror::askAgain() {
-  if (!refused_a_map_ || ownerLives()) return;
-  if (!askMaster()) return;  // without a master, a new subscription would wait for it and the old one would be lost
-  refused_a_map_ = false;
-  way_ = Way::kPlain;
-  listenToChanges();
-  listenToMap();
 }
 
 CellRect MapMirror::takeChanged() {

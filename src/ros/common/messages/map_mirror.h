@@ -71,7 +71,7 @@ class MapMirror {
   void handleUpdate(const map_msgs::OccupancyGridUpdate& msg, const std::string& publisher = {});
   void handleChanges(const MapChanges& msg, const std::string& publisher = {});
 
-  /// Whether the map has a publisher now.
+  /// Whether the map has a publisher now. One that was killed counts as gone within about a second.
   bool published() const;
   /// Whether a message was lost since the last whole map of `map_changes`.
   bool lacksChanges() const { return lacks_changes_; }
