@@ -39,7 +39,7 @@ class CollisionCheck {
   /// Inserts a scan into the costmap; `T_odom_base` is the pose at its stamp. Beams clear the cells that they cross,
   /// hits occupy theirs, invalid beams change nothing. Unknown cells under the robot become free. Returns whether the
   /// scan was inserted: one that does not look ahead is not, because what was free when it was last seen may no longer
-  /// be.
+  /// be. A pose that the robot cannot have driven to since the last scan clears the costmap first: odometry was reset.
   bool insert(const LaserScan2& scan, const Pose2& T_odom_base);
   /// Forgets all scans.
   void clear();

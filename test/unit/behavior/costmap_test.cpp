@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -160,6 +161,25 @@ TEST(CollisionCheck, BlocksEveryMotionOnceTheScansNoLongerShowWhatIsAhead) {
   scan.ranges.resize(720);
   EXPECT_FALSE(check.insert(scan, {}));
   EXPECT_FALSE(check.lookAhead(0.5, scan.stamp));
+}
+
+// [SPN-3] Between two behaviours, where no jump of the pose ends one.
+TEST(CollisionCheck, ForgetsWhatItSawWhenOdometryHasBeenReset) {
+  for (const Pose2& jumped : {Pose2(1.0, 0.0, 0.0), Pose2(0.0, 0.0, kPi)}) {
+    behavior::CollisionCheck check;
+    LaserScan2 scan = scanOf(1440, 1.3F);
+    check.insert(scan, {});
+    const auto at = [&](const Vec2& point) { return check.grid().get(check.grid().geometry().cellAt(point), 55); };
+    ASSERT_EQ(at({-0.4, 0.0}), kFree);
+    scan.stamp += std::chrono::milliseconds(200);
+    scan.ranges.assign(1440, std::numeric_limits<float>::quiet_NaN());
+    std::fill_n(scan.ranges.begin() + 590, 260, 0.2F);  // ahead
+    ASSERT_TRUE(check.insert(scan, {0.1, 0.0, 0.1}));
+    EXPECT_EQ(at({-0.4, 0.0}), kFree) << "it has driven on";
+    scan.stamp += std::chrono::milliseconds(200);
+    ASSERT_TRUE(check.insert(scan, jumped));
+    EXPECT_EQ(at({0.5, 0.5}), kUnknown);
+  }
 }
 
 // [ROB-1]
