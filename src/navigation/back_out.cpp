@@ -19,6 +19,7 @@ constexpr double kPoseStep = 0.1;     ///< between two of them [s]
 constexpr double kNoise = 0.003;      ///< by which the distance from the scan may shrink from pose to pose [m]
 constexpr double kNearest = 0.01;     ///< that the outline with its margin may reach beyond a scan point [m]
 constexpr double kPatience = 1.0;     ///< with an obstacle in the way [s]
+constexpr double kProgress = 0.1;     ///< that it has to move within the time that is allowed [m]
 
 }  // namespace
 
@@ -74,14 +75,23 @@ bool BackOut::isFree(const Twist2& command, const RecoveryInputs& in) const {
   const double now = in.scan_distance(outline_, in.T_map_base);
   const double least = std::min({0.0, now, std::max(now - kNoise, -kNearest)});
   for (double t = kPoseStep; t < kAhead + 0.5 * kPoseStep; t += kPoseStep) {
-    if (in.scan_distance(outline_, integrate(in.T_map_base, command, t)) < least) return false;
+    const Pose2 there = integrate(in.T_map_base, command, t);
+    if (in.scan_distance(outline_, there) < least || (in.fits_map && !in.fits_map(there))) return false;
   }
   return true;
 }
 
+bool BackOut::isOverdue(const Vec2& position, Time now) {
+  if (!anchored_ || (position - anchor_).norm() > kProgress) {
+    anchor_ = position;
+    anchored_ = now;
+  }
+  return toSeconds(now - *anchored_) > params_.time_allowance;
+}
+
 RecoveryStep BackOut::update(const RecoveryInputs& in, Time now) {
   if (way_.empty()) begin(in);
-  if (hasBackedEnough(in)) return {Twist2{}, true};
+  if (isOverdue(in.T_map_base.position(), now) || hasBackedEnough(in)) return {Twist2{}, true};
   const std::optional<Vec2> behind = target(in.T_map_base);
   if (!behind) return {Twist2{}, true};
   const double speed = std::min(params_.back_up_speed, limits_.max_linear);

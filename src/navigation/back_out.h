@@ -23,8 +23,11 @@ class BackOut {
   /// As far behind the robot as it backs up.
   Vec2 straightBehind(const Pose2& T_map_base) const;
   /// Whether backing up by `command` until the next scan counts brings the outline no nearer to an obstacle than it is
-  /// and than it may be.
+  /// and than it may be, and keeps off what the map shows.
   bool isFree(const Twist2& command, const RecoveryInputs& in) const;
+
+  /// Whether it has got no farther for the time that is allowed.
+  bool isOverdue(const Vec2& position, Time now);
 
   RecoveryParams params_;
   RobotLimits limits_;
@@ -35,6 +38,8 @@ class BackOut {
   bool could_turn_ = true;  ///< where it began
   double checked_ = 0.0;    ///< how far the robot had backed up when a path was last looked for [m]
   std::optional<Time> blocked_since_;
+  Vec2 anchor_ = Vec2::Zero();    ///< where it last got on
+  std::optional<Time> anchored_;  ///< and when
 };
 
 }  // namespace frontier_pilot::navigation

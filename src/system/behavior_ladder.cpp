@@ -6,8 +6,9 @@
 
 namespace frontier_pilot::system {
 
-behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, const Outline& outline) {
-  return [scan_distance, outline](const Pose2& T_map_base, const behavior::AxisMotion& motion) {
+behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outline& outline) {
+  return [scan_distance = in.scan_distance, fits_map = in.fits_map, outline](const Pose2& T_map_base,
+                                                                             const behavior::AxisMotion& motion) {
     if (motion.axis == behavior::AxisMotion::Axis::kTurn && outline.isDisc()) return behavior::SweepResult::kClear;
     constexpr double kStep = 0.03;  // [m]: how far a point of the outline may move between two poses
     const bool turns = motion.axis == behavior::AxisMotion::Axis::kTurn;
@@ -18,8 +19,10 @@ behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, co
     constexpr double kNoise = 0.005;  // [m]
     const double least = outline.isDisc() || at_start < -kNoise ? at_start : at_start - kNoise;
     for (int i = 1; i <= poses; ++i) {
-      const double there = scan_distance(outline, T_map_base * motion.at(static_cast<double>(i) / poses));
+      const Pose2 pose = T_map_base * motion.at(static_cast<double>(i) / poses);
+      const double there = scan_distance(outline, pose);
       if (there < 0.0 && there < least) return behavior::SweepResult::kObstacle;
+      if (fits_map && !fits_map(pose)) return behavior::SweepResult::kObstacle;
     }
     return behavior::SweepResult::kClear;
   };
@@ -28,7 +31,7 @@ behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, co
 behavior::BehaviorGoal freePartOf(const behavior::BehaviorGoal& goal, const navigation::RecoveryInputs& in,
                                   const Outline& outline) {
   if (outline.isDisc()) return goal;
-  const behavior::LookAhead look = lookAtScan(in.scan_distance, outline);
+  const behavior::LookAhead look = lookAround(in, outline);
   const double sign = goal.kind == behavior::BehaviorKind::kBackUp ? -1.0 : 1.0;
   const auto axis = goal.kind == behavior::BehaviorKind::kSpin ? behavior::AxisMotion::Axis::kTurn
                                                                : behavior::AxisMotion::Axis::kLine;
@@ -49,7 +52,7 @@ navigation::Recovery recoveryBy(const behavior::BehaviorGoal& goal, const behavi
     begun = true;
     behavior::BehaviorInputs inputs;
     inputs.pose = StampedPose2{now, in.T_map_base};
-    inputs.look_ahead = lookAtScan(in.scan_distance, outline);
+    inputs.look_ahead = lookAround(in, outline);
     const behavior::BehaviorOutput output = core->update(inputs, now);
     return navigation::RecoveryStep{output.command.value_or(Twist2()), !core->active()};
   };

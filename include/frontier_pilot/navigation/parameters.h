@@ -74,7 +74,10 @@ struct RecoveryParams {
     v.fixed({"back_up_speed"});
     v.field("spin_angle", spin_angle, "rad", "angle that a blocked robot turns to look around", positiveUpTo(100.0));
     v.fixed({"spin_rate"});
-    v.field("time_allowance", time_allowance, "s", "a recovery that takes longer is ended", timeSpan());
+    v.field("time_allowance", time_allowance, "s",
+            "a recovery that takes longer is ended; backing out of a place where the robot cannot turn may take this "
+            "for each 0.1 m",
+            timeSpan());
     v.field("margin", margin, "m", "clearance of the robot's outline from the scan's points while it recovers",
             between(0.0, 0.5));
     v.moved("footprint_radius", "margin, on top of the robot's outline");

@@ -16,6 +16,9 @@ namespace frontier_pilot::navigation {
 /// of the outline; large if there is none.
 using ScanDistance = std::function<double(const Outline& outline, const Pose2& T_map_base)>;
 
+/// Whether a robot at `T_map_base` keeps off what the map shows.
+using FitsMap = std::function<bool(const Pose2& T_map_base)>;
+
 /// Inputs of a recovery, in the map frame.
 struct RecoveryInputs {
   Pose2 T_map_base;
@@ -24,6 +27,9 @@ struct RecoveryInputs {
   const std::deque<Pose2>* track = nullptr;
   bool can_turn = true;                    ///< whether the map leaves room to turn right round where the robot is
   std::function<bool()> path_exists = {};  ///< whether the planner finds a path from there; takes milliseconds
+  /// Whether the map, with the live obstacles, leaves room at a pose, or as much as where the robot is; empty if there
+  /// is no map. Valid in this tick only.
+  FitsMap fits_map = {};
 };
 
 struct RecoveryStep {
@@ -43,9 +49,10 @@ struct RecoveryRung {
 };
 
 /// Backs up along the way that the robot has come, for one that is not a disc and may stand where it cannot turn: by
-/// `params.back_up_distance` and until it can turn or there is a path, as far as the scan shows room. The way ends
+/// `params.back_up_distance` and until it can turn or there is a path, as far as scan and map show room. The way ends
 /// where the robot last turned on the spot; from there on, and if no way is known or none lies behind it, it backs up
-/// straight. Pure pursuit (Coulter, CMU-RI-TR-92-01, 1992), backwards.
+/// straight. It ends when it has not moved by 0.1 m for `params.time_allowance`: the way out may be long. Pure pursuit
+/// (Coulter, CMU-RI-TR-92-01, 1992), backwards.
 Recovery backOut(const RecoveryParams& params, const RobotModel& robot);
 
 /// A ladder without motions: it only removes the live obstacles. system/behavior_ladder.h combines this with motions.

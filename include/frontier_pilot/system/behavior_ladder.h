@@ -11,10 +11,10 @@
 /// modules navigation and behavior do not depend on each other, so they are combined here.
 namespace frontier_pilot::system {
 
-/// Looks ahead in the navigator's live scan: a motion is free unless it brings a scan point into `outline`, which is
-/// the robot's with a margin, or deeper into it than one is at the start. A disc may always turn. What `scan_distance`
-/// refers to must outlive the returned function.
-behavior::LookAhead lookAtScan(const navigation::ScanDistance& scan_distance, const Outline& outline);
+/// Looks ahead in the navigator's live scan and in its map: a motion is free unless it brings a scan point into
+/// `outline`, which is the robot's with a margin, or deeper into it than one is at the start, or leads where the robot
+/// does not fit the map. A disc may always turn. What the functions in `in` refer to must outlive the returned one.
+behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outline& outline);
 
 /// The goal, shortened in eighths until it is free, but not below a quarter: a robot that is not a disc may have room
 /// for a part of the motion only, and that may be enough. A disc's goal is unchanged.

@@ -30,13 +30,14 @@ class BackOutTest : public ::testing::Test {
       const RecoveryStep step = recovery(in_, Time(std::chrono::milliseconds(100 * tick)));
       EXPECT_LE(step.command.linear, 0.0);
       if (step.done) return 0.1 * tick;
-      in_.T_map_base = integrate(in_.T_map_base, step.command, 0.1);
+      if (!held_) in_.T_map_base = integrate(in_.T_map_base, step.command, 0.1);
     }
     return 60.0;
   }
 
   RecoveryInputs in_;
   std::deque<Pose2> track_;
+  bool held_ = false;  ///< nothing that is commanded moves it
 };
 
 // [NAV-3]
@@ -87,6 +88,21 @@ TEST_F(BackOutTest, StopsBeforeAnObstacleBehindItAndGivesUp) {
   track_ = {{-2.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}};
   EXPECT_LT(run(), 59.0);
   EXPECT_GT(in_.T_map_base.x - test::shippedRobot("waffle").exactOutline().rear(), -0.5);
+}
+
+// [NAV-3]
+TEST_F(BackOutTest, EndsWhenItsTimeIsOverAlthoughTheWayIsFreeWhereSomethingHoldsTheWheels) {
+  held_ = true;
+  const double took = run();
+  EXPECT_GT(took, RecoveryParams().time_allowance - 0.5);
+  EXPECT_LT(took, RecoveryParams().time_allowance + 0.5);
+}
+
+// [NAV-3] [NAV-4] A wall of glass, or one that the scanner sees over.
+TEST_F(BackOutTest, StopsBeforeAWallThatOnlyTheMapShows) {
+  in_.fits_map = [](const Pose2& T_map_base) { return T_map_base.x > 0.2; };
+  EXPECT_LT(run(), 59.0);
+  EXPECT_GT(in_.T_map_base.x, 0.2);
 }
 
 }  // namespace
