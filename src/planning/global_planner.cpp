@@ -165,12 +165,17 @@ struct GlobalPlanner::Impl {
     const Cell start = map.geometry().cellAt(lane[result.escape]);
     const std::optional<Pose2> from = result.escape > 0 ? std::nullopt : robot;
     result.path = Path();
+    result.postponed = request.quick;
+    const bool has_others = goals.size() > 1 || goals.front() != end.front();
     // To the end of the path for the lane, else to any cell within the tolerance; tight places are the last resort.
     for (const OutlineCheck& check : {outline, outline.inTightPlaces()}) {
+      std::size_t left = request.quick ? 0 : bounds::kMostOrientedStates;
       for (const std::vector<Cell>* to : {&end, &goals}) {
+        if (left == 0 || (to == &goals && !has_others)) continue;
         OrientedSearch oriented(map, check);
-        std::vector<Vec2> points = oriented.search(start, from, *to);
+        std::vector<Vec2> points = oriented.search(start, from, *to, to == &end && has_others ? left / 2 : left);
         result.expanded += oriented.expanded();
+        left -= oriented.expanded();
         if (points.empty()) continue;
         points.insert(points.begin(), lane.begin(), lane.begin() + static_cast<std::ptrdiff_t>(result.escape));
         result.path = Path(points);

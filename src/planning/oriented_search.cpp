@@ -9,7 +9,6 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/grids/cell_search.h"
 
 namespace frontier_pilot::planning {
@@ -99,9 +98,9 @@ class Search {
     }
   }
 
-  /// A state at a goal; nullopt if none is reached within the limit.
-  std::optional<std::uint64_t> run() {
-    while (!open_.empty() && expanded_ < bounds::kMostOrientedStates) {
+  /// A state at a goal; nullopt if none is reached within `most` states.
+  std::optional<std::uint64_t> run(std::size_t most) {
+    while (!open_.empty() && expanded_ < most) {
       const auto [estimate, key] = open_.top();
       open_.pop();
       Node& node = nodes_[key];
@@ -207,14 +206,14 @@ std::vector<Vec2> pulledTaut(const ClearanceMap& map, const OutlineCheck& outlin
 
 }  // namespace
 
-std::vector<Vec2> OrientedSearch::search(Cell start, const std::optional<Pose2>& robot,
-                                         const std::vector<Cell>& goals) {
+std::vector<Vec2> OrientedSearch::search(Cell start, const std::optional<Pose2>& robot, const std::vector<Cell>& goals,
+                                         std::size_t most) {
   // The search begins at the centre of the cell that the robot is in.
   const Vec2 centre = map_.geometry().centre(start);
   const std::optional<Pose2> begin = robot ? std::optional<Pose2>(Pose2(centre, robot->yaw)) : std::nullopt;
   Search search(map_, outline_, OutlineCheck::Leave(outline_, map_, begin), goals);
   search.begin(start, begin);
-  const std::optional<std::uint64_t> end = search.run();
+  const std::optional<std::uint64_t> end = search.run(most);
   expanded_ = search.expanded();
   if (!end) return {};
   std::vector<Vec2> points = pulledTaut(map_, outline_, search.pointsTo(*end), begin);

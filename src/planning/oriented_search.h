@@ -18,9 +18,10 @@ class OrientedSearch {
   OrientedSearch(const ClearanceMap& map, const OutlineCheck& outline) : map_(map), outline_(outline) {}
 
   /// Corners (centres of cells) of a shortened path from `start` to the nearest of `goals`; empty if there is no path,
-  /// or none within the limit on expanded states. `robot` is the robot's pose, in `start`; without it the path may
-  /// begin in any direction.
-  std::vector<Vec2> search(Cell start, const std::optional<Pose2>& robot, const std::vector<Cell>& goals);
+  /// or none within the limit of `most` expanded states. `robot` is the robot's pose, in `start`; without it the path
+  /// may begin in any direction.
+  std::vector<Vec2> search(Cell start, const std::optional<Pose2>& robot, const std::vector<Cell>& goals,
+                           std::size_t most);
   /// Number of states that the last search expanded.
   std::size_t expanded() const { return expanded_; }
 

@@ -65,9 +65,9 @@ constexpr double kMostGoalTolerance = 5.0;
 /// Cells that a plan may end in: those nearest to the goal.
 constexpr std::size_t kMostGoalCells = 10'000;
 
-/// States (position and heading) that a search for a path of a robot that is not a disc expands: about a second of work
-/// for a robot of the size of a TurtleBot; its outline is looked at at each, so that one of 1.6 m x 0.8 m takes several
-/// times that.
+/// States (position and heading) that the search for a path of a robot that is not a disc expands, and again that for
+/// one through tight places: about a second of work for a robot of the size of a TurtleBot; its outline is looked at at
+/// each, so that one of 1.6 m x 0.8 m takes several times that.
 constexpr std::size_t kMostOrientedStates = 200'000;
 
 /// Obstacles in the simulated world, and their radius [m]: each is listed in every 2 m bin that it touches.

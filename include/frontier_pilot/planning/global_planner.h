@@ -48,6 +48,7 @@ struct PlanRequest {
   Vec2 goal = Vec2::Zero();
   double goal_tolerance = -1.0;                    ///< [m]; the parameter's value if negative
   std::optional<double> start_yaw = std::nullopt;  ///< [rad]; of a robot that needs room to turn
+  bool quick = false;  ///< leave out the OrientedSearch, which may take seconds: the wheels turn meanwhile
 };
 
 struct PlanResult {
@@ -55,6 +56,7 @@ struct PlanResult {
   Path path;                 ///< from the start to the goal, or as near to it as was possible; empty unless kFound
   std::size_t escape = 0;    ///< number of first segments that lead out of the inflation and need not be valid
   std::size_t expanded = 0;  ///< number of cells or states that were expanded
+  bool postponed = false;    ///< a quick request that only an OrientedSearch could answer; there is no path
 
   bool found() const { return status == PlanStatus::kFound; }
 };

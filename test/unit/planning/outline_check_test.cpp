@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/planning/global_planner.h"
 #include "support/floors/open_floor.h"
 #include "support/floors/zigzag.h"
@@ -104,6 +105,26 @@ TEST(OutlineChecks, RefuseATurnThatTheOutlineDoesNotFit) {
   EXPECT_TRUE(planner.plan(clearance, {{0.7, 0.7}, {2.0, 0.7}, 0.0, 0.0}).found());
   EXPECT_EQ(planner.plan(clearance, {{0.7, 0.7}, {5.4, 2.8}, 0.0, 0.0}).status, planning::PlanStatus::kStartBlocked)
       << "it might help to back up to where there is more room";
+}
+
+// [NAV-2] A goal at the end of a lane that the robot could only turn into if it were shorter.
+TEST(OutlineChecks, AreSearchedForWithinALimitThatHoldsForTheWholePlan) {
+  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 400, 400}, kFree);
+  for (int y = 300; y < 400; ++y) {
+    for (int x = 0; x < 400; ++x) map[Cell{x, y}] = kOccupied;
+  }
+  for (int y = 290; y < 340; ++y) {
+    for (int x = 200; x < 208; ++x) map[Cell{x, y}] = kFree;
+  }
+  for (int x = 200; x < 260; ++x) {
+    for (int y = 332; y < 340; ++y) map[Cell{x, y}] = kFree;  // round a corner
+  }
+  planning::GlobalPlanner planner({}, planning::OutlineCheck(kWaffle));
+  planning::PlanRequest request{{2.0, 2.0}, {12.0, 16.8}, 0.0, 0.0};
+  const planning::PlanResult result = planner.plan(laneMap(map), request);
+  EXPECT_FALSE(result.found());
+  EXPECT_GT(result.expanded, bounds::kMostOrientedStates) << "otherwise this tests nothing";
+  EXPECT_LT(result.expanded, 2 * bounds::kMostOrientedStates + 200'000) << "with the cells of the path for the lane";
 }
 
 // [NAV-2] A law, on random floors without tight places: what is found can be followed, and nothing is touched.
