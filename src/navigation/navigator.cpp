@@ -79,6 +79,7 @@ void Navigator::Impl::setParameters(const NavigatorParams& params, std::vector<R
 }
 
 NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now) {
+  commands_motion_ = output_.command && !output_.command->isZero();
   output_ = {};
   if (last_update_ && now < *last_update_) {
     poses_.clear();
@@ -89,6 +90,7 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
     waiting_since_.reset();
     blocked_since_.reset();
     refreshed_ = planned_ = now;
+    clearObstacles();  // their times are those of the future now: none would be old for long
     if (goal_) finish(NavResult::kAborted, NavReason::kClockJumped);
   }
   last_update_ = now;

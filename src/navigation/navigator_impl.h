@@ -7,6 +7,7 @@
 #include "frontier_pilot/core/outline.h"
 #include "frontier_pilot/grids/ray_casting.h"
 #include "frontier_pilot/navigation/navigator.h"
+#include "frontier_pilot/navigation/recovery.h"
 #include "frontier_pilot/planning/outline_check.h"
 #include "navigation/driven_track.h"
 #include "navigation/motion_predictor.h"
@@ -50,12 +51,14 @@ class Navigator::Impl {
   void drive(const MotionPredictor::Motion& motion, Time now);
   void turn(const MotionPredictor::Motion& motion, Time now);
   FollowerInputs followerInputs(const MotionPredictor::Motion& motion, Time now) const;
-  planning::PlanRequest requestFrom(const StampedPose2& pose) const;
+  planning::PlanRequest requestTo(const Vec2& place) const;
   void blocked(Time now);
   void recover(NavReason trouble, Time now);
   void continueRecovery(Time now);
   void refreshMap(Time now);
-  bool isAtGoal() const;
+  double distanceToGoal() const;
+  void leaveGoal(Time now);
+  FitsMap fitsMap() const;
   bool obey(const NavigatorInputs& inputs, Time now);
   void driveAside(const Vec2& place, const NavigatorInputs& inputs, Time now);
   bool planAside(const Vec2& place, Time now);
@@ -86,8 +89,9 @@ class Navigator::Impl {
 
   std::optional<NavGoal> goal_;
   bool has_path_ = false;
-  bool goal_is_moved_ = false;  ///< the path ends farther from the goal than goal_tolerance
-  bool arrived_ = false;        ///< at the position; only the yaw is left
+  bool commands_motion_ = false;  ///< the last command was not zero: the wheels turn until the next one
+  bool goal_is_moved_ = false;    ///< the path ends farther from the goal than goal_tolerance
+  bool arrived_ = false;          ///< at the position; only the yaw is left
   std::size_t escape_ = 0;
   Time planned_;
   std::optional<Time> blocked_since_;

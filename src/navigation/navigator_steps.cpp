@@ -36,15 +36,19 @@ NavReason reasonOf(planning::PlanStatus status) {
 /// between similar paths.
 constexpr double kWorthwhileShare = 0.1;
 constexpr double kWorthwhile = 0.2;
+/// A robot that only had to turn has left its goal at this many times the tolerance: within it, it may drift.
+constexpr double kLeftGoal = 2.0;
+constexpr double kRecoverySlack = 0.02;  ///< a recovery may come this much nearer to what the map shows than a path [m]
 
 }  // namespace
 
 void Navigator::Impl::pursueGoal(const NavigatorInputs& inputs, Time now) {
   refreshMap(now);
   if (recovery_) return continueRecovery(now);
+  if (arrived_ && distanceToGoal() > kLeftGoal * params_.goal_tolerance) leaveGoal(now);
   if (!ensurePath(now)) return;
   const MotionPredictor::Motion motion = predictor_.predict(*pose_, inputs.twist, now);
-  if (arrived_ || isAtGoal()) return turn(motion, now);
+  if (arrived_ || distanceToGoal() <= params_.goal_tolerance) return turn(motion, now);
   lookForBetter(now);
   drive(motion, now);
 }
@@ -65,9 +69,13 @@ void Navigator::Impl::refreshMap(Time now) {
 bool Navigator::Impl::ensurePath(Time now) { return has_path_ || replan(now); }
 
 bool Navigator::Impl::replan(Time now) {
-  planning::PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
+  planning::PlanResult result = planner_.plan(clearance_, requestTo(goal_->T_map_goal.position()));
   if (result.found()) return usePath(std::move(result), now);
   output_.plan_changed = true;
+  if (result.postponed) {  // it brakes first, and plans in the next cycle
+    command({}, NavState::kDriving, NavReason::kDriving);
+    return false;
+  }
   const bool may_help = !obstacles_.empty() || result.status == planning::PlanStatus::kStartBlocked;
   if (may_help) {
     recover(reasonOf(result.status), now);
@@ -77,8 +85,9 @@ bool Navigator::Impl::replan(Time now) {
   return false;
 }
 
-planning::PlanRequest Navigator::Impl::requestFrom(const StampedPose2& pose) const {
-  return {pose.pose.position(), goal_->T_map_goal.position(), -1.0, pose.pose.yaw};
+/// While the wheels turn a plan has to be quick: they go on turning until it is there.
+planning::PlanRequest Navigator::Impl::requestTo(const Vec2& place) const {
+  return {pose_->pose.position(), place, -1.0, pose_->pose.yaw, commands_motion_};
 }
 
 bool Navigator::Impl::usePath(planning::PlanResult result, Time now) {
@@ -96,23 +105,35 @@ bool Navigator::Impl::usePath(planning::PlanResult result, Time now) {
 void Navigator::Impl::lookForBetter(Time now) {
   if (toSeconds(now - planned_) < params_.replan_period) return;
   planned_ = now;
-  planning::PlanResult result = planner_.plan(clearance_, requestFrom(*pose_));
+  planning::PlanResult result = planner_.plan(clearance_, requestTo(goal_->T_map_goal.position()));
   const double left = follower_.remaining();
   if (result.found() && result.path.length() < (1.0 - kWorthwhileShare) * left - kWorthwhile) {
     usePath(std::move(result), now);
   }
 }
 
-bool Navigator::Impl::isAtGoal() const {
+double Navigator::Impl::distanceToGoal() const {
   const Vec2 target = goal_is_moved_ ? follower_.path().goal() : goal_->T_map_goal.position();
-  return (pose_->pose.position() - target).norm() <= params_.goal_tolerance;
+  return (pose_->pose.position() - target).norm();
+}
+
+/// Something has moved the robot, or its pose was corrected: it has to drive there again.
+void Navigator::Impl::leaveGoal(Time now) {
+  arrived_ = has_path_ = false;
+  blocked_since_.reset();
+  watchdog_.restart(now, pose_->pose.position());
 }
 
 void Navigator::Impl::turn(const MotionPredictor::Motion& motion, Time now) {
+  if (!arrived_) watchdog_.restart(now, pose_->pose.position());
   arrived_ = true;
   const double left = angleDifference(goal_->T_map_goal.yaw, motion.T_map_base.yaw);
   if (!goal_->use_yaw || std::abs(left) <= params_.yaw_tolerance)
     return finish(NavResult::kSucceeded, NavReason::kReached);
+  // What is left is an angle here. A turn stays in its place, which is no oscillation.
+  if (watchdog_.update(now, pose_->pose.position(), std::abs(left)) == ProgressWatchdog::Verdict::kNoProgress) {
+    return recover(NavReason::kBlocked, now);
+  }
   const FollowerOutput step = follower_.turn(left, followerInputs(motion, now));
   if (step.blocked) return blocked(now);
   blocked_since_.reset();
@@ -145,7 +166,7 @@ void Navigator::Impl::recover(NavReason trouble, Time now) {
   if (rung_ >= ladder_.size()) return finish(NavResult::kAborted, trouble);
   const RecoveryRung& rung = ladder_[rung_++];
   trouble_ = trouble;
-  has_path_ = false;
+  has_path_ = arrived_ = false;
   blocked_since_.reset();
   watchdog_.restart(now, pose_->pose.position());
   if (rung.clears_obstacles) clearObstacles();
@@ -154,13 +175,32 @@ void Navigator::Impl::recover(NavReason trouble, Time now) {
   output_.recovery = rung.name;
 }
 
+/// For the lane and, of a robot that is no disc, the corners. Where the robot is nearer to something than a path may
+/// come, it may stay as near, so that it gets away.
+FitsMap Navigator::Impl::fitsMap() const {
+  const Pose2& robot = pose_->pose;
+  const double least =
+      std::min(clearance_.requiredClearance(), clearance_.clearance(robot.position())) - kRecoverySlack;
+  const planning::OutlineCheck corners(outline_);
+  const planning::OutlineCheck::Leave leave(corners, clearance_, robot);
+  return [this, least, corners, leave](const Pose2& pose) {
+    const double slack = std::max(kRecoverySlack, leave.slackAt(pose.position()));
+    return clearance_.clearance(pose.position()) >= least && corners.fits(clearance_, pose, slack);
+  };
+}
+
 void Navigator::Impl::continueRecovery(Time now) {
   const ScanDistance scan_distance = [this](const Outline& outline, const Pose2& T_map_base) {
     return scan_.distance(outline, T_map_base);
   };
   const bool can_turn = outline_on_map_.canTurnRound(clearance_, pose_->pose.position());
-  const auto path_exists = [this] { return planner_.plan(clearance_, requestFrom(*pose_)).found(); };
-  const RecoveryStep step = recovery_({pose_->pose, scan_distance, &track_.poses(), can_turn, path_exists}, now);
+  const auto path_exists = [this] {
+    planning::PlanRequest request = requestTo(goal_->T_map_goal.position());
+    request.quick = false;  // it creeps
+    return planner_.plan(clearance_, request).found();
+  };
+  const RecoveryStep step =
+      recovery_({pose_->pose, scan_distance, &track_.poses(), can_turn, path_exists, fitsMap()}, now);
   command(step.command, NavState::kRecovering, trouble_);
   output_.recovery = ladder_[rung_ - 1].name;
   if (!step.done) return;

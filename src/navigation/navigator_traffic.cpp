@@ -64,7 +64,11 @@ void Navigator::Impl::driveAside(const Vec2& place, const NavigatorInputs& input
 bool Navigator::Impl::planAside(const Vec2& place, Time now) {
   if (toSeconds(now - planned_) < kPlanPeriod) return !aside_failed_;
   planned_ = now;
-  planning::PlanResult result = planner_.plan(clearance_, {pose_->pose.position(), place, -1.0, pose_->pose.yaw});
+  planning::PlanResult result = planner_.plan(clearance_, requestTo(place));
+  if (result.postponed) {  // it brakes first, and plans in the next cycle
+    planned_ = now - fromSeconds(kPlanPeriod);
+    return true;
+  }
   if (!result.found()) return false;
   escape_ = result.escape;
   follower_.setPath(std::move(result.path));

@@ -48,7 +48,7 @@ class DrivenRobot {
     inputs.map_alive = has_map;
     inputs.twist = simulator_.velocity(0);
     output_ = navigator_.update(inputs, simulator_.now());
-    if (output_.command) simulator_.setCommand(0, *output_.command);
+    if (output_.command) simulator_.setCommand(0, held ? Twist2{} : *output_.command);
     if (!output_.recovery.empty()) recoveries.insert(output_.recovery);
     for (const navigation::NavFinished& finished : output_.finished) finished_ = finished;
     return output_;
@@ -78,6 +78,7 @@ class DrivenRobot {
   Duration pose_ahead{};  ///< how far the stamps of the poses are ahead of the clock
   bool has_scan = true;
   bool has_map = true;
+  bool held = false;                 ///< the wheels do not turn, whatever the navigator commands
   bool is_blind = false;             ///< the scanner reports no return from any direction
   std::set<std::string> recoveries;  ///< all that the navigator has reported
 

@@ -80,5 +80,23 @@ TEST(OutlineNavigation, BacksOutOfADeadEndAlongTheWayThatItCame) {
   }
 }
 
+// [NAV-1] The search for a path that leaves room to turn may take long, and the base does what it was told last.
+TEST(OutlineNavigation, BrakesBeforeASearchThatMayTakeLong_NAV_1) {
+  test::DrivenRobot robot(test::zigzag(10), {0.8, 0.75, 0.0}, forWaffle());
+  robot.send({2.2, 0.75});
+  robot.run(2.0);
+  ASSERT_GT(robot.speed(), 0.1);
+  robot.send({5.4, 2.75}, 2);
+  EXPECT_EQ(robot.tick().command, Twist2{});
+  EXPECT_TRUE(robot.navigator().hasGoal());
+  EXPECT_TRUE(robot.navigator().wayAhead().empty()) << "it has not planned yet";
+  robot.tick();
+  EXPECT_FALSE(robot.navigator().wayAhead().empty());
+  const auto finished = robot.runUntilFinished(120.0);
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->result, navigation::NavResult::kSucceeded) << toString(finished->reason);
+  EXPECT_EQ(robot.contacts(), 0);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -1,0 +1,154 @@
+// What happens at the position of a goal, where only its direction is left.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "support/floors/driven_robot.h"
+#include "support/floors/zigzag.h"
+#include "support/shipped_robot.h"
+
+namespace frontier_pilot {
+namespace {
+
+using navigation::NavReason;
+using navigation::NavResult;
+using navigation::NavState;
+using test::DrivenRobot;
+
+/// A room of 6 m x 3 m.
+OccupancyGrid room() {
+  OccupancyGrid map(GridGeometry{0.05, Vec2::Zero(), 124, 64}, kOccupied);
+  for (int y = 2; y < 62; ++y) {
+    for (int x = 2; x < 122; ++x) map[Cell{x, y}] = kFree;
+  }
+  return map;
+}
+
+const Pose2 kGoal(2.0, 1.5, 3.0);
+
+/// A robot that has arrived at the position of kGoal and turns there.
+DrivenRobot turningRobot() {
+  DrivenRobot robot(room(), {1.5, 1.5, 0.0});
+  robot.sendPose(kGoal, true);
+  for (int i = 0; i < 400 && robot.output().state != NavState::kTurning; ++i) robot.tick();
+  EXPECT_EQ(robot.output().state, NavState::kTurning);
+  return robot;
+}
+
+double distanceFromGoal(const DrivenRobot& robot) { return (robot.pose().position() - kGoal.position()).norm(); }
+
+// [NAV-1] The avoider may hold it, its navigation be switched off, or a wheel be jammed.
+TEST(Arrival, ATurnThatDoesNotGetOnEndsTheGoalAsBlocked_NAV_1) {
+  DrivenRobot robot = turningRobot();
+  robot.held = true;
+  const auto finished = robot.runUntilFinished(120.0);
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->result, NavResult::kAborted);
+  EXPECT_STREQ(toString(finished->reason), toString(NavReason::kBlocked));
+}
+
+// [NAV-1]
+TEST(Arrival, ATurnGoesOnWhenTheWheelsAreFreeAgain_NAV_1) {
+  DrivenRobot robot = turningRobot();
+  robot.held = true;
+  robot.run(12.0);
+  robot.held = false;
+  const auto finished = robot.runUntilFinished(60.0);
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->result, NavResult::kSucceeded);
+}
+
+// [NAV-1] A robot that is slow to turn gets on all the same.
+TEST(Arrival, ASlowTurnIsNoBlockedOne_NAV_1) {
+  navigation::NavigatorParams params;
+  params.robot.limits.max_angular = 0.05;
+  DrivenRobot robot(room(), {2.0, 1.5, 0.0}, params);
+  robot.sendPose(kGoal, true);
+  const auto finished = robot.runUntilFinished(90.0);
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->result, NavResult::kSucceeded);
+}
+
+// [NAV-1] By a source of higher priority, or because a closed loop has corrected the map.
+TEST(Arrival, ARobotThatIsMovedAwayWhileItTurnsDrivesBackToItsGoal_NAV_1) {
+  DrivenRobot robot = turningRobot();
+  ASSERT_EQ(robot.simulator().setPose("", {3.0, 1.5, robot.pose().yaw}), sim::Placement::kDone);
+  const auto finished = robot.runUntilFinished(60.0);
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->result, NavResult::kSucceeded);
+  EXPECT_LT(distanceFromGoal(robot), navigation::NavigatorParams().goal_tolerance + 0.01);
+}
+
+// [NAV-1] [NAV-3] It could turn a little way behind the goal, but that is not the goal.
+TEST(Arrival, ARobotThatHasBackedAwayFromItsGoalHasNotReachedIt_NAV_1_NAV_3) {
+  navigation::NavigatorParams params;
+  params.robot = test::shippedRobot("waffle");
+  OccupancyGrid map = room();
+  for (int y = 2; y < 62; ++y) {
+    for (int x = 36; x < 122; ++x) {
+      if (y < 27 || y >= 36) map[Cell{x, y}] = kOccupied;  // a corridor of 0.45 m begins at x = 1.8
+    }
+  }
+  for (const double x : {1.7, 1.74, 1.78, 1.82, 1.86, 1.9}) {
+    DrivenRobot robot(map, {1.0, 1.575, 0.0}, params);
+    const Vec2 goal(x, 1.575);
+    robot.sendPose({goal, 0.5 * kPi}, true);
+    const auto finished = robot.runUntilFinished(180.0);
+    ASSERT_TRUE(finished) << x;
+    EXPECT_EQ(robot.contacts(), 0) << x;
+    if (finished->result != NavResult::kSucceeded) continue;
+    EXPECT_LT((robot.pose().position() - goal).norm(), params.goal_tolerance + 0.01) << x;
+  }
+}
+
+/// The room with a wall in column `x`, with a door of 0.5 m in it or without.
+void drawWall(OccupancyGrid& map, int x, bool has_door) {
+  for (int y = 2; y < 62; ++y) map[Cell{x, y}] = has_door && y >= 26 && y < 36 ? kFree : kOccupied;
+}
+
+// [NAV-3] [NAV-4] The door ahead is shut, and the scanner does not see the wall behind the robot.
+TEST(Recoveries, DoNotBackIntoAWallThatOnlyTheMapShows_NAV_3_NAV_4) {
+  for (const bool disc : {true, false}) {
+    navigation::NavigatorParams params;
+    if (!disc) params.robot = test::shippedRobot("waffle");
+    const Outline outline = params.robot.drivenOutline();
+    const double rear = disc ? outline.circumscribedRadius() : -outline.rear();
+    OccupancyGrid world = room(), map = room();
+    drawWall(world, 64, false);
+    drawWall(map, 64, true);
+    drawWall(map, 45, false);  // its surface is at x = 2.3
+    DrivenRobot robot(world, {2.4 + rear, 1.55, 0.0}, params);
+    robot.navigator().setMap(map, map.geometry().rect());
+    robot.send({5.0, 1.55});
+    double least = robot.pose().x;
+    std::optional<navigation::NavFinished> finished;
+    for (int i = 0; i < 6000 && !finished; ++i) {
+      finished = robot.runUntilFinished(0.05);
+      least = std::min(least, robot.pose().x);
+    }
+    EXPECT_TRUE(finished) << disc;
+    EXPECT_EQ(robot.recoveries.count("backing up"), 1U) << disc;
+    EXPECT_GT(least - rear, 2.3) << disc;
+    EXPECT_EQ(robot.contacts(), 0) << disc;
+  }
+}
+
+// [FLT-1]
+TEST(Recoveries, NoMarkOutlivesAClockThatIsSetBack_FLT_1) {
+  DrivenRobot robot(room(), {1.5, 1.5, 0.0});
+  const Vec2 place(2.3, 1.5);
+  ASSERT_EQ(robot.simulator().spawnObstacle("crate", {place, 0.0}, 0.2), sim::Placement::kDone);
+  robot.run(1.0);
+  const auto marked = [&] {
+    const planning::ClearanceMap& map = robot.navigator().clearanceMap();
+    return map.isOccupied(map.geometry().cellAt(place - Vec2(0.2, 0.0)));
+  };
+  ASSERT_TRUE(marked());
+  robot.navigator().update({}, robot.simulator().now() - std::chrono::seconds(1));
+  EXPECT_FALSE(marked());
+}
+
+}  // namespace
+}  // namespace frontier_pilot
