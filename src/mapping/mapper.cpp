@@ -249,8 +249,7 @@ void Mapper::Impl::replace(std::unique_ptr<slam::PoseCorrection> corrector) {
 
 void Mapper::Impl::forgetEarlierPoses() {
   inserter.forgetLoneReturns();
-  working = abandoned = false;
-  overgrown = false;
+  working = abandoned = overgrown = false;
   out_of_bounds = 0;
   meanwhile.clear();
 }
