@@ -156,6 +156,7 @@ void Navigator::Impl::finish(NavResult result, NavReason reason) {
   goal_.reset();
   has_path_ = false;
   arrived_ = false;
+  departures_ = 0;
   recovery_ = nullptr;
   rung_ = 0;
   blocked_since_.reset();

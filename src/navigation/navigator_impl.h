@@ -92,6 +92,7 @@ class Navigator::Impl {
   bool commands_motion_ = false;  ///< the last command was not zero: the wheels turn until the next one
   bool goal_is_moved_ = false;    ///< the path ends farther from the goal than goal_tolerance
   bool arrived_ = false;          ///< at the position; only the yaw is left
+  int departures_ = 0;            ///< how often the robot was moved away from the goal after it had arrived
   std::size_t escape_ = 0;
   Time planned_;
   std::optional<Time> blocked_since_;

@@ -38,6 +38,7 @@ constexpr double kWorthwhileShare = 0.1;
 constexpr double kWorthwhile = 0.2;
 /// A robot that only had to turn has left its goal at this many times the tolerance: within it, it may drift.
 constexpr double kLeftGoal = 2.0;
+constexpr int kMostDepartures = 5;       // of a robot that slips away each time that it turns at its goal
 constexpr double kRecoverySlack = 0.02;  ///< a recovery may come this much nearer to what the map shows than a path [m]
 
 }  // namespace
@@ -46,6 +47,7 @@ void Navigator::Impl::pursueGoal(const NavigatorInputs& inputs, Time now) {
   refreshMap(now);
   if (recovery_) return continueRecovery(now);
   if (arrived_ && distanceToGoal() > kLeftGoal * params_.goal_tolerance) leaveGoal(now);
+  if (departures_ > kMostDepartures) return finish(NavResult::kAborted, NavReason::kBlocked);
   if (!ensurePath(now)) return;
   const MotionPredictor::Motion motion = predictor_.predict(*pose_, inputs.twist, now);
   if (arrived_ || distanceToGoal() <= params_.goal_tolerance) return turn(motion, now);
@@ -119,6 +121,7 @@ double Navigator::Impl::distanceToGoal() const {
 
 /// Something has moved the robot, or its pose was corrected: it has to drive there again.
 void Navigator::Impl::leaveGoal(Time now) {
+  ++departures_;
   arrived_ = has_path_ = false;
   blocked_since_.reset();
   watchdog_.restart(now, pose_->pose.position());

@@ -173,7 +173,7 @@ struct GlobalPlanner::Impl {
       for (const std::vector<Cell>* to : {&end, &goals}) {
         if (left == 0 || (to == &goals && !has_others)) continue;
         OrientedSearch oriented(map, check);
-        std::vector<Vec2> points = oriented.search(start, from, *to, to == &end && has_others ? left / 2 : left);
+        std::vector<Vec2> points = oriented.search(start, from, *to, to == &end && has_others ? left - left / 4 : left);
         result.expanded += oriented.expanded();
         left -= oriented.expanded();
         if (points.empty()) continue;

@@ -48,7 +48,7 @@ class MapperResume(MapperCase):
                                                           os.path.exists(newest_map())), 20.0))
         self.drive()  # meanwhile the save ends
         self.jump = JUMP
-        self.assertTrue(wait_for(lambda: self.say_where() and self.has_jumped(), 3.0), self.corrections()[-1:])
+        self.assertTrue(wait_for(lambda: self.say_where() and self.has_jumped(), 10.0), self.corrections()[-1:])
         self.kill(mapper)
         self.start()
         rospy.wait_for_service('mapper/reset', 15.0)

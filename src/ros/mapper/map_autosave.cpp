@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 constexpr Duration kMadeAnew = std::chrono::minutes(1);
 
 /// Returns why it could not be saved; empty if it was.
-std::string save(const map_files::MapSnapshot& map, const std::string& pose, const SessionMemory& memory) {
+std::string save(const map_files::MapSnapshot& map, const std::string& pose, const SessionMemory& memory,
+                 const std::atomic<bool>& wanted) {
   if (memory.files().empty()) return "the ROS session has no name";
   const fs::path base = memory.files().front();
   std::error_code error;
@@ -30,6 +31,7 @@ std::string save(const map_files::MapSnapshot& map, const std::string& pose, con
   const map_files::MapIoResult result = map_files::saveMap(map, base.string(), Survives::kProcessDeath);
   if (!result.ok()) return result.text;
   kept_map::removeOldest(base);
+  if (!wanted) return {};  // a pose would have the next mapper continue with it
   return memory.remember(pose);
 }
 
@@ -106,33 +108,37 @@ std::string MapAutosave::keptBefore() const {
   return {};
 }
 
-void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver) {
+void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, MapContent has, MapSaver& saver) {
   const SteadyTime now = steadyNow();
+  const std::uint64_t content = has.scans + has.rendered;
   noteMapping(content, now);
-  remember(T_map_odom);  // also renews the time stamp, by which a mapper in another session recognises it
+  remember(T_map_odom, has.rendered);  // also renews the time stamp, by which a mapper in another session recognises it
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
   saver.run([snapshot = map_files::takeSnapshot(map), pose = toText({T_map_odom, map_file_}), memory = memory_,
-             wanted = wanted_, done = done_] {
+             wanted = wanted_, done = done_, rendered = has.rendered] {
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
-      std::string why = *wanted ? frontier_pilot::save(snapshot, pose, memory) : std::string();
+      std::string why = *wanted ? frontier_pilot::save(snapshot, pose, memory, *wanted) : std::string();
       if (!*wanted) discard(memory);
       return why;
     });
     const SteadyTime at = steadyNow();
-    done->put({std::move(problem), at, at - begun});
+    done->put({std::move(problem), at, at - begun, rendered});
   });
   schedule_.begin(content, now);
 }
 
-void MapAutosave::remember(const Pose2& T_map_odom) {
+void MapAutosave::remember(const Pose2& T_map_odom, std::uint64_t rendered) {
   if (auto done = done_->take()) {
     problem_ = std::move(done->problem);
     schedule_.end(problem_.empty(), done->at, done->took);
+    if (problem_.empty()) rendered_ = done->rendered;
   }
-  // Without a map the pose would be that of a map that was lost.
-  pose_problem_ = schedule_.hasCopy() ? memory_.remember(toText({T_map_odom, map_file_})) : std::string();
+  // Without a map the pose would be that of a map that was lost, and on one of before a closed loop the robot is
+  // elsewhere.
+  pose_problem_ =
+      schedule_.hasCopy() && rendered == rendered_ ? memory_.remember(toText({T_map_odom, map_file_})) : std::string();
 }
 
 void MapAutosave::noteMapping(std::uint64_t content, SteadyTime now) {

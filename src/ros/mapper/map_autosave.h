@@ -20,6 +20,12 @@
 
 namespace frontier_pilot {
 
+/// How far a map has come.
+struct MapContent {
+  std::uint64_t scans;     ///< that were inserted
+  std::uint64_t rendered;  ///< how often it was rendered again, after which the robot is elsewhere on it
+};
+
 /// Keeps a copy of the map for a mapper that is restarted in the same ROS session after it died: the map is saved
 /// periodically under ROS_HOME, with the transform `map -> odom`, and removed when the mapper is shut down regularly.
 /// At most three maps of earlier sessions are kept. [FLT-2]
@@ -37,12 +43,12 @@ class MapAutosave {
   /// Reads the map of a mapper that died and returns its T_map_odom; nothing if there is none. Throws
   /// std::runtime_error with the reason if there is one that cannot be read.
   std::optional<Pose2> restore(occupancy::OccupancyMap& map) const;
-  /// Saves `map` on the thread of `saver`. A map is not saved if it has not changed (`content` counts its changes),
+  /// Saves `map` on the thread of `saver`. A map is not saved if it has not changed (`has` counts its changes),
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
   /// the time (SaveSchedule); the pose is kept each time.
-  void save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, std::uint64_t content, MapSaver& saver);
-  /// Keeps `T_map_odom` beside the copy that there is, without saving the map.
-  void remember(const Pose2& T_map_odom);
+  void save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, MapContent has, MapSaver& saver);
+  /// Keeps `T_map_odom` beside the copy that there is, without saving the map, unless the map was rendered again since.
+  void remember(const Pose2& T_map_odom, std::uint64_t rendered);
   /// Removes the copy, because the map was reset, another one was loaded, or the mapper is shut down regularly. The
   /// next map is saved whatever its `content`, and as soon as it can be.
   void forget();
@@ -64,6 +70,7 @@ class MapAutosave {
     std::string problem;
     SteadyTime at;
     Duration took;
+    std::uint64_t rendered;
   };
 
   /// The base name of the copy's files; nothing if there is none.
@@ -78,6 +85,7 @@ class MapAutosave {
   std::shared_ptr<std::atomic<bool>> wanted_;  ///< false once the copy being saved is obsolete
   std::shared_ptr<Mailbox<Saved>> done_;
   SaveSchedule schedule_;
+  std::uint64_t rendered_ = 0;               ///< how often the map of the copy had been rendered again
   std::string problem_, pose_problem_;       ///< why the last map, and the last pose, could not be saved
   std::string loss_;                         ///< why the map of the mapper that died is lost
   std::optional<SteadyTime> mapping_since_;  ///< when the first scan came into the new map

@@ -92,7 +92,7 @@ void MapperAdapter::sayWhereLocalised(mapping::ScanVerdict verdict, const Pose2&
   if (verdict == ScanVerdict::kNotLocated) looked_for_ = true;
   const bool fits = verdict == ScanVerdict::kInserted || verdict == ScanVerdict::kLocalized;
   if (!fits || !std::exchange(looked_for_, false)) return;
-  autosave_.remember(T_map_odom());
+  autosave_.remember(T_map_odom(), mapper_.revisions().rendered);
   THROTTLED_INFO("localised: the robot is at " << std::fixed << std::setprecision(2) << T_map_base.x << ", "
                                                << T_map_base.y << ", " << std::setprecision(0)
                                                << T_map_base.yaw * 180.0 / kPi << " deg on the map");

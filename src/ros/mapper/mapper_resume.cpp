@@ -49,7 +49,7 @@ void MapperAdapter::autosave() {
   if (const auto session = session_.take()) autosave_.enter(*session);
   if (restored_) return;  // the copy that is there is worth more than what the mapper has until it continues with it
   const std::string before = autosave_.problem();
-  const std::uint64_t content = mapper_.counts()[mapping::ScanVerdict::kInserted] + mapper_.revisions().rendered;
+  const MapContent content{mapper_.counts()[mapping::ScanVerdict::kInserted], mapper_.revisions().rendered};
   autosave_.save(mapper_.map(), T_map_odom(), content, saver_);
   if (autosave_.problem().empty() || autosave_.problem() == before) return;
   THROTTLED_WARN("the map would not survive this node: " << autosave_.problem());

@@ -81,6 +81,18 @@ TEST(Arrival, ARobotThatIsMovedAwayWhileItTurnsDrivesBackToItsGoal_NAV_1) {
   EXPECT_LT(distanceFromGoal(robot), navigation::NavigatorParams().goal_tolerance + 0.01);
 }
 
+// [NAV-1] On a floor where it slips, or with a pose that jumps to and fro.
+TEST(Arrival, ARobotThatIsMovedAwayEachTimeGivesUpAtLast_NAV_1) {
+  DrivenRobot robot = turningRobot();
+  std::optional<navigation::NavFinished> finished;
+  for (int i = 0; i < 4000 && !finished; ++i) {
+    if (robot.output().state == NavState::kTurning) robot.simulator().setPose("", {2.5, 1.5, 0.0});
+    finished = robot.runUntilFinished(0.05);
+  }
+  ASSERT_TRUE(finished);
+  EXPECT_STREQ(toString(finished->reason), toString(NavReason::kBlocked));
+}
+
 // [NAV-1] [NAV-3] It could turn a little way behind the goal, but that is not the goal.
 TEST(Arrival, ARobotThatHasBackedAwayFromItsGoalHasNotReachedIt_NAV_1_NAV_3) {
   navigation::NavigatorParams params;

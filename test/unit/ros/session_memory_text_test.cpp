@@ -73,5 +73,22 @@ TEST_F(SessionMemoryText, StaysInItsSessionAsLongAsNoOtherHasAName_ARB_7_FLT_2) 
   EXPECT_EQ(unnamed.remember("called by /them"), "");
 }
 
+// [FLT-2] The file that the dead process has left is then this one's own.
+TEST_F(SessionMemoryText, OfANodeThatHadNoSessionAtFirstIsNotTakenForThatOfItsPredecessor_FLT_2) {
+  const auto ofNode = [this](const std::vector<std::string>& sessions) {
+    return SessionMemory(temporary.path(), sessions, "kept", "/me", SessionMemory::Owner::kNode);
+  };
+  const pid_t first = fork();
+  if (first == 0) {
+    ofNode({"session"}).remember("of the first");
+    _exit(0);
+  }
+  waitpid(first, nullptr, 0);
+  SessionMemory second = ofNode({});
+  second.enter({"session"});
+  EXPECT_EQ(second.remember("of the second"), "");
+  EXPECT_EQ(ofNode({"session"}).recall().value_or("nothing"), "of the second");
+}
+
 }  // namespace
 }  // namespace frontier_pilot

@@ -203,6 +203,8 @@ bool SessionMemory::enter(const std::vector<std::string>& sessions) {
   if (now == before) return false;
   const auto stays = [&now](const fs::path& file) { return std::find(now.begin(), now.end(), file) != now.end(); };
   if (!before.empty()) elsewhere_.clear();
+  // One that was in no session until now may have found the file of its predecessor in this one.
+  elsewhere_.erase(std::remove_if(elsewhere_.begin(), elsewhere_.end(), stays), elsewhere_.end());
   std::remove_copy_if(before.begin(), before.end(), std::back_inserter(elsewhere_), stays);
   return true;
 }
