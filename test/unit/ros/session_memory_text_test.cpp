@@ -19,22 +19,23 @@ class SessionMemoryText : public ::testing::Test {
   SessionMemory memory(const std::vector<std::string>& sessions) const {
     return {temporary.path(), sessions, "stopped", "/emergency_stop", SessionMemory::Owner::kService};
   }
+  /// Whether `work` says in a process of its own, which is a child of this one and then gone, that it has succeeded.
+  template <typename Work>
+  static bool inAChild(const Work& work) {
+    const pid_t child = fork();
+    if (child == 0) _exit(work() ? 0 : 1);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
   /// What a child of this process finds in a new session of what another child, which is gone then, has remembered.
   std::string foundByTheNextOf(const std::string& text) const {
-    const auto inAChild = [](const auto& work) {
-      const pid_t child = fork();
-      if (child == 0) {
-        work();
-        _exit(0);
-      }
-      waitpid(child, nullptr, 0);
-    };
-    inAChild([&] { memory({"session"}).remember(text); });
+    inAChild([&] { return memory({"session"}).remember(text).empty(); });
     int found[2];
     EXPECT_EQ(pipe(found), 0);
     inAChild([&] {
       const std::string recalled = memory({"new"}).recall().value_or("nothing");
-      EXPECT_EQ(write(found[1], recalled.data(), recalled.size()), static_cast<ssize_t>(recalled.size()));
+      return write(found[1], recalled.data(), recalled.size()) == static_cast<ssize_t>(recalled.size());
     });
     close(found[1]);
     std::string recalled(4096, ' ');
@@ -78,16 +79,12 @@ TEST_F(SessionMemoryText, OfANodeThatHadNoSessionAtFirstIsNotTakenForThatOfItsPr
   const auto ofNode = [this](const std::vector<std::string>& sessions) {
     return SessionMemory(temporary.path(), sessions, "kept", "/me", SessionMemory::Owner::kNode);
   };
-  const pid_t first = fork();
-  if (first == 0) {
-    ofNode({"session"}).remember("of the first");
-    _exit(0);
-  }
-  waitpid(first, nullptr, 0);
-  SessionMemory second = ofNode({});
-  second.enter({"session"});
-  EXPECT_EQ(second.remember("of the second"), "");
-  EXPECT_EQ(ofNode({"session"}).recall().value_or("nothing"), "of the second");
+  EXPECT_TRUE(inAChild([&] { return ofNode({"session"}).remember("of the first").empty(); }));
+  EXPECT_TRUE(inAChild([&] {
+    SessionMemory second = ofNode({});
+    second.enter({"session"});
+    return second.remember("of the second").empty() && second.recall() == "of the second";
+  }));
 }
 
 }  // namespace

@@ -169,8 +169,7 @@ SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& 
     for (const auto& session : fs::directory_iterator(root / "frontier_pilot", error)) {
       if (isSessionOf(session.path(), own())) continue;
       if (kind_ == Owner::kLastingNode) removeOld(session.path());
-      // One that is not empty stays.
-      if (timeOf(session.path()) < g_process_began - kLongAgo) rmdir(session.path().c_str());
+      if (timeOf(session.path()) < g_process_began - kLongAgo) rmdir(session.path().c_str());  // if empty
       append(elsewhere, kind_ == Owner::kService ? ofProcesses(session.path(), name_)
                                                  : std::vector<fs::path>{session.path() / name_});
     }
@@ -203,8 +202,7 @@ bool SessionMemory::enter(const std::vector<std::string>& sessions) {
   if (now == before) return false;
   const auto stays = [&now](const fs::path& file) { return std::find(now.begin(), now.end(), file) != now.end(); };
   if (!before.empty()) elsewhere_.clear();
-  // One that was in no session until now may have found the file of its predecessor in this one.
-  elsewhere_.erase(std::remove_if(elsewhere_.begin(), elsewhere_.end(), stays), elsewhere_.end());
+  elsewhere_.erase(std::remove_if(elsewhere_.begin(), elsewhere_.end(), stays), elsewhere_.end());  // its own now
   std::remove_copy_if(before.begin(), before.end(), std::back_inserter(elsewhere_), stays);
   return true;
 }
