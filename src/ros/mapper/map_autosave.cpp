@@ -83,7 +83,7 @@ std::optional<std::string> MapAutosave::otherMapFile() const {
 
 std::string MapAutosave::putAside() {
   const std::optional<fs::path> base = find();
-  const std::string lost = base ? kept_map::setAside(*base) : std::string();
+  std::string lost = base ? kept_map::setAside(*base) : std::string();
   if (!lost.empty()) memory_.forget();
   return lost;
 }

@@ -46,7 +46,7 @@ bool unregister(const char* method, const NodesByName& registered, const std::st
 /// Takes back the registrations of a node with this one's name that was killed. Otherwise the master would ask whatever
 /// process listens at its address now to shut down, and that may be another node.
 void unregisterTheDead(const std::string& self) {
-  const std::string uri = uriOf(self);
+  std::string uri = uriOf(self);
   if (uri.empty()) return;
   const std::optional<MasterState> state = askMaster();
   if (!state) return;
