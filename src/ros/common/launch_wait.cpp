@@ -8,8 +8,9 @@
 #include <iterator>
 #include <set>
 #include <string>
-#include <system_error>
 #include <thread>
+
+#include "ros/common/memory/disk.h"
 
 namespace frontier_pilot {
 namespace {
@@ -21,9 +22,8 @@ constexpr auto kPoll = 100ms, kQuiet = 2000ms, kMost = 20000ms;
 /// The process ids of what `process` has started and not ended.
 std::set<std::string> childrenOf(int process) {
   std::set<std::string> children;
-  std::error_code error;
-  for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task", error)) {
-    std::ifstream list(thread.path() / "children");
+  for (const std::filesystem::path& thread : entriesOf("/proc/" + std::to_string(process) + "/task")) {
+    std::ifstream list(thread / "children");
     children.insert(std::istream_iterator<std::string>(list), {});
   }
   return children;

@@ -12,6 +12,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/text.h"
+#include "ros/common/memory/disk.h"
 #include "ros/common/memory/session_memory.h"
 #include "ros/common/messages/message_problems.h"
 
@@ -24,16 +25,6 @@ constexpr std::size_t kMostOlder = 3;
 constexpr const char* kEndings[] = {".bt", ".pgm", ".yaml"};
 
 constexpr int kMostLost = 9;
-
-/// What lies in `folder`, as far as it can be read: a loop over directory_iterator would throw.
-std::vector<fs::path> entriesOf(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    entries.push_back(entry->path());
-  }
-  return entries;
-}
 
 /// Where the `k`-th lost map lies, from 1. The files keep their names, because one of them contains those of the
 /// others.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <mutex>
+#include <system_error>
 
 namespace frontier_pilot {
 
@@ -24,6 +25,15 @@ PatientThread& diskThread() {
 
 std::string onDisk(const std::function<std::string()>& job) {
   return diskThread().run<std::string>(job).value_or("the disk does not answer");
+}
+
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    entries.push_back(entry->path());
+  }
+  return entries;
 }
 
 fs::path rosHome() {

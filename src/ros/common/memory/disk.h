@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "ros/common/threads/patient_thread.h"
 
@@ -13,6 +14,9 @@ std::filesystem::path rosHome();
 /// A folder of this user's own in memory, which can be written when the disk cannot: XDG_RUNTIME_DIR, or one below
 /// /dev/shm if that is not set. Empty if there is none, or if it belongs to somebody else.
 std::filesystem::path spareFolder();
+
+/// What lies in `folder`, as far as it can be read: a loop over directory_iterator throws where it no longer can be.
+std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder);
 
 /// For what a node does on a disk while it works: a disk that hangs is waited for 50 ms, and not again before it
 /// answers. A process that was forked gets a thread of its own.

@@ -121,12 +121,11 @@ std::string tryAll(const std::vector<fs::path>& files, Attempt attempt) {
 std::vector<fs::path> ofProcesses(const fs::path& folder, const std::string& name) {
   const std::string beginning = name + kOfProcess;
   std::vector<fs::path> found;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string file = entry->path().filename().string();
+  for (fs::path& entry : entriesOf(folder)) {
+    const std::string file = entry.filename().string();
     // A longer name is that of a temporary file, which is being written.
     const bool named = file.rfind(beginning, 0) == 0 && file.find_first_not_of(kDigits, beginning.size()) == file.npos;
-    if (named) found.push_back(entry->path());
+    if (named) found.push_back(std::move(entry));
   }
   return found;
 }
@@ -143,11 +142,10 @@ std::vector<fs::path> leftBehind(std::vector<fs::path> files, bool whenever) {
 
 /// Removes what lasting nodes of other sessions left that died long ago: nobody counts on it, and it lies in memory.
 void removeOld(const fs::path& session) {
-  std::error_code error;
-  for (fs::directory_iterator entry(session, error), end; !error && entry != end; entry.increment(error)) {
-    const bool is_lasting = entry->path().filename().string().rfind(kLasting, 0) == 0;
-    if (!is_lasting || timeOf(entry->path()) >= g_process_began - kLongAgo) continue;
-    if (!writerOf(entry->path()).lives()) unlink(entry->path().c_str());
+  for (const fs::path& entry : entriesOf(session)) {
+    const bool is_lasting = entry.filename().string().rfind(kLasting, 0) == 0;
+    if (!is_lasting || timeOf(entry) >= g_process_began - kLongAgo) continue;
+    if (!writerOf(entry).lives()) unlink(entry.c_str());
   }
 }
 
@@ -164,14 +162,14 @@ SessionMemory::SessionMemory(fs::path ros_home, const std::vector<std::string>& 
   enter(sessions);
   std::vector<fs::path> elsewhere;
   for (const fs::path& root : {ros_home_, spare_}) {
-    std::error_code error;
     if (root.empty()) continue;
-    for (const auto& session : fs::directory_iterator(root / "frontier_pilot", error)) {
-      if (isSessionOf(session.path(), own())) continue;
-      if (kind_ == Owner::kLastingNode) removeOld(session.path());
-      if (timeOf(session.path()) < g_process_began - kLongAgo) rmdir(session.path().c_str());  // if empty
-      append(elsewhere, kind_ == Owner::kService ? ofProcesses(session.path(), name_)
-                                                 : std::vector<fs::path>{session.path() / name_});
+    for (const fs::path& session : entriesOf(root / "frontier_pilot")) {
+      if (isSessionOf(session, own())) continue;
+      if (kind_ == Owner::kLastingNode) removeOld(session);
+      // One that is not empty stays.
+      if (timeOf(session) < g_process_began - kLongAgo) rmdir(session.c_str());
+      append(elsewhere,
+             kind_ == Owner::kService ? ofProcesses(session, name_) : std::vector<fs::path>{session / name_});
     }
   }
   elsewhere_ = leftBehind(std::move(elsewhere), kind_ != Owner::kNode);
@@ -202,7 +200,8 @@ bool SessionMemory::enter(const std::vector<std::string>& sessions) {
   if (now == before) return false;
   const auto stays = [&now](const fs::path& file) { return std::find(now.begin(), now.end(), file) != now.end(); };
   if (!before.empty()) elsewhere_.clear();
-  elsewhere_.erase(std::remove_if(elsewhere_.begin(), elsewhere_.end(), stays), elsewhere_.end());  // its own now
+  // One that was in no session until now may have found the file of its predecessor in this one.
+  elsewhere_.erase(std::remove_if(elsewhere_.begin(), elsewhere_.end(), stays), elsewhere_.end());
   std::remove_copy_if(before.begin(), before.end(), std::back_inserter(elsewhere_), stays);
   return true;
 }
