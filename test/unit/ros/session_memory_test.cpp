@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <functional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "frontier_pilot/core/files.h"
+#include "ros/common/memory/disk.h"
 #include "support/temporary_folder.h"
 
 namespace frontier_pilot {
@@ -30,6 +32,8 @@ SessionMemory forService(const fs::path& home, const std::vector<std::string>& s
 
 class SessionMemoryFile : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() { setDiskPatience(std::chrono::seconds(20)); }
+
   fs::path file() const { return home / "frontier_pilot" / "session" / "stopped.robot.arbiter"; }
 
   const test::TemporaryFolder temporary;

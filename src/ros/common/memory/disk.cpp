@@ -12,15 +12,26 @@ namespace frontier_pilot {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::mutex g_mutex;
+Duration g_patience = std::chrono::milliseconds(50);
+PatientThread* g_thread = nullptr;  // as long as the process lives: it may hang
+pid_t g_owner = 0;                  // of the thread
+
+}  // namespace
+
 PatientThread& diskThread() {
-  constexpr Duration kPatience = std::chrono::milliseconds(50);
-  static std::mutex mutex;
-  static pid_t owner = 0;
-  static PatientThread* thread = nullptr;  // as long as the process lives: it may hang
-  const std::lock_guard<std::mutex> lock(mutex);
-  if (owner != getpid()) thread = new PatientThread(kPatience);
-  owner = getpid();
-  return *thread;
+  const std::lock_guard<std::mutex> lock(g_mutex);
+  if (g_owner != getpid()) g_thread = new PatientThread(g_patience);
+  g_owner = getpid();
+  return *g_thread;
+}
+
+void setDiskPatience(Duration patience) {
+  const std::lock_guard<std::mutex> lock(g_mutex);
+  g_patience = patience;
+  g_owner = 0;  // the next job begins a thread
 }
 
 std::string onDisk(const std::function<std::string()>& job) {

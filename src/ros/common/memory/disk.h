@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "frontier_pilot/core/time.h"
 #include "ros/common/threads/patient_thread.h"
 
 namespace frontier_pilot {
@@ -21,6 +22,8 @@ std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder
 /// For what a node does on a disk while it works: a disk that hangs is waited for 50 ms, and not again before it
 /// answers. A process that was forked gets a thread of its own.
 PatientThread& diskThread();
+/// Waits longer for the disk from now on, for a unit test on a machine that may give its threads no time for 50 ms.
+void setDiskPatience(Duration patience);
 /// What `job`, which owns all that it uses, says that went wrong on the disk; empty if nothing did.
 std::string onDisk(const std::function<std::string()>& job);
 
