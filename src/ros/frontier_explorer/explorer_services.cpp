@@ -71,10 +71,15 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   return true;
 }
 
-/// While the robot is stopped its goal is canceled. After the clear the exploration does not go on by itself. [ARB-8]
+/// A stop cancels the goal at once: the next tick may come only after the clear. After that the exploration does not go
+/// on by itself. [ARB-8]
 void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
   hears_stops_ = true;
   const bool was_stopped = std::exchange(stopped_, msg.data != 0);
+  if (stopped_) {
+    order_ = {};
+    navigation_.cancel();
+  }
   if (was_stopped && !stopped_) pause("the emergency stop was cleared");
 }
 

@@ -1,5 +1,7 @@
 #include <geometry_msgs/PoseStamped.h>
 
+#include <utility>
+
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
@@ -76,7 +78,8 @@ void FrontierExplorerAdapter::update(Time now) {
   status_ = output.status;
   remember();
   saveMap(output);
-  obey(output.command, now);
+  if (output.command.kind != exploration::GoalCommand::Kind::kNone) order_ = output.command;
+  obeyOrder(now);
   report(output);
   for (const exploration::ExplorerProgress& transition : output.transitions) publishStatus(transition, now);
   if (!last_status_ || now - *last_status_ >= std::chrono::seconds(1)) publishStatus(status_, now);
@@ -105,11 +108,17 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   return inputs;
 }
 
-void FrontierExplorerAdapter::obey(const exploration::GoalCommand& command, Time now) {
-  if (command.kind == exploration::GoalCommand::Kind::kCancel) navigation_.cancel();
-  if (command.kind != exploration::GoalCommand::Kind::kSend) return;
-  navigation_.send(command.goal_id, command.goal, parameters_.map_frame, now);
-  goal_publisher_.publish(toPoseStampedMsg(command.goal, parameters_.map_frame, now));
+/// A stop may have come, and its clear, while a decision took long or the process was held up in it: a goal waits until
+/// they would have been read, and each of them drops it. [ARB-8]
+void FrontierExplorerAdapter::obeyOrder(Time now) {
+  using Kind = exploration::GoalCommand::Kind;
+  connections_.clock().now();  // notices a hold-up
+  if (order_.kind == Kind::kSend && waits()) return;
+  const exploration::GoalCommand order = std::exchange(order_, {});
+  if (order.kind == Kind::kCancel) navigation_.cancel();
+  if (order.kind != Kind::kSend) return;
+  navigation_.send(order.goal_id, order.goal, parameters_.map_frame, now);
+  goal_publisher_.publish(toPoseStampedMsg(order.goal, parameters_.map_frame, now));
 }
 
 void FrontierExplorerAdapter::publishStatus(const exploration::ExplorerProgress& status, Time now) {

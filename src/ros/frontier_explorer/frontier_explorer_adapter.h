@@ -77,7 +77,7 @@ class FrontierExplorerAdapter {
   std::string fromWhen();
   void update(Time now);
   exploration::ExplorerInputs gather(Time now);
-  void obey(const exploration::GoalCommand& command, Time now);
+  void obeyOrder(Time now);
   void publishStatus(const exploration::ExplorerProgress& status, Time now);
   void addLimits(ExplorerStatus& msg) const;
   void addInspections(ExplorerStatus& msg) const;
@@ -109,6 +109,7 @@ class FrontierExplorerAdapter {
   Latest<ArbiterStatus> arbiter_;
   bool battery_in_percent_ = false;  ///< its driver sends percent, not shares
   exploration::ExplorerProgress status_;
+  exploration::GoalCommand order_;  ///< that is not obeyed yet
   bool enabled_;
   bool stopped_ = false;                ///< by an emergency stop
   bool hears_stops_ = false;            ///< whether one that is called would be heard

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""An explorer that is held up while it decides sends no goal after a stop and a clear that came meanwhile."""
+import os
+import signal
+
+import rospy
+import rostest
+from frontier_pilot.msg import ExplorerStatus as Status
+from nav_msgs.msg import OccupancyGrid
+from std_srvs.srv import SetBool
+
+from explorer_case import ExplorerCase
+from foreign_robot import CELL
+from wire import Node, call, clear, emergency_stop, use_a_home_of_its_own, wait_for
+
+SIDE = 2400  # [cells]: a decision takes more than a second
+WORK = 0.25  # [s] of the processor, by which the map has been read, and the decision has begun
+
+
+def large_floor():
+    """A free square whose surroundings are unknown."""
+    grid = OccupancyGrid()
+    grid.header.frame_id = 'map'
+    grid.header.stamp = rospy.Time.now()
+    grid.info.resolution, grid.info.width, grid.info.height = CELL, SIDE, SIDE
+    grid.info.origin.position.x = grid.info.origin.position.y = -0.5 * SIDE * CELL
+    grid.info.origin.orientation.w = 1.0
+    edge = [-1] * 20
+    grid.data = edge * SIDE + (edge + [0] * (SIDE - 40) + edge) * (SIDE - 40) + edge * SIDE
+    return grid
+
+
+class ExplorerHeldUp(ExplorerCase):
+    def work(self):
+        """What the explorer's own thread has used of the processor [s]."""
+        pid = self.node.process.pid
+        with open('/proc/%d/task/%d/stat' % (pid, pid)) as stat:
+            return int(stat.read().rsplit(')', 1)[1].split()[11]) / os.sysconf('SC_CLK_TCK')
+
+    # [ARB-8] [FLT-2]
+    def test_a_goal_that_was_decided_before_a_stop_is_not_sent_after_its_clear(self):
+        use_a_home_of_its_own()
+        arbiter = Node('cmd_vel_arbiter')
+        self.addCleanup(arbiter.end)
+        self.robot.show(OccupancyGrid())
+        rospy.set_param('frontier_explorer', {'autostart': True})
+        self.addCleanup(rospy.delete_param, 'frontier_explorer')
+        self.start()
+        self.assertTrue(self.comes(lambda status: 'missing: map' == status.reason_text), self.status.last)
+        before = self.work()
+        self.robot.show(large_floor())
+        self.assertTrue(wait_for(lambda: self.work() > before + WORK))
+        self.node.signal(signal.SIGSTOP)
+        self.assertEqual([], self.robot.goals, 'it decides still')
+        emergency_stop()
+        self.assertTrue(clear())
+        self.node.signal(signal.SIGCONT)
+        self.assertTrue(self.comes(lambda status: status.reason == Status.PAUSED, 30.0), self.status.last)
+        self.assertEqual([], self.robot.goals, '[ARB-8]')
+        self.assertTrue(call('set_exploration_enabled', SetBool, True).success)
+        self.assertTrue(wait_for(lambda: self.robot.goals, 30.0), 'then it goes on')
+
+
+if __name__ == '__main__':
+    rospy.init_node('explorer_held_up_test')
+    rostest.rosrun('frontier_pilot', 'explorer_held_up', ExplorerHeldUp)
