@@ -23,6 +23,13 @@ constexpr int kMostClears = 3;
 /// How many stops the arbiter has been asked for; 0 if that is not known.
 std::uint64_t stopsIn(const teleop::OperatorState& state) { return state.arbiter ? state.arbiter->stops : 0; }
 
+/// Whether `manual` has priority over the source that drives.
+bool yieldsToManual(const teleop::OperatorState& state) {
+  const teleop::SourceView* manual = state.source("manual");
+  const teleop::SourceView* driver = state.source(state.arbiter->active_source);
+  return manual != nullptr && driver != nullptr && manual->priority > driver->priority;
+}
+
 }  // namespace
 
 PilotWidget::PilotWidget(const teleop::TeleopParameters& parameters, QWidget* parent)
@@ -164,7 +171,7 @@ void PilotWidget::setState(const teleop::OperatorState& state) {
   const bool had_arbiter = last_state_.arbiter_changes > 0;
   if (had_arbiter && state.arbiter_changes != last_state_.arbiter_changes)
     stopBecause("the arbiter has ended or was started anew");
-  const bool dropped = state.arbiter && drive_.setDriver(state.arbiter->active_source);
+  const bool dropped = state.arbiter && drive_.setDriver(state.arbiter->active_source, yieldsToManual(state));
   const teleop::SourceView* manual = state.source("manual");
   const Twist2 before = drive_.setPoint();
   teleop::DriveLock lock =

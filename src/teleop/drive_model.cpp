@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frontier_pilot::teleop {
 namespace {
@@ -75,7 +76,7 @@ DriveModel::DriveModel(const TeleopParameters& parameters) : parameters_(paramet
 
 void DriveModel::press(Motion motion) {
   if (motion == Motion::kStop) return stop();
-  if (lock_ != DriveLock::kNone || machine_drives_) return;
+  if (lock_ != DriveLock::kNone || machineDrives()) return;
   if (hold_) {
     ++held_[static_cast<std::size_t>(motion)];
   } else {
@@ -107,12 +108,14 @@ void DriveModel::setLock(DriveLock lock) {
   if (lock != DriveLock::kNone) stop();
 }
 
-bool DriveModel::setDriver(const std::string& source) {
+bool DriveModel::setDriver(const std::string& source, bool yields) {
   // The avoider interrupts any source for a moment: it does not tell who drives afterwards.
   if (source == "avoid") return false;
-  const bool machine = isMachine(source);
-  if (machine == machine_drives_) return false;
-  machine_drives_ = machine;
+  const Driver machine = yields ? Driver::kYieldingMachine : Driver::kMachine;
+  const Driver driver = isMachine(source) ? machine : Driver::kHand;
+  const Driver before = std::exchange(driver_, driver);
+  const bool taken_back = before == Driver::kYieldingMachine && driver == Driver::kHand;
+  if (driver == before || taken_back) return false;
   const bool dropped = !setPoint().isZero();
   stop();
   return dropped;

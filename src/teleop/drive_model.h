@@ -46,15 +46,18 @@ class DriveModel {
 
   /// Tells which source of the arbiter holds the wheels (empty: none). When an autonomous source takes them or gives
   /// them back the set-point is reset to zero, so that the robot does not drive off by an old one, and presses are
-  /// ignored while it has them; the avoider does not count as such a source. True if a set-point that was not zero was
-  /// reset.
-  bool setDriver(const std::string& source);
-  bool machineDrives() const { return machine_drives_; }
+  /// ignored while it has them; the avoider does not count as such a source. One that `yields`, because manual has
+  /// priority over it, takes the wheels only from a hand that is silent: the set-point is reset then, and a press takes
+  /// them back. True if a set-point that was not zero was reset.
+  bool setDriver(const std::string& source, bool yields = false);
+  /// Whether a source drives that does not yield.
+  bool machineDrives() const { return driver_ == Driver::kMachine; }
 
   Twist2 setPoint() const;
 
  private:
   static constexpr std::size_t kDirections = 4;
+  enum class Driver { kHand, kYieldingMachine, kMachine };
 
   void step(Motion motion);
 
@@ -64,7 +67,7 @@ class DriveModel {
   int linear_steps_ = 0;
   int angular_steps_ = 0;
   std::array<int, kDirections> held_{};  ///< how many keys and buttons hold each direction
-  bool machine_drives_ = false;
+  Driver driver_ = Driver::kHand;        ///< also if nobody drives
 };
 
 }  // namespace frontier_pilot::teleop

@@ -179,6 +179,24 @@ TEST(DriveModel, PressesWhileAMachineDrivesHaveNoEffectNotEvenAMomentAfterIt_GUI
   }
 }
 
+// [GUI-1] In rviz' panel manual is silent until a press, so that a source below it may drive all the time.
+TEST(DriveModel, APressTakesTheWheelsFromASourceOverWhichManualHasPriority_GUI_1) {
+  for (const teleop::TeleopParameters& parameters : {teleop::TeleopParameters{}, holdParameters()}) {
+    teleop::DriveModel drive{parameters};
+    drive.press(teleop::Motion::kGo);
+    EXPECT_TRUE(drive.setDriver("idle", true)) << "manual was not heard: its old set-point must not come back";
+    EXPECT_TRUE(drive.setPoint().isZero());
+    EXPECT_FALSE(drive.machineDrives());
+    drive.press(teleop::Motion::kGo);
+    EXPECT_FALSE(drive.setDriver("idle", true));
+    EXPECT_FALSE(drive.setDriver("manual"));
+    EXPECT_FALSE(drive.setPoint().isZero());
+    EXPECT_TRUE(drive.setDriver("nav"));
+    EXPECT_FALSE(drive.setDriver("idle", true));
+    EXPECT_TRUE(drive.setPoint().isZero());
+  }
+}
+
 TEST(DriveModel, TheAvoiderOnlyInterrupts) {
   teleop::DriveModel drive{teleop::TeleopParameters{}};
   drive.setDriver("manual");
