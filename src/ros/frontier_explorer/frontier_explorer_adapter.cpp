@@ -1,7 +1,5 @@
 #include <geometry_msgs/PoseStamped.h>
 
-#include <utility>
-
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
