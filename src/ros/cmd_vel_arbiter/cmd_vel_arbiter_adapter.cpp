@@ -56,9 +56,10 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
   diagnostics_.add("connections", [this](auto& status) { connections_.report(status); });
   diagnostics_.add("memory", [this](auto& status) { connections_.memory().report(status); });
   connections_.everySteady(ros::WallDuration(kTick), [this] { tick(); });
-  connections_.everySteady(ros::WallDuration(1.0), [this] {
+  connections_.everySteady(ros::WallDuration(0.5), [this] {
+    looks_at_others_ = !looks_at_others_;  // by turns, because each may wait for a slow disk [ARB-10]
+    if (looks_at_others_) return takeOverStop();
     keepStop();
-    takeOverStop();
     publishStatus(true);
   });
   // In ROS time as well, so that commands also expire on time in a fast simulation.
@@ -107,8 +108,8 @@ void CmdVelArbiterAdapter::tick() {
 void CmdVelArbiterAdapter::takeMasterReport() {
   if (auto report = connections_.master().take()) {
     around_.publishers = std::move(report->publishers);
-    around_.rivals = std::move(report->rivals);
-    takeOverStop();  // before driving is allowed again because a rival has ended
+    around_.rivals.swap(report->rivals);
+    if (!around_.rivals.empty() || !report->rivals.empty()) takeOverStop();  // before it drives after a rival's end
     publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
   }
   around_.fleet_problem = fleet_.problem(steadyNow());

@@ -97,6 +97,7 @@ class CmdVelArbiterAdapter {
   /// Just after this process was held up, commands may have been sent long before, and are dropped.
   HoldUpWatch hold_ups_{std::chrono::milliseconds(100), Duration::max()};
   std::deque<SafeSwitch> switches_;            ///< of the sources; the safe side is disabled
+  bool looks_at_others_ = true;                ///< in each second round, in place of keeping its own stop
   std::optional<RememberedText> stops_;        ///< how many were asked for; nothing as long as none was
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
   std::optional<ReconfigureServer> tuning_;

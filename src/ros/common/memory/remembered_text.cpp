@@ -1,5 +1,6 @@
 #include "ros/common/memory/remembered_text.h"
 
+#include <chrono>
 #include <utility>
 
 #include "ros/common/master/ros_sessions.h"
@@ -7,20 +8,44 @@
 #include "ros/common/throttled_log.h"
 
 namespace frontier_pilot {
+namespace {
+
+/// The thread on which all texts of this process are written again; it ends with the last of them.
+std::shared_ptr<PeriodicThread> sharedThread() {
+  static std::mutex mutex;
+  static std::weak_ptr<PeriodicThread> shared;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<PeriodicThread> thread = shared.lock();
+  if (!thread) shared = thread = std::make_shared<PeriodicThread>(std::chrono::seconds(1));
+  return thread;
+}
+
+}  // namespace
 
 RememberedText::RememberedText(std::string what, const std::string& owner, SessionMemory::Owner kind,
-                               NodeConnections& connections)
-    : what_(std::move(what)), report_(connections.memory()), memory_(rosHome(), rosSessions(), what_, owner, kind) {
+                               NodeConnections& connections, std::filesystem::path spare)
+    : what_(std::move(what)),
+      report_(connections.memory()),
+      memory_(rosHome(), rosSessions(), what_, owner, kind, std::move(spare)),
+      thread_(sharedThread()) {
   left_ = memory_.recallAll();
   left_elsewhere_ = memory_.recallFromElsewhere();
   connections.master().onSession([this](const std::vector<std::string>& sessions) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (memory_.enter(sessions)) write();
+    if (memory_.enter(sessions)) problem_.put(store());
+  });
+  number_ = thread_->add([this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    problem_.put(store());
   });
   connections.everySteady(ros::WallDuration(1.0), [this] {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    write();
+    if (const auto problem = problem_.take()) tell(*problem);
   });
+}
+
+RememberedText::~RememberedText() {
+  thread_->remove(number_);
+  end(!text_);
 }
 
 void RememberedText::end(bool forget) {
@@ -34,12 +59,19 @@ std::string RememberedText::set(std::optional<std::string> text) {
   const std::lock_guard<std::mutex> lock(mutex_);
   text_ = std::move(text);
   if (!text_) memory_.forget();
-  return write();
+  std::string problem = store();
+  problem_.take();  // one of before
+  tell(problem);
+  return problem;
 }
 
-std::string RememberedText::write() {
+std::string RememberedText::store() const {
   if (ended_) return {};
-  std::string problem = text_ ? memory_.remember(*text_) : memory_.problem();
+  return text_ ? memory_.remember(*text_) : memory_.problem();
+}
+
+/// Nothing is lost as long as there is no text: that is only in the diagnostics.
+void RememberedText::tell(const std::string& problem) {
   report_.setProblem(what_, problem);
   if (!text_ || problem.empty()) {
     warned_of_.clear();
@@ -47,7 +79,6 @@ std::string RememberedText::write() {
     warned_of_ = problem;
     THROTTLED_WARN(what_ << " would not survive a restart: " << problem);
   }
-  return problem;
 }
 
 }  // namespace frontier_pilot
