@@ -26,6 +26,17 @@ def kept_count():
     return None
 
 
+def read(file):
+    with open(file) as memory:
+        return memory.read()
+
+
+def kept_by_the_arbiter():
+    """The files with its count of stops, in both places."""
+    places = (os.environ['ROS_HOME'], os.environ.get('XDG_RUNTIME_DIR', '/dev/shm/frontier_pilot-%d' % os.getuid()))
+    return [file for place in places for file in glob.glob(place + '/frontier_pilot/*/count_of_stops*')]
+
+
 class ExplorerDeath(ExplorerCase):
     def setUp(self):
         use_a_home_of_its_own()
@@ -113,6 +124,23 @@ class ExplorerDeath(ExplorerCase):
         self.assertTrue(clear())
         self.kill(self.arbiter)
         self.start_arbiter()
+        self.start()
+        self.expect_it_starts_paused()
+
+    # [ARB-8] [FLT-2]
+    def test_is_paused_also_if_the_arbiter_died_before_it_had_counted_the_stop(self):
+        self.pass_a_stop()
+        self.kill(self.node)
+        counted = {file: read(file) for file in kept_by_the_arbiter()}
+        self.assertTrue(counted)
+        emergency_stop()
+        self.stand()
+        self.kill(self.arbiter)
+        for file, text in counted.items():
+            with open(file, 'w') as count:
+                count.write(text)
+        self.start_arbiter()
+        self.assertTrue(clear())
         self.start()
         self.expect_it_starts_paused()
 

@@ -75,18 +75,21 @@ class LostMemory(unittest.TestCase):
         self.assertEqual(arbiter.said().count('nav_disabled would not survive'), 1, arbiter.said())
 
     # [ARB-7]
-    def test_a_stop_is_kept_although_the_home_cannot_be_written(self):
+    def test_a_stop_and_the_count_of_stops_are_kept_although_the_home_cannot_be_written(self):
         with open(self.home, 'w'):
             pass
         self.runtime = self.folder
         arbiter = self.start('cmd_vel_arbiter')
         answer = call('emergency_stop', Trigger)
         self.assertNotIn('would not survive', answer.message)
+        call('emergency_stop', Trigger)
+        self.assertTrue(glob.glob(self.runtime + '/frontier_pilot/*/count_of_stops*'))
         arbiter.signal(signal.SIGKILL)
         arbiter.finish()
         self.start('cmd_vel_arbiter')
         status = Record('cmd_vel_arbiter/status', ArbiterStatus)
         self.assertTrue(wait_for(lambda: status.last is not None and status.last.emergency_stop))
+        self.assertGreaterEqual(status.last.stops, 2, '[ARB-8]')
         self.assertTrue(call('set_emergency_stop', SetBool, False).success)
 
     def mapper_without_its_map(self):

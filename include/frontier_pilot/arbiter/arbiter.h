@@ -64,9 +64,9 @@ class Arbiter {
   /// stays latched. [ARB-5] [ARB-7]
   std::optional<Twist2> setLimits(const RobotLimits& limits, const Instant& now);
 
-  /// The arbiter before this one was asked for `earlier` stops, which count as well; one that was latched then is among
-  /// them.
-  void countStopsFrom(std::uint64_t earlier) { stops_ = std::max(stops_, earlier); }
+  /// The arbiter before this one was asked for `earlier` stops, which count as well. One that was latched then counts
+  /// once more, because that arbiter may not have lived to count it.
+  void countStopsFrom(std::uint64_t earlier) { stops_ += earlier; }
 
   bool stopped() const { return latched_; }
   std::uint64_t stops() const { return stops_; }

@@ -13,6 +13,7 @@
 #include "ros/common/clock.h"
 #include "ros/common/master/master_state.h"
 #include "ros/common/master/namesake.h"
+#include "ros/common/memory/disk.h"
 #include "ros/common/names.h"
 
 namespace frontier_pilot {
@@ -104,11 +105,13 @@ void CmdVelArbiterAdapter::restoreStop() {
 
 void CmdVelArbiterAdapter::restoreCount() {
   const std::string service = node_.resolveName(names::kEmergencyStop);
-  stops_.emplace("count_of_stops", service, SessionMemory::Owner::kService, connections_);
+  stops_.emplace("count_of_stops", service, SessionMemory::Owner::kService, connections_, spareFolder());
+  std::uint64_t earlier = 0;
   for (const std::string& text : stops_->left()) {
     std::uint64_t count = 0;
-    if (std::istringstream(text) >> count) arbiter_.countStopsFrom(count);
+    if (std::istringstream(text) >> count) earlier = std::max(earlier, count);
   }
+  arbiter_.countStopsFrom(earlier);
   if (arbiter_.stops() > 0) keepCount();
 }
 
