@@ -7,6 +7,7 @@ recorded. A transform to the odometry frame, such as the `map -> odom` of anothe
 Parameters: ~bag (file), ~scan and ~odom (topics; empty: it chooses), ~base_frame (base_footprint), ~odom_frame (odom),
 ~map_frame (map), ~mount ("x y yaw" of the scanner on the base, where the bag does not say it [m m rad]), ~speed (recorded over
 real time), ~save_map (path; empty: none), ~stay (whether the clock goes on at the end, for rviz).
+It plays nothing at a master where another node publishes /clock, scan or odom, in whatever namespace: a robot or a simulation.
 Exit code: 0 when the bag was played to its end, 1 otherwise.
 """
 import math
@@ -37,6 +38,8 @@ PERIOD = 0.01  # between two looks at the clock [s]
 LONGEST_STEP = 0.1  # of real time [s]: a player that was held up does not let the clock jump
 PATIENCE = 30.0  # for the mapper to subscribe [s]
 MOST_SPEED = 1000.0
+OF_A_ROBOT = ('clock', 'scan', 'odom')  # the last words of topics that are played, and that a robot or a simulation publishes as well
+LONGEST_NAME = 250  # of a map [bytes], without .yaml
 SETTLING = 5.0  # for which the clock goes on at the end, so that the mapper can finish [s]
 
 
@@ -46,6 +49,36 @@ def speed_in(text):
     if not 0.0 < speed <= MOST_SPEED:
         raise BagError('speed:=%s: the speed must be greater than 0 and at most %g' % (text, MOST_SPEED))
     return speed
+
+
+def require_writable(path):
+    """Raises BagError if no map can be saved there: before the bag is played, which may take hours. Where a path that is not a whole
+    one leads is known to the mapper alone."""
+    folder, name = os.path.split(path)
+    if not name or len(os.fsencode(name)) > LONGEST_NAME or printable(name) != name:
+        raise BagError('save_map:=%s: that is not the name of a file' % path)
+    if not os.path.isabs(path):
+        return
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise BagError('save_map:=%s: its folder cannot be made: %s' % (path, error))
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise BagError('save_map:=%s: nothing can be written to its folder' % path)
+
+
+def require_no_robot():
+    """Raises BagError if another node publishes at this master what is played: the clock and the scans would be those of neither."""
+    try:
+        publishers = ros_program.master(rospy.get_name()).getSystemState()[0]
+    except ros_program.FAILURES:
+        return
+    for topic, nodes in publishers:
+        others = [node for node in nodes if node != rospy.get_name()] if topic.split('/')[-1] in OF_A_ROBOT else []
+        for node in others:
+            if ros_program.lives(node) is not False:
+                raise BagError('%s publishes %s at this master, where a robot or a simulation runs: end it first, or play the bag at a '
+                               'master of its own (export ROS_MASTER_URI=http://127.0.0.1:PORT)' % (node, topic))
 
 
 class Player:
@@ -175,7 +208,11 @@ def main():
         return 2
     defaults = {'scan': '', 'odom': '', 'base_frame': 'base_footprint', 'odom_frame': 'odom', 'map_frame': 'map', 'mount': ''}
     options = {name: str(rospy.get_param('~' + name, default)) for name, default in defaults.items()}
+    path = str(rospy.get_param('~save_map', ''))
     try:
+        require_no_robot()
+        if path:
+            require_writable(path)
         speed = speed_in(rospy.get_param('~speed', 1.0))
         drive = Drive(*read_bag(rospy.get_param('~bag', '')), options)
     except BagError as error:
@@ -189,7 +226,6 @@ def main():
         return 1
     player.run_until(player.now + SETTLING * max(1.0, player.speed))
     say_what_was_mapped(drive, player)
-    path = rospy.get_param('~save_map', '')
     saved = save_map(path) if path else True
     if rospy.get_param('~stay', False):
         player.speed = 1.0

@@ -1,5 +1,6 @@
 """The topics of a recorded drive, and which of them are played."""
 import math
+import struct
 
 import rosbag
 from nav_msgs.msg import Odometry
@@ -10,7 +11,9 @@ from readable_bag import DAMAGE, is_no_file
 
 MOST_BYTES = 300_000  # of a message: 36000 ranges and intensities, as many as the nodes take, have 288 kB
 MOST_MEMORY = 4_000_000_000  # of all messages that are played [bytes], as map_log takes for a bag
-OVERHEAD = 130  # of Python's objects for a message [bytes]
+OVERHEAD = 390  # of Python's objects for a message [bytes]
+OF_A_TRANSFORM = 800  # of those for a transform, which is kept as objects [bytes]
+LEAST_TRANSFORM = 76  # of the message [bytes]: one with empty names
 SAMPLES = 50  # of a topic's scans, whose field of view is looked at
 FEW = 0.1  # a topic with a smaller share of the most frequent one's messages is not chosen
 
@@ -73,6 +76,14 @@ class Topic:
             raise BagError('%s: a message cannot be read: %s' % (self.name, str(error) or type(error).__name__))
 
 
+def memory_for(message_class, data):
+    """What a message takes while it is kept [bytes], with what is made of it to be played."""
+    memory = len(data) + OVERHEAD
+    if message_class is TFMessage and len(data) >= 4:
+        memory += OF_A_TRANSFORM * min(struct.unpack_from('<I', data)[0], len(data) // LEAST_TRANSFORM)
+    return memory
+
+
 def read_bag(path):
     """Topics of the types that are played, by type; and the names and types of all others."""
     classes = {'sensor_msgs/LaserScan': LaserScan, 'nav_msgs/Odometry': Odometry, 'tf2_msgs/TFMessage': TFMessage,
@@ -93,7 +104,7 @@ def read_bag(path):
                     topic.too_long += 1
                     continue
                 topic.raw.append((recorded.to_sec(), data))
-                memory += len(data) + OVERHEAD
+                memory += memory_for(message_class, data)
                 if memory > MOST_MEMORY:
                     raise BagError('%s: its scans, odometry and transforms take more than %.0f GB of memory; rosbag filter makes a '
                                    'shorter bag of it' % (path, MOST_MEMORY / 1e9))

@@ -3,7 +3,7 @@
 # check_launch_arguments ROOT OWN WORD...: each word has to be NAME:=VALUE, where NAME is an argument of
 # launch/system.launch or OWN. The first wrong one is named, with what there is instead, and ends the script.
 check_launch_arguments() {
-  local root=$1 own=$2 known word map=$PWD
+  local root=$1 own=$2 known word map=
   shift 2
   known="$own $(sed -n 's/^  <arg name="\([a-z_]*\)" default=.*/\1/p' "$root/launch/system.launch" | tr '\n' ' ')"
   for word in "$@"; do
@@ -12,7 +12,7 @@ check_launch_arguments() {
       *) wrong_argument "$word" ;;
     esac
     case $word in
-      map:=/*) map=${word#map:=} ;;
+      map:= | map:=/*) map=${word#map:=} ;;
       map:=*) map=$PWD/${word#map:=} ;;
     esac
     case " $known" in
@@ -20,10 +20,17 @@ check_launch_arguments() {
       *) wrong_argument "$word" "there is no argument '${word%%:=*}', only: ${known% }" ;;
     esac
   done
+  [ -n "$map" ] || { can_make_files_in "$PWD/maps" && map=$PWD/maps; } ||
+    wrong_argument maps "map: nothing can be written to the folder ${PWD@Q}/maps, where the map would be saved; give another path with map:=PATH"
   iconv -f UTF-8 -t UTF-8 <<<"$map" >/dev/null 2>&1 ||
     wrong_argument "$map" "map: no map can be saved as ${map@Q}, because that is not UTF-8; give another path with map:=PATH"
   [[ " $* " != *' localize_only:=true '* ]] || [[ " $* " =~ ' map_file:='[^\ ] && " $* " != *' map_file:=none '* ]] ||
     wrong_argument localize_only:=true "localize_only: needs a saved map, map_file:=PATH"
+}
+
+# can_make_files_in FOLDER: whether files can be made in it, or it can be made.
+can_make_files_in() {
+  if [ -e "$1" ] || [ -L "$1" ]; then [ -d "$1" ] && [ -w "$1" ] && [ -x "$1" ]; else [ -w "${1%/*}/" ]; fi
 }
 
 # names_in FOLDER: the YAML files in it, without the ending.

@@ -3,6 +3,7 @@ environment are found and ended."""
 import ctypes
 import glob
 import os
+import shutil
 import signal
 import time
 
@@ -17,9 +18,9 @@ def end_with_the_parent():
     _prctl(_SET_PARENT_DEATH_SIGNAL, signal.SIGTERM)
 
 
-def end_after_this_process(name, value):
+def end_after_this_process(name, value, folder=None):
     """Starts a process that waits until this one has ended, in whatever way, and then ends all that have name=value in their
-    environment."""
+    environment, and removes the folder if this one has not."""
     reading, writing = os.pipe()
     if os.fork() > 0:
         os.close(reading)  # the other end stays open for as long as this process lives
@@ -29,6 +30,8 @@ def end_after_this_process(name, value):
         os.close(writing)
         os.read(reading, 1)
         end(name, value)
+        if folder:
+            shutil.rmtree(folder, ignore_errors=True)
     finally:
         os._exit(0)  # whatever happens, it must not go on with the work of the process that it was forked from
 

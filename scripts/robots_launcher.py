@@ -143,7 +143,7 @@ def main():
     CommandLine(__doc__, 'roslaunch frontier_pilot robots.launch robots:=3').parse_args(rosgraph.myargv(sys.argv[1:]))
     leftovers.end_with_the_parent()  # which is roslaunch
     with tempfile.TemporaryDirectory() as folder:
-        leftovers.end_after_this_process(MARK, folder)
+        leftovers.end_after_this_process(MARK, folder, folder)
         os.environ[MARK] = folder
         try:
             master = rosgraph.Master('/robots_launcher')

@@ -2,11 +2,10 @@
 """Watches an exploration, which it can also start, prints its progress periodically, and saves the map when it is done, on Ctrl-C,
 or when its terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved.
 
-Exit code: 0 when no reachable frontier is left and the map was saved, 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal
+Exit code: 0 when no reachable frontier is left and the map was saved where it was to be, 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal
 was closed, 141 when nobody reads the output any more, 1 otherwise.
 """
 import argparse
-import datetime
 import math
 import os
 import signal
@@ -18,18 +17,18 @@ if __name__ == '__main__':
 
 import rospy  # noqa: E402
 from frontier_pilot.msg import ExplorerStatus  # noqa: E402
-from frontier_pilot.srv import SaveMap  # noqa: E402
 from std_msgs.msg import Bool  # noqa: E402
 from std_srvs.srv import SetBool  # noqa: E402
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # catkin starts this file by way of another one
 import ros_program  # noqa: E402
 from command_line import CommandLine, exit_with, say  # noqa: E402
-from run_recording import free_name  # noqa: E402
 from run_recording.topics import TOPICS  # noqa: E402
+from saved_maps import free_prefix, save_map  # noqa: E402
 
 RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
+LEAST_CHANGE, LEAST_WAY = 0.1, 0.2  # of the explored area [m^2] and of the way [m], with which a map is saved again
 PERIODS = 0.2, 3600.0  # of the progress lines [s]
 
 # The ends that the stopping rules of the explorer have asked for.
@@ -145,40 +144,21 @@ class Starter:
             say('The exploration could not be started, it is tried again: %s' % error)
 
 
-def default_prefix():
-    """The path of a map in the folder maps that is this run's alone, also if another one ends in the same second: its picture is
-    there, and empty, until the map is saved. OSError if it cannot be made."""
-    name = os.path.abspath(os.path.join('maps', datetime.datetime.now().strftime('%Y-%m-%d_%H-%M-%S')))
-    os.makedirs(os.path.dirname(name), exist_ok=True)
-    return free_name.take(name, lambda path: os.close(os.open(path + '.pgm', os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666)))
+def save_what_was_mapped_since(watcher, interrupt, prefix):
+    """Waits without a word until it is told to end, and saves the map if it has changed meanwhile, under a name that no map has."""
+    begin = None
+    while not rospy.is_shutdown() and not interrupt.number:
+        begin = begin or watcher.status
+        time.sleep(0.2)
+    if begin and has_changed(begin, watcher.status):
+        say('\nThe map has changed since it was saved: saving it ...')
+        save_map(prefix and free_prefix(prefix))
+    return 128 + interrupt.number
 
 
-def save_map(prefix):
-    """Returns whether the mapper has written the map, and prints where, or why not."""
-    try:
-        path = os.path.abspath(prefix) if prefix else default_prefix()
-        saved = ask_to_save(path)
-    except OSError as error:
-        say('The map could not be saved: %s' % error, sys.stderr)
-        return False
-    if not saved and not prefix and os.path.getsize(path + '.pgm') == 0:
-        os.remove(path + '.pgm')
-    return saved
-
-
-def ask_to_save(path):
-    try:
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        rospy.wait_for_service('mapper/save_map', timeout=10.0)
-        answer = rospy.ServiceProxy('mapper/save_map', SaveMap)(path)
-    except (OSError, rospy.ROSException, rospy.ServiceException) as error:
-        say('The map could not be saved: %s' % error, sys.stderr)
-        return False
-    if not answer.success:
-        say('The map could not be saved: %s' % answer.message, sys.stderr)
-        return False
-    say('Map saved: %s' % answer.message.removeprefix('saved '))  # the mapper leaves an extension such as .yaml out of the names
-    return True
+def has_changed(before, now):
+    return (abs(now.explored_area - before.explored_area) > LEAST_CHANGE or
+            abs(now.distance_travelled - before.distance_travelled) > LEAST_WAY)
 
 
 class Interrupt:
@@ -225,6 +205,8 @@ def main():
     parser.add_argument('--map', default='', help='where to save it, without extension (maps/<date and time>)')
     parser.add_argument('--start-when-recorded', action='store_true',
                         help='start the exploration as soon as the run is recorded, or after %.0f s without that' % RECORDER_START)
+    parser.add_argument('--saved-already', action='store_true',
+                        help='only wait until it is told to end, and save the map beside the one of before if it has changed since')
     parser.add_argument('--period', type=period_in, default=5.0,
                         help='seconds between two progress lines, from %g to %g (5)' % PERIODS)
     arguments = parser.parse_args(rospy.myargv()[1:])
@@ -237,6 +219,8 @@ def main():
         return 128 + interrupt.number
     began = time.monotonic()
     watcher = Watcher(arguments.period)
+    if arguments.saved_already:
+        return save_what_was_mapped_since(watcher, interrupt, arguments.map)
     starter = Starter() if arguments.start_when_recorded else None
     while not rospy.is_shutdown() and not watcher.done() and not interrupt.number:
         if not watcher.progress():

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "frontier_pilot/core/files.h"
@@ -51,12 +53,23 @@ logs::ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
   return log;
 }
 
-/// Throws LogError if no file can be made there: before the drive is mapped, which may take an hour.
-void requireFolderOf(const std::string& out) {
+/// What is written for `--out`, by what is appended to it.
+constexpr std::array kResults{".pgm", ".yaml", ".bt", ".tum", "_odom.tum", ".png"};
+constexpr std::size_t kLongestEnding = std::string_view("_odom.tum").size();
+
+/// Throws LogError if no result can be written there: before the drive is mapped, which may take an hour.
+void requireWritable(const std::string& out) {
   const std::filesystem::path path(out);
+  const std::string problem = fileNameProblem(path.filename().string(), kLongestEnding);
+  if (!problem.empty()) throw logs::LogError("--out: the map's name " + problem);
   const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-  if (access(folder.c_str(), W_OK | X_OK) == 0) return;
-  throw logs::LogError(out + ": cannot be written, the folder " + folder + ": " + std::strerror(errno));
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw logs::LogError(out + ": cannot be written, the folder " + folder + ": " + std::strerror(errno));
+  for (const char* ending : kResults) {
+    std::error_code error;
+    if (std::filesystem::is_directory(std::filesystem::symlink_status(out + ending, error)))
+      throw logs::LogError(out + ending + ": cannot be written, it is a folder");
+  }
 }
 
 double lengthOf(const logs::Trajectory& trajectory) {
@@ -138,10 +151,10 @@ void writeTrajectory(const logs::Trajectory& trajectory, const std::string& path
 }
 
 void writeResults(const MapLogOptions& options, const MappedDrive& drive, mapping::Mapper& mapper) {
-  const map_files::MapIoResult saved = map_files::saveMap(mapper.map(), options.out);
-  if (!saved.ok()) throw logs::LogError(saved.text);
   writeTrajectory(drive.corrected, options.out + ".tum");
   writeTrajectory(drive.odometry, options.out + "_odom.tum");
+  const map_files::MapIoResult saved = map_files::saveMap(mapper.map(), options.out);
+  if (!saved.ok()) throw logs::LogError(saved.text);
   const MapPicture picture{polylineOf(drive.odometry), polylineOf(drive.corrected), closuresOf(drive)};
   const std::string path = options.out + ".png";
   if (!writePicture(mapper.grid(), picture, path)) throw logs::LogError(path + ": cannot be written");
@@ -149,7 +162,7 @@ void writeResults(const MapLogOptions& options, const MappedDrive& drive, mappin
 }
 
 int run(const MapLogOptions& options, const BagReader& read_bag) {
-  requireFolderOf(options.out);
+  requireWritable(options.out);
   const logs::ScanLog log = readLog(options, read_bag);
   const std::vector<logs::PoseRelation> relations = relationsOf(options, log.records.size());
   mapping::Mapper mapper(options.mapper);

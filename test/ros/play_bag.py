@@ -161,12 +161,26 @@ class PlayBag(unittest.TestCase):
         for option, words in (('_speed:=0', 'the speed must be greater than 0'),
                               ('_speed:=fast', "speed:='fast' is not understood"),
                               ('_mount:=1 2', "mount:='1 2' is not understood"),
-                              ('_mount:=a b c', "mount:='a b c' is not understood")):
+                              ('_mount:=a b c', "mount:='a b c' is not understood"),
+                              ('_save_map:=%s/floor' % self.bag, 'its folder cannot be made'),
+                              ('_save_map:=%s/' % self.folder, 'not the name of a file'),
+                              ('_save_map:=/tmp/' + 251 * 'x', 'not the name of a file')):
             player = Node('bag_player.py', '_bag:=' + self.bag, '_speed:=2.0', '__name:=another_player', option)
             self.assertTrue(wait_for(player.has_ended, 60.0), option)
+            rospy.delete_param('/another_player')
             self.assertEqual(1, player.process.returncode, player.said())
             self.assertIn(words, player.said())
             self.assertNotIn('Traceback', player.said())
+
+    def test_nothing_is_played_beside_a_robot(self):  # [FLT-1]
+        for topic, kind in (('/clock', Clock), ('/robot1/scan', LaserScan), ('odom', Odometry)):
+            publisher = rospy.Publisher(topic, kind, queue_size=1)
+            player = Node('bag_player.py', '_bag:=' + self.bag, '__name:=another_player')
+            self.assertTrue(wait_for(player.has_ended, 60.0), topic)
+            rospy.delete_param('/another_player')
+            self.assertEqual(1, player.process.returncode, player.said())
+            self.assertIn('/play_bag publishes %s at this master' % rospy.resolve_name(topic), player.said())
+            publisher.unregister()
 
     def test_what_is_no_bag_is_named_and_not_waited_for(self):  # [FLT-1]
         pipe, junk = os.path.join(self.folder, 'pipe.bag'), os.path.join(self.folder, 'junk.bag')

@@ -194,13 +194,13 @@ class CommandLines(unittest.TestCase):
 
     def test_runs_that_end_in_the_same_second_save_their_maps_under_different_names(self):
         sys.path.insert(0, str(ROOT / 'scripts'))
-        import watch_exploration
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(watch_exploration, 'datetime') as clock:
+        import saved_maps
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(saved_maps, 'datetime') as clock:
             clock.datetime.now.return_value.strftime.return_value = 'now'
             before = os.getcwd()
             self.addCleanup(os.chdir, before)
             os.chdir(folder)
-            self.assertEqual([os.path.basename(watch_exploration.default_prefix()) for _ in range(3)], ['now', 'now_1', 'now_2'])
+            self.assertEqual([os.path.basename(saved_maps.default_prefix()) for _ in range(3)], ['now', 'now_1', 'now_2'])
             os.chdir(before)
 
     def test_an_interrupt_while_a_program_is_loaded_prints_no_traceback(self):

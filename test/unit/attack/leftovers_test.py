@@ -5,6 +5,7 @@ import pathlib
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -16,7 +17,7 @@ PARENT = """
 import os, subprocess, sys, time
 sys.path.insert(0, %r)
 import leftovers
-leftovers.end_after_this_process('LEFTOVERS_TEST', sys.argv[1])
+leftovers.end_after_this_process('LEFTOVERS_TEST', *sys.argv[1:])
 os.environ['LEFTOVERS_TEST'] = sys.argv[1]
 subprocess.Popen(['sleep', '60'], start_new_session=True)
 print('started', flush=True)
@@ -44,6 +45,22 @@ class Leftovers(unittest.TestCase):
             parent.send_signal(number)
             parent.wait(10.0)
             self.assertTrue(becomes(lambda: not leftovers.find('LEFTOVERS_TEST', value)), number)
+
+    def test_its_folder_goes_with_a_parent_that_could_not_remove_it(self):
+        """[FLT-2]"""
+        for number in (signal.SIGKILL, signal.SIGTERM):
+            with tempfile.TemporaryDirectory() as above:
+                folder = os.path.join(above, 'folder')
+                os.mkdir(folder)
+                pathlib.Path(folder, 'starts.yaml').write_text('robots: []')
+                parent = subprocess.Popen([sys.executable, '-c', PARENT, folder, folder], stdout=subprocess.PIPE)
+                self.addCleanup(parent.stdout.close)
+                self.addCleanup(leftovers.end, 'LEFTOVERS_TEST', folder)
+                self.assertEqual(parent.stdout.readline(), b'started\n')
+                self.assertTrue(os.path.exists(folder))
+                parent.send_signal(number)
+                parent.wait(10.0)
+                self.assertTrue(becomes(lambda: not os.path.exists(folder)), number)
 
 
 if __name__ == '__main__':

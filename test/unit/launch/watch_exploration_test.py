@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What watch_exploration.py takes, and what it says of the map."""
+"""What watch_exploration.py takes, when it starts the exploration, and when it saves the map again."""
 import io
 import pathlib
 import subprocess
@@ -11,7 +11,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / 'scripts'))
 import watch_exploration  # noqa: E402
 from frontier_pilot.msg import ExplorerStatus  # noqa: E402
-from frontier_pilot.srv import SaveMapResponse  # noqa: E402
 from std_msgs.msg import Bool  # noqa: E402
 
 
@@ -26,20 +25,28 @@ class Words(unittest.TestCase):
                 self.assertRegex(done.stderr, '^watch_exploration.py: argument --period: .*%s.*\n$' % period.lstrip('-'))
 
 
-class Map(unittest.TestCase):
-    def said(self, answer, path):
-        with mock.patch('sys.stdout', io.StringIO()) as out, mock.patch('sys.stderr', out), \
-                mock.patch('rospy.wait_for_service'), mock.patch('rospy.ServiceProxy', return_value=lambda _: answer):
-            watch_exploration.save_map(path)
-        return out.getvalue()
+class Later(unittest.TestCase):
+    def saved(self, *statuses):
+        """To which paths a watcher saves that hears these one by one, and is told to end after the last one."""
+        watcher, interrupt = mock.Mock(status=None), mock.Mock(number=0)
+        left = list(statuses)
 
-    def test_the_files_are_named_as_the_mapper_has_written_them(self):
-        answer = SaveMapResponse(success=True, message='saved /tmp/floor.pgm, .yaml and .bt')
-        self.assertEqual(self.said(answer, '/tmp/floor.yaml'), 'Map saved: /tmp/floor.pgm, .yaml and .bt\n')
+        def go_on(_):
+            if left:
+                watcher.status = left.pop(0)
+            else:
+                interrupt.number = 15
+        with mock.patch('watch_exploration.time.sleep', go_on), mock.patch('sys.stdout', io.StringIO()), \
+                mock.patch('rospy.is_shutdown', return_value=False), mock.patch('watch_exploration.save_map') as save:
+            self.assertEqual(watch_exploration.save_what_was_mapped_since(watcher, interrupt, ''), 143)
+        return [call[0][0] for call in save.call_args_list]
 
-    def test_why_no_map_was_saved_is_said(self):
-        answer = SaveMapResponse(success=False, message='the disk is full')
-        self.assertEqual(self.said(answer, '/tmp/floor'), 'The map could not be saved: the disk is full\n')
+    def test_what_was_mapped_after_the_exploration_is_saved_when_all_ends(self):
+        done = ExplorerStatus(explored_area=50.0, distance_travelled=30.0)
+        self.assertEqual(self.saved(done, done), [])
+        self.assertEqual(self.saved(), [])
+        self.assertEqual(self.saved(done, ExplorerStatus(explored_area=52.0, distance_travelled=30.0)), [''])
+        self.assertEqual(self.saved(done, done, ExplorerStatus(explored_area=50.0, distance_travelled=33.0)), [''])
 
 
 class Start(unittest.TestCase):

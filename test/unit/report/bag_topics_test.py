@@ -9,9 +9,11 @@ from unittest import mock
 
 import folder_case  # noqa: F401: finds the scripts
 import rosbag
-from bag_topics import MOST_BYTES, BagError, Topic, choose_scan, read_bag
+from bag_topics import MOST_BYTES, BagError, Topic, choose_scan, memory_for, read_bag
+from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
+from tf2_msgs.msg import TFMessage
 
 
 class Damage(unittest.TestCase):
@@ -56,6 +58,17 @@ class Damage(unittest.TestCase):
                 self.assertEqual(len(read_bag(path)[0]['/scan'].raw), 4)
             with mock.patch('bag_topics.MOST_MEMORY', 16000), self.assertRaisesRegex(BagError, 'take more than .*; rosbag filter'):
                 read_bag(path)
+
+    def test_the_memory_that_transforms_take_once_they_are_read_counts_as_well(self):
+        """[FLT-1]"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'drive.bag')
+            with rosbag.Bag(path, 'w') as bag:
+                bag.write('/tf', TFMessage([TransformStamped() for _ in range(100)]))
+            size = len(read_bag(path)[0]['/tf'].raw[0][1])
+            with mock.patch('bag_topics.MOST_MEMORY', 8 * size), self.assertRaisesRegex(BagError, 'take more than'):
+                read_bag(path)
+        self.assertLess(memory_for(TFMessage, b'\xff' * 100), 10000, 'a count of transforms that is damaged is believed')
 
     def test_a_bag_whose_recording_was_killed_is_refused_with_a_way_to_recover_it(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -4,7 +4,9 @@ import importlib.machinery
 import importlib.util
 import io
 import json
+import os
 import pathlib
+import tempfile
 import unittest
 import xmlrpc.client
 import xml.parsers.expat
@@ -55,6 +57,22 @@ class Master(unittest.TestCase):
                     recorder.say('start')
                 self.assertEqual(json.loads(recorder.info.publish.call_args[0][0])['parameters'], {})
                 self.assertRegex(said.getvalue(), r'^run_recorder: the record lacks the parameters, .*\n$')
+
+
+class Caller(unittest.TestCase):
+    def test_a_run_that_begins_after_its_folder_was_removed_is_found_by_the_caller(self):
+        """[REC-1]"""
+        program = load()
+        recorder = program.RunRecorder.__new__(program.RunRecorder)
+        with tempfile.TemporaryDirectory() as caller, mock.patch.dict(os.environ, FRONTIER_PILOT_RUN=caller):
+            for name in 'first', 'second', 'third':
+                recorder.run = os.path.join(caller, name)
+                os.mkdir(recorder.run)
+                recorder.show_to_the_caller()
+                if name == 'first':
+                    os.rmdir(recorder.run)
+            self.assertEqual(os.readlink(os.path.join(caller, 'recorded')), os.path.join(caller, 'second'))
+            self.assertEqual(sorted(os.listdir(caller)), ['recorded', 'second', 'third'])
 
 
 if __name__ == '__main__':

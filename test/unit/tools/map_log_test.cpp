@@ -10,6 +10,9 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "frontier_pilot/sim/simulator.h"
 #include "support/temporary_folder.h"
@@ -161,6 +164,21 @@ TEST_F(MapLog, SaysWhatItCannotReadOrWrite) {
   EXPECT_EQ(out_, "") << "likewise";
   EXPECT_EQ(run({path("drive.csv")}), 2);
   EXPECT_NE(errors_.find("usage: map_log"), std::string::npos);
+}
+
+TEST_F(MapLog, SaysThatItCannotWriteUnderANameBeforeItMaps) {
+  fs::create_directory(path("taken.png"));
+  const std::string too_long = path(std::string(247, 'x'));
+  for (const auto& [out, words] :
+       std::vector<std::pair<std::string, std::string>>{{folder_.string() + "/", "names no file"},
+                                                        {too_long, "is longer than"},
+                                                        {path("a\tb"), "control character"},
+                                                        {path("\xff"), "UTF-8"},
+                                                        {path("taken"), "it is a folder"}}) {
+    EXPECT_EQ(run({path("drive.csv"), "--out", out}), 1);
+    EXPECT_NE(errors_.find(words), std::string::npos) << errors_;
+    EXPECT_EQ(out_, "") << "said before the drive is mapped, which may take an hour";
+  }
 }
 
 // [FLT-1] Nothing that lies about under a result's name is followed, and a pipe is not waited for.

@@ -1,0 +1,77 @@
+"""Has the mapper save its map: under a name that no map has yet, and elsewhere where that cannot be written."""
+import datetime
+import os
+import sys
+
+import rospkg
+import rospy
+from frontier_pilot.srv import SaveMap
+
+from command_line import say
+from run_recording import free_name
+
+
+def default_prefix(folder='maps'):
+    """The path of a map in this folder that is this run's alone, also if another one ends in the same second: its picture is
+    there, and empty, until the map is saved. OSError if it cannot be made."""
+    os.makedirs(folder, exist_ok=True)
+    return taken(os.path.abspath(os.path.join(folder, datetime.datetime.now().strftime('%Y-%m-%d_%H-%M-%S'))))
+
+
+def taken(name):
+    """This path of a map, or one with a number behind it, with an empty picture that nobody else has made."""
+    return free_name.take(name, lambda path: os.close(os.open(path + '.pgm', os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666)))
+
+
+class NotSaved(Exception):
+    """Why the mapper has not written a map."""
+
+
+def save_map(prefix):
+    """Returns whether the mapper has written the map where it was to be, and prints where it is, or why it is not: if that fails it is
+    asked once more, as it may just have been started again, and then for another folder, because the map is lost when it ends."""
+    spare = os.path.abspath(os.path.join(rospkg.get_ros_home(), 'frontier_pilot', 'maps'))
+    attempts = ((lambda: prefix or default_prefix(), '; it is tried once more'),
+                (lambda: prefix or default_prefix(), '; another folder is tried, %s' % spare),
+                (lambda: default_prefix(spare), ''))
+    for path_of, outlook in attempts:
+        try:
+            ask_to_save(path_of)
+            return path_of is not attempts[-1][0]
+        except (OSError, NotSaved, rospy.ServiceException) as error:
+            say('The map could not be saved: %s%s' % (error, outlook), sys.stderr)
+        except rospy.ROSException as error:  # there is no mapper that could be asked again
+            say('The map could not be saved: %s' % error, sys.stderr)
+            return False
+    return False
+
+
+def ask_to_save(path_of):
+    """Has the mapper save the map to the path that this gives, and prints where it is. Raises what went wrong."""
+    path = os.path.abspath(path_of())
+    try:
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        rospy.wait_for_service('mapper/save_map', timeout=10.0)
+        answer = rospy.ServiceProxy('mapper/save_map', SaveMap)(path)
+        if not answer.success:
+            raise NotSaved(answer.message)
+    except Exception:
+        remove_empty(path + '.pgm')
+        raise
+    say('Map saved: %s' % answer.message.removeprefix('saved '))  # the mapper leaves an extension such as .yaml out of the names
+
+
+def remove_empty(path):
+    """Removes a picture that was made to take its name."""
+    try:
+        if os.path.getsize(path) == 0:
+            os.remove(path)
+    except OSError:
+        pass  # there is none, or its disk is gone
+
+
+def free_prefix(prefix):
+    try:
+        return taken(os.path.abspath(prefix))
+    except OSError:
+        return prefix  # saving there will say what is wrong with it

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""The map that is saved at the end of a run: what is said of it, and where it is saved if it cannot be where it was to be."""
+import io
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / 'scripts'))
+import rospy  # noqa: E402
+import saved_maps  # noqa: E402
+from frontier_pilot.srv import SaveMapResponse  # noqa: E402
+
+
+class SavedMaps(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = os.path.realpath(folder.name)
+        self.home = os.path.join(self.folder, 'home')
+        self.out, self.asked, self.answers = io.StringIO(), [], []
+        self.await_service = mock.Mock()
+        for patch in (mock.patch('sys.stdout', self.out), mock.patch('sys.stderr', self.out), mock.patch.dict(os.environ, ROS_HOME=self.home),
+                      mock.patch('rospy.wait_for_service', self.await_service), mock.patch('rospy.ServiceProxy', return_value=self.answer)):
+            patch.start()
+            self.addCleanup(patch.stop)
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+
+    def answer(self, path):
+        self.asked.append(path)
+        answer = self.answers.pop(0) if self.answers else SaveMapResponse(success=True, message='saved %s.pgm, .yaml and .bt' % path)
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    def spare(self, name):
+        return os.path.join(self.home, 'frontier_pilot', 'maps', name)
+
+    def test_the_files_are_named_as_the_mapper_has_written_them(self):
+        self.answers = [SaveMapResponse(success=True, message='saved /tmp/floor.pgm, .yaml and .bt')]
+        self.assertTrue(saved_maps.save_map('/tmp/floor.yaml'))
+        self.assertEqual(self.out.getvalue(), 'Map saved: /tmp/floor.pgm, .yaml and .bt\n')
+
+    def test_a_mapper_that_was_just_started_again_is_asked_once_more(self):
+        """[FLT-2]"""
+        self.answers = [rospy.ServiceException('the service has gone')]
+        self.assertTrue(saved_maps.save_map('/tmp/floor'))
+        self.assertEqual(self.asked, ['/tmp/floor', '/tmp/floor'])
+        self.assertIn('The map could not be saved: the service has gone; it is tried once more\n', self.out.getvalue())
+
+    def test_a_map_that_cannot_be_written_where_it_was_to_be_is_saved_below_ros_home(self):
+        """[FLT-2]"""
+        for prefix in os.path.join(self.folder, 'floor'), '':
+            with self.subTest(prefix=prefix):
+                self.answers, self.asked = 2 * [SaveMapResponse(success=False, message='the disk is full')], []
+                self.assertFalse(saved_maps.save_map(prefix), 'it is not where it was to be')
+                self.assertEqual(len(self.asked), 3)
+                self.assertTrue(self.asked[2].startswith(self.spare('')), self.asked)
+                self.assertIn('Map saved: %s.pgm' % self.asked[2], self.out.getvalue())
+                self.assertIn('the disk is full; another folder is tried, ' + self.spare('')[:-1], self.out.getvalue())
+                self.assertEqual(os.listdir('maps') if os.path.exists('maps') else [], [], 'an empty picture is left')
+
+    def test_a_file_in_the_place_of_the_folder_does_not_lose_the_map(self):
+        pathlib.Path('maps').write_text('')
+        self.assertFalse(saved_maps.save_map(''))
+        self.assertEqual([os.path.dirname(path) + '/' for path in self.asked], [self.spare('')])
+
+    def test_why_no_map_was_saved_is_said(self):
+        self.answers = 3 * [SaveMapResponse(success=False, message='there is no map')]
+        self.assertFalse(saved_maps.save_map('/tmp/floor'))
+        self.assertEqual(self.out.getvalue().splitlines()[-1], 'The map could not be saved: there is no map')
+        self.assertEqual(os.listdir(self.spare('')), [])
+
+    def test_a_mapper_that_is_not_there_is_not_waited_for_three_times(self):
+        self.await_service.side_effect = rospy.ROSException('timeout exceeded while waiting for service')
+        self.assertFalse(saved_maps.save_map('/tmp/floor'))
+        self.assertEqual(self.await_service.call_count, 1)
+
+    def test_a_map_of_before_is_not_overwritten(self):
+        prefix = os.path.join(self.folder, 'floor')
+        self.assertEqual(saved_maps.free_prefix(prefix), prefix)
+        self.assertEqual(saved_maps.free_prefix(prefix), prefix + '_1')
+
+
+if __name__ == '__main__':
+    unittest.main()
