@@ -96,7 +96,7 @@ class Cell:
             self.expect(wait_until(lambda: self.phases.go_on(self.phase), 1.0), 'the work does not go on')
         except services.NoAnswer as error:
             self.expect(False, str(error))
-        self.expect(self.watch.contacts == contacts, 'the robot touched something')
+        self.expect(self.watch.contacts == contacts, 'the robot touched something: ' + self.watch.last_contact)
         return 'FAILED: ' + '; '.join(self.failures) if self.failures else stood
 
     def strike(self, pid):

@@ -79,6 +79,10 @@ class Fleet:
     def contacts(self):
         return sum(robot.watch.contacts for robot in self.robots)
 
+    def last_contacts(self):
+        """Who touched something last, where and when, in words."""
+        return ', '.join(robot.watch.last_contact for robot in self.robots if robot.watch.last_contact)
+
     def stop(self):
         """The answer to a stop of all robots."""
         return services.call(STOP_ALL, Trigger)
@@ -199,14 +203,14 @@ def live(fleet, seconds, draw, outcome):
     """One event after the other, and after each all robots drive again and stop at a call."""
     events, happened, end, drove = Events(fleet, draw), collections.Counter(), time.monotonic() + seconds, 0
     while time.monotonic() < end:
+        event, contacts = draw.choice(events.kinds), fleet.contacts()
         drove += fleet.drive()
-        event = draw.choice(events.kinds)
-        contacts, known = fleet.contacts(), fleet.known
+        known = fleet.known
         happened[event.__name__] += 1
         for words in event():
             outcome.expect(False, '%s: %s' % (event.__name__, words))
-        outcome.expect(fleet.contacts() == contacts, '%s: a robot touched something' % event.__name__)
         outcome.expect(fleet.stops_again(), '%s: the robots do not confirm a stop any more' % event.__name__)
+        outcome.expect(fleet.contacts() == contacts, '%s: a robot touched something: %s' % (event.__name__, fleet.last_contacts()))
         outcome.expect(wait_until(lambda: fleet.known >= KEPT * known, 10.0),
                        '%s: of %d known cells %d are left' % (event.__name__, known, fleet.known))
     outcome.figure('%d events among %d robots: %s' % (sum(happened.values()), len(fleet.robots), ', '.join(
@@ -220,8 +224,8 @@ def listen_to_a_stranger(fleet, seconds, draw, outcome):
     kinds = {topic: kind for topic, kind in interfaces.topics({'/' + node for node in fleet.nodes()}).items() if TALK.match(topic)}
     outcome.expect(len(kinds) == 2, 'the robots do not talk to each other: %s' % sorted(kinds))
     generator = Generator(draw.getrandbits(32), rospy.get_time(), ('map', 'robot1/map'), interfaces.samples(kinds, 2.0), True)
-    fleet.drive()
     contacts, sender = fleet.contacts(), Sender(kinds)
+    fleet.drive()
     died = []
     lives = Lives(died.append, fleet.nodes())
     sender.fill_pools(generator, True, kinds)
@@ -236,7 +240,7 @@ def listen_to_a_stranger(fleet, seconds, draw, outcome):
     for node in died:
         outcome.expect(False, '%s died while a stranger talked' % node)
     outcome.expect(growth[largest] <= MOST_GROWTH, 'the memory of %s grew by %.0f MB' % (largest, growth[largest]))
-    outcome.expect(fleet.contacts() == contacts, 'a robot touched something while a stranger talked')
+    outcome.expect(fleet.contacts() == contacts, 'a robot touched something while a stranger talked: ' + fleet.last_contacts())
     outcome.expect(wait_until(fleet.drive, 2.0 * TO_WORK), 'the robots do not drive again after a stranger has talked')
 
 

@@ -19,7 +19,9 @@ class RobotWatch:
 
     def __init__(self, robot=''):
         self._space = '/' + robot + '/' if robot else '/'
+        self._name = robot or 'the robot'
         self.contacts = 0
+        self.last_contact = ''  # who, where in the world and when, in words
         self.distance = 0.0  # [m] driven
         self.known = 0  # cells of the map
         self.maps = 0
@@ -32,7 +34,11 @@ class RobotWatch:
         rospy.Subscriber(self._space + 'frontier_explorer/status', ExplorerStatus, self._take_status)
 
     def _take_contact(self, message):
-        self.contacts += message.data
+        if not message.data:
+            return
+        self.contacts += 1
+        if self._position is not None:
+            self.last_contact = '%s at (%.2f, %.2f), %.1f s' % (self._name, self._position.x, self._position.y, self.motion[-1][1])
 
     def _take_status(self, message):
         if message._connection_header['callerid'] == self._space + 'frontier_explorer':
@@ -48,10 +54,10 @@ class RobotWatch:
         if self._position is not None:
             step = math.hypot(position.x - self._position.x, position.y - self._position.y)
             self.distance += step if step < 0.2 else 0.0  # not when it was put elsewhere
-        self._position = position
         speeds = (abs(twist.linear.x), abs(twist.angular.z))
         self.motion.append((time.monotonic(), message.header.stamp.to_sec(), sum(speeds),
                             max(speed / braking for speed, braking in zip(speeds, BRAKING))))
+        self._position = position
 
     @property
     def speed(self):

@@ -160,7 +160,7 @@ def attack(folder, seconds, arguments, outcome):
         phases = Phases(watch)
         outcome.expect(phases.wait_for_servers(), 'the actions are not served')
         live(folder, seconds, Life(folder, watch, phases, random.Random(arguments.seed)), outcome)
-        outcome.expect(watch.contacts == 0, 'the robot touched something')
+        outcome.expect(watch.contacts == 0, 'the robot touched something: ' + watch.last_contact)
     finally:
         system.end()
 
