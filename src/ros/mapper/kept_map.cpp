@@ -120,6 +120,16 @@ std::string lastSetAside(const fs::path& base) {
   return {};
 }
 
+std::string renew(const std::vector<fs::path>& poses) {
+  std::string problem;
+  for (const fs::path& pose : poses) {
+    std::error_code error;
+    fs::last_write_time(pose, fs::file_time_type::clock::now(), error);
+    if (error) problem = pose.string() + ": " + error.message();
+  }
+  return problem;
+}
+
 }  // namespace frontier_pilot::kept_map
 
 namespace frontier_pilot {

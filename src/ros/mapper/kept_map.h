@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "frontier_pilot/core/geometry.h"
 
@@ -21,6 +22,9 @@ void removeOldest(const std::filesystem::path& own);
 /// because those that were lost first are more likely to be worth something. Returns its new base; empty if it could
 /// not be moved.
 std::string setAside(const std::filesystem::path& base);
+/// Gives files in which poses are remembered the time of now, as if they were written again. Returns what went wrong;
+/// empty if nothing did.
+std::string renew(const std::vector<std::filesystem::path>& poses);
 /// The base of the map that was put aside last; empty if none is there.
 std::string lastSetAside(const std::filesystem::path& base);
 

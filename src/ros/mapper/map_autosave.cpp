@@ -112,7 +112,7 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, Ma
   const SteadyTime now = steadyNow();
   const std::uint64_t content = has.scans + has.rendered;
   noteMapping(content, now);
-  remember(T_map_odom, has.rendered);  // also renews the time stamp, by which a mapper in another session recognises it
+  remember(T_map_odom, has.rendered);
   if (map.isBlank()) problem_ = memory_.problem();
   if (map.isBlank() || !schedule_.isDue(content, now)) return;
   saver.run([snapshot = map_files::takeSnapshot(map), pose = toText({T_map_odom, map_file_}), memory = memory_,
@@ -136,9 +136,14 @@ void MapAutosave::remember(const Pose2& T_map_odom, std::uint64_t rendered) {
     if (problem_.empty()) rendered_ = done->rendered;
   }
   // Without a map the pose would be that of a map that was lost, and on one of before a closed loop the robot is
-  // elsewhere.
-  pose_problem_ =
-      schedule_.hasCopy() && rendered == rendered_ ? memory_.remember(toText({T_map_odom, map_file_})) : std::string();
+  // elsewhere: the pose of the copy stays, but not the time by which a mapper in another session recognises it.
+  if (!schedule_.hasCopy()) {
+    pose_problem_.clear();
+  } else if (rendered == rendered_) {
+    pose_problem_ = memory_.remember(toText({T_map_odom, map_file_}));
+  } else {
+    pose_problem_ = onDisk([poses = memory_.files()] { return kept_map::renew(poses); });
+  }
 }
 
 void MapAutosave::noteMapping(std::uint64_t content, SteadyTime now) {

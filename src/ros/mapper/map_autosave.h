@@ -47,7 +47,8 @@ class MapAutosave {
   /// while an earlier one is still being saved, and so soon after it that saving would take more than a twentieth of
   /// the time (SaveSchedule); the pose is kept each time.
   void save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, MapContent has, MapSaver& saver);
-  /// Keeps `T_map_odom` beside the copy that there is, without saving the map, unless the map was rendered again since.
+  /// Keeps `T_map_odom` beside the copy that there is, without saving the map. If the map was rendered again since, the
+  /// pose of the copy stays as it is, as that of a mapper that lives.
   void remember(const Pose2& T_map_odom, std::uint64_t rendered);
   /// Removes the copy, because the map was reset, another one was loaded, or the mapper is shut down regularly. The
   /// next map is saved whatever its `content`, and as soon as it can be.

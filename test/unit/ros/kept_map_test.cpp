@@ -127,6 +127,18 @@ TEST_F(KeptMap, LeavesNoUnfinishedFiles_FLT_2) {
   EXPECT_EQ(contentOf(base_.string() + ".bt"), "whole");
 }
 
+// A mapper that takes its place in another session knows it by that time. [FLT-2]
+TEST_F(KeptMap, KeepsItsPoseAndIsKnownAsThatOfAMapperThatLivedUntilNow_FLT_2) {
+  std::ofstream(base_) << "pose";
+  const auto before = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  fs::last_write_time(base_, before);
+  EXPECT_EQ(kept_map::renew({base_}), "");
+  EXPECT_GT(fs::last_write_time(base_), before + std::chrono::minutes(30));
+  EXPECT_EQ(contentOf(base_.string()), "pose");
+  EXPECT_NE(kept_map::renew({folder_ / "gone"}), "");
+  EXPECT_FALSE(fs::exists(folder_ / "gone"));
+}
+
 TEST_F(KeptMap, ThatIsNotThereCannotBePutAside) {
   EXPECT_FALSE(kept_map::exists(base_));
   EXPECT_EQ(kept_map::setAside(base_), "");
