@@ -1,6 +1,7 @@
 #include "frontier_pilot/navigation/navigator.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "navigation/navigator_impl.h"
@@ -158,8 +159,10 @@ void Navigator::Impl::finish(NavResult result, NavReason reason) {
   arrived_ = false;
   departures_ = 0;
   recovery_ = nullptr;
-  rung_ = 0;
+  rung_ = rounds_ = 0;
+  nearest_ = std::numeric_limits<double>::infinity();
   blocked_since_.reset();
+  obstacles_.releaseKept();
 }
 
 std::optional<NavReason> Navigator::Impl::missingData(const NavigatorInputs& inputs, Time now) const {

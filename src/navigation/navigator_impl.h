@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,6 +38,12 @@ class Navigator::Impl {
   const planning::ClearanceMap& clearanceMap() const { return clearance_; }
 
  private:
+  /// How near a recovery may come to what the map shows.
+  struct MapFloor {
+    double lane = 0.0;          ///< least clearance of the robot's position [m]
+    double corner_slack = 0.0;  ///< by which corners may be nearer than on a path [m]
+  };
+
   void takeIn(const NavigatorInputs& inputs, Time now);
   bool isBlind(const LaserScan2& scan, const Pose2& T_map_base);
   void takeEvents(const NavigatorInputs& inputs, Time now);
@@ -56,8 +64,11 @@ class Navigator::Impl {
   void recover(NavReason trouble, Time now);
   void continueRecovery(Time now);
   void refreshMap(Time now);
+  void keepObstacles(double along);
+  void leaveTrouble();
   double distanceToGoal() const;
   void leaveGoal(Time now);
+  MapFloor floorAt(const Pose2& T_map_base) const;
   FitsMap fitsMap() const;
   bool obey(const NavigatorInputs& inputs, Time now);
   void driveAside(const Vec2& place, const NavigatorInputs& inputs, Time now);
@@ -92,13 +103,16 @@ class Navigator::Impl {
   bool commands_motion_ = false;  ///< the last command was not zero: the wheels turn until the next one
   bool goal_is_moved_ = false;    ///< the path ends farther from the goal than goal_tolerance
   bool arrived_ = false;          ///< at the position; only the yaw is left
-  int departures_ = 0;            ///< how often the robot was moved away from the goal after it had arrived
+  int departures_ = 0;            ///< how often the robot left the goal, or recovered there, after it had arrived
   std::size_t escape_ = 0;
   Time planned_;
   std::optional<Time> blocked_since_;
   std::optional<Time> waiting_since_;
   std::size_t rung_ = 0;
+  std::size_t rounds_ = 0;  ///< of the ladder since the robot was `nearest_` to the goal
+  double nearest_ = std::numeric_limits<double>::infinity();  ///< [m]
   Recovery recovery_;
+  std::deque<Pose2> recovery_began_;  ///< the way to where the recovery began, that pose the last
   NavReason trouble_ = NavReason::kBlocked;
   bool obeying_ = false;
   std::optional<Vec2> aside_;  ///< the place that the path leads to

@@ -38,7 +38,12 @@ constexpr double kWorthwhileShare = 0.1;
 constexpr double kWorthwhile = 0.2;
 /// A robot that only had to turn has left its goal at this many times the tolerance: within it, it may drift.
 constexpr double kLeftGoal = 2.0;
-constexpr int kMostDepartures = 5;       // of a robot that slips away each time that it turns at its goal
+constexpr int kMostDepartures = 5;       // of a robot that slips away or recovers each time that it turns at its goal
+constexpr double kKeepSpacing = 0.1;     ///< of the places on a path near which obstacles are kept [m]
+constexpr std::size_t kMostRounds = 5;   ///< of the ladder, with a way between them that brings the robot no nearer
+constexpr double kNearer = 0.5;          ///< to the goal [m]
+constexpr double kSamePlace = 0.05;      ///< between two poses [m]
+constexpr double kSameYaw = 0.1;         ///< the same [rad]
 constexpr double kRecoverySlack = 0.02;  ///< a recovery may come this much nearer to what the map shows than a path [m]
 
 }  // namespace
@@ -66,6 +71,15 @@ void Navigator::Impl::refreshMap(Time now) {
   const std::optional<Pose2> robot = pose_ ? std::optional<Pose2>(pose_->pose) : std::nullopt;
   has_path_ = planning::isPathValid(clearance_, follower_.path(), escape_, along) &&
               outline_on_map_.canFollow(clearance_, follower_.path(), escape_, along, robot);
+  if (!has_path_) keepObstacles(along);
+}
+
+/// What has made a path invalid is kept until the goal ends, or a robot that drives round a shut door turns back on its
+/// detour as soon as it has forgotten the door. [NAV-1]
+void Navigator::Impl::keepObstacles(double along) {
+  if (!goal_) return;
+  obstacles_.keepNear(follower_.path().from(along).sampled(kKeepSpacing), clearance_.requiredClearance() + kKeepSpacing,
+                      clearance_.geometry());
 }
 
 bool Navigator::Impl::ensurePath(Time now) { return has_path_ || replan(now); }
@@ -151,12 +165,24 @@ FollowerInputs Navigator::Impl::followerInputs(const MotionPredictor::Motion& mo
 void Navigator::Impl::drive(const MotionPredictor::Motion& motion, Time now) {
   const FollowerOutput step = follower_.update(followerInputs(motion, now));
   const auto verdict = watchdog_.update(now, pose_->pose.position(), follower_.remaining());
-  if (watchdog_.hasMoved()) rung_ = 0;
+  if (watchdog_.hasMoved()) leaveTrouble();
   if (verdict == ProgressWatchdog::Verdict::kNoProgress) return recover(NavReason::kBlocked, now);
   if (verdict == ProgressWatchdog::Verdict::kOscillating) return recover(NavReason::kOscillating, now);
   if (step.blocked) return blocked(now);
   blocked_since_.reset();
   command(step.command, NavState::kDriving, NavReason::kDriving);
+}
+
+/// The robot has moved on, so that the recoveries begin anew. Not for ever: between two shut doors it could go to and
+/// fro without an end. [NAV-1]
+void Navigator::Impl::leaveTrouble() {
+  if (const double left = distanceToGoal(); left < nearest_ - kNearer) {
+    nearest_ = left;
+    rounds_ = 0;
+  }
+  if (rung_ == 0 || rounds_ >= kMostRounds) return;
+  ++rounds_;
+  rung_ = 0;
 }
 
 void Navigator::Impl::blocked(Time now) {
@@ -169,26 +195,39 @@ void Navigator::Impl::recover(NavReason trouble, Time now) {
   if (rung_ >= ladder_.size()) return finish(NavResult::kAborted, trouble);
   const RecoveryRung& rung = ladder_[rung_++];
   trouble_ = trouble;
+  if (arrived_) ++departures_;  // the way back to the goal is no progress
   has_path_ = arrived_ = false;
   blocked_since_.reset();
   watchdog_.restart(now, pose_->pose.position());
   if (rung.clears_obstacles) clearObstacles();
   if (rung.begin) recovery_ = rung.begin();
+  recovery_began_ = track_.poses();
+  recovery_began_.push_back(pose_->pose);
   command({}, NavState::kRecovering, trouble);
   output_.recovery = rung.name;
 }
 
-/// For the lane and, of a robot that is no disc, the corners. Where the robot is nearer to something than a path may
-/// come, it may stay as near, so that it gets away.
-FitsMap Navigator::Impl::fitsMap() const {
-  const Pose2& robot = pose_->pose;
-  const double least =
-      std::min(clearance_.requiredClearance(), clearance_.clearance(robot.position())) - kRecoverySlack;
+Navigator::Impl::MapFloor Navigator::Impl::floorAt(const Pose2& T_map_base) const {
   const planning::OutlineCheck corners(outline_);
-  const planning::OutlineCheck::Leave leave(corners, clearance_, robot);
-  return [this, least, corners, leave](const Pose2& pose) {
-    const double slack = std::max(kRecoverySlack, leave.slackAt(pose.position()));
-    return clearance_.clearance(pose.position()) >= least && corners.fits(clearance_, pose, slack);
+  const planning::OutlineCheck::Leave leave(corners, clearance_, T_map_base);
+  const double lane = std::min(clearance_.requiredClearance(), clearance_.clearance(T_map_base.position()));
+  return {lane - kRecoverySlack, std::max(kRecoverySlack, leave.slackAt(T_map_base.position()))};
+}
+
+/// For the lane and, of a robot that is no disc, the corners. Where the robot was nearer to something than a path may
+/// come when the recovery began, it may stay as near, so that it gets away; and where it drove before, it may be again.
+/// What it does meanwhile lowers nothing, or it would come nearer step by step.
+FitsMap Navigator::Impl::fitsMap() const {
+  const planning::OutlineCheck corners(outline_);
+  return [this, corners, begun = floorAt(recovery_began_.back())](const Pose2& pose) {
+    const auto keeps = [&](const MapFloor& floor) {
+      return clearance_.clearance(pose.position()) >= floor.lane && corners.fits(clearance_, pose, floor.corner_slack);
+    };
+    const auto was_here = [&](const Pose2& before) {
+      return (before.position() - pose.position()).norm() < kSamePlace &&
+             std::abs(angleDifference(before.yaw, pose.yaw)) < kSameYaw && keeps(floorAt(before));
+    };
+    return keeps(begun) || std::any_of(recovery_began_.begin(), recovery_began_.end(), was_here);
   };
 }
 

@@ -82,10 +82,10 @@ void Navigator::Impl::resume(Time now) {
     has_path_ = false;
     output_.command = Twist2{};
     output_.plan_changed = true;
+    rung_ = 0;  // it is at another place; one that only stood is where it was blocked
   }
   aside_.reset();
   blocked_since_.reset();
-  rung_ = 0;
   if (pose_) watchdog_.restart(now, pose_->pose.position());
 }
 

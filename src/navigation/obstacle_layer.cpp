@@ -42,10 +42,11 @@ bool ObstacleLayer::update(const LaserScan2& scan, const ScanPoints& points, con
   const Pose2 T_map_sensor = T_map_base * scan.T_base_sensor;
   for (auto it = seen_.begin(); it != seen_.end();) {
     const Cell cell = map.geometry().cell(it->first);
-    const bool old = toSeconds(now - it->second) > params_.memory;
+    const bool old = toSeconds(now - it->second) > params_.memory && kept_.count(it->first) == 0;
     if (old || isMakingWay(map.geometry().centre(cell)) ||
         isGone(scan, T_map_base, T_map_sensor, map.geometry().centre(cell))) {
       map.setLive(cell, false);
+      kept_.erase(it->first);
       it = seen_.erase(it);
       changed = true;
     } else {
@@ -91,6 +92,16 @@ bool ObstacleLayer::isGone(const LaserScan2& scan, const Pose2& T_map_base, cons
   return true;
 }
 
+void ObstacleLayer::keepNear(const std::vector<Vec2>& places, double radius, const GridGeometry& grid) {
+  constexpr std::size_t kMost = 10'000;
+  for (const auto& [index, time] : seen_) {
+    if (kept_.size() >= kMost) return;
+    const Vec2 mark = grid.centre(grid.cell(index));
+    const auto is_near = [&](const Vec2& place) { return (place - mark).squaredNorm() < radius * radius; };
+    if (std::any_of(places.begin(), places.end(), is_near)) kept_.insert(index);
+  }
+}
+
 bool ObstacleLayer::isMakingWay(const Vec2& point) const {
   return std::any_of(making_way_.begin(), making_way_.end(),
                      [&](const Disc& disc) { return (point - disc.centre).norm() < disc.radius; });
@@ -99,7 +110,7 @@ bool ObstacleLayer::isMakingWay(const Vec2& point) const {
 bool ObstacleLayer::clear(planning::ClearanceMap& map) {
   const bool any = !seen_.empty();
   for (const auto& [index, time] : seen_) map.setLive(map.geometry().cell(index), false);
-  seen_.clear();
+  forget();
   return any;
 }
 

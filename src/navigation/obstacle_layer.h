@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@
 namespace frontier_pilot::navigation {
 
 /// Obstacles that the live scan shows and the map does not (yet): marks them in the ClearanceMap, and removes a mark
-/// when beams pass through it or it is too old.
+/// when beams pass through it or it is too old and not kept.
 class ObstacleLayer {
  public:
   explicit ObstacleLayer(const ObstacleLayerParams& params = {}) : params_(params) {}
@@ -25,8 +26,14 @@ class ObstacleLayer {
   bool clear(planning::ClearanceMap& map);
   /// From now on nothing is marked inside these discs: robots that are about to leave.
   void setMakingWay(std::vector<Disc> discs) { making_way_ = std::move(discs); }
+  /// Marks within `radius` [m] of one of `places` do not get too old until `releaseKept`.
+  void keepNear(const std::vector<Vec2>& places, double radius, const GridGeometry& grid);
+  void releaseKept() { kept_.clear(); }
   /// Forgets the marks of a map that is gone.
-  void forget() { seen_.clear(); }
+  void forget() {
+    seen_.clear();
+    kept_.clear();
+  }
   bool empty() const { return seen_.empty(); }
   std::size_t size() const { return seen_.size(); }
 
@@ -38,6 +45,7 @@ class ObstacleLayer {
 
   ObstacleLayerParams params_;
   std::vector<Disc> making_way_;
+  std::set<std::size_t> kept_;        ///< indices of cells whose marks do not age
   std::map<std::size_t, Time> seen_;  ///< index of the cell and when it was last hit
 };
 

@@ -127,6 +127,19 @@ void MoveBaseServer::settle(const navigation::NavFinished& finished) {
   }
 }
 
+void MoveBaseServer::abortAll(const std::string& why) {
+  cancel_ = true;
+  active_id_ = 0;
+  goal_.reset();
+  for (auto& [id, handle] : std::exchange(handles_, {})) {
+    if (pending_ && pending_->id == id) {
+      handles_[id] = handle;
+    } else {
+      handle.setAborted({}, why);
+    }
+  }
+}
+
 void MoveBaseServer::feedback(const Pose2& T_map_base, Time stamp) {
   const auto active = handles_.find(active_id_);
   if (active == handles_.end()) return;

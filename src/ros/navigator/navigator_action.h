@@ -34,6 +34,8 @@ class MoveBaseServer {
   void fill(navigation::NavigatorInputs& inputs);
   /// Sends the result of a goal to its client.
   void settle(const navigation::NavFinished& finished);
+  /// Ends all goals that the navigator was given, with `why`, and has it cancel what it still pursues.
+  void abortAll(const std::string& why);
   void feedback(const Pose2& T_map_base, Time stamp);
   /// The goal that the navigator was given last, until it has ended; in the map's frame.
   const std::optional<Pose2>& goal() const { return goal_; }

@@ -37,7 +37,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
     const auto now = connections_.clock().now();
-    if (now && !connections_.clock().isCatchingUp()) return tick(*now);
+    if (now && !connections_.clock().isCatchingUp()) return tickSafely(*now);
     if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
   });
   connections_.clock().onJump([this] {  // the goal stays
@@ -101,13 +101,31 @@ navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   return inputs;
 }
 
+/// After an exception neither the last command stays in force nor a goal without an end: it would be thrown again in
+/// each tick. [FLT-1]
+void NavigatorAdapter::tickSafely(Time now) {
+  try {
+    tick(now);
+  } catch (...) {
+    if (navigator_.hasGoal() || server_.goal()) command_.publish(toTwistMsg({}));
+    server_.abortAll("internal error");
+    throw;
+  }
+}
+
+/// Whether nothing but a zero may be sent: while the stop is latched, and after a tick that took so long that a stop
+/// and its clear may have come meanwhile, which nobody has read yet. [ARB-8] [FLT-2]
+bool NavigatorAdapter::mustStand() {
+  return server_.isStopped() || !connections_.clock().now() || connections_.clock().isCatchingUp();
+}
+
 void NavigatorAdapter::tick(Time now) {
   const navigation::NavigatorInputs inputs = gather(now);
   const navigation::NavigatorOutput output = navigator_.update(inputs, now);
   state_ = output.state;
   motions_.note(output);
   // The zero is published before the result is sent to the client. [NAV-1]
-  if (output.command) command_.publish(toTwistMsg(server_.isStopped() ? Twist2{} : *output.command));
+  if (output.command) command_.publish(toTwistMsg(mustStand() ? Twist2{} : *output.command));
   for (const navigation::NavFinished& finished : output.finished) {
     failure_ = finished.result == navigation::NavResult::kAborted ? toString(finished.reason) : "";
     server_.settle(finished);
@@ -115,20 +133,6 @@ void NavigatorAdapter::tick(Time now) {
   const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->pose) : std::nullopt;
   if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
   publisher_.publish(navigator_, output, server_.goal(), T_map_base, now);
-}
-
-void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  using diagnostic_msgs::DiagnosticStatus;
-  const bool is_hindered = state_ == navigation::NavState::kWaiting || state_ == navigation::NavState::kRecovering;
-  status.summary(is_hindered ? DiagnosticStatus::WARN : DiagnosticStatus::OK, publisher_.status());
-  if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
-  if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
-  map_.rejections().report(status);
-  scan_motion_.report(status);
-  bad_scans_.report(status);
-  bad_odometry_.report(status);
-  server_.report(status);
-  tf_.report(status);
 }
 
 }  // namespace frontier_pilot

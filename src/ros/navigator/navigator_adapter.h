@@ -57,7 +57,9 @@ class NavigatorAdapter {
   void sayLastWords();
 
  private:
+  void tickSafely(Time now);
   void tick(Time now);
+  bool mustStand();
   navigation::NavigatorInputs gather(Time now);
   void handleScan(const sensor_msgs::LaserScan& msg);
   void handleOdometry(const nav_msgs::Odometry& msg);

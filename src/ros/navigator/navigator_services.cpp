@@ -39,4 +39,18 @@ bool NavigatorAdapter::handleClear(std_srvs::Empty::Request&, std_srvs::Empty::R
   return true;
 }
 
+void NavigatorAdapter::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  const bool is_hindered = state_ == navigation::NavState::kWaiting || state_ == navigation::NavState::kRecovering;
+  status.summary(is_hindered ? DiagnosticStatus::WARN : DiagnosticStatus::OK, publisher_.status());
+  if (!failure_.empty()) status.summary(DiagnosticStatus::WARN, "last goal aborted: " + failure_);
+  if (!map_.ready()) status.summary(DiagnosticStatus::WARN, "no map yet");
+  map_.rejections().report(status);
+  scan_motion_.report(status);
+  bad_scans_.report(status);
+  bad_odometry_.report(status);
+  server_.report(status);
+  tf_.report(status);
+}
+
 }  // namespace frontier_pilot

@@ -93,6 +93,21 @@ TEST(Arrival, ARobotThatIsMovedAwayEachTimeGivesUpAtLast_NAV_1) {
   EXPECT_STREQ(toString(finished->reason), toString(NavReason::kBlocked));
 }
 
+// [NAV-1] [NAV-3] The way back to the goal is so long that it counts as progress.
+TEST(Arrival, ARobotThatBacksFarAwayFromAGoalWhereItCannotTurnGivesUpAtLast_NAV_1_NAV_3) {
+  navigation::NavigatorParams params;
+  params.recovery.back_up_distance = 0.8;
+  DrivenRobot robot(room(), {1.5, 1.5, 0.0}, params);
+  robot.sendPose(kGoal, true);
+  std::optional<navigation::NavFinished> finished;
+  for (int i = 0; i < 8000 && !finished; ++i) {
+    robot.held = robot.output().state == NavState::kTurning;
+    finished = robot.runUntilFinished(0.05);
+  }
+  ASSERT_TRUE(finished);
+  EXPECT_STREQ(toString(finished->reason), toString(NavReason::kBlocked));
+}
+
 // [NAV-1] [NAV-3] It could turn a little way behind the goal, but that is not the goal.
 TEST(Arrival, ARobotThatHasBackedAwayFromItsGoalHasNotReachedIt_NAV_1_NAV_3) {
   navigation::NavigatorParams params;
@@ -126,7 +141,7 @@ TEST(Recoveries, DoNotBackIntoAWallThatOnlyTheMapShows_NAV_3_NAV_4) {
     navigation::NavigatorParams params;
     if (!disc) params.robot = test::shippedRobot("waffle");
     const Outline outline = params.robot.drivenOutline();
-    const double rear = disc ? outline.circumscribedRadius() : -outline.rear();
+    const double rear = outline.rear();
     OccupancyGrid world = room(), map = room();
     drawWall(world, 64, false);
     drawWall(map, 64, true);
@@ -145,6 +160,51 @@ TEST(Recoveries, DoNotBackIntoAWallThatOnlyTheMapShows_NAV_3_NAV_4) {
     EXPECT_GT(least - rear, 2.3) << disc;
     EXPECT_EQ(robot.contacts(), 0) << disc;
   }
+}
+
+// [NAV-3] [NAV-4] It backs towards a wall beside it that the scanner does not see, by 9 cm with each metre.
+TEST(Recoveries, DoNotComeNearerStepByStepToAWallThatOnlyTheMapShows_NAV_3_NAV_4) {
+  navigation::NavigatorParams params;
+  params.robot = test::shippedRobot("waffle");
+  params.recovery.back_up_distance = 1.0;
+  const Outline outline = params.robot.drivenOutline();
+  OccupancyGrid world = room(), map = room();
+  drawWall(world, 64, false);
+  drawWall(map, 64, true);
+  for (int y = 22; y < 26; ++y) {
+    for (int x = 10; x < 54; ++x) map[Cell{x, y}] = kOccupied;  // its surface is at y = 1.3
+  }
+  const Vec2 corner(-outline.rear(), -outline.halfWidth());
+  const double skew = 0.087;
+  DrivenRobot robot(world, {2.6, 1.365 - (Pose2(0.0, 0.0, skew) * corner).y(), skew}, params);
+  robot.navigator().setMap(map, map.geometry().rect());
+  robot.send({5.0, 1.76});
+  double least = 3.0;
+  std::optional<navigation::NavFinished> finished;
+  for (int i = 0; i < 4000 && !finished; ++i) {
+    finished = robot.runUntilFinished(0.05);
+    least = std::min(least, (robot.pose() * corner).y());
+  }
+  EXPECT_TRUE(finished);
+  EXPECT_EQ(robot.recoveries.count("backing up"), 1U);
+  EXPECT_GT(least, 1.3);
+  EXPECT_EQ(robot.contacts(), 0);
+}
+
+// [NAV-3] [MUL-3] Teammates that pass do not change that the way is blocked by a thing.
+TEST(Recoveries, AreNotBegunAnewByOrdersToHold_NAV_3_MUL_3) {
+  OccupancyGrid world = room(), map = room();
+  drawWall(world, 64, false);
+  drawWall(map, 64, true);
+  DrivenRobot robot(world, {1.5, 1.55, 0.0});
+  robot.navigator().setMap(map, map.geometry().rect());
+  robot.send({5.0, 1.55});
+  std::optional<navigation::NavFinished> finished;
+  for (int i = 0; i < 6000 && !finished; ++i) {
+    robot.order.hold = i % 80 < 10;  // for half a second every four
+    finished = robot.runUntilFinished(0.05);
+  }
+  EXPECT_TRUE(finished);
 }
 
 // [FLT-1]

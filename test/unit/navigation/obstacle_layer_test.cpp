@@ -91,6 +91,23 @@ TEST_F(ObstacleLayerTest, ForgetsWhatIsOutOfSightAfterAWhile) {
   EXPECT_FALSE(isBlocked({4.01, 3.01}));
 }
 
+// [NAV-1]
+TEST_F(ObstacleLayerTest, KeepsWhatIsToBeKeptUntilThatIsReleased_NAV_1) {
+  LaserScan2 both = withObstacle(1.0F);
+  for (std::size_t beam = 268; beam <= 272; ++beam) both.ranges[beam] = 1.0F;
+  see(both, 1.0);
+  layer.keepNear({{3.9, 3.01}}, 0.3, map.geometry());
+  EXPECT_TRUE(isBlocked({3.01, 4.01}));
+  LaserScan2 blind = emptyScan();
+  blind.ranges.assign(360, std::numeric_limits<float>::quiet_NaN());
+  see(blind, 100.0);
+  EXPECT_TRUE(isBlocked({4.01, 3.01}));
+  EXPECT_FALSE(isBlocked({3.01, 4.01})) << "it is at another place";
+  layer.releaseKept();
+  see(blind, 100.1);
+  EXPECT_FALSE(isBlocked({4.01, 3.01}));
+}
+
 TEST_F(ObstacleLayerTest, LeavesToTheMapWhatTheMapHas) {
   EXPECT_FALSE(see(withObstacle(2.86F), 1.0)) << "a hit in front of the wall is the wall";
   EXPECT_FALSE(see(withObstacle(2.97F, 90), 1.1)) << "nobody may go where the map is unknown anyway";
