@@ -71,7 +71,10 @@ def remove_empty(path):
 
 
 def free_prefix(prefix):
+    """This path of a map without what the mapper leaves out of it, or one with a number behind it if there is such a map; empty if
+    neither can be made."""
+    name, extension = os.path.splitext(os.path.abspath(prefix))
     try:
-        return taken(os.path.abspath(prefix))
+        return taken(name if extension in ('.pgm', '.yaml', '.bt') else name + extension)
     except OSError:
-        return prefix  # saving there will say what is wrong with it
+        return ''

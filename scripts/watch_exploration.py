@@ -2,8 +2,8 @@
 """Watches an exploration, which it can also start, prints its progress periodically, and saves the map when it is done, on Ctrl-C,
 or when its terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved.
 
-Exit code: 0 when no reachable frontier is left and the map was saved where it was to be, 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal
-was closed, 141 when nobody reads the output any more, 1 otherwise.
+Exit code: 0 when no reachable frontier is left and the map was saved where it was to be, 130 after Ctrl-C, 143 after SIGTERM, 129 when
+the terminal was closed, 141 when nobody reads the output any more, 1 otherwise.
 """
 import argparse
 import math
@@ -145,13 +145,14 @@ class Starter:
 
 
 def save_what_was_mapped_since(watcher, interrupt, prefix):
-    """Waits without a word until it is told to end, and saves the map if it has changed meanwhile, under a name that no map has."""
-    begin = None
-    while not rospy.is_shutdown() and not interrupt.number:
+    """Waits without a word until it is told to end, and saves the map if it may have changed meanwhile, under a name that no map has.
+    It ends with the process that has started it."""
+    begin, parent = None, os.getppid()
+    while not rospy.is_shutdown() and not interrupt.number and os.getppid() == parent:
         begin = begin or watcher.status
         time.sleep(0.2)
     if begin and has_changed(begin, watcher.status):
-        say('\nThe map has changed since it was saved: saving it ...')
+        say('\nThe robot has driven on since the map was saved: saving it again ...')
         save_map(prefix and free_prefix(prefix))
     return 128 + interrupt.number
 

@@ -117,7 +117,8 @@ class Round:
         if self.honest:
             self.outcome.figure('%s round: the robot explored at the begin of %d of %d turns, and drove %.1f m' % (
                 self.name, self.driving_turns, self.turns, self.watch.distance - driven))
-            self.outcome.expect(self.watch.contacts == contacts, 'the robot touched something in the honest round: ' + self.watch.last_contact)
+            self.outcome.expect(self.watch.contacts == contacts,
+                                'the robot touched something in the honest round: ' + self.watch.last_contact)
         probe.wait(30.0)
         with open(probe_log) as file:
             self.judge_stops(json.load(file))

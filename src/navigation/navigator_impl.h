@@ -109,8 +109,8 @@ class Navigator::Impl {
   std::optional<Time> blocked_since_;
   std::optional<Time> waiting_since_;
   std::size_t rung_ = 0;
-  std::size_t rounds_ = 0;  ///< of the ladder since the robot was `nearest_` to the goal
-  double nearest_ = std::numeric_limits<double>::infinity();  ///< [m]
+  std::size_t rounds_ = 0;  ///< of the ladder since the way to the goal was `nearest_`
+  double nearest_ = std::numeric_limits<double>::infinity();  ///< the shortest way that was left on any path [m]
   Recovery recovery_;
   std::deque<Pose2> recovery_began_;  ///< the way to where the recovery began, that pose the last
   NavReason trouble_ = NavReason::kBlocked;

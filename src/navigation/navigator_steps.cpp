@@ -41,7 +41,7 @@ constexpr double kLeftGoal = 2.0;
 constexpr int kMostDepartures = 5;       // of a robot that slips away or recovers each time that it turns at its goal
 constexpr double kKeepSpacing = 0.1;     ///< of the places on a path near which obstacles are kept [m]
 constexpr std::size_t kMostRounds = 5;   ///< of the ladder, with a way between them that brings the robot no nearer
-constexpr double kNearer = 0.5;          ///< to the goal [m]
+constexpr double kNearer = 0.5;          ///< to the goal, along the path [m]
 constexpr double kSamePlace = 0.05;      ///< between two poses [m]
 constexpr double kSameYaw = 0.1;         ///< the same [rad]
 constexpr double kRecoverySlack = 0.02;  ///< a recovery may come this much nearer to what the map shows than a path [m]
@@ -176,7 +176,7 @@ void Navigator::Impl::drive(const MotionPredictor::Motion& motion, Time now) {
 /// The robot has moved on, so that the recoveries begin anew. Not for ever: between two shut doors it could go to and
 /// fro without an end. [NAV-1]
 void Navigator::Impl::leaveTrouble() {
-  if (const double left = distanceToGoal(); left < nearest_ - kNearer) {
+  if (const double left = follower_.remaining(); left < nearest_ - kNearer) {
     nearest_ = left;
     rounds_ = 0;
   }

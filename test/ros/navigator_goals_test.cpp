@@ -23,8 +23,11 @@ class NavigatorGoals : public ::testing::Test {
   template <class Condition>
   static bool comes(const Condition& condition) {
     const SteadyTime end = steadyNow() + std::chrono::seconds(10);
-    while (!condition() && steadyNow() < end) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-    return condition();
+    bool came = false;  // a condition may take what it asks for
+    while (!(came = condition()) && steadyNow() < end) {
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
+    }
+    return came;
   }
   void sendGoal(const std::string& id) const {
     move_base_msgs::MoveBaseActionGoal goal;

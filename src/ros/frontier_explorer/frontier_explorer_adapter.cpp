@@ -67,6 +67,7 @@ std::string FrontierExplorerAdapter::fromWhen() {
 }
 
 void FrontierExplorerAdapter::update(Time now) {
+  if (enabled_) obeyOrder(now);  // one that waited: this decision may take as long as the one before
   expireClicks();
   const CellRect changed = map_.takeChanged();
   if (map_.ready() && !changed.empty()) explorer_.setMap(map_.map(), changed);

@@ -37,7 +37,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   connections_.serve(names::kClearCostmaps, &NavigatorAdapter::handleClear, this);
   connections_.every(ros::Duration(1.0 / parameters_.rate), [this] {
     const auto now = connections_.clock().now();
-    if (now && !connections_.clock().isCatchingUp()) return tickSafely(*now);
+    if (now && !connections_.clock().isCatchingUp()) return tick(*now);
     if (navigator_.hasGoal()) command_.publish(toTwistMsg({}));
   });
   connections_.clock().onJump([this] {  // the goal stays
@@ -101,27 +101,25 @@ navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   return inputs;
 }
 
-/// After an exception neither the last command stays in force nor a goal without an end: it would be thrown again in
-/// each tick. [FLT-1]
-void NavigatorAdapter::tickSafely(Time now) {
+void NavigatorAdapter::tick(Time now) {
+  navigation::NavigatorInputs inputs;
+  navigation::NavigatorOutput output;
   try {
-    tick(now);
+    inputs = gather(now);
+    output = pursue(inputs, now);
   } catch (...) {
+    // Neither the last command stays in force nor a goal without an end: it would be thrown again in each tick. [FLT-1]
     if (navigator_.hasGoal() || server_.goal()) command_.publish(toTwistMsg({}));
     server_.abortAll("internal error");
     throw;
   }
+  const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->pose) : std::nullopt;
+  if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
+  publisher_.publish(navigator_, output, server_.goal(), T_map_base, now);
 }
 
-/// Whether nothing but a zero may be sent: while the stop is latched, and after a tick that took so long that a stop
-/// and its clear may have come meanwhile, which nobody has read yet. [ARB-8] [FLT-2]
-bool NavigatorAdapter::mustStand() {
-  return server_.isStopped() || !connections_.clock().now() || connections_.clock().isCatchingUp();
-}
-
-void NavigatorAdapter::tick(Time now) {
-  const navigation::NavigatorInputs inputs = gather(now);
-  const navigation::NavigatorOutput output = navigator_.update(inputs, now);
+navigation::NavigatorOutput NavigatorAdapter::pursue(const navigation::NavigatorInputs& inputs, Time now) {
+  navigation::NavigatorOutput output = navigator_.update(inputs, now);
   state_ = output.state;
   motions_.note(output);
   // The zero is published before the result is sent to the client. [NAV-1]
@@ -130,9 +128,13 @@ void NavigatorAdapter::tick(Time now) {
     failure_ = finished.result == navigation::NavResult::kAborted ? toString(finished.reason) : "";
     server_.settle(finished);
   }
-  const auto T_map_base = inputs.pose ? std::make_optional(inputs.pose->pose) : std::nullopt;
-  if (T_map_base) server_.feedback(*T_map_base, inputs.pose->stamp);
-  publisher_.publish(navigator_, output, server_.goal(), T_map_base, now);
+  return output;
+}
+
+/// Whether nothing but a zero may be sent: while the stop is latched, and after a tick that took so long that a stop
+/// and its clear may have come meanwhile, which nobody has read yet. [ARB-8] [FLT-2]
+bool NavigatorAdapter::mustStand() {
+  return server_.isStopped() || !connections_.clock().now() || connections_.clock().isCatchingUp();
 }
 
 }  // namespace frontier_pilot

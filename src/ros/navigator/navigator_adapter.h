@@ -57,8 +57,8 @@ class NavigatorAdapter {
   void sayLastWords();
 
  private:
-  void tickSafely(Time now);
   void tick(Time now);
+  navigation::NavigatorOutput pursue(const navigation::NavigatorInputs& inputs, Time now);
   bool mustStand();
   navigation::NavigatorInputs gather(Time now);
   void handleScan(const sensor_msgs::LaserScan& msg);

@@ -64,6 +64,14 @@ class SavedMaps(unittest.TestCase):
                 self.assertIn('the disk is full; another folder is tried, ' + self.spare('')[:-1], self.out.getvalue())
                 self.assertEqual(os.listdir('maps') if os.path.exists('maps') else [], [], 'an empty picture is left')
 
+    def test_a_second_map_does_not_take_the_name_of_the_first_one(self):
+        """[FLT-2]"""
+        pathlib.Path('floor.pgm').write_text('the first one')
+        for prefix in 'floor', 'floor.yaml', 'floor.pgm':
+            with self.subTest(prefix=prefix):
+                self.assertRegex(saved_maps.free_prefix(prefix), r'/floor_[0-9]+$')
+        self.assertEqual(saved_maps.free_prefix('floor.pgm/room'), '', 'a file is no folder')
+
     def test_a_file_in_the_place_of_the_folder_does_not_lose_the_map(self):
         pathlib.Path('maps').write_text('')
         self.assertFalse(saved_maps.save_map(''))
