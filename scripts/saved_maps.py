@@ -31,13 +31,13 @@ def save_map(prefix):
     """Returns whether the mapper has written the map where it was to be, and prints where it is, or why it is not: if that fails it is
     asked once more, as it may just have been started again, and then for another folder, because the map is lost when it ends."""
     spare = os.path.abspath(os.path.join(rospkg.get_ros_home(), 'frontier_pilot', 'maps'))
-    attempts = ((lambda: prefix or default_prefix(), '; it is tried once more'),
-                (lambda: prefix or default_prefix(), '; another folder is tried, %s' % spare),
-                (lambda: default_prefix(spare), ''))
-    for path_of, outlook in attempts:
+    def wanted():
+        return prefix or default_prefix()
+    for path_of, outlook in ((wanted, '; it is tried once more'), (wanted, '; another folder is tried, %s' % spare),
+                             (lambda: default_prefix(spare), '')):
         try:
             ask_to_save(path_of)
-            return path_of is not attempts[-1][0]
+            return path_of is wanted
         except (OSError, NotSaved, rospy.ServiceException) as error:
             say('The map could not be saved: %s%s' % (error, outlook), sys.stderr)
         except rospy.ROSException as error:  # there is no mapper that could be asked again

@@ -3,7 +3,6 @@
 #include "ros/common/actions/action_server.h"
 
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
 #include <ros/ros.h>
 
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "frontier_pilot/WaitAction.h"
+#include "wait_for.h"
 
 namespace frontier_pilot {
 namespace {
@@ -18,21 +18,16 @@ namespace {
 using actionlib_msgs::GoalID;
 using actionlib_msgs::GoalStatus;
 using actionlib_msgs::GoalStatusArray;
+using test::serveUntil;
 
 class ActionServers : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(comes([this] {
+    ASSERT_TRUE(serveUntil([this] {
       return goals_.getNumSubscribers() > 0 && cancels_.getNumSubscribers() > 0 && results_.getNumPublishers() > 0;
     }));
   }
 
-  template <class Condition>
-  static bool comes(const Condition& condition, Duration patience = std::chrono::seconds(10)) {
-    const SteadyTime end = steadyNow() + patience;
-    while (!condition() && steadyNow() < end) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-    return condition();
-  }
   static GoalID named(const std::string& id) {
     GoalID goal_id;
     goal_id.id = id;
@@ -45,7 +40,7 @@ class ActionServers : public ::testing::Test {
   }
   /// Whether exactly one goal has ended, so named and so.
   bool endsAs(const std::string& id, std::uint8_t state) {
-    return comes([this] { return !ended_.empty(); }) && ended_.size() == 1 && ended_[0].goal_id.id == id &&
+    return serveUntil([this] { return !ended_.empty(); }) && ended_.size() == 1 && ended_[0].goal_id.id == id &&
            ended_[0].status == state;
   }
 
@@ -79,13 +74,13 @@ TEST_F(ActionServers, AbortAGoalThatCannotBeStartedAndTakeTheNext) {
   EXPECT_EQ(canceled_, 1) << "what may have begun is ended as well";
   fails_ = false;
   sendGoal("b");
-  EXPECT_TRUE(comes([this] { return begun_ == 1; }));
+  EXPECT_TRUE(serveUntil([this] { return begun_ == 1; }));
 }
 
 // [FLT-1]
 TEST_F(ActionServers, EndACanceledGoalAlsoWhereTheOwnerDoesNot) {
   sendGoal("a");
-  ASSERT_TRUE(comes([this] { return begun_ == 1; }));
+  ASSERT_TRUE(serveUntil([this] { return begun_ == 1; }));
   cancels_.publish(named("a"));
   EXPECT_TRUE(endsAs("a", GoalStatus::PREEMPTED));
 }
@@ -93,7 +88,7 @@ TEST_F(ActionServers, EndACanceledGoalAlsoWhereTheOwnerDoesNot) {
 // [FLT-1]
 TEST_F(ActionServers, RecallAGoalWhoseCancelCameFirst) {
   cancels_.publish(named("early"));
-  ASSERT_TRUE(comes([this] { return known_ == "early"; }));
+  ASSERT_TRUE(serveUntil([this] { return known_ == "early"; }));
   sendGoal("early");
   EXPECT_TRUE(endsAs("early", GoalStatus::RECALLED));
   EXPECT_EQ(begun_, 0);
@@ -116,14 +111,14 @@ TEST_F(ActionServers, BeginAGoalFromWithinTheNodeAtOnceAndOnlyOnce) {
       "within/result", 10, [&](const WaitActionResult::ConstPtr& result) { ended.push_back(result->status); });
   const ros::Publisher goals = node_.advertise<WaitActionGoal>("within/goal", 10);
   const ros::Publisher cancels = node_.advertise<GoalID>("within/cancel", 10);
-  ASSERT_TRUE(comes([&] { return goals.getNumSubscribers() > 0 && cancels.getNumSubscribers() > 0; }));
+  ASSERT_TRUE(serveUntil([&] { return goals.getNumSubscribers() > 0 && cancels.getNumSubscribers() > 0; }));
   const auto goal = server.offer({});
   EXPECT_EQ(begun, 1) << "before any callback is called";
   goals.publish(goal);
   cancels.publish(GoalID());
-  ASSERT_TRUE(comes([&] { return !ended.empty(); }));
+  ASSERT_TRUE(serveUntil([&] { return !ended.empty(); }));
   EXPECT_EQ(ended.back().status, GoalStatus::PREEMPTED);
-  EXPECT_FALSE(comes([&] { return begun > 1 || ended.size() > 1; }, std::chrono::seconds(1)));
+  EXPECT_FALSE(serveUntil([&] { return begun > 1 || ended.size() > 1; }, std::chrono::seconds(1)));
 }
 
 }  // namespace

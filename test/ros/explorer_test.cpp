@@ -12,25 +12,20 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/tf/tf_bridge.h"
+#include "wait_for.h"
 
 namespace frontier_pilot {
 namespace {
 
-using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
+using test::serveUntil;
 
-/// Serves callbacks until `condition` holds; false after ten seconds.
-bool waitFor(const std::function<bool()>& condition, double seconds = 10.0) {
-  const SteadyTime end = steadyNow() + fromSeconds(seconds);
-  while (!condition() && steadyNow() < end) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-  return condition();
-}
+using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
 
 /// A move_base that takes goals and ends them when the test says so.
 class FakeMoveBase {
@@ -124,16 +119,16 @@ class ExplorerOnTheWire : public ::testing::Test {
   }
 
   static bool reaches(std::uint8_t state, double seconds = 10.0) {
-    return waitFor([&] { return world->latest.state == state; }, seconds);
+    return serveUntil([&] { return world->latest.state == state; }, fromSeconds(seconds));
   }
   static bool wentThrough(std::uint8_t reason) {
-    return waitFor([&] {
+    return serveUntil([&] {
       return std::any_of(world->history.begin(), world->history.end(),
                          [&](const ExplorerStatus& s) { return s.reason == reason; });
     });
   }
   static bool shows(const std::string& marker_namespace) {
-    return waitFor([&] {
+    return serveUntil([&] {
       const auto& all = world->markers.markers;
       return std::any_of(all.begin(), all.end(), [&](const auto& m) { return m.ns == marker_namespace; });
     });
@@ -145,7 +140,7 @@ ExplorerOnTheWire::World* ExplorerOnTheWire::world = nullptr;
 
 // [EXP-7]
 TEST_F(ExplorerOnTheWire, A_DoesNothingUntilItIsAskedTo_EXP_7) {
-  ASSERT_TRUE(waitFor([] { return !world->history.empty(); }));
+  ASSERT_TRUE(serveUntil([] { return !world->history.empty(); }));
   EXPECT_EQ(world->latest.state, ExplorerStatus::IDLE);
   EXPECT_EQ(world->latest.reason, ExplorerStatus::PAUSED);
   std_srvs::SetBool explore;
@@ -156,13 +151,13 @@ TEST_F(ExplorerOnTheWire, A_DoesNothingUntilItIsAskedTo_EXP_7) {
 
 // [EXP-8]
 TEST_F(ExplorerOnTheWire, B_WaitsAndNamesWhatIsMissing_EXP_8) {
-  ASSERT_TRUE(waitFor([] { return world->complaints.size() >= 2; }));
+  ASSERT_TRUE(serveUntil([] { return world->complaints.size() >= 2; }));
   EXPECT_NE(world->complaints.back().find("map, odometry, TF from map to base, move_base"), std::string::npos);
   EXPECT_EQ(world->latest.state, ExplorerStatus::IDLE);
   EXPECT_EQ(world->latest.reason, ExplorerStatus::WAITING_FOR_INPUTS);
   world->robot = std::make_unique<FakeRobot>(world->node);
   world->map_publisher.publish(toOccupancyGridMsg(world->map, names::kMapFrame, rosNow()));
-  EXPECT_TRUE(waitFor([] { return world->latest.reason_text.rfind("missing: move_base", 0) == 0; }))
+  EXPECT_TRUE(serveUntil([] { return world->latest.reason_text.rfind("missing: move_base", 0) == 0; }))
       << world->latest.reason_text;
 }
 
@@ -170,7 +165,7 @@ TEST_F(ExplorerOnTheWire, B_WaitsAndNamesWhatIsMissing_EXP_8) {
 TEST_F(ExplorerOnTheWire, C_SendsAGoalOnFreeGroundAndShowsTheFrontiers_EXP_1) {
   world->move_base = std::make_unique<FakeMoveBase>(world->node);
   ASSERT_TRUE(reaches(ExplorerStatus::NAVIGATING));
-  ASSERT_TRUE(waitFor([] { return !world->move_base->goals.empty(); }));
+  ASSERT_TRUE(serveUntil([] { return !world->move_base->goals.empty(); }));
   const auto& goal = world->move_base->goals.front();
   EXPECT_EQ(goal.header.frame_id, names::kMapFrame);
   const Cell cell = world->map.geometry().cellAt({goal.pose.position.x, goal.pose.position.y});
@@ -183,7 +178,7 @@ TEST_F(ExplorerOnTheWire, C_SendsAGoalOnFreeGroundAndShowsTheFrontiers_EXP_1) {
 // [EXP-5]
 TEST_F(ExplorerOnTheWire, D_ATimedOutGoalIsCancelledAndBlacklisted_EXP_5) {
   ASSERT_TRUE(wentThrough(ExplorerStatus::GOAL_TIMED_OUT));
-  EXPECT_TRUE(waitFor([] { return world->move_base->cancels >= 1; })) << "[EXP-5]";
+  EXPECT_TRUE(serveUntil([] { return world->move_base->cancels >= 1; })) << "[EXP-5]";
   EXPECT_TRUE(shows("blacklist")) << "in red";
   EXPECT_TRUE(shows("rejected: blacklisted") || world->latest.reason == ExplorerStatus::BLACKLIST_SATURATED);
 }
@@ -204,7 +199,7 @@ TEST_F(ExplorerOnTheWire, E_AVanishedMoveBaseStopsItAndItResumes_EXP_8) {
   EXPECT_EQ(world->latest.reason_text.rfind("missing: move_base", 0), 0U) << world->latest.reason_text;
   world->move_base = std::make_unique<FakeMoveBase>(world->node);
   EXPECT_TRUE(reaches(ExplorerStatus::NAVIGATING)) << "[EXP-8]";
-  EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
+  EXPECT_TRUE(serveUntil([] { return world->move_base->active(); }));
 }
 
 // [EXP-7]
@@ -213,11 +208,11 @@ TEST_F(ExplorerOnTheWire, F_APauseCancelsTheGoal_EXP_7) {
   pause.request.data = 0;
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, pause));
   EXPECT_TRUE(pause.response.success);
-  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
-  EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
+  EXPECT_TRUE(serveUntil([] { return !world->move_base->active(); }));
+  EXPECT_TRUE(serveUntil([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
   pause.request.data = 1;
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, pause));
-  EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
+  EXPECT_TRUE(serveUntil([] { return world->move_base->active(); }));
 }
 
 // [ARB-8] Nothing is driven to while the robot is stopped, and after the clear it does not drive off.
@@ -226,19 +221,19 @@ TEST_F(ExplorerOnTheWire, F_AStopCancelsTheGoalAndItsClearPauses_ARB_8) {
   std_msgs::Bool stopped;
   stopped.data = 1;
   stop.publish(stopped);
-  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
-  EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::EMERGENCY_STOP; }));
+  EXPECT_TRUE(serveUntil([] { return !world->move_base->active(); }));
+  EXPECT_TRUE(serveUntil([] { return world->latest.reason == ExplorerStatus::EMERGENCY_STOP; }));
   std_srvs::SetBool go_on;
   go_on.request.data = 1;
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, go_on));
   EXPECT_NE(go_on.response.message.find("clearing the stop pauses it"), std::string::npos) << go_on.response.message;
   stopped.data = 0;
   stop.publish(stopped);
-  EXPECT_TRUE(waitFor([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
+  EXPECT_TRUE(serveUntil([] { return world->latest.reason == ExplorerStatus::PAUSED; }));
   EXPECT_FALSE(world->move_base->active());
   ASSERT_TRUE(ros::service::call(names::kSetExplorationEnabled, go_on));
   EXPECT_EQ(go_on.response.message, "exploration enabled");
-  EXPECT_TRUE(waitFor([] { return world->move_base->active(); }));
+  EXPECT_TRUE(serveUntil([] { return world->move_base->active(); }));
 }
 
 // A broken map is refused, and what was known is kept.
@@ -248,7 +243,7 @@ TEST_F(ExplorerOnTheWire, G_AMapOfTheWrongLengthLosesNothing) {
   broken.data.resize(7);
   world->map_publisher.publish(broken);
   const std::size_t seen = world->history.size();
-  ASSERT_TRUE(waitFor([&] { return world->history.size() >= seen + 2; }));
+  ASSERT_TRUE(serveUntil([&] { return world->history.size() >= seen + 2; }));
   EXPECT_EQ(world->latest.explored_area, area);
 }
 
@@ -258,7 +253,7 @@ TEST_F(ExplorerOnTheWire, H_IsDoneWhenNothingIsLeftAndAnOpenedDoorWakesIt_EXP_7)
   world->fill({90, 1, 10, 38}, kOccupied);
   ASSERT_TRUE(reaches(ExplorerStatus::DONE)) << world->latest.state_text << " " << world->latest.reason_text;
   EXPECT_EQ(world->latest.reason, ExplorerStatus::NO_REACHABLE_FRONTIER);
-  EXPECT_TRUE(waitFor([] { return !world->move_base->active(); }));
+  EXPECT_TRUE(serveUntil([] { return !world->move_base->active(); }));
   world->fill({90, 10, 5, 20}, kFree);
   world->fill({95, 10, 5, 20}, kUnknown);
   EXPECT_TRUE(reaches(ExplorerStatus::NAVIGATING));

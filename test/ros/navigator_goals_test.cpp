@@ -1,34 +1,26 @@
 // What a client is told of a goal when the navigator's cycle fails.
 
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
 #include <ros/ros.h>
 
 #include <string>
 #include <vector>
 
 #include "ros/navigator/navigator_action.h"
+#include "wait_for.h"
 
 namespace frontier_pilot {
 namespace {
 
 using actionlib_msgs::GoalStatus;
+using test::serveUntil;
 
 class NavigatorGoals : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(comes([this] { return goals_.getNumSubscribers() > 0 && results_.getNumPublishers() > 0; }));
+    ASSERT_TRUE(serveUntil([this] { return goals_.getNumSubscribers() > 0 && results_.getNumPublishers() > 0; }));
   }
 
-  template <class Condition>
-  static bool comes(const Condition& condition) {
-    const SteadyTime end = steadyNow() + std::chrono::seconds(10);
-    bool came = false;  // a condition may take what it asks for
-    while (!(came = condition()) && steadyNow() < end) {
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-    }
-    return came;
-  }
   void sendGoal(const std::string& id) const {
     move_base_msgs::MoveBaseActionGoal goal;
     goal.goal_id.id = id;
@@ -39,7 +31,7 @@ class NavigatorGoals : public ::testing::Test {
   /// The inputs of the cycle that takes the next goal.
   navigation::NavigatorInputs begun() {
     navigation::NavigatorInputs inputs;
-    EXPECT_TRUE(comes([&] {
+    EXPECT_TRUE(serveUntil([&] {
       inputs = {};
       server_.fill(inputs);
       return inputs.new_goal.has_value();
@@ -65,7 +57,7 @@ TEST_F(NavigatorGoals, AreAbortedAndCancelledAfterACycleThatFailedAndTheNextIsTa
   begun();
   server_.abortAll("internal error");
   EXPECT_FALSE(server_.goal());
-  ASSERT_TRUE(comes([this] { return ended_.size() == 2; }));
+  ASSERT_TRUE(serveUntil([this] { return ended_.size() == 2; }));
   for (const GoalStatus& status : ended_) {
     EXPECT_EQ(status.status, GoalStatus::ABORTED);
     EXPECT_EQ(status.text, "internal error");

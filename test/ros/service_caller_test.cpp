@@ -3,7 +3,6 @@
 
 #include <frontier_pilot/SaveMap.h>
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
 #include <ros/master.h>
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
@@ -19,19 +18,14 @@
 #include "hanging_server.h"
 #include "ros/common/clock.h"
 #include "ros/common/publish_flush.h"
+#include "wait_for.h"
 
 namespace frontier_pilot {
 namespace {
 
 constexpr Duration kPatience = std::chrono::milliseconds(1500);  // for the first answer to a stop
 
-bool waitFor(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(15.0);
-  while (!condition() && ros::WallTime::now() < end) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02));
-  }
-  return condition();
-}
+bool waitFor(const std::function<bool()>& condition) { return test::serveUntil(condition, std::chrono::seconds(15)); }
 
 /// What the operator is told.
 class Lines {

@@ -3,7 +3,6 @@
 #include "ros/common/tf/tf_bridge.h"
 
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -13,6 +12,7 @@
 
 #include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
+#include "wait_for.h"
 
 namespace frontier_pilot {
 namespace {
@@ -31,11 +31,7 @@ TEST(TfBridge, SaysATransformOnceAStampAlsoAfterTheClockWasSetBack) {
     }
   });
   const auto serveUntilSaid = [&](const char* source) {
-    const SteadyTime end = steadyNow() + 10 * kSecond;
-    while (steadyNow() < end && (said.empty() || said.back().first != source)) {
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-    }
-    return !said.empty() && said.back().first == source;
+    return test::serveUntil([&] { return !said.empty() && said.back().first == source; });
   };
   const Time now = Time{} + 100 * kSecond;
   bridge.broadcast("map", "first", {}, now);
