@@ -10,7 +10,7 @@ import time
 import rospy
 import yaml
 from nav_msgs.msg import OccupancyGrid
-from std_srvs.srv import SetBool, Trigger
+from std_srvs.srv import Trigger
 
 from robot_starts import draw_starts, read_world
 from run_attack import environment, interfaces, services
@@ -53,7 +53,7 @@ class Robot:
         return services.call('/%s/%s' % (self.name, service), Trigger)
 
     def explore(self, on):
-        return services.call('/%s/set_exploration_enabled' % self.name, SetBool, SetBool._request_class(on))
+        return services.explore(on, '/%s/' % self.name)
 
     def moves(self):
         return self.watch.speed is not None and self.watch.speed > 0.05

@@ -6,9 +6,11 @@ import rospy
 from actionlib_msgs.msg import GoalID
 from std_srvs.srv import SetBool, Trigger
 
+from run_attack.system import wait_until
 from run_attack.velocity_sources import SOURCES
 
 PATIENCE = 5.0  # [s] within which every service has to answer
+STOP_IS_KNOWN = 2.0  # [s] within which the explorer has heard that a stop is cleared
 ACTIONS = ('move_base', 'follow_waypoints', 'turtlebot3', 'spin', 'back_up', 'drive_on_heading', 'wait')
 
 
@@ -37,8 +39,16 @@ def switch(name, on):
     return call(name, SetBool, SetBool._request_class(on))
 
 
-def explore(on):
-    return switch('set_exploration_enabled', on)
+def explore(on, space=''):
+    """The answer of the explorer of that namespace. It is asked again as long as it answers that the robot is stopped: it may not have
+    heard yet of a clear that has just been answered, and would be paused when it does."""
+    answers = []
+
+    def knows():
+        answers.append(switch(space + 'set_exploration_enabled', on))
+        return not on or answers[-1] is None or 'the robot is stopped' not in answers[-1].message
+    wait_until(knows, STOP_IS_KNOWN)
+    return answers[-1]
 
 
 class Goals:
