@@ -2,7 +2,6 @@
 import datetime
 import os
 import re
-import shutil
 import stat
 
 from . import free_name
@@ -105,9 +104,22 @@ def keep_newest(folder, count, spared=()):
     removed = []
     for path in [run for run in all_runs(folder) if is_ours(run)][:-count or None]:
         if path not in spared and not is_being_recorded(path):
-            shutil.rmtree(path, ignore_errors=True)
+            _remove(path)
             removed.append(path)
     return removed
+
+
+def _remove(run):
+    """Removes what the recorder and the report have written, and the folder if nothing else is in it: somebody may keep a map or notes
+    there. The marks go last, so that a run of which only a part could be removed is one still."""
+    names = _names_in(run)
+    paths = [os.path.join(run, name) for name in names if PART.match(name) or name == REPORT] + markers_of(run)
+    try:
+        for path in paths:
+            os.remove(path)
+        os.rmdir(run)
+    except OSError:  # there is something else in it, or it is not to be written
+        pass
 
 
 def bag_of(run, stretch):

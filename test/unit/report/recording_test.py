@@ -87,9 +87,18 @@ class Runs(FolderCase):
             thesis.write('It was a dark and stormy night.')
         theirs = set(os.listdir(self.folder))
         ours = runs.begin(self.folder)
-        self.touch(ours, 'notes.txt')
         self.assertEqual(runs.keep_newest(self.folder, 0), [ours])
         self.assertEqual(set(os.listdir(self.folder)), theirs)
+
+    def test_what_somebody_has_put_into_a_run_outlives_it(self):
+        """[REC-1] A map was saved beside the record of its run."""
+        run = runs.begin(self.folder)
+        for name in ('run_0.bag', 'run_1.bag', 'report.html', 'floor.bt', 'maps/floor.pgm'):
+            self.touch(os.path.join(run, os.path.dirname(name)), os.path.basename(name))
+        self.assertEqual(runs.keep_newest(self.folder, 0), [run])
+        self.assertEqual(sorted(os.listdir(run)), ['floor.bt', 'maps'])
+        self.assertTrue(os.path.exists(os.path.join(run, 'maps', 'floor.pgm')))
+        self.assertEqual(runs.keep_newest(self.folder, 0), [])
 
     def test_a_run_without_the_file_that_marks_it_is_known_by_what_is_in_it(self):
         """[REC-1]"""
