@@ -21,6 +21,7 @@ constexpr double kContactPenalty = 0.2;   ///< [m of progress]
 constexpr double kDeviationWeight = 0.5;  ///< [m of progress per m off the path]
 constexpr double kCrossingGap = 0.05;     ///< gap to where another robot is going to be [m]
 constexpr double kForeseen = 1.5;         ///< for how long others are taken to drive on as they do [s]
+constexpr double kTouchShare = 0.5;       ///< of the scan's margin that is given up before it counts as a contact
 constexpr double kGoodEnough = 0.9;       ///< share of full-speed progress; then no other variant is tried
 
 }  // namespace
@@ -43,7 +44,7 @@ bool PathFollower::Vicinity::isFree(const Pose2& pose, double speed) const {
   if (least_clearance > 0.0 && map.clearance(pose.position()) < least_clearance) return false;
   if (corners_count && !follower.outline_on_map_.fits(map, pose, kMapSlack)) return false;
   const auto more = static_cast<float>(kSpeedMargin * std::max(0.0, speed - kNarrowSpeed));
-  return follower.outline_.isDisc() ? isDiscFreeOfPoints(pose.position(), more) : isFreeOfPoints(pose, more);
+  return isFreeOfPoints(pose, more);
 }
 
 bool PathFollower::Vicinity::isFreeOfOthers(const Vec2& position, double seconds) const {
@@ -70,6 +71,10 @@ bool PathFollower::Vicinity::isDiscFreeOfPoints(const Vec2& position, float more
 }
 
 bool PathFollower::Vicinity::isFreeOfPoints(const Pose2& pose, float more) const {
+  return follower.outline_.isDisc() ? isDiscFreeOfPoints(pose.position(), more) : isOutlineFreeOfPoints(pose, more);
+}
+
+bool PathFollower::Vicinity::isOutlineFreeOfPoints(const Pose2& pose, float more) const {
   const auto x = static_cast<float>(pose.x);
   const auto y = static_cast<float>(pose.y);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -165,6 +170,7 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
 }
 
 bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs, const Vicinity& around) const {
+  if (!canBeTheLast(trial.command, inputs, around)) return false;
   // The next data are assumed to be as old as these.
   const double reaction = params_.reaction_time + inputs.age;
   if (!outline_.isDisc()) return canStop(trial.command, reaction, inputs, around);
@@ -176,15 +182,30 @@ bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs, cons
 
 bool PathFollower::canStop(const Twist2& command, double reaction, const FollowerInputs& inputs,
                            const Vicinity& around) const {
+  return stopsWhere(
+      [&](const Pose2& pose, const Twist2& twist, double t) {
+        return around.isFree(pose, std::abs(twist.linear)) && around.isFreeOfOthers(pose.position(), t);
+      },
+      command, reaction, inputs);
+}
+
+bool PathFollower::canBeTheLast(const Twist2& command, const FollowerInputs& inputs, const Vicinity& around) const {
+  if (command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
+  const auto less = static_cast<float>(-kTouchShare * params_.scan_margin);
+  return stopsWhere([&](const Pose2& pose, const Twist2&, double) { return around.isFreeOfPoints(pose, less); },
+                    command, params_.command_lifetime + kStep, inputs);
+}
+
+bool PathFollower::stopsWhere(const std::function<bool(const Pose2&, const Twist2&, double)>& is_free,
+                              const Twist2& command, double seconds, const FollowerInputs& inputs) const {
   Pose2 pose = inputs.T_map_base;
   Twist2 twist = inputs.twist;
   const auto moves = [&] { return twist.linear != 0.0 || twist.angular != 0.0; };
-  for (double t = 0.0; t < reaction || moves(); t += kStep) {
-    if (t > reaction + kLongestBraking) return false;
-    twist = limitAcceleration(t < reaction ? command : Twist2{}, twist, limits_, kStep);
+  for (double t = 0.0; t < seconds || moves(); t += kStep) {
+    if (t > seconds + kLongestBraking) return false;
+    twist = limitAcceleration(t < seconds ? command : Twist2{}, twist, limits_, kStep);
     pose = integrate(pose, twist, kStep);
-    if (!around.isFree(pose, std::abs(twist.linear)) || !around.isFreeOfOthers(pose.position(), t + kStep))
-      return false;
+    if (!is_free(pose, twist, t + kStep)) return false;
   }
   return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "frontier_pilot/core/geometry.h"
@@ -87,7 +88,9 @@ class PathFollower {
     /// Whether the robot is away from where the others will be in `seconds`, if they drive on, or at least no nearer
     /// than if it stood still.
     bool isFreeOfOthers(const Vec2& position, double seconds) const;
+    /// Whether the scan's points are `more` [m] farther away than the least distances.
     bool isFreeOfPoints(const Pose2& pose, float more) const;
+    bool isOutlineFreeOfPoints(const Pose2& pose, float more) const;
     bool isDiscFreeOfPoints(const Vec2& position, float more) const;
   };
 
@@ -103,6 +106,15 @@ class PathFollower {
   /// Whether the robot touches nothing when it follows `command` for `reaction` [s] and then brakes to a standstill. An
   /// outline needs that: while it brakes it may turn where the rest of the trial would not.
   bool canStop(const Twist2& command, double reaction, const FollowerInputs& inputs, const Vicinity& around) const;
+  /// Whether the robot touches nothing that the scan shows if the navigator falls silent after `command`, which the
+  /// base follows then for its lifetime. What a turn on the spot would touch is not looked at: a disc sweeps no new
+  /// ground, and robots of another outline could not turn in narrow places any more. The idea is that of braking
+  /// inevitable collision states (Bouraine, Fraichard and Salhi, Provably safe navigation for mobile robots with limited
+  /// field-of-views in dynamic environments, Autonomous Robots 32, 2012), with the time to stop made longer.
+  bool canBeTheLast(const Twist2& command, const FollowerInputs& inputs, const Vicinity& around) const;
+  /// Whether `is_free` of each pose, twist and time [s] if the robot follows `command` for so many seconds and brakes.
+  bool stopsWhere(const std::function<bool(const Pose2&, const Twist2&, double)>& is_free, const Twist2& command,
+                  double seconds, const FollowerInputs& inputs) const;
 
   FollowerParams params_;
   RobotLimits limits_;

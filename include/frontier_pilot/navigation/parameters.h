@@ -16,12 +16,18 @@ struct FollowerParams {
   double turn_in_place_angle = 1.3;  ///< above this bearing of the pursued point the robot turns on the spot [rad]
   double horizon = 1.5;              ///< how far ahead motions are simulated [s]
   double reaction_time = 0.25;       ///< from the next scan, if it comes without delay, until the wheels brake [s]
+  double command_lifetime = 1.0;     ///< for how long the base follows a command after which no other comes [s]
 
   template <class Visitor>
   void describe(Visitor& v) {
     v.moved("inscribed_radius", "robot/disc_radius");
     v.field("scan_margin", scan_margin, "m", "clearance of the robot's outline from the scan's points",
             between(0.0, 0.5));
+    v.field("command_lifetime", command_lifetime, "s",
+            "for how long the base follows the last command of a navigator that has fallen silent, which is the "
+            "arbiter's timeout of "
+            "the source nav: no motion is commanded that would touch something meanwhile",
+            between(0.0, 10.0));
     v.fixed({"lookahead_time", "min_lookahead", "turn_in_place_angle", "horizon", "reaction_time"});
   }
 };

@@ -87,6 +87,54 @@ TEST(PathFollower, IsFreeToLeaveWhatItIsTooNearTo_NAV_4) {
   }
 }
 
+// [FLT-1] A navigator that dies leaves its last command in force until the arbiter's timeout.
+TEST(PathFollower, TouchesNothingIfAnyOfItsCommandsIsTheLast_FLT_1) {
+  planning::ClearanceMap open;
+  open.setMap(OccupancyGrid(posts().geometry(), kFree), {0, 0, 60, 60});
+  open.refresh();
+  OccupancyGrid walls(posts().geometry(), kFree);  // a passage that ends, with the path round its corner
+  for (int i = 10; i < 50; ++i) walls[Cell{i, 40}] = walls[Cell{40, i}] = kOccupied;
+  for (int i = 10; i < 29; ++i) walls[Cell{i, 28}] = walls[Cell{28, i}] = kOccupied;
+  sim::SimulatorParameters parameters;
+  parameters.x = 0.8;
+  parameters.y = 1.72;
+  parameters.robot.limits = fast();
+  sim::Simulator simulator(sim::World{walls, Pose2(parameters.x, parameters.y, 0.0)}, parameters);
+  navigation::PathFollower follower({}, fastRobot());
+  follower.setPath(planning::Path({Vec2(0.8, 1.72), Vec2(1.72, 1.72), Vec2(1.72, 0.8)}));
+  std::optional<navigation::ScanPoints> scan;
+  const auto touches = [&](const Vec2& position) {
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 60; ++x) {
+        const Vec2 off = (walls.geometry().centre({x, y}) - position).cwiseAbs() - Vec2(0.025, 0.025);
+        if (isOccupied(walls[Cell{x, y}]) && off.cwiseMax(0.0).norm() < 0.105) return true;
+      }
+    }
+    return false;
+  };
+  int moving = 0;
+  for (int step = 0; step < 1500; ++step) {
+    simulator.step();
+    if (const LaserScan2* fresh = simulator.newScan(0))
+      scan = navigation::scanPoints(*fresh, simulator.pose(0), Outline::disc(0.105));
+    if (!scan || step % 10 != 0) continue;
+    const navigation::FollowerInputs inputs{simulator.pose(0), simulator.velocity(0), 0.05, *scan, open};
+    const Twist2 command = follower.update(inputs).command;
+    simulator.setCommand(0, command);
+    if (command.linear > 0.0) ++moving;
+    Pose2 pose = simulator.pose(0);
+    Twist2 twist = simulator.velocity(0);
+    for (double t = 0.0; t < 1.0 || !twist.isZero(); t += 0.02) {
+      twist = limitAcceleration(t < 1.0 ? command : Twist2{}, twist, fast(), 0.02);
+      pose = integrate(pose, twist, 0.02);
+      ASSERT_FALSE(touches(pose.position())) << "by the command (" << command.linear << ", " << command.angular
+                                             << ") at " << simulator.pose(0).position().transpose();
+    }
+  }
+  EXPECT_GT(moving, 10);
+  EXPECT_LT((simulator.pose(0).position() - Vec2(1.72, 0.8)).norm(), 0.2) << "it arrives all the same";
+}
+
 // [MUL-3] Where it is now another robot is out of the way, but both would be at the crossing at the same time.
 TEST(PathFollower, BrakesForARobotThatIsGoingToCrossItsWay_MUL_3) {
   planning::ClearanceMap open;
