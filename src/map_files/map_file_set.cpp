@@ -67,16 +67,25 @@ bool MapFileSet::isOfAnotherProgram() const {
   }
 }
 
-bool MapFileSet::hasAnotherPicture() const {
+std::optional<std::string> MapFileSet::editedPicture() const {
   const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
   try {
-    if (!text.ok() || compareWithYaml(text.bytes, SavedFile::kPicture, {}) == FileMatch::kNotMentioned) return false;
-    const fs::path named = base_.parent_path() / imageOf(text.bytes);
-    const FileContent image = readFile(named.string(), bounds::kMostImageBytes);
-    return image.ok() && compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes) == FileMatch::kAnother;
+    if (!text.ok() || compareWithYaml(text.bytes, SavedFile::kPicture, {}) == FileMatch::kNotMentioned) return {};
+    const std::string picture = pictureOf(text.bytes).string();
+    const FileContent image = readFile(picture, bounds::kMostImageBytes);
+    const bool edited =
+        image.ok() && compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes) == FileMatch::kAnother;
+    return edited ? std::optional<std::string>(picture) : std::nullopt;
   } catch (const std::invalid_argument&) {
-    return false;
+    return {};
   }
+}
+
+fs::path MapFileSet::pictureOf(const std::string& yaml) const {
+  const std::string named = imageOf(yaml);
+  const std::string saved_as = savedNameOf(yaml);
+  const bool renamed = saved_as != name() && named == saved_as + ".pgm";
+  return renamed ? fs::path(picture()) : base_.parent_path() / named;
 }
 
 }  // namespace frontier_pilot::map_files

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "frontier_pilot/map_files/map_io.h"
@@ -34,10 +35,16 @@ class MapFileSet {
   /// Whether there is a YAML that mentions no octree, as other programs write it, or one that cannot be read. A YAML
   /// that `saveMap` wrote and whose .bt is missing belongs to a damaged map.
   bool isOfAnotherProgram() const;
-  /// Whether the picture that the YAML names is another one than was saved: somebody has edited it, or named another.
-  bool hasAnotherPicture() const;
+  /// The picture that counts, if it is another one than was saved: somebody has edited it, or named another in the
+  /// YAML.
+  std::optional<std::string> editedPicture() const;
 
  private:
+  /// The picture that belongs to the map whose YAML has this text. The YAML of a map that was renamed or copied with
+  /// its files still names the picture of before, which may be that of another map by now: it is the one beside it
+  /// then.
+  std::filesystem::path pictureOf(const std::string& yaml) const;
+
   std::filesystem::path base_;
 };
 

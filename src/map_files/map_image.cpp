@@ -155,8 +155,7 @@ cv::Mat decodePng(const std::string& bytes, const ImageSize& size) {
   return fits ? image : cv::Mat();
 }
 
-cv::Mat readImage(const std::string& yaml_path, const MapYaml& file) {
-  const std::filesystem::path path = std::filesystem::path(yaml_path).parent_path() / file.image;
+cv::Mat readImage(const std::string& yaml_path, const MapYaml& file, const std::filesystem::path& path) {
   const std::string name = "its image " + printable(path.string(), kMostPath);
   const FileContent content = readFile(path, bounds::kMostImageBytes);
   if (content.status == FileContent::Status::kMissing) fail(yaml_path, name + " does not exist");
@@ -224,9 +223,11 @@ class Pgm {
 
 }  // namespace
 
-MapImage readMapImage(const std::string& yaml_path) {
+MapImage readMapImage(const std::string& yaml_path, const std::string& image_path) {
   const MapYaml file = readYaml(yaml_path);
-  const cv::Mat image = readImage(yaml_path, file);
+  std::filesystem::path path(image_path);
+  if (path.empty()) path = std::filesystem::path(yaml_path).parent_path() / file.image;
+  const cv::Mat image = readImage(yaml_path, file, path);
   MapImage read;
   read.map = OccupancyGrid(GridGeometry{file.resolution, {file.origin[0], file.origin[1]}, image.cols, image.rows});
   for (int y = 0; y < image.rows; ++y) {

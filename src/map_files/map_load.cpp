@@ -32,12 +32,13 @@ std::string inMetres(double length) {
   return text.str();
 }
 
-/// Loads a map from its image; `why` that is done is told with it.
-MapIoResult loadPicture(const std::string& yaml_path, const std::string& why, occupancy::OccupancyMap& map) {
+/// Loads a map from its image, the one that its YAML names if `picture` names none; `why` that is done is told with it.
+MapIoResult loadPicture(const std::string& yaml_path, const std::string& picture, const std::string& why,
+                        occupancy::OccupancyMap& map) {
   constexpr double kSame = 1e-6;  // [m]: tolerance for resolutions that were typed by hand
   std::string change;
   try {
-    const MapImage image = readMapImage(yaml_path);
+    const MapImage image = readMapImage(yaml_path, picture);
     const double resolution = map.parameters().resolution;
     const bool same = std::abs(image.map.resolution() - resolution) <= kSame;
     const std::optional<OccupancyGrid> fitting = same ? std::nullopt : resampled(image.map, resolution);
@@ -63,12 +64,12 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   const FolderLock lock(files.folder(), FolderLock::Kind::kRead, std::chrono::seconds(1));
   const FileContent octree = readFile(files.octree(), map.mostBytes());
   if (octree.status == FileContent::Status::kMissing && files.isOfAnotherProgram())
-    return loadPicture(files.yaml(), "it has no octree", map);
+    return loadPicture(files.yaml(), {}, "it has no octree", map);
   if (!octree.ok()) return cannotRead(files.octree(), octree);
   MapIoResult belongs = files.compareOctree(octree.bytes);
   if (!belongs.ok()) return belongs;
-  if (files.hasAnotherPicture()) {
-    MapIoResult edited = loadPicture(files.yaml(), "it was edited after the map was saved", map);
+  if (const auto picture = files.editedPicture()) {
+    MapIoResult edited = loadPicture(files.yaml(), *picture, "it was edited after the map was saved", map);
     if (edited.ok()) return edited;
     belongs.text += "; its image was edited after the map was saved, but cannot be used: " + edited.text;
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
@@ -79,12 +80,19 @@ std::string imageOf(const std::string& yaml) {
   return image != nullptr ? *image : "";
 }
 
+std::string savedNameOf(const std::string& yaml) {
+  const ParameterMap map = parseYaml(yaml);
+  const auto* entry = find<ParameterMap>(map, keyOf(SavedFile::kOctree));
+  const auto* file = entry != nullptr ? find<std::string>(*entry, "file") : nullptr;
+  constexpr std::string_view extension = ".bt";
+  const bool ours = file != nullptr && file->size() > extension.size() &&
+                    file->compare(file->size() - extension.size(), extension.size(), extension) == 0;
+  return ours ? file->substr(0, file->size() - extension.size()) : "";
+}
+
 bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree, const std::string& picture) {
   try {
-    const ParameterMap map = parseYaml(yaml);
-    const auto* entry = find<ParameterMap>(map, keyOf(SavedFile::kOctree));
-    const auto* file = entry != nullptr ? find<std::string>(*entry, "file") : nullptr;
-    return imageOf(yaml) == name + ".pgm" && file != nullptr && *file == name + ".bt" &&
+    return imageOf(yaml) == name + ".pgm" && savedNameOf(yaml) == name &&
            compareWithYaml(yaml, SavedFile::kOctree, octree) == FileMatch::kSame &&
            compareWithYaml(yaml, SavedFile::kPicture, picture) == FileMatch::kSame;
   } catch (const std::invalid_argument&) {

@@ -36,6 +36,10 @@ FileMatch compareWithYaml(const std::string& yaml, SavedFile file, const std::st
 /// The picture that `yaml` names, empty if it names none. Throws std::invalid_argument if `yaml` cannot be parsed.
 std::string imageOf(const std::string& yaml);
 
+/// The name under which `saveMap` wrote `yaml`; empty if another program wrote it. Throws std::invalid_argument if
+/// `yaml` cannot be parsed.
+std::string savedNameOf(const std::string& yaml);
+
 /// Whether parsing `yaml` yields the names and the checksums that `mapYaml` was given.
 bool readsAs(const std::string& yaml, const std::string& name, const std::string& octree, const std::string& picture);
 

@@ -15,11 +15,11 @@ struct MapImage {
   std::optional<Pose2> start;
 };
 
-/// Reads a map_server YAML and the image it names, PGM or PNG. In the modes scale and raw a cell is occupied from 65 %
-/// on, free up to 25 %, and else unknown. An additional key `start: [x, y, yaw]` [m, m, rad] sets a default start pose;
-/// other unknown keys are ignored, as by map_server. [SIM-1] [MAP-5] Throws std::runtime_error naming the file and
-/// everything that is wrong with it; a rotated origin is refused.
-MapImage readMapImage(const std::string& yaml_path);
+/// Reads a map_server YAML and the image it names, or the one at `image_path`, PGM or PNG. In the modes scale and raw a
+/// cell is occupied from 65 % on, free up to 25 %, and else unknown. An additional key `start: [x, y, yaw]` [m, m, rad]
+/// sets a default start pose; other unknown keys are ignored, as by map_server. [SIM-1] [MAP-5] Throws
+/// std::runtime_error naming the file and everything that is wrong with it; a rotated origin is refused.
+MapImage readMapImage(const std::string& yaml_path, const std::string& image_path = {});
 
 /// The bytes of a PGM image with map_server's grey values for free, occupied and unknown cells.
 std::string pgmOf(const OccupancyGrid& grid);

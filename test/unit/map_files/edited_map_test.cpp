@@ -33,8 +33,8 @@ class EditedMap : public ::testing::Test {
     std::ofstream(path(name), std::ios::binary) << bytes;
   }
   /// The picture without its only dark pixel, as somebody leaves it who has erased what stood there.
-  std::string withoutWall() const {
-    std::string picture = read("floor.pgm");
+  std::string withoutWall(const std::string& name = "floor.pgm") const {
+    std::string picture = read(name);
     for (std::size_t i = picture.size() - map.grid().size(); i < picture.size(); ++i) {
       if (picture[i] == '\0') picture[i] = static_cast<char>(254);
     }
@@ -83,6 +83,27 @@ TEST_F(EditedMap, IsLoadedFromTheOctreeIfItsPictureCannotBeReadAndSaysSo) {
   EXPECT_EQ(atWall(), kOccupied);
   fs::remove(path("floor.pgm"));
   EXPECT_EQ(load().text, "loaded " + path("floor.bt"));
+}
+
+// The YAML of a renamed map names the picture of before, which is that of the map that was saved there since.
+TEST_F(EditedMap, IsLoadedFromItsOwnFilesAfterTheyWereRenamed_MAP_5) {
+  for (const char* extension : {".pgm", ".yaml", ".bt"})
+    fs::rename(path("floor") + extension, path("monday") + extension);
+  map.beginScan();
+  map.hit({11, 12});
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  const map_files::MapIoResult result = map_files::loadMap(path("monday"), loaded);
+  EXPECT_EQ(result.text, "loaded " + path("monday.bt"));
+  const auto at = [&](Cell cell) {
+    return loaded.grid().get(loaded.geometry().cellAt(map.geometry().centre(cell)), kUnknown);
+  };
+  EXPECT_EQ(at(kWall), kOccupied);
+  EXPECT_NE(at({11, 12}), kOccupied) << "of the map that has its name now";
+
+  write("monday.pgm", withoutWall("monday.pgm"));
+  const map_files::MapIoResult edited = map_files::loadMap(path("monday"), loaded);
+  EXPECT_NE(edited.text.find("edited after the map was saved"), std::string::npos) << edited.text;
+  EXPECT_EQ(atWall(), kFree);
 }
 
 TEST_F(EditedMap, CountsAsSavedWhenItIsSavedAgain) {
