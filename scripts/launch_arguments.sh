@@ -1,5 +1,16 @@
 # Sourced by scripts/run: refuses arguments that launch/system.launch does not have, and values that do not exist.
 
+# expand_home WORD...: sets `words` to these words with the home folder where a value begins with ~/, which bash expands only where
+# a word begins with it.
+expand_home() {
+  local word
+  words=()
+  for word in "$@"; do
+    case $word in [a-z]*:='~/'*) word=${word%%:=*}:=$HOME/${word#*:='~/'} ;; esac
+    words+=("$word")
+  done
+}
+
 # check_launch_arguments ROOT OWN WORD...: each word has to be NAME:=VALUE, where NAME is an argument of
 # launch/system.launch or OWN. The first wrong one is named, with what there is instead, and ends the script.
 check_launch_arguments() {
@@ -54,7 +65,7 @@ check_value() {
       case ${value##*/} in *[[:cntrl:]]*) wrong_argument "$value" "map: a name cannot have a control character" ;; esac
       [ "$(printf %s.yaml "${value##*/}" | wc -c)" -le 255 ] ||
         wrong_argument "$value" "map: the name '${value##*/}' is too long for a file"
-      [ ! -d "$value" ] || wrong_argument "$value" "map: '$value' is a folder; give the path of the map's files, such as ${value%/}/floor"
+      [ ! -d "$value" ] && [[ $value != */ ]] || wrong_argument "$value" "map: '$value' is a folder; give the path of the map's files, such as ${value%/}/floor"
       mkdir -p "$(dirname -- "$value")" 2>/dev/null && [ -w "$(dirname -- "$value")" ] ||
         wrong_argument "$value" "map: nothing can be written to the folder of '$value'" ;;
     map_file)

@@ -201,9 +201,16 @@ def period_in(text):
     return period
 
 
+def map_in(text):
+    path = os.path.expanduser(text)
+    if path.endswith('/') or os.path.isdir(path):
+        raise argparse.ArgumentTypeError('%r is a folder; give the path of the map\'s files, such as %s' % (text, os.path.join(path, 'floor')))
+    return path
+
+
 def main():
     parser = CommandLine(__doc__, 'rosrun frontier_pilot watch_exploration.py --map /tmp/floor')
-    parser.add_argument('--map', default='', help='where to save it, without extension (maps/<date and time>)')
+    parser.add_argument('--map', type=map_in, default='', help='where to save it, without extension (maps/<date and time>)')
     parser.add_argument('--start-when-recorded', action='store_true',
                         help='start the exploration as soon as the run is recorded, or after %.0f s without that' % RECORDER_START)
     parser.add_argument('--saved-already', action='store_true',

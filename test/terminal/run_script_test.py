@@ -89,6 +89,7 @@ class RunScript(unittest.TestCase):
         for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
                             ('x:=left', 'number'), ('map:=/proc/nowhere/floor', 'nothing can be written'), ('map:=/tmp', 'is a folder'),
+                            ('map:=/tmp/none/', 'is a folder'),
                             ('map:=a\tb', 'control character'), ('map:=/tmp/\udcff', 'UTF-8'), ('world:=/$(x)/a.yaml', 'substitution'),
                             ('map:=/tmp/a:=b', "must not contain ':='"), ('world:=a:=b', "must not contain ':='"),
                             ('seed:=3000000000', 'seed: must be'), ('seed:=-1', 'seed: must be'), ('seed:=' + 30 * '9', 'seed: must be'),

@@ -16,6 +16,7 @@ echo "$@" >>"$WATCHED"
 [[ " $* " == *' --saved-already '* ]] || exit 0  # the exploration is done
 while :; do sleep 0.05; done
 '''
+FAILING_LAUNCH = '() { echo "RLException: run_id on parameter server does not match declared run_id: 1 vs 2"; return 1; }'
 LAUNCH = '() { trap "exit 0" INT; touch "$LAUNCHED"; while [ ! -e "$LAUNCH_ENDS" ]; do sleep 0.05; done; }'
 
 
@@ -38,10 +39,10 @@ class RunWindows(unittest.TestCase):
             (build / name).write_text('')
         self.watched, self.launch_ends = self.folder / 'watched', self.folder / 'launch_ends'
 
-    def start(self, *words, display=':9'):
+    def start(self, *words, display=':9', launch=LAUNCH):
         environment = dict(os.environ, FRONTIER_PILOT_BUILD=str(self.folder / 'build'), DISPLAY=display, WATCHED=str(self.watched),
-                           ROS_HOME=str(self.folder / 'home'), ROS_PACKAGE_PATH='', LAUNCHED=str(self.folder / 'launched'),
-                           LAUNCH_ENDS=str(self.launch_ends), **{'BASH_FUNC_roslaunch%%': LAUNCH, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
+                           ROS_HOME=str(self.folder / 'home'), ROS_PACKAGE_PATH='', LAUNCHED=str(self.folder / 'launched'), HOME=str(self.folder),
+                           LAUNCH_ENDS=str(self.launch_ends), **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
         process = subprocess.Popen([str(self.folder / 'root/scripts/run'), *words], cwd=self.caller, env=environment, text=True,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
@@ -51,12 +52,14 @@ class RunWindows(unittest.TestCase):
     def end(self, process):
         self.launch_ends.touch()
         if process.poll() is None:
-            process.kill()
-        process.communicate()
+            process.send_signal(signal.SIGINT)  # killed, it would leave the watcher, which holds its output
+        process.communicate(timeout=60)
 
     def start_until_done(self, *words):
-        process = self.start('record:=false', *words)
+        process = self.start(*words) if 'record:=true' in words else self.start('record:=false', *words)
         for line in process.stdout:
+            if line.startswith('Launching; '):
+                self.logs = pathlib.Path(line.split(' goes to ')[1].split(',')[0]).parent
             if line.startswith('The windows stay open'):
                 break
         end = time.monotonic() + 30.0
@@ -71,6 +74,35 @@ class RunWindows(unittest.TestCase):
         self.assertEqual(process.returncode, 130, err)
         map_option = '--map %s/floor' % self.caller
         self.assertEqual(self.watched.read_text().splitlines(), [map_option, map_option + ' --saved-already', 'saved again'])
+
+    def test_a_value_may_begin_with_the_home_folder(self):
+        process = self.start_until_done('map:=~/maps of today/floor')
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertIn('--map %s/maps of today/floor' % self.folder, self.watched.read_text().splitlines())
+
+    def test_ctrl_z_does_not_leave_a_robot_that_drives_on(self):
+        """[FLT-1]"""
+        process = self.start_until_done('map:=floor')
+        status = pathlib.Path('/proc/%d/status' % process.pid).read_text()
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        ignored = int(status.split('SigIgn:')[1].split()[0], 16)
+        self.assertTrue(ignored >> (signal.SIGTSTP - 1) & 1)
+
+    def test_says_how_a_report_is_made_if_its_folder_was_removed(self):
+        process = self.start_until_done('map:=floor', 'record:=true')
+        shutil.rmtree(self.logs)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+        self.assertIn('somebody has removed %s; ' % self.logs, err)
+        self.assertNotIn('before its recorder had begun', err)
+
+    def test_says_that_another_launch_has_begun_at_the_same_master(self):
+        process = self.start('record:=false', launch=FAILING_LAUNCH)
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(err.splitlines()[-1], '^scripts/run: a launch that has begun at the same moment, or another program, has the port')
 
     def test_a_launch_that_ends_by_itself_after_the_exploration_leaves_no_watcher(self):
         process = self.start_until_done()

@@ -15,6 +15,15 @@ from std_msgs.msg import Bool  # noqa: E402
 
 
 class Words(unittest.TestCase):
+    def test_a_folder_is_no_map(self):
+        """[FLT-1]"""
+        for path in ('/tmp', '.', 'maps/', '~/'):
+            with self.subTest(path=path):
+                done = subprocess.run([str(ROOT / 'scripts/watch_exploration.py'), '--map=' + path, '__master:=nowhere'], timeout=60,
+                                      stdin=subprocess.DEVNULL, capture_output=True, text=True)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, '^watch_exploration.py: argument --map: .* is a folder; .*/floor;')
+
     def test_a_period_in_which_no_line_can_be_printed_is_refused(self):
         """[FLT-1]"""
         for period in ('nan', 'inf', '-1', '0.1', '3601', 'often'):
