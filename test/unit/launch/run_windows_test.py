@@ -13,6 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 WATCHER = '''#!/bin/bash
 trap 'echo saved again >>"$WATCHED"; exit 143' TERM
 echo "$@" >>"$WATCHED"
+for ((i = 0; i < EXPLORES; i++)); do sleep 0.05; done
 [[ " $* " == *' --saved-already '* ]] || exit 0  # the exploration is done
 while :; do sleep 0.05; done
 '''
@@ -39,10 +40,10 @@ class RunWindows(unittest.TestCase):
             (build / name).write_text('')
         self.watched, self.launch_ends = self.folder / 'watched', self.folder / 'launch_ends'
 
-    def start(self, *words, display=':9', launch=LAUNCH):
+    def start(self, *words, display=':9', launch=LAUNCH, explores=0):
         environment = dict(os.environ, FRONTIER_PILOT_BUILD=str(self.folder / 'build'), DISPLAY=display, WATCHED=str(self.watched),
                            ROS_HOME=str(self.folder / 'home'), ROS_PACKAGE_PATH='', LAUNCHED=str(self.folder / 'launched'), HOME=str(self.folder),
-                           LAUNCH_ENDS=str(self.launch_ends), **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
+                           LAUNCH_ENDS=str(self.launch_ends), EXPLORES=str(explores), **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
         process = subprocess.Popen([str(self.folder / 'root/scripts/run'), *words], cwd=self.caller, env=environment, text=True,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
@@ -99,7 +100,7 @@ class RunWindows(unittest.TestCase):
         self.assertNotIn('before its recorder had begun', err)
 
     def test_says_that_another_launch_has_begun_at_the_same_master(self):
-        process = self.start('record:=false', launch=FAILING_LAUNCH)
+        process = self.start('record:=false', launch=FAILING_LAUNCH, explores=200)
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 1)
         self.assertRegex(err.splitlines()[-1], '^scripts/run: a launch that has begun at the same moment, or another program, has the port')
