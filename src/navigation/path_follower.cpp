@@ -100,8 +100,9 @@ double PathFollower::distanceTo(const Vec2& point, const Pose2& pose) const {
 
 PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) const {
   const Pose2& pose = inputs.T_map_base;
-  const double reach =
-      limits_.max_linear * params_.horizon + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
+  const double braking = limits_.max_linear / (2.0 * limits_.max_linear_acc);  // in time at full speed [s]
+  const double farthest = limits_.max_linear * std::max(params_.horizon, params_.command_lifetime + kStep + braking);
+  const double reach = farthest + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
   Vicinity around{
       inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false, inputs.others, pose.position()};
   around.least_distances.reserve(around.points.size());

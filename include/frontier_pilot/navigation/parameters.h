@@ -25,8 +25,7 @@ struct FollowerParams {
             between(0.0, 0.5));
     v.field("command_lifetime", command_lifetime, "s",
             "for how long the base follows the last command of a navigator that has fallen silent, which is the "
-            "arbiter's timeout of "
-            "the source nav: no motion is commanded that would touch something meanwhile",
+            "arbiter's timeout of the source nav: no motion is commanded that would touch something meanwhile",
             between(0.0, 10.0));
     v.fixed({"lookahead_time", "min_lookahead", "turn_in_place_angle", "horizon", "reaction_time"});
   }

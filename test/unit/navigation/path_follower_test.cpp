@@ -135,6 +135,23 @@ TEST(PathFollower, TouchesNothingIfAnyOfItsCommandsIsTheLast_FLT_1) {
   EXPECT_LT((simulator.pose(0).position() - Vec2(1.72, 0.8)).norm(), 0.2) << "it arrives all the same";
 }
 
+TEST(PathFollower, LooksAsFarAsTheRobotGoesOnByItsLastCommand_FLT_1) {
+  planning::ClearanceMap open;
+  open.setMap(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 200, 200}, kFree), {0, 0, 200, 200});
+  open.refresh();
+  navigation::FollowerParams patient;
+  patient.command_lifetime = 3.0;  // 1.5 m, and 0.05 m until it stands
+  const auto commandBefore = [&](double distance) {
+    navigation::ScanPoints wall;
+    for (int i = -20; i <= 20; ++i) wall.add(Vec2(3.0 + distance, 5.0 + 0.05 * i));
+    navigation::PathFollower follower(patient, fastRobot());
+    follower.setPath(planning::Path({Vec2(3.0, 5.0), Vec2(8.0, 5.0)}));
+    return follower.update({Pose2(3.0, 5.0, 0.0), Twist2{0.5, 0.0}, 0.05, wall, open}).command.linear;
+  };
+  EXPECT_EQ(commandBefore(2.0), 0.5);
+  EXPECT_LT(commandBefore(1.4), 0.45);
+}
+
 // [MUL-3] Where it is now another robot is out of the way, but both would be at the crossing at the same time.
 TEST(PathFollower, BrakesForARobotThatIsGoingToCrossItsWay_MUL_3) {
   planning::ClearanceMap open;
