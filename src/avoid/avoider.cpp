@@ -11,6 +11,9 @@ namespace {
 /// Ticks may come slightly early or late; without this slack an early one would prolong a phase by a whole tick.
 constexpr Duration kTickSlack = std::chrono::milliseconds(10);
 
+constexpr const char* kNothingAhead = "nothing near ahead";
+constexpr const char* kRests = "obstacle ahead: waits until the robot is driven, because it was stopped";
+
 const AvoiderParameters& checked(const AvoiderParameters& parameters) {
   Problems problems;
   parameters.check(problems);
@@ -19,11 +22,6 @@ const AvoiderParameters& checked(const AvoiderParameters& parameters) {
 }
 
 }  // namespace
-
-const char* toString(AvoiderState state) {
-  constexpr const char* kNames[] = {"idle", "waiting", "clear", "reverse", "rotate", "fault", "stuck"};
-  return kNames[static_cast<int>(state)];
-}
 
 /// The state machine; decide() enters the state that follows from the last scan and the time.
 class Avoider::Impl {
@@ -36,16 +34,23 @@ class Avoider::Impl {
   std::optional<AvoiderCommand> update(Time now);
   std::optional<AvoiderCommand> tick(Time now);
   std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
+  std::optional<AvoiderCommand> setResting(bool rests, Time now) {
+    rests_ = rests;
+    return update(now);
+  }
   void setParameters(const AvoiderParameters& parameters);
 
+  bool rests() const { return rests_; }
   bool enabled() const { return state_ != AvoiderState::kIdle; }
   AvoiderState state() const { return state_; }
   AvoiderSnapshot status(Time now) const;
 
  private:
   void observe(Time now);
+  std::optional<AvoiderCommand> take(SectorDistances around, Time stamp);
   void fault(const std::string& why);
   void decide(Time now);
+  void beClear(const char* reason, Time now);
   void startEpisode(Time now);
   void startCycle(Time now);
   void recover(Time now);
@@ -55,6 +60,7 @@ class Avoider::Impl {
   bool rearFree() const { return around_.sees_rear && around_.rear >= distances_.rear_stop; }
   std::string noReversing() const;
   bool turnFree() const { return around_.nearest >= distances_.turn; }
+  bool isRecovering() const { return state_ == AvoiderState::kReverse || state_ == AvoiderState::kRotate; }
   bool ahead() const;
   bool clear() const;
   AvoiderCommand command() const;
@@ -67,6 +73,7 @@ class Avoider::Impl {
   std::string reason_;
   SectorDistances around_;
   bool has_scan_ = false;
+  bool rests_ = false;  ///< begins no recovery
   Time scan_stamp_, scan_received_;
   Time last_now_;
   Time phase_start_;
@@ -84,25 +91,23 @@ class Avoider::Impl {
 
 std::optional<AvoiderCommand> Avoider::Impl::onScan(const LaserScan2& scan, Time now) {
   observe(now);
-  if (!enabled()) return std::nullopt;
-  around_ = reader_.read(scan);
-  has_scan_ = true;
-  scan_stamp_ = scan.stamp;
-  scan_received_ = now;
-  if (!around_.fault.empty()) ++faults_;
-  decide(now);
-  return makeOutput();
+  return enabled() ? take(reader_.read(scan), scan.stamp) : std::nullopt;
 }
 
 std::optional<AvoiderCommand> Avoider::Impl::onBadScan(const std::string& why, Time now) {
   observe(now);
-  if (!enabled()) return std::nullopt;
-  around_ = {};
-  around_.fault = why;
+  SectorDistances nothing;
+  nothing.fault = why;
+  return enabled() ? take(std::move(nothing), now) : std::nullopt;
+}
+
+std::optional<AvoiderCommand> Avoider::Impl::take(SectorDistances around, Time stamp) {
+  around_ = std::move(around);
   has_scan_ = true;
-  scan_stamp_ = scan_received_ = now;
-  ++faults_;
-  decide(now);
+  scan_stamp_ = stamp;
+  scan_received_ = last_now_;
+  if (!around_.fault.empty()) ++faults_;
+  decide(last_now_);
   return makeOutput();
 }
 
@@ -115,8 +120,7 @@ std::optional<AvoiderCommand> Avoider::Impl::update(Time now) {
 
 std::optional<AvoiderCommand> Avoider::Impl::tick(Time now) {
   update(now);
-  if (!enabled()) return std::nullopt;
-  return last_;
+  return enabled() ? std::optional<AvoiderCommand>(last_) : std::nullopt;
 }
 
 std::optional<AvoiderCommand> Avoider::Impl::setEnabled(bool enable, Time now) {
@@ -125,8 +129,7 @@ std::optional<AvoiderCommand> Avoider::Impl::setEnabled(bool enable, Time now) {
   has_scan_ = false;
   around_ = {};
   enter(enable ? AvoiderState::kWaiting : AvoiderState::kIdle, enable ? "no scan yet" : "switched off", now);
-  last_ = command();
-  return last_;
+  return last_ = command();
 }
 
 void Avoider::Impl::setParameters(const AvoiderParameters& parameters) {
@@ -174,10 +177,15 @@ void Avoider::Impl::decide(Time now) {
   if (now - scan_stamp_ > max_age) return fault("the scan is old");
   if (scan_stamp_ - now > max_age) return fault("the scan is from the future");
   resume(now);
-  if (state_ == AvoiderState::kReverse || state_ == AvoiderState::kRotate) return recover(now);
+  if (rests_ && (isRecovering() || ahead())) return beClear(kRests, now);
+  if (isRecovering()) return recover(now);
   if (state_ == AvoiderState::kStuck && !clear()) return;
   if (ahead()) return startEpisode(now);
-  if (state_ != AvoiderState::kClear) enter(AvoiderState::kClear, "nothing near ahead", now);
+  beClear(kNothingAhead, now);
+}
+
+void Avoider::Impl::beClear(const char* reason, Time now) {
+  if (state_ != AvoiderState::kClear || reason_ != reason) enter(AvoiderState::kClear, reason, now);
 }
 
 void Avoider::Impl::startEpisode(Time now) {
@@ -211,11 +219,9 @@ void Avoider::Impl::turnAway(Time now, const std::string& reason) {
 }
 
 void Avoider::Impl::recover(Time now) {
-  if (clear()) return enter(AvoiderState::kClear, "nothing near ahead", now);
+  if (clear()) return beClear(kNothingAhead, now);
   const bool reversing = state_ == AvoiderState::kReverse;
-  if (reversing && !rearFree()) {
-    return turnAway(now, noReversing());
-  }
+  if (reversing && !rearFree()) return turnAway(now, noReversing());
   if (!reversing && !turnFree()) return turnAway(now, {});
   const double phase_time = reversing ? parameters_.reverse_time : parameters_.turn_time;
   if (now - phase_start_ + kTickSlack < fromSeconds(phase_time)) return;
@@ -230,9 +236,8 @@ void Avoider::Impl::enter(AvoiderState state, const std::string& reason, Time no
   phase_start_ = now;
   if (state == AvoiderState::kFault) return;
   interrupted_.reset();
-  const bool recovering = state == AvoiderState::kReverse || state == AvoiderState::kRotate;
-  if (!recovering) turn_ = 0;
-  if (!recovering && state != AvoiderState::kStuck) cycle_ = 0;
+  if (!isRecovering()) turn_ = 0;
+  if (!isRecovering() && state != AvoiderState::kStuck) cycle_ = 0;
 }
 
 AvoiderCommand Avoider::Impl::command() const {
@@ -284,6 +289,8 @@ std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time no
 std::optional<AvoiderCommand> Avoider::update(Time now) { return impl_->update(now); }
 std::optional<AvoiderCommand> Avoider::tick(Time now) { return impl_->tick(now); }
 std::optional<AvoiderCommand> Avoider::setEnabled(bool enable, Time now) { return impl_->setEnabled(enable, now); }
+std::optional<AvoiderCommand> Avoider::setResting(bool rests, Time now) { return impl_->setResting(rests, now); }
+bool Avoider::rests() const { return impl_->rests(); }
 void Avoider::setParameters(const AvoiderParameters& parameters) { impl_->setParameters(parameters); }
 bool Avoider::enabled() const { return impl_->enabled(); }
 AvoiderState Avoider::state() const { return impl_->state(); }

@@ -12,7 +12,7 @@ from geometry_msgs.msg import Twist
 from sensor_msgs.msg import LaserScan
 from std_srvs.srv import SetBool
 
-from wire import Record, Source, call, moves, wait_for
+from wire import Record, Source, call, clear, emergency_stop, moves, wait_for
 
 BEAMS = 360
 
@@ -88,6 +88,20 @@ class AvoiderOnTheWire(unittest.TestCase):
         self.world.ranges = {20: 0.4, 180: 0.2}
         self.assertTrue(wait_for(lambda: self.out.last.angular.z == -0.7))
         self.assertFalse(any(message.linear.x < 0.0 for message in self.out.since(start)), '[AVO-4]')
+
+    # [ARB-8]
+    def test_lets_a_stop_be_cleared_beside_an_obstacle_and_moves_nothing_until_another_source_drives(self):
+        self.world.ranges = {20: 0.4}
+        self.assertTrue(wait_for(lambda: moves(self.wheels.last)))
+        emergency_stop()
+        self.assertTrue(wait_for(lambda: 'it was stopped' in self.status.last.reason))
+        self.assertTrue(clear(), 'it asks for no motion')
+        cleared = time.monotonic()
+        wait_for(lambda: False, 1.5)
+        self.assertFalse(any(moves(message) for message in self.wheels.since(cleared)), '[ARB-8]')
+        nav = Source('cmd_vel_nav').connect().start(0.1)
+        self.assertTrue(wait_for(lambda: self.wheels.last.linear.x == -0.08), '[AVO-3]')
+        nav.close()
 
     # [AVO-5]
     def test_without_a_trustworthy_scan_it_holds_the_wheels_against_the_others(self):

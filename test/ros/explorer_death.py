@@ -59,6 +59,12 @@ class ExplorerDeath(ExplorerCase):
         node.signal(signal.SIGKILL)
         node.finish()
 
+    def end_in_order(self):
+        """As rosnode kill does."""
+        self.node.signal(signal.SIGTERM)
+        self.node.finish()
+        self.stand()
+
     def stand(self):
         """Ends the goal of the explorer that was killed, as the navigator does when the robot is stopped."""
         self.robot.held.clear()
@@ -103,6 +109,46 @@ class ExplorerDeath(ExplorerCase):
         self.assertTrue(clear())
         self.start()
         self.expect_it_starts_paused()
+
+    # [ARB-8] [FLT-2]
+    def test_is_paused_by_a_stop_that_was_cleared_after_it_had_ended_in_order(self):
+        emergency_stop()
+        self.end_in_order()
+        self.assertTrue(clear())
+        self.start()
+        self.expect_it_starts_paused()
+
+    # [ARB-8] [FLT-2]
+    def test_an_order_that_comes_before_it_hears_of_stops_does_not_outlive_one(self):
+        self.kill(self.node)
+        emergency_stop()
+        self.stand()
+        self.assertTrue(clear())
+        self.kill(self.arbiter)
+        self.start()
+        answer = call('set_exploration_enabled', SetBool, True)
+        self.assertIn('waits until the arbiter says', answer.message)
+        self.start_arbiter()
+        self.expect_it_starts_paused()
+
+    # [ARB-8]
+    def test_is_paused_by_a_stop_that_was_cleared_while_its_launch_began(self):
+        self.kill(self.node)
+        self.stand()
+        use_a_home_of_its_own()
+        emergency_stop()
+        self.assertTrue(clear())
+        self.start()
+        said = 'exploration paused because an emergency stop was called before the explorer was there'
+        self.assertTrue(wait_for(lambda: said in self.node.said()), self.node.said())
+        self.expect_reason(Status.PAUSED)
+
+    # [FLT-2]
+    def test_goes_on_without_a_stop_after_it_has_ended_in_order(self):
+        self.pass_a_stop()
+        self.end_in_order()
+        self.start()
+        self.expect_it_goes_on()
 
     # [ARB-8] [FLT-2]
     def test_is_paused_by_the_clear_of_a_stop_during_which_it_died(self):

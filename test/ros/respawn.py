@@ -12,7 +12,7 @@ import unittest
 import rosgraph
 import rospy
 import rostest
-from frontier_pilot.msg import ArbiterStatus, AvoiderStatus
+from frontier_pilot.msg import ArbiterStatus, AvoiderStatus, PatrolActionGoal
 from std_srvs.srv import SetBool, Trigger
 
 from wire import Node, Record, call, clear, use_a_home_of_its_own, wait_for
@@ -172,6 +172,20 @@ class Respawn(unittest.TestCase):
         status.items.clear()
         self.assertTrue(wait_for(lambda: status.last is not None))
         self.assertNotEqual(status.last.state, AvoiderStatus.IDLE, '[FLT-2]')
+
+    # [ARB-8] [FLT-2]
+    def test_a_goal_that_is_latched_is_old_to_a_node_that_is_started_again(self):
+        latched = rospy.Publisher('turtlebot3/goal', PatrolActionGoal, queue_size=1, latch=True)
+        self.addCleanup(latched.unregister)
+        goal = PatrolActionGoal()
+        goal.goal.goal.x, goal.goal.goal.y, goal.goal.goal.z = 3.0, 0.15, 1.0
+        latched.publish(goal)
+        self.node = self.start('patrol_server')
+        self.assertTrue(wait_for(lambda: 'patrol requested' in self.node.said()), 'the first one has not had it')
+        for number in (signal.SIGKILL, signal.SIGTERM):
+            self.started_again('patrol_server', number)
+            self.assertTrue(wait_for(lambda: 'is ignored: it was published before' in self.node.said()), self.node.said())
+            self.assertNotIn('patrol requested', self.node.said(), '[ARB-8]')
 
     # [FLT-2]
     def test_a_second_node_of_a_name_does_not_start_and_the_first_goes_on(self):

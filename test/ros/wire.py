@@ -118,7 +118,7 @@ def use_a_home_of_its_own():
     """What the nodes that this process starts remember is not mixed with that of another test, which may run beside this one."""
     home = tempfile.mkdtemp()
     atexit.register(shutil.rmtree, home, ignore_errors=True)
-    os.environ['ROS_HOME'] = home
+    os.environ['ROS_HOME'] = os.environ['XDG_RUNTIME_DIR'] = home
 
 
 class Node:

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "frontier_pilot/core/bounds.h"
@@ -133,6 +134,14 @@ void ExplorerMemory::keepStops(std::uint64_t stops) {
   if (stops == orders_.stops) return;
   orders_.stops = stops;
   keep();
+}
+
+void ExplorerMemory::end() {
+  if (std::exchange(ended_, true)) return;
+  ExplorerOrders stops;
+  stops.stops = orders_.stops;
+  if (stops.stops) text_.set(toText(stops));
+  text_.end(!stops.stops);
 }
 
 std::string ExplorerMemory::keep() {

@@ -28,8 +28,8 @@ std::string toText(const ExplorerOrders& orders);
 std::optional<ExplorerOrders> ordersIn(const std::string& text);
 
 /// Keeps the orders beyond the death of the node: the next one must neither leave the bounds nor drive off again, nor
-/// return to another place. All is forgotten at a regular shutdown. (That it is paused is a SafeSwitch.) [FLT-2]
-/// [EXP-10]
+/// return to another place. At a regular shutdown all is forgotten but the stops: one that is called before the next
+/// one is there counts, too. (That it is paused is a SafeSwitch.) [FLT-2] [EXP-10]
 class ExplorerMemory {
  public:
   explicit ExplorerMemory(NodeConnections& connections);
@@ -50,14 +50,15 @@ class ExplorerMemory {
   /// The rule that has ended the exploration; nothing once it goes on.
   void keepEnd(const std::optional<std::string>& reason);
   void keepStops(std::uint64_t stops);
-  /// Forgets all of it: a regular end.
-  void end() { text_.end(true); }
+  /// A regular end: forgets all but the stops.
+  void end();
 
  private:
   std::string keep();
 
   RememberedText text_;
   ExplorerOrders orders_;
+  bool ended_ = false;
   bool is_damaged_ = false;  ///< what was left cannot be read, and stays as it is until the bounds are set
 };
 

@@ -37,6 +37,7 @@ void FrontierExplorerAdapter::resume() {
     ROS_WARN_STREAM("starts paused: " << why);
   }
   awaits_arbiter_ = enabled_ && left.stops;
+  is_first_of_launch_ = enabled_ && !left.stops;
   connections_.inputs().need([this](const auto&) {
     return awaits_arbiter_ ? std::string("no arbiter says whether the robot was stopped since the last explorer died")
                            : std::string();
@@ -59,7 +60,9 @@ void FrontierExplorerAdapter::remember() {
 bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   const bool before = enabled_;
   enabled_ = start_ = request.data != 0;
-  awaits_arbiter_ = false;  // whoever calls knows whether the robot was stopped
+  // Whoever calls knows whether the robot was stopped, but not whether this explorer would hear of the clear.
+  awaits_arbiter_ = enabled_ && !hears_stops_ && memory_->orders().stops;
+  is_first_of_launch_ = false;
   const std::string problem = paused_->set(!enabled_);
   const exploration::ExplorerState state_before = status_.state;
   tick();  // so that a pause cancels the goal before the call is answered
@@ -67,7 +70,9 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   response.message =
       std::string(enabled_ ? "exploration enabled" : "exploration paused") +
       (before == enabled_ && status_.state == state_before && !waits() ? " already: nothing changed" : "") +
-      (enabled_ && stopped_ ? "; the robot is stopped, and clearing the stop pauses it" : "") + problem + fromWhen();
+      (enabled_ && stopped_ ? "; the robot is stopped, and clearing the stop pauses it" : "") +
+      (awaits_arbiter_ ? "; it waits until the arbiter says whether the robot was stopped meanwhile" : "") + problem +
+      fromWhen();
   return true;
 }
 
@@ -87,6 +92,8 @@ void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
 /// tells of all that were called before. [ARB-8] [FLT-2]
 void FrontierExplorerAdapter::handleArbiter(const ArbiterStatus& msg) {
   arbiter_.put(msg, steadyNow());
+  if (std::exchange(is_first_of_launch_, false) && msg.stops > 0)
+    pause("an emergency stop was called before the explorer was there to be paused by its clear");
   if (!awaits_arbiter_ || !hears_stops_) return;
   awaits_arbiter_ = false;
   if (msg.stops == memory_->orders().stops) return;

@@ -114,6 +114,7 @@ class FrontierExplorerAdapter {
   bool stopped_ = false;                ///< by an emergency stop
   bool hears_stops_ = false;            ///< whether one that is called would be heard
   bool awaits_arbiter_ = false;         ///< for its count of stops, before it may go on after a death
+  bool is_first_of_launch_ = false;     ///< begins by itself, and has not heard from the arbiter yet
   bool reset_ = false, start_ = false;  ///< asked for since the last tick
   bool map_lost_ = false;               ///< the last map at the end was not saved
   std::string map_saved_;

@@ -43,6 +43,7 @@ ObstacleAvoiderAdapter::ObstacleAvoiderAdapter(ros::NodeHandle& node, ros::NodeH
   followOdometry(connections_, tf_, parameters_.avoider.robot, base_frame_, 20, &ObstacleAvoiderAdapter::handleOdometry,
                  this, ros::TransportHints().tcpNoDelay(), Need::kOptional);
   connections_.clock().onJump([this] { placer_.clear(); });
+  followStops();
   diagnostics_.add("obstacle avoidance", [this](auto& status) {
     fillDiagnostics(avoider_.status(rosNow()), status);
     scan_motion_.report(status);
@@ -106,8 +107,12 @@ void ObstacleAvoiderAdapter::tick() {
   publishStatus(false);
 }
 
+/// After a hold-up the robot is held until what came meanwhile was read, a stop and its clear among it perhaps. [FLT-2]
 void ObstacleAvoiderAdapter::publish(const std::optional<avoid::AvoiderCommand>& command) {
-  if (command) cmd_vel_.publish(toCommandMsg(*command));
+  if (!command) return;
+  connections_.clock().now();  // notices a hold-up
+  const bool waits = !command->twist.isZero() && connections_.clock().isCatchingUp();
+  cmd_vel_.publish(toCommandMsg(waits ? avoid::AvoiderCommand{{}, true} : *command));
 }
 
 void ObstacleAvoiderAdapter::publishStatus(bool always) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <frontier_pilot/ArbiterStatus.h>
+#include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 
 #include <optional>
@@ -48,6 +51,11 @@ class ObstacleAvoiderAdapter {
   void handleOdometry(const nav_msgs::Odometry& msg);
   std::optional<LaserScan2> read(const sensor_msgs::LaserScan& msg, std::string* why);
   bool handleEnable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  void handleStop(const std_msgs::Bool& msg);
+  void handleArbiter(const ArbiterStatus& msg);
+  void handleCommand(const geometry_msgs::Twist& msg);
+  void wakeWithoutArbiter();
+  void followStops();
   void tick();
   void publish(const std::optional<avoid::AvoiderCommand>& command);
   void publishStatus(bool always);
@@ -64,6 +72,8 @@ class ObstacleAvoiderAdapter {
   ros::Publisher cmd_vel_, status_;
   NodeDiagnostics diagnostics_;
   std::string last_summary_;
+  bool stopped_ = false;
+  std::optional<SteadyTime> asks_since_;  ///< at the start, whether the robot has been stopped
   std::optional<SafeSwitch> switched_on_;
   std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;

@@ -2,11 +2,14 @@
 
 #include <cmath>
 
+#include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/messages/message_problems.h"
 
 namespace frontier_pilot {
 namespace {
+
+constexpr Duration kConnecting = std::chrono::seconds(1);  ///< to those who publish a scan, at the start
 
 /// What is in the way of `arc`: of its chord, and then of its turn at the end.
 behavior::SweepResult look(const behavior::LookAhead& ahead, const Pose2& T_odom_base, const Twist2& arc) {
@@ -34,6 +37,7 @@ void PatrolSurroundings::subscribe(NodeConnections& connections) {
   if (!parameters_.check_collisions) return;
   scan_ = connections.subscribeToScanner(tf_, base_frame_, 1, &PatrolSurroundings::handleScan, this,
                                          ros::TransportHints().tcpNoDelay());
+  subscribed_ = steadyNow();
 }
 
 void PatrolSurroundings::handleScan(const sensor_msgs::LaserScan& msg) {
@@ -58,7 +62,8 @@ void PatrolSurroundings::addOdometry(Time stamp, const Pose2& T_odom_base) {
 }
 
 bool PatrolSurroundings::isBlind() const {
-  return parameters_.check_collisions && !heard_ && scan_.getNumPublishers() == 0;
+  return parameters_.check_collisions && !heard_ && scan_.getNumPublishers() == 0 &&
+         steadyNow() - subscribed_ >= kConnecting;
 }
 
 patrol::WayAhead PatrolSurroundings::wayAhead(Time now) const {

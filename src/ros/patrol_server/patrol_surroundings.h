@@ -58,6 +58,7 @@ class PatrolSurroundings {
   behavior::CollisionCheck check_;
   ScanPlacer placer_;
   ros::Subscriber scan_;
+  SteadyTime subscribed_;
   bool heard_ = false;  ///< a scan, ever
   ScanMotionReport scan_motion_;
   Rejections rejections_{"scan"};

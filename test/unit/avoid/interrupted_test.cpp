@@ -38,6 +38,25 @@ class InterruptedAvoider : public ::testing::Test {
   bool blind_behind = false;
 };
 
+// [ARB-8] The avoider asks for no motion while the robot is stopped, so that the stop can be cleared, and not after it.
+TEST_F(InterruptedAvoider, RestsFromAStopOnUntilAnotherSourceDrives_ARB_8) {
+  left = 0.3;
+  tick();
+  ASSERT_EQ(avoider.state(), AvoiderState::kReverse);
+  EXPECT_EQ(avoider.setResting(true, now), (avoid::AvoiderCommand{{0.0, 0.0}, false})) << "at once";
+  ticks(20);
+  EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, 0.0}, false})) << "[ARB-8]";
+  EXPECT_EQ(avoider.status(now).reason, "obstacle ahead: waits until the robot is driven, because it was stopped");
+  badScan();
+  EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, 0.0}, false})) << "a fault does not bring the recovery back";
+  left = 0.0;
+  tick();
+  EXPECT_EQ(avoider.status(now).reason, "nothing near ahead");
+  left = 0.3;
+  tick();
+  EXPECT_EQ(avoider.setResting(false, now), (avoid::AvoiderCommand{{-0.08, 0.0}, false})) << "at once [AVO-3]";
+}
+
 // [AVO-6]
 TEST_F(InterruptedAvoider, StaysStuckAfterAFaultAsLongAsTheWayIsNotClear_AVO_6) {
   left = 0.3;

@@ -23,7 +23,7 @@ constexpr const char* kUseSimTime = "/use_sim_time";
 constexpr std::size_t kMostKept = 60000;  // [bytes], as XML
 constexpr std::chrono::milliseconds kMasterRetry(200);
 
-bool g_replaces_a_dead_process = false;
+bool g_replaces_a_process = false;
 
 std::optional<XmlRpcValue> ask(const char* method, const std::string& name) {
   XmlRpcValue request;
@@ -105,7 +105,12 @@ OwnParameters::OwnParameters()
   keep();
 }
 
-OwnParameters::~OwnParameters() { memory_.forget(); }
+/// That there was a process is kept: one that is started after it in this session has to know which of the commands
+/// that are latched are old.
+OwnParameters::~OwnParameters() {
+  memory_.remember({});
+  memory_.endInOrder();
+}
 
 void OwnParameters::keep() {
   XmlRpcValue both;
@@ -138,7 +143,7 @@ void OwnParameters::sendChanges() {
 
 void followThePredecessor(bool is_of_roslaunch) {
   const SessionMemory memory = memoryOfThisNode();
-  g_replaces_a_dead_process = memory.recall().has_value();
+  g_replaces_a_process = memory.recall().has_value();
   if (!is_of_roslaunch) return;
   const std::vector<std::string> kept = memory.recallFromElsewhere();
   int offset = 0;
@@ -152,6 +157,6 @@ void followThePredecessor(bool is_of_roslaunch) {
   }
 }
 
-bool replacesADeadProcess() { return g_replaces_a_dead_process; }
+bool replacesAProcess() { return g_replaces_a_process; }
 
 }  // namespace frontier_pilot

@@ -18,7 +18,7 @@ class OwnParameters {
  public:
   /// Reads the node's private namespace, and `/use_sim_time`.
   OwnParameters();
-  /// Ends what is kept beyond this process, whose end was in order.
+  /// Forgets the values at an end in order, but not that there was a process.
   ~OwnParameters();
   OwnParameters(const OwnParameters&) = delete;
   OwnParameters& operator=(const OwnParameters&) = delete;
@@ -49,7 +49,7 @@ class OwnParameters {
 /// any parameter, and before ROS is started, which reads `/use_sim_time`. If there is something to set, it waits for a
 /// master. [FLT-2]
 void followThePredecessor(bool is_of_roslaunch);
-/// Whether `followThePredecessor` has found one.
-bool replacesADeadProcess();
+/// Whether `followThePredecessor` has found one, or one of this session whose end was in order.
+bool replacesAProcess();
 
 }  // namespace frontier_pilot

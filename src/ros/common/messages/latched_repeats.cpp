@@ -31,7 +31,7 @@ bool LatchedRepeats::isRepeat(const Header& header, SteadyTime now) {
   return is_repeat;
 }
 
-Duration settlingOfARestart() { return replacesADeadProcess() ? kSettling : Duration::zero(); }
+Duration settlingOfARestart() { return replacesAProcess() ? kSettling : Duration::zero(); }
 
 void sayRepeat(const std::string& topic, const std::string& publisher) {
   THROTTLED_WARN("a message of " << publisher << " on " << topic

@@ -39,8 +39,8 @@ class LatchedRepeats {
 /// How long a node that starts is being connected to those who publish already; also on a busy computer.
 constexpr Duration kSettling = std::chrono::seconds(2);
 
-/// The same for a node that was started in the place of one that died, which has had the commands of that time; zero
-/// for others: a goal that is latched before the navigation is there is meant for it.
+/// The same for a node that was started after another one of its name, which has had the commands of that time; zero
+/// for others: a goal that is latched before the navigation is there at all is meant for it.
 Duration settlingOfARestart();
 
 /// Warns of a command that was dropped as a repeat.
