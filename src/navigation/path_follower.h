@@ -109,8 +109,8 @@ class PathFollower {
   /// Whether the robot touches nothing that the scan shows if the navigator falls silent after `command`, which the
   /// base follows then for its lifetime. What a turn on the spot would touch is not looked at: a disc sweeps no new
   /// ground, and robots of another outline could not turn in narrow places any more. The idea is that of braking
-  /// inevitable collision states (Bouraine, Fraichard and Salhi, Provably safe navigation for mobile robots with limited
-  /// field-of-views in dynamic environments, Autonomous Robots 32, 2012), with the time to stop made longer.
+  /// inevitable collision states (Bouraine, Fraichard and Salhi, Provably safe navigation for mobile robots with
+  /// limited field-of-views in dynamic environments, Autonomous Robots 32, 2012), with the time to stop made longer.
   bool canBeTheLast(const Twist2& command, const FollowerInputs& inputs, const Vicinity& around) const;
   /// Whether `is_free` of each pose, twist and time [s] if the robot follows `command` for so many seconds and brakes.
   bool stopsWhere(const std::function<bool(const Pose2&, const Twist2&, double)>& is_free, const Twist2& command,

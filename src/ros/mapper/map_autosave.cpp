@@ -120,8 +120,9 @@ void MapAutosave::save(occupancy::OccupancyMap& map, const Pose2& T_map_odom, Ma
     const SteadyTime begun = steadyNow();
     std::string problem = tried([&] {
       std::string why = *wanted ? frontier_pilot::save(snapshot, pose, memory, *wanted) : std::string();
-      if (!*wanted) discard(memory);
-      return why;
+      if (*wanted) return why;
+      discard(memory);  // its files may have been removed while they were read back, which is no problem
+      return std::string();
     });
     const SteadyTime at = steadyNow();
     done->put({std::move(problem), at, at - begun, rendered});
