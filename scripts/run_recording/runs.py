@@ -112,12 +112,11 @@ def keep_newest(folder, count, spared=()):
 def _remove(run):
     """Removes what the recorder and the report have written, and the folder if nothing else is in it: somebody may keep a map or notes
     there. The marks go last, so that a run of which only a part could be removed is one still."""
-    names = _names_in(run)
-    paths = [os.path.join(run, name) for name in names if PART.match(name) or name == REPORT] + markers_of(run)
     try:
-        for path in paths:
-            os.remove(path)
-        os.rmdir(run)
+        for name in _names_in(run):
+            if PART.match(name) or name == REPORT:
+                os.remove(os.path.join(run, name))
+        give_up(run)
     except OSError:  # there is something else in it, or it is not to be written
         pass
 

@@ -73,6 +73,12 @@ class ExplorerDeath(ExplorerCase):
         self.robot.goals.clear()
         self.status.items.clear()
 
+    def be_dead_over_a_stop(self):
+        self.kill(self.node)
+        emergency_stop()
+        self.stand()
+        self.assertTrue(clear())
+
     def expect_it_starts_paused(self):
         said = []
 
@@ -103,10 +109,7 @@ class ExplorerDeath(ExplorerCase):
 
     # [ARB-8] [FLT-2]
     def test_is_paused_by_a_stop_that_was_called_and_cleared_while_it_was_dead(self):
-        self.kill(self.node)
-        emergency_stop()
-        self.stand()
-        self.assertTrue(clear())
+        self.be_dead_over_a_stop()
         self.start()
         self.expect_it_starts_paused()
 
@@ -120,10 +123,7 @@ class ExplorerDeath(ExplorerCase):
 
     # [ARB-8] [FLT-2]
     def test_an_order_that_comes_before_it_hears_of_stops_does_not_outlive_one(self):
-        self.kill(self.node)
-        emergency_stop()
-        self.stand()
-        self.assertTrue(clear())
+        self.be_dead_over_a_stop()
         self.kill(self.arbiter)
         self.start()
         answer = call('set_exploration_enabled', SetBool, True)
@@ -164,10 +164,7 @@ class ExplorerDeath(ExplorerCase):
 
     # [ARB-8] [FLT-2]
     def test_is_paused_also_if_the_arbiter_died_after_the_clear(self):
-        self.kill(self.node)
-        emergency_stop()
-        self.stand()
-        self.assertTrue(clear())
+        self.be_dead_over_a_stop()
         self.kill(self.arbiter)
         self.start_arbiter()
         self.start()

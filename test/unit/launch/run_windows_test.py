@@ -56,8 +56,8 @@ class RunWindows(unittest.TestCase):
             process.send_signal(signal.SIGINT)  # killed, it would leave the watcher, which holds its output
         process.communicate(timeout=60)
 
-    def start_until_done(self, *words):
-        process = self.start(*words) if 'record:=true' in words else self.start('record:=false', *words)
+    def start_until_done(self, *words, record='false'):
+        process = self.start('record:=' + record, *words)
         for line in process.stdout:
             if line.startswith('Launching; '):
                 self.logs = pathlib.Path(line.split(' goes to ')[1].split(',')[0]).parent
@@ -92,7 +92,7 @@ class RunWindows(unittest.TestCase):
         self.assertTrue(ignored >> (signal.SIGTSTP - 1) & 1)
 
     def test_says_how_a_report_is_made_if_its_folder_was_removed(self):
-        process = self.start_until_done('map:=floor', 'record:=true')
+        process = self.start_until_done('map:=floor', record='true')
         shutil.rmtree(self.logs)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=60)

@@ -41,9 +41,10 @@ class EditedMap : public ::testing::Test {
     return picture;
   }
   map_files::MapIoResult load() { return map_files::loadMap(path("floor"), loaded); }
-  std::int8_t atWall() const {
-    return loaded.grid().get(loaded.geometry().cellAt(map.geometry().centre(kWall)), kUnknown);
+  std::int8_t at(Cell cell) const {
+    return loaded.grid().get(loaded.geometry().cellAt(map.geometry().centre(cell)), kUnknown);
   }
+  std::int8_t atWall() const { return at(kWall); }
 
   static constexpr Cell kWall{10, 12};
   const test::TemporaryFolder temporary;
@@ -94,10 +95,7 @@ TEST_F(EditedMap, IsLoadedFromItsOwnFilesAfterTheyWereRenamed_MAP_5) {
   ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
   const map_files::MapIoResult result = map_files::loadMap(path("monday"), loaded);
   EXPECT_EQ(result.text, "loaded " + path("monday.bt"));
-  const auto at = [&](Cell cell) {
-    return loaded.grid().get(loaded.geometry().cellAt(map.geometry().centre(cell)), kUnknown);
-  };
-  EXPECT_EQ(at(kWall), kOccupied);
+  EXPECT_EQ(atWall(), kOccupied);
   EXPECT_NE(at({11, 12}), kOccupied) << "of the map that has its name now";
 
   write("monday.pgm", withoutWall("monday.pgm"));
