@@ -12,7 +12,6 @@ namespace {
 constexpr Duration kTickSlack = std::chrono::milliseconds(10);
 
 constexpr const char* kNothingAhead = "nothing near ahead";
-constexpr const char* kRests = "obstacle ahead: waits until the robot is driven, because it was stopped";
 
 const AvoiderParameters& checked(const AvoiderParameters& parameters) {
   Problems problems;
@@ -34,13 +33,12 @@ class Avoider::Impl {
   std::optional<AvoiderCommand> update(Time now);
   std::optional<AvoiderCommand> tick(Time now);
   std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
-  std::optional<AvoiderCommand> setResting(bool rests, Time now) {
-    rests_ = rests;
+  std::optional<AvoiderCommand> setResting(const std::string& why, Time now) {
+    why_rests_ = why;
     return update(now);
   }
   void setParameters(const AvoiderParameters& parameters);
 
-  bool rests() const { return rests_; }
   bool enabled() const { return state_ != AvoiderState::kIdle; }
   AvoiderState state() const { return state_; }
   AvoiderSnapshot status(Time now) const;
@@ -50,7 +48,7 @@ class Avoider::Impl {
   std::optional<AvoiderCommand> take(SectorDistances around, Time stamp);
   void fault(const std::string& why);
   void decide(Time now);
-  void beClear(const char* reason, Time now);
+  void beClear(const std::string& reason, Time now);
   void startEpisode(Time now);
   void startCycle(Time now);
   void recover(Time now);
@@ -73,7 +71,7 @@ class Avoider::Impl {
   std::string reason_;
   SectorDistances around_;
   bool has_scan_ = false;
-  bool rests_ = false;  ///< begins no recovery
+  std::string why_rests_;  ///< and begins no recovery; empty: it does not rest
   Time scan_stamp_, scan_received_;
   Time last_now_;
   Time phase_start_;
@@ -177,14 +175,14 @@ void Avoider::Impl::decide(Time now) {
   if (now - scan_stamp_ > max_age) return fault("the scan is old");
   if (scan_stamp_ - now > max_age) return fault("the scan is from the future");
   resume(now);
-  if (rests_ && (isRecovering() || ahead())) return beClear(kRests, now);
+  if (!why_rests_.empty() && (isRecovering() || ahead())) return beClear("obstacle ahead: " + why_rests_, now);
   if (isRecovering()) return recover(now);
   if (state_ == AvoiderState::kStuck && !clear()) return;
   if (ahead()) return startEpisode(now);
   beClear(kNothingAhead, now);
 }
 
-void Avoider::Impl::beClear(const char* reason, Time now) {
+void Avoider::Impl::beClear(const std::string& reason, Time now) {
   if (state_ != AvoiderState::kClear || reason_ != reason) enter(AvoiderState::kClear, reason, now);
 }
 
@@ -289,8 +287,9 @@ std::optional<AvoiderCommand> Avoider::onBadScan(const std::string& why, Time no
 std::optional<AvoiderCommand> Avoider::update(Time now) { return impl_->update(now); }
 std::optional<AvoiderCommand> Avoider::tick(Time now) { return impl_->tick(now); }
 std::optional<AvoiderCommand> Avoider::setEnabled(bool enable, Time now) { return impl_->setEnabled(enable, now); }
-std::optional<AvoiderCommand> Avoider::setResting(bool rests, Time now) { return impl_->setResting(rests, now); }
-bool Avoider::rests() const { return impl_->rests(); }
+std::optional<AvoiderCommand> Avoider::setResting(const std::string& why, Time now) {
+  return impl_->setResting(why, now);
+}
 void Avoider::setParameters(const AvoiderParameters& parameters) { impl_->setParameters(parameters); }
 bool Avoider::enabled() const { return impl_->enabled(); }
 AvoiderState Avoider::state() const { return impl_->state(); }

@@ -139,8 +139,7 @@ class ExplorerDeath(ExplorerCase):
         emergency_stop()
         self.assertTrue(clear())
         self.start()
-        said = 'exploration paused because an emergency stop was called before the explorer was there'
-        self.assertTrue(wait_for(lambda: said in self.node.said()), self.node.said())
+        self.assertTrue(wait_for(lambda: PAUSED in self.node.said()), self.node.said())
         self.expect_reason(Status.PAUSED)
 
     # [FLT-2]

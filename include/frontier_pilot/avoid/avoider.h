@@ -93,9 +93,9 @@ class Avoider {
   std::optional<AvoiderCommand> setEnabled(bool enabled, Time now);
 
   /// While it rests it begins no recovery, and one that it has begun ends; what has to be held at zero is held. It has
-  /// to rest from an emergency stop on until another source drives the robot, so that a clear moves nothing. [ARB-8]
-  std::optional<AvoiderCommand> setResting(bool rests, Time now);
-  bool rests() const;
+  /// to rest from an emergency stop on until another source drives the robot, so that a clear moves nothing. `why` it
+  /// rests is part of the status if an obstacle is ahead; empty if it does not rest. [ARB-8]
+  std::optional<AvoiderCommand> setResting(const std::string& why, Time now);
 
   /// Other parameters, which take effect at the next update. Throws std::invalid_argument when they do not pass their
   /// own check; the old ones then stay in force.

@@ -36,10 +36,11 @@ void FrontierExplorerAdapter::resume() {
     enabled_ = false;
     ROS_WARN_STREAM("starts paused: " << why);
   }
-  awaits_arbiter_ = enabled_ && left.stops;
-  is_first_of_launch_ = enabled_ && !left.stops;
+  // The first one of a launch goes on without an arbiter, which another system may not have.
+  if (enabled_)
+    earlier_stops_.ask(left.stops.value_or(0), left.stops ? Duration::max() : Duration::zero(), steadyNow());
   connections_.inputs().need([this](const auto&) {
-    return awaits_arbiter_ ? std::string("no arbiter says whether the robot was stopped since the last explorer died")
+    return awaitsArbiter() ? std::string("no arbiter says whether the robot was stopped since the last explorer died")
                            : std::string();
   });
 }
@@ -52,7 +53,7 @@ void FrontierExplorerAdapter::remember() {
   } else if (enabled_) {
     memory_->keepEnd(std::nullopt);
   }
-  if (!enabled_ || awaits_arbiter_ || !arbiter_.has()) return;
+  if (!enabled_ || earlier_stops_.asks() || !arbiter_.has()) return;
   const bool stopped = stopped_ || arbiter_.get()->emergency_stop != 0;
   memory_->keepStops(stopped ? ExplorerOrders::kStopped : arbiter_.get()->stops);
 }
@@ -61,8 +62,9 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
   const bool before = enabled_;
   enabled_ = start_ = request.data != 0;
   // Whoever calls knows whether the robot was stopped, but not whether this explorer would hear of the clear.
-  awaits_arbiter_ = enabled_ && !hears_stops_ && memory_->orders().stops;
-  is_first_of_launch_ = false;
+  const auto& known = memory_->orders().stops;
+  earlier_stops_.dismiss();
+  if (enabled_ && !earlier_stops_.hears() && known) earlier_stops_.ask(*known, Duration::max(), steadyNow());
   const std::string problem = paused_->set(!enabled_);
   const exploration::ExplorerState state_before = status_.state;
   tick();  // so that a pause cancels the goal before the call is answered
@@ -71,7 +73,7 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
       std::string(enabled_ ? "exploration enabled" : "exploration paused") +
       (before == enabled_ && status_.state == state_before && !waits() ? " already: nothing changed" : "") +
       (enabled_ && stopped_ ? "; the robot is stopped, and clearing the stop pauses it" : "") +
-      (awaits_arbiter_ ? "; it waits until the arbiter says whether the robot was stopped meanwhile" : "") + problem +
+      (awaitsArbiter() ? "; it waits until the arbiter says whether the robot was stopped meanwhile" : "") + problem +
       fromWhen();
   return true;
 }
@@ -79,7 +81,7 @@ bool FrontierExplorerAdapter::handleEnable(std_srvs::SetBool::Request& request, 
 /// A stop cancels the goal at once: the next tick may come only after the clear. After that the exploration does not go
 /// on by itself. [ARB-8]
 void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
-  hears_stops_ = true;
+  earlier_stops_.hear();
   const bool was_stopped = std::exchange(stopped_, msg.data != 0);
   if (stopped_) {
     order_ = {};
@@ -88,21 +90,17 @@ void FrontierExplorerAdapter::handleStop(const std_msgs::Bool& msg) {
   if (was_stopped && !stopped_) pause("the emergency stop was cleared");
 }
 
-/// Whoever goes on after a death has not seen what happened meanwhile. A status that comes when stops are heard already
-/// tells of all that were called before. [ARB-8] [FLT-2]
+/// Whoever begins, or goes on after a death, has not seen what happened before. [ARB-8] [FLT-2]
 void FrontierExplorerAdapter::handleArbiter(const ArbiterStatus& msg) {
   arbiter_.put(msg, steadyNow());
-  if (std::exchange(is_first_of_launch_, false) && msg.stops > 0)
-    pause("an emergency stop was called before the explorer was there to be paused by its clear");
-  if (!awaits_arbiter_ || !hears_stops_) return;
-  awaits_arbiter_ = false;
-  if (msg.stops == memory_->orders().stops) return;
-  pause("an emergency stop was called while no explorer was there to be paused by its clear");
+  if (earlier_stops_.take(msg.stops).value_or(false))
+    pause("an emergency stop was called while no explorer was there to be paused by its clear");
 }
 
 void FrontierExplorerAdapter::pause(const std::string& why) {
   if (!enabled_) return;
-  enabled_ = awaits_arbiter_ = false;
+  enabled_ = false;
+  earlier_stops_.dismiss();
   paused_->set(true);
   THROTTLED_WARN("exploration paused because " << why << ": call set_exploration_enabled true to go on");
   tick();

@@ -87,7 +87,7 @@ void FrontierExplorerAdapter::update(Time now) {
 
 exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   exploration::ExplorerInputs inputs;
-  inputs.enabled = enabled_ && !awaits_arbiter_;
+  inputs.enabled = enabled_ && !awaitsArbiter();
   inputs.stopped = stopped_;
   inputs.reset = std::exchange(reset_, false);
   inputs.start = std::exchange(start_, false);

@@ -17,6 +17,7 @@
 
 #include "frontier_pilot/exploration/explorer.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/inputs/earlier_stops.h"
 #include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
@@ -67,6 +68,7 @@ class FrontierExplorerAdapter {
   void resume();
   void remember();
   void pause(const std::string& why);
+  bool awaitsArbiter() const { return enabled_ && earlier_stops_.holdsBack(steadyNow()); }
   BoundsAnswer takeBounds(const exploration::ExplorationBounds& bounds);
   void closePolygon();
   void expireClicks();
@@ -111,10 +113,8 @@ class FrontierExplorerAdapter {
   exploration::ExplorerProgress status_;
   exploration::GoalCommand order_;  ///< that is not obeyed yet
   bool enabled_;
-  bool stopped_ = false;                ///< by an emergency stop
-  bool hears_stops_ = false;            ///< whether one that is called would be heard
-  bool awaits_arbiter_ = false;         ///< for its count of stops, before it may go on after a death
-  bool is_first_of_launch_ = false;     ///< begins by itself, and has not heard from the arbiter yet
+  bool stopped_ = false;  ///< by an emergency stop
+  EarlierStops earlier_stops_;
   bool reset_ = false, start_ = false;  ///< asked for since the last tick
   bool map_lost_ = false;               ///< the last map at the end was not saved
   std::string map_saved_;

@@ -13,6 +13,7 @@
 
 #include "frontier_pilot/avoid/avoider.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/inputs/earlier_stops.h"
 #include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/scan_motion_report.h"
 #include "ros/common/names.h"
@@ -54,8 +55,8 @@ class ObstacleAvoiderAdapter {
   void handleStop(const std_msgs::Bool& msg);
   void handleArbiter(const ArbiterStatus& msg);
   void handleCommand(const geometry_msgs::Twist& msg);
-  void wakeWithoutArbiter();
   void followStops();
+  void updateRest();
   void tick();
   void publish(const std::optional<avoid::AvoiderCommand>& command);
   void publishStatus(bool always);
@@ -72,8 +73,9 @@ class ObstacleAvoiderAdapter {
   ros::Publisher cmd_vel_, status_;
   NodeDiagnostics diagnostics_;
   std::string last_summary_;
-  bool stopped_ = false;
-  std::optional<SteadyTime> asks_since_;  ///< at the start, whether the robot has been stopped
+  bool stopped_ = false;      ///< by an emergency stop
+  bool was_stopped_ = false;  ///< and has not been driven since
+  EarlierStops earlier_stops_;
   std::optional<SafeSwitch> switched_on_;
   std::optional<ReconfigureServer> tuning_;
   NodeConnections connections_;

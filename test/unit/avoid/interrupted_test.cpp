@@ -43,10 +43,10 @@ TEST_F(InterruptedAvoider, RestsFromAStopOnUntilAnotherSourceDrives_ARB_8) {
   left = 0.3;
   tick();
   ASSERT_EQ(avoider.state(), AvoiderState::kReverse);
-  EXPECT_EQ(avoider.setResting(true, now), (avoid::AvoiderCommand{{0.0, 0.0}, false})) << "at once";
+  EXPECT_EQ(avoider.setResting("waits for a driver", now), (avoid::AvoiderCommand{{0.0, 0.0}, false})) << "at once";
   ticks(20);
   EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, 0.0}, false})) << "[ARB-8]";
-  EXPECT_EQ(avoider.status(now).reason, "obstacle ahead: waits until the robot is driven, because it was stopped");
+  EXPECT_EQ(avoider.status(now).reason, "obstacle ahead: waits for a driver");
   badScan();
   EXPECT_EQ(tick(), (avoid::AvoiderCommand{{0.0, 0.0}, false})) << "a fault does not bring the recovery back";
   left = 0.0;
@@ -54,7 +54,7 @@ TEST_F(InterruptedAvoider, RestsFromAStopOnUntilAnotherSourceDrives_ARB_8) {
   EXPECT_EQ(avoider.status(now).reason, "nothing near ahead");
   left = 0.3;
   tick();
-  EXPECT_EQ(avoider.setResting(false, now), (avoid::AvoiderCommand{{-0.08, 0.0}, false})) << "at once [AVO-3]";
+  EXPECT_EQ(avoider.setResting("", now), (avoid::AvoiderCommand{{-0.08, 0.0}, false})) << "at once [AVO-3]";
 }
 
 // [AVO-6]
