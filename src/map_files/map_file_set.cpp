@@ -67,15 +67,16 @@ bool MapFileSet::isOfAnotherProgram() const {
   }
 }
 
-std::optional<std::string> MapFileSet::editedPicture() const {
+std::optional<MapFileSet::Picture> MapFileSet::laterPicture() const {
   const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
+  if (!text.ok()) return {};
   try {
-    if (!text.ok() || compareWithYaml(text.bytes, SavedFile::kPicture, {}) == FileMatch::kNotMentioned) return {};
     const std::string picture = pictureOf(text.bytes).string();
     const FileContent image = readFile(picture, bounds::kMostImageBytes);
-    const bool edited =
-        image.ok() && compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes) == FileMatch::kAnother;
-    return edited ? std::optional<std::string>(picture) : std::nullopt;
+    if (!image.ok()) return {};
+    if (isOfAnotherProgram()) return Picture{picture, "its YAML names no octree"};
+    const bool edited = compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes) == FileMatch::kAnother;
+    return edited ? std::optional<Picture>({picture, "it was edited after the map was saved"}) : std::nullopt;
   } catch (const std::invalid_argument&) {
     return {};
   }

@@ -35,9 +35,14 @@ class MapFileSet {
   /// Whether there is a YAML that mentions no octree, as other programs write it, or one that cannot be read. A YAML
   /// that `saveMap` wrote and whose .bt is missing belongs to a damaged map.
   bool isOfAnotherProgram() const;
-  /// The picture that counts, if it is another one than was saved: somebody has edited it, or named another in the
-  /// YAML.
-  std::optional<std::string> editedPicture() const;
+  /// A picture that counts before the octree, and why.
+  struct Picture {
+    std::string path;
+    std::string why;
+  };
+  /// The picture, if it is another one than was saved with the octree: somebody has edited it, or named another in the
+  /// YAML, or another program has saved its map under the same name.
+  std::optional<Picture> laterPicture() const;
 
  private:
   /// The picture that belongs to the map whose YAML has this text. The YAML of a map that was renamed or copied with

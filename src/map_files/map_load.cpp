@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/map_files/map_image.h"
 #include "frontier_pilot/map_files/map_io.h"
@@ -18,6 +19,14 @@ namespace {
 MapIoResult cannotRead(const std::string& path, const FileContent& content) {
   const bool missing = content.status == FileContent::Status::kMissing;
   return failure(missing ? MapIoStatus::kMissing : MapIoStatus::kBroken, path, content.problem);
+}
+
+/// The map is damaged then, and is not loaded from its picture unless somebody says so. [MAP-5]
+MapIoResult cannotReadOctree(const MapFileSet& files, const FileContent& octree) {
+  MapIoResult result = cannotRead(files.octree(), octree);
+  if (result.status == MapIoStatus::kMissing && readFile(files.yaml(), bounds::kMostYamlBytes).ok())
+    result.text += "; to load the image alone, remove the entry 'octree' from " + files.yaml();
+  return result;
 }
 
 MapIoResult loadBytes(const std::string& bt_path, const std::string& bytes, occupancy::OccupancyMap& map) {
@@ -65,13 +74,13 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   const FileContent octree = readFile(files.octree(), map.mostBytes());
   if (octree.status == FileContent::Status::kMissing && files.isOfAnotherProgram())
     return loadPicture(files.yaml(), {}, "it has no octree", map);
-  if (!octree.ok()) return cannotRead(files.octree(), octree);
+  if (!octree.ok()) return cannotReadOctree(files, octree);
   MapIoResult belongs = files.compareOctree(octree.bytes);
   if (!belongs.ok()) return belongs;
-  if (const auto picture = files.editedPicture()) {
-    MapIoResult edited = loadPicture(files.yaml(), *picture, "it was edited after the map was saved", map);
-    if (edited.ok()) return edited;
-    belongs.text += "; its image was edited after the map was saved, but cannot be used: " + edited.text;
+  if (const auto later = files.laterPicture()) {
+    MapIoResult drawn = loadPicture(files.yaml(), later->path, later->why, map);
+    if (drawn.ok()) return drawn;
+    belongs.text += "; its image should count, because " + later->why + ", but cannot be used: " + drawn.text;
   }
   MapIoResult result = loadBytes(files.octree(), octree.bytes, map);
   if (result.ok()) result.text += belongs.text;

@@ -104,6 +104,28 @@ TEST_F(EditedMap, IsLoadedFromItsOwnFilesAfterTheyWereRenamed_MAP_5) {
   EXPECT_EQ(atWall(), kFree);
 }
 
+// [MAP-5] map_server's map_saver overwrites the picture and the YAML only.
+TEST_F(EditedMap, IsLoadedFromTheMapThatAnotherProgramHasSavedUnderItsName_MAP_5) {
+  write("floor.pgm", withoutWall());
+  const std::string yaml = read("floor.yaml");
+  write("floor.yaml", yaml.substr(0, yaml.find("octree:")));
+  const map_files::MapIoResult result = load();
+  ASSERT_TRUE(result.ok()) << result.text;
+  EXPECT_EQ(result.text, "loaded " + path("floor.yaml") + " from its image: its YAML names no octree");
+  EXPECT_EQ(atWall(), kFree);
+}
+
+TEST_F(EditedMap, SaysHowItsPictureIsLoadedAloneIfItsOctreeIsMissing) {
+  fs::remove(path("floor.bt"));
+  EXPECT_EQ(load().text, path("floor.bt") + ": no such file; to load the image alone, remove the entry 'octree' from " +
+                             path("floor.yaml"));
+  const std::string yaml = read("floor.yaml");
+  const std::size_t begin = yaml.find("octree:");
+  write("floor.yaml", yaml.substr(0, begin) + yaml.substr(yaml.find("picture:")));
+  EXPECT_EQ(load().text, "loaded " + path("floor.yaml") + " from its image: it has no octree");
+  EXPECT_EQ(atWall(), kOccupied);
+}
+
 TEST_F(EditedMap, CountsAsSavedWhenItIsSavedAgain) {
   write("floor.pgm", withoutWall());
   ASSERT_TRUE(load().ok());

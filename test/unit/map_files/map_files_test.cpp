@@ -181,7 +181,7 @@ TEST_F(MapFiles, AreLoadedWithoutAYamlAndSaySo_MAP_5) {
   const map_files::MapIoResult alone = map_files::loadMap(path("floor"), loaded);
   EXPECT_TRUE(alone.ok()) << alone.text;
   EXPECT_NE(alone.text.find("not verified"), std::string::npos) << alone.text;
-  write("floor.yaml", "image: floor.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  write("floor.yaml", "image: missing.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
   const map_files::MapIoResult unsigned_yaml = map_files::loadMap(path("floor"), loaded);
   EXPECT_TRUE(unsigned_yaml.ok()) << unsigned_yaml.text;
   EXPECT_NE(unsigned_yaml.text.find("not verified"), std::string::npos) << unsigned_yaml.text;
