@@ -52,6 +52,7 @@ double* targetOf(const std::string& option, PatrolOrder& goal) {
 
 PatrolCommandLine parsePatrolCommandLine(const std::vector<std::string>& words) {
   PatrolOrder goal{0.0, 1.0, 1.0};
+  std::string size;  // the option that gave it
   const std::vector<std::string> parts = split(words);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i] == "--help" || parts[i] == "-h") return {std::nullopt, true, ""};
@@ -62,6 +63,10 @@ PatrolCommandLine parsePatrolCommandLine(const std::vector<std::string>& words) 
     }
     double* target = targetOf(parts[i], goal);
     if (target == nullptr) return wrong("unknown argument: " + parts[i]);
+    if (target == &goal.size) {
+      if (!size.empty() && size != parts[i]) return wrong("not both " + size + " and " + parts[i]);
+      size = parts[i];
+    }
     if (i + 1 == parts.size()) return wrong(parts[i] + " needs a number");
     const std::optional<double> value = numberOf(parts[++i]);
     if (!value) return wrong(parts[i - 1] + " needs a number, not " + parts[i]);

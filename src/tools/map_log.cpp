@@ -57,8 +57,10 @@ logs::ScanLog readLog(const MapLogOptions& options, const BagReader& read_bag) {
 constexpr std::array kResults{".pgm", ".yaml", ".bt", ".tum", "_odom.tum", ".png"};
 constexpr std::size_t kLongestEnding = std::string_view("_odom.tum").size();
 
-/// Throws LogError if no result can be written there: before the drive is mapped, which may take an hour.
-void requireWritable(const std::string& out) {
+/// Throws LogError if no result can be written there, or if one would replace what is read: before the drive is mapped,
+/// which may take an hour.
+void requireWritable(const MapLogOptions& options) {
+  const std::string& out = options.out;
   const std::filesystem::path path(out);
   const std::string problem = fileNameProblem(path.filename().string(), kLongestEnding);
   if (!problem.empty()) throw logs::LogError("--out: the map's name " + problem);
@@ -69,6 +71,10 @@ void requireWritable(const std::string& out) {
     std::error_code error;
     if (std::filesystem::is_directory(std::filesystem::symlink_status(out + ending, error)))
       throw logs::LogError(out + ending + ": cannot be written, it is a folder");
+    for (const std::string& input : {options.log, options.relations}) {
+      if (std::filesystem::equivalent(input, out + ending, error))
+        throw logs::LogError(input + ": would be replaced by a result, choose another --out");
+    }
   }
 }
 
@@ -162,7 +168,7 @@ void writeResults(const MapLogOptions& options, const MappedDrive& drive, mappin
 }
 
 int run(const MapLogOptions& options, const BagReader& read_bag) {
-  requireWritable(options.out);
+  requireWritable(options);
   const logs::ScanLog log = readLog(options, read_bag);
   const std::vector<logs::PoseRelation> relations = relationsOf(options, log.records.size());
   mapping::Mapper mapper(options.mapper);

@@ -37,6 +37,7 @@ TEST(PatrolCommandLine, WhatIsWrongIsNamed) {
   EXPECT_EQ(problem({"square", "--side="}), "--side needs a number, not ");
   EXPECT_EQ(problem({"square", "--side", "-1"}), "--side must be above 0 m, not -1");
   EXPECT_EQ(problem({"circle", "--radius=0"}), "--radius must be above 0 m, not 0");
+  EXPECT_EQ(problem({"square", "--side", "0.2", "--radius=2"}), "not both --side and --radius");
   EXPECT_EQ(problem({"square", "--side", "inf"}), "--side must be above 0 m, not inf");
   EXPECT_EQ(problem({"square", "--laps", "0"}), "--laps must be a whole number, at least 1, not 0");
   EXPECT_EQ(problem({"square", "--laps", "1.5"}), "--laps must be a whole number, at least 1, not 1.5");

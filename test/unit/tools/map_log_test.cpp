@@ -166,6 +166,13 @@ TEST_F(MapLog, SaysWhatItCannotReadOrWrite) {
   EXPECT_NE(errors_.find("usage: map_log"), std::string::npos);
 }
 
+TEST_F(MapLog, ReplacesNoFileThatItReads) {
+  fs::rename(path("drive.csv"), path("drive.png"));
+  fs::create_symlink(path("drive.png"), path("drive.csv"));
+  EXPECT_EQ(run({path("drive.csv"), "--out", path("drive")}), 1);
+  EXPECT_EQ(errors_, "map_log: " + path("drive.csv") + ": would be replaced by a result, choose another --out\n");
+}
+
 TEST_F(MapLog, SaysThatItCannotWriteUnderANameBeforeItMaps) {
   fs::create_directory(path("taken.png"));
   const std::string too_long = path(std::string(247, 'x'));
