@@ -9,82 +9,18 @@ import pathlib
 import re
 import resource
 import signal
-import socket
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
 import xmlrpc.server
 from unittest import mock
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / 'scripts'))
-import leftovers  # noqa: E402
-
-RUN = str(ROOT / 'scripts/run')
-BUILD = ROOT / 'build'
+from run_of_the_script import ROOT, RUN, RunTestCase, command_of, environment, heed_ctrl_c
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
-
-
-def environment(port, home):
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'DISPLAY'))}
-    return dict(kept, ROS_MASTER_URI='http://127.0.0.1:%d' % port, ROS_IP='127.0.0.1', ROS_HOME=home,
-                FRONTIER_PILOT_BUILD=str(BUILD))
-
-
-def command_of(process):
-    try:
-        return pathlib.Path('/proc/%d/cmdline' % process).read_bytes().replace(b'\0', b' ')
-    except OSError:
-        return process  # it has ended meanwhile
-
-
-def heed_ctrl_c():
-    """A shell starts what runs in its background with SIGINT ignored, and bash cannot trap what was ignored when it began."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-
-class RunScript(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.port = free_port()
-
-    def start(self, *words, **how):
-        how = dict({'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, 'stdin': subprocess.DEVNULL, 'start_new_session': True,
-                    'preexec_fn': heed_ctrl_c, 'env': environment(self.port, self.folder.name)}, **how)
-        return subprocess.Popen([RUN, *words], cwd=self.folder.name, universal_newlines=True, **how)
-
-    def start_in_terminal(self, *words):
-        """Like `start`, in a terminal of its own, which closes with the returned process' stdout."""
-        screen, terminal = os.openpty()
-        process = self.start(*words, stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=False,
-                             preexec_fn=lambda: (os.login_tty(os.dup(terminal)), heed_ctrl_c()))
-        os.close(terminal)
-        process.stdout = open(screen, errors='replace')
-        return process
-
-    def run_to_the_end(self, *words):
-        process = self.start(*words)
-        out, err = process.communicate(timeout=300)
-        return process.returncode, out, err
-
-    def processes(self):
-        """Those of the run: they have its master's address in their environment."""
-        return leftovers.find('ROS_MASTER_URI', 'http://127.0.0.1:%d' % self.port)
-
-    def assert_nothing_is_left(self):
-        self.assertEqual([command_of(process) for process in self.processes()], [])
-        with socket.socket() as probe:
-            self.assertNotEqual(probe.connect_ex(('127.0.0.1', self.port)), 0, 'a master is left')
-
+class RunScript(RunTestCase):
     def test_it_refuses_what_the_launch_file_does_not_have_and_says_what_there_is(self):
         for word, words in (('wrld:=x', 'world'), ('world:=nowhere.yaml', 'office'), ('robot:=tank', 'waffle'),
                             ('limits:=slow', 'burger'), ('speed:=fast', '1 for real time'), ('gui:=yes', 'true or false'),
@@ -133,7 +69,7 @@ class RunScript(unittest.TestCase):
     def test_a_launch_that_cannot_begin_ends_with_the_reason_and_leaves_no_master(self):
         world = pathlib.Path(self.folder.name, 'broken.yaml')
         world.write_text('image: nowhere.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n')
-        generated = BUILD / 'CMakeFiles/TargetDirectories.txt'
+        generated = pathlib.Path(os.environ['FRONTIER_PILOT_BUILD'], 'CMakeFiles/TargetDirectories.txt')
         before = generated.stat().st_mtime
         slow = pathlib.Path(self.folder.name, 'slow_kill')  # what is killed has ended before the script goes on
         slow.write_text('find() { command find "$@"; return 1; }\n'  # as when a folder of another program is removed
@@ -152,9 +88,13 @@ class RunScript(unittest.TestCase):
                          'with a standard output that is closed: ' + silent_err + 'instead of: ' + err)
 
     def test_the_reason_of_a_parameter_that_cannot_be_is_said(self):
-        code, _, err = self.run_to_the_end('speed:=20000')
-        self.assertEqual(code, 1)
-        self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: simulator: .*speed: must be >= 0 and <= 10000, is 20000')
+        pathlib.Path(self.folder.name, 'damaged.yaml').write_text('image: a.pgm\noctree: {file: damaged.bt}\n')
+        for word, reason in (('speed:=20000', 'simulator: .*speed: must be >= 0 and <= 10000, is 20000'),
+                             ('map_file:=damaged', r'mapper: .*/damaged\.bt: no such file')):
+            code, _, err = self.run_to_the_end(word)
+            self.assertEqual(code, 1)
+            self.assertRegex(err.strip().split('\n')[-1], '^scripts/run: ' + reason)
+            self.assert_nothing_is_left()
 
     def test_the_reason_of_surroundings_with_which_roslaunch_cannot_work_is_said(self):
         for name, value, reason in (('ROS_IP', '10.255.255.1', 'RLException: Unable to contact my own server'),
@@ -295,5 +235,5 @@ class RunScript(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
+    os.environ['FRONTIER_PILOT_BUILD'] = os.path.abspath(sys.argv.pop(1))
     unittest.main()
