@@ -157,6 +157,11 @@ class ShortDrive {
     }
     for (localization::RecentScan& scan : scans_) scan.T_last_base = odometry.back().inverse() * scan.T_last_base;
   }
+  /// The robot is carried to a pose, which odometry does not show, and takes a scan there.
+  void carryTo(const Pose2& pose, bench::Scanner& scanner) {
+    scans_.push_back({surfaces::readScan(scanner.at(pose)).points, Pose2()});
+    truth_ = pose;
+  }
   const Pose2& truth() const { return truth_; }
   const std::vector<localization::RecentScan>& scans() const { return scans_; }
 
@@ -180,7 +185,8 @@ void searchWorld(benchmark::State& state, const std::string& path) {
     std::map<std::string, int> counts;
     for (int i = 0; i < kPlaces; ++i) {
       std::uniform_int_distribution<std::size_t> any(0, tour.poses().size() - 10 * scans);
-      const ShortDrive drive(tour.poses(), any(random), scans, scanner, random);
+      ShortDrive drive(tour.poses(), any(random), scans, scanner, random);
+      if (state.range(1) != 0) drive.carryTo(tour.poses()[any(random)], scanner);
       localization::WholeMapSearch search;
       watch.time([&] { search = localization::searchWholeMap(world.map, drive.scans(), {}); });
       const bool found = search.verdict == localization::SearchVerdict::kFound;
@@ -198,9 +204,14 @@ void ofWorld(benchmark::State& state, const std::string& name) {
 }
 void ofWillow(benchmark::State& state) { searchWorld(state, bench::willowGarage()); }
 
-/// With one scan and with five.
+/// With one scan, with five, and with seven after which the robot was carried and took another one.
 void setUp(benchmark::internal::Benchmark* benchmark) {
-  benchmark->Arg(1)->Arg(5)->Iterations(1)->Unit(benchmark::kMillisecond);
+  benchmark->ArgNames({"scans", "carried"})
+      ->Args({1, 0})
+      ->Args({5, 0})
+      ->Args({7, 1})
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
 }
 BENCHMARK_CAPTURE(ofWorld, cave, "cave")->Name("Whole/cave")->Apply(setUp);
 BENCHMARK_CAPTURE(ofWorld, flat, "flat")->Name("Whole/flat")->Apply(setUp);

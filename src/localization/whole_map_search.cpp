@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kMinScore = 0.45;                  // least mean likelihood of the points
 constexpr double kMinInliers = 0.8;                 // least share of the beams that end on surfaces
+constexpr double kMinInliersOfLast = 0.7;           // the same of the last of several scans
 constexpr double kMostContradicted = 0.1;           // greatest share of beams that pass through walls
 constexpr double kMostContradictedUnrefined = 0.4;  // before the pose is refined
 constexpr double kAlike = 0.9;            // a place with this share of the best one's score and inliers is a rival
@@ -103,15 +104,20 @@ class Search {
     return result;
   }
 
+  /// Whether enough of the beams of a scan end on surfaces of the map if it was taken at this pose.
+  bool fits(const RecentScan& scan, const Pose2& T_map_base) const {
+    return onSurfaces({{scan.points, Pose2()}}, T_map_base) >= kMinInliersOfLast;
+  }
+
  private:
   WholeMapSearch toTheEnd(std::vector<RecentScan> scans) const {
     WholeMapSearch result;
     if (!pyramid_) return result;
     surfaces::SurfacePoints points = merged(scans, kSpacing);
     if (points.size() < kFewPoints) points = merged(scans, 0.5 * kSpacing);
-    for (RecentScan& scan : scans) scan.points = withAtMost(kMostBeams / scans.size(), scan.points);
     result.verdict = SearchVerdict::kTooFew;
     if (points.size() < static_cast<std::size_t>(parameters_.tracker.min_points)) return result;
+    for (RecentScan& scan : scans) scan.points = withAtMost(kMostBeams / scans.size(), scan.points);
     result.verdict = SearchVerdict::kFitsNowhere;
     scan_matching::SearchRequest request = whole_;
     request.allowed = &*free_;
@@ -228,8 +234,11 @@ WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<Recent
                               const slam::GraphSlamParameters& parameters, const std::function<bool()>& stop) {
   const Search search(map, parameters.local, stop);
   const WholeMapSearch result = search.by(scans);
-  // The scans may not fit each other, if odometry was wrong: the last one alone still may fit the map.
-  if (result.verdict != SearchVerdict::kFitsNowhere || scans.size() < 2) return result;
+  const bool has_place = result.verdict == SearchVerdict::kFound || result.verdict == SearchVerdict::kAmbiguous;
+  // If odometry was wrong, the scans do not fit each other; if the robot was carried, the last one does not fit where
+  // the others do. It still may fit the map alone.
+  const bool misled = has_place && !search.fits(scans.back(), result.best.T_map_base);
+  if (scans.size() < 2 || (result.verdict != SearchVerdict::kFitsNowhere && !misled)) return result;
   return search.by({RecentScan{scans.back().points, Pose2()}});
 }
 

@@ -45,11 +45,11 @@ struct WholeMapSearch {
 };
 
 /// Looks for the robot all over `map`, in any direction, by its last scans, the latest at the end; if they do not fit
-/// together, by the latest alone. A place is refused rather than guessed: it must be free, the beams may
-/// not pass through walls, and a second such place, more than 0.5 m or 0.3 rad away, must reach less than
-/// 90 % of the best one's score or share of beams that end on surfaces.
-/// Branch and bound as in correlativeSearch. On a floor of 58 m x 47 m it takes about a second; in the worst case the
-/// time grows with the number of poses. Once `stop` is true, which it then has to stay, the search ends. [MAP-5]
+/// together, by the latest alone, which has to fit in any case. A place is refused rather than guessed: it must be
+/// free, the beams may not pass through walls, and a second such place, more than 0.5 m or 0.3 rad away, must reach
+/// less than 90 % of the best one's score or share of beams that end on surfaces. Branch and bound as in
+/// correlativeSearch. On a floor of 58 m x 47 m it takes about a second; in the worst case the time grows with the
+/// number of poses. Once `stop` is true, which it then has to stay, the search ends. [MAP-5]
 WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<RecentScan>& scans,
                               const slam::GraphSlamParameters& parameters, const std::function<bool()>& stop = {});
 

@@ -115,10 +115,10 @@ class LostMapper : public ::testing::Test {
     parameters.localize_only = true;
     return parameters;
   }
-  /// Drives `steps` times 5 cm ahead; odometry begins at zero where the robot begins.
-  void drive(int steps) {
+  /// Drives `steps` times `step` [m] ahead; odometry begins at zero where the robot begins.
+  void drive(int steps, double step = 0.05) {
     for (int i = 0; i < steps; ++i) {
-      T_odom_base.x += 0.05;
+      T_odom_base.x += step;
       seconds += 0.6;
       const Time now = timeFromSeconds(seconds);
       verdict = mapper.insert(scanner.scan(T_world_odom * T_odom_base, now), T_odom_base, now);
@@ -128,7 +128,7 @@ class LostMapper : public ::testing::Test {
   AsciiWorld world;
   Scanner scanner;
   mapping::Mapper mapper;
-  const Pose2 T_world_odom{6.8, 0.8, 2.9};
+  Pose2 T_world_odom{6.8, 0.8, 2.9};
   Pose2 T_odom_base;
   double seconds = 1.0;
   mapping::ScanVerdict verdict = mapping::ScanVerdict::kInserted;
@@ -157,6 +157,18 @@ TEST_F(LostMapper, GoesOnFromWhereTheSearchHasFoundTheRobotAlsoIfItHasDrivenOn_M
   drive(3);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kLocalized);
   EXPECT_FALSE(isJump(T_world_odom, mapper.T_map_odom(), 0.06, 0.03));
+}
+
+// [MAP-5] The scans from before fit well where the robot was, and odometry shows nothing.
+TEST_F(LostMapper, IsFoundWhereItHasBeenCarriedToAndNotWhereItWas_MAP_5) {
+  drive(80);
+  ASSERT_EQ(mapper.searchWork()().result.verdict, localization::SearchVerdict::kFound);
+  const Pose2 carried(1.8, 1.0, 0.3);
+  T_world_odom = carried * T_odom_base.inverse();
+  drive(3, 0.0);
+  const localization::WholeMapSearch search = mapper.searchWork()().result;
+  ASSERT_EQ(search.verdict, localization::SearchVerdict::kFound) << describe(search);
+  EXPECT_FALSE(isJump(carried, search.best.T_map_base, 0.05, 0.02)) << describe(search);
 }
 
 // [MAP-5]

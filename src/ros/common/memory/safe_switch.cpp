@@ -26,7 +26,7 @@ SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnec
 }
 
 std::optional<bool> SafeSwitch::wasLeftSafe() const {
-  if (safe_) ROS_WARN_STREAM("starts " << (*safe_ ? "" : kNot) << state_ << ", as the operator left it");
+  if (safe_) ROS_WARN_STREAM("starts with " << state_ << (*safe_ ? " on" : " off") << ", as the operator left it");
   return safe_;
 }
 
