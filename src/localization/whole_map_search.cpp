@@ -106,7 +106,7 @@ class Search {
 
   /// Whether enough of the beams of a scan end on surfaces of the map if it was taken at this pose.
   bool fits(const RecentScan& scan, const Pose2& T_map_base) const {
-    return onSurfaces({{scan.points, Pose2()}}, T_map_base) >= kMinInliersOfLast;
+    return onSurfaces({RecentScan{scan.points, Pose2()}}, T_map_base) >= kMinInliersOfLast;
   }
 
  private:
@@ -234,12 +234,13 @@ WholeMapSearch searchWholeMap(const OccupancyGrid& map, const std::vector<Recent
                               const slam::GraphSlamParameters& parameters, const std::function<bool()>& stop) {
   const Search search(map, parameters.local, stop);
   const WholeMapSearch result = search.by(scans);
-  const bool has_place = result.verdict == SearchVerdict::kFound || result.verdict == SearchVerdict::kAmbiguous;
+  if (scans.size() < 2) return result;
   // If odometry was wrong, the scans do not fit each other; if the robot was carried, the last one does not fit where
   // the others do. It still may fit the map alone.
-  const bool misled = has_place && !search.fits(scans.back(), result.best.T_map_base);
-  if (scans.size() < 2 || (result.verdict != SearchVerdict::kFitsNowhere && !misled)) return result;
-  return search.by({RecentScan{scans.back().points, Pose2()}});
+  const bool has_place = result.verdict == SearchVerdict::kFound || result.verdict == SearchVerdict::kAmbiguous;
+  const bool holds =
+      has_place ? search.fits(scans.back(), result.best.T_map_base) : result.verdict != SearchVerdict::kFitsNowhere;
+  return holds ? result : search.by({RecentScan{scans.back().points, Pose2()}});
 }
 
 std::string describe(const WholeMapSearch& search) {

@@ -20,6 +20,11 @@ fs::path withoutExtension(const std::string& path) {
   return ours ? fs::path(whole).replace_extension() : whole;
 }
 
+/// Whether another program has written this YAML. Throws std::invalid_argument if it cannot be parsed.
+bool namesNoOctree(const std::string& yaml) {
+  return compareWithYaml(yaml, SavedFile::kOctree, {}) == FileMatch::kNotMentioned;
+}
+
 }  // namespace
 
 MapIoResult failure(MapIoStatus status, const std::string& file, const std::string& what) {
@@ -61,7 +66,7 @@ bool MapFileSet::isOfAnotherProgram() const {
   // Reading it as a map image reports what is wrong with it.
   if (!text.ok()) return true;
   try {
-    return compareWithYaml(text.bytes, SavedFile::kOctree, {}) == FileMatch::kNotMentioned;
+    return namesNoOctree(text.bytes);
   } catch (const std::invalid_argument&) {
     return true;
   }
@@ -74,7 +79,7 @@ std::optional<MapFileSet::Picture> MapFileSet::laterPicture() const {
     const std::string picture = pictureOf(text.bytes).string();
     const FileContent image = readFile(picture, bounds::kMostImageBytes);
     if (!image.ok()) return {};
-    if (isOfAnotherProgram()) return Picture{picture, "its YAML names no octree"};
+    if (namesNoOctree(text.bytes)) return Picture{picture, "its YAML names no octree"};
     const bool edited = compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes) == FileMatch::kAnother;
     return edited ? std::optional<Picture>({picture, "it was edited after the map was saved"}) : std::nullopt;
   } catch (const std::invalid_argument&) {

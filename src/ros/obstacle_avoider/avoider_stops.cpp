@@ -40,17 +40,18 @@ void ObstacleAvoiderAdapter::handleArbiter(const ArbiterStatus& msg) {
 
 /// While the avoider rests it is another source that moves the robot.
 void ObstacleAvoiderAdapter::handleCommand(const geometry_msgs::Twist& msg) {
-  const bool rests = was_stopped_ || earlier_stops_.holdsBack(steadyNow());
   const std::optional<Twist2> command = toTwist(msg);
-  if (!rests || stopped_ || !command || command->isZero()) return;
+  if (whyRest().empty() || stopped_ || !command || command->isZero()) return;
   was_stopped_ = false;
   earlier_stops_.dismiss();
   updateRest();
 }
 
-void ObstacleAvoiderAdapter::updateRest() {
-  const char* asks = earlier_stops_.holdsBack(steadyNow()) ? kAsks : "";
-  publish(avoider_.setResting(was_stopped_ ? kWasStopped : asks, rosNow()));
+std::string ObstacleAvoiderAdapter::whyRest() const {
+  if (was_stopped_) return kWasStopped;
+  return earlier_stops_.holdsBack(steadyNow()) ? kAsks : "";
 }
+
+void ObstacleAvoiderAdapter::updateRest() { publish(avoider_.setResting(whyRest(), rosNow())); }
 
 }  // namespace frontier_pilot

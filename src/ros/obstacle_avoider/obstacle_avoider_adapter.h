@@ -56,6 +56,8 @@ class ObstacleAvoiderAdapter {
   void handleArbiter(const ArbiterStatus& msg);
   void handleCommand(const geometry_msgs::Twist& msg);
   void followStops();
+  /// Why the avoider has to rest; empty if it has not.
+  std::string whyRest() const;
   void updateRest();
   void tick();
   void publish(const std::optional<avoid::AvoiderCommand>& command);
