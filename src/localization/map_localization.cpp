@@ -3,6 +3,7 @@
 #include <sstream>
 #include <string>
 
+#include "frontier_pilot/localization/trusted_odometry.h"
 #include "frontier_pilot/slam/graph_slam.h"
 #include "localization/localizer.h"
 
@@ -23,6 +24,7 @@ const char* textOf(slam::MatchVerdict verdict) {
     case slam::MatchVerdict::kTooFew:
       return "not localised: too few returns";
     case slam::MatchVerdict::kPoor:
+    case slam::MatchVerdict::kKidnapped:
     case slam::MatchVerdict::kLost:
       return "not localised: the scan fits nowhere on the map here, give a pose";
     case slam::MatchVerdict::kAmbiguous:
@@ -41,8 +43,8 @@ struct MapLocalization::Impl {
 
   Use use;
   Localizer localizer;
-  std::unique_ptr<slam::GraphSlam> graph_slam;  ///< to continue mapping
-  /// The pose of the odometry frame when the robot was found; none until then. `graph_slam` gets odometry that is
+  std::unique_ptr<slam::PoseCorrection> continuation;  ///< to continue mapping
+  /// The pose of the odometry frame when the robot was found; none until then. `continuation` gets odometry that is
   /// transformed by it, so its local frame begins as the map frame.
   std::optional<Pose2> T_map_odom;
 };
@@ -51,8 +53,9 @@ MapLocalization::MapLocalization(Use use, const slam::GraphSlamParameters& param
                                  const occupancy::ScanInsertionParameters& insertion,
                                  const scan_matching::PoseWithCovariance& T_map_base)
     : impl_(std::make_unique<Impl>(use, parameters, map.projection(), T_map_base)) {
-  if (use != Use::kGoOnMapping) return;
-  impl_->graph_slam = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
+  if (use == Use::kTrustOdometry) impl_->continuation = std::make_unique<TrustedOdometry>();
+  if (use == Use::kGoOnMapping)
+    impl_->continuation = std::make_unique<slam::GraphSlam>(parameters, map.parameters(), insertion, bytesOf(map));
 }
 MapLocalization::~MapLocalization() = default;
 
@@ -69,37 +72,36 @@ slam::CorrectedScan MapLocalization::correct(const surfaces::SurfaceScan& scan, 
       return {localizer.T_map_odom(), fits, textOf(verdict), verdict == slam::MatchVerdict::kMatched, fits};
     T_map_odom = localizer.T_map_odom();
   }
-  if (!impl_->graph_slam) return {*T_map_odom, true, "odometry taken as given"};
-  slam::CorrectedScan corrected = impl_->graph_slam->correct(scan, *T_map_odom * T_odom_base, map);
+  slam::CorrectedScan corrected = impl_->continuation->correct(scan, *T_map_odom * T_odom_base, map);
   corrected.T_map_odom = corrected.T_map_odom * *T_map_odom;
   return corrected;
 }
 
 slam::RevisionWork MapLocalization::takeWork() {
-  return impl_->graph_slam ? impl_->graph_slam->takeWork() : slam::RevisionWork();
+  return impl_->continuation ? impl_->continuation->takeWork() : slam::RevisionWork();
 }
 
 bool MapLocalization::accept(const slam::MapRevision& revision) {
-  return impl_->graph_slam && impl_->graph_slam->accept(revision);
+  return impl_->continuation && impl_->continuation->accept(revision);
 }
 
 bool MapLocalization::refuse(const slam::MapRevision& revision) {
-  return impl_->graph_slam && impl_->graph_slam->refuse(revision);
+  return impl_->continuation && impl_->continuation->refuse(revision);
 }
 
 void MapLocalization::abandonWork() {
-  if (impl_->graph_slam) impl_->graph_slam->abandonWork();
+  if (impl_->continuation) impl_->continuation->abandonWork();
 }
 
 std::vector<slam::KeyframePose> MapLocalization::trajectory() const {
-  if (!impl_->graph_slam || !impl_->T_map_odom) return {};
-  std::vector<slam::KeyframePose> trajectory = impl_->graph_slam->trajectory();
+  if (!impl_->continuation || !impl_->T_map_odom) return {};
+  std::vector<slam::KeyframePose> trajectory = impl_->continuation->trajectory();
   const Pose2 T_odom_map = impl_->T_map_odom->inverse();
   for (slam::KeyframePose& keyframe : trajectory) keyframe.T_odom_base = T_odom_map * keyframe.T_odom_base;
   return trajectory;
 }
 
-std::size_t MapLocalization::keyframes() const { return impl_->graph_slam ? impl_->graph_slam->keyframes() : 0; }
+std::size_t MapLocalization::keyframes() const { return impl_->continuation ? impl_->continuation->keyframes() : 0; }
 
 void MapLocalization::reset() {}
 

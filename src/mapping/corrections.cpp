@@ -2,6 +2,7 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/localization/map_localization.h"
+#include "frontier_pilot/localization/trusted_odometry.h"
 #include "frontier_pilot/slam/graph_slam.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 
@@ -28,7 +29,7 @@ std::unique_ptr<slam::PoseCorrection> knownMap(const MapperParameters& parameter
 
 std::unique_ptr<slam::PoseCorrection> correctionFor(const MapperParameters& parameters, occupancy::OccupancyMap& map) {
   if (parameters.localize_only) return knownMap(parameters, map, beliefOf(Pose2()));
-  if (parameters.trust_odometry) return std::make_unique<slam::TrustOdometry>();
+  if (parameters.trust_odometry) return std::make_unique<localization::TrustedOdometry>();
   return std::make_unique<slam::GraphSlam>(parameters.slam, parameters.map, parameters.insertion);
 }
 

@@ -107,13 +107,4 @@ class PoseCorrection {
   virtual void reset() = 0;
 };
 
-/// Takes odometry for the truth: `map` and `odom` are the same frame.
-class TrustOdometry final : public PoseCorrection {
- public:
-  CorrectedScan correct(const surfaces::SurfaceScan&, const Pose2&, const occupancy::OccupancyMap&) override {
-    return {Pose2(), true, "odometry taken as given"};
-  }
-  void reset() override {}
-};
-
 }  // namespace frontier_pilot::slam

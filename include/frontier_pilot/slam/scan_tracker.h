@@ -20,6 +20,7 @@ enum class MatchVerdict {
   kTooFew,       ///< too few returns: odometry only
   kPoor,         ///< it fits nowhere in the window, or not well enough to overrule odometry: odometry only
   kAmbiguous,    ///< it fits in several places, and not where odometry says: odometry only
+  kKidnapped,    ///< nothing has matched since the wheels stood: the robot was carried, to an unknown place
   kLost,         ///< nothing has matched for so long that a new submap is begun at odometry's pose
 };
 const char* toString(MatchVerdict verdict);
@@ -57,8 +58,9 @@ const char* describe(const Track& track);
 /// scan is believed: wheels slip and encoders freeze, walls do not. After a long time without a match it must fit
 /// very well for that, because half of the points may lie on surfaces by chance then. Where a scan fits nowhere,
 /// odometry carries the pose on. If scans come so far apart that one may show mostly new ground, it then extends the
-/// map at that pose. So do scans of open ground, where there is nothing to match with. Systematic errors of odometry
-/// are learnt from the matches and taken into account.
+/// map at that pose. So do scans of open ground, where there is nothing to match with. If scans stop fitting while the
+/// wheels hardly turn, the robot was carried: odometry then tells nothing until a scan fits again. Systematic errors of
+/// odometry are learnt from the matches and taken into account.
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParameters& parameters = {});

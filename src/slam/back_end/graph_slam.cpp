@@ -12,7 +12,9 @@ namespace frontier_pilot::slam {
 namespace {
 
 /// Whether a scan with this verdict may be inserted into the map.
-bool fits(MatchVerdict verdict) { return verdict != MatchVerdict::kPoor && verdict != MatchVerdict::kAmbiguous; }
+bool fits(MatchVerdict verdict) {
+  return verdict != MatchVerdict::kPoor && verdict != MatchVerdict::kAmbiguous && verdict != MatchVerdict::kKidnapped;
+}
 
 bool isSound(const Track& track) {
   return track.verdict == MatchVerdict::kFirst || (track.verdict == MatchVerdict::kMatched && !track.slides);
@@ -93,7 +95,7 @@ CorrectedScan GraphSlam::correct(const surfaces::SurfaceScan& scan, const Pose2&
   if (output.keyframe) impl_->keep(output);
   const Track& track = output.track;
   return {impl_->T_map_local * track.T_local_base.pose * T_odom_base.inverse(), fits(track.verdict), describe(track),
-          isSound(track)};
+          isSound(track), track.verdict != MatchVerdict::kKidnapped};
 }
 
 Pose2 GraphSlam::withoutErrors(const Pose2& motion) const { return impl_->local.withoutErrors(motion); }

@@ -17,6 +17,10 @@ constexpr PoseSigma kLeast{0.003, 0.002};
 constexpr PoseSigma kStanding{0.0003, 0.0003};
 constexpr double kTurningWheels = 0.0001;  ///< the wheels turn if odometry moves by more than this [m, rad]
 
+// A robot that is carried shows nothing known for a while in which its wheels hardly turn.
+constexpr double kCarrying = 1.0;      ///< [s]
+constexpr double kHardlyDriven = 0.1;  ///< [m, rad]
+
 PoseSigma sumOf(const PoseSigma& a, const PoseSigma& b) {
   return {std::hypot(a.position, b.position), std::hypot(a.yaw, b.yaw)};
 }
@@ -31,9 +35,11 @@ struct Fix {
 struct Last {
   Time stamp;
   Fix fix;
-  Time matched;     ///< when a scan was placed last
-  PoseSigma sigma;  ///< the uncertainty that odometry has added since the last match
-  bool carried;     ///< odometry carries the pose, because there was little to match
+  Time matched;      ///< when a scan was placed last
+  Pose2 matched_at;  ///< T_odom_base then
+  PoseSigma sigma;   ///< the uncertainty that odometry has added since the last match
+  bool carried;      ///< odometry carries the pose, because there was little to match
+  bool kidnapped;    ///< since the last match the robot was carried
 };
 
 }  // namespace
@@ -56,6 +62,8 @@ const char* toString(MatchVerdict verdict) {
       return "does not fit the map";
     case MatchVerdict::kAmbiguous:
       return "ambiguous";
+    case MatchVerdict::kKidnapped:
+      return "not localised: what the scanner shows changed while the robot stood, as if it was carried; give a pose";
     case MatchVerdict::kLost:
       return "lost, new submap begun";
   }
@@ -75,6 +83,8 @@ struct ScanTracker::Impl {
   Prediction predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const;
   Track place(const surfaces::SurfacePoints& points, Time stamp, const Pose2& T_odom_base, const MatchTarget& target,
               bool open) const;
+  bool turnedTo(const Pose2& T_odom_base) const;
+  MatchVerdict unmatched(MatchVerdict verdict, Time stamp, const Pose2& T_odom_base) const;
   void learn(const Fix& fix, const Track& track);
   void remember(Time stamp, const Pose2& T_odom_base, const Track& track, bool open);
 
@@ -84,6 +94,7 @@ struct ScanTracker::Impl {
   Pose2 T_local_odom;
   std::optional<Last> last;
   std::optional<Fix> anchor;  ///< the match from which the next motion is learnt
+  bool drives = false;        ///< odometry has shown motion; if it never does, it does not show that the robot stands
 };
 
 ScanTracker::ScanTracker(const ScanTrackerParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
@@ -103,8 +114,7 @@ PoseSigma ScanTracker::Impl::grown(const Pose2& T_odom_base) const {
 Prediction ScanTracker::Impl::predict(Time stamp, const Pose2& T_odom_base, const Pose2& T_local_map) const {
   const Pose2 T_map_base = T_local_map.inverse() * expected(T_odom_base);
   if (!last) return {T_map_base, kLeast, kLeast};
-  const bool turned = isJump(last->fix.T_odom_base, T_odom_base, kTurningWheels, kTurningWheels);
-  const bool stands = last->matched == last->stamp && !last->carried && !turned;
+  const bool stands = last->matched == last->stamp && !last->carried && !turnedTo(T_odom_base);
   const PoseSigma sigma = stands ? kStanding : sumOf(grown(T_odom_base), kLeast);
   const double silence = std::max(0.0, toSeconds(stamp - last->matched));
   const PoseSigma unseen{sigma.position + parameters.odometry.unmeasured_speed * silence,
@@ -135,10 +145,22 @@ Track ScanTracker::Impl::place(const surfaces::SurfacePoints& points, Time stamp
     track.slides = false;
     track.T_local_base = beliefOf(expected(T_odom_base), prediction.odometry);
   }
-  const bool silent = last && toSeconds(stamp - last->matched) > parameters.max_silence;
-  if (silent && (track.verdict == MatchVerdict::kPoor || track.verdict == MatchVerdict::kAmbiguous))
-    track.verdict = MatchVerdict::kLost;
+  if (track.verdict == MatchVerdict::kPoor || track.verdict == MatchVerdict::kAmbiguous)
+    track.verdict = unmatched(track.verdict, stamp, T_odom_base);
   return track;
+}
+
+bool ScanTracker::Impl::turnedTo(const Pose2& T_odom_base) const {
+  return isJump(last->fix.T_odom_base, T_odom_base, kTurningWheels, kTurningWheels);
+}
+
+/// What it means that a scan could not be matched, after all the time without a match.
+MatchVerdict ScanTracker::Impl::unmatched(MatchVerdict verdict, Time stamp, const Pose2& T_odom_base) const {
+  if (!last) return verdict;
+  const double silence = toSeconds(stamp - last->matched);
+  const bool stands = drives && !isJump(last->matched_at, T_odom_base, kHardlyDriven, kHardlyDriven);
+  if (last->kidnapped || (stands && silence > kCarrying)) return MatchVerdict::kKidnapped;
+  return silence > parameters.max_silence ? MatchVerdict::kLost : verdict;
 }
 
 scan_matching::SearchWindow ScanTracker::usualWindow() const {
@@ -167,9 +189,17 @@ void ScanTracker::Impl::remember(Time stamp, const Pose2& T_odom_base, const Tra
   const PoseSigma sigma = known && !extrapolated ? PoseSigma{} : grown(T_odom_base);
   // A map that begins on open ground shows nothing that later scans could match.
   const bool carried = track.verdict == MatchVerdict::kCarried || (track.verdict == MatchVerdict::kFirst && open);
+  const bool kidnapped = track.verdict == MatchVerdict::kKidnapped || (!known && last->kidnapped);
   const Fix fix{T_odom_base, track.T_local_base.pose};
   learn(fix, track);
-  last = Last{stamp, fix, known ? stamp : last->matched, sigma, carried || (!known && last->carried)};
+  drives = drives || (last && turnedTo(T_odom_base));
+  last = Last{stamp,
+              fix,
+              known ? stamp : last->matched,
+              known ? T_odom_base : last->matched_at,
+              sigma,
+              carried || (!known && last->carried),
+              kidnapped};
   T_local_odom = fix.T_local_base * T_odom_base.inverse();
 }
 
