@@ -165,6 +165,10 @@ std::optional<Patrol::Impl::Fault> Patrol::Impl::blocked(const PatrolInputs& inp
 PatrolOutput Patrol::Impl::advance(const PatrolInputs& inputs, Time now) {
   switch (phase_) {
     case Phase::kWaiting:
+      if (inputs.is_connecting) {
+        progressed_ = now;
+        return running({});
+      }
       T_odom_plan_ = inputs.odometry->T_odom_base;
       return beginStep(inputs, now);
     case Phase::kSettling:

@@ -55,7 +55,8 @@ struct PatrolInputs {
   std::optional<std::string> odometry_problem;  ///< why the last message was refused; empty if it was not
   std::optional<std::string> wheels_held_by;    ///< the arbiter's source that holds the wheels instead of the patrol
   bool emergency_stop = false;
-  WayAhead way_ahead;  ///< empty: nobody looks where the robot drives
+  WayAhead way_ahead;          ///< empty: nobody looks where the robot drives
+  bool is_connecting = false;  ///< it is not known yet whether somebody looks: a patrol does not begin before that
 };
 
 /// The result of one control cycle.

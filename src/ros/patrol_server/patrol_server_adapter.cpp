@@ -92,6 +92,7 @@ void PatrolServerAdapter::tick() {
 void PatrolServerAdapter::step(const std::optional<Time>& now) {
   if (!now) return;
   inputs_.wheels_held_by = wheels_held_by_.fresh(steadyNow(), kArbiterPatience).value_or(std::nullopt);
+  inputs_.is_connecting = surroundings_.isConnecting();
   inputs_.way_ahead = surroundings_.wayAhead(*now);
   put(patrol_.update(inputs_, *now));
 }

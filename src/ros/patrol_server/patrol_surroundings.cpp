@@ -61,9 +61,12 @@ void PatrolSurroundings::addOdometry(Time stamp, const Pose2& T_odom_base) {
   placer_.addOdometry(stamp, T_odom_base);
 }
 
+bool PatrolSurroundings::isConnecting() const {
+  return parameters_.check_collisions && !heard_ && steadyNow() - subscribed_ < kConnecting;
+}
+
 bool PatrolSurroundings::isBlind() const {
-  return parameters_.check_collisions && !heard_ && scan_.getNumPublishers() == 0 &&
-         steadyNow() - subscribed_ >= kConnecting;
+  return parameters_.check_collisions && !heard_ && scan_.getNumPublishers() == 0 && !isConnecting();
 }
 
 patrol::WayAhead PatrolSurroundings::wayAhead(Time now) const {

@@ -43,6 +43,8 @@ class PatrolSurroundings {
   void addOdometry(Time stamp, const Pose2& T_odom_base);
   /// The look ahead at `now`, which refers to this object; empty if nobody looks.
   patrol::WayAhead wayAhead(Time now) const;
+  /// Whether the node has just begun, so that a scanner may not have been found yet.
+  bool isConnecting() const;
   /// Whether patrols are driven without a look at the scan, although they should be with one.
   bool isBlind() const;
   /// Forgets everything, after a jump of the clock.

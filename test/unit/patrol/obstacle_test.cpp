@@ -42,6 +42,21 @@ TEST(PatrolAndObstacles, StandsUntilSomethingThatPassesIsGone_PAT_7) {
   test::expectClosed(loop, {});
 }
 
+// [PAT-7] The clock of a simulation may be many times as fast as the one by which nodes connect.
+TEST(PatrolAndObstacles, BeginsOnceItIsKnownWhetherSomebodyLooksAheadHoweverLongThatTakes_PAT_7) {
+  const patrol::PatrolParameters parameters;
+  test::PatrolLoop loop(parameters);
+  loop.inputs.is_connecting = true;
+  loop.inputs.way_ahead = [](const Pose2&, const Twist2&) { return std::optional<std::string>("no fresh scan"); };
+  loop.start(test::kSquare);
+  EXPECT_EQ(loop.run(parameters.blocked_timeout + parameters.obstacle_timeout).outcome, PatrolOutcome::kRunning);
+  EXPECT_TRUE(loop.cycle().command->isZero());
+  loop.inputs.is_connecting = false;
+  loop.inputs.way_ahead = {};
+  EXPECT_EQ(loop.run(120.0).outcome, PatrolOutcome::kCompleted);
+  test::expectClosed(loop, {});
+}
+
 // [PAT-7] A robot that stands before an obstacle makes no progress, but that is not why it does not drive.
 TEST(PatrolAndObstacles, StandsBeforeAnObstacleForLongerThanWithoutProgress_PAT_7) {
   patrol::PatrolParameters parameters;
