@@ -3,7 +3,6 @@
 #include <sstream>
 #include <string>
 
-#include "frontier_pilot/localization/trusted_odometry.h"
 #include "frontier_pilot/slam/graph_slam.h"
 #include "localization/localizer.h"
 

@@ -1,4 +1,4 @@
-#include "frontier_pilot/localization/trusted_odometry.h"
+#include "frontier_pilot/localization/map_localization.h"
 
 #include "frontier_pilot/core/motion.h"
 

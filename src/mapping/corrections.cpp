@@ -2,7 +2,6 @@
 
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/localization/map_localization.h"
-#include "frontier_pilot/localization/trusted_odometry.h"
 #include "frontier_pilot/slam/graph_slam.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 
