@@ -45,6 +45,25 @@ TEST_F(GuiOnTheWire, ButtonsMoveTheRobotThroughTheArbiterAtTenHertz) {
   EXPECT_TRUE(waitFor([&] { return robot_.command == 0.0 && std::abs(robot_.speed) < 1e-6; }));
 }
 
+// [GUI-1] The panel in rviz is silent until somebody drives with it.
+TEST_F(GuiOnTheWire, TheFirstCommandOfAPanelMovesTheRobot) {
+  GuiBridge bridge(ros::NodeHandle(), teleop::TeleopParameters(), GuiBridge::Manual::kOnDemand, [] { return true; });
+  ASSERT_TRUE(waitFor([&] {
+    bridge.beat({});
+    return bridge.state().connected && bridge.state().arbiter.has_value();
+  }));
+  const int before = robot_.manual_count;
+  for (int beat = 0; beat < 20; ++beat) {
+    bridge.beat({});
+    ros::WallDuration(0.05).sleep();
+  }
+  EXPECT_EQ(robot_.manual_count, before);
+  EXPECT_TRUE(waitFor([&] {
+    bridge.beat({0.1, 0.0});
+    return robot_.command == 0.1;
+  }));
+}
+
 // [GUI-2]
 TEST_F(GuiOnTheWire, TheEmergencyStopLatchesIsShownAndIsClearedWithoutMotion) {
   Window window;

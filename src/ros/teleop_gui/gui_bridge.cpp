@@ -104,9 +104,10 @@ void GuiBridge::publishManual() {
 /// Publishes while holding the lock, so that nothing can be published after the zero of close().
 GuiBridge::TopicNeed GuiBridge::publishManual(SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!manualWanted(now)) return manual_publisher_ ? TopicNeed::kClose : TopicNeed::kNone;
   const auto before = manual_output_.state();
+  // Also while nobody drives: a set-point that is the first ever told would be taken for one from before a freeze.
   const std::optional<Twist2> command = manual_output_.update(manualOn(now), now);
+  if (!manualWanted(now)) return manual_publisher_ ? TopicNeed::kClose : TopicNeed::kNone;
   if (manual_output_.state() == teleop::ManualOutput::State::kFrozen &&
       before != teleop::ManualOutput::State::kFrozen) {
     THROTTLED_WARN("the window does not respond: zero sent, manual is silent");
