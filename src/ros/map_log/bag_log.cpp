@@ -90,8 +90,12 @@ class BagReading {
   void begin(const nav_msgs::Odometry& first) {
     odom_frame_ = plain(first.header.frame_id);
     other_mapper_ = transforms_to_[odom_frame_];
-    if (!tf_._frameExists(topics_.base_frame) && tf_._frameExists(plain(first.child_frame_id)))
-      topics_.base_frame = plain(first.child_frame_id);
+    const std::string base = plain(first.child_frame_id);
+    if (tf_._frameExists(topics_.base_frame) || !tf_._frameExists(base)) return;
+    if (topics_.base_frame != tools::BagTopics().base_frame)
+      log_.notes.push_back("no frame " + topics_.base_frame + " in the bag: the base is " + base +
+                           ", as odometry says");
+    topics_.base_frame = base;
   }
   void takeScan(const sensor_msgs::LaserScan::ConstPtr& msg) {
     if (!msg) return reject("message on the scan topic that is no scan");

@@ -70,6 +70,17 @@ TEST_F(BagLog, TakesTheFrameOfTheBaseFromOdometryThatBeginsAfterTheFirstScan_ROB
   EXPECT_EQ(log.notes, std::vector<std::string>{});
 }
 
+TEST_F(BagLog, SaysThatTheFrameThatWasAskedForIsNotInTheBag) {
+  writeMounts();
+  writeOdometry(100.0, "base_link");
+  writeOdometry(100.1, "base_link");
+  writeScan(100.05);
+  bag_.close();
+  const logs::ScanLog log = readBagLog(path_, {"", "", "foo"});
+  EXPECT_TRUE(holds(log.notes, "no frame foo in the bag: the base is base_link, as odometry says"));
+  EXPECT_EQ(log.records.size(), 1U);
+}
+
 TEST_F(BagLog, LeavesOutAndCountsWhatCannotBeUsed) {
   writeMounts();
   writeScan(90.0);
