@@ -9,6 +9,7 @@ import socket
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 import xmlrpc.client
 
 import rosbag
@@ -142,6 +143,12 @@ class RunRecorder(unittest.TestCase):
         self.assertTrue(wait_for(lambda: any(level == 2 and 'the disk of ' + self.folder in text and 'is full' in text
                                              for level, text in self.said), 60.0), self.said)
         self.assertIsNone(process.poll())
+
+    def test_a_folder_may_be_given_from_the_home_of_the_user(self):
+        with unittest.mock.patch.dict(os.environ, HOME=os.path.dirname(self.folder)):
+            process = self.start(folder='~/runs')
+        self.assertTrue(wait_for(self.parts, 60.0))
+        self.end(process)
 
     def test_a_folder_that_cannot_be_made_is_named_in_the_diagnostics(self):
         with open(self.folder, 'w'):

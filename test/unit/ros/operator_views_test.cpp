@@ -67,17 +67,20 @@ TEST(OperatorViews, ASourceThatHoldsTheRobotStillIsGrey_GUI_2) {
 // [GUI-2]
 TEST(OperatorViews, ASourceThatWantsNothingIsGreyAndOneNeverHeardSaysSo_GUI_2) {
   ArbiterStatus msg;
-  msg.sources.resize(3);
+  msg.sources.resize(4);
   msg.sources[0].state = ArbiterSource::IDLE;
   msg.sources[0].state_text = "alive, asks for nothing";
   msg.sources[1].state = ArbiterSource::READY;
   msg.sources[2].state = ArbiterSource::NEVER_HEARD;
   msg.sources[2].age = -1.0;
+  msg.sources[3].state = ArbiterSource::NEVER_HEARD;  // since the stop was cleared
+  msg.sources[3].age = 240.0;
   const teleop::ArbiterView view = toView(msg, 0.0);
   EXPECT_EQ(view.sources[0].severity, teleop::Severity::kIdle);
   EXPECT_EQ(view.sources[0].state_text, "alive, asks for nothing");
   EXPECT_EQ(view.sources[1].severity, teleop::Severity::kGood);
   EXPECT_EQ(view.sources[2].state_text, "no command received yet");
+  EXPECT_EQ(view.sources[3].state_text, "last command dropped: waits for a new one");
 }
 
 // [GUI-2]
