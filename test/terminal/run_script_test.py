@@ -173,6 +173,20 @@ class RunScript(RunTestCase):
         self.assertIn('there is no report: the run ended before its recorder had begun', err)
         self.assert_nothing_is_left()
 
+    def test_it_says_why_nothing_is_recorded(self):
+        runs = pathlib.Path(self.folder.name, 'frontier_pilot/runs')
+        runs.parent.mkdir()
+        runs.write_text('')
+        process = self.start('gui:=false', 'rviz:=false')
+        said = ''
+        while 'The recorder has not begun' not in said:
+            said += process.stdout.readline()
+            self.assertIsNone(process.poll(), said)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=120)
+        self.assertRegex(err, 'there is no report: nothing is recorded: .*' + re.escape(str(runs)))
+        self.assert_nothing_is_left()
+
     def test_a_report_that_takes_too_long_may_remove_its_copy_of_the_bag_before_it_is_killed(self):
         functions = re.findall(r'^(?:await_end|kill_and_wait|make_report)\(\) \{\n.*?^\}\n', pathlib.Path(RUN).read_text(), re.M | re.S)
         give_up = 'set -euo pipefail; say() { echo "$1"; }; trap impatient=true INT; root=. logs=. record=true\n'
