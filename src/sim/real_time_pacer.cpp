@@ -6,11 +6,18 @@ namespace frontier_pilot::sim {
 namespace {
 
 constexpr Duration kForgiven = std::chrono::milliseconds(250);  // the largest backlog that is caught up, in real time
+constexpr Duration kHeldUp = std::chrono::milliseconds(30);     // between two calls, in real time
 
 }  // namespace
 
 std::int64_t RealTimePacer::due(SteadyTime now) {
-  if (speed_ <= 0.0) return std::numeric_limits<std::int64_t>::max();
+  held_up_ = !resting_ && !held_up_ && now - asked_ > kHeldUp;
+  asked_ = now;
+  if (held_up_) return 0;
+  if (speed_ <= 0.0) {
+    resting_ = false;
+    return std::numeric_limits<std::int64_t>::max();
+  }
   const double steps_per_second = speed_ / toSeconds(step_);
   if (!resting_) {
     const auto owed = static_cast<std::int64_t>(toSeconds(now - since_) * steps_per_second) - made_;

@@ -40,17 +40,40 @@ TEST(RealTimePacer, OwesNothingForARest_SIM_4) {
   run(pace, 0.0, 1.0);
   pace.rest();
   EXPECT_EQ(pace.due(at(500.0)), 0);
-  EXPECT_EQ(pace.due(at(500.1)), 10);
+  EXPECT_EQ(pace.due(at(500.02)), 2);
   EXPECT_EQ(pace.timesBehind(), 0);
 }
 
 TEST(RealTimePacer, ForgivesWhatItCannotKeepUpWith_SIM_4) {
   RealTimePacer pace(1.0, kStep);
   EXPECT_EQ(pace.due(at(0.0)), 0);
-  EXPECT_EQ(pace.due(at(0.2)), 20);
+  EXPECT_EQ(pace.due(at(0.2)), 0);
+  EXPECT_EQ(pace.due(at(0.21)), 21);
   EXPECT_EQ(pace.due(at(3.0)), 0);
+  EXPECT_EQ(pace.due(at(3.01)), 0);
   EXPECT_EQ(pace.timesBehind(), 1);
-  EXPECT_EQ(pace.due(at(3.05)), 5);
+  EXPECT_EQ(pace.due(at(3.03)), 2);
+}
+
+// [SIM-4, ARB-7] what was sent while the simulation was held up is read before it is caught up
+TEST(RealTimePacer, OwesNothingAtTheFirstCallAfterItWasHeldUp_SIM_4_ARB_7) {
+  for (double speed : {0.0, 1.0, 10.0}) {
+    RealTimePacer pace(speed, kStep);
+    pace.due(at(0.0));
+    EXPECT_GT(pace.due(at(0.02)), 0) << speed;
+    EXPECT_EQ(pace.due(at(0.22)), 0) << speed;
+    EXPECT_GE(pace.due(at(0.23)), 20 * static_cast<std::int64_t>(speed)) << speed;
+  }
+}
+
+TEST(RealTimePacer, CatchesUpOnAComputerThatIsAlwaysLate_SIM_4) {
+  RealTimePacer pace(1.0, kStep);
+  std::int64_t steps = 0;
+  for (double t = 0.0; t < 10.0; t += 0.1) {
+    for (std::int64_t due = pace.due(at(t)); due > 0; --due, ++steps) pace.stepped();
+  }
+  EXPECT_NEAR(static_cast<double>(steps), 1000.0, 21.0);
+  EXPECT_EQ(pace.timesBehind(), 0);
 }
 
 }  // namespace
