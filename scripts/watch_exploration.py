@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Watches an exploration, which it can also start, prints its progress periodically, and saves the map when it is done, on Ctrl-C,
-or when its terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved.
+or when its terminal or what reads its output has been closed. A second Ctrl-C does not wait until it is saved. It waits for an
+explorer that has died, unless the program that started it has ended too.
 
 Exit code: 0 when no reachable frontier is left and the map was saved where it was to be, 130 after Ctrl-C, 143 after SIGTERM, 129 when
 the terminal was closed, 141 when nobody reads the output any more, 1 otherwise.
@@ -29,6 +30,8 @@ from saved_maps import free_prefix, save_map  # noqa: E402
 RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
 LEAST_CHANGE, LEAST_WAY = 0.1, 0.2  # of the explored area [m^2] and of the way [m], with which a map is saved again
+SILENCE = 10.0  # [s], after which an explorer that is not heard is said to be silent
+FAREWELL = 30.0  # [s], after which one that is not heard has died, for a program that nobody waits for
 PERIODS = 0.2, 3600.0  # of the progress lines [s]
 
 # The ends that the stopping rules of the explorer have asked for.
@@ -63,12 +66,18 @@ class Watcher:
         self.status = None
         self.started = None  # when the first goal was sent, in simulated time
         self.printed = 0.0
+        self.heard = time.monotonic()  # the explorer, at the latest; before its first word the begin
         rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self.on_status, queue_size=10)
 
     def on_status(self, status):
         if self.started is None and status.goals_sent > 0:
             self.started = status.header.stamp.to_sec()
+        self.heard = time.monotonic()
         self.status = status
+
+    def silence(self):
+        """Seconds of wall time since the explorer was heard."""
+        return time.monotonic() - self.heard
 
     def elapsed(self):
         """Simulated seconds since the first goal was sent."""
@@ -91,7 +100,9 @@ class Watcher:
         if time.monotonic() - self.printed < self.period:
             return True
         self.printed = time.monotonic()
-        return say('waiting for the explorer' if self.status is None else self.line())
+        if self.status is None:
+            return say('waiting for the explorer')
+        return say(self.line() if self.silence() < SILENCE else 'the explorer has not been heard for %.0f s' % self.silence())
 
 
 class Starter:
@@ -157,6 +168,17 @@ def save_what_was_mapped_since(watcher, interrupt, prefix):
     return 128 + interrupt.number
 
 
+def is_abandoned(parent, heard):
+    """Whether the process that started this program has ended, and nothing was heard since FAREWELL before now."""
+    return os.getppid() != parent and time.monotonic() - heard > FAREWELL
+
+
+def save_what_is_there(watcher, why, prefix):
+    if watcher.knows_a_map():
+        say('\n%s: saving the map ...' % why)
+        save_map(prefix)
+
+
 def has_changed(before, now):
     return (abs(now.explored_area - before.explored_area) > LEAST_CHANGE or
             abs(now.distance_travelled - before.distance_travelled) > LEAST_WAY)
@@ -218,14 +240,14 @@ def main():
     parser.add_argument('--period', type=period_in, default=5.0,
                         help='seconds between two progress lines, from %g to %g (5)' % PERIODS)
     arguments = parser.parse_args(rospy.myargv()[1:])
-    interrupt = Interrupt()
+    interrupt, parent = Interrupt(), os.getppid()
     # Periods are on the steady clock, because simulated time may stand still or run at any speed.
     # A name from outside could be that of a running node, which ROS would then shut down.
     words = [word for word in sys.argv if not word.startswith('__name:=')]
-    if not ros_program.begin('watch_exploration', lambda: not interrupt.number, silent_for=MASTER_START, argv=words, anonymous=True,
-                             disable_signals=True):
-        return 128 + interrupt.number
     began = time.monotonic()
+    if not ros_program.begin('watch_exploration', lambda: not interrupt.number and not is_abandoned(parent, began), silent_for=MASTER_START,
+                             argv=words, anonymous=True, disable_signals=True):
+        return 128 + interrupt.number if interrupt.number else 1
     watcher = Watcher(arguments.period)
     if arguments.saved_already:
         return save_what_was_mapped_since(watcher, interrupt, arguments.map)
@@ -235,11 +257,12 @@ def main():
             interrupt.lose(signal.SIGPIPE)
         if starter:
             starter.go_on(watcher.status)
+        if is_abandoned(parent, watcher.heard):
+            save_what_is_there(watcher, 'The explorer is gone, and so is the program that has started this one', arguments.map)
+            return 1
         time.sleep(0.2)
     if interrupt.number:
-        if watcher.knows_a_map():
-            say('\nInterrupted: saving the map ...')
-            save_map(arguments.map)
+        save_what_is_there(watcher, 'Interrupted', arguments.map)
         return 128 + interrupt.number
     if not watcher.done():
         return 1

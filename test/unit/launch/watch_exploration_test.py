@@ -58,6 +58,73 @@ class Later(unittest.TestCase):
         self.assertEqual(self.saved(done, done, ExplorerStatus(explored_area=50.0, distance_travelled=33.0)), [''])
 
 
+class Abandoned(unittest.TestCase):
+    """It was started by a program that was killed, and the nodes have ended too: it does not go on for ever."""
+
+    def setUp(self):
+        self.parent, self.clock, self.out = 7, 100.0, io.StringIO()
+        self.saves, self.steps = [], []
+        for patch in (mock.patch('sys.stdout', self.out), mock.patch('sys.argv', ['watch_exploration.py']),
+                      mock.patch('rospy.Subscriber', self.subscribe), mock.patch('rospy.is_shutdown', lambda: False),
+                      mock.patch('watch_exploration.Interrupt', lambda: mock.Mock(number=0)),
+                      mock.patch('watch_exploration.os.getppid', lambda: self.parent),
+                      mock.patch('watch_exploration.save_map', self.saves.append),
+                      mock.patch('watch_exploration.time.monotonic', lambda: self.clock),
+                      mock.patch('watch_exploration.time.sleep', self.sleep)):
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def subscribe(self, _topic, _kind, take, **_):
+        self.take = take
+
+    def sleep(self, seconds):
+        self.clock += seconds
+        if self.steps and self.clock >= self.steps[0][0]:
+            self.steps.pop(0)[1]()
+        if self.clock > 1000.0:
+            raise TimeoutError(self.out.getvalue())
+
+    def orphan(self):
+        self.parent = 1
+
+    def begin(self, _name, wanted, **_):
+        while self.master_at > self.clock and wanted():
+            self.sleep(0.3)
+        return wanted()
+
+    def run_it(self, master_at=0.0):
+        self.master_at = master_at
+        with mock.patch('ros_program.begin', self.begin):
+            return watch_exploration.main()
+
+    def test_it_saves_the_map_and_ends_half_a_minute_after_the_explorer_was_heard(self):
+        """[FLT-1]"""
+        status = ExplorerStatus(explored_area=50.0)
+        self.steps = [(110.0, lambda: self.take(status)), (120.0, self.orphan), (125.0, lambda: self.take(status))]
+        self.assertEqual(self.run_it(), 1)
+        self.assertEqual(self.saves, [''])
+        self.assertAlmostEqual(self.clock, 155.0, delta=1.0)
+        self.assertIn('the explorer has not been heard for 10 s', self.out.getvalue())
+        self.assertIn('The explorer is gone, and so is the program that has started this one: saving the map', self.out.getvalue())
+
+    def test_it_ends_if_the_explorer_or_the_master_never_came(self):
+        """[FLT-1]"""
+        for master_at in (0.0, 10000.0):
+            with self.subTest(master_at=master_at):
+                self.parent, self.clock = 7, 100.0
+                self.steps = [(110.0, self.orphan)]
+                self.assertEqual(self.run_it(master_at), 1)
+                self.assertEqual(self.saves, [])
+                self.assertAlmostEqual(self.clock, 130.0, delta=1.0)
+
+    def test_it_waits_for_an_explorer_that_has_died_while_somebody_waits_for_it(self):
+        done = ExplorerStatus(explored_area=50.0, state=ExplorerStatus.DONE, reason=ExplorerStatus.NO_REACHABLE_FRONTIER)
+        self.steps = [(110.0, lambda: self.take(ExplorerStatus(explored_area=40.0))), (700.0, lambda: self.take(done))]
+        self.run_it()
+        self.assertEqual(self.saves, [''])
+        self.assertIn('the explorer has not been heard for 585 s', self.out.getvalue())
+
+
 class Start(unittest.TestCase):
     def setUp(self):
         self.calls, self.clock = [], 100.0
