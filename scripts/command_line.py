@@ -1,5 +1,6 @@
 """What the command lines of the Python programs have in common."""
 import argparse
+import codecs
 import errno
 import os
 import signal
@@ -15,9 +16,10 @@ def _open_closed_streams():
 
 
 _open_closed_streams()
-# A path that is not valid text is printed byte for byte as it was given.
+# A path that is not valid text is printed byte for byte as it was given; a letter that the output cannot take (PYTHONIOENCODING=ascii)
+# by its number.
 if sys.stdout.errors == 'strict':
-    sys.stdout.reconfigure(errors='surrogateescape')
+    sys.stdout.reconfigure(errors='surrogateescape' if codecs.lookup(sys.stdout.encoding).name == 'utf-8' else 'backslashreplace')
 
 
 class CommandLine(argparse.ArgumentParser):

@@ -157,10 +157,10 @@ void writeTrajectory(const logs::Trajectory& trajectory, const std::string& path
 }
 
 void writeResults(const MapLogOptions& options, const MappedDrive& drive, mapping::Mapper& mapper) {
+  const map_files::MapIoResult saved = map_files::saveMap(mapper.map(), options.out);  // the largest, which a disk takes last
+  if (!saved.ok()) throw logs::LogError(saved.text);
   writeTrajectory(drive.corrected, options.out + ".tum");
   writeTrajectory(drive.odometry, options.out + "_odom.tum");
-  const map_files::MapIoResult saved = map_files::saveMap(mapper.map(), options.out);
-  if (!saved.ok()) throw logs::LogError(saved.text);
   const MapPicture picture{polylineOf(drive.odometry), polylineOf(drive.corrected), closuresOf(drive)};
   const std::string path = options.out + ".png";
   if (!writePicture(mapper.grid(), picture, path)) throw logs::LogError(path + ": cannot be written");

@@ -33,7 +33,9 @@ Pose2 mountOf(Arguments& arguments, const std::string& option) {
   const double y = arguments.number();
   if (!bounds::isWithin(std::hypot(x, y), bounds::kMostMount))
     throw std::invalid_argument(option + " must be within 10 m of the base");
-  return {x, y, normalizeAngle(arguments.number())};
+  const double yaw = arguments.number();
+  if (!bounds::isWithin(yaw, 2.0 * kPi)) throw std::invalid_argument(option + " must have a yaw within 2 pi");
+  return {x, y, normalizeAngle(yaw)};
 }
 
 /// A ROS name of a topic or frame: letters, digits and underscores, with slashes between them.

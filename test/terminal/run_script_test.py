@@ -58,13 +58,19 @@ class RunScript(RunTestCase):
         self.assertEqual((process.returncode, out), (1, ''))
         self.assertRegex(err, "^scripts/run: only 64 files may be open at once, .* 'ulimit -n 1024' allows more\n$")
 
-    def test_a_home_that_cannot_be_written_to_is_refused_before_anything_is_built(self):
-        of_nobody = dict(environment(self.port, ''), HOME='/proc/nobody')
-        del of_nobody['ROS_HOME']
-        process = self.start(env=of_nobody)
-        out, err = process.communicate(timeout=60)
-        self.assertEqual((process.returncode, out), (1, ''))
-        self.assertEqual(err, "scripts/run: ROS cannot write its logs to /proc/nobody/.ros; 'export ROS_HOME=FOLDER' takes another folder\n")
+    def test_surroundings_with_which_ros_cannot_work_are_refused_before_anything_is_built(self):
+        address = 'ROS_MASTER_URI is %s, which is not the address of a ROS master, such as http://localhost:11311'
+        for name, value, words in (
+                ('HOME', '/proc/nobody', "ROS cannot write its logs to /proc/nobody/.ros; 'export ROS_HOME=FOLDER' takes another folder"),
+                ('TMPDIR', '/nowhere', "temporary files cannot be made in /nowhere; 'export TMPDIR=FOLDER' takes another folder"),
+                ('ROS_MASTER_URI', 'robot', address % "'robot'"), ('ROS_MASTER_URI', 'http://robot', address % "'http://robot'"),
+                ('ROS_MASTER_URI', 'http://robot:99999', address % "'http://robot:99999'"),
+                ('ROS_MASTER_URI', 'http://robot:0', address % "'http://robot:0'")):
+            with self.subTest(name=name, value=value):
+                surroundings = environment(self.port, '')  # an empty ROS_HOME is none
+                process = self.start(env=dict(surroundings, **{name: value}))
+                out, err = process.communicate(timeout=60)
+                self.assertEqual((process.returncode, out, err), (1, '', 'scripts/run: %s\n' % words))
 
     def test_a_launch_that_cannot_begin_ends_with_the_reason_and_leaves_no_master(self):
         world = pathlib.Path(self.folder.name, 'broken.yaml')

@@ -29,7 +29,7 @@ class RunWindows(unittest.TestCase):
         scripts, build, self.caller = self.folder / 'root/scripts', self.folder / 'build', self.folder / 'caller'
         for made in scripts, build / 'devel', self.caller, self.folder / 'root/launch':
             made.mkdir(parents=True)
-        for name in 'run', 'command_line.sh', 'launch_arguments.sh':
+        for name in 'run', 'command_line.sh', 'launch_arguments.sh', 'surroundings.sh':
             shutil.copy(ROOT / 'scripts' / name, scripts / name)
         shutil.copy(ROOT / 'launch/system.launch', self.folder / 'root/launch')
         for name, text in (('setup', ''), ('running_system.py', ''), ('report', 'echo /report.html'), ('bounded_log.py', 'cat >"$1"'),

@@ -4,6 +4,8 @@ import io
 import os
 import signal
 import socket
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -13,6 +15,17 @@ import folder_case  # noqa: F401: finds the scripts
 from command_line import exit_with
 import ros_program
 from ros_program import init_node, note_interrupts, problem_of
+
+
+class Output(unittest.TestCase):
+    # [FLT-1]
+    def test_a_letter_that_it_cannot_take_is_printed_by_its_number(self):
+        words = 'from command_line import say; say("Map saved: K\\u00fcche \\udcff")'
+        for encoding, printed in (('ascii', b'Map saved: K\\xfcche \\udcff\n'), ('utf-8', b'Map saved: K\xc3\xbcche \xff\n')):
+            with self.subTest(encoding=encoding):
+                done = subprocess.run([sys.executable, '-c', words], timeout=60, capture_output=True,
+                                      env=dict(os.environ, PYTHONIOENCODING=encoding, PYTHONPATH=os.pathsep.join(sys.path)))
+                self.assertEqual((done.returncode, done.stdout), (0, printed), done.stderr)
 
 
 class Words(unittest.TestCase):

@@ -1,6 +1,7 @@
 #include "tools/map_log.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -62,6 +63,7 @@ TEST(MapLogOptions, AreBoundedWhereTheySizeMemory_FLT_1) {
   }
   EXPECT_EQ(problemOf({"a", "--out", "x", "--mount", "-1e9", "1e9", "1"}), "--mount must be within 10 m of the base");
   EXPECT_EQ(problemOf({"a", "--out", "x", "--mount", "8", "8", "0"}), "--mount must be within 10 m of the base");
+  EXPECT_EQ(problemOf({"a", "--out", "x", "--mount", "0", "0", "1e30"}), "--mount must have a yaw within 2 pi");
   EXPECT_EQ(problemOf({"a", "--out", "x", "--mount", "9", "0", "0", "--resolution", "0.01"}), "none");
 }
 
@@ -90,6 +92,20 @@ void writeDrive(const std::string& path) {
     file << "\n";
   }
 }
+
+/// While it lives, this process makes no file larger than so many bytes.
+class LargestFile {
+ public:
+  explicit LargestFile(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~LargestFile() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
 
 class MapLog : public ::testing::Test {
  protected:
@@ -186,6 +202,16 @@ TEST_F(MapLog, SaysThatItCannotWriteUnderANameBeforeItMaps) {
     EXPECT_NE(errors_.find(words), std::string::npos) << errors_;
     EXPECT_EQ(out_, "") << "said before the drive is mapped, which may take an hour";
   }
+}
+
+// A map that the disk does not take leaves the trajectories of the map of before, which is still there.
+TEST_F(MapLog, ReplacesNothingIfTheMapCannotBeWritten_MAP_5) {
+  std::ofstream(path("map.tum")) << "of before";
+  const LargestFile limit(4000);
+  EXPECT_EQ(run({path("drive.csv"), "--out", path("map")}), 1);
+  EXPECT_NE(errors_.find("File too large"), std::string::npos) << errors_;
+  std::ifstream trajectory(path("map.tum"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(trajectory), {}), "of before");
 }
 
 // [FLT-1] Nothing that lies about under a result's name is followed, and a pipe is not waited for.
