@@ -11,6 +11,7 @@ from .track import MapImage, Track, bare
 from .warnings import Warnings
 
 EMERGENCY_STOP = 2  # ArbiterStatus
+SILENCE = 30.0  # [s] without any message, of which several come each second, after which something has happened to the clock
 AVOIDING = (3, 4, 5, 6)  # AvoiderStatus: reverse, rotate, fault, stuck
 # What a bag is read for, by the names that our nodes give to the topics, with their types.
 ROLES = {'map': 'nav_msgs/OccupancyGrid', 'map_updates': 'map_msgs/OccupancyGridUpdate', '/tf': 'tf2_msgs/TFMessage',
@@ -82,7 +83,12 @@ class Run:
         self.begin, self.end = bags.span()
         self._find_frames(bags, names)
         roles = {name: role for role, name in names.items() if role in ROLES}
+        last = self.begin
         for topic, message, time in bags.messages(list(roles)):
+            if self.start_info and time - last > SILENCE:
+                self.notes.append('Nothing was recorded for %.0f s: the clock was set forward, or the computer was asleep. Durations '
+                                  'over this time are too long.' % (time - last))
+            last = time
             try:
                 self._take(roles[topic], time, message)
             except (AttributeError, TypeError, ValueError) as error:  # as of another version of the package

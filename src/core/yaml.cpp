@@ -6,6 +6,7 @@
 #include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/files.h"
 #include "frontier_pilot/core/parameters.h"
+#include "frontier_pilot/core/text.h"
 
 namespace frontier_pilot {
 namespace {
@@ -74,7 +75,7 @@ ParameterMap parseYaml(const std::string& text) {
   try {
     return rootMap(text);
   } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(error.what());
+    throw std::invalid_argument(printable(error.what(), bounds::kMostReason));  // it quotes single bytes of the file
   }
 }
 

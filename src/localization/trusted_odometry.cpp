@@ -15,7 +15,7 @@ constexpr std::size_t kMostReturns = 90;    ///< the most that are looked at
 bool isAtWall(Cell cell, const occupancy::OccupancyMap& map) {
   for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
     for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
-      if (map.geometry().contains({x, y}) && map.isOccupied({x, y})) return true;
+      if (map.hasWallAt({x, y})) return true;
     }
   }
   return false;

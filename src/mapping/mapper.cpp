@@ -108,9 +108,9 @@ ScanVerdict Mapper::Impl::take(const LaserScan2& scan, const Pose2& T_odom_base)
   const surfaces::SurfaceScan read = surfaces::readScan(withoutErrors(*correction, scan), parameters.slam.surface);
   usable_share = static_cast<double>(read.usableBeams()) / static_cast<double>(scan.ranges.size());
   if (usable_share <= 0.0) return ScanVerdict::kAllInvalid;
-  const Pose2 T_map_base = T_map_odom * T_odom_base;  // before matching, for which a blind scan has nothing
-  const bool blind = blindness.isBlind(scan, T_map_base, map.geometry(), wallsOf(map));
-  return blind ? ScanVerdict::kBlind : integrate(read, T_odom_base);
+  const auto is_wall = [this](Cell cell) { return map.hasWallAt(cell); };
+  if (blindness.isBlind(scan, T_map_odom * T_odom_base, map.geometry(), is_wall)) return ScanVerdict::kBlind;
+  return integrate(read, T_odom_base);
 }
 
 ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base) {

@@ -24,10 +24,6 @@ bool wasCorrected(ScanVerdict verdict) {
   return verdict == ScanVerdict::kMisfit || verdict == ScanVerdict::kNotLocated || !isDropped(verdict);
 }
 
-std::function<bool(Cell)> wallsOf(const occupancy::OccupancyMap& map) {
-  return [&map](Cell cell) { return map.geometry().contains(cell) && map.isOccupied(cell); };
-}
-
 ScanVerdict verdictOf(occupancy::Insertion insertion) {
   switch (insertion) {
     case occupancy::Insertion::kInserted:

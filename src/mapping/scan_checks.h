@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "frontier_pilot/core/laser_scan.h"
 #include "frontier_pilot/mapping/mapper.h"
 #include "frontier_pilot/occupancy/scan_inserter.h"
@@ -16,9 +14,6 @@ bool isUsable(const Pose2& T_odom_base);
 
 /// Whether the scan got as far as to the correction of its pose.
 bool wasCorrected(ScanVerdict verdict);
-
-/// Tells of any cell whether it is occupied on `map`, which must outlive it.
-std::function<bool(Cell)> wallsOf(const occupancy::OccupancyMap& map);
 
 /// What inserting a scan into the map means for the scan.
 ScanVerdict verdictOf(occupancy::Insertion insertion);

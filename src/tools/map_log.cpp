@@ -157,7 +157,8 @@ void writeTrajectory(const logs::Trajectory& trajectory, const std::string& path
 }
 
 void writeResults(const MapLogOptions& options, const MappedDrive& drive, mapping::Mapper& mapper) {
-  const map_files::MapIoResult saved = map_files::saveMap(mapper.map(), options.out);  // the largest, which a disk takes last
+  // The map is the largest of them: what a full disk does not take leaves the results of before.
+  const map_files::MapIoResult saved = map_files::saveMap(mapper.map(), options.out);
   if (!saved.ok()) throw logs::LogError(saved.text);
   writeTrajectory(drive.corrected, options.out + ".tum");
   writeTrajectory(drive.odometry, options.out + "_odom.tum");

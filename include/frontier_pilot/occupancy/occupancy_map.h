@@ -88,11 +88,14 @@ class OccupancyMap {
     if (log_odds_[at] == model_.min || isDone(at)) return;
     change(at, model_.miss);
   }
+  /// Whether `cell`, which must be inside, is occupied.
   bool isOccupied(Cell cell) const {
     const float log_odds = log_odds_[inFrame(cell)];
     if (parameters_.probabilities) return frontier_pilot::isOccupied(value(log_odds));
     return log_odds >= 0.0F && log_odds != kUnknownLogOdds;
   }
+  /// Whether `cell`, which may be outside, is inside and occupied.
+  bool hasWallAt(Cell cell) const { return geometry_.contains(cell) && isOccupied(cell); }
   /// Whether any cell is occupied. Looks at all of them.
   bool hasOccupied() const;
 

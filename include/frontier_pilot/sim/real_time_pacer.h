@@ -7,8 +7,9 @@
 namespace frontier_pilot::sim {
 
 /// Paces a simulation by real time: tells how many steps are due. A backlog of up to 250 ms of real time is caught up;
-/// a larger one is dropped. After it has been held up for more than 30 ms it owes nothing at the first call, so that commands which
-/// have come meanwhile, a stop among them, are read before the robot makes up for lost time with an older one. [SIM-4]
+/// a larger one is dropped. After it has been held up for more than 30 ms it owes nothing at the first call, so that
+/// commands which have come meanwhile, a stop among them, are read before the robot makes up for lost time with an
+/// older one. [SIM-4]
 class RealTimePacer {
  public:
   /// `speed` is simulated time over real time, 0 for as fast as possible. `step` is simulated time.

@@ -27,8 +27,7 @@ teleop::Severity severityOf(const ArbiterSource& source, bool robot_stands) {
 
 /// The state in a few words: the age of the last message is shown beside it.
 std::string stateText(const ArbiterSource& msg) {
-  if (msg.state == ArbiterSource::NEVER_HEARD)
-    return msg.age < 0.0 ? "no command received yet" : "last command dropped: waits for a new one";
+  if (msg.state == ArbiterSource::NEVER_HEARD && msg.age < 0.0) return "no command received yet";
   return msg.state == ArbiterSource::STALE ? "stale" : msg.state_text;
 }
 

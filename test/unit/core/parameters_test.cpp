@@ -138,6 +138,16 @@ TEST(Parameters, BrokenYamlIsAnErrorWithItsPlace) {
   EXPECT_TRUE(parseYaml("").empty());
 }
 
+// [FLT-1] the parser quotes the byte at which it fails, which need not be text
+TEST(Parameters, FLT_1_BrokenYamlIsRefusedInWordsThatCanBePrinted) {
+  try {
+    parseYaml("a: \"\\\xcf\"");
+    FAIL() << "an escape that there is not";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("\\xcf"), std::string::npos) << error.what();
+  }
+}
+
 // [FLT-1]
 TEST(Parameters, FLT_1_YamlWhoseAliasesMakeACycleOrABombIsAnError) {
   for (const char* cycle :

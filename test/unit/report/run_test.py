@@ -10,7 +10,7 @@ import rosbag
 import rospy
 from frontier_pilot.msg import AvoiderStatus, ExplorerStatus, FrontierStatus, ProcessLoad, ProcessLoads
 from geometry_msgs.msg import PoseStamped
-from std_msgs.msg import String
+from std_msgs.msg import Bool, String
 
 from folder_case import FolderCase
 import synthetic_bag
@@ -121,6 +121,16 @@ class Reading(FolderCase):
             _, axes = drawing.new_axes(0.2)
             drawing.time_axis(axes, 1.7e9)
             self.assertLess(len(axes.get_xticks()), 12)
+
+    def test_a_time_without_any_message_is_said_to_be_of_the_clock(self):
+        path = self.path('run_0.bag')
+        with rosbag.Bag(path, 'a') as bag:
+            bag.write('/simulator/stalled', Bool(False), rospy.Time(synthetic_bag.BEGIN + synthetic_bag.SECONDS + 86400.0))
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        self.assertEqual([note for note in run.notes if note.startswith('Nothing was recorded for 864')], run.notes)
+        self.assertEqual(len(run.notes), 1)
 
     def test_numbers_that_no_run_can_have_are_left_out_and_noted(self):
         path = self.path('run_0.bag')
