@@ -21,11 +21,16 @@ BEAMS = 180
 SMALL = os.path.join(rospkg.RosPack().get_path('frontier_pilot'), 'config', 'worlds', 'small.yaml')
 
 
-def kept_maps():
-    """When each of the mapper's kept maps was written [ns]."""
+def written_maps():
+    """The copies of maps, their .bt, that a mapper has written within five seconds."""
     home = os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))
     files = glob.glob(home + '/frontier_pilot/*/kept_map.mapper.bt')
-    return {os.stat(file).st_mtime_ns for file in files if time.time() - os.path.getmtime(file) < 5.0}
+    return [file for file in files if time.time() - os.path.getmtime(file) < 5.0]
+
+
+def kept_maps():
+    """When each of these was written [ns], if its pose is there: with a copy that has none no mapper goes on."""
+    return {os.stat(file).st_mtime_ns for file in written_maps() if os.path.exists(file[:-len('.bt')])}
 
 
 def newest_map():
