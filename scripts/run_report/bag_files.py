@@ -100,6 +100,12 @@ class BagFiles:
             clock(before.get_end_time() - first), clock(after.get_start_time() - first))
                 for before, after in zip(self.bags, self.bags[1:]) if self.stretches[before] != self.stretches[after]]
 
+    def is_within_a_stretch(self, begin, end):
+        """Whether the recorder did not begin again between these times [s]."""
+        stretches = [[bag for bag in self.bags if self.stretches[bag] == stretch] for stretch in set(self.stretches.values())]
+        return any(min(bag.get_start_time() for bag in bags) <= begin and end <= max(bag.get_end_time() for bag in bags)
+                   for bags in stretches if bags)
+
     def has_the_first_part(self):
         """Whether the oldest of the bags is where the recorder began, or a single bag that it did not write."""
         return any(runs.is_first_part(path) for path in self.paths)

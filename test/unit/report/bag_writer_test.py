@@ -133,8 +133,8 @@ class Stretches(FolderCase):
 
     def test_the_report_reads_all_stretches_and_says_where_nothing_was_recorded(self):
         """[REC-2]"""
-        synthetic_bag.write(self.path('run_0.bag'), seconds=20, with_end=False)
-        synthetic_bag.write(self.path('run_1.bag'), begin=20, seconds=30, with_end=False)
+        synthetic_bag.write(self.path('run_0.bag'), seconds=5, with_end=False)
+        synthetic_bag.write(self.path('run_1.bag'), begin=5, seconds=10, with_end=False)
         synthetic_bag.write(self.path('run_2_0.bag'), begin=45)
         run = Run()
         with BagFiles(runs.parts_of(self.folder)) as bags:
@@ -143,7 +143,7 @@ class Stretches(FolderCase):
         self.assertEqual(run.start_info['moment'], 'start')
         gaps = [note for note in run.notes if note.startswith('Nothing was recorded')]
         self.assertEqual(len(gaps), 1, run.notes)
-        self.assertEqual(re.findall(r'\d:\d\d', gaps[0]), ['0:29', '0:45'])
+        self.assertEqual(re.findall(r'\d:\d\d', gaps[0]), ['0:09', '0:45'])
 
 
 if __name__ == '__main__':
