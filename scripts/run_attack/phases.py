@@ -73,7 +73,13 @@ class Phases:
             self._spin.send_goal(SpinGoal(target_yaw=60.0))
             if self._on_the_way(4.0):
                 return True
+            self._drive_on()
         return False
+
+    def _drive_on(self):
+        """What is near may leave no room to turn in: the exploration leads away from it."""
+        self.explore(8.0)
+        services.explore(False)
 
     def _sees_the_new_map(self):
         """The next map may still be one of before the reset."""

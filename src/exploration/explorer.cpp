@@ -19,6 +19,8 @@ const char* nameOfMissing(ExplorerReason reason) {
       return "odometry";
     case ExplorerReason::kPoseGone:
       return "TF from map to base";
+    case ExplorerReason::kNotLocalized:
+      return "the robot's place on the map";
     default:
       return "move_base";
   }
@@ -186,6 +188,7 @@ std::vector<ExplorerReason> Explorer::Impl::missingInputs(const ExplorerInputs& 
   if (!inputs.T_map_base || !inputs.T_map_base->pose.isFinite() || isOlder(inputs.T_map_base->stamp, now, age)) {
     missing.push_back(ExplorerReason::kPoseGone);
   }
+  if (!inputs.localized) missing.push_back(ExplorerReason::kNotLocalized);
   if (!inputs.navigation_available) missing.push_back(ExplorerReason::kNavigationGone);
   return missing;
 }

@@ -48,8 +48,9 @@ constexpr std::array kReasonTexts = {
     "nothing is to be inspected any more",
     "what is left is another robot's",
     "the emergency stop is latched",
+    "the robot is not localised on the map",
 };
-static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kEmergencyStop) + 1);
+static_assert(kReasonTexts.size() == static_cast<std::size_t>(ExplorerReason::kNotLocalized) + 1);
 
 }  // namespace
 

@@ -9,8 +9,7 @@
 #include "frontier_pilot/occupancy/scan_inserter.h"
 #include "frontier_pilot/surfaces/surface_points.h"
 #include "mapping/corrections.h"
-#include "mapping/mapping_health.h"
-#include "mapping/recent_scans.h"
+#include "mapping/mapper_impl.h"
 #include "mapping/scan_checks.h"
 
 namespace frontier_pilot::mapping {
@@ -24,54 +23,12 @@ MapperParameters withRobotsRadius(MapperParameters parameters) {
 
 }  // namespace
 
-struct Mapper::Impl {
-  struct Inserted {
-    surfaces::SurfaceScan scan;
-    Pose2 T_map_base;
-  };
-
-  Impl(const MapperParameters& given, std::unique_ptr<slam::PoseCorrection> corrector)
-      : parameters(withRobotsRadius(given)),
-        map(parameters.map),
-        inserter(parameters.insertion),
-        correction(corrector ? std::move(corrector) : correctionFor(parameters, map)) {}
-
-  void note(ScanVerdict verdict, Time now);
-  ScanVerdict decide(const LaserScan2& scan, const std::optional<Pose2>& T_odom_base, Time now);
-  ScanVerdict take(const LaserScan2& scan, const Pose2& T_odom_base);
-  ScanVerdict integrate(const surfaces::SurfaceScan& scan, const Pose2& T_odom_base);
-  ScanVerdict put(const surfaces::SurfaceScan& scan, const Pose2& T_map_base);
-  std::optional<ScanVerdict> checkStamp(Time stamp, Time now);
-  bool hasMoved(const LaserScan2& scan, const Pose2& T_odom_base) const;
-  bool isTooLarge(const slam::MapRevision& revision) const;
-  bool refuse(slam::MapRevision& revision);
-  void replace(std::unique_ptr<slam::PoseCorrection> corrector);
-  void forgetEarlierPoses();
-
-  MapperParameters parameters;
-  occupancy::OccupancyMap map;
-  occupancy::ScanInserter inserter;
-  std::unique_ptr<slam::PoseCorrection> correction;
-  Pose2 T_map_odom;
-  Time last_now{};
-  std::optional<StampedPose2> last;  ///< T_odom_base of the last scan that was placed
-  ScanCounts counts;
-  std::uint64_t epoch = 0;       ///< number of the corrector: work of an earlier one is void
-  std::uint64_t generation = 0;  ///< number of the map: a search of an earlier one is void
-  bool working = false, abandoned = false;
-  std::vector<Inserted> meanwhile;  ///< scans inserted into the map while work is under way
-  RevisionReport revisions;
-  std::map<std::string, std::uint64_t> correction_counts;
-  const char* last_correction = "";
-  bool sound = true;              ///< whether the last correction was sound
-  bool overgrown = false;         ///< the last map of a revision was refused because it was too large
-  std::size_t out_of_bounds = 0;  ///< scans that the map had no room for
-  double usable_share = 1.0;
-  MappingHealth health;
-  RecentScans recent;
-  grids::BlindnessCheck blindness;
-};
-
+Mapper::Impl::Impl(const MapperParameters& given, std::unique_ptr<slam::PoseCorrection> corrector)
+    : parameters(withRobotsRadius(given)),
+      map(parameters.map),
+      inserter(parameters.insertion),
+      correction(corrector ? std::move(corrector) : correctionFor(parameters, map)),
+      localization(parameters.localize_only) {}
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<slam::PoseCorrection> correction)
     : impl_(std::make_unique<Impl>(parameters, std::move(correction))) {}
 Mapper::~Mapper() = default;
@@ -120,6 +77,7 @@ ScanVerdict Mapper::Impl::integrate(const surfaces::SurfaceScan& scan, const Pos
   ++correction_counts[corrected.text];
   sound = corrected.sound && corrected.fits_map;
   T_map_odom = corrected.T_map_odom;
+  localization.take(corrected.fits_map || corrected.located, T_odom_base);
   ScanVerdict verdict = corrected.located ? ScanVerdict::kMisfit : ScanVerdict::kNotLocated;
   if (corrected.fits_map) {
     verdict = parameters.localize_only ? ScanVerdict::kLocalized : put(scan, T_map_odom * T_odom_base);
@@ -204,49 +162,6 @@ void Mapper::reviseNow() {
   }
 }
 
-bool Mapper::load(occupancy::OccupancyMap& loaded) {
-  if (!canBeKnown(loaded)) return false;
-  impl_->map.replaceBy(loaded);
-  ++impl_->generation;
-  const Pose2 T_odom_base = impl_->last ? impl_->last->pose : Pose2();
-  impl_->replace(knownMap(impl_->parameters, impl_->map, beliefOf(impl_->T_map_odom * T_odom_base)));
-  return true;
-}
-
-bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
-  // If odometry has been trusted since the first scan, it still is.
-  const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
-  if (!trusted && !canBeKnown(map)) return false;
-  impl_->map.replaceBy(map);
-  ++impl_->generation;
-  impl_->T_map_odom = T_map_odom;
-  if (!trusted) impl_->replace(knownMap(impl_->parameters, impl_->map, beliefOf(T_map_odom * T_odom_base)));
-  return true;
-}
-
-bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
-  if (!map().hasOccupied() || !canBeKnown(map())) return false;
-  impl_->replace(knownMap(impl_->parameters, impl_->map, T_map_base));
-  return true;
-}
-
-std::function<RobotSearch()> Mapper::searchWork(const std::function<bool()>& stop) const {
-  return impl_->recent.searchOn(map().projection(), impl_->generation, impl_->parameters.slam, stop);
-}
-
-bool Mapper::locate(const RobotSearch& search) {
-  if (!search.found() || search.generation != impl_->generation || !impl_->last) return false;
-  const Pose2 T_map_odom = search.result.best.T_map_base * search.T_odom_base.inverse();
-  const Eigen::Vector3d sigma(0.1, 0.1, 0.05);  // [m, m, rad]
-  return locate({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()});
-}
-
-void Mapper::Impl::replace(std::unique_ptr<slam::PoseCorrection> corrector) {
-  correction = std::move(corrector);
-  ++epoch;
-  forgetEarlierPoses();
-}
-
 void Mapper::Impl::forgetEarlierPoses() {
   inserter.forgetLoneReturns();
   working = abandoned = overgrown = false;
@@ -280,6 +195,7 @@ void Mapper::reset() {
   impl_->recent.clear();
   impl_->correction->reset();
   impl_->forgetEarlierPoses();
+  impl_->localization.reset();
   if (impl_->epoch > 0) impl_->replace(correctionFor(impl_->parameters, impl_->map));  // a known map is forgotten too
 }
 
@@ -291,6 +207,7 @@ const RevisionReport& Mapper::revisions() const { return impl_->revisions; }
 const std::map<std::string, std::uint64_t>& Mapper::correctionCounts() const { return impl_->correction_counts; }
 std::uint64_t Mapper::generation() const { return impl_->generation; }
 const char* Mapper::lastCorrection() const { return impl_->last_correction; }
+bool Mapper::isLocalized() const { return impl_->localization.isLocalized(); }
 double Mapper::usableShare() const { return impl_->usable_share; }
 std::optional<ScanRemark> Mapper::remark(Time now) const { return impl_->health.worst(now); }
 std::vector<slam::KeyframePose> Mapper::trajectory() const { return impl_->correction->trajectory(); }

@@ -169,6 +169,7 @@ std::optional<NavReason> Navigator::Impl::missingData(const NavigatorInputs& inp
   const auto fresh = [&](Time stamp) { return std::abs(toSeconds(now - stamp)) <= params_.max_age; };
   if (clearance_.empty() || !inputs.map_alive) return NavReason::kNoMap;
   if (!pose_ || !fresh(pose_->stamp)) return NavReason::kNoPose;
+  if (!inputs.localized) return NavReason::kNotLocalized;
   if (!scan_stamp_ || !fresh(*scan_stamp_)) return NavReason::kNoScan;
   return std::nullopt;
 }

@@ -60,6 +60,8 @@ const char* toString(NavReason reason) {
       return "the clock jumped";
     case NavReason::kTraffic:
       return "gives way to another robot";
+    case NavReason::kNotLocalized:
+      return "not localised";
   }
   return "unknown";
 }

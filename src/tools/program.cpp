@@ -5,17 +5,20 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstddef>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 
 #include "frontier_pilot/core/files.h"
+#include "frontier_pilot/core/text.h"
 
 namespace frontier_pilot::tools {
 namespace {
 
 constexpr int kFailed = 1, kUsage = 2;
+constexpr std::size_t kMostShown = 5000;  // [bytes] of an error, which may name a long path
 
 bool asksForHelp(const std::vector<std::string>& words) {
   return std::any_of(words.begin(), words.end(), [](const auto& word) { return word == "--help" || word == "-h"; });
@@ -50,10 +53,11 @@ int runProgram(const std::string& name, const std::vector<std::string>& words, c
     return withItsOutput(run(words));
   } catch (const std::invalid_argument& error) {
     const std::string text = usage;
-    std::cerr << name << ": " << error.what() << "; " << text.substr(0, text.find('\n')) << ", see --help\n";
+    std::cerr << name << ": " << printable(error.what(), kMostShown) << "; " << text.substr(0, text.find('\n'))
+              << ", see --help\n";
     return kUsage;
   } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << "\n";
+    std::cerr << name << ": " << printable(error.what(), kMostShown) << "\n";
     return kFailed;
   }
 }

@@ -10,7 +10,7 @@ import unittest
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from frontier_pilot.msg import ArbiterStatus
+from frontier_pilot.msg import ArbiterStatus, ExplorerStatus
 from std_srvs.srv import SetBool, Trigger
 
 from wire import Node, Record, call, wait_for
@@ -91,6 +91,20 @@ class LostMemory(unittest.TestCase):
         self.assertTrue(wait_for(lambda: status.last is not None and status.last.emergency_stop))
         self.assertGreaterEqual(status.last.stops, 2, '[ARB-8]')
         self.assertTrue(call('set_emergency_stop', SetBool, False).success)
+
+    # [FLT-2]
+    def test_a_pause_is_kept_although_the_home_cannot_be_written(self):
+        with open(self.home, 'w'):
+            pass
+        self.runtime = self.folder
+        status = Record('frontier_explorer/status', ExplorerStatus)
+        explorer = self.start('frontier_explorer')
+        self.assertNotIn('would not survive', call('set_exploration_enabled', SetBool, False).message)
+        explorer.signal(signal.SIGKILL)
+        explorer.finish()
+        status.items.clear()
+        self.start('frontier_explorer')
+        self.assertTrue(wait_for(lambda: status.last is not None and status.last.reason == ExplorerStatus.PAUSED), status.last)
 
     def mapper_without_its_map(self):
         """One whose predecessor died, and left a map that cannot be read."""

@@ -17,6 +17,7 @@ from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetMap
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 
 from wire import Record, wait_for
@@ -84,6 +85,7 @@ class KnownMap(unittest.TestCase):
         cls.diagnostics = Record('/diagnostics', DiagnosticArray)
         cls.map = Record('map', OccupancyGrid)
         cls.log = Record('/rosout', Log)
+        cls.localized = Record('localizer/mapper/localized', Bool)
         cls.robot = Robot('', 'odom')
         cls.lost_robot = Robot('localizer/', 'wheel_odom')
         cls.initial_pose = rospy.Publisher('localizer/initialpose', PoseWithCovarianceStamped, queue_size=1)
@@ -179,6 +181,7 @@ class KnownMap(unittest.TestCase):
         """[MAP-5]"""
         answer = rospy.ServiceProxy('localizer/mapper/load_map', LoadMap)(self.saved)
         self.assertTrue(answer.success, answer.message)
+        self.assertTrue(wait_for(lambda: self.localized.last is not None and not self.localized.last.data), 'not before a scan')
         before = self.map_of('localizer/').data
         at = (1.5, 0.6, 0.4)
 
@@ -189,6 +192,7 @@ class KnownMap(unittest.TestCase):
         self.say_where(-1.0, -1.0, 0.0, frame='somewhere')  # refused: another frame
         self.say_where(1.3, 0.8, 0.2)
         self.assertTrue(wait_for(found, 20.0), self.correction())
+        self.assertTrue(wait_for(lambda: self.localized.last.data))
         self.assertTrue(self.says_localised('/localizer/mapper', r'localised: the robot is at 1\.[45]'), self.log.items)
         self.assertEqual(before, self.map_of('localizer/').data)
         self.assertFalse(rospy.ServiceProxy('localizer/mapper/reset', Trigger)().success)
@@ -225,6 +229,10 @@ class KnownMap(unittest.TestCase):
                        for _, message in self.diagnostics.items for status in message.status for value in status.values)
         rospy.ServiceProxy('localizer/mapper/load_map', LoadMap)(self.saved)
         self.assertTrue(wait_for(told, 20.0))
+        self.assertFalse(self.localized.last.data)
+        stranger = rospy.Publisher('localizer/mapper/localized', Bool, queue_size=1)
+        self.assertTrue(wait_for(lambda: stranger.publish(True) or self.localized.last.data))
+        self.assertTrue(wait_for(lambda: not self.localized.last.data, 3.0), 'what another node says does not stay')
 
 
 if __name__ == '__main__':

@@ -56,6 +56,7 @@ enum class ExplorerReason : std::uint8_t {
   kInspectionsCleared,
   kLeftToOthers,
   kEmergencyStop,
+  kNotLocalized,
 };
 const char* toString(ExplorerState state);
 const char* toString(ExplorerPhase phase);
@@ -103,6 +104,7 @@ struct ExplorerInputs {
   bool start = false;                ///< go on after a stopping rule has ended the exploration
   bool map_available = true;         ///< the map has a publisher
   bool navigation_available = true;  ///< the move_base server is there
+  bool localized = true;             ///< false: the mapper says that the robot is not where its pose is
   bool others_goal = false;          ///< the move_base server pursues a goal of another client
   std::optional<StampedPose2> T_map_base;
   std::optional<Time> odometry_stamp;  ///< of the latest odometry

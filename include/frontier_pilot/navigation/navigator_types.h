@@ -48,6 +48,7 @@ struct NavigatorInputs {
   std::optional<StampedPose2> pose;  ///< T_map_base
   const LaserScan2* scan = nullptr;  ///< the latest one; processed once per stamp
   bool map_alive = true;             ///< false: the map's publisher is gone, so the map may be out of date
+  bool localized = true;             ///< false: the mapper says that the robot is not where its pose is
   Twist2 twist;                      ///< current one, from odometry
   std::optional<NavGoal> new_goal;   ///< an event: preempts the current goal
   bool cancel = false;               ///< an event; acts before `new_goal`
@@ -79,6 +80,7 @@ enum class NavReason {
   kOscillating,
   kClockJumped,
   kTraffic,
+  kNotLocalized,
 };
 /// The text of results and status, e.g. "goal occupied".
 const char* toString(NavReason reason);

@@ -1,6 +1,5 @@
 #include <geometry_msgs/PoseStamped.h>
 
-#include "ros/common/clock.h"
 #include "ros/common/messages/conversions.h"
 #include "ros/common/parameters.h"
 #include "ros/common/tf/odometry_source.h"
@@ -29,6 +28,7 @@ FrontierExplorerAdapter::FrontierExplorerAdapter(ros::NodeHandle& node, ros::Nod
   followOdometry(connections_, tf_, parameters_.explorer.robot, base_frame_, 20,
                  &FrontierExplorerAdapter::handleOdometry, this);
   connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
+  localization_.subscribe(connections_);
   connections_.inputs().need([this](const auto&) {
     return navigation_.available() ? "" : std::string("no move_base: start navigation.launch, or another navigation");
   });
@@ -53,8 +53,7 @@ void FrontierExplorerAdapter::handleOdometry(const nav_msgs::Odometry& msg) {
   odometry_stamp_ = odometry->stamp;
 }
 
-/// After a hold-up the explorer first reads what came meanwhile, a stop among it perhaps; but a pause takes effect at
-/// once.
+/// After a hold-up the explorer first reads what came meanwhile, such as a stop; but a pause takes effect at once.
 void FrontierExplorerAdapter::tick() {
   const auto now = connections_.clock().now();
   if (now && !waits()) update(*now);
@@ -93,6 +92,7 @@ exploration::ExplorerInputs FrontierExplorerAdapter::gather(Time now) {
   inputs.start = std::exchange(start_, false);
   inputs.map_available = map_.ready() && map_.published();
   inputs.navigation_available = navigation_.available();
+  inputs.localized = localization_.isLocalized();
   inputs.others_goal = navigation_.servesOthers();
   inputs.odometry_stamp = odometry_stamp_;
   inputs.battery = battery();

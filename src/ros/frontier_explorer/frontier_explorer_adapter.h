@@ -18,6 +18,7 @@
 #include "frontier_pilot/exploration/explorer.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/inputs/earlier_stops.h"
+#include "ros/common/inputs/localization_input.h"
 #include "ros/common/memory/safe_switch.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
@@ -96,6 +97,7 @@ class FrontierExplorerAdapter {
   std::string base_frame_;
   exploration::Explorer explorer_;
   MapMirror map_;
+  LocalizationInput localization_;
   TfBridge tf_;
   TeamClaims team_;
   MoveBaseClient navigation_;

@@ -35,6 +35,7 @@ NodeUsage frontierExplorerUsage() {
                  port<MapChanges>(names::changesOf(names::kMap)),
                  port<nav_msgs::Odometry>(names::kOdom),
                  port<std_msgs::Bool>(names::kEmergencyStopState),
+                 port<std_msgs::Bool>(names::kLocalized),
                  port<ArbiterStatus>(names::kArbiterStatus),
                  port<geometry_msgs::PointStamped>(names::kClickedPoint),
                  port<geometry_msgs::PoseStamped>(names::kInspect),

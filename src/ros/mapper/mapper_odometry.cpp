@@ -66,6 +66,7 @@ void MapperAdapter::noteOdometryReset() {
 }
 
 void MapperAdapter::broadcast() {
+  publisher_.publishLocalized(mapper_.isLocalized());
   // Where odometry is in the map that is kept is not known before it comes: it may have been reset as well. [FLT-2]
   if (restored_) return;
   const auto now = connections_.clock().now();

@@ -1,6 +1,7 @@
 #include "ros/mapper/mapper_publisher.h"
 
 #include <nav_msgs/MapMetaData.h>
+#include <std_msgs/Bool.h>
 
 #include <utility>
 
@@ -14,7 +15,9 @@ namespace frontier_pilot {
 
 MapperPublisher::MapperPublisher(const ros::NodeHandle& node, std::string frame,
                                  const mapping::MapScheduleParameters& schedule)
-    : node_(node), topic_(names::kMap), frame_(std::move(frame)), schedule_(schedule) {}
+    : node_(node), topic_(names::kMap), frame_(std::move(frame)), schedule_(schedule) {
+  localized_ = node_.advertise<std_msgs::Bool>(names::kLocalized, 1, true);
+}
 
 void MapperPublisher::setOther(const std::string& node) {
   if (!node.empty() && node != other_) {
@@ -58,6 +61,16 @@ void MapperPublisher::publish(mapping::Mapper& mapper, Time now) {
       map.geometry(), changes.cells, [&map](const CellRect& cells) { return map.projection(cells); }, now);
   if (schedule_.note(changes, now)) publishChanges(map, changes.cells, now);
   if (schedule_.isDue(map.geometry().size(), now)) publishWhole(map, now);
+}
+
+void MapperPublisher::publishLocalized(bool localized) {
+  const SteadyTime now = steadyNow();
+  if (said_localized_ == localized && now - said_at_ < std::chrono::seconds(1)) return;
+  said_localized_ = localized;
+  said_at_ = now;
+  std_msgs::Bool msg;
+  msg.data = static_cast<std::uint8_t>(localized);
+  localized_.publish(msg);
 }
 
 void MapperPublisher::publishChanges(const occupancy::OccupancyMap& map, const CellRect& cells, Time now) {

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <optional>
 #include <string>
 
 #include "frontier_pilot/core/time.h"
@@ -27,6 +28,9 @@ class MapperPublisher {
   const std::string& other() const { return other_; }
 
   void publish(mapping::Mapper& mapper, Time now);
+  /// Publishes on `mapper/localized` whether the robot is localised: when that has changed, and once a second, so that
+  /// what somebody else has said there does not stay. [MAP-5]
+  void publishLocalized(bool localized);
 
  private:
   void advertise();
@@ -44,6 +48,9 @@ class MapperPublisher {
   ros::Publisher updates_;
   ros::Publisher metadata_;
   MapChangesPublisher compact_;
+  ros::Publisher localized_;
+  std::optional<bool> said_localized_;
+  SteadyTime said_at_;
 };
 
 }  // namespace frontier_pilot

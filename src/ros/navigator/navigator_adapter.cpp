@@ -30,6 +30,7 @@ NavigatorAdapter::NavigatorAdapter(ros::NodeHandle& node, ros::NodeHandle& priva
   motions_.connect(connections_, node, diagnostics_);
   connections_.subscribeToScanner(tf_, base_frame_, 1, &NavigatorAdapter::handleScan, this);
   connections_.needPoseIn(parameters_.map_frame, "map_frame", tf_, base_frame_);
+  localization_.subscribe(connections_);
   followOdometry(connections_, tf_, parameters_.robot, base_frame_, 20, &NavigatorAdapter::handleOdometry, this);
   connections_.followStop(&NavigatorAdapter::handleStop, this);
   tuning_.emplace(parameters_, connections_, [this](const auto& changed) { take(changed); });
@@ -95,6 +96,7 @@ navigation::NavigatorInputs NavigatorAdapter::gather(Time now) {
   inputs.pose = pose();
   inputs.scan = scan_ ? &*scan_ : nullptr;
   inputs.map_alive = map_.published() || !parameters_.map_must_live;
+  inputs.localized = localization_.isLocalized();
   inputs.twist = twist_.fresh(steadyNow(), fromSeconds(parameters_.max_age)).value_or(Twist2{});
   server_.fill(inputs);
   inputs.order = motions_.order(navigator_, inputs.pose, server_.goal(), map_.map(), now);

@@ -12,6 +12,7 @@
 
 #include "frontier_pilot/navigation/navigator.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/inputs/localization_input.h"
 #include "ros/common/messages/mailbox.h"
 #include "ros/common/messages/map_mirror.h"
 #include "ros/common/messages/scan_motion_report.h"
@@ -77,6 +78,7 @@ class NavigatorAdapter {
   navigation::Navigator navigator_;
   TfBridge tf_;
   MapMirror map_;
+  LocalizationInput localization_;
   MoveBaseServer server_;
   FleetMotions motions_;
   NavigatorPublisher publisher_;

@@ -46,6 +46,7 @@ class DrivenRobot {
     if (has_pose) inputs.pose = StampedPose2{simulator_.now() + pose_ahead, simulator_.pose(0)};
     if (has_scan && scan_) inputs.scan = &*scan_;
     inputs.map_alive = has_map;
+    inputs.localized = is_localized;
     inputs.order = order;
     inputs.twist = simulator_.velocity(0);
     output_ = navigator_.update(inputs, simulator_.now());
@@ -79,6 +80,7 @@ class DrivenRobot {
   Duration pose_ahead{};  ///< how far the stamps of the poses are ahead of the clock
   bool has_scan = true;
   bool has_map = true;
+  bool is_localized = true;
   navigation::NavOrder order;        ///< of the traffic, for each tick
   bool held = false;                 ///< the wheels do not turn, whatever the navigator commands
   bool is_blind = false;             ///< the scanner reports no return from any direction

@@ -47,6 +47,9 @@ class ExplorerLosses : public ExplorerTest, public ::testing::WithParamInterface
       case Reason::kPoseGone:
         pose_comes = there;
         break;
+      case Reason::kNotLocalized:
+        inputs.localized = there;
+        break;
       default:
         inputs.navigation_available = there;
         break;
@@ -79,7 +82,7 @@ TEST_P(ExplorerLosses, StopsSaysSoAndResumes_EXP_8) {
 
 INSTANTIATE_TEST_SUITE_P(EachInput, ExplorerLosses,
                          ::testing::Values(Loss{"Map", Reason::kMapGone}, Loss{"Odometry", Reason::kOdometryGone},
-                                           Loss{"Pose", Reason::kPoseGone},
+                                           Loss{"Pose", Reason::kPoseGone}, Loss{"Place", Reason::kNotLocalized},
                                            Loss{"Navigation", Reason::kNavigationGone}),
                          [](const auto& loss) { return loss.param.name; });
 

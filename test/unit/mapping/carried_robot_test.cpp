@@ -56,9 +56,11 @@ class CarriedRobot : public ::testing::TestWithParam<bool> {
 // [MAP-5]
 TEST_P(CarriedRobot, DoesNotDrawTheOtherPlaceOverItsMap_MAP_5) {
   ASSERT_EQ(verdict, mapping::ScanVerdict::kInserted);
+  EXPECT_TRUE(mapper.isLocalized());
   const auto before = mapper.grid().cells();
   carryTo(elsewhere);
   stand(50);
+  EXPECT_FALSE(mapper.isLocalized());
   EXPECT_EQ(verdict, mapping::ScanVerdict::kNotLocated);
   EXPECT_NE(std::string(mapper.lastCorrection()).find("carried"), std::string::npos) << mapper.lastCorrection();
   for (int i = 0; i < 12; ++i) driveOn();
@@ -85,6 +87,7 @@ TEST_P(CarriedRobot, GoesOnMappingOnceItIsPutBack_MAP_5) {
   const std::uint64_t before = inserted();
   stand(5);
   EXPECT_EQ(inserted(), before + 5);
+  EXPECT_TRUE(mapper.isLocalized());
 }
 
 // [MAP-5]
@@ -105,6 +108,7 @@ TEST_P(CarriedRobot, BeginsAnewAfterAReset_MAP_5) {
   carryTo(elsewhere);
   stand(20);
   mapper.reset();
+  EXPECT_TRUE(mapper.isLocalized());
   stand(5);
   EXPECT_EQ(verdict, mapping::ScanVerdict::kInserted);
 }

@@ -112,10 +112,11 @@ TEST(Navigator, SaysWhyItAborts_NAV_1) {
 }
 
 TEST(Navigator, StandsStillWithoutPoseScanOrMapAndGoesOnWhenTheyAreBack_NAV_1) {
-  bool DrivenRobot::*const needed[] = {&DrivenRobot::has_pose, &DrivenRobot::has_scan, &DrivenRobot::has_map};
+  bool DrivenRobot::*const needed[] = {&DrivenRobot::has_pose, &DrivenRobot::has_scan, &DrivenRobot::has_map,
+                                       &DrivenRobot::is_localized};
   const navigation::NavReason reasons[] = {navigation::NavReason::kNoPose, navigation::NavReason::kNoScan,
-                                           navigation::NavReason::kNoMap};
-  for (std::size_t i = 0; i < 3; ++i) {
+                                           navigation::NavReason::kNoMap, navigation::NavReason::kNotLocalized};
+  for (std::size_t i = 0; i < 4; ++i) {
     DrivenRobot robot(twoRooms(14), kLeft);
     robot.send(kRight);
     robot.run(5.0);

@@ -30,5 +30,13 @@ TEST(Program, SaysThatAFileHasReachedALimitOfTheSystemInsteadOfBeingKilled) {
               "writer: cannot be written");
 }
 
+// [FLT-1] A name from a file or from the command line may hold anything.
+TEST(Program, PrintsAnErrorWithoutControlCharacters_FLT_1) {
+  ::testing::internal::CaptureStderr();
+  tools::runProgram("reader", {}, "usage: reader\n",
+                    [](const auto&) -> int { throw std::runtime_error("a\nb\x1b[31m"); });
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "reader: a\\nb\\x1b[31m\n");
+}
+
 }  // namespace
 }  // namespace frontier_pilot

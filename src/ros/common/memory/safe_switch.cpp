@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "ros/common/memory/disk.h"
+
 namespace frontier_pilot {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr const char* kNot = "not ";
 
 SafeSwitch::SafeSwitch(std::string state, const std::string& service, NodeConnections& connections)
     : state_(std::move(state)),
-      memory_(state_, ros::names::resolve(service), SessionMemory::Owner::kService, connections) {
+      memory_(state_, ros::names::resolve(service), SessionMemory::Owner::kService, connections, spareFolder()) {
   // A file that cannot be read counts as safe, and if two files differ the safe side wins. Of a session whose master
   // has been replaced only the safe side counts.
   const std::vector<std::string>&left = memory_.left(), &elsewhere = memory_.leftElsewhere();

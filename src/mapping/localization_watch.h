@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "frontier_pilot/core/geometry.h"
+
+namespace frontier_pilot::mapping {
+
+/// Whether the robot's pose on the map can be relied on, judged by which scans fit there. [MAP-5]
+class LocalizationWatch {
+ public:
+  /// `keeps_map`: the robot is only localised in its map, which grows old. People and moved things then hide the walls
+  /// for a while, so that a scan which fits nowhere says little as long as odometry is good: for 2 m.
+  explicit LocalizationWatch(bool keeps_map) : keeps_map_(keeps_map) {}
+
+  /// The robot is looked for from now on. On a map without walls it cannot be found, and is where it is said to be.
+  void lookFor(bool has_walls);
+  /// A scan, taken at `T_odom_base`, fitted the map at the robot's pose or not.
+  void take(bool fits, const Pose2& T_odom_base);
+  /// A new map begins where the robot is.
+  void reset() { lookFor(false); }
+  bool isLocalized() const { return localized_; }
+
+ private:
+  bool keeps_map_;
+  bool localized_ = true;
+  std::optional<Pose2> found_at_;  ///< T_odom_base of the last scan that fitted since the robot is looked for
+};
+
+}  // namespace frontier_pilot::mapping

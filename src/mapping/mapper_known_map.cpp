@@ -1,0 +1,56 @@
+#include <utility>
+
+#include "mapping/corrections.h"
+#include "mapping/mapper_impl.h"
+
+namespace frontier_pilot::mapping {
+
+bool Mapper::load(occupancy::OccupancyMap& loaded) {
+  if (!canBeKnown(loaded)) return false;
+  impl_->map.replaceBy(loaded);
+  ++impl_->generation;
+  const Pose2 T_odom_base = impl_->last ? impl_->last->pose : Pose2();
+  impl_->lookFor(beliefOf(impl_->T_map_odom * T_odom_base));
+  return true;
+}
+
+bool Mapper::resume(occupancy::OccupancyMap& map, const Pose2& T_map_odom, const Pose2& T_odom_base) {
+  // If odometry has been trusted since the first scan, it still is.
+  const bool trusted = impl_->parameters.trust_odometry && !impl_->parameters.localize_only && T_map_odom == Pose2();
+  if (!trusted && !canBeKnown(map)) return false;
+  impl_->map.replaceBy(map);
+  ++impl_->generation;
+  impl_->T_map_odom = T_map_odom;
+  if (!trusted) impl_->lookFor(beliefOf(T_map_odom * T_odom_base));
+  return true;
+}
+
+bool Mapper::locate(const scan_matching::PoseWithCovariance& T_map_base) {
+  if (!map().hasOccupied() || !canBeKnown(map())) return false;
+  impl_->lookFor(T_map_base);
+  return true;
+}
+
+std::function<RobotSearch()> Mapper::searchWork(const std::function<bool()>& stop) const {
+  return impl_->recent.searchOn(map().projection(), impl_->generation, impl_->parameters.slam, stop);
+}
+
+bool Mapper::locate(const RobotSearch& search) {
+  if (!search.found() || search.generation != impl_->generation || !impl_->last) return false;
+  const Pose2 T_map_odom = search.result.best.T_map_base * search.T_odom_base.inverse();
+  const Eigen::Vector3d sigma(0.1, 0.1, 0.05);  // [m, m, rad]
+  return locate({T_map_odom * impl_->last->pose, sigma.cwiseAbs2().asDiagonal()});
+}
+
+void Mapper::Impl::lookFor(const scan_matching::PoseWithCovariance& T_map_base) {
+  replace(knownMap(parameters, map, T_map_base));
+  localization.lookFor(map.hasOccupied());
+}
+
+void Mapper::Impl::replace(std::unique_ptr<slam::PoseCorrection> corrector) {
+  correction = std::move(corrector);
+  ++epoch;
+  forgetEarlierPoses();
+}
+
+}  // namespace frontier_pilot::mapping
