@@ -14,7 +14,7 @@ expand_home() {
 # check_launch_arguments ROOT OWN WORD...: each word has to be NAME:=VALUE, where NAME is an argument of
 # launch/system.launch or OWN. The first wrong one is named, with what there is instead, and ends the script.
 check_launch_arguments() {
-  local root=$1 own=$2 known word map=
+  local root=$1 own=$2 known word map= world=$1/config/worlds/flat.yaml
   shift 2
   known="$own $(sed -n 's/^  <arg name="\([a-z_]*\)" default=.*/\1/p' "$root/launch/system.launch" | tr '\n' ' ')"
   for word in "$@"; do
@@ -25,6 +25,7 @@ check_launch_arguments() {
     case $word in
       map:= | map:=/*) map=${word#map:=} ;;
       map:=*) map=$PWD/${word#map:=} ;;
+      world:=*) world=${word#world:=} ;;
     esac
     case " $known" in
       *" ${word%%:=*} "*) check_value "$root" "${word%%:=*}" "${word#*:=}" ;;
@@ -35,8 +36,22 @@ check_launch_arguments() {
     wrong_argument maps "map: nothing can be written to the folder ${PWD@Q}/maps, where the map would be saved; give another path with map:=PATH"
   iconv -f UTF-8 -t UTF-8 <<<"$map" >/dev/null 2>&1 ||
     wrong_argument "$map" "map: no map can be saved as ${map@Q}, because that is not UTF-8; give another path with map:=PATH"
+  ! replaces_world "$map" "$world" ||
+    wrong_argument "$map" "map: '$map' is the world, which the map would replace; give another path with map:=PATH"
   [[ " $* " != *' localize_only:=true '* ]] || [[ " $* " =~ ' map_file:='[^\ ] && " $* " != *' map_file:=none '* ]] ||
     wrong_argument localize_only:=true "localize_only: needs a saved map, map_file:=PATH"
+}
+
+# replaces_world MAP WORLD: whether a file of the map that is saved as MAP is the world's YAML or its picture.
+replaces_world() {
+  local map=$1 world=$2 picture ending
+  case $map in *.pgm | *.yaml | *.bt) map=${map%.*} ;; esac  # which the mapper leaves out
+  picture=$(sed -n "s/^image: *[\"']\{0,1\}\([^\"']*[^\"' ]\).*/\1/p" "$world" | head -n 1)
+  case $picture in /*) ;; *) picture=$(dirname -- "$world")/$picture ;; esac
+  for ending in pgm yaml bt; do
+    [[ $map.$ending -ef $world || $map.$ending -ef $picture ]] && return
+  done
+  return 1
 }
 
 # can_make_files_in FOLDER: whether files can be made in it, or it can be made.

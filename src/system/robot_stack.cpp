@@ -128,6 +128,7 @@ void RobotStack::explore() {
   inputs.enabled = now().time_since_epoch() >= head_start_;
   inputs.map_available = !view().empty();
   inputs.T_map_base = lastPose();
+  inputs.localized = mapper_.isLocalized();
   inputs.odometry_stamp = sensed_.odometry.stamp;
   inputs.goal_events.swap(goal_events_);
   inputs.others = book_.others(T_common_map_.inverse(), now());
@@ -153,6 +154,7 @@ void RobotStack::navigate() {
     navigation::NavigatorInputs inputs;
     inputs.pose = lastPose();
     inputs.scan = scan_.ranges.empty() ? nullptr : &scan_;
+    inputs.localized = mapper_.isLocalized();
     inputs.twist = sensed_.odometry.twist;
     if (pending_.kind == exploration::GoalCommand::Kind::kSend)
       inputs.new_goal = navigation::NavGoal{pending_.goal_id, pending_.goal, false};

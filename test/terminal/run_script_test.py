@@ -8,6 +8,7 @@ import os
 import pathlib
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -37,6 +38,21 @@ class RunScript(RunTestCase):
                 self.assertEqual((code, out), (2, ''))
                 self.assertIn(words, err)
                 self.assertEqual(err.strip().count('\n'), 0, err)
+
+    def test_it_does_not_replace_the_world_by_the_map(self):
+        """[MAP-5]"""
+        drawing = pathlib.Path(self.folder.name, 'drawing.pgm')
+        shutil.copy(ROOT / 'config/worlds/small.pgm', drawing)
+        for picture in ('drawing.pgm', '"drawing.pgm"  # mine', str(drawing)):
+            pathlib.Path(self.folder.name, 'floor.yaml').write_text('image: %s\nresolution: 0.05\norigin: [0, 0, 0]\n' % picture)
+            for name in ('floor', 'floor.yaml', 'drawing', './drawing.bt'):
+                with self.subTest(picture=picture, map=name):
+                    code, out, err = self.run_to_the_end('world:=floor.yaml', 'map:=' + name)
+                    self.assertEqual((code, out), (2, ''))
+                    self.assertIn('is the world, which the map would replace', err)
+        code, _, err = self.run_to_the_end('map:=%s/config/worlds/flat' % ROOT)
+        self.assertEqual(code, 2)
+        self.assertIn('is the world', err)
 
     def test_a_folder_that_was_removed_is_refused_before_anything_is_built(self):
         gone = os.path.join(self.folder.name, 'gone')
