@@ -1,4 +1,5 @@
 """Calls with a limit of time, and those that bring the system back to work."""
+import re
 import threading
 
 import genpy
@@ -10,7 +11,7 @@ from run_attack.system import wait_until
 from run_attack.velocity_sources import SOURCES
 
 PATIENCE = 5.0  # [s] within which every service has to answer
-STOP_IS_KNOWN = 2.0  # [s] within which the explorer has heard that a stop is cleared
+STOP_IS_KNOWN = 5.0  # [s] within which an explorer, which may just have been started, has heard that a stop is cleared
 ACTIONS = ('move_base', 'follow_waypoints', 'turtlebot3', 'spin', 'back_up', 'drive_on_heading', 'wait')
 
 
@@ -40,13 +41,14 @@ def switch(name, on):
 
 
 def explore(on, space=''):
-    """The answer of the explorer of that namespace. It is asked again as long as it answers that the robot is stopped: it may not have
-    heard yet of a clear that has just been answered, and would be paused when it does."""
+    """The answer of the explorer of that namespace. It is asked again as long as it answers that the robot is stopped, or that the
+    arbiter has to say first whether it was: it may not have heard yet of a clear that has just been answered, and would be paused when
+    it does."""
     answers = []
 
     def knows():
         answers.append(switch(space + 'set_exploration_enabled', on))
-        return not on or answers[-1] is None or 'the robot is stopped' not in answers[-1].message
+        return not on or answers[-1] is None or not re.search('the robot (is|was) stopped', answers[-1].message)
     wait_until(knows, STOP_IS_KNOWN)
     return answers[-1]
 

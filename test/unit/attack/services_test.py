@@ -18,10 +18,11 @@ class Explore(unittest.TestCase):
 
     def test_asks_again_an_explorer_that_has_not_heard_of_the_clear(self):
         answers = [SetBoolResponse(True, 'exploration enabled; the robot is stopped, and clearing the stop pauses it'),
+                   SetBoolResponse(True, 'exploration enabled; it waits until the arbiter says whether the robot was stopped meanwhile'),
                    SetBoolResponse(True, 'exploration enabled')]
         with mock.patch.object(services, 'switch', side_effect=answers) as switch:
             self.assertEqual(services.explore(True, '/robot1/').message, 'exploration enabled')
-        self.assertEqual(switch.call_args_list, 2 * [mock.call('/robot1/set_exploration_enabled', True)])
+        self.assertEqual(switch.call_args_list, 3 * [mock.call('/robot1/set_exploration_enabled', True)])
 
     def test_asks_once_for_a_pause_and_where_there_is_no_explorer(self):
         for on, answer in ((False, SetBoolResponse(True, 'exploration paused; the robot is stopped')), (True, None)):
