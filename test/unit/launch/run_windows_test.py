@@ -4,6 +4,7 @@ import os
 import pathlib
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -26,6 +27,9 @@ class RunWindows(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        with socket.socket() as probe:
+            probe.bind(('127.0.0.1', 0))
+            self.master = 'http://127.0.0.1:%d' % probe.getsockname()[1]
         scripts, build, self.caller = self.folder / 'root/scripts', self.folder / 'build', self.folder / 'caller'
         for made in scripts, build / 'devel', self.caller, self.folder / 'root/launch':
             made.mkdir(parents=True)
@@ -42,7 +46,7 @@ class RunWindows(unittest.TestCase):
 
     def start(self, *words, display=':9', launch=LAUNCH, explores=0):
         environment = dict(os.environ, FRONTIER_PILOT_BUILD=str(self.folder / 'build'), DISPLAY=display, WATCHED=str(self.watched),
-                           ROS_HOME=str(self.folder / 'home'), ROS_PACKAGE_PATH='', LAUNCHED=str(self.folder / 'launched'), HOME=str(self.folder),
+                           ROS_HOME=str(self.folder / 'home'), ROS_PACKAGE_PATH='', ROS_MASTER_URI=self.master, LAUNCHED=str(self.folder / 'launched'), HOME=str(self.folder),
                            LAUNCH_ENDS=str(self.launch_ends), EXPLORES=str(explores), **{'BASH_FUNC_roslaunch%%': launch, 'BASH_FUNC_cmake%%': '() { touch "$WATCHED"; }'})
         process = subprocess.Popen([str(self.folder / 'root/scripts/run'), *words], cwd=self.caller, env=environment, text=True,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
