@@ -71,7 +71,7 @@ void PilotWidget::build() {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(gap, gap, gap, gap);
   outer->setSpacing(gap);
-  outer->addWidget(header_);
+  outer->addWidget(header_, 0, Qt::AlignTop);  // so that the stop stays where it is, however much is said below it
   auto* scroll = new QScrollArea;
   scroll->setObjectName("pilotScroll");
   scroll->setWidgetResizable(true);

@@ -10,6 +10,7 @@ namespace {
 
 /// The number of refreshes (about 2 s) for which a click is shown as not yet confirmed.
 constexpr int kAskedRefreshes = 20;
+constexpr int kMostProblems = 3;  // in lines of their own: at a new master there may be one for each topic
 
 QPolygonF octagon(const QPointF& center, double radius) {
   QPolygonF shape;
@@ -212,6 +213,9 @@ void HeaderCard::showDriver(const teleop::OperatorState& state) {
       if (state.arbiter->summary.find(problem) == std::string::npos) lines << QString::fromStdString(problem);
     }
   }
+  problems_->setToolTip(lines.join("\n"));
+  if (const int more = lines.size() - kMostProblems; more > 0)
+    lines = lines.mid(0, kMostProblems) << QString("and %1 more").arg(more);
   problems_->setVisible(!lines.isEmpty());
   problems_->setText(lines.join("\n"));
   problems_->setStyleSheet("color: " + Theme::current().warning.name());

@@ -112,6 +112,21 @@ TEST_F(Attention, AContactIsShown) {
   EXPECT_TRUE(text("problems").contains("The robot touches something"));
 }
 
+// [GUI-2] [ARB-7]
+TEST_F(Attention, TheEmergencyStopStaysWhereItIsHoweverManyProblemsThereAre_GUI_2_ARB_7) {
+  widget_->resize(240, 1400);  // as a panel of rviz
+  QTest::qWait(50);
+  const auto place = [this] { return find<QPushButton>("emergency_stop")->mapTo(widget_.get(), QPoint()); };
+  const QPoint before = place();
+  for (int i = 0; i < 12; ++i)
+    state_.arbiter->problems.push_back("the master had forgotten this node as publisher of /cmd_vel_arbiter/topic" +
+                                       std::to_string(i) + ": registered again");
+  widget_->setState(state_);
+  QTest::qWait(50);
+  EXPECT_EQ(place(), before);
+  EXPECT_TRUE(text("problems").contains("and 9 more")) << text("problems").toStdString();
+}
+
 // [GUI-2]
 TEST_F(Attention, GoalsAreCountedAsDroppedReachedAndFailed) {
   state_.explorer->goals_dropped = 24;
