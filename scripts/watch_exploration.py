@@ -16,6 +16,7 @@ import time
 if __name__ == '__main__':
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # until main: a Ctrl-C while the rest is imported prints no traceback
 
+import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 from frontier_pilot.msg import ExplorerStatus  # noqa: E402
 from std_msgs.msg import Bool  # noqa: E402
@@ -56,6 +57,13 @@ def goals_of(status):
     dropped = status.goals_sent - status.goals_reached - status.goals_failed
     under_way = 1 if status.state == ExplorerStatus.NAVIGATING else 0
     return '%d dropped on the way, %d reached, %d failed' % (max(0, dropped - under_way), status.goals_reached, status.goals_failed)
+
+
+def master_answers():
+    try:
+        return ros_program.master(rospy.get_name()).getPid() > 0
+    except ros_program.FAILURES:
+        return False
 
 
 class Watcher:
@@ -100,9 +108,10 @@ class Watcher:
         if time.monotonic() - self.printed < self.period:
             return True
         self.printed = time.monotonic()
-        if self.status is None:
-            return say('waiting for the explorer')
-        return say(self.line() if self.silence() < SILENCE else 'the explorer has not been heard for %.0f s' % self.silence())
+        if self.silence() < SILENCE:
+            return say('waiting for the explorer' if self.status is None else self.line())
+        words = 'the explorer has not been heard for %.0f s' % self.silence()
+        return say(words if master_answers() else words + ': no ROS master answers at ' + rosgraph.get_master_uri())
 
 
 class Starter:

@@ -63,8 +63,9 @@ class Abandoned(unittest.TestCase):
 
     def setUp(self):
         self.parent, self.clock, self.out = 7, 100.0, io.StringIO()
-        self.saves, self.steps = [], []
-        for patch in (mock.patch('sys.stdout', self.out), mock.patch('sys.argv', ['watch_exploration.py']),
+        self.saves, self.steps, self.master_lives = [], [], True
+        for patch in (mock.patch('watch_exploration.master_answers', lambda: self.master_lives),
+                      mock.patch('sys.stdout', self.out), mock.patch('sys.argv', ['watch_exploration.py']),
                       mock.patch('rospy.Subscriber', self.subscribe), mock.patch('rospy.is_shutdown', lambda: False),
                       mock.patch('watch_exploration.Interrupt', lambda: mock.Mock(number=0)),
                       mock.patch('watch_exploration.os.getppid', lambda: self.parent),
@@ -116,6 +117,12 @@ class Abandoned(unittest.TestCase):
                 self.assertEqual(self.run_it(master_at), 1)
                 self.assertEqual(self.saves, [])
                 self.assertAlmostEqual(self.clock, 130.0, delta=1.0)
+
+    def test_it_says_that_the_master_is_gone(self):
+        """[FLT-1]"""
+        self.steps = [(110.0, lambda: setattr(self, 'master_lives', False)), (115.0, self.orphan)]
+        self.run_it()
+        self.assertRegex(self.out.getvalue(), 'the explorer has not been heard for 1[05] s: no ROS master answers at http://')
 
     def test_it_waits_for_an_explorer_that_has_died_while_somebody_waits_for_it(self):
         done = ExplorerStatus(explored_area=50.0, state=ExplorerStatus.DONE, reason=ExplorerStatus.NO_REACHABLE_FRONTIER)
