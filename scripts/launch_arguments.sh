@@ -14,7 +14,9 @@ expand_home() {
 # check_launch_arguments ROOT OWN WORD...: each word has to be NAME:=VALUE, where NAME is an argument of
 # launch/system.launch or OWN. The first wrong one is named, with what there is instead, and ends the script.
 check_launch_arguments() {
-  local root=$1 own=$2 known word map= world=$1/config/worlds/flat.yaml
+  local root=$1 own=$2 known word map= world
+  world=$(sed -n 's/^  <arg name="world" default="\([^"]*\)".*/\1/p' "$root/launch/system.launch")
+  world=${world/'$(find frontier_pilot)'/$root}
   shift 2
   known="$own $(sed -n 's/^  <arg name="\([a-z_]*\)" default=.*/\1/p' "$root/launch/system.launch" | tr '\n' ' ')"
   for word in "$@"; do
@@ -46,7 +48,7 @@ check_launch_arguments() {
 replaces_world() {
   local map=$1 world=$2 picture ending
   case $map in *.pgm | *.yaml | *.bt) map=${map%.*} ;; esac  # which the mapper leaves out
-  picture=$(sed -n "s/^image: *[\"']\{0,1\}\([^\"']*[^\"' ]\).*/\1/p" "$world" | head -n 1)
+  picture=$(sed -n "s/\r$//; s/ #.*//; s/^image: *[\"']\{0,1\}\([^\"']*[^\"' ]\).*/\1/p" "$world" | head -n 1)
   case $picture in /*) ;; *) picture=$(dirname -- "$world")/$picture ;; esac
   for ending in pgm yaml bt; do
     [[ $map.$ending -ef $world || $map.$ending -ef $picture ]] && return

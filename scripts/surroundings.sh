@@ -25,11 +25,13 @@ check_surroundings() {
     cannot_begin "temporary files cannot be made in ${TMPDIR:-/tmp}; 'export TMPDIR=FOLDER' takes another folder"
 }
 
-# claim_master: from now on, and as long as a process that this script starts lives, another scripts/run at the same ROS master is
-# refused: its nodes would take the names of these, and what it watches would be these. `claim` is the file that says so.
+# claim_master: from now on, and as long as a process that this script starts lives, another scripts/run of this user at the same ROS
+# master is refused: its nodes would take the names of these, and what it watches would be these. `claim` is the file that says so.
 claim_master() {
-  local master=${ROS_MASTER_URI:-http://localhost:11311} held
-  claim=/tmp/frontier_pilot_run.$(id -u).${master//[^[:alnum:]]/_}.lock
+  local master=${ROS_MASTER_URI:-http://localhost:11311} held name
+  name=${master%/}
+  name=${name/localhost/127.0.0.1}
+  claim=/tmp/frontier_pilot_run.$(id -u).${name//[^[:alnum:]]/_}.lock
   { exec {held}>>"$claim"; } 2>/dev/null || return 0
   flock -n "$held" ||
     cannot_begin "another scripts/run at the ROS master $master is about to begin or to end: end it first, or choose another port for this run: export ROS_MASTER_URI=http://127.0.0.1:PORT"

@@ -32,7 +32,7 @@ RECORDER_START = 30.0  # [s], for which the exploration waits for the recorder
 MASTER_START = 10.0  # [s], within which a roslaunch that was started beside it has its master
 LEAST_CHANGE, LEAST_WAY = 0.1, 0.2  # of the explored area [m^2] and of the way [m], with which a map is saved again
 SILENCE = 10.0  # [s], after which an explorer that is not heard is said to be silent
-FAREWELL = 30.0  # [s], after which one that is not heard has died, for a program that nobody waits for
+FAREWELL = 30.0  # [s] of silence after which an explorer counts as dead, once the program that started this one has ended
 PERIODS = 0.2, 3600.0  # of the progress lines [s]
 
 # The ends that the stopping rules of the explorer have asked for.
@@ -74,7 +74,7 @@ class Watcher:
         self.status = None
         self.started = None  # when the first goal was sent, in simulated time
         self.printed = 0.0
-        self.heard = time.monotonic()  # the explorer, at the latest; before its first word the begin
+        self.heard = time.monotonic()  # when the explorer was last heard, by the steady clock; until then when this began
         rospy.Subscriber('frontier_explorer/status', ExplorerStatus, self.on_status, queue_size=10)
 
     def on_status(self, status):
@@ -178,7 +178,7 @@ def save_what_was_mapped_since(watcher, interrupt, prefix):
 
 
 def is_abandoned(parent, heard):
-    """Whether the process that started this program has ended, and nothing was heard since FAREWELL before now."""
+    """Whether the process that started this program has ended, and nothing was heard for FAREWELL."""
     return os.getppid() != parent and time.monotonic() - heard > FAREWELL
 
 

@@ -69,11 +69,12 @@ class Phases:
         return False
 
     def spin(self):
-        for _ in range(3):
+        for attempt in range(3):
+            if attempt > 0:
+                self._drive_on()
             self._spin.send_goal(SpinGoal(target_yaw=60.0))
             if self._on_the_way(4.0):
                 return True
-            self._drive_on()
         return False
 
     def _drive_on(self):

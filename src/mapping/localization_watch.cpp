@@ -8,12 +8,19 @@ constexpr double kByOdometry = 2.0;  // [m] for which odometry alone is good eno
 }  // namespace
 
 void LocalizationWatch::lookFor(bool has_walls) {
+  can_be_found_ = has_walls;
   localized_ = !has_walls;
   found_at_.reset();
 }
 
-void LocalizationWatch::take(bool fits, const Pose2& T_odom_base) {
-  if (fits) {
+void LocalizationWatch::reset() {
+  can_be_found_ = localized_ = true;
+  found_at_.reset();
+}
+
+void LocalizationWatch::take(bool located, const Pose2& T_odom_base) {
+  if (keeps_map_ && !can_be_found_) return;
+  if (located) {
     found_at_ = T_odom_base;
     localized_ = true;
     return;

@@ -6,7 +6,7 @@
 
 namespace frontier_pilot::mapping {
 
-/// Whether the robot's pose on the map can be relied on, judged by which scans fit there. [MAP-5]
+/// Whether the robot's pose on the map can be relied on, as far as scans can tell. [MAP-5]
 class LocalizationWatch {
  public:
   /// `keeps_map`: the robot is only localised in its map, which grows old. People and moved things then hide the walls
@@ -15,16 +15,17 @@ class LocalizationWatch {
 
   /// The robot is looked for from now on. On a map without walls it cannot be found, and is where it is said to be.
   void lookFor(bool has_walls);
-  /// A scan, taken at `T_odom_base`, fitted the map at the robot's pose or not.
-  void take(bool fits, const Pose2& T_odom_base);
+  /// `located` is false if the robot is not where its pose is, as far as a scan taken at `T_odom_base` can tell.
+  void take(bool located, const Pose2& T_odom_base);
   /// A new map begins where the robot is.
-  void reset() { lookFor(false); }
+  void reset();
   bool isLocalized() const { return localized_; }
 
  private:
   bool keeps_map_;
+  bool can_be_found_ = true;  ///< whether the map has walls
   bool localized_ = true;
-  std::optional<Pose2> found_at_;  ///< T_odom_base of the last scan that fitted since the robot is looked for
+  std::optional<Pose2> found_at_;  ///< T_odom_base of the last scan that located the robot since it is looked for
 };
 
 }  // namespace frontier_pilot::mapping

@@ -27,8 +27,8 @@ class LostMemory(unittest.TestCase):
         self.runtime = '/proc/nowhere'  # no spare place for a stop
         self.diagnostics = Record('/diagnostics', DiagnosticArray)
 
-    def start(self, executable):
-        node = Node(executable, environment=dict(os.environ, ROS_HOME=self.home, XDG_RUNTIME_DIR=self.runtime))
+    def start(self, executable, *arguments):
+        node = Node(executable, *arguments, environment=dict(os.environ, ROS_HOME=self.home, XDG_RUNTIME_DIR=self.runtime))
         self.addCleanup(node.end)
         return node
 
@@ -98,12 +98,13 @@ class LostMemory(unittest.TestCase):
             pass
         self.runtime = self.folder
         status = Record('frontier_explorer/status', ExplorerStatus)
-        explorer = self.start('frontier_explorer')
+        explorer = self.start('frontier_explorer', '_autostart:=true')
         self.assertNotIn('would not survive', call('set_exploration_enabled', SetBool, False).message)
+        self.assertTrue(glob.glob(self.runtime + '/frontier_pilot/*/exploration_paused*'))
         explorer.signal(signal.SIGKILL)
         explorer.finish()
         status.items.clear()
-        self.start('frontier_explorer')
+        self.start('frontier_explorer', '_autostart:=true')
         self.assertTrue(wait_for(lambda: status.last is not None and status.last.reason == ExplorerStatus.PAUSED), status.last)
 
     def mapper_without_its_map(self):

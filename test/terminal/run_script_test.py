@@ -43,7 +43,7 @@ class RunScript(RunTestCase):
         """[MAP-5]"""
         drawing = pathlib.Path(self.folder.name, 'drawing.pgm')
         shutil.copy(ROOT / 'config/worlds/small.pgm', drawing)
-        for picture in ('drawing.pgm', '"drawing.pgm"  # mine', str(drawing)):
+        for picture in ('drawing.pgm\r', 'drawing.pgm  # mine', '"drawing.pgm"  # mine', str(drawing)):
             pathlib.Path(self.folder.name, 'floor.yaml').write_text('image: %s\nresolution: 0.05\norigin: [0, 0, 0]\n' % picture)
             for name in ('floor', 'floor.yaml', 'drawing', './drawing.bt'):
                 with self.subTest(picture=picture, map=name):

@@ -28,8 +28,8 @@ class RealTimePacer {
   double speed_;
   Duration step_;
   bool resting_ = true;
-  bool held_up_ = false;  ///< at the call of before
-  SteadyTime asked_;      ///< the time of that call
+  bool held_up_ = false;  ///< whether the last call of `due` came late
+  SteadyTime asked_;      ///< when `due` was called last
   SteadyTime since_;
   std::int64_t made_ = 0;  ///< steps since `since_`
   std::int64_t times_behind_ = 0;

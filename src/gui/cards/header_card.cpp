@@ -10,7 +10,7 @@ namespace {
 
 /// The number of refreshes (about 2 s) for which a click is shown as not yet confirmed.
 constexpr int kAskedRefreshes = 20;
-constexpr int kMostProblems = 3;  // in lines of their own: at a new master there may be one for each topic
+constexpr int kMostProblems = 3;  // that are shown; the others are in the tooltip
 
 QPolygonF octagon(const QPointF& center, double radius) {
   QPolygonF shape;

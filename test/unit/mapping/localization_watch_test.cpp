@@ -29,7 +29,16 @@ TEST(LocalizationWatch, IsOnlySureOfARobotThatIsLookedForOnceAScanFits_MAP_5) {
 TEST(LocalizationWatch, TakesARobotToBeWhereItIsSaidToBeOnAMapWithoutWalls_MAP_5) {
   LocalizationWatch watch(true);
   watch.lookFor(false);
+  watch.take(false, at(0.0));
   EXPECT_TRUE(watch.isLocalized());
+  watch.lookFor(true);
+  watch.take(false, at(0.0));
+  EXPECT_FALSE(watch.isLocalized());
+  LocalizationWatch draws_walls(false);
+  draws_walls.lookFor(false);
+  draws_walls.take(true, at(0.0));
+  draws_walls.take(false, at(0.0));
+  EXPECT_FALSE(draws_walls.isLocalized()) << "it was carried";
 }
 
 // [MAP-5] A robot whose map is drawn on was carried.
