@@ -7,12 +7,14 @@ namespace {
 
 constexpr Duration kForgiven = std::chrono::milliseconds(250);  // the largest backlog that is caught up, in real time
 constexpr Duration kHeldUp = std::chrono::milliseconds(30);     // between two calls, in real time
+constexpr Duration kReading = std::chrono::milliseconds(20);    // in which the network's thread reads what has come
 
 }  // namespace
 
 std::int64_t RealTimePacer::due(SteadyTime now) {
-  held_up_ = !resting_ && !held_up_ && now - asked_ > kHeldUp;
+  if (!resting_ && !held_up_ && now - asked_ > kHeldUp) goes_on_ = now + kReading;
   asked_ = now;
+  held_up_ = now < goes_on_;
   if (held_up_) return 0;
   if (speed_ <= 0.0) {
     resting_ = false;

@@ -7,7 +7,7 @@
 namespace frontier_pilot::sim {
 
 /// Paces a simulation by real time: tells how many steps are due. A backlog of up to 250 ms of real time is caught up;
-/// a larger one is dropped. After it has been held up for more than 30 ms it owes nothing at the first call, so that
+/// a larger one is dropped. After it has been held up for more than 30 ms it owes nothing for another 20 ms, so that
 /// commands which have come meanwhile, a stop among them, are read before the robot makes up for lost time with an
 /// older one. [SIM-4]
 class RealTimePacer {
@@ -28,8 +28,9 @@ class RealTimePacer {
   double speed_;
   Duration step_;
   bool resting_ = true;
-  bool held_up_ = false;  ///< whether the last call of `due` came late
+  bool held_up_ = false;  ///< whether nothing was owed at the last call of `due` because of that
   SteadyTime asked_;      ///< when `due` was called last
+  SteadyTime goes_on_;    ///< when something is owed again
   SteadyTime since_;
   std::int64_t made_ = 0;  ///< steps since `since_`
   std::int64_t times_behind_ = 0;

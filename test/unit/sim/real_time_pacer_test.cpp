@@ -48,21 +48,21 @@ TEST(RealTimePacer, ForgivesWhatItCannotKeepUpWith_SIM_4) {
   RealTimePacer pace(1.0, kStep);
   EXPECT_EQ(pace.due(at(0.0)), 0);
   EXPECT_EQ(pace.due(at(0.2)), 0);
-  EXPECT_EQ(pace.due(at(0.21)), 21);
+  EXPECT_EQ(pace.due(at(0.225)), 22);
   EXPECT_EQ(pace.due(at(3.0)), 0);
-  EXPECT_EQ(pace.due(at(3.01)), 0);
+  EXPECT_EQ(pace.due(at(3.025)), 0);
   EXPECT_EQ(pace.timesBehind(), 1);
-  EXPECT_EQ(pace.due(at(3.03)), 2);
+  EXPECT_EQ(pace.due(at(3.045)), 2);
 }
 
 // [SIM-4, ARB-7] what was sent while the simulation was held up is read before it is caught up
-TEST(RealTimePacer, OwesNothingAtTheFirstCallAfterItWasHeldUp_SIM_4_ARB_7) {
+TEST(RealTimePacer, OwesNothingForAMomentAfterItWasHeldUp_SIM_4_ARB_7) {
   for (double speed : {0.0, 1.0, 10.0}) {
     RealTimePacer pace(speed, kStep);
     pace.due(at(0.0));
     EXPECT_GT(pace.due(at(0.02)), 0) << speed;
-    EXPECT_EQ(pace.due(at(0.22)), 0) << speed;
-    EXPECT_GE(pace.due(at(0.23)), 20 * static_cast<std::int64_t>(speed)) << speed;
+    for (double t : {0.22, 0.225, 0.235}) EXPECT_EQ(pace.due(at(t)), 0) << speed;
+    EXPECT_GE(pace.due(at(0.245)), 20 * static_cast<std::int64_t>(speed)) << speed;
   }
 }
 
