@@ -37,6 +37,7 @@ claim_master() {
     cannot_begin "another scripts/run at the ROS master $master is about to begin or to end: end it first, or choose another port for this run: export ROS_MASTER_URI=http://127.0.0.1:PORT"
 }
 
+# cannot_begin WHY: ends the script with this line.
 cannot_begin() {
   echo "scripts/run: $1" >&2
   exit 1

@@ -93,18 +93,19 @@ class BagFiles:
                 pass
         return rosbag.Bag(copy)
 
+    def _breaks(self):
+        """Where the recorder had to begin again: the times of its last message before and of its first one after it [s]."""
+        return [(before.get_end_time(), after.get_start_time()) for before, after in zip(self.bags, self.bags[1:])
+                if self.stretches[before] != self.stretches[after]]
+
     def _gaps(self):
-        """Where the recorder had to begin again."""
         first, _ = self.span()
         return ['Nothing was recorded from %s to %s: the disk was full, or rosbag had ended for another reason.' % (
-            clock(before.get_end_time() - first), clock(after.get_start_time() - first))
-                for before, after in zip(self.bags, self.bags[1:]) if self.stretches[before] != self.stretches[after]]
+            clock(end - first), clock(begin - first)) for end, begin in self._breaks()]
 
-    def is_within_a_stretch(self, begin, end):
-        """Whether the recorder did not begin again between these times [s]."""
-        stretches = [[bag for bag in self.bags if self.stretches[bag] == stretch] for stretch in set(self.stretches.values())]
-        return any(min(bag.get_start_time() for bag in bags) <= begin and end <= max(bag.get_end_time() for bag in bags)
-                   for bags in stretches if bags)
+    def has_a_break(self, begin, end):
+        """Whether the recorder began again between these times [s]."""
+        return any(begin <= last and first <= end for last, first in self._breaks())
 
     def has_the_first_part(self):
         """Whether the oldest of the bags is where the recorder began, or a single bag that it did not write."""

@@ -85,7 +85,7 @@ class Run:
         roles = {name: role for role, name in names.items() if role in ROLES}
         last = self.begin
         for topic, message, time in bags.messages(list(roles)):
-            if self.start_info and time - last > SILENCE and bags.is_within_a_stretch(last, time):
+            if self.start_info and time - last > SILENCE and not bags.has_a_break(last, time):
                 self.notes.append('Nothing was recorded for %.0f s: the clock was set forward, or the computer was asleep. Durations '
                                   'over this time are too long.' % (time - last))
             last = time

@@ -29,6 +29,7 @@ Mapper::Impl::Impl(const MapperParameters& given, std::unique_ptr<slam::PoseCorr
       inserter(parameters.insertion),
       correction(corrector ? std::move(corrector) : correctionFor(parameters, map)),
       localization(parameters.localize_only) {}
+
 Mapper::Mapper(const MapperParameters& parameters, std::unique_ptr<slam::PoseCorrection> correction)
     : impl_(std::make_unique<Impl>(parameters, std::move(correction))) {}
 Mapper::~Mapper() = default;

@@ -12,10 +12,10 @@ constexpr Duration kReading = std::chrono::milliseconds(20);    // in which the 
 }  // namespace
 
 std::int64_t RealTimePacer::due(SteadyTime now) {
-  if (!resting_ && !held_up_ && now - asked_ > kHeldUp) goes_on_ = now + kReading;
+  const bool owed_before = !resting_ && asked_ >= goes_on_;
+  if (owed_before && now - asked_ > kHeldUp) goes_on_ = now + kReading;
   asked_ = now;
-  held_up_ = now < goes_on_;
-  if (held_up_) return 0;
+  if (now < goes_on_) return 0;
   if (speed_ <= 0.0) {
     resting_ = false;
     return std::numeric_limits<std::int64_t>::max();

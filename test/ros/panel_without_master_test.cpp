@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "ros/common/clock.h"
 #include "ros/teleop_gui/gui_bridge.h"
@@ -20,61 +21,57 @@ namespace {
 
 using test::waitFor;
 
-/// A ROS master at a port that depends on this process.
-class Master {
+/// A program that is killed with this object at the latest.
+class Program {
  public:
-  Master() : port_(20000 + static_cast<int>(getpid()) % 10000) {
-    setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + std::to_string(port_)).c_str(), 1);
-    begin();
-  }
-  void begin() {
+  Program() = default;
+  ~Program() { end(); }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void begin(std::vector<std::string> words) {
     process_ = fork();
     if (process_ != 0) return;
-    execlp("rosmaster", "rosmaster", "--core", "-p", std::to_string(port_).c_str(), nullptr);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execvp(arguments.front(), arguments.data());
     _exit(127);
   }
-  void hang(bool on) const { kill(process_, on ? SIGSTOP : SIGCONT); }
-  ~Master() { end(); }
-  Master(const Master&) = delete;
-  Master& operator=(const Master&) = delete;
-
+  void tell(int signal) const { kill(process_, signal); }
   void end() {
     if (process_ <= 0) return;
-    kill(process_, SIGKILL);
+    tell(SIGKILL);
     waitpid(process_, nullptr, 0);
     process_ = 0;
   }
 
  private:
-  int port_;
   pid_t process_ = 0;
 };
 
-/// An arbiter at that master.
-class Arbiter {
+/// A ROS master at a port that depends on this process.
+class Master {
  public:
-  Arbiter() : process_(fork()) {
-    if (process_ != 0) return;
-    const std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cmd_vel_arbiter";
-    execl(path.c_str(), "cmd_vel_arbiter", nullptr);
-    _exit(127);
+  Master() {
+    setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port_).c_str(), 1);
+    begin();
   }
-  ~Arbiter() {
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
-  }
-  Arbiter(const Arbiter&) = delete;
-  Arbiter& operator=(const Arbiter&) = delete;
+  void begin() { program_.begin({"rosmaster", "--core", "-p", port_}); }
+  void hang(bool on) const { program_.tell(on ? SIGSTOP : SIGCONT); }
+  void end() { program_.end(); }
 
  private:
-  pid_t process_;
+  std::string port_ = std::to_string(20000 + static_cast<int>(getpid()) % 10000);
+  Program program_;
 };
 
 Master* g_master = nullptr;
 
 // [ARB-7] [FLT-2]
 TEST(PanelWithoutAMaster, AStopIsDoneAtANewMasterThatHangs_ARB_7_FLT_2) {
-  const Arbiter arbiter;
+  Program arbiter;
+  arbiter.begin({std::filesystem::read_symlink("/proc/self/exe").replace_filename("cmd_vel_arbiter")});
   GuiBridge bridge(ros::NodeHandle(), teleop::TeleopParameters(), GuiBridge::Manual::kOnDemand, [] { return true; });
   const auto stopped = [&] { return bridge.state().emergency_stop.value_or(false); };
   ASSERT_TRUE(waitFor([&] { return bridge.state().connected && bridge.state().stop_service_up; }));

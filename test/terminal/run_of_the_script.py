@@ -60,6 +60,15 @@ class RunTestCase(unittest.TestCase):
         process.stdout = open(screen, errors='replace')
         return process
 
+    def start_with(self, roslaunch):
+        """The running script once it launches, with this function of bash in place of roslaunch."""
+        process = self.start(env=dict(environment(self.port, self.folder.name), **{'BASH_FUNC_roslaunch%%': roslaunch}))
+        self.addCleanup(process.communicate)
+        line = process.stdout.readline()
+        while line and not line.startswith('Launching'):
+            line = process.stdout.readline()
+        return process
+
     def run_to_the_end(self, *words):
         process = self.start(*words)
         out, err = process.communicate(timeout=300)

@@ -131,12 +131,7 @@ class RunScript(RunTestCase):
 
     def test_of_two_that_begin_at_the_same_moment_one_is_refused(self):
         """[FLT-1]"""
-        silent = {'BASH_FUNC_roslaunch%%': '() { sleep 90; }'}  # its nodes have not begun yet
-        first = self.start(env=dict(environment(self.port, self.folder.name), **silent))
-        self.addCleanup(first.communicate)
-        line = first.stdout.readline()
-        while line and not line.startswith('Launching'):
-            line = first.stdout.readline()
+        first = self.start_with('() { sleep 90; }')  # its nodes have not begun yet
         code, _, err = self.run_to_the_end()
         os.killpg(first.pid, signal.SIGINT)
         self.assertEqual(first.wait(40), 130)
@@ -146,12 +141,7 @@ class RunScript(RunTestCase):
 
     def test_it_ends_at_once_also_if_roslaunch_has_lost_the_ctrl_c(self):
         lost = 'import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); time.sleep(90)'
-        process = self.start(env=dict(environment(self.port, self.folder.name),
-                                      **{'BASH_FUNC_roslaunch%%': '() { exec /usr/bin/python3 -c "' + lost + '"; }'}))
-        self.addCleanup(process.communicate)
-        line = process.stdout.readline()
-        while line and not line.startswith('Launching'):
-            line = process.stdout.readline()
+        process = self.start_with('() { exec /usr/bin/python3 -c "' + lost + '"; }')
         time.sleep(0.5)
         begin = time.monotonic()
         os.killpg(process.pid, signal.SIGINT)

@@ -28,9 +28,8 @@ class RealTimePacer {
   double speed_;
   Duration step_;
   bool resting_ = true;
-  bool held_up_ = false;  ///< whether nothing was owed at the last call of `due` because of that
-  SteadyTime asked_;      ///< when `due` was called last
-  SteadyTime goes_on_;    ///< when something is owed again
+  SteadyTime asked_;    ///< when `due` was called last
+  SteadyTime goes_on_;  ///< when something is owed again after it was held up
   SteadyTime since_;
   std::int64_t made_ = 0;  ///< steps since `since_`
   std::int64_t times_behind_ = 0;

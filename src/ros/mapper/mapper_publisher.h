@@ -17,7 +17,7 @@ namespace frontier_pilot {
 /// The message of the whole map, a byte for each cell of the box around it, is made when it is sent.
 class MapperPublisher {
  public:
-  /// Nothing is advertised yet.
+  /// The topics of the map are not advertised yet.
   MapperPublisher(const ros::NodeHandle& node, std::string frame, const mapping::MapScheduleParameters& schedule);
 
   /// The topic, resolved.
