@@ -94,7 +94,8 @@ check_value() {
         wrong_argument "$value" "limits: must be burger (0.22 m/s) or fast (0.5 m/s), not '$value'" ;;
     speed)
       [[ $value =~ ^([0-9]{1,9}(\.[0-9]{0,20})?|\.[0-9]{1,20})$ ]] ||
-        wrong_argument "$value" "speed: must be a number of at most nine digits, 1 for real time, 2 to 5 for faster, not '$value'" ;;
+        wrong_argument "$value" "speed: must be a number of at most nine digits, 1 for real time, 2 to 5 for faster, not '$value'"
+      [[ $value == *[1-9]* ]] || wrong_argument "$value" "speed: 0, as fast as possible, is for the simulator alone; the other nodes cannot keep up with it" ;;
     x | y | yaw)
       [[ $value =~ ^(auto|[+-]?([0-9]{1,9}(\.[0-9]{0,20})?|\.[0-9]{1,20}))?$ ]] ||
         wrong_argument "$value" "$name: must be a number of at most nine digits, not '$value'" ;;

@@ -31,6 +31,7 @@ class RunScript(RunTestCase):
                             ('map:=/tmp/a:=b', "must not contain ':='"), ('world:=a:=b', "must not contain ':='"),
                             ('seed:=3000000000', 'seed: must be'), ('seed:=-1', 'seed: must be'), ('seed:=' + 30 * '9', 'seed: must be'),
                             ('x:=1' + 300 * '0', 'at most nine digits'), ('speed:=1' + 300 * '0', 'at most nine digits'),
+                            ('speed:=0', 'for the simulator alone'), ('speed:=0.00', 'for the simulator alone'),
                             ('map:=' + 251 * 'x', 'too long'), ('map_file:=nowhere', 'no saved map'),
                             ('localize_only:=true', 'map_file'), ('localize_only:=true map_file:=none', 'map_file'), ('office', 'unknown argument'), ('--nonsense', 'unknown argument')):
             with self.subTest(word=word):
@@ -113,7 +114,9 @@ class RunScript(RunTestCase):
 
     def test_the_reason_of_a_parameter_that_cannot_be_is_said(self):
         pathlib.Path(self.folder.name, 'damaged.yaml').write_text('image: a.pgm\noctree: {file: damaged.bt}\n')
+        pathlib.Path(self.folder.name, 'robot.yaml').write_text('radius: [0.1\n')
         for word, reason in (('speed:=20000', 'simulator: .*speed: must be >= 0 and <= 10000, is 20000'),
+                             ('robot:=robot.yaml', r'.*/robot\.yaml contains invalid YAML: while parsing'),
                              ('map_file:=damaged', r'mapper: .*/damaged\.bt: no such file')):
             code, _, err = self.run_to_the_end(word)
             self.assertEqual(code, 1)
