@@ -76,6 +76,12 @@ void requireOneDrive(const ScanLog& log, const std::string& name) {
                      " s older than one before it: are these several drives in one file? Each needs a file of its own");
     latest = std::max(latest, stamp);
   }
+  const bool all_at_once = std::all_of(log.records.begin(), log.records.end(), [&](const LogRecord& record) {
+    return record.scan.stamp == log.records.front().scan.stamp;
+  });
+  if (log.records.size() > 1 && all_at_once)
+    throw LogError(name + ": all of its " + std::to_string(log.records.size()) +
+                   " scans have the same time stamp, so that only the first could be mapped");
 }
 
 ScanLog readScanLog(std::istream& file, const std::string& name, const LogScanner& scanner) {

@@ -51,7 +51,7 @@ void recogniseMissingReturns(ScanLog& log);
 
 /// Throws a LogError if a scan's stamp is more than ten seconds before that of an earlier scan, as where two logs
 /// follow one another in one file, or a simulated clock was set back: one map would be made of two drives. In real logs
-/// the stamps of some scans go back by up to a second.
+/// the stamps of some scans go back by up to a second. Throws also where several scans all have one stamp.
 void requireOneDrive(const ScanLog& log, const std::string& name);
 
 /// Reads a CSV or CARMEN log. Throws a LogError where it is broken or holds no scan.

@@ -64,6 +64,12 @@ TEST(ScanLog, MustBeOneDrive_FLT_1) {
   EXPECT_THROW(expectOneDrive("1,0,0,0,1.6,1.7\n20,0,0,0,1.6,1.7\n1,0,0,0,1.6,1.7\n"), logs::LogError);
 }
 
+// [FLT-1] All but the first would be left out as copies, and the map of one scan be called that of the drive.
+TEST(ScanLog, MustHaveMoreThanOneStamp_FLT_1) {
+  EXPECT_NO_THROW(expectOneDrive("5,0,0,0,1.6,1.7\n"));
+  EXPECT_THROW(expectOneDrive("5,0,0,0,1.6,1.7\n5,1,0,0,1.6,1.7\n"), logs::LogError);
+}
+
 TEST(ScanLog, SaysThatItCannotReadARosbag) { EXPECT_THROW(recordsOf("#ROSBAG V2.0\n"), logs::LogError); }
 
 }  // namespace
