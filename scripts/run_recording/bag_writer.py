@@ -5,7 +5,6 @@ import signal
 import subprocess
 import time
 
-import rosgraph
 import roslib.packages
 
 from .registration import Registration
@@ -22,15 +21,17 @@ def part_size(limit):
     return max(1, int(limit) // (PARTS + 1))
 
 
-def command_of(topics, bag, limit, min_space, name):
-    """The command line of rosbag."""
+def command_of(topics, bag, limit, min_space, node):
+    """The command line of rosbag, as the node with this full name."""
+    namespace, name = node.rsplit('/', 1)
     found = roslib.packages.find_node('rosbag', 'record')
     if not found:
         raise OSError('rosbag has no program to record with: install it (on Debian python3-rosbag)')
     # The signal is for the case that the recorder is killed: nobody else would then end rosbag.
     return ['setpriv', '--pdeathsig', 'INT', '--', found[0],
             '--quiet', '--split', '--size=%d' % part_size(limit), '--max-splits=%d' % PARTS, '--repeat-latched', '--lz4',
-            '--chunksize=256', '--buffsize=64', '--min-space=%dM' % min_space, '-O', bag, *topics, '__name:=' + name]
+            '--chunksize=256', '--buffsize=64', '--min-space=%dM' % min_space, '-O', bag, *topics, '__ns:=%s/' % namespace,
+            '__name:=' + name]
 
 
 def free_on_the_disk_of(folder):
@@ -45,15 +46,14 @@ def start_in_a_session_of_its_own(command):
 
 class BagWriter:
     """Runs rosbag while there is room. rosbag ends when the disk is full; then it is started again once a whole part fits, and
-    writes a further stretch of the run."""
+    writes a further stretch of the run. `node` is the name that rosbag has as a node."""
 
-    def __init__(self, topics, run, limit, min_space, name, free=free_on_the_disk_of, start=start_in_a_session_of_its_own,
+    def __init__(self, topics, run, limit, min_space, node, free=free_on_the_disk_of, start=start_in_a_session_of_its_own,
                  clock=time.monotonic):
         self.run, self.limit, self.min_space = run, limit, min_space
         self.free, self.start, self.clock = free, start, clock
-        self.command = lambda bag: command_of(topics, bag, limit, min_space, name)
-        resolved = rosgraph.names.resolve_name(name, rosgraph.names.get_ros_namespace())
-        self.new_registration = lambda: Registration(resolved, subscriptions=topics)
+        self.command = lambda bag: command_of(topics, bag, limit, min_space, node)
+        self.new_registration = lambda: Registration(node, subscriptions=topics)
         self.registration, self.process = None, None
         self.stretch = 0  # the one that is written, or was written last
         self.started = -PAUSE

@@ -17,6 +17,7 @@ class FakeRosbag:
     """A process that ends when the test says so, with this exit code."""
 
     def __init__(self, command):
+        self.words = command
         self.bag = command[command.index('-O') + 1]
         self.returncode = None
 
@@ -31,7 +32,7 @@ class Writing(FolderCase):
         self.writer = self.begin()
 
     def begin(self):
-        return bag_writer.BagWriter(['/scan'], self.folder, LIMIT, MIN_SPACE, 'rosbag_of_a_test', free=self.free_bytes,
+        return bag_writer.BagWriter(['/scan'], self.folder, LIMIT, MIN_SPACE, '/robot1/run_recorder_rosbag', free=self.free_bytes,
                                     start=self.start, clock=lambda: self.now)
 
     def free_bytes(self, _):
@@ -48,6 +49,9 @@ class Writing(FolderCase):
     def fill(self, name, megabytes):
         with open(self.touch(name), 'w') as file:
             file.truncate(megabytes * bag_writer.MEGA)
+
+    def test_rosbag_is_a_node_in_the_namespace_of_its_recorder_and_not_in_that_of_the_environment(self):
+        self.assertEqual(self.started[0].words[-2:], ['__ns:=/robot1/', '__name:=run_recorder_rosbag'])
 
     def test_a_record_that_ended_because_the_disk_was_full_goes_on_once_a_whole_part_fits(self):
         self.free = 90
@@ -114,7 +118,7 @@ class Starting(FolderCase):
     def test_a_program_that_cannot_be_started_is_a_problem_and_tried_again(self):
         def refuse(_):
             raise OSError('no setpriv')
-        writer = bag_writer.BagWriter(['/scan'], self.folder, LIMIT, MIN_SPACE, 'x', start=refuse, free=lambda _: 1e12)
+        writer = bag_writer.BagWriter(['/scan'], self.folder, LIMIT, MIN_SPACE, '/x', start=refuse, free=lambda _: 1e12)
         self.assertIn('no setpriv', writer.problem())
         writer.start, writer.clock = FakeRosbag, lambda: 1e9
         self.assertEqual(writer.problem(), '')
