@@ -54,9 +54,10 @@ class Phases:
         """The robot drives to explore; a map that is explored already is begun anew."""
         services.explore(True)
         if self._watch.done() or not self._on_the_way(8.0):
+            before = self._watch.known
             services.call('mapper/reset', Trigger)
             services.call('frontier_explorer/reset', Trigger)
-            return self._on_the_way(seconds) and self._sees_the_new_map()
+            return self._on_the_way(seconds) and self._sees_the_new_map(before)
         return True
 
     def patrol(self):
@@ -82,10 +83,10 @@ class Phases:
         self.explore(8.0)
         services.explore(False)
 
-    def _sees_the_new_map(self):
-        """The next map may still be one of before the reset."""
+    def _sees_the_new_map(self, before):
+        """A map with less in it, or the second one: the next one may still be of before the reset, and they come seldom."""
         maps = self._watch.maps
-        return wait_until(lambda: self._watch.maps >= maps + 2, 10.0)
+        return wait_until(lambda: self._watch.known < before or self._watch.maps >= maps + 2, 20.0)
 
     def _on_the_way(self, seconds):
         """Whether the base moves within so many seconds, and not only for a moment."""
