@@ -1,5 +1,6 @@
 #include "ros/common/help/usages.h"
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/BackUpAction.h>
 #include <frontier_pilot/DriveOnHeadingAction.h>
 #include <frontier_pilot/SpinAction.h>
@@ -22,7 +23,8 @@ NodeUsage behaviorServerUsage() {
       "Spins, backs up, drives straight ahead and waits, each as an action; stops before it touches what the scan\n"
       "shows.";
   usage.reads = {port<sensor_msgs::LaserScan>(names::kScan), port<std_msgs::Bool>(names::kEmergencyStopState),
-                 port<tf2_msgs::TFMessage>(names::kTf), port<tf2_msgs::TFMessage>(names::kTfStatic)};
+                 port<ArbiterStatus>(names::kArbiterStatus), port<tf2_msgs::TFMessage>(names::kTf),
+                 port<tf2_msgs::TFMessage>(names::kTfStatic)};
   usage.publishes = {port<geometry_msgs::Twist>(names::kCmdVelBehavior),
                      port<geometry_msgs::PolygonStamped>(names::kFootprint)};
   usage.actions = {port<SpinAction>(names::kSpin), port<BackUpAction>(names::kBackUp),

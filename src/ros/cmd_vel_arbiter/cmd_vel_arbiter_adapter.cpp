@@ -1,7 +1,6 @@
 #include "ros/cmd_vel_arbiter/cmd_vel_arbiter_adapter.h"
 
 #include <ros/console.h>
-#include <ros/this_node.h>
 
 #include "ros/cmd_vel_arbiter/free_descriptors.h"
 #include "ros/cmd_vel_arbiter/source_topics.h"
@@ -32,7 +31,7 @@ CmdVelArbiterAdapter::CmdVelArbiterAdapter(ros::NodeHandle& node, ros::NodeHandl
               SessionMemory::Owner::kService, spareFolder()),
       status_(takeItsPlace(node_)),
       cmd_vel_(node_.advertise<geometry_msgs::Twist>(names::kCmdVel, 1)),
-      stop_state_(node_.advertise<std_msgs::Bool>(names::kEmergencyStopState, 1, true)),
+      stop_state_(advertiseStopState()),
       diagnostics_(node, private_node),
       connections_(node, kMasterPeriod) {
   hold_ups_.isCatchingUp(steadyNow());  // a start that takes long is a hold-up: what came meanwhile is old
@@ -97,7 +96,7 @@ void CmdVelArbiterAdapter::handleCommand(std::size_t source, const geometry_msgs
 }
 
 void CmdVelArbiterAdapter::tick() {
-  listenAfterHoldUp();
+  listenBeforeClears();
   endListening();
   publish(arbiter_.setUnreachable(whyNoCallerCanConnect(), instantNow()));
   publish(arbiter_.tick(instantNow()));
@@ -108,6 +107,7 @@ void CmdVelArbiterAdapter::tick() {
 void CmdVelArbiterAdapter::takeMasterReport() {
   if (auto report = connections_.master().take()) {
     around_.publishers = std::move(report->publishers);
+    stop_listeners_.list(nodesOf(report->subscribers, around_.emergency_stop_state));
     around_.rivals.swap(report->rivals);
     if (!around_.rivals.empty() || !report->rivals.empty()) takeOverStop();  // before it drives after a rival's end
     publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));
@@ -127,12 +127,6 @@ void CmdVelArbiterAdapter::handleStopState(const ros::MessageEvent<const std_msg
 
 void CmdVelArbiterAdapter::publish(const std::optional<Twist2>& twist) {
   if (twist) cmd_vel_.publish(toTwistMsg(*twist));
-}
-
-void CmdVelArbiterAdapter::publishStopState() {
-  std_msgs::Bool state;
-  state.data = static_cast<std::uint8_t>(arbiter_.stopped());
-  stop_state_.publish(state);
 }
 
 void CmdVelArbiterAdapter::publishStatus(bool always) {

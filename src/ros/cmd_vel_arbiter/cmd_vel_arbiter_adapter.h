@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/Twist.h>
 #include <ros/node_handle.h>
+#include <ros/this_node.h>
 #include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -15,6 +16,7 @@
 #include "ros/cmd_vel_arbiter/arbiter_report.h"
 #include "ros/cmd_vel_arbiter/arrival_queue.h"
 #include "ros/cmd_vel_arbiter/fleet_stop_watch.h"
+#include "ros/cmd_vel_arbiter/stop_listeners.h"
 #include "ros/common/diagnostics.h"
 #include "ros/common/hold_up_watch.h"
 #include "ros/common/master/ros_sessions.h"
@@ -50,6 +52,7 @@ class CmdVelArbiterAdapter {
   /// of them agree which was first. All others throw std::runtime_error here, before they offer a service or could be
   /// taken for a rival. [ARB-12]
   static ros::Publisher takeItsPlace(ros::NodeHandle& node);
+  ros::Publisher advertiseStopState();
   void restoreStop();
   /// Stores a latched stop for the next arbiter of this namespace, or removes the stored one once it is cleared.
   void keepStop();
@@ -63,10 +66,10 @@ class CmdVelArbiterAdapter {
   void restoreSwitch(std::size_t source);
   void addServices();
   void addStopServices();
-  /// Lets calls of `set_emergency_stop` wait while the arbiter cannot tell which sources command motion.
-  void listenAfterHoldUp();
-  /// Ends the listening phase of an arbiter that started stopped or was held up, and serves the calls that have waited
-  /// for it.
+  /// Lets calls of `set_emergency_stop` wait while the arbiter cannot tell which sources command motion, or which nodes
+  /// know of the stop.
+  void listenBeforeClears();
+  /// Ends the listening phase of an arbiter that is new or was held up, and serves the calls that have waited for it.
   void endListening();
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
@@ -88,7 +91,9 @@ class CmdVelArbiterAdapter {
   SessionMemory memory_;
   ArbiterConnections around_;
   std::vector<Rejections> rejections_;
-  ArrivalQueue calls_, clears_{[this] { listenAfterHoldUp(); }};
+  ArrivalQueue calls_, clears_{[this] { listenBeforeClears(); }};
+  const SteadyTime begun_ = steadyNow();
+  StopListeners stop_listeners_{ros::this_node::getName(), begun_};
   ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: see takeItsPlace()
   PublishFlush flush_;
   FleetStopWatch fleet_{arbiter_.parameters().fleet_stop_status};

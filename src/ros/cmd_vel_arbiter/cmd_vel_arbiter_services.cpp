@@ -40,11 +40,6 @@ void CmdVelArbiterAdapter::addStopServices() {
   set.callback_queue = &clears_;
   connections_.serve(set);
   fleet_.listen(connections_, node_.resolveName(names::kEmergencyStop));
-  if (!arbiter_.stopped()) return;
-  // An arbiter that starts stopped does not know yet which sources command motion. A call that may clear the stop waits
-  // until the arbiter has listened to the sources for as long as they have to be quiet before a clear. [ARB-8]
-  clears_.hold();
-  listening_until_ = steadyNow() + fromSeconds(arbiter_.parameters().clear_quiet_time) + kConnectTime;
 }
 
 void CmdVelArbiterAdapter::addServices() {
@@ -54,19 +49,39 @@ void CmdVelArbiterAdapter::addServices() {
   });
 }
 
-/// What the sources have sent while this process was held up is not counted. [ARB-8] [FLT-2]
-void CmdVelArbiterAdapter::listenAfterHoldUp() {
+/// A new arbiter, or one that was held up, does not know yet which sources command motion. A call that may clear the
+/// stop waits until it has listened to them for as long as they have to be quiet before a clear, and until the nodes
+/// that follow the stop are connected to a new one. [ARB-8] [FLT-2]
+void CmdVelArbiterAdapter::listenBeforeClears() {
+  if (!arbiter_.stopped()) return;
   const SteadyTime now = steadyNow();
-  if (!hold_ups_.isCatchingUp(now) || !arbiter_.stopped()) return;
+  const SteadyTime hears_all = std::max(begun_ + kConnectTime, hold_ups_.isCatchingUp(now) ? now : begun_);
+  const SteadyTime until = hears_all + fromSeconds(arbiter_.parameters().clear_quiet_time);
+  if (now >= until && !stop_listeners_.areAwaited(now)) return;
   clears_.hold();
-  const SteadyTime quiet = now + fromSeconds(arbiter_.parameters().clear_quiet_time);
-  listening_until_ = std::max(listening_until_.value_or(quiet), quiet);
+  listening_until_ = std::max(listening_until_.value_or(until), until);
 }
 
 void CmdVelArbiterAdapter::endListening() {
-  if (!listening_until_ || steadyNow() < *listening_until_) return;
+  const SteadyTime now = steadyNow();
+  if (!listening_until_ || now < *listening_until_ || stop_listeners_.areAwaited(now)) return;
   listening_until_.reset();
   clears_.release();
+}
+
+/// The queue holds a stop and its clear: one that has not been sent yet is not replaced by the other.
+ros::Publisher CmdVelArbiterAdapter::advertiseStopState() {
+  return node_.advertise<std_msgs::Bool>(
+      names::kEmergencyStopState, 10,
+      [this](const ros::SingleSubscriberPublisher& to) { stop_listeners_.connect(to.getSubscriberName()); },
+      [this](const ros::SingleSubscriberPublisher& to) { stop_listeners_.disconnect(to.getSubscriberName()); },
+      ros::VoidConstPtr(), true);
+}
+
+void CmdVelArbiterAdapter::publishStopState() {
+  std_msgs::Bool state;
+  state.data = static_cast<std::uint8_t>(arbiter_.stopped());
+  stop_state_.publish(state);
 }
 
 bool CmdVelArbiterAdapter::handleEnable(std::size_t source, std_srvs::SetBool::Request& request,

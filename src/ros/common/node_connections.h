@@ -1,5 +1,6 @@
 #pragma once
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <sensor_msgs/LaserScan.h>
@@ -163,6 +164,9 @@ class NodeConnections {
           follower->take(msg.data != 0, clock_.holdUps());
         },
         ros::TransportHints().tcpNoDelay());
+    subscribe<ArbiterStatus>(names::kArbiterStatus, 1, [follower](const ArbiterStatus& msg) {
+      follower->count(msg.stops, msg.emergency_stop != 0);
+    });
     everySteady(ros::WallDuration(0.05), [this, follower, topic = state.getTopic()] {
       clock_.now();
       follower->tick(master_.connectedPublishersOf(topic), clock_.holdUps(), clock_.isCatchingUp());

@@ -1,5 +1,6 @@
 #include "ros/common/help/usages.h"
 
+#include <frontier_pilot/ArbiterStatus.h>
 #include <frontier_pilot/FollowWaypointsAction.h>
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseStamped.h>
@@ -19,7 +20,7 @@ NodeUsage waypointFollowerUsage() {
       "Drives through waypoints in their order, each a goal of move_base: those of an action, or those that were\n"
       "collected one by one, as rviz publishes them.";
   usage.reads = {port<geometry_msgs::PoseStamped>(names::kAddWaypoint),
-                 port<std_msgs::Bool>(names::kEmergencyStopState)};
+                 port<std_msgs::Bool>(names::kEmergencyStopState), port<ArbiterStatus>(names::kArbiterStatus)};
   usage.publishes = {port<geometry_msgs::PoseArray>(names::kWaypoints)};
   usage.services = {servicePort<std_srvs::Trigger>(names::kStartWaypoints),
                     servicePort<std_srvs::Trigger>(names::kClearWaypoints)};

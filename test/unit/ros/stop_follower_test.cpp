@@ -135,5 +135,50 @@ TEST_F(StopFollowerOfAServer, InventsNoStopWhenAnArbiterIsReplacedOrThereWasNone
   EXPECT_EQ(told, "cc");
 }
 
+// [ARB-8] [FLT-2] A node that is connected to the next arbiter only after both, without having been held up.
+TEST_F(StopFollowerOfAServer, IsToldOfAStopThatOnlyTheCountOfTheNextArbiterTellsOf_ARB_8_FLT_2) {
+  take(false);
+  follower.count(3, false);
+  living = publishers = {"http://arbiter:2"};
+  take(false);
+  tick();
+  EXPECT_EQ(told, "cc");
+  follower.count(4, false);
+  EXPECT_EQ(told, "ccSc");
+  follower.count(4, false);
+  EXPECT_EQ(told, "ccSc") << "once";
+  follower.count(5, true);
+  EXPECT_EQ(told, "ccScS") << "its clear is still to come";
+  take(true);
+  take(false);
+  EXPECT_EQ(told, "ccScSSSc");
+}
+
+// [FLT-2] The count of a stop that was heard comes later, with a status.
+TEST_F(StopFollowerOfAServer, IsNotToldOnceMoreOfAStopThatItHasHeardByItsCount_FLT_2) {
+  follower.count(3, false);
+  take(true);
+  follower.count(4, true);
+  take(false);
+  follower.count(4, false);
+  take(true);
+  take(false);
+  follower.count(5, false);
+  EXPECT_EQ(told, "SScSSc");
+  follower.count(6, false);
+  EXPECT_EQ(told, "SScSScSc") << "this one it has not heard";
+}
+
+// [FLT-2]
+TEST_F(StopFollowerOfAServer, TakesACountThatBeginsAnewForNoStopUnlessThereAreAnyInIt_FLT_2) {
+  follower.count(3, false);
+  follower.count(0, false);
+  EXPECT_EQ(told, "");
+  follower.count(3, false);
+  told.clear();
+  follower.count(1, false);
+  EXPECT_EQ(told, "Sc");
+}
+
 }  // namespace
 }  // namespace frontier_pilot

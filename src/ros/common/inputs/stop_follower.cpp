@@ -5,10 +5,23 @@ namespace frontier_pilot {
 void StopFollower::take(bool stopped, int hold_ups) {
   noticeHoldUp(hold_ups);
   clear_waits_ = !stopped && (stopped_ || clear_waits_) && !caught_up_;
+  told_ = told_ || stopped;
   if (clear_waits_) return;
   if (stopped_ && !stopped) tell_(true);  // for a goal that came while the server's clock was not trusted
   stopped_ = stopped;
   tell_(stopped);
+}
+
+/// An arbiter that counts anew, because what it kept is lost, may have been asked for any stop that it has counted.
+void StopFollower::count(std::uint64_t stops, bool stopped) {
+  const bool more = counted_ && (stops > *counted_ || (stops < *counted_ && stops > 0));
+  const bool missed = more && !told_ && !stopped_ && !clear_waits_;
+  if (stops != counted_ || !stopped) told_ = false;
+  counted_ = stops;
+  if (!missed) return;
+  stopped_ = stopped;
+  tell_(true);
+  if (!stopped) tell_(false);
 }
 
 void StopFollower::tick(const Uris& publishers, int hold_ups, bool catching_up) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,7 +13,8 @@ namespace frontier_pilot {
 /// HoldUpWatch) may have missed something: a goal of that time may be read after both the stop and its clear, and an
 /// arbiter that died meanwhile takes along what the node has not read yet. So the stop is told once more before each
 /// clear, a clear that is read while the node is catching up waits until it has caught up, and if no arbiter of the
-/// time before the hold-up lives any more, there may have been a stop. [FLT-2]
+/// time before the hold-up lives any more, there may have been a stop. A node that connects to a new arbiter only after
+/// a stop and its clear knows of them by the arbiter's count. [ARB-8] [FLT-2]
 class StopFollower {
  public:
   using Uris = std::set<std::string>;
@@ -23,6 +26,8 @@ class StopFollower {
 
   /// A message. `hold_ups` counts those of this process.
   void take(bool stopped, int hold_ups);
+  /// How many stops the arbiter has counted, in a status, and whether the robot was `stopped` then.
+  void count(std::uint64_t stops, bool stopped);
   /// To be called often; `publishers` are the addresses of those from whom messages come, as of the last look, and the
   /// process is `catching_up` for a while after each hold-up.
   void tick(const Uris& publishers, int hold_ups, bool catching_up);
@@ -33,6 +38,8 @@ class StopFollower {
   std::function<void(bool)> tell_;
   std::function<bool(const Uris&)> any_lives_;
   bool stopped_ = false, clear_waits_ = false;
+  std::optional<std::uint64_t> counted_;
+  bool told_ = false;  ///< of a stop that may not have been counted yet
   int hold_ups_ = 0;
   bool caught_up_ = true;  ///< whether there was a tick since the last hold-up that did not catch up any more
   Uris publishers_;        ///< before the last hold-up; those that were heard last if there was none then

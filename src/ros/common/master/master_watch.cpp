@@ -142,6 +142,7 @@ void MasterWatch::look() {
     publishers_ = state->publishers;
   }
   report.publishers = std::move(state->publishers);
+  report.subscribers = std::move(state->subscribers);
   report_.put(std::move(report));
 }
 

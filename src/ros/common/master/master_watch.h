@@ -30,7 +30,8 @@ namespace frontier_pilot {
 
 /// What a look at the master has found out about other nodes.
 struct MasterReport {
-  NodesByName publishers;  ///< by topic, of all topics
+  NodesByName publishers;   ///< by topic, of all topics
+  NodesByName subscribers;  ///< the same
   std::map<std::string, std::string>
       rivals;  ///< by service or topic that belongs to this node alone: another living node that has it as well
 };

@@ -1,0 +1,23 @@
+#include "ros/cmd_vel_arbiter/stop_listeners.h"
+
+#include <algorithm>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr Duration kConnectPatience = std::chrono::seconds(3);
+
+}  // namespace
+
+void StopListeners::disconnect(const std::string& node) {
+  if (const auto one = connected_.find(node); one != connected_.end()) connected_.erase(one);
+}
+
+bool StopListeners::areAwaited(SteadyTime now) const {
+  if (now - begun_ >= kConnectPatience) return false;
+  return !listed_ || !std::all_of(listed_->begin(), listed_->end(), [this](const std::string& node) {
+    return node == self_ || connected_.count(node) > 0;
+  });
+}
+
+}  // namespace frontier_pilot

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "frontier_pilot/core/time.h"
+
+namespace frontier_pilot {
+
+/// Whether the nodes that follow the emergency stop can know of one yet. To an arbiter that has just started they
+/// connect one after the other, and who connects only after a clear has never heard of the stop: its goal goes on.
+/// Those are the nodes that the master lists as subscribers; a dead one, which it lists as well, is waited for in vain,
+/// so not for long. [ARB-8] [FLT-2]
+class StopListeners {
+ public:
+  StopListeners(std::string self, SteadyTime begun) : self_(std::move(self)), begun_(begun) {}
+
+  void connect(const std::string& node) { connected_.insert(node); }
+  void disconnect(const std::string& node);
+  /// The subscribers in the latest list of the master.
+  void list(std::vector<std::string> nodes) { listed_ = std::move(nodes); }
+
+  /// Whether one of them may still be about to connect.
+  bool areAwaited(SteadyTime now) const;
+
+ private:
+  std::string self_;
+  SteadyTime begun_;
+  std::multiset<std::string> connected_;  ///< a node may connect again before its old connection has ended
+  std::optional<std::vector<std::string>> listed_;
+};
+
+}  // namespace frontier_pilot
