@@ -56,6 +56,7 @@ class BagWriter:
         self.new_registration = lambda: Registration(node, subscriptions=topics)
         self.registration, self.process = None, None
         self.stretch = 0  # the one that is written, or was written last
+        self.looks_without = None  # in a row, since its open bag was first seen
         self.started = -PAUSE
         self.room = min_space  # that has to be free before rosbag is started [MB]
         self.why_ended = ''
@@ -67,7 +68,7 @@ class BagWriter:
             return self._begin()
         code = self.process.poll()
         if code is None:
-            return self._keep_to_the_limit()
+            return self._replace_a_lost_bag() or self._keep_to_the_limit()
         if code == 0:  # by rosnode kill for example
             return 'somebody has ended rosbag: nothing is recorded any more'
         self.process, self.registration = None, None
@@ -87,6 +88,7 @@ class BagWriter:
             self.why_ended = 'rosbag cannot be started, so nothing is recorded: %s' % error
             return self.why_ended
         self.stretch += 1
+        self.looks_without = None
         self.registration = self.new_registration()
         return ''
 
@@ -99,6 +101,24 @@ class BagWriter:
             return 'the folder of the record is gone: %s' % error
         return 'the disk of %s is full: less than %d MB are free (min_space is %d MB), so nothing is recorded until there is room' \
             % (self.run, self.room, self.min_space)
+
+    def _replace_a_lost_bag(self):
+        """rosbag goes on writing to a file that somebody has removed. It is ended then, and a further stretch begins. (Between two
+        parts there is none for a moment.)"""
+        try:
+            if any(part.endswith('.active') and stretch_of(part) == self.stretch for part in parts_of(self.run)):
+                self.looks_without = 0
+        except OSError as error:
+            return 'the folder of the record is gone: %s' % error
+        if self.looks_without is None:
+            return ''
+        self.looks_without += 1
+        if self.looks_without <= 2:
+            return ''
+        self.end()
+        self.process, self.registration = None, None
+        self.why_ended = 'somebody has removed the bag that was being written: its messages are lost, and another one begins'
+        return self.why_ended
 
     def _keep_to_the_limit(self):
         """Removes the oldest parts of earlier stretches, because rosbag knows only those that it has written itself. Returns what

@@ -24,6 +24,12 @@ class FakeRosbag:
     def poll(self):
         return self.returncode
 
+    def send_signal(self, _):
+        self.returncode = 0
+
+    def wait(self, _):
+        pass
+
 
 class Writing(FolderCase):
     def setUp(self):
@@ -108,6 +114,22 @@ class Writing(FolderCase):
         self.assertEqual([os.path.basename(part) for part in runs.parts_of(self.folder)],
                          ['run_1.bag', 'run_2.bag', 'run_3.bag', 'run_2_0.bag', 'run_2_1.bag.active'])
         self.assertLessEqual(self.writer.size(), LIMIT * bag_writer.MEGA)
+
+    def test_a_bag_that_somebody_removes_while_it_is_written_is_replaced_by_another_one(self):
+        self.assertEqual(self.writer.problem(), '', 'rosbag has not opened it yet')
+        self.fill('run_0.bag.active', 1)
+        self.assertEqual(self.writer.problem(), '')
+        os.rename(self.path('run_0.bag.active'), self.path('run_0.bag'))
+        self.assertEqual(self.writer.problem(), '', 'the next part is about to be opened')
+        self.fill('run_1.bag.active', 1)
+        self.assertEqual(self.writer.problem(), '')
+        os.remove(self.path('run_1.bag.active'))
+        said = {self.writer.problem() for _ in range(3)}
+        self.assertTrue(any('somebody has removed the bag' in words for words in said), said)
+        self.assertEqual(self.started[0].poll(), 0, 'it was not ended')
+        self.now += 1000.0
+        self.assertEqual(self.writer.problem(), '')
+        self.assertIn('run_2', self.started[1].bag)
 
     def test_a_folder_that_is_gone_is_named_while_rosbag_runs(self):
         self.writer.run = self.path('nowhere')
