@@ -15,7 +15,6 @@
 #include <mutex>
 #include <utility>
 
-#include "ros/common/clock.h"
 #include "ros/common/names.h"
 #include "ros/gui_window.h"
 
@@ -26,13 +25,15 @@ class Robot {
  public:
   Robot() {
     commands_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVel, 50, [this](const auto& msg) {
-      if (command != msg->linear.x) changed_ = steadyNow();
       command = msg->linear.x;
       ++command_count;
     });
     manual_ = node_.subscribe<geometry_msgs::Twist>(names::kCmdVelManual, 50, [this](const auto& msg) {
       manual_command = msg->linear.x;
       ++manual_count;
+    });
+    status_ = node_.subscribe<ArbiterStatus>(names::kArbiterStatus, 50, [this](const auto& msg) {
+      if (msg->active_source == "manual" && msg->summary.find("holds") != std::string::npos) manual_held = true;
     });
     odometry_ = node_.subscribe<nav_msgs::Odometry>(names::kOdom, 50, [this](const auto& msg) {
       speed = msg->twist.twist.linear.x;
@@ -41,17 +42,15 @@ class Robot {
     });
   }
   bool turns() const { return std::abs(turn_rate) > 0.3; }
-  /// When another command came than the one before.
-  SteadyTime changed() const { return changed_; }
   bool stands() const { return std::abs(turn_rate) < 1e-6 && std::abs(speed) < 1e-6; }
 
   std::atomic<double> command{0.0}, speed{0.0}, turn_rate{0.0}, yaw{0.0}, manual_command{0.0};
   std::atomic<int> command_count{0}, manual_count{0};
+  std::atomic<bool> manual_held{false};  ///< whether the arbiter has forwarded a zero of the window's
 
  private:
-  std::atomic<SteadyTime> changed_{SteadyTime{}};
   ros::NodeHandle node_;
-  ros::Subscriber commands_, manual_, odometry_;
+  ros::Subscriber commands_, manual_, status_, odometry_;
 };
 
 /// What answers the calls of a switch.

@@ -107,7 +107,7 @@ void CmdVelArbiterAdapter::tick() {
 void CmdVelArbiterAdapter::takeMasterReport() {
   if (auto report = connections_.master().take()) {
     around_.publishers = std::move(report->publishers);
-    stop_listeners_.list(nodesOf(report->subscribers, around_.emergency_stop_state));
+    if (report->listeners) listListeners(std::move(*report->listeners));
     around_.rivals.swap(report->rivals);
     if (!around_.rivals.empty() || !report->rivals.empty()) takeOverStop();  // before it drives after a rival's end
     publish(arbiter_.contest(around_.rivals.empty() ? "" : around_.rivals.begin()->second, instantNow()));

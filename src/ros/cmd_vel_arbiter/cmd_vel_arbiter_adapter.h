@@ -71,6 +71,7 @@ class CmdVelArbiterAdapter {
   void listenBeforeClears();
   /// Ends the listening phase of an arbiter that is new or was held up, and serves the calls that have waited for it.
   void endListening();
+  void listListeners(std::vector<std::string> nodes);
   void handleCommand(std::size_t source, const geometry_msgs::Twist& msg);
   bool handleEnable(std::size_t source, std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool handleSetStop(SetBoolCall& call);

@@ -40,6 +40,7 @@ void CmdVelArbiterAdapter::addStopServices() {
   set.callback_queue = &clears_;
   connections_.serve(set);
   fleet_.listen(connections_, node_.resolveName(names::kEmergencyStop));
+  connections_.master().watchListeners(around_.emergency_stop_state);
 }
 
 void CmdVelArbiterAdapter::addServices() {
@@ -53,10 +54,11 @@ void CmdVelArbiterAdapter::addServices() {
 /// stop waits until it has listened to them for as long as they have to be quiet before a clear, and until the nodes
 /// that follow the stop are connected to a new one. [ARB-8] [FLT-2]
 void CmdVelArbiterAdapter::listenBeforeClears() {
-  if (!arbiter_.stopped()) return;
   const SteadyTime now = steadyNow();
-  const SteadyTime hears_all = std::max(begun_ + kConnectTime, hold_ups_.isCatchingUp(now) ? now : begun_);
-  const SteadyTime until = hears_all + fromSeconds(arbiter_.parameters().clear_quiet_time);
+  const SteadyTime held_up = hold_ups_.isCatchingUp(now) ? now : begun_;  // to be asked in each tick
+  if (!arbiter_.stopped()) return;
+  const SteadyTime until =
+      std::max(begun_ + kConnectTime, held_up) + fromSeconds(arbiter_.parameters().clear_quiet_time);
   if (now >= until && !stop_listeners_.areAwaited(now)) return;
   clears_.hold();
   listening_until_ = std::max(listening_until_.value_or(until), until);
@@ -67,6 +69,11 @@ void CmdVelArbiterAdapter::endListening() {
   if (!listening_until_ || now < *listening_until_ || stop_listeners_.areAwaited(now)) return;
   listening_until_.reset();
   clears_.release();
+}
+
+void CmdVelArbiterAdapter::listListeners(std::vector<std::string> nodes) {
+  stop_listeners_.list(std::move(nodes));
+  if (!stop_listeners_.mayBeAwaited(steadyNow())) connections_.master().watchListeners("");
 }
 
 /// The queue holds a stop and its clear: one that has not been sent yet is not replaced by the other.

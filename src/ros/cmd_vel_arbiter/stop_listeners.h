@@ -19,11 +19,13 @@ class StopListeners {
 
   void connect(const std::string& node) { connected_.insert(node); }
   void disconnect(const std::string& node);
-  /// The subscribers in the latest list of the master.
+  /// The living subscribers of the latest look at the master.
   void list(std::vector<std::string> nodes) { listed_ = std::move(nodes); }
 
   /// Whether one of them may still be about to connect.
   bool areAwaited(SteadyTime now) const;
+  /// False once that is over, whoever is connected.
+  bool mayBeAwaited(SteadyTime now) const;
 
  private:
   std::string self_;

@@ -78,6 +78,11 @@ void MasterWatch::claimTopics(const std::vector<std::string>& topics) {
   claims_.topics.push_back(topics);
 }
 
+void MasterWatch::watchListeners(const std::string& topic) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  listened_ = topic;
+}
+
 MasterWatch::Claims MasterWatch::claims() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return claims_;
@@ -128,6 +133,7 @@ void MasterWatch::look() {
   lookAtTopics(*state);
   lookAtAnAddress(*state);
   findTakers(report.rivals);
+  report.listeners = findListeners(*state);
   sayWhatWasRenewed();
   session_.tell();
   setRivals(report.rivals);
@@ -142,7 +148,6 @@ void MasterWatch::look() {
     publishers_ = state->publishers;
   }
   report.publishers = std::move(state->publishers);
-  report.subscribers = std::move(state->subscribers);
   report_.put(std::move(report));
 }
 
@@ -159,6 +164,16 @@ std::map<std::string, std::string> MasterWatch::findRivals(const MasterState& st
     if (!other.empty()) rivals[topics.front()] = other;
   }
   return rivals;
+}
+
+std::optional<std::vector<std::string>> MasterWatch::findListeners(const MasterState& state) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (listened_.empty()) return std::nullopt;
+  std::vector<std::string> nodes = nodesOf(state.subscribers, listened_);
+  lock.unlock();
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), [](const auto& node) { return !nodeLives(node); }),
+              nodes.end());
+  return nodes;
 }
 
 void MasterWatch::lookAtTopics(const MasterState& state) {

@@ -30,8 +30,8 @@ namespace frontier_pilot {
 
 /// What a look at the master has found out about other nodes.
 struct MasterReport {
-  NodesByName publishers;   ///< by topic, of all topics
-  NodesByName subscribers;  ///< the same
+  NodesByName publishers;                             ///< by topic, of all topics
+  std::optional<std::vector<std::string>> listeners;  ///< the living subscribers of the topic of `watchListeners`
   std::map<std::string, std::string>
       rivals;  ///< by service or topic that belongs to this node alone: another living node that has it as well
 };
@@ -77,6 +77,8 @@ class MasterWatch {
   /// False if none of the processes existed any more, at the last look, from which this node receives the watched
   /// `topic`: they were killed, and roscpp still counts them as publishers.
   bool mayBePublished(const std::string& topic) const { return watched_.mayBePublished(topic); }
+  /// Each look is also to find out which subscribers of `topic`, a resolved name, live. Empty: of none any more.
+  void watchListeners(const std::string& topic);
   /// The topics of the last look that listed them; empty before.
   std::vector<robot_check::Topic> topics() const;
   /// ERROR while another node has a service or topic that belongs to this one alone, and for ten seconds after
@@ -96,6 +98,7 @@ class MasterWatch {
 
   Claims claims() const;
   std::map<std::string, std::string> findRivals(const MasterState& state) const;
+  std::optional<std::vector<std::string>> findListeners(const MasterState& state) const;
   void lookAtTopics(const MasterState& state);
   void lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals);
   /// Checks the address that the master has for one service: it may list this node's name with the address of another
@@ -118,7 +121,7 @@ class MasterWatch {
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
   SessionNews session_;
-  mutable std::mutex mutex_;  ///< guards the eight that follow
+  mutable std::mutex mutex_;  ///< guards the nine that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
@@ -126,6 +129,7 @@ class MasterWatch {
   std::vector<robot_check::Topic> topics_;
   UrisByTopic connected_;  ///< publishers from which this node receives
   NodesByName publishers_;
+  std::string listened_;  ///< the topic whose subscribers are looked at
   std::map<std::string, XmlRpc::XmlRpcValue> new_parameters_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow
   std::map<std::string, std::string> rivals_;
