@@ -87,10 +87,16 @@ class BagFiles:
             self.notes.append('%s was not closed, because the recorder was killed or the computer switched off, or it is damaged: '
                               'some of it may be missing' % name)
         copy = os.path.join(self.closer.enter_context(tempfile.TemporaryDirectory()), 'copy.bag')
-        shutil.copyfile(path, copy)
-        with rosbag.Bag(copy, 'a', allow_unindexed=True) as broken:
-            for _ in broken.reindex():
-                pass
+        try:
+            shutil.copyfile(path, copy)
+            with rosbag.Bag(copy, 'a', allow_unindexed=True) as broken:
+                for _ in broken.reindex():
+                    pass
+        except OSError as error:
+            if not is_of_the_system(error):
+                raise
+            raise ReportError('%s cannot be copied to %s, to be read from there: %s; TMPDIR=FOLDER takes another folder' % (
+                name, os.path.dirname(copy), error.strerror)) from error
         return rosbag.Bag(copy)
 
     def _breaks(self):

@@ -49,7 +49,7 @@ def badge(level):
 
 
 def head_of(run):
-    wall = (run.start_info or {}).get('wall_time') or (run.load.wall[0] if run.load.wall else None)
+    wall = (run.start_info or {}).get('wall_time') or (run.load.wall[0][1] if run.load.wall else None)
     when = datetime.datetime.fromtimestamp(wall).strftime('%d %B %Y, %H:%M') if wall else ''
     return '<header><h1>Report of a run</h1><p class="quiet">%s</p></header>\n' % escape(when.lstrip('0'))
 

@@ -60,6 +60,7 @@ class Run:
         self.notes = []  # about the record itself
         self.begin = self.end = 0.0
         self.start_info, self.end_info = None, None  # of the recorder
+        self.real_seconds = None  # how long it took in real time, if that is known
         self.map, self.track = MapImage(), Track()
         self.goals, self.load, self.warnings = Goals(), Load(), Warnings()
         self.explorer = []  # (time, Progress)
@@ -83,12 +84,12 @@ class Run:
         self.begin, self.end = bags.span()
         self._find_frames(bags, names)
         roles = {name: role for role, name in names.items() if role in ROLES}
-        last = self.begin
+        last, gaps = self.begin, []
         for topic, message, time in bags.messages(list(roles)):
             if self.start_info and time - last > SILENCE and not bags.has_a_break(last, time):
-                self.notes.append('Nothing was recorded for %.0f s: the clock was set forward, or the computer was asleep. Durations '
-                                  'over this time are too long.' % (time - last))
+                gaps.append(time - last)
             last = time
+            self.begin, self.end = min(self.begin, time), max(self.end, time)
             try:
                 self._take(roles[topic], time, message)
             except (AttributeError, TypeError, ValueError) as error:  # as of another version of the package
@@ -96,11 +97,31 @@ class Run:
                 if note not in self.notes:
                     self.notes.append(note)
         self.goals.place_all()
+        self._note_clocks(gaps, self._measure_real_time(bags))
         self.notes += bags.notes
         if not self.begins_with_the_start():
             self.notes.append('The record does not go back to the start of the run: %s. The figures of the explorer count from its '
                               'start.' % ('the recorder was started later' if bags.has_the_first_part()
                                           else 'its oldest part was removed to keep within the size allowed'))
+
+    def _measure_real_time(self, bags):
+        """Without the jumps of a computer's clock that was set meanwhile; gives whether there were any."""
+        samples = sorted(self.load.wall, key=lambda sample: sample[1])
+        steps = [(after - before, bags.has_a_break(since, until)) for (since, before), (until, after) in zip(samples, samples[1:])]
+        if steps:
+            self.real_seconds = sum(step for step, is_break in steps if step <= SILENCE or is_break)
+        return any(step > SILENCE and not is_break for step, is_break in steps)
+
+    def _note_clocks(self, gaps, computer_jumped):
+        """`gaps` are the times without a message [s]."""
+        if self.load.set_back:
+            self.notes.append('The clock was set back while this was recorded, or the simulator was started again: what came after it '
+                              'lies over what came before, and durations are wrong.')
+        elif gaps:
+            self.notes += ['Nothing was recorded for %.0f s: the clock was set forward, or the computer was asleep. Durations over '
+                           'this time are too long.' % gap for gap in gaps]
+        elif computer_jumped:
+            self.notes.append("The computer's clock was set while this was recorded, or it was asleep: the real time is without that.")
 
     def _take(self, role, time, message):
         check(message)
@@ -177,9 +198,3 @@ class Run:
     def recoveries(self):
         """The spans (begin, end) in which the navigation recovered."""
         return merged(self.recovery.those(self.end))
-
-    def wall_seconds(self):
-        """How long it took in real time; None if that is not known."""
-        infos = [info['wall_time'] for info in (self.start_info, self.end_info) if info]
-        stamps = infos + self.load.wall
-        return max(stamps) - min(stamps) if len(stamps) > 1 else None

@@ -59,7 +59,7 @@ def goal_counts(run):
 def time_words(run):
     """How long the record is, and how long that took."""
     words = 'was recorded for %s' % duration(run.end - run.begin)
-    wall = run.wall_seconds()
+    wall = run.real_seconds
     if wall and is_simulated(run) and abs(wall - (run.end - run.begin)) > 0.1 * wall:
         words += ' of its own time (%s of real time)' % duration(wall)
     return words

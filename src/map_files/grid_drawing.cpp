@@ -9,12 +9,23 @@ namespace {
 /// How many updates by `step` take a cell's log-odds from 0 to `limit`.
 int timesUntil(float limit, float step) { return static_cast<int>(std::ceil(limit / step)); }
 
+CellRect knownCells(const OccupancyGrid& image) {
+  CellRect known;
+  for (std::size_t k = 0; k < image.size(); ++k) {
+    if (image[k] != kUnknown) known.include(image.geometry().cell(k));
+  }
+  return known;
+}
+
 }  // namespace
 
 bool draw(const OccupancyGrid& image, occupancy::OccupancyMap& map) {
   const GridGeometry& from = image.geometry();
-  // One cell more on each side, because of rounding.
-  if (!map.reserve(from.centre({-1, -1}), from.centre({from.width, from.height}))) return false;
+  // Without what is unknown around it, so that a map does not grow each time that its picture is edited and loaded. One
+  // cell more on each side, because of rounding.
+  const CellRect box = knownCells(image).grown(1);
+  if (!map.reserve(from.centre({box.x, box.y}), from.centre({box.x + box.width - 1, box.y + box.height - 1})))
+    return false;
   // One shift in whole cells for all: converting each centre would round those near a border between cells either way.
   const Vec2 shift = (from.origin - map.geometry().origin) / from.resolution;
   const auto dx = static_cast<int>(std::lround(shift.x()));

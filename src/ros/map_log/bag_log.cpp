@@ -16,6 +16,7 @@
 #include "ros/common/messages/conversions.h"
 #include "ros/common/names.h"
 #include "ros/common/tf/frame_name.h"
+#include "ros/common/tf/tf_listener.h"
 #include "ros/map_log/bag_choice.h"
 #include "ros/map_log/bag_log.h"
 
@@ -62,6 +63,7 @@ class BagReading {
 
  private:
   void takeTransform(const geometry_msgs::TransformStamped& transform, bool is_static) {
+    if (!isInRange(transform.header.stamp)) return reject("transform whose stamp is out of range");
     ++transforms_to_[plain(transform.child_frame_id)];
     // Only the mount of the scanner is needed. It is fixed, even if it is repeated on /tf; transforms of base_footprint
     // itself are not needed.

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Bags that are whole, that were not closed, and that are damaged."""
+import errno
 import os
 import unittest
 from unittest import mock
@@ -61,6 +62,12 @@ class Reading(FolderCase):
                 self.assertGreater(seconds_in(bags), 10)
                 self.assertIn('was not closed', bags.notes[0])
             self.assertEqual(os.path.getsize(path), before)
+
+    def test_a_copy_for_which_there_is_no_room_is_said_with_its_folder(self):
+        full = OSError(errno.ENOSPC, 'No space left on device')
+        with mock.patch('shutil.copyfile', side_effect=full), self.assertRaisesRegex(ReportError, 'cut.bag cannot be copied to .*TMPDIR'):
+            with BagFiles([self.cut(0.6, 'cut.bag')]):
+                pass
 
     def test_a_damaged_bag_is_read_up_to_the_damage(self):
         """[REC-2]"""

@@ -122,6 +122,29 @@ class Reading(FolderCase):
             drawing.time_axis(axes, 1.7e9)
             self.assertLess(len(axes.get_xticks()), 12)
 
+    def notes_with_loads(self, loads):
+        """Those of the run with loads of these (time since its begin, real time, number) more, and how long it took in real time."""
+        path = self.path('run_0.bag')
+        with rosbag.Bag(path, 'a') as bag:
+            for at, wall, number in loads:
+                load = ProcessLoads(wall_time=1.7e9 + wall)
+                load.header.seq = number
+                bag.write('/run_recorder/load', load, rospy.Time.from_sec(synthetic_bag.BEGIN + at))
+        run = Run()
+        with BagFiles([path]) as bags:
+            run.read(bags)
+        return run.notes, run.real_seconds
+
+    def test_a_clock_that_was_set_back_is_told_from_a_time_without_any_message(self):
+        notes, _ = self.notes_with_loads([(61.0, 21.0, 1), (8000.0, 22.0, 2), (63.0, 23.0, 3)])
+        self.assertEqual([note for note in notes if 'clock' in note], [note for note in notes if 'was set back' in note])
+        self.assertEqual(len([note for note in notes if 'was set back' in note]), 1, notes)
+
+    def test_the_real_time_is_without_a_jump_of_the_computers_clock(self):
+        notes, seconds = self.notes_with_loads([(61.0, 21.0, 1), (62.0, 1e9, 2), (63.0, 1e9 + 1.0, 3)])
+        self.assertEqual(round(seconds), 22)
+        self.assertTrue(any("The computer's clock was set" in note for note in notes), notes)
+
     def test_a_time_without_any_message_is_said_to_be_of_the_clock(self):
         path = self.path('run_0.bag')
         with rosbag.Bag(path, 'a') as bag:

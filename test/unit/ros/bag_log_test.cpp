@@ -42,7 +42,13 @@ TEST_F(BagLog, IsReadInSpiteOfAStampAtTheEndOfTime_FLT_1) {
   writeMounts();
   writeDrive(20);
   writeScan(3.9e9, "base_scan", 100.3);
-  EXPECT_EQ(read().records.size(), 20U);
+  tf2_msgs::TFMessage msg;
+  msg.transforms = {mount("odom", "base_footprint", 0.3), mount("base_footprint", "base_scan", 0.3)};
+  for (auto& transform : msg.transforms) transform.header.stamp = ros::TIME_MAX;
+  bag_.write("/tf", ros::Time(100.3), msg);
+  const logs::ScanLog log = read();
+  EXPECT_EQ(log.records.size(), 20U);
+  EXPECT_TRUE(holds(log.notes, "2 x transform whose stamp is out of range"));
 }
 
 // [ROB-2] as bags from the time before tf2 have them

@@ -80,7 +80,7 @@ void MasterWatch::claimTopics(const std::vector<std::string>& topics) {
 
 void MasterWatch::watchListeners(const std::string& topic) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  listened_ = topic;
+  claims_.listened = topic;
 }
 
 MasterWatch::Claims MasterWatch::claims() const {
@@ -167,12 +167,12 @@ std::map<std::string, std::string> MasterWatch::findRivals(const MasterState& st
 }
 
 std::optional<std::vector<std::string>> MasterWatch::findListeners(const MasterState& state) const {
-  std::unique_lock<std::mutex> lock(mutex_);
-  if (listened_.empty()) return std::nullopt;
-  std::vector<std::string> nodes = nodesOf(state.subscribers, listened_);
-  lock.unlock();
-  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), [](const auto& node) { return !nodeLives(node); }),
-              nodes.end());
+  const std::string topic = claims().listened;
+  if (topic.empty()) return std::nullopt;
+  std::vector<std::string> nodes = nodesOf(state.subscribers, topic);
+  // Its services' port is not tried: rospy warns of a connection that ends at once.
+  const auto isDead = [](const std::string& node) { return !anyMayLivePatiently({uriOf(node)}); };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), isDead), nodes.end());
   return nodes;
 }
 

@@ -94,6 +94,7 @@ class MasterWatch {
   struct Claims {
     std::vector<std::string> services;
     std::vector<std::vector<std::string>> topics;
+    std::string listened;  ///< the topic of `watchListeners`
   };
 
   Claims claims() const;
@@ -121,7 +122,7 @@ class MasterWatch {
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
   SessionNews session_;
-  mutable std::mutex mutex_;  ///< guards the nine that follow
+  mutable std::mutex mutex_;  ///< guards the eight that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
@@ -129,7 +130,6 @@ class MasterWatch {
   std::vector<robot_check::Topic> topics_;
   UrisByTopic connected_;  ///< publishers from which this node receives
   NodesByName publishers_;
-  std::string listened_;  ///< the topic whose subscribers are looked at
   std::map<std::string, XmlRpc::XmlRpcValue> new_parameters_;
   std::set<std::string> missing_, missing_before_;  ///< used by the thread alone, like all that follow
   std::map<std::string, std::string> rivals_;

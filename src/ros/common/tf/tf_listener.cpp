@@ -20,6 +20,10 @@ bool isPrintable(const std::string& frame) { return printable(frame, bounds::kMo
 
 }  // namespace
 
+bool isInRange(const ros::Time& stamp) {
+  return stamp.nsec < 1'000'000'000U && toTime(stamp) <= toTime(ros::TIME_MAX) - kMargin;
+}
+
 const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now, bool is_static) {
   const std::string parent = plain(transform.header.frame_id);
   const std::string child = plain(transform.child_frame_id);
@@ -29,11 +33,8 @@ const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now
   if (!isPrintable(parent) || !isPrintable(child)) return "control characters in a frame's name";
   if (parent == child) return "frame that is its own parent";
   if (!toIsometry(transform.transform)) return "not finite, farther than 1000 km, or its quaternion not of unit length";
-  const Time stamp = toTime(transform.header.stamp);
-  if (transform.header.stamp.nsec >= 1'000'000'000U || stamp > toTime(ros::TIME_MAX) - kMargin) {
-    return "stamp out of range";
-  }
-  if (!is_static && isAhead(stamp, now)) return "stamp too far in the future";
+  if (!isInRange(transform.header.stamp)) return "stamp out of range";
+  if (!is_static && isAhead(toTime(transform.header.stamp), now)) return "stamp too far in the future";
   return nullptr;
 }
 

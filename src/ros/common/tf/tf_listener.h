@@ -22,6 +22,8 @@
 
 namespace frontier_pilot {
 
+/// Whether tf2 can compute with `stamp`; with another one it throws.
+bool isInRange(const ros::Time& stamp);
 /// What is wrong with a transform; null if nothing is. The stamp of a static one may lie in the future.
 const char* problemOf(const geometry_msgs::TransformStamped& transform, Time now, bool is_static);
 
