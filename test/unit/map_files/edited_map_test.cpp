@@ -74,7 +74,7 @@ TEST_F(EditedMap, DoesNotGrowHoweverOftenItIsEditedLoadedAndSaved_MAP_5) {
     write("floor.pgm", picture);
     ASSERT_TRUE(load().ok());
     ASSERT_TRUE(map_files::saveMap(loaded, path("floor")).ok());
-    EXPECT_EQ(loaded.geometry().width, map.geometry().width) << i;
+    EXPECT_LE(loaded.geometry().width, map.geometry().width) << i;
   }
 }
 
