@@ -12,6 +12,7 @@ LEAST_HOLE = 2.0  # [s]
 MOST_SKEW = 1.0  # [s] between the clocks of scans and odometry before they are aligned
 MOST_APART = 3600.0  # [s] between two messages, by their stamps, before the fewer ones on one side may be astray
 LEAST_SHARE = 0.1  # of the messages of the largest stretch that a stretch apart from it has to have to be played
+LONGEST_SILENCE = 60.0  # [s] without any message before the clock jumps to the next one
 LATEST = 2.0 ** 32 - 86400.0  # [s] stamp that is played: the clock needs some time after it, and ROS counts to 2^32 s
 LEAD_IN = 0.5  # [s] from which the clock runs before the first message is due
 LATCHED = '/tf_static'
@@ -70,6 +71,7 @@ class Drive:
         if self.astray:
             self.words.append('left out: %d messages whose stamps are more than an hour away from those of the scans' % self.astray)
         self.entries.sort(key=lambda entry: entry[:2])
+        self.note_jumps()
         self.next = 0  # of the entries to be played
         if not self.entries:
             raise BagError('nothing to play')
@@ -83,9 +85,9 @@ class Drive:
             yield self.entries[self.next - 1]
 
     def time_after(self, now):
-        """The time to go on from at `now`: where there is nothing for more than an hour, the clock jumps over it. The clock of the
+        """The time to go on from at `now`: where there is nothing for more than a minute, the clock jumps over it. The clock of the
         robot may have been set while it drove."""
-        is_hole = self.next < len(self.entries) and self.entries[self.next][0] - now > MOST_APART
+        is_hole = self.next < len(self.entries) and self.entries[self.next][0] - now > LONGEST_SILENCE
         return self.entries[self.next][0] - LEAD_IN if is_hole else now
 
     @staticmethod
@@ -138,8 +140,12 @@ class Drive:
 
     def note_holes(self, what, stamps):
         for begin, length in holes(stamps):
-            self.words.append('%s: nothing for %.1f s from %.1f s on; the clock %s' % (
-                what, length, begin - stamps[0], 'jumps over it' if length > MOST_APART else 'goes on through it'))
+            self.words.append('%s: nothing for %.1f s from %.1f s on' % (what, length, begin - stamps[0]))
+
+    def note_jumps(self):
+        stamps = [entry[0] for entry in self.entries]
+        self.words += ['no message at all for %.1f s from %.1f s on: the clock jumps over it' % (after - before, before - stamps[0])
+                       for before, after in zip(stamps, stamps[1:]) if after - before > LONGEST_SILENCE]
 
     def frame(self, name):
         """A recorded frame under the name that our nodes know it by."""

@@ -33,10 +33,18 @@ class Stamps(unittest.TestCase):
 
     def test_the_clock_jumps_over_hours_without_a_message(self):
         drive = Drive(scans_at((5, 6, 400000000, 400000001)), {}, OPTIONS)
-        self.assertIn('scans: nothing for 399999994.0 s from 1.0 s on; the clock jumps over it', drive.words)
+        self.assertIn('no message at all for 399999994.0 s from 1.0 s on: the clock jumps over it', drive.words)
         self.assertEqual([entry[0] for entry in drive.due_until(6.5)], [5.0, 6.0])
         self.assertEqual(drive.time_after(6.5), 400000000 - 0.5)
         self.assertEqual(drive.time_after(400000000.2), 400000000.2)
+
+    def test_it_jumps_over_all_that_it_says_it_does_and_over_nothing_else(self):
+        drive = Drive(scans_at((5, 6, 36, 37, 3637, 3638)), {}, OPTIONS)
+        self.assertEqual(len([words for words in drive.words if 'jumps' in words]), 1, drive.words)
+        list(drive.due_until(6.5))
+        self.assertEqual(drive.time_after(6.5), 6.5)
+        list(drive.due_until(37.5))
+        self.assertEqual(drive.time_after(37.5), 3637 - 0.5)
 
 
 class Frames(unittest.TestCase):
