@@ -13,6 +13,7 @@ from .runs import bag_of, parts_of, stretch_of
 PARTS = 8  # in which a run is written, besides the open one: when the run is full, the oldest is removed
 MEGA = 1 << 20
 PATIENCE = 8.0  # for rosbag to close its file [s]
+GONE = 20.0  # without the open bag until somebody has removed it [s]
 PAUSE = 10.0  # between two starts of rosbag, in case that it always ends at once [s]
 
 
@@ -56,8 +57,8 @@ class BagWriter:
         self.new_registration = lambda: Registration(node, subscriptions=topics)
         self.registration, self.process = None, None
         self.stretch = 0  # the one that is written, or was written last
-        self.looks_without = None  # in a row, since its open bag was first seen
         self.started = -PAUSE
+        self.seen = self.started  # when the open bag was there last, or may have been about to be opened
         self.room = min_space  # that has to be free before rosbag is started [MB]
         self.why_ended = ''
         self.problem()
@@ -88,7 +89,7 @@ class BagWriter:
             self.why_ended = 'rosbag cannot be started, so nothing is recorded: %s' % error
             return self.why_ended
         self.stretch += 1
-        self.looks_without = None
+        self.seen = self.started
         self.registration = self.new_registration()
         return ''
 
@@ -107,17 +108,14 @@ class BagWriter:
         parts there is none for a moment.)"""
         try:
             if any(part.endswith('.active') and stretch_of(part) == self.stretch for part in parts_of(self.run)):
-                self.looks_without = 0
+                self.seen = self.clock()
         except OSError as error:
             return 'the folder of the record is gone: %s' % error
-        if self.looks_without is None:
-            return ''
-        self.looks_without += 1
-        if self.looks_without <= 2:
+        if self.clock() - self.seen < GONE:
             return ''
         self.end()
         self.process, self.registration = None, None
-        self.why_ended = 'somebody has removed the bag that was being written: its messages are lost, and another one begins'
+        self.why_ended = 'the bag that was being written is gone, and another one begins'
         return self.why_ended
 
     def _keep_to_the_limit(self):

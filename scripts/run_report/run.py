@@ -1,5 +1,6 @@
 """What happened in a run, from the messages of its bags."""
 import json
+import statistics
 
 from .goals import Goals
 from .intervals import States, merged
@@ -106,11 +107,15 @@ class Run:
 
     def _measure_real_time(self, bags):
         """Without the jumps of a computer's clock that was set meanwhile; gives whether there were any."""
-        samples = sorted(self.load.wall, key=lambda sample: sample[1])
-        steps = [(after - before, bags.has_a_break(since, until)) for (since, before), (until, after) in zip(samples, samples[1:])]
-        if steps:
-            self.real_seconds = sum(step for step, is_break in steps if step <= SILENCE or is_break)
-        return any(step > SILENCE and not is_break for step, is_break in steps)
+        samples = sorted(self.load.wall, key=lambda sample: sample[2])
+        steps = [(after - before, bags.has_a_break(since, until))
+                 for (since, before, _), (until, after, _) in zip(samples, samples[1:])]
+        if not steps:
+            return False
+        most = max(SILENCE, 3.0 * statistics.median(step for step, _ in steps))
+        regular = [0.0 <= step and (step <= most or is_break) for step, is_break in steps]
+        self.real_seconds = sum(step for (step, _), counts in zip(steps, regular) if counts)
+        return not all(regular)
 
     def _note_clocks(self, gaps, computer_jumped):
         """`gaps` are the times without a message [s]."""

@@ -33,7 +33,8 @@ class Robot {
       ++manual_count;
     });
     status_ = node_.subscribe<ArbiterStatus>(names::kArbiterStatus, 50, [this](const auto& msg) {
-      if (msg->active_source == "manual" && msg->summary.find("holds") != std::string::npos) manual_held = true;
+      if (msg->active_source == "manual" && msg->command.linear.x == 0.0 && msg->command.angular.z == 0.0)
+        manual_held = true;
     });
     odometry_ = node_.subscribe<nav_msgs::Odometry>(names::kOdom, 50, [this](const auto& msg) {
       speed = msg->twist.twist.linear.x;

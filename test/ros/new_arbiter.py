@@ -2,6 +2,7 @@
 """The robot is stopped and cleared as soon as a new arbiter is there, to which the other nodes are still connecting."""
 import os
 import signal
+import threading
 import time
 import unittest
 
@@ -61,17 +62,33 @@ class NewArbiter(unittest.TestCase):
             self.assertTrue(wait_for(lambda: call('set_emergency_stop', SetBool, False).success, 20), 'the stop is not cleared')
             cleared = time.monotonic()
             self.assert_the_patrol_was_stopped()
-            time.sleep(1.0)
+            time.sleep(1.0)  # that nothing moves can only be seen by waiting
             self.assertFalse([command for command in self.commands.since(cleared) if moves(command)])
+
+    def test_a_clear_waits_for_a_node_that_follows_the_stop(self):
+        """[ARB-8] [FLT-2]"""
+        answers = []
+        server = pid_of('/patrol_server')
+        os.kill(server, signal.SIGSTOP)
+        try:
+            self.replace_the_arbiter_and_stop()
+            clear = threading.Thread(target=lambda: answers.append(call('set_emergency_stop', SetBool, False).success))
+            clear.start()
+            time.sleep(3.0)  # for longer than an arbiter listens to the sources
+            self.assertEqual(answers, [])
+        finally:
+            os.kill(server, signal.SIGCONT)
+        clear.join(30.0)
+        self.assertEqual(answers, [True])
 
     def test_a_stop_that_only_the_count_of_the_arbiter_tells_of_ends_a_patrol(self):
         """[PAT-5] [FLT-2]"""
         status = rospy.Publisher('cmd_vel_arbiter/status', ArbiterStatus, queue_size=1)
+        self.addCleanup(status.unregister)
         self.begin_a_patrol()
         self.assertTrue(wait_for(lambda: status.get_num_connections() > 0))
         self.assertTrue(wait_for(lambda: status.publish(ArbiterStatus(stops=1000)) or self.patrols.wait_for_result(rospy.Duration(0.2)), 20))
         self.assert_the_patrol_was_stopped()
-        status.unregister()
 
 
 if __name__ == '__main__':

@@ -30,15 +30,17 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void begin(std::vector<std::string> words) {
-    process_ = fork();
-    if (process_ != 0) return;
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    process_ = fork();
+    if (process_ != 0) return;
     execvp(arguments.front(), arguments.data());
     _exit(127);
   }
-  void tell(int signal) const { kill(process_, signal); }
+  void tell(int signal) const {
+    if (process_ > 0) kill(process_, signal);
+  }
   void end() {
     if (process_ <= 0) return;
     tell(SIGKILL);

@@ -93,8 +93,8 @@ class CmdVelArbiterAdapter {
   ArbiterConnections around_;
   std::vector<Rejections> rejections_;
   ArrivalQueue calls_, clears_{[this] { listenBeforeClears(); }};
-  const SteadyTime begun_ = steadyNow();
-  StopListeners stop_listeners_{ros::this_node::getName(), begun_};
+  SteadyTime begun_{};  ///< when its services were offered, after whatever the start had to wait for
+  StopListeners stop_listeners_{ros::this_node::getName()};
   ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: see takeItsPlace()
   PublishFlush flush_;
   FleetStopWatch fleet_{arbiter_.parameters().fleet_stop_status};
@@ -107,7 +107,7 @@ class CmdVelArbiterAdapter {
   std::optional<RememberedText> stops_;        ///< how many were asked for; nothing as long as none was
   Mailbox<std::vector<std::string>> session_;  ///< names of the new ROS session after a restart of the master
   std::optional<ReconfigureServer> tuning_;
-  std::optional<SteadyTime> listening_until_;  ///< until then calls of `set_emergency_stop` wait
+  std::optional<SteadyTime> listening_until_;  ///< until then at least calls of `set_emergency_stop` wait
   NodeConnections connections_;
 };
 

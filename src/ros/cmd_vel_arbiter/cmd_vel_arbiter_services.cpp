@@ -40,6 +40,8 @@ void CmdVelArbiterAdapter::addStopServices() {
   set.callback_queue = &clears_;
   connections_.serve(set);
   fleet_.listen(connections_, node_.resolveName(names::kEmergencyStop));
+  begun_ = steadyNow();
+  stop_listeners_.begin(begun_);
   connections_.master().watchListeners(around_.emergency_stop_state);
 }
 
@@ -52,10 +54,11 @@ void CmdVelArbiterAdapter::addServices() {
 
 /// A new arbiter, or one that was held up, does not know yet which sources command motion. A call that may clear the
 /// stop waits until it has listened to them for as long as they have to be quiet before a clear, and until the nodes
-/// that follow the stop are connected to a new one. [ARB-8] [FLT-2]
+/// that follow the stop are connected to a new one, or have had the time for it. [ARB-8] [FLT-2]
 void CmdVelArbiterAdapter::listenBeforeClears() {
   const SteadyTime now = steadyNow();
-  const SteadyTime held_up = hold_ups_.isCatchingUp(now) ? now : begun_;  // to be asked in each tick
+  const SteadyTime held_up =
+      hold_ups_.isCatchingUp(now) ? now : begun_;  // a hold-up is noticed only if this is asked in each tick
   if (!arbiter_.stopped()) return;
   const SteadyTime until =
       std::max(begun_ + kConnectTime, held_up) + fromSeconds(arbiter_.parameters().clear_quiet_time);

@@ -15,8 +15,10 @@ namespace frontier_pilot {
 /// so not for long. [ARB-8] [FLT-2]
 class StopListeners {
  public:
-  StopListeners(std::string self, SteadyTime begun) : self_(std::move(self)), begun_(begun) {}
+  explicit StopListeners(std::string self) : self_(std::move(self)) {}
 
+  /// From `now` on they can connect.
+  void begin(SteadyTime now) { begun_ = now; }
   void connect(const std::string& node) { connected_.insert(node); }
   void disconnect(const std::string& node);
   /// The living subscribers of the latest look at the master.
@@ -29,7 +31,7 @@ class StopListeners {
 
  private:
   std::string self_;
-  SteadyTime begun_;
+  SteadyTime begun_{};
   std::multiset<std::string> connected_;  ///< a node may connect again before its old connection has ended
   std::optional<std::vector<std::string>> listed_;
 };

@@ -164,9 +164,13 @@ class NodeConnections {
           follower->take(msg.data != 0, clock_.holdUps());
         },
         ros::TransportHints().tcpNoDelay());
-    subscribe<ArbiterStatus>(names::kArbiterStatus, 1, [follower](const ArbiterStatus& msg) {
-      follower->count(msg.stops, msg.emergency_stop != 0);
-    });
+    subscribe<ArbiterStatus>(
+        names::kArbiterStatus, 1,
+        [this, follower](const ArbiterStatus& msg) {
+          clock_.now();
+          follower->count(msg.stops, msg.emergency_stop != 0, clock_.holdUps());
+        },
+        ros::TransportHints().tcpNoDelay());
     everySteady(ros::WallDuration(0.05), [this, follower, topic = state.getTopic()] {
       clock_.now();
       follower->tick(master_.connectedPublishersOf(topic), clock_.holdUps(), clock_.isCatchingUp());

@@ -5,6 +5,7 @@ import re
 import time
 import tracemalloc
 import unittest
+from unittest import mock
 
 import rosbag
 import rospy
@@ -144,6 +145,13 @@ class Reading(FolderCase):
         notes, seconds = self.notes_with_loads([(61.0, 21.0, 1), (62.0, 1e9, 2), (63.0, 1e9 + 1.0, 3)])
         self.assertEqual(round(seconds), 22)
         self.assertTrue(any("The computer's clock was set" in note for note in notes), notes)
+
+    def test_a_jump_of_the_computers_clock_is_told_from_a_recorder_that_looks_seldom(self):
+        for walls, seconds, jumped in (((0.0, 60.0, 121.0, 180.0), 180, False), ((0.0, 2.0, 4.0, -90.0, -88.0), 6, True)):
+            run = Run()
+            run.load.wall = [(2.0 * number, wall, number) for number, wall in enumerate(walls)]
+            bags = mock.Mock(has_a_break=lambda begin, end: False)
+            self.assertEqual((run._measure_real_time(bags), round(run.real_seconds)), (jumped, seconds), walls)
 
     def test_a_time_without_any_message_is_said_to_be_of_the_clock(self):
         path = self.path('run_0.bag')

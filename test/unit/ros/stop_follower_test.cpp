@@ -11,6 +11,7 @@ class StopFollowerOfAServer : public ::testing::Test {
  protected:
   void tick(bool catching_up = false) { follower.tick(publishers, hold_ups, catching_up); }
   void take(bool stopped) { follower.take(stopped, hold_ups); }
+  void count(std::uint64_t stops, bool stopped) { follower.count(stops, stopped, hold_ups); }
 
   std::string told;  ///< S for a stop, c for a clear
   StopFollower::Uris publishers{"http://arbiter:1"};
@@ -138,16 +139,16 @@ TEST_F(StopFollowerOfAServer, InventsNoStopWhenAnArbiterIsReplacedOrThereWasNone
 // [ARB-8] [FLT-2] A node that is connected to the next arbiter only after both, without having been held up.
 TEST_F(StopFollowerOfAServer, IsToldOfAStopThatOnlyTheCountOfTheNextArbiterTellsOf_ARB_8_FLT_2) {
   take(false);
-  follower.count(3, false);
+  count(3, false);
   living = publishers = {"http://arbiter:2"};
   take(false);
   tick();
   EXPECT_EQ(told, "cc");
-  follower.count(4, false);
+  count(4, false);
   EXPECT_EQ(told, "ccSc");
-  follower.count(4, false);
+  count(4, false);
   EXPECT_EQ(told, "ccSc") << "once";
-  follower.count(5, true);
+  count(5, true);
   EXPECT_EQ(told, "ccScS") << "its clear is still to come";
   take(true);
   take(false);
@@ -156,28 +157,63 @@ TEST_F(StopFollowerOfAServer, IsToldOfAStopThatOnlyTheCountOfTheNextArbiterTells
 
 // [FLT-2] The count of a stop that was heard comes later, with a status.
 TEST_F(StopFollowerOfAServer, IsNotToldOnceMoreOfAStopThatItHasHeardByItsCount_FLT_2) {
-  follower.count(3, false);
+  count(3, false);
   take(true);
-  follower.count(4, true);
+  count(4, true);
   take(false);
-  follower.count(4, false);
+  count(4, false);
   take(true);
   take(false);
-  follower.count(5, false);
+  count(5, false);
   EXPECT_EQ(told, "SScSSc");
-  follower.count(6, false);
+  count(6, false);
   EXPECT_EQ(told, "SScSScSc") << "this one it has not heard";
 }
 
 // [FLT-2]
 TEST_F(StopFollowerOfAServer, TakesACountThatBeginsAnewForNoStopUnlessThereAreAnyInIt_FLT_2) {
-  follower.count(3, false);
-  follower.count(0, false);
+  count(3, false);
+  count(0, false);
   EXPECT_EQ(told, "");
-  follower.count(3, false);
+  count(3, false);
   told.clear();
-  follower.count(1, false);
+  count(1, false);
   EXPECT_EQ(told, "Sc");
+}
+
+// [FLT-2] The message of the clear was the first one that it has read.
+TEST_F(StopFollowerOfAServer, IsToldOfTheClearByTheStatusIfOnlyThatTellsOfTheStop_FLT_2) {
+  count(3, false);
+  take(false);
+  count(4, true);
+  EXPECT_EQ(told, "cS");
+  count(4, false);
+  EXPECT_EQ(told, "cSc");
+  count(4, false);
+  EXPECT_EQ(told, "cSc");
+}
+
+// [FLT-2]
+TEST_F(StopFollowerOfAServer, IsNotToldTwiceOfAStopBeforeWhichAStatusWasSent_FLT_2) {
+  count(3, false);
+  take(true);
+  count(3, false);  // sent before the stop, and read after it
+  take(false);
+  count(4, false);
+  EXPECT_EQ(told, "SSc");
+}
+
+// [FLT-2] A goal from before the stop may be read after the status.
+TEST_F(StopFollowerOfAServer, WaitsUntilItHasCaughtUpWithAClearThatAStatusTellsOf_FLT_2) {
+  count(3, false);
+  take(false);
+  tick();
+  ++hold_ups;
+  count(4, false);
+  tick(true);
+  EXPECT_EQ(told, "cS");
+  tick();
+  EXPECT_EQ(told, "cSSc");
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ constexpr SteadyTime kBegun{std::chrono::hours(1)};
 
 // [ARB-8] [FLT-2]
 TEST(StopListeners, AreAwaitedUntilAllThatTheMasterListsAreConnected_ARB_8_FLT_2) {
-  StopListeners listeners("/arbiter", kBegun);
+  StopListeners listeners("/arbiter");
+  listeners.begin(kBegun);
   EXPECT_TRUE(listeners.areAwaited(kBegun)) << "the master has not been asked yet";
   listeners.list({"/arbiter", "/navigator", "/explorer"});
   EXPECT_TRUE(listeners.areAwaited(kBegun));
@@ -27,7 +28,8 @@ TEST(StopListeners, AreAwaitedUntilAllThatTheMasterListsAreConnected_ARB_8_FLT_2
 
 // [FLT-2]
 TEST(StopListeners, AreNotAwaitedForEverIfOneHangs_FLT_2) {
-  StopListeners listeners("/arbiter", kBegun);
+  StopListeners listeners("/arbiter");
+  listeners.begin(kBegun);
   listeners.list({"/hangs"});
   EXPECT_TRUE(listeners.areAwaited(kBegun + std::chrono::seconds(9)));
   EXPECT_FALSE(listeners.areAwaited(kBegun + std::chrono::seconds(10)));

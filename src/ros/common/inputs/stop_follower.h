@@ -26,8 +26,9 @@ class StopFollower {
 
   /// A message. `hold_ups` counts those of this process.
   void take(bool stopped, int hold_ups);
-  /// How many stops the arbiter has counted, in a status, and whether the robot was `stopped` then.
-  void count(std::uint64_t stops, bool stopped);
+  /// How many stops the arbiter has counted, in a status, and whether the robot was `stopped` then. `hold_ups` as
+  /// above.
+  void count(std::uint64_t stops, bool stopped, int hold_ups);
   /// To be called often; `publishers` are the addresses of those from whom messages come, as of the last look, and the
   /// process is `catching_up` for a while after each hold-up.
   void tick(const Uris& publishers, int hold_ups, bool catching_up);
@@ -39,7 +40,8 @@ class StopFollower {
   std::function<bool(const Uris&)> any_lives_;
   bool stopped_ = false, clear_waits_ = false;
   std::optional<std::uint64_t> counted_;
-  bool told_ = false;  ///< of a stop that may not have been counted yet
+  bool told_ = false;      ///< of a stop that may not have been counted yet
+  bool by_count_ = false;  ///< stopped, as far as only the count tells
   int hold_ups_ = 0;
   bool caught_up_ = true;  ///< whether there was a tick since the last hold-up that did not catch up any more
   Uris publishers_;        ///< before the last hold-up; those that were heard last if there was none then
