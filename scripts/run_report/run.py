@@ -1,5 +1,6 @@
 """What happened in a run, from the messages of its bags."""
 import json
+import math
 import statistics
 
 from .goals import Goals
@@ -107,7 +108,9 @@ class Run:
 
     def _measure_real_time(self, bags):
         """Without the jumps of a computer's clock that was set meanwhile; gives whether there were any."""
-        samples = sorted(self.load.wall, key=lambda sample: sample[2])
+        infos = [(time, info['wall_time'], number) for info, time, number in
+                 ((self.start_info, self.begin, -1), (self.end_info, self.end, math.inf)) if info]
+        samples = sorted(infos + self.load.wall, key=lambda sample: sample[2])
         steps = [(after - before, bags.has_a_break(since, until))
                  for (since, before, _), (until, after, _) in zip(samples, samples[1:])]
         if not steps:
