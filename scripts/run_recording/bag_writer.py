@@ -58,7 +58,7 @@ class BagWriter:
         self.registration, self.process = None, None
         self.stretch = 0  # the one that is written, or was written last
         self.started = -PAUSE
-        self.seen = self.started  # when the open bag was there last, or may have been about to be opened
+        self.seen = None  # when the open bag was there last; rosbag opens it only once there is a clock
         self.room = min_space  # that has to be free before rosbag is started [MB]
         self.why_ended = ''
         self.problem()
@@ -69,7 +69,13 @@ class BagWriter:
             return self._begin()
         code = self.process.poll()
         if code is None:
-            return self._replace_a_lost_bag() or self._keep_to_the_limit()
+            try:
+                lost = self._replace_a_lost_bag()
+                if not lost:
+                    self._keep_to_the_limit()
+                return lost
+            except OSError as error:
+                return 'the folder of the record is gone: %s' % error
         if code == 0:  # by rosnode kill for example
             return 'somebody has ended rosbag: nothing is recorded any more'
         self.process, self.registration = None, None
@@ -89,7 +95,7 @@ class BagWriter:
             self.why_ended = 'rosbag cannot be started, so nothing is recorded: %s' % error
             return self.why_ended
         self.stretch += 1
-        self.seen = self.started
+        self.seen = None
         self.registration = self.new_registration()
         return ''
 
@@ -105,13 +111,10 @@ class BagWriter:
 
     def _replace_a_lost_bag(self):
         """rosbag goes on writing to a file that somebody has removed. It is ended then, and a further stretch begins. (Between two
-        parts there is none for a moment.)"""
-        try:
-            if any(part.endswith('.active') and stretch_of(part) == self.stretch for part in parts_of(self.run)):
-                self.seen = self.clock()
-        except OSError as error:
-            return 'the folder of the record is gone: %s' % error
-        if self.clock() - self.seen < GONE:
+        parts there is none for a moment.) Returns what is wrong."""
+        if any(part.endswith('.active') and stretch_of(part) == self.stretch for part in parts_of(self.run)):
+            self.seen = self.clock()
+        if self.seen is None or self.clock() - self.seen < GONE:
             return ''
         self.end()
         self.process, self.registration = None, None
@@ -119,16 +122,11 @@ class BagWriter:
         return self.why_ended
 
     def _keep_to_the_limit(self):
-        """Removes the oldest parts of earlier stretches, because rosbag knows only those that it has written itself. Returns what
-        is wrong."""
-        try:
-            for part in parts_of(self.run):
-                if stretch_of(part) == self.stretch or self.size() <= self.limit * MEGA:
-                    break
-                os.remove(part)
-        except OSError as error:
-            return 'the folder of the record is gone: %s' % error
-        return ''
+        """Removes the oldest parts of earlier stretches, because rosbag knows only those that it has written itself."""
+        for part in parts_of(self.run):
+            if stretch_of(part) == self.stretch or self.size() <= self.limit * MEGA:
+                break
+            os.remove(part)
 
     def stay_registered(self):
         """To be called now and then: a new master does not know rosbag."""

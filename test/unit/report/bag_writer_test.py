@@ -116,7 +116,8 @@ class Writing(FolderCase):
         self.assertLessEqual(self.writer.size(), LIMIT * bag_writer.MEGA)
 
     def test_a_bag_that_somebody_removes_while_it_is_written_is_replaced_by_another_one(self):
-        self.assertEqual(self.writer.problem(), '', 'rosbag has not opened it yet')
+        self.now += 2.0 * bag_writer.GONE
+        self.assertEqual(self.writer.problem(), '', 'rosbag has not opened it yet: it waits for a clock')
         self.fill('run_0.bag.active', 1)
         self.assertEqual(self.writer.problem(), '')
         os.rename(self.path('run_0.bag.active'), self.path('run_0.bag'))
