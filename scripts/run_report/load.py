@@ -15,17 +15,18 @@ class Load:
     def __init__(self):
         self.nodes = {}
         self.wall = []  # (time [s], real time [s since the epoch], number) of the messages
-        self.set_back = False  # whether a later message has an earlier time
-        self._number = 0  # of the last message
 
     def take(self, time, message):
         if not is_time(message.wall_time) or not all(0.0 <= process.cpu < MOST_CORES for process in message.processes):
             raise ValueError('they have times that cannot be')
         self.wall.append((time, message.wall_time, message.header.seq))
-        self.set_back = self.set_back or message.header.seq < self._number
-        self._number = message.header.seq
         for process in message.processes:
             self.nodes.setdefault(process.node, []).append((time, process.cpu, process.memory))
+
+    def was_set_back(self):
+        """Whether a later message has an earlier time."""
+        numbers = [number for _, _, number in self.wall]
+        return numbers != sorted(numbers)
 
     def rows(self):
         """(node, mean CPU, greatest CPU, greatest memory [bytes]), the busiest node first."""

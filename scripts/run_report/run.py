@@ -122,7 +122,7 @@ class Run:
 
     def _note_clocks(self, gaps, computer_jumped):
         """`gaps` are the times without a message [s]."""
-        if self.load.set_back:
+        if self.load.was_set_back():
             self.notes.append('The clock was set back while this was recorded, or the simulator was started again: what came after it '
                               'lies over what came before, and durations are wrong.')
         elif gaps:

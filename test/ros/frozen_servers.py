@@ -7,7 +7,6 @@ import time
 import unittest
 
 import actionlib
-import rosgraph
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
@@ -17,7 +16,7 @@ from std_srvs.srv import Empty, SetBool, Trigger
 
 from frontier_pilot.msg import (FollowWaypointsAction, FollowWaypointsGoal, FollowWaypointsResult, PatrolAction, PatrolGoal,
                                 SpinAction, SpinGoal)
-from wire import Record, hears, moves, pid_of, wait_for
+from wire import Record, hears, moves, pid_of, replace_the_arbiter, wait_for
 
 ROUNDS = 5  # whether the server reads of the stop before its next cycle is a matter of chance
 
@@ -48,18 +47,6 @@ class FrozenServers(unittest.TestCase):
             os.kill(pid, signal.SIGCONT)
         return resumed
 
-    def replace_the_arbiter(self):
-        """Kills it; what it has sent to a frozen process is lost. Waits for the next one, which starts stopped."""
-        pid = pid_of('/cmd_vel_arbiter')
-        os.kill(pid, signal.SIGKILL)
-
-        def is_another():
-            try:
-                return pid_of('/cmd_vel_arbiter') != pid and 'stopped already' in self.stop().message
-            except (OSError, rosgraph.MasterException, rospy.ServiceException):
-                return False
-        self.assertTrue(wait_for(is_another, 30), 'there is no other arbiter')
-
     def frozen_through_a_stop(self, server, topic, client, goal):
         """Freezes `server` while it drives."""
         rospy.ServiceProxy('reset_positions', Empty)()
@@ -84,7 +71,8 @@ class FrozenServers(unittest.TestCase):
         try:
             self.assertTrue(self.stop().success)
             if arbiter_dies:
-                self.replace_the_arbiter()
+                # What it has sent to a frozen process is lost with it, and the next one starts stopped.
+                self.assertIn('stopped already', replace_the_arbiter().message)
             client.send_goal(goal)
             time.sleep(0.5)
             self.assertTrue(wait_for(self.cleared, 20), 'the stop is not cleared')

@@ -93,7 +93,6 @@ class CmdVelArbiterAdapter {
   ArbiterConnections around_;
   std::vector<Rejections> rejections_;
   ArrivalQueue calls_, clears_{[this] { listenBeforeClears(); }};
-  SteadyTime begun_{};  ///< when its services were offered, after whatever the start had to wait for
   StopListeners stop_listeners_{ros::this_node::getName()};
   ros::Publisher status_, cmd_vel_, stop_state_;  ///< in this order: see takeItsPlace()
   PublishFlush flush_;

@@ -40,8 +40,7 @@ void CmdVelArbiterAdapter::addStopServices() {
   set.callback_queue = &clears_;
   connections_.serve(set);
   fleet_.listen(connections_, node_.resolveName(names::kEmergencyStop));
-  begun_ = steadyNow();
-  stop_listeners_.begin(begun_);
+  stop_listeners_.begin(steadyNow());  // after whatever the start had to wait for
   connections_.master().watchListeners(around_.emergency_stop_state);
 }
 
@@ -57,11 +56,11 @@ void CmdVelArbiterAdapter::addServices() {
 /// that follow the stop are connected to a new one, or have had the time for it. [ARB-8] [FLT-2]
 void CmdVelArbiterAdapter::listenBeforeClears() {
   const SteadyTime now = steadyNow();
-  const SteadyTime held_up =
-      hold_ups_.isCatchingUp(now) ? now : begun_;  // a hold-up is noticed only if this is asked in each tick
+  const bool held_up = hold_ups_.isCatchingUp(now);  // is noticed only if it is asked for in each tick
   if (!arbiter_.stopped()) return;
-  const SteadyTime until =
-      std::max(begun_ + kConnectTime, held_up) + fromSeconds(arbiter_.parameters().clear_quiet_time);
+  const SteadyTime connected = stop_listeners_.begun() + kConnectTime;
+  const SteadyTime hears_all = held_up ? std::max(connected, now) : connected;
+  const SteadyTime until = hears_all + fromSeconds(arbiter_.parameters().clear_quiet_time);
   if (now >= until && !stop_listeners_.areAwaited(now)) return;
   clears_.hold();
   listening_until_ = std::max(listening_until_.value_or(until), until);
