@@ -85,6 +85,7 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
   if (last_update_ && now < *last_update_) {
     poses_.clear();
     track_.clear();
+    dynamic_.clear();
     predictor_.clear();
     pose_.reset();
     scan_stamp_.reset();
@@ -95,8 +96,8 @@ NavigatorOutput Navigator::Impl::update(const NavigatorInputs& inputs, Time now)
     if (goal_) finish(NavResult::kAborted, NavReason::kClockJumped);
   }
   last_update_ = now;
-  others_ = inputs.order.moving;
   takeIn(inputs, now);
+  neighbours_ = {inputs.order.moving, dynamic_.at(now)};
   takeEvents(inputs, now);
   if (obey(inputs, now) || !goal_) return output_;
   if (const auto missing = missingData(inputs, now)) {
@@ -124,6 +125,7 @@ void Navigator::Impl::takeIn(const NavigatorInputs& inputs, Time now) {
   scan_ = scanPoints(*inputs.scan, *T_map_base, outline_);
   obstacles_.setMakingWay(inputs.order.making_way);
   if (clearance_.empty()) return;
+  dynamic_.update(*inputs.scan, *T_map_base, clearance_);
   obstacles_changed_ = obstacles_.update(*inputs.scan, scan_, *T_map_base, clearance_, now) || obstacles_changed_;
 }
 

@@ -12,6 +12,7 @@
 #include "frontier_pilot/navigation/recovery.h"
 #include "frontier_pilot/planning/outline_check.h"
 #include "navigation/driven_track.h"
+#include "navigation/dynamic_obstacles.h"
 #include "navigation/motion_predictor.h"
 #include "navigation/obstacle_layer.h"
 #include "navigation/path_follower.h"
@@ -93,7 +94,8 @@ class Navigator::Impl {
   std::optional<StampedPose2> pose_;
   std::optional<Time> scan_stamp_;
   ScanPoints scan_;
-  std::vector<MovingDisc> others_;  ///< as the last order has them
+  DynamicObstacles dynamic_;
+  Neighbours neighbours_;
   bool map_changed_ = false;
   bool obstacles_changed_ = false;
   Time refreshed_;

@@ -159,7 +159,7 @@ void Navigator::Impl::turn(const MotionPredictor::Motion& motion, Time now) {
 
 FollowerInputs Navigator::Impl::followerInputs(const MotionPredictor::Motion& motion, Time now) const {
   const double age = std::max(0.0, toSeconds(now - std::min(pose_->stamp, *scan_stamp_)));
-  return {motion.T_map_base, motion.twist, age, scan_, clearance_, others_};
+  return {motion.T_map_base, motion.twist, age, scan_, clearance_, neighbours_};
 }
 
 void Navigator::Impl::drive(const MotionPredictor::Motion& motion, Time now) {

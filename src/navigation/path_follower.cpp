@@ -19,8 +19,6 @@ constexpr double kCreep = 0.02;           ///< speed at the end of a path [m/s]
 constexpr double kBehind = 2.6;           ///< beyond this bearing a target is neither left nor right [rad]
 constexpr double kContactPenalty = 0.2;   ///< [m of progress]
 constexpr double kDeviationWeight = 0.5;  ///< [m of progress per m off the path]
-constexpr double kCrossingGap = 0.05;     ///< gap to where another robot is going to be [m]
-constexpr double kForeseen = 1.5;         ///< for how long others are taken to drive on as they do [s]
 constexpr double kTouchShare = 0.5;       ///< of the scan's margin that is given up before it counts as a contact
 constexpr double kGoodEnough = 0.9;       ///< share of full-speed progress; then no other variant is tried
 
@@ -45,16 +43,6 @@ bool PathFollower::Vicinity::isFree(const Pose2& pose, double speed) const {
   if (corners_count && !follower.outline_on_map_.fits(map, pose, kMapSlack)) return false;
   const auto more = static_cast<float>(kSpeedMargin * std::max(0.0, speed - kNarrowSpeed));
   return isFreeOfPoints(pose, more);
-}
-
-bool PathFollower::Vicinity::isFreeOfOthers(const Vec2& position, double seconds) const {
-  if (seconds > kForeseen) return true;
-  for (const MovingDisc& other : others) {
-    const double least = follower.outline_.circumscribedRadius() + other.radius + kCrossingGap;
-    const Vec2 there = other.centre + seconds * other.velocity;
-    if ((there - position).norm() < std::min(least, (there - here).norm())) return false;
-  }
-  return true;
 }
 
 bool PathFollower::Vicinity::isDiscFreeOfPoints(const Vec2& position, float more) const {
@@ -103,8 +91,13 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
   const double braking = limits_.max_linear / (2.0 * limits_.max_linear_acc);  // in time at full speed [s]
   const double farthest = limits_.max_linear * std::max(params_.horizon, params_.command_lifetime + kStep + braking);
   const double reach = farthest + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
-  Vicinity around{
-      inputs.scan.near(pose.position(), reach), inputs.map, *this, {}, 0.0, false, inputs.others, pose.position()};
+  Vicinity around{inputs.scan.near(pose.position(), reach),
+                  inputs.map,
+                  *this,
+                  {},
+                  0.0,
+                  false,
+                  NeighbourCheck(inputs.neighbours, pose.position(), outline_.circumscribedRadius())};
   around.least_distances.reserve(around.points.size());
   for (std::size_t i = 0; i < around.points.size(); ++i) {
     const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));
@@ -159,7 +152,7 @@ PathFollower::Trial PathFollower::tryOut(const Policy& policy, const FollowerInp
     twist = limitAcceleration(command, twist, limits_, kStep);
     pose = integrate(pose, twist, kStep);
     if (!around.isFree(pose, std::abs(twist.linear))) break;
-    if (!around.isFreeOfOthers(pose.position(), (i + 1) * kStep)) break;
+    if (!around.neighbours.isFree(pose.position(), (i + 1) * kStep)) break;
     along = path_.project(pose.position(), along, along + 0.3);
     trial.free_time += kStep;
     trial.points.push_back(pose.position());
@@ -178,14 +171,16 @@ bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs, cons
   // A disc sweeps no new ground when it turns on the spot.
   if (trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
   const double speed = std::max(inputs.twist.linear, trial.command.linear);
-  return trial.free_time >= reaction + speed / limits_.max_linear_acc;
+  if (trial.free_time < reaction + speed / limits_.max_linear_acc) return false;
+  return around.neighbours.empty() || canStop(trial.command, reaction, inputs, around);
 }
 
 bool PathFollower::canStop(const Twist2& command, double reaction, const FollowerInputs& inputs,
                            const Vicinity& around) const {
   return stopsWhere(
       [&](const Pose2& pose, const Twist2& twist, double t) {
-        return around.isFree(pose, std::abs(twist.linear)) && around.isFreeOfOthers(pose.position(), t);
+        return around.isFree(pose, std::abs(twist.linear)) && around.neighbours.isFree(pose.position(), t) &&
+               around.neighbours.isOnOwnSide(pose.position());
       },
       command, reaction, inputs);
 }

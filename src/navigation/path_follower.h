@@ -10,6 +10,7 @@
 #include "frontier_pilot/planning/clearance_map.h"
 #include "frontier_pilot/planning/outline_check.h"
 #include "frontier_pilot/planning/path.h"
+#include "navigation/neighbours.h"
 #include "navigation/scan_points.h"
 
 namespace frontier_pilot::navigation {
@@ -21,7 +22,7 @@ struct FollowerInputs {
   double age;        ///< of the older of the measured pose and the scan [s]
   const ScanPoints& scan;
   const planning::ClearanceMap& map;
-  std::vector<MovingDisc> others = {};  ///< robots that drive nearby
+  Neighbours neighbours = {};
 };
 
 struct FollowerOutput {
@@ -81,13 +82,9 @@ class PathFollower {
     double least_clearance;  ///< in the map [m]; 0: not checked
     bool corners_count;      ///< whether corners are checked in the map
 
-    const std::vector<MovingDisc>& others;  ///< robots that drive
-    Vec2 here;                              ///< where this robot is
+    NeighbourCheck neighbours;
 
     bool isFree(const Pose2& pose, double speed) const;
-    /// Whether the robot is away from where the others will be in `seconds`, if they drive on, or at least no nearer
-    /// than if it stood still.
-    bool isFreeOfOthers(const Vec2& position, double seconds) const;
     /// Whether the scan's points are `more` [m] farther away than the least distances.
     bool isFreeOfPoints(const Pose2& pose, float more) const;
     bool isOutlineFreeOfPoints(const Pose2& pose, float more) const;
@@ -103,8 +100,8 @@ class PathFollower {
   double turnRate(double angle, const Twist2& twist) const;
   Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Vicinity& around) const;
   bool isSafe(const Trial& trial, const FollowerInputs& inputs, const Vicinity& around) const;
-  /// Whether the robot touches nothing when it follows `command` for `reaction` [s] and then brakes to a standstill. An
-  /// outline needs that: while it brakes it may turn where the rest of the trial would not.
+  /// Whether the robot touches nothing, and stays on its side of what may move, when it follows `command` for
+  /// `reaction` [s] and then brakes to a standstill.
   bool canStop(const Twist2& command, double reaction, const FollowerInputs& inputs, const Vicinity& around) const;
   /// Whether the robot touches nothing that the scan shows if the navigator falls silent after `command`, which the
   /// base follows then for its lifetime. What a turn on the spot would touch is not looked at: a disc sweeps no new

@@ -72,7 +72,8 @@ class LostMemory(unittest.TestCase):
         self.assertTrue(self.says('cmd_vel_arbiter', DiagnosticStatus.WARN, 'would not survive'))
         call('set_nav_enabled', SetBool, False)
         rospy.sleep(4.0)  # that nothing more is said can only be seen by waiting
-        self.assertEqual(arbiter.said().count('nav_disabled would not survive'), 1, arbiter.said())
+        # Before it a disk that is slow to answer may have been the reason.
+        self.assertEqual(arbiter.said().count('nav_disabled would not survive a restart: cannot write'), 1, arbiter.said())
 
     # [ARB-7]
     def test_a_stop_and_the_count_of_stops_are_kept_although_the_home_cannot_be_written(self):

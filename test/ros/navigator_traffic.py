@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """A navigator that shares a door with another robot: it tells where it drives, waits for the other, and goes on. [MUL-3]"""
+import signal
 import unittest
 
 import rospy
@@ -9,7 +10,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from frontier_pilot.msg import FleetMotion
 
 from navigator_wire import FAR, NavigatorOnTheWire
-from wire import Record, wait_for
+from wire import Node, Record, wait_for
 
 
 class NavigatorTraffic(unittest.TestCase):
@@ -44,15 +45,19 @@ class NavigatorTraffic(unittest.TestCase):
         self.assertTrue(wait_for(lambda: self.own() and len(self.own()[-1].path) >= 8, 20.0))
         return self.own()[-1].path
 
-    def tell(self, path, **fields):
-        """One message of a robot that comes the other way."""
-        points = list(zip(path[0::2], path[1::2]))[::-1]
+    @staticmethod
+    def coming(way, **fields):
+        """A message of a robot that comes the other way."""
+        points = list(zip(way[0::2], way[1::2]))[::-1]
         message = FleetMotion(version=FleetMotion.VERSION, robot='robot2', radius=0.3, valid_for=2.0, passes=['robot1'],
                               x=points[0][0], y=points[0][1], path=[value for point in points for value in point])
         message.header.frame_id, message.header.stamp = 'map', rospy.Time.now()
         for name, value in fields.items():
             setattr(message, name, value)
-        self.publisher.publish(message)
+        return message
+
+    def tell(self, way, **fields):
+        self.publisher.publish(self.coming(way, **fields))
 
     def test_tells_twice_a_second_where_it_is_going_to_drive_in_few_bytes(self):
         self.begin()
@@ -80,8 +85,22 @@ class NavigatorTraffic(unittest.TestCase):
         self.tell(path, version=2)
         self.tell(path, radius=-1.0)
         for word in ('another version of the protocol', 'not finite'):
-            self.assertTrue(wait_for(lambda: any(word in value.key for _, array in list(self.diagnostics.items)
-                                                 for status in array.status for value in status.values)), word)
+            self.assertTrue(wait_for(lambda: self.refused(word)), word)
+        self.assertFalse(self.own()[-1].yields_to)
+
+    def refused(self, word):
+        return any(word in value.key for _, array in list(self.diagnostics.items)
+                   for status in array.status for value in status.values)
+
+    # [FLT-1]
+    def test_what_a_second_node_says_for_a_robot_is_refused_by_the_name_of_both(self):
+        path = self.begin()
+        self.tell(path, path=[], passes=[])
+        stranger = Node('rostopic', 'pub', '-r', '5', '/fleet/motions', 'frontier_pilot/FleetMotion',
+                        str(self.coming(path)), package='rostopic')
+        self.addCleanup(stranger.signal, signal.SIGKILL)
+        word = "for a robot for which %s speaks, 'robot2'" % rospy.get_name()
+        self.assertTrue(wait_for(lambda: self.tell(path, path=[], passes=[]) or self.refused(word), 20.0))
         self.assertFalse(self.own()[-1].yields_to)
 
 

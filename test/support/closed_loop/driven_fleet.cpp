@@ -92,9 +92,12 @@ void DrivenFleet::applyRule(Robot& robot, std::size_t index, navigation::Navigat
 void DrivenFleet::tell() {
   for (const auto& robot : robots_) {
     const auto message = robot->powered ? robot->rule.message() : std::nullopt;
-    if (!message) continue;
-    for (const auto& other : robots_) other->rule.hear(*message, now());
+    if (message) hear(*message);
   }
+}
+
+void DrivenFleet::hear(const fleet::MotionMessage& message) {
+  for (const auto& robot : robots_) robot->rule.hear(message, now());
 }
 
 bool DrivenFleet::run(double seconds) {

@@ -24,6 +24,10 @@ class DrivenFleet {
   void send(std::size_t robot, const Vec2& goal);
   /// A robot that is off neither drives nor says anything.
   void setPowered(std::size_t robot, bool on) { robots_[robot]->powered = on; }
+  /// All robots hear a message that may be anyone's.
+  void hear(const fleet::MotionMessage& message);
+  /// What a robot told the others last; nothing before it has spoken.
+  std::optional<fleet::MotionMessage> told(std::size_t robot) const { return robots_[robot]->rule.message(); }
   void step();
   /// Steps until all have arrived, or for `seconds`; returns whether they have.
   bool run(double seconds);
@@ -31,6 +35,7 @@ class DrivenFleet {
   Time now() const { return simulator_.now(); }
   bool arrived(std::size_t robot) const { return !robots_[robot]->goal; }
   const Pose2& pose(std::size_t robot) const { return simulator_.pose(robot); }
+  Twist2 velocity(std::size_t robot) const { return simulator_.velocity(robot); }
   const navigation::NavigatorOutput& output(std::size_t robot) const { return robots_[robot]->output; }
   int contacts() const;
   int given_up() const { return given_up_; }  ///< goals that a navigator aborted

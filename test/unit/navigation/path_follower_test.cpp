@@ -163,13 +163,34 @@ TEST(PathFollower, BrakesForARobotThatIsGoingToCrossItsWay_MUL_3) {
   const auto commandBeside = [&](const Vec2& from, const Vec2& velocity) {
     navigation::PathFollower follower({}, fastRobot());
     follower.setPath(planning::Path({start.position(), start.position() + Vec2(3.0, 0.0)}));
-    const std::vector<navigation::MovingDisc> others{{from, velocity, 0.105}};
+    const navigation::Neighbours others{{{from, velocity, 0.105}}, {}};
     return follower.update({start, driving, 0.05, nothing, open, others}).command;
   };
   EXPECT_EQ(commandBeside({3.3, 4.7}, {0.0, 0.0}), driving) << "stands beside the way";
   EXPECT_EQ(commandBeside({3.3, 4.7}, {0.5, 0.0}), driving) << "drives along beside it";
   EXPECT_EQ(commandBeside({3.3, 4.7}, {0.0, -0.5}), driving) << "drives away";
   EXPECT_LT(commandBeside({3.3, 4.7}, {0.0, 0.5}).linear, 0.1) << "would be touched in less than a second";
+}
+
+// [MUL-3] It could brake before the other one, but not if that one comes as fast.
+TEST(PathFollower, BrakesOnItsSideOfTheMiddleBetweenItselfAndARobotThatItSees_MUL_3) {
+  planning::ClearanceMap open;
+  open.setMap(OccupancyGrid(GridGeometry{0.05, Vec2::Zero(), 200, 200}, kFree), {0, 0, 200, 200});
+  open.refresh();
+  navigation::FollowerParams params;
+  params.command_lifetime = 0.1;
+  const auto commandBefore = [&](const Vec2& other) {
+    navigation::ScanPoints nothing;
+    navigation::PathFollower follower(params, fastRobot());
+    follower.setPath(planning::Path({Vec2(3.0, 5.0), Vec2(8.0, 5.0)}));
+    const navigation::Neighbours neighbours{{}, {{other, Vec2::Zero(), 0.105}}};
+    return follower.update({Pose2(3.0, 5.0, 0.0), Twist2{0.5, 0.0}, 0.05, nothing, open, neighbours}).command.linear;
+  };
+  // It drives on for 0.15 m until it brakes, and then for 0.05 m: twice that to the middle, and both radii.
+  EXPECT_EQ(commandBefore({3.0 + 1.0, 5.0}), 0.5);
+  EXPECT_LT(commandBefore({3.0 + 0.55, 5.0}), 0.4);
+  EXPECT_LT(commandBefore({3.0 + 0.35, 5.0}), 0.2);
+  EXPECT_EQ(commandBefore({3.0, 5.4}), 0.5) << "beside it";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "frontier_pilot/fleet/claims.h"
 #include "ros/common/clock.h"
 #include "ros/common/diagnostics.h"
+#include "ros/common/messages/robot_speakers.h"
 #include "ros/common/node_connections.h"
 #include "ros/common/tf/tf_bridge.h"
 
@@ -25,7 +26,8 @@ struct FleetChannelParameters {
 };
 
 /// A topic on which the robots of a fleet tell each other something twice a second, in a frame that they have in
-/// common. Messages in another frame, and those that are not taken, are counted and named in the diagnostics. [FLT-1]
+/// common. Messages in another frame, those of a node that does not speak for the robot, and those that are not taken,
+/// are counted and named in the diagnostics. [FLT-1]
 template <class Msg>
 class FleetChannel {
  public:
@@ -72,11 +74,16 @@ class FleetChannel {
     if (msg.header.frame_id != parameters_.frame) {
       return refused_.add("in the frame '" + msg.header.frame_id + "', and not in '" + parameters_.frame + "'");
     }
+    const std::string& node = event.getPublisherName();
+    const SteadyTime now = steadyNow();
+    const std::string speaker = speakers_.insteadOf(node, msg.robot, now);
+    if (!speaker.empty())
+      return refused_.add("from " + node + ", for a robot for which " + speaker + " speaks, '" + msg.robot + "'");
     const fleet::ClaimsVerdict verdict = take_(msg, rosNow());
-    if (verdict == fleet::ClaimsVerdict::kTaken) return;
+    if (verdict == fleet::ClaimsVerdict::kTaken) return speakers_.heard(node, msg.robot, now);
     if (verdict != fleet::ClaimsVerdict::kOwn) return refused_.add(toString(verdict));
-    if (event.getPublisherName() == ros::this_node::getName()) return;
-    refused_.add("from " + event.getPublisherName() + ", another robot with this one's name, '" + robot() +
+    if (node == ros::this_node::getName()) return;
+    refused_.add("from " + node + ", another robot with this one's name, '" + robot() +
                  "': neither knows of the other");
   }
 
@@ -84,6 +91,7 @@ class FleetChannel {
   std::string map_frame_;
   const TfBridge& tf_;
   Rejections refused_;
+  RobotSpeakers speakers_;
   std::function<fleet::ClaimsVerdict(const Msg&, Time)> take_;
   std::optional<Time> told_;
   ros::Publisher publisher_;

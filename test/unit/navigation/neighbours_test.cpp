@@ -1,0 +1,54 @@
+#include "navigation/neighbours.h"
+
+#include <gtest/gtest.h>
+
+namespace frontier_pilot {
+namespace {
+
+constexpr double kEachRadius = 0.1;  // [m], of both
+
+navigation::Neighbours seenAt(const Vec2& place, const Vec2& velocity = Vec2::Zero()) {
+  return {{}, {{place, velocity, kEachRadius}}};
+}
+
+// [MUL-3]
+TEST(NeighbourCheck, TheMiddleOfTheGapIsTheBorderBetweenTwoRobots_MUL_3) {
+  const navigation::Neighbours one = seenAt({1.0, 0.0});
+  const navigation::NeighbourCheck check(one, Vec2::Zero(), kEachRadius);
+  EXPECT_TRUE(check.isOnOwnSide({0.39, 0.0}));
+  EXPECT_FALSE(check.isOnOwnSide({0.41, 0.0}));
+  EXPECT_TRUE(check.isOnOwnSide({0.39, 5.0})) << "along the border the way is free";
+  EXPECT_TRUE(check.isOnOwnSide({-5.0, 0.0}));
+}
+
+// [MUL-3]
+TEST(NeighbourCheck, WhoIsAtAnotherOneAlreadyMayLeaveAndComesNoNearer_MUL_3) {
+  const navigation::Neighbours one = seenAt({0.15, 0.0});
+  const navigation::NeighbourCheck check(one, Vec2::Zero(), kEachRadius);
+  EXPECT_TRUE(check.isOnOwnSide(Vec2::Zero()));
+  EXPECT_TRUE(check.isOnOwnSide({-0.1, 0.0}));
+  EXPECT_TRUE(check.isOnOwnSide({0.0, 0.1}));
+  EXPECT_FALSE(check.isOnOwnSide({0.01, 0.0}));
+}
+
+// [MUL-3]
+TEST(NeighbourCheck, TheBorderWithOneThatOnlySpeaksIsNotAsked_MUL_3) {
+  const navigation::Neighbours told{{{Vec2(1.0, 0.0), Vec2(0.5, 0.0), kEachRadius}}, {}};
+  EXPECT_TRUE(navigation::NeighbourCheck(told, Vec2::Zero(), kEachRadius).isOnOwnSide({0.6, 0.0}))
+      << "it may be behind a wall";
+}
+
+// [MUL-3]
+TEST(NeighbourCheck, KeepsOffWhereOthersWillBeWhetherTheySayItOrAreSeen_MUL_3) {
+  const navigation::Neighbours seen = seenAt({1.0, 1.0}, {0.0, -1.0});
+  const navigation::Neighbours told{seen.seen, {}};
+  for (const navigation::Neighbours& neighbours : {seen, told}) {
+    const navigation::NeighbourCheck check(neighbours, Vec2::Zero(), kEachRadius);
+    EXPECT_TRUE(check.isFree({1.0, 0.0}, 0.1)) << "it is not there yet";
+    EXPECT_FALSE(check.isFree({1.0, 0.0}, 1.0));
+    EXPECT_TRUE(check.isFree({1.0, 0.0}, 3.0)) << "nobody knows what it will do by then";
+  }
+}
+
+}  // namespace
+}  // namespace frontier_pilot
