@@ -222,9 +222,10 @@ def main():
         rospy.loginfo('%s', printable(words))
     player = Player(drive, speed)
     player.await_mapper()
-    if not player.play():
+    if not (player.play() and player.run_until(player.now + SETTLING * max(1.0, player.speed))):
+        if path:
+            say('bag_player: ended before the end of the bag: no map is saved as %s' % path, sys.stderr)
         return 1
-    player.run_until(player.now + SETTLING * max(1.0, player.speed))
     say_what_was_mapped(drive, player)
     saved = save_map(path) if path else True
     if rospy.get_param('~stay', False):

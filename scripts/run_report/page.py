@@ -1,7 +1,9 @@
 """The page: one HTML file that needs nothing else, neither a network nor scripts."""
 import datetime
+import html
 import os
-from html import escape
+
+from command_line import printable
 
 from . import map_plot, summary, time_plots
 from .drawing import clock
@@ -10,6 +12,11 @@ from .output_file import MARK
 from .warnings import Warnings
 
 MOST_ROWS = 60  # of a table
+
+
+def escape(text):
+    """A text from the record in HTML, without control characters."""
+    return html.escape(printable(text, len(text)))
 
 
 def read_style():

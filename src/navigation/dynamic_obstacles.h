@@ -1,38 +1,42 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "frontier_pilot/core/laser_scan.h"
-#include "frontier_pilot/navigation/navigator_types.h"
 #include "frontier_pilot/planning/clearance_map.h"
+#include "navigation/neighbours.h"
 
 namespace frontier_pilot::navigation {
 
-/// What stands or moves where the map knows the floor to be free, and so has come there by itself: a robot, or
-/// somebody's legs. Groups of neighbouring hits are followed from scan to scan, and a straight line through their last
-/// places gives their velocity, as in the detection and tracking of moving objects (Wang, Thorpe, Thrun, Hebert &
-/// Durrant-Whyte, IJRR 26(9), 2007). What is at a wall, or where nothing is known yet, is none. [MUL-3]
+/// What stands or moves where the map knows the floor to be free: it was not there before, and may move. Groups of
+/// neighbouring hits are tracked from scan to scan, and straight lines through their last places give their velocity,
+/// as in the detection and tracking of moving objects (Wang, Thorpe, Thrun, Hebert & Durrant-Whyte, IJRR 26(9), 2007).
+/// What is at a wall, or where nothing is known yet, does not count. [MUL-3]
 class DynamicObstacles {
  public:
-  /// A scan whose beams have been placed, from a base at `T_map_base` at its stamp.
+  /// A scan whose beams have been placed, from a base at `T_map_base` at its stamp. Of a scan with more than 720 beams
+  /// every n-th is looked at; of what it shows, the 50 nearest things.
   void update(const LaserScan2& scan, const Pose2& T_map_base, const planning::ClearanceMap& map);
-  /// Where they are at `now`, those that stand with a velocity of zero.
-  std::vector<MovingDisc> at(Time now) const;
+  /// Where they are at `now`, those that stand with a velocity of zero; nothing that was last seen more than a second
+  /// before.
+  std::vector<SeenThing> at(Time now) const;
   void clear() { tracks_.clear(); }
 
  private:
-  /// A group of hits at one time.
+  /// A group of hits at one time, in the map frame [m].
   struct Sight {
     Time at;
-    Vec2 centre = Vec2::Zero();  ///< in the map frame [m]
-    double radius = 0.0;         ///< half of its extent [m]
+    Vec2 first = Vec2::Zero(), last = Vec2::Zero();  ///< its ends
+    Vec2 nearest = Vec2::Zero();                     ///< its hit that is nearest to the robot
   };
   using Track = std::vector<Sight>;  ///< the same thing at several times, the last one at the end
+  struct Group;
 
-  static std::vector<Sight> sightsIn(const LaserScan2& scan, const Pose2& T_map_base,
+  static std::vector<Group> groupsIn(const LaserScan2& scan, const Pose2& T_map_base,
                                      const planning::ClearanceMap& map);
+  static std::vector<Sight> thingsAmong(std::vector<Group> groups);
   static Vec2 velocityOf(const Track& track);
+  static Vec2 slope(const Track& track, Vec2 Sight::*place);
   void follow(const std::vector<Sight>& sights, Time now);
 
   std::vector<Track> tracks_;

@@ -7,8 +7,20 @@ namespace {
 
 constexpr double kCrossingGap = 0.05;  ///< gap to where another one is going to be [m]
 constexpr double kForeseen = 1.5;      ///< for how long others are taken to drive on as they do [s]
+constexpr double kSideGap = 0.03;   ///< that is left between both sides, as places are some tenths of a second old [m]
+constexpr double kRounding = 1e-6;  ///< of a place compared with the one where the robot is [m]
 
 }  // namespace
+
+NeighbourCheck::NeighbourCheck(const Neighbours& neighbours, const Pose2& T_map_base, const Outline& outline)
+    : neighbours_(neighbours), here_(T_map_base.position()), radius_(outline.circumscribedRadius()) {
+  for (const SeenThing& thing : neighbours.seen) {
+    const Vec2 to_thing = thing.nearest - here_;
+    if (to_thing.norm() < kRounding) continue;
+    const double gap = to_thing.norm() - radius_ - kSideGap;
+    sides_.push_back({to_thing.normalized(), std::max(0.0, 0.5 * gap)});
+  }
+}
 
 bool NeighbourCheck::isFreeOf(const MovingDisc& other, const Vec2& position, double seconds) const {
   if (other.velocity.isZero()) return true;
@@ -19,19 +31,15 @@ bool NeighbourCheck::isFreeOf(const MovingDisc& other, const Vec2& position, dou
 
 bool NeighbourCheck::isFree(const Vec2& position, double seconds) const {
   if (seconds > kForeseen) return true;
-  const auto is_free = [&](const MovingDisc& other) { return isFreeOf(other, position, seconds); };
-  return std::all_of(neighbours_.told.begin(), neighbours_.told.end(), is_free) &&
-         std::all_of(neighbours_.seen.begin(), neighbours_.seen.end(), is_free);
+  return std::all_of(neighbours_.told.begin(), neighbours_.told.end(),
+                     [&](const MovingDisc& other) { return isFreeOf(other, position, seconds); }) &&
+         std::all_of(neighbours_.seen.begin(), neighbours_.seen.end(),
+                     [&](const SeenThing& thing) { return isFreeOf(thing.body, position, seconds); });
 }
 
 bool NeighbourCheck::isOnOwnSide(const Vec2& position) const {
-  return std::all_of(neighbours_.seen.begin(), neighbours_.seen.end(), [&](const MovingDisc& other) {
-    const Vec2 to_other = other.centre - here_;
-    const double distance = to_other.norm();
-    if (distance < 1e-6) return true;
-    const double own = std::max(0.0, 0.5 * (distance - radius_ - other.radius));
-    return (position - here_).dot(to_other) <= own * distance + 1e-6;
-  });
+  return std::all_of(sides_.begin(), sides_.end(),
+                     [&](const Side& side) { return side.unit.dot(position - here_) <= side.own + kRounding; });
 }
 
 }  // namespace frontier_pilot::navigation

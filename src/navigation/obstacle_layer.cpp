@@ -64,7 +64,7 @@ bool ObstacleLayer::mark(const ScanPoints& points, const Vec2& robot, planning::
     if ((point - robot).squaredNorm() > params_.range * params_.range) continue;
     if (isMakingWay(point)) continue;
     const Cell cell = grid.cellAt(point);
-    if (!map.isKnownFree(cell) || map.isMapOccupiedNear(cell, params_.map_tolerance)) continue;
+    if (!map.isFreeFloor(cell, params_.map_tolerance)) continue;
     const bool fresh = seen_.insert_or_assign(grid.index(cell), now).second;
     if (fresh) map.setLive(cell, true);
     changed = changed || fresh;

@@ -91,13 +91,8 @@ PathFollower::Vicinity PathFollower::vicinity(const FollowerInputs& inputs) cons
   const double braking = limits_.max_linear / (2.0 * limits_.max_linear_acc);  // in time at full speed [s]
   const double farthest = limits_.max_linear * std::max(params_.horizon, params_.command_lifetime + kStep + braking);
   const double reach = farthest + outline_.circumscribedRadius() + params_.scan_margin + 0.1;
-  Vicinity around{inputs.scan.near(pose.position(), reach),
-                  inputs.map,
-                  *this,
-                  {},
-                  0.0,
-                  false,
-                  NeighbourCheck(inputs.neighbours, pose.position(), outline_.circumscribedRadius())};
+  Vicinity around{inputs.scan.near(pose.position(), reach),         inputs.map, *this, {}, 0.0, false,
+                  NeighbourCheck(inputs.neighbours, pose, outline_)};
   around.least_distances.reserve(around.points.size());
   for (std::size_t i = 0; i < around.points.size(); ++i) {
     const Vec2 point(static_cast<double>(around.points.x[i]), static_cast<double>(around.points.y[i]));
@@ -172,7 +167,7 @@ bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs, cons
   if (trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
   const double speed = std::max(inputs.twist.linear, trial.command.linear);
   if (trial.free_time < reaction + speed / limits_.max_linear_acc) return false;
-  return around.neighbours.empty() || canStop(trial.command, reaction, inputs, around);
+  return !around.neighbours.seesSomething() || staysOnItsSide(trial.command, reaction, inputs, around);
 }
 
 bool PathFollower::canStop(const Twist2& command, double reaction, const FollowerInputs& inputs,
@@ -183,6 +178,13 @@ bool PathFollower::canStop(const Twist2& command, double reaction, const Followe
                around.neighbours.isOnOwnSide(pose.position());
       },
       command, reaction, inputs);
+}
+
+bool PathFollower::staysOnItsSide(const Twist2& command, double reaction, const FollowerInputs& inputs,
+                                  const Vicinity& around) const {
+  return stopsWhere(
+      [&](const Pose2& pose, const Twist2&, double) { return around.neighbours.isOnOwnSide(pose.position()); }, command,
+      reaction, inputs);
 }
 
 bool PathFollower::canBeTheLast(const Twist2& command, const FollowerInputs& inputs, const Vicinity& around) const {

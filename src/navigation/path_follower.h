@@ -103,6 +103,9 @@ class PathFollower {
   /// Whether the robot touches nothing, and stays on its side of what may move, when it follows `command` for
   /// `reaction` [s] and then brakes to a standstill.
   bool canStop(const Twist2& command, double reaction, const FollowerInputs& inputs, const Vicinity& around) const;
+  /// Whether it stays on its side of what may move meanwhile.
+  bool staysOnItsSide(const Twist2& command, double reaction, const FollowerInputs& inputs,
+                      const Vicinity& around) const;
   /// Whether the robot touches nothing that the scan shows if the navigator falls silent after `command`, which the
   /// base follows then for its lifetime. What a turn on the spot would touch is not looked at: a disc sweeps no new
   /// ground, and robots of another outline could not turn in narrow places any more. The idea is that of braking

@@ -72,7 +72,7 @@ class LostMemory(unittest.TestCase):
         self.assertTrue(self.says('cmd_vel_arbiter', DiagnosticStatus.WARN, 'would not survive'))
         call('set_nav_enabled', SetBool, False)
         rospy.sleep(4.0)  # that nothing more is said can only be seen by waiting
-        # Before it a disk that is slow to answer may have been the reason.
+        # An earlier warning may have had another reason, a disk that was slow to answer.
         self.assertEqual(arbiter.said().count('nav_disabled would not survive a restart: cannot write'), 1, arbiter.said())
 
     # [ARB-7]

@@ -93,13 +93,13 @@ class NavigatorTraffic(unittest.TestCase):
                    for status in array.status for value in status.values)
 
     # [FLT-1]
-    def test_what_a_second_node_says_for_a_robot_is_refused_by_the_name_of_both(self):
+    def test_what_a_second_node_says_for_a_robot_is_refused_and_both_nodes_are_named(self):
         path = self.begin()
         self.tell(path, path=[], passes=[])
         stranger = Node('rostopic', 'pub', '-r', '5', '/fleet/motions', 'frontier_pilot/FleetMotion',
                         str(self.coming(path)), package='rostopic')
         self.addCleanup(stranger.signal, signal.SIGKILL)
-        word = "for a robot for which %s speaks, 'robot2'" % rospy.get_name()
+        word = ": %s speaks for 'robot2'" % rospy.get_name()
         self.assertTrue(wait_for(lambda: self.tell(path, path=[], passes=[]) or self.refused(word), 20.0))
         self.assertFalse(self.own()[-1].yields_to)
 

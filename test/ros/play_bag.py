@@ -3,6 +3,7 @@
 import math
 import os
 import shutil
+import signal
 import struct
 import tempfile
 import unittest
@@ -171,6 +172,17 @@ class PlayBag(unittest.TestCase):
             self.assertEqual(1, player.process.returncode, player.said())
             self.assertIn(words, player.said())
             self.assertNotIn('Traceback', player.said())
+
+    def test_who_ends_it_before_the_end_of_the_bag_is_told_that_no_map_is_saved(self):
+        path = os.path.join(self.folder, 'unsaved')
+        self.clock.items.clear()
+        player = Node('bag_player.py', '_bag:=' + self.bag, '_save_map:=' + path, '__name:=another_player')
+        self.assertTrue(wait_for(lambda: self.clock.items, 60.0))
+        player.signal(signal.SIGINT)
+        self.assertTrue(wait_for(player.has_ended, 20.0))
+        rospy.delete_param('/another_player')
+        self.assertIn('no map is saved as ' + path, player.said())
+        self.assertFalse(os.path.exists(path + '.yaml'))
 
     def test_nothing_is_played_beside_a_robot(self):  # [FLT-1]
         for topic, kind in (('/clock', Clock), ('/robot1/scan', LaserScan), ('odom', Odometry)):

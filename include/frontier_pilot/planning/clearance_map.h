@@ -71,6 +71,9 @@ class ClearanceMap {
   bool isOccupied(Cell c) const { return obstacle_.get(c, 0) != 0; }
   /// Whether the map itself, not the live obstacles, has an occupied cell within `radius` [cells] (a square).
   bool isMapOccupiedNear(Cell c, int radius) const;
+  /// Whether the map knows the cell to be free, and has nothing within `radius` [cells] (a square) of it: what a scan
+  /// shows there is missing from the map.
+  bool isFreeFloor(Cell c, int radius) const { return isKnownFree(c) && !isMapOccupiedNear(c, radius); }
   /// Whether the robot's centre may be at the cell's centre.
   bool isPassable(Cell c) const { return costClass(c) != 0; }
 

@@ -35,7 +35,6 @@ class DrivenFleet {
   Time now() const { return simulator_.now(); }
   bool arrived(std::size_t robot) const { return !robots_[robot]->goal; }
   const Pose2& pose(std::size_t robot) const { return simulator_.pose(robot); }
-  Twist2 velocity(std::size_t robot) const { return simulator_.velocity(robot); }
   const navigation::NavigatorOutput& output(std::size_t robot) const { return robots_[robot]->output; }
   int contacts() const;
   int given_up() const { return given_up_; }  ///< goals that a navigator aborted

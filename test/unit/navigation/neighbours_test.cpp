@@ -7,24 +7,25 @@ namespace {
 
 constexpr double kEachRadius = 0.1;  // [m], of both
 
+/// Another robot around `place`, as one at the origin sees it.
 navigation::Neighbours seenAt(const Vec2& place, const Vec2& velocity = Vec2::Zero()) {
-  return {{}, {{place, velocity, kEachRadius}}};
+  return {{}, {{{place, velocity, kEachRadius}, place - kEachRadius * place.normalized()}}};
 }
 
 // [MUL-3]
 TEST(NeighbourCheck, TheMiddleOfTheGapIsTheBorderBetweenTwoRobots_MUL_3) {
   const navigation::Neighbours one = seenAt({1.0, 0.0});
-  const navigation::NeighbourCheck check(one, Vec2::Zero(), kEachRadius);
-  EXPECT_TRUE(check.isOnOwnSide({0.39, 0.0}));
+  const navigation::NeighbourCheck check(one, Pose2(), Outline::disc(kEachRadius));
+  EXPECT_TRUE(check.isOnOwnSide({0.38, 0.0}));
   EXPECT_FALSE(check.isOnOwnSide({0.41, 0.0}));
-  EXPECT_TRUE(check.isOnOwnSide({0.39, 5.0})) << "along the border the way is free";
+  EXPECT_TRUE(check.isOnOwnSide({0.38, 5.0})) << "along the border the way is free";
   EXPECT_TRUE(check.isOnOwnSide({-5.0, 0.0}));
 }
 
 // [MUL-3]
 TEST(NeighbourCheck, WhoIsAtAnotherOneAlreadyMayLeaveAndComesNoNearer_MUL_3) {
   const navigation::Neighbours one = seenAt({0.15, 0.0});
-  const navigation::NeighbourCheck check(one, Vec2::Zero(), kEachRadius);
+  const navigation::NeighbourCheck check(one, Pose2(), Outline::disc(kEachRadius));
   EXPECT_TRUE(check.isOnOwnSide(Vec2::Zero()));
   EXPECT_TRUE(check.isOnOwnSide({-0.1, 0.0}));
   EXPECT_TRUE(check.isOnOwnSide({0.0, 0.1}));
@@ -32,18 +33,27 @@ TEST(NeighbourCheck, WhoIsAtAnotherOneAlreadyMayLeaveAndComesNoNearer_MUL_3) {
 }
 
 // [MUL-3]
+TEST(NeighbourCheck, TheBorderWithALongFaceIsAlongTheFace_MUL_3) {
+  const navigation::Neighbours box{{}, {{{Vec2(0.0, 0.5), Vec2::Zero(), 0.5}, Vec2(0.0, 0.3)}}};
+  const navigation::NeighbourCheck check(box, Pose2(), Outline::disc(kEachRadius));
+  EXPECT_TRUE(check.isOnOwnSide({0.5, 0.0}));
+  EXPECT_TRUE(check.isOnOwnSide({0.0, 0.08}));
+  EXPECT_FALSE(check.isOnOwnSide({0.0, 0.11}));
+}
+
+// [MUL-3]
 TEST(NeighbourCheck, TheBorderWithOneThatOnlySpeaksIsNotAsked_MUL_3) {
   const navigation::Neighbours told{{{Vec2(1.0, 0.0), Vec2(0.5, 0.0), kEachRadius}}, {}};
-  EXPECT_TRUE(navigation::NeighbourCheck(told, Vec2::Zero(), kEachRadius).isOnOwnSide({0.6, 0.0}))
+  EXPECT_TRUE(navigation::NeighbourCheck(told, Pose2(), Outline::disc(kEachRadius)).isOnOwnSide({0.6, 0.0}))
       << "it may be behind a wall";
 }
 
 // [MUL-3]
 TEST(NeighbourCheck, KeepsOffWhereOthersWillBeWhetherTheySayItOrAreSeen_MUL_3) {
   const navigation::Neighbours seen = seenAt({1.0, 1.0}, {0.0, -1.0});
-  const navigation::Neighbours told{seen.seen, {}};
+  const navigation::Neighbours told{{seen.seen[0].body}, {}};
   for (const navigation::Neighbours& neighbours : {seen, told}) {
-    const navigation::NeighbourCheck check(neighbours, Vec2::Zero(), kEachRadius);
+    const navigation::NeighbourCheck check(neighbours, Pose2(), Outline::disc(kEachRadius));
     EXPECT_TRUE(check.isFree({1.0, 0.0}, 0.1)) << "it is not there yet";
     EXPECT_FALSE(check.isFree({1.0, 0.0}, 1.0));
     EXPECT_TRUE(check.isFree({1.0, 0.0}, 3.0)) << "nobody knows what it will do by then";

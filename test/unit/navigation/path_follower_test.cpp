@@ -183,7 +183,8 @@ TEST(PathFollower, BrakesOnItsSideOfTheMiddleBetweenItselfAndARobotThatItSees_MU
     navigation::ScanPoints nothing;
     navigation::PathFollower follower(params, fastRobot());
     follower.setPath(planning::Path({Vec2(3.0, 5.0), Vec2(8.0, 5.0)}));
-    const navigation::Neighbours neighbours{{}, {{other, Vec2::Zero(), 0.105}}};
+    const Vec2 nearest = other - 0.105 * (other - Vec2(3.0, 5.0)).normalized();
+    const navigation::Neighbours neighbours{{}, {{{other, Vec2::Zero(), 0.105}, nearest}}};
     return follower.update({Pose2(3.0, 5.0, 0.0), Twist2{0.5, 0.0}, 0.05, nothing, open, neighbours}).command.linear;
   };
   // It drives on for 0.15 m until it brakes, and then for 0.05 m: twice that to the middle, and both radii.

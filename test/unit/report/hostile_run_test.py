@@ -4,6 +4,7 @@ import io
 import itertools
 import json
 import struct
+import unicodedata
 import unittest
 import warnings
 
@@ -103,6 +104,7 @@ class HostileRun(FolderCase):
         made = page(run, settings, True, [self.bag])
         self.assertIn('</html>', made)
         made.encode('utf-8', 'replace')
+        self.assertEqual({letter for letter in made if unicodedata.category(letter)[0] == 'C'} - {'\n'}, set())
         return run
 
     # [FLT-1]

@@ -37,6 +37,12 @@ class Parameters(unittest.TestCase):
         for given in (5, 'text', [1, 2]):
             self.assertEqual(self.read(given)[1], ['/run_recorder is a single value, not a dictionary of parameters'])
 
+    def test_numbers_as_other_programs_write_them_are_numbers(self):
+        values, problems = self.read({'min_space': '1e3', 'size': '5e2'})
+        self.assertEqual((values['min_space'], values['size'], problems), (1000, 500, []))
+        self.assertEqual(self.read({'min_space': '1e10'})[1], ['min_space: must be between 1 and 1e+09, not 1e+10'])
+        self.assertEqual(self.read({'min_space': 'much'})[1], ["min_space: must be a number, not 'much'"])
+
     def test_what_is_not_given_has_its_default(self):
         values, problems = self.read({'size': 100})
         self.assertEqual((values['size'], values['runs'], problems), (100, 10, []))

@@ -77,8 +77,7 @@ class FleetChannel {
     const std::string& node = event.getPublisherName();
     const SteadyTime now = steadyNow();
     const std::string speaker = speakers_.insteadOf(node, msg.robot, now);
-    if (!speaker.empty())
-      return refused_.add("from " + node + ", for a robot for which " + speaker + " speaks, '" + msg.robot + "'");
+    if (!speaker.empty()) return refused_.add("from " + node + ": " + speaker + " speaks for '" + msg.robot + "'");
     const fleet::ClaimsVerdict verdict = take_(msg, rosNow());
     if (verdict == fleet::ClaimsVerdict::kTaken) return speakers_.heard(node, msg.robot, now);
     if (verdict != fleet::ClaimsVerdict::kOwn) return refused_.add(toString(verdict));

@@ -16,7 +16,8 @@ class RobotSpeakers {
   /// The node that speaks for `robot` instead of `node`; empty if `node` may. A node that was silent for ten seconds
   /// speaks for nobody any more.
   std::string insteadOf(const std::string& node, const std::string& robot, SteadyTime now) const;
-  /// `node` has said something for `robot` that was taken.
+  /// `node` has said something for `robot` that was taken. Of more than a hundred robots the new ones are not
+  /// remembered.
   void heard(const std::string& node, const std::string& robot, SteadyTime now);
 
  private:
