@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frontier_pilot/core/bounds.h"
 #include "frontier_pilot/core/parameters.h"
 
 namespace frontier_pilot::occupancy {
@@ -33,7 +34,7 @@ struct OccupancyMapParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.field("resolution", resolution, "m", "side of a cell", between(0.005, 1.0));
+    v.field("resolution", resolution, "m", "side of a cell", between(bounds::kLeastResolution, 1.0));
     v.field("scanner_height", scanner_height, "m", "height of the layer in the octree", between(0.0, 10.0));
     v.fixed({"growth_step"});
     v.field("max_side", max_side, "m", "the map never gets wider or higher than this", between(10.0, 1000.0));

@@ -89,7 +89,7 @@ std::string robotTable() {
          "Every node reads these, from the file that the launch files' argument `robot` names: see "
          "[robots](robots.md).\n"
          "`limits/...` beside `robot/...` overrides `robot/limits/...`. The defaults are a TurtleBot3 Burger's.\n"
-         "Under that name ↻ they may change while the nodes run that command the base.\n\n" +
+         "The `limits/...` (↻) of the nodes that command the base may change while they run.\n\n" +
          tabulateRows(describeParameters(RobotGroup()));
 }
 
