@@ -113,6 +113,11 @@ std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& na
   return found == nodes.end() ? std::vector<std::string>() : found->second;
 }
 
+bool isNodeOf(const NodesByName& nodes, const std::string& name, const std::string& node) {
+  const std::vector<std::string> registered = nodesOf(nodes, name);
+  return std::find(registered.begin(), registered.end(), node) != registered.end();
+}
+
 std::string uriOf(const std::string& node) { return lookUp("lookupNode", node); }
 
 std::string uriOfService(const std::string& service) { return lookUp("lookupService", service); }

@@ -23,6 +23,8 @@ std::optional<MasterState> askMaster();
 
 /// The nodes registered for `name`.
 std::vector<std::string> nodesOf(const NodesByName& nodes, const std::string& name);
+/// Whether `node` is one of them.
+bool isNodeOf(const NodesByName& nodes, const std::string& name, const std::string& node);
 
 /// The XML-RPC URI of the node; empty if the master knows none or does not answer.
 std::string uriOf(const std::string& node);

@@ -19,38 +19,6 @@ constexpr Duration kSecondLook = std::chrono::milliseconds(400);  // whether wha
 constexpr std::size_t kOften =
     5;  // looks within kRemembered in which a service is missing; a restart of the master causes two or three
 
-/// Whether a node lives, asked once in a look.
-using LivingNodes = std::map<std::string, bool>;
-
-bool isIn(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool lives(const std::string& node, LivingNodes& known) {
-  const auto [entry, unknown] = known.try_emplace(node);
-  if (unknown) entry->second = nodeLives(node);
-  return entry->second;
-}
-
-/// Another living node of `nodes`; empty if there is none.
-std::string findOther(const std::vector<std::string>& nodes, LivingNodes& known) {
-  for (const std::string& node : nodes) {
-    if (node != ros::this_node::getName() && lives(node, known)) return node;
-  }
-  return {};
-}
-
-/// The nodes that publish all of `topics`.
-std::vector<std::string> publishersOfAll(const std::vector<std::string>& topics, const NodesByName& publishers) {
-  std::vector<std::string> nodes = nodesOf(publishers, topics.front());
-  const auto lacksOne = [&](const std::string& node) {
-    return !std::all_of(topics.begin(), topics.end(),
-                        [&](const std::string& topic) { return isIn(nodesOf(publishers, topic), node); });
-  };
-  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), lacksOne), nodes.end());
-  return nodes;
-}
-
 }  // namespace
 
 MasterWatch::MasterWatch(Duration period) : period_(period), last_answer_(steadyNow()) {
@@ -80,10 +48,10 @@ void MasterWatch::claimTopics(const std::vector<std::string>& topics) {
 
 void MasterWatch::watchListeners(const std::string& topic) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  claims_.listened = topic;
+  listened_ = topic;
 }
 
-MasterWatch::Claims MasterWatch::claims() const {
+Claims MasterWatch::claims() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return claims_;
 }
@@ -128,7 +96,7 @@ void MasterWatch::look() {
   MasterReport report;
   missing_before_ = std::exchange(missing_, {});
   if (nameIsTaken()) return giveWay();
-  report.rivals = findRivals(*state);
+  report.rivals = findRivals(claims(), *state);
   lookAtServices(*state, report.rivals);  // before the topics: a stop is a service, and each registration takes time
   lookAtTopics(*state);
   lookAtAnAddress(*state);
@@ -151,23 +119,12 @@ void MasterWatch::look() {
   report_.put(std::move(report));
 }
 
-std::map<std::string, std::string> MasterWatch::findRivals(const MasterState& state) const {
-  const Claims own = claims();
-  LivingNodes known;
-  std::map<std::string, std::string> rivals;
-  for (const std::string& service : own.services) {
-    const std::string other = findOther(nodesOf(state.providers, service), known);
-    if (!other.empty() && serviceMayAnswer(service)) rivals[service] = other;
-  }
-  for (const auto& topics : own.topics) {
-    const std::string other = findOther(publishersOfAll(topics, state.publishers), known);
-    if (!other.empty()) rivals[topics.front()] = other;
-  }
-  return rivals;
-}
-
 std::optional<std::vector<std::string>> MasterWatch::findListeners(const MasterState& state) const {
-  const std::string topic = claims().listened;
+  std::string topic;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    topic = listened_;
+  }
   if (topic.empty()) return std::nullopt;
   std::vector<std::string> nodes = nodesOf(state.subscribers, topic);
   // Its services' port is not tried: rospy warns of a connection that ends at once.
@@ -182,13 +139,13 @@ void MasterWatch::lookAtTopics(const MasterState& state) {
   ros::this_node::getAdvertisedTopics(advertised);
   ros::this_node::getSubscribedTopics(subscribed);
   for (const std::string& topic : advertised) {
-    const bool known = isIn(nodesOf(state.publishers, topic), self);
+    const bool known = isNodeOf(state.publishers, topic, self);
     if (!known && missingTwice("publisher of " + topic) && registerPublisher(topic))
       renewed_.push_back("publisher of " + topic);
   }
   const std::optional<UrisByTopic> connected = connectedPublishers();
   for (const std::string& topic : subscribed) {
-    const bool known = isIn(nodesOf(state.subscribers, topic), self);
+    const bool known = isNodeOf(state.subscribers, topic, self);
     if (!known && missingTwice("subscriber of " + topic) && registerSubscriber(topic, connected))
       renewed_.push_back("subscriber of " + topic);
   }
@@ -201,7 +158,7 @@ void MasterWatch::lookAtTopics(const MasterState& state) {
 void MasterWatch::lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals) {
   const std::string& self = ros::this_node::getName();
   for (const std::string& service : claims().services) {
-    if (isIn(nodesOf(state.providers, service), self) || rivals.count(service) > 0) continue;
+    if (isNodeOf(state.providers, service, self) || rivals.count(service) > 0) continue;
     if (missingTwice("service " + service) && registerService(service)) renewed_.push_back("service " + service);
   }
 }
@@ -210,7 +167,7 @@ void MasterWatch::lookAtAnAddress(const MasterState& state) {
   const std::vector<std::string> services = claims().services;
   if (services.empty()) return;
   const std::string& service = services[next_service_++ % services.size()];
-  if (!isIn(nodesOf(state.providers, service), ros::this_node::getName()) || pointsHere(service)) return;
+  if (!isNodeOf(state.providers, service, ros::this_node::getName()) || pointsHere(service)) return;
   THROTTLED_ERROR("the master sends calls of " << service << " elsewhere, under the name of this node");
   if (registerService(service)) renewed_.push_back("service " + service);
 }
@@ -246,9 +203,10 @@ void MasterWatch::sayWhatWasRenewed() {
 }
 
 void MasterWatch::setRivals(const std::map<std::string, std::string>& rivals) {
+  const std::vector<std::string> services = claims().services;
   std::vector<std::string> problems;
   for (const auto& [what, node] : rivals) {
-    const bool offered = isIn(claims().services, what);
+    const bool offered = std::find(services.begin(), services.end(), what) != services.end();
     std::string problem = node;
     problem.append(offered ? " offers " : " publishes ").append(what).append(" as well");
     problems.push_back(std::move(problem));

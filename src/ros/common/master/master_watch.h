@@ -23,6 +23,7 @@
 #include "ros/common/master/own_parameters.h"
 #include "ros/common/master/publisher_watch.h"
 #include "ros/common/master/registration.h"
+#include "ros/common/master/rivals.h"
 #include "ros/common/master/session_news.h"
 #include "ros/common/messages/mailbox.h"
 
@@ -91,14 +92,7 @@ class MasterWatch {
   void run();
   void look();
   void sendParameters();
-  struct Claims {
-    std::vector<std::string> services;
-    std::vector<std::vector<std::string>> topics;
-    std::string listened;  ///< the topic of `watchListeners`
-  };
-
   Claims claims() const;
-  std::map<std::string, std::string> findRivals(const MasterState& state) const;
   std::optional<std::vector<std::string>> findListeners(const MasterState& state) const;
   void lookAtTopics(const MasterState& state);
   void lookAtServices(const MasterState& state, const std::map<std::string, std::string>& rivals);
@@ -122,10 +116,11 @@ class MasterWatch {
   std::atomic<SteadyTime> last_answer_;
   std::atomic<bool> lists_topics_{false};
   SessionNews session_;
-  mutable std::mutex mutex_;  ///< guards the eight that follow
+  mutable std::mutex mutex_;  ///< guards the nine that follow
   std::condition_variable wake_;
   bool ending_ = false;
   Claims claims_;
+  std::string listened_;  ///< the topic of `watchListeners`
   std::vector<std::string> problems_;
   std::vector<robot_check::Topic> topics_;
   UrisByTopic connected_;  ///< publishers from which this node receives
