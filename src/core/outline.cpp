@@ -47,10 +47,13 @@ bool crossesItself(const std::vector<Vec2>& corners) {
   return false;
 }
 
-double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
+Vec2 nearestOnSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
   const Vec2 side = b - a;
-  const double along = std::clamp((point - a).dot(side) / side.squaredNorm(), 0.0, 1.0);
-  return (a + along * side - point).norm();
+  return a + std::clamp((point - a).dot(side) / side.squaredNorm(), 0.0, 1.0) * side;
+}
+
+double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
+  return (nearestOnSegment(point, a, b) - point).norm();
 }
 
 double distanceToSides(const std::vector<Vec2>& corners, const Vec2& point) {
@@ -170,6 +173,23 @@ double Outline::distanceToEdge(const Vec2& from, const Vec2& unit) const {
     if (along_side >= 0.0 && along_side <= 1.0 && along_ray >= 0.0) first = std::min(first, along_ray);
   }
   return std::isfinite(first) ? first : 0.0;
+}
+
+Vec2 Outline::nearestTo(const Vec2& point) const {
+  if (is_disc_) return inscribed_ * point.normalized();
+  Vec2 nearest = corners_.front();
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Vec2 on_side = nearestOnSegment(point, corners_[i], next(corners_, i));
+    if ((on_side - point).squaredNorm() < (nearest - point).squaredNorm()) nearest = on_side;
+  }
+  return nearest;
+}
+
+double Outline::reach(const Vec2& unit) const {
+  if (is_disc_) return inscribed_;
+  double farthest = 0.0;
+  for (const Vec2& corner : corners_) farthest = std::max(farthest, unit.dot(corner));
+  return farthest;
 }
 
 void Outline::cellsAt(const Pose2& T_grid_base, const GridGeometry& geometry, std::vector<Cell>& cells) const {

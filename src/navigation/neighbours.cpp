@@ -13,18 +13,28 @@ constexpr double kRounding = 1e-6;  ///< of a place compared with the one where 
 }  // namespace
 
 NeighbourCheck::NeighbourCheck(const Neighbours& neighbours, const Pose2& T_map_base, const Outline& outline)
-    : neighbours_(neighbours), here_(T_map_base.position()), radius_(outline.circumscribedRadius()) {
+    : neighbours_(neighbours), outline_(outline), here_(T_map_base.position()) {
   for (const SeenThing& thing : neighbours.seen) {
-    const Vec2 to_thing = thing.nearest - here_;
-    if (to_thing.norm() < kRounding) continue;
-    const double gap = to_thing.norm() - radius_ - kSideGap;
-    sides_.push_back({to_thing.normalized(), std::max(0.0, 0.5 * gap)});
+    const Vec2 in_base = T_map_base.inverse() * thing.nearest;
+    if (in_base.norm() < kRounding) continue;
+    const auto own = [](double gap) { return std::max(0.0, 0.5 * (gap - kSideGap)); };
+    const Vec2 ahead = (thing.nearest - here_).normalized();
+    const double gap = outline.distance(in_base);
+    const Vec2 apart = thing.nearest - T_map_base * outline.nearestTo(in_base);
+    const Vec2 across = gap > kRounding ? Vec2(apart.normalized()) : ahead;
+    borders_.push_back({ahead, ahead.dot(here_) + own(in_base.norm() - outline.circumscribedRadius()), across,
+                        reachAlong(across, T_map_base) + own(gap)});
   }
+}
+
+/// The coordinate along `unit`, in the map frame, of the part of the outline that is farthest there.
+double NeighbourCheck::reachAlong(const Vec2& unit, const Pose2& pose) const {
+  return unit.dot(pose.position()) + outline_.reach(Rotation2(-pose.yaw) * unit);
 }
 
 bool NeighbourCheck::isFreeOf(const MovingDisc& other, const Vec2& position, double seconds) const {
   if (other.velocity.isZero()) return true;
-  const double least = radius_ + other.radius + kCrossingGap;
+  const double least = outline_.circumscribedRadius() + other.radius + kCrossingGap;
   const Vec2 there = other.centre + seconds * other.velocity;
   return (there - position).norm() >= std::min(least, (there - here_).norm());
 }
@@ -37,9 +47,11 @@ bool NeighbourCheck::isFree(const Vec2& position, double seconds) const {
                      [&](const SeenThing& thing) { return isFreeOf(thing.body, position, seconds); });
 }
 
-bool NeighbourCheck::isOnOwnSide(const Vec2& position) const {
-  return std::all_of(sides_.begin(), sides_.end(),
-                     [&](const Side& side) { return side.unit.dot(position - here_) <= side.own + kRounding; });
+bool NeighbourCheck::isOnOwnSide(const Pose2& pose) const {
+  return std::all_of(borders_.begin(), borders_.end(), [&](const Border& border) {
+    return border.ahead.dot(pose.position()) <= border.farthest + kRounding &&
+           (outline_.isDisc() || reachAlong(border.across, pose) <= border.widest + kRounding);
+  });
 }
 
 }  // namespace frontier_pilot::navigation

@@ -22,30 +22,34 @@ struct Neighbours {
 /// What a robot with an outline at `T_map_base` has to keep off while it moves. Places are in the map frame. [MUL-3]
 class NeighbourCheck {
  public:
-  /// `neighbours` has to outlive it.
+  /// `neighbours` and `outline` have to outlive it.
   NeighbourCheck(const Neighbours& neighbours, const Pose2& T_map_base, const Outline& outline);
 
   bool seesSomething() const { return !neighbours_.seen.empty(); }
   /// Whether `position` is away from where the others will be in `seconds`, if they drive on, or at least no nearer
   /// than if this robot stood still.
   bool isFree(const Vec2& position, double seconds) const;
-  /// Whether a robot at `position` is on its side of the middle between itself and each thing that is seen. Two robots
-  /// do not touch if each can brake on its own side and knows where the other one is, whatever else it knows of it: the
-  /// buffered Voronoi cells of Zhou, Wang, Bandyopadhyay & Schwager (IEEE RA-L 2(2), 2017).
-  bool isOnOwnSide(const Vec2& position) const;
+  /// Whether the whole outline at `pose` is on its side of the middle between itself and each thing that is seen. Two
+  /// robots do not touch if each can brake on its own side and knows where the other one is, whatever else it knows of
+  /// it: the buffered Voronoi cells of Zhou, Wang, Bandyopadhyay & Schwager (IEEE RA-L 2(2), 2017).
+  bool isOnOwnSide(const Pose2& pose) const;
 
  private:
-  /// Towards something that may move, and how far the robot may go there.
-  struct Side {
-    Vec2 unit;
-    double own;  ///< [m]
+  /// The border with something that may move, by the discs around both, as either may turn; and by this robot's
+  /// outline, whose corners swing out while it turns.
+  struct Border {
+    Vec2 ahead;       ///< from this robot's centre
+    double farthest;  ///< coordinate of its centre along that [m]
+    Vec2 across;      ///< from the nearest place of its outline
+    double widest;    ///< coordinate along that of any part of it [m]
   };
+  double reachAlong(const Vec2& unit, const Pose2& pose) const;
   bool isFreeOf(const MovingDisc& other, const Vec2& position, double seconds) const;
 
   const Neighbours& neighbours_;
-  std::vector<Side> sides_;
+  const Outline& outline_;
+  std::vector<Border> borders_;
   Vec2 here_;
-  double radius_;  ///< of the disc around the outline: it may turn, and so may the other one [m]
 };
 
 }  // namespace frontier_pilot::navigation

@@ -175,16 +175,15 @@ bool PathFollower::canStop(const Twist2& command, double reaction, const Followe
   return stopsWhere(
       [&](const Pose2& pose, const Twist2& twist, double t) {
         return around.isFree(pose, std::abs(twist.linear)) && around.neighbours.isFree(pose.position(), t) &&
-               around.neighbours.isOnOwnSide(pose.position());
+               around.neighbours.isOnOwnSide(pose);
       },
       command, reaction, inputs);
 }
 
 bool PathFollower::staysOnItsSide(const Twist2& command, double reaction, const FollowerInputs& inputs,
                                   const Vicinity& around) const {
-  return stopsWhere(
-      [&](const Pose2& pose, const Twist2&, double) { return around.neighbours.isOnOwnSide(pose.position()); }, command,
-      reaction, inputs);
+  return stopsWhere([&](const Pose2& pose, const Twist2&, double) { return around.neighbours.isOnOwnSide(pose); },
+                    command, reaction, inputs);
 }
 
 bool PathFollower::canBeTheLast(const Twist2& command, const FollowerInputs& inputs, const Vicinity& around) const {
@@ -216,6 +215,7 @@ FollowerOutput PathFollower::turn(double angle, const FollowerInputs& inputs) co
   for (double t = kStep; t < seconds + kStep; t += kStep) {
     if (!around.isFree(integrate(inputs.T_map_base, command, t), 0.0)) return {{}, true};
   }
+  if (!staysOnItsSide(command, params_.reaction_time + inputs.age, inputs, around)) return {{}, true};
   return {command, false};
 }
 

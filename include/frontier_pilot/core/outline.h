@@ -48,6 +48,10 @@ class Outline {
   double distance(const Vec2& point) const;
   /// Distance from `from` along the unit vector `unit` to where the ray leaves the outline; 0 if `from` is outside.
   double distanceToEdge(const Vec2& from, const Vec2& unit) const;
+  /// The place on its edge that is nearest to `point`, which is not its origin, in the base frame.
+  Vec2 nearestTo(const Vec2& point) const;
+  /// How far it reaches from the base's origin along the unit vector `unit`, in the base frame.
+  double reach(const Vec2& unit) const;
   /// Every cell of `geometry` that the outline of a robot at `T_grid_base` touches or contains, even outside of the
   /// grid. In no particular order, and some cells repeat. Overwrites `cells`, so that the caller can reuse its memory.
   void cellsAt(const Pose2& T_grid_base, const GridGeometry& geometry, std::vector<Cell>& cells) const;

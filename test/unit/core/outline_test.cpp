@@ -60,6 +60,17 @@ TEST(Outlines, GiveTheDistanceToAPointInsideAndOutside) {
   EXPECT_NEAR(Outline::disc(0.1).distance({0.0, 0.3}), 0.2, 1e-12);
 }
 
+TEST(Outlines, GiveTheNearestPlaceOnTheirEdgeAndHowFarTheyReach) {
+  const Outline box = Outline::polygon({{0.3, 0.2}, {-0.1, 0.2}, {-0.1, -0.2}, {0.3, -0.2}});
+  EXPECT_NEAR((box.nearestTo({1.0, 0.1}) - Vec2(0.3, 0.1)).norm(), 0.0, 1e-9);
+  EXPECT_EQ(box.nearestTo({1.0, 1.0}), Vec2(0.3, 0.2));
+  EXPECT_DOUBLE_EQ(box.reach({1.0, 0.0}), 0.3);
+  EXPECT_DOUBLE_EQ(box.reach({-1.0, 0.0}), 0.1);
+  EXPECT_DOUBLE_EQ(box.reach({0.6, 0.8}), 0.34);
+  EXPECT_NEAR((Outline::disc(0.2).nearestTo({3.0, 4.0}) - Vec2(0.12, 0.16)).norm(), 0.0, 1e-9);
+  EXPECT_DOUBLE_EQ(Outline::disc(0.2).reach({0.6, 0.8}), 0.2);
+}
+
 TEST(Outlines, GiveWhereARayLeavesThem) {
   EXPECT_NEAR(waffle().distanceToEdge({-0.064, 0.0}, {1.0, 0.0}), 0.141, 1e-12);
   EXPECT_NEAR(waffle().distanceToEdge({-0.064, 0.0}, {0.0, -1.0}), 0.153, 1e-12);
