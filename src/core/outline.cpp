@@ -52,16 +52,13 @@ Vec2 nearestOnSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
   return a + std::clamp((point - a).dot(side) / side.squaredNorm(), 0.0, 1.0) * side;
 }
 
-double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
-  return (nearestOnSegment(point, a, b) - point).norm();
-}
-
-double distanceToSides(const std::vector<Vec2>& corners, const Vec2& point) {
-  double least = std::numeric_limits<double>::infinity();
+Vec2 nearestOnSides(const Vec2& point, const std::vector<Vec2>& corners) {
+  Vec2 nearest = corners.front();
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    least = std::min(least, distanceToSegment(point, corners[i], next(corners, i)));
+    const Vec2 on_side = nearestOnSegment(point, corners[i], next(corners, i));
+    if ((on_side - point).squaredNorm() < (nearest - point).squaredNorm()) nearest = on_side;
   }
-  return least;
+  return nearest;
 }
 
 /// The corners of a counter-clockwise polygon whose sides are moved outward by `margin`, joined by mitres.
@@ -115,7 +112,7 @@ Outline::Outline(std::vector<Vec2> corners, bool is_disc, double radius)
     half_width_ = front_ = rear_ = radius;
     return;
   }
-  inscribed_ = distanceToSides(corners_, Vec2::Zero());
+  inscribed_ = nearestOnSides(Vec2::Zero(), corners_).norm();
   for (const Vec2& corner : corners_) {
     circumscribed_ = std::max(circumscribed_, corner.norm());
     half_width_ = std::max(half_width_, std::abs(corner.y()));
@@ -151,7 +148,7 @@ Outline Outline::padded(double margin) const {
 
 double Outline::distance(const Vec2& point) const {
   if (is_disc_) return point.norm() - inscribed_;
-  const double to_sides = distanceToSides(corners_, point);
+  const double to_sides = (nearestOnSides(point, corners_) - point).norm();
   return polygonContains(corners_, point) ? -to_sides : to_sides;
 }
 
@@ -176,13 +173,7 @@ double Outline::distanceToEdge(const Vec2& from, const Vec2& unit) const {
 }
 
 Vec2 Outline::nearestTo(const Vec2& point) const {
-  if (is_disc_) return inscribed_ * point.normalized();
-  Vec2 nearest = corners_.front();
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    const Vec2 on_side = nearestOnSegment(point, corners_[i], next(corners_, i));
-    if ((on_side - point).squaredNorm() < (nearest - point).squaredNorm()) nearest = on_side;
-  }
-  return nearest;
+  return is_disc_ ? Vec2(inscribed_ * point.normalized()) : nearestOnSides(point, corners_);
 }
 
 double Outline::reach(const Vec2& unit) const {

@@ -35,7 +35,7 @@ class NeighbourCheck {
   bool isOnOwnSide(const Pose2& pose) const;
 
  private:
-  /// The border with something that may move, by the discs around both, as either may turn; and by this robot's
+  /// The border with something that may move: for the disc around this robot, which it may fill by a turn, and for its
   /// outline, whose corners swing out while it turns.
   struct Border {
     Vec2 ahead;       ///< from this robot's centre

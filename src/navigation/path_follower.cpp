@@ -167,7 +167,7 @@ bool PathFollower::isSafe(const Trial& trial, const FollowerInputs& inputs, cons
   if (trial.command.linear == 0.0 && inputs.twist.linear < kCreep) return true;
   const double speed = std::max(inputs.twist.linear, trial.command.linear);
   if (trial.free_time < reaction + speed / limits_.max_linear_acc) return false;
-  return !around.neighbours.seesSomething() || staysOnItsSide(trial.command, reaction, inputs, around);
+  return staysOnItsSide(trial.command, reaction, inputs, around);
 }
 
 bool PathFollower::canStop(const Twist2& command, double reaction, const FollowerInputs& inputs,
@@ -182,6 +182,7 @@ bool PathFollower::canStop(const Twist2& command, double reaction, const Followe
 
 bool PathFollower::staysOnItsSide(const Twist2& command, double reaction, const FollowerInputs& inputs,
                                   const Vicinity& around) const {
+  if (!around.neighbours.seesSomething()) return true;
   return stopsWhere([&](const Pose2& pose, const Twist2&, double) { return around.neighbours.isOnOwnSide(pose); },
                     command, reaction, inputs);
 }

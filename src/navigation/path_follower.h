@@ -101,7 +101,8 @@ class PathFollower {
   Trial tryOut(const Policy& policy, const FollowerInputs& inputs, const Vicinity& around) const;
   bool isSafe(const Trial& trial, const FollowerInputs& inputs, const Vicinity& around) const;
   /// Whether the robot touches nothing, and stays on its side of what may move, when it follows `command` for
-  /// `reaction` [s] and then brakes to a standstill.
+  /// `reaction` [s] and then brakes to a standstill. An outline needs that: while it brakes it may turn where the rest
+  /// of the trial would not.
   bool canStop(const Twist2& command, double reaction, const FollowerInputs& inputs, const Vicinity& around) const;
   /// Whether it stays on its side of what may move meanwhile.
   bool staysOnItsSide(const Twist2& command, double reaction, const FollowerInputs& inputs,
