@@ -76,7 +76,7 @@ bool BackOut::isFree(const Twist2& command, const RecoveryInputs& in) const {
   const double least = std::min({0.0, now, std::max(now - kNoise, -kNearest)});
   for (double t = kPoseStep; t < kAhead + 0.5 * kPoseStep; t += kPoseStep) {
     const Pose2 there = integrate(in.T_map_base, command, t);
-    if (in.scan_distance(outline_, there) < least || (in.fits_map && !in.fits_map(there))) return false;
+    if (in.scan_distance(outline_, there) < least || (in.has_room && !in.has_room(there))) return false;
   }
   return true;
 }

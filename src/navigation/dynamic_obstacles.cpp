@@ -13,7 +13,9 @@ constexpr std::size_t kMostBeams = 720;
 constexpr std::size_t kMostThings = 50;
 constexpr std::size_t kFewestHits = 3;  ///< of a thing
 constexpr double kNear = 4.0;           ///< farther things are not tracked [m]
-constexpr double kOffWalls = 0.15;      ///< least distance from what the map shows [m]
+constexpr double kOffWalls = 0.15;      ///< least distance of a thing from what the map shows [m]
+constexpr int kBesideWalls = 1;         ///< least distance of what may be a part of a thing from it [cells]
+constexpr double kPart = 0.3;           ///< greatest distance of such a part from an end of the thing [m]
 constexpr double kSameThing = 0.15;     ///< between neighbouring hits of one thing [m]
 constexpr double kMissed = 0.2;         ///< between them, where beams had no hit on it [rad]
 constexpr double kWidest = 1.2;         ///< a group that is wider is no thing that drives or walks [m]
@@ -70,15 +72,25 @@ struct DynamicObstacles::Group {
   }
 };
 
-std::vector<DynamicObstacles::Group> DynamicObstacles::groupsIn(const LaserScan2& scan, const Pose2& T_map_base,
-                                                                const planning::ClearanceMap& map) {
-  const int off_walls = static_cast<int>(std::ceil(kOffWalls / map.geometry().resolution));
+struct DynamicObstacles::Hits {
   std::vector<Group> groups;
+  std::vector<Vec2> beside_walls;  ///< they may be on a thing or on the wall
+};
+
+DynamicObstacles::Hits DynamicObstacles::hitsIn(const LaserScan2& scan, const Pose2& T_map_base,
+                                                const planning::ClearanceMap& map) {
+  const int off_walls = static_cast<int>(std::ceil(kOffWalls / map.geometry().resolution));
+  Hits hits;
+  std::vector<Group>& groups = hits.groups;
   for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
     const RangeReading reading = readBeam(scan, beam);
     if (reading.kind != RangeKind::kHit || reading.distance > kNear) continue;
     const Vec2 point = T_map_base * scan.point(beam, reading.distance);
-    if (!map.isFreeFloor(map.geometry().cellAt(point), off_walls)) continue;
+    const Cell cell = map.geometry().cellAt(point);
+    if (!map.isFreeFloor(cell, off_walls)) {
+      if (map.isFreeFloor(cell, kBesideWalls)) hits.beside_walls.push_back(point);
+      continue;
+    }
     const auto continues = [&](const Group& group) {
       const double missed = static_cast<double>(beam - group.last_beam) * std::abs(scan.angle_increment);
       return missed < kMissed && (group.sight.last - point).norm() < kSameThing;
@@ -96,22 +108,29 @@ std::vector<DynamicObstacles::Group> DynamicObstacles::groupsIn(const LaserScan2
     groups.back().append(groups.front());
     groups.erase(groups.begin());
   }
-  return groups;
+  return hits;
 }
 
-std::vector<DynamicObstacles::Sight> DynamicObstacles::thingsAmong(std::vector<Group> groups) {
+std::vector<DynamicObstacles::Sight> DynamicObstacles::thingsAmong(const Hits& hits, const Vec2& robot) {
+  std::vector<Group> groups = hits.groups;
   std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.distance < b.distance; });
   std::vector<Sight> sights;
   for (const Group& group : groups) {
     const bool is_thing = group.hits >= kFewestHits && group.extent() <= kWidest;
     if (is_thing && sights.size() < kMostThings) sights.push_back(group.sight);
   }
+  for (Sight& sight : sights) {
+    for (const Vec2& point : hits.beside_walls) {
+      const bool is_part = std::min((point - sight.first).norm(), (point - sight.last).norm()) < kPart;
+      if (is_part && (point - robot).norm() < (sight.nearest - robot).norm()) sight.nearest = point;
+    }
+  }
   return sights;
 }
 
 void DynamicObstacles::update(const LaserScan2& scan, const Pose2& T_map_base, const planning::ClearanceMap& map) {
   if (map.empty()) return;
-  follow(thingsAmong(groupsIn(withAtMost(kMostBeams, scan), T_map_base, map)), scan.stamp);
+  follow(thingsAmong(hitsIn(withAtMost(kMostBeams, scan), T_map_base, map), T_map_base.position()), scan.stamp);
 }
 
 /// Continues each track with the sight that is nearest to where the thing is expected, the nearest pairs first. What is

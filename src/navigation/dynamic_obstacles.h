@@ -11,7 +11,8 @@ namespace frontier_pilot::navigation {
 /// What stands or moves where the map knows the floor to be free: it was not there before, and may move. Groups of
 /// neighbouring hits are tracked from scan to scan, and straight lines through their last places give their velocity,
 /// as in the detection and tracking of moving objects (Wang, Thorpe, Thrun, Hebert & Durrant-Whyte, IJRR 26(9), 2007).
-/// What is at a wall, or where nothing is known yet, does not count. [MUL-3]
+/// What is at a wall, or where nothing is known yet, does not count, but the part of a thing that is beside a wall
+/// does. [MUL-3]
 class DynamicObstacles {
  public:
   /// A scan whose beams have been placed, from a base at `T_map_base` at its stamp. Of a scan with more than 720 beams
@@ -31,10 +32,10 @@ class DynamicObstacles {
   };
   using Track = std::vector<Sight>;  ///< the same thing at several times, the last one at the end
   struct Group;
+  struct Hits;
 
-  static std::vector<Group> groupsIn(const LaserScan2& scan, const Pose2& T_map_base,
-                                     const planning::ClearanceMap& map);
-  static std::vector<Sight> thingsAmong(std::vector<Group> groups);
+  static Hits hitsIn(const LaserScan2& scan, const Pose2& T_map_base, const planning::ClearanceMap& map);
+  static std::vector<Sight> thingsAmong(const Hits& hits, const Vec2& robot);
   static Vec2 velocityOf(const Track& track);
   static Vec2 slope(const Track& track, Vec2 Sight::*place);
   void follow(const std::vector<Sight>& sights, Time now);

@@ -70,7 +70,7 @@ class Navigator::Impl {
   double distanceToGoal() const;
   void leaveGoal(Time now);
   MapFloor floorAt(const Pose2& T_map_base) const;
-  FitsMap fitsMap() const;
+  HasRoom hasRoom() const;
   bool obey(const NavigatorInputs& inputs, Time now);
   void driveAside(const Vec2& place, const NavigatorInputs& inputs, Time now);
   bool planAside(const Vec2& place, Time now);

@@ -7,7 +7,7 @@
 namespace frontier_pilot::system {
 
 behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outline& outline) {
-  return [scan_distance = in.scan_distance, fits_map = in.fits_map, outline](const Pose2& T_map_base,
+  return [scan_distance = in.scan_distance, has_room = in.has_room, outline](const Pose2& T_map_base,
                                                                              const behavior::AxisMotion& motion) {
     if (motion.axis == behavior::AxisMotion::Axis::kTurn && outline.isDisc()) return behavior::SweepResult::kClear;
     constexpr double kStep = 0.03;  // [m]: how far a point of the outline may move between two poses
@@ -22,7 +22,7 @@ behavior::LookAhead lookAround(const navigation::RecoveryInputs& in, const Outli
       const Pose2 pose = T_map_base * motion.at(static_cast<double>(i) / poses);
       const double there = scan_distance(outline, pose);
       if (there < 0.0 && there < least) return behavior::SweepResult::kObstacle;
-      if (fits_map && !fits_map(pose)) return behavior::SweepResult::kObstacle;
+      if (has_room && !has_room(pose)) return behavior::SweepResult::kObstacle;
     }
     return behavior::SweepResult::kClear;
   };

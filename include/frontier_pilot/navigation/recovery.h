@@ -16,8 +16,8 @@ namespace frontier_pilot::navigation {
 /// of the outline; large if there is none.
 using ScanDistance = std::function<double(const Outline& outline, const Pose2& T_map_base)>;
 
-/// Whether a robot at `T_map_base` keeps off what the map shows.
-using FitsMap = std::function<bool(const Pose2& T_map_base)>;
+/// Whether a robot at `T_map_base` keeps off what the map shows, and off what stands or moves on free floor.
+using HasRoom = std::function<bool(const Pose2& T_map_base)>;
 
 /// Inputs of a recovery, in the map frame.
 struct RecoveryInputs {
@@ -27,9 +27,9 @@ struct RecoveryInputs {
   const std::deque<Pose2>* track = nullptr;
   bool can_turn = true;                    ///< whether the map leaves room to turn right round where the robot is
   std::function<bool()> path_exists = {};  ///< whether the planner finds a path from there; takes milliseconds
-  /// Whether the map, with the live obstacles, leaves room at a pose, or as much as where the robot is; empty if there
-  /// is no map. Valid in this tick only.
-  FitsMap fits_map = {};
+  /// Whether the map, with the live obstacles, leaves room at a pose, or as much as where the robot is, and the robot
+  /// stays there on its own side of whatever may move [MUL-3]; empty if there is no map. Valid in this tick only.
+  HasRoom has_room = {};
 };
 
 struct RecoveryStep {

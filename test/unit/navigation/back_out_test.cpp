@@ -100,7 +100,7 @@ TEST_F(BackOutTest, EndsWhenItsTimeIsOverAlthoughTheWayIsFreeWhereSomethingHolds
 
 // [NAV-3] [NAV-4] A wall of glass, or one that the scanner sees over.
 TEST_F(BackOutTest, StopsBeforeAWallThatOnlyTheMapShows) {
-  in_.fits_map = [](const Pose2& T_map_base) { return T_map_base.x > 0.2; };
+  in_.has_room = [](const Pose2& T_map_base) { return T_map_base.x > 0.2; };
   EXPECT_LT(run(), 59.0);
   EXPECT_GT(in_.T_map_base.x, 0.2);
 }

@@ -159,6 +159,18 @@ TEST_F(DynamicObstaclesTest, TheNearestPlaceOfAThingIsTheOneThatIsSeenNearest_MU
   EXPECT_NEAR((after(0.0)[0].nearest - Vec2(3.0, 3.5)).norm(), 0.0, 0.02);
 }
 
+// [MUL-3] Its nearest side is within 0.15 m of a post.
+TEST_F(DynamicObstaclesTest, ThePartOfAThingThatIsBesideAWallCountsAsWell_MUL_3) {
+  OccupancyGrid hall = hallWithAWall();
+  hall[hall.geometry().cellAt({4.8, 3.13})] = kOccupied;
+  map = test::clearanceOf(hall);
+  T_map_base = {3.0, 3.0, 0.0};
+  watch({5.0, 3.0}, Vec2::Zero(), 3);
+  const auto seen = after(0.0);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_NEAR((seen[0].nearest - Vec2(4.82, 3.0)).norm(), 0.0, 0.02) << seen[0].nearest.transpose();
+}
+
 // [MUL-3] The first beam is straight ahead.
 TEST_F(DynamicObstaclesTest, AThingAheadIsOneAlthoughItIsAtBothEndsOfTheScan_MUL_3) {
   T_map_base = {3.0, 3.0, 0.0};
