@@ -14,6 +14,7 @@ import xml.parsers.expat
 import xmlrpc.client
 
 import rosgraph
+import rosgraph.roslogging
 import rospy
 import yaml
 
@@ -171,11 +172,20 @@ def init_node(name, options, interrupts):
         rospy.init_node(name, **options)
     except Exception as error:  # of sockets, of XML-RPC or of rospy
         problem = str(error) or type(error).__name__
+    log_to_terminal()
     if interrupts:
         sys.exit(130)
     if problem:
         say('%s: cannot be a node of the ROS master: %s' % (name, printable(problem)), sys.stderr)
         sys.exit(1)
+
+
+def log_to_terminal():
+    """Shows the lines of the log on the terminal also where rospy cannot make a folder for log files, and then configures no log."""
+    logger = logging.getLogger('rosout')
+    if not any(isinstance(handler, rosgraph.roslogging.RosStreamHandler) for handler in logger.handlers):
+        logger.addHandler(rosgraph.roslogging.RosStreamHandler())
+        logger.setLevel(logging.INFO)
 
 
 def publish(publisher, message):

@@ -72,7 +72,7 @@ bool MapFileSet::isOfAnotherProgram() const {
   }
 }
 
-std::optional<MapFileSet::Picture> MapFileSet::laterPicture() const {
+std::optional<MapFileSet::Picture> MapFileSet::otherPicture() const {
   const FileContent text = readFile(yaml(), bounds::kMostYamlBytes);
   if (!text.ok()) return {};
   try {
@@ -80,11 +80,12 @@ std::optional<MapFileSet::Picture> MapFileSet::laterPicture() const {
     const FileContent image = readFile(picture, bounds::kMostImageBytes);
     if (!image.ok()) return {};
     if (namesNoOctree(text.bytes)) return Picture{picture, "its YAML names no octree"};
-    const bool edited = compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes) == FileMatch::kAnother;
-    return edited ? std::optional<Picture>({picture, "it was edited after the map was saved"}) : std::nullopt;
+    const FileMatch match = compareWithYaml(text.bytes, SavedFile::kPicture, image.bytes);
+    if (match == FileMatch::kAnother) return Picture{picture, "it was edited after the map was saved"};
+    if (match == FileMatch::kPrevious) return Picture{picture, "it is that of the save before the last one", false};
   } catch (const std::invalid_argument&) {
-    return {};
   }
+  return {};
 }
 
 fs::path MapFileSet::pictureOf(const std::string& yaml) const {

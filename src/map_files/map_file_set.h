@@ -35,14 +35,16 @@ class MapFileSet {
   /// Whether there is a YAML that mentions no octree, as other programs write it, or one that cannot be read. A YAML
   /// that `saveMap` wrote and whose .bt is missing belongs to a damaged map.
   bool isOfAnotherProgram() const;
-  /// A picture that counts before the octree, and why.
+  /// A picture that was not saved with the octree, and where it is from.
   struct Picture {
     std::string path;
     std::string why;
+    bool counts = true;  ///< before the octree
   };
-  /// The picture, if it is another one than was saved with the octree: somebody has edited it, or named another in the
-  /// YAML, or another program has saved its map under the same name.
-  std::optional<Picture> laterPicture() const;
+  /// The picture, if it is another one than was saved with the octree. It counts if somebody has edited it, or named
+  /// another in the YAML, or another program has saved its map under the same name. That of the save before does not:
+  /// the last save was not completed, or somebody has put it back.
+  std::optional<Picture> otherPicture() const;
 
  private:
   /// The picture that belongs to the map whose YAML has this text. The YAML of a map that was renamed or copied with

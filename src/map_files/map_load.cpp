@@ -21,10 +21,9 @@ MapIoResult cannotRead(const std::string& path, const FileContent& content) {
   return failure(missing ? MapIoStatus::kMissing : MapIoStatus::kBroken, path, content.problem);
 }
 
-/// The map is damaged then, and is not loaded from its picture unless somebody says so. [MAP-5]
-MapIoResult cannotReadOctree(const MapFileSet& files, const FileContent& octree) {
-  MapIoResult result = cannotRead(files.octree(), octree);
-  if (result.status == MapIoStatus::kMissing && readFile(files.yaml(), bounds::kMostYamlBytes).ok())
+/// A damaged map is not loaded from its picture unless somebody says so: this tells how. [MAP-5]
+MapIoResult withWayOut(MapIoResult result, const MapFileSet& files) {
+  if (!result.ok() && readFile(files.yaml(), bounds::kMostYamlBytes).ok())
     result.text += "; to load the image alone, remove the entry 'octree' from " + files.yaml();
   return result;
 }
@@ -74,15 +73,19 @@ MapIoResult loadMap(const std::string& path, occupancy::OccupancyMap& map) {
   const FileContent octree = readFile(files.octree(), map.mostBytes());
   if (octree.status == FileContent::Status::kMissing && files.isOfAnotherProgram())
     return loadPicture(files.yaml(), {}, "it has no octree", map);
-  if (!octree.ok()) return cannotReadOctree(files, octree);
+  if (!octree.ok()) return withWayOut(cannotRead(files.octree(), octree), files);
   MapIoResult belongs = files.compareOctree(octree.bytes);
   if (!belongs.ok()) return belongs;
-  if (const auto later = files.laterPicture()) {
-    MapIoResult drawn = loadPicture(files.yaml(), later->path, later->why, map);
-    if (drawn.ok()) return drawn;
-    belongs.text += "; its image should count, because " + later->why + ", but cannot be used: " + drawn.text;
+  if (const auto other = files.otherPicture()) {
+    if (other->counts) {
+      MapIoResult drawn = loadPicture(files.yaml(), other->path, other->why, map);
+      if (drawn.ok()) return drawn;
+      belongs.text += "; its image should count, because " + other->why + ", but cannot be used: " + drawn.text;
+    } else {
+      belongs.text += "; its image does not count, because " + other->why;
+    }
   }
-  MapIoResult result = loadBytes(files.octree(), octree.bytes, map);
+  MapIoResult result = withWayOut(loadBytes(files.octree(), octree.bytes, map), files);
   if (result.ok()) result.text += belongs.text;
   return result;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace frontier_pilot::occupancy {
 namespace {
@@ -114,8 +115,11 @@ OctreeFile checkOctree(std::string_view bytes, double resolution, std::uint64_t 
   const auto nodes = static_cast<std::uint64_t>(header.size);
   if (nodes > most_nodes) return broken("is too large: " + std::to_string(nodes) + " nodes");
   // Negated, so that NaN is refused as well.
-  if (!(std::abs(header.resolution - resolution) <= kResolutionTolerance))
-    return broken("its cells are not of " + std::to_string(resolution) + " m");
+  if (!(std::abs(header.resolution - resolution) <= kResolutionTolerance)) {
+    std::ostringstream problem;
+    problem << "its cells are of " << header.resolution << " m, those of this map of " << resolution << " m";
+    return broken(problem.str());
+  }
   if (const char* problem = TreeWalk(rest).run(nodes)) return broken(problem);
   return {{}, nodes, rest};
 }

@@ -43,10 +43,10 @@ class RunRecorder(unittest.TestCase):
     def take_diagnostics(self, array):
         self.said += [(status.level, status.message) for status in array.status]
 
-    def start(self, **parameters):
+    def start(self, environment=None, **parameters):
         words = ['_%s:=%s' % item for item in {'folder': self.folder, 'period': 0.5, 'min_space': 1, **parameters}.items()]
         process = subprocess.Popen([find_node('frontier_pilot', 'run_recorder'), *words, 'scan:=/lidar'], stdout=subprocess.PIPE,
-                                   stderr=subprocess.STDOUT, universal_newlines=True)
+                                   stderr=subprocess.STDOUT, universal_newlines=True, env=dict(os.environ, **environment or {}))
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
@@ -159,6 +159,12 @@ class RunRecorder(unittest.TestCase):
 
     def has_logged(self, words):
         return any(name == '/run_recorder' and words in text for name, text in self.log)
+
+    def test_without_a_home_for_its_own_log_it_says_on_the_terminal_why_nothing_is_recorded(self):
+        process = self.start({'ROS_HOME': '/proc/none', 'ROS_LOG_DIR': '/proc/none/log'}, folder='')
+        self.assertTrue(wait_for(lambda: any('nothing is recorded: /proc/none' in text for _, text in self.log), 60.0))
+        process.send_signal(signal.SIGINT)
+        self.assertIn('nothing is recorded: /proc/none', process.communicate(timeout=30)[0])
 
     def test_a_rosbag_that_is_killed_is_started_again_and_the_run_goes_on(self):
         stalled = rospy.Publisher('simulator/stalled', Bool, queue_size=1, latch=True)

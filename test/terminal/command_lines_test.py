@@ -68,12 +68,11 @@ class CommandLines(unittest.TestCase):
             words = ['square'] if name == 'patrol_client' else []
             with self.subTest(program=name):
                 code, _, err = call(node, *words, '__name:=9')
-                wrong = 2 if name in ('patrol_client', 'check_robot') else 1
-                self.assertEqual(code, wrong)
+                self.assertEqual(code, 2)
                 self.assertRegex(err, '[Nn]ame')
                 for master in ('nowhere', 'http://localhost:abc', 'http://localhost:0', 'http://localhost:70000', 'http://localhost:'):
                     code, _, err = call(node, *words, master=master)
-                    self.assertEqual(code, wrong)
+                    self.assertEqual(code, 2)
                     self.assertIn('ROS_MASTER_URI is not an address', err)
 
     def first_words_without_a_master(self, **environment):
@@ -101,7 +100,7 @@ class CommandLines(unittest.TestCase):
             for word in ['__master:=nowhere', '__master:=http://', '__master:='] + more:
                 with self.subTest(program=name, word=word):
                     code, out, err = call(program, word)
-                    self.assertNotEqual(code, 0)
+                    self.assertEqual(code, 2)
                     self.assertRegex(out + err, re.escape(word) + ' is not|is not an address')
                     self.assertLess(len((out + err).splitlines()), 4, out + err)
             self.assertIn('ROS_MASTER_URI is not an address', call(program, master='nowhere')[2])
@@ -112,7 +111,7 @@ class CommandLines(unittest.TestCase):
             with self.subTest(program=name):
                 for word in ('map:=/', 'map:=///', 'map:='):
                     code, _, err = call(BUILD / 'devel/lib/frontier_pilot' / name, word)
-                    self.assertEqual(code, 2 if name == 'check_robot' else 1)
+                    self.assertEqual(code, 2)
                     self.assertIn(word + ' is not a remapping', err)
 
     # Qt reads any file as a style sheet, and crashes on one that has no end.

@@ -126,7 +126,7 @@ void refuseAWrongAddress(const std::vector<std::string>& words) {
   std::string host;
   std::uint32_t port = 0;
   if (ros::network::splitURI(uri, host, port) && !host.empty() && hasAPort(uri)) return;
-  throw std::runtime_error(said + " is not an address like http://host:11311: " + uri);
+  throw ConfigurationError(said + " is not an address like http://host:11311: " + uri);
 }
 
 /// roscpp makes a topic without a name of it and aborts. What begins with `_` is a parameter or a word for roscpp
@@ -136,7 +136,7 @@ void refuseAnEmptyRemapping(const std::vector<std::string>& words) {
     const std::size_t separator = word.find(":=");
     if (separator == std::string::npos || word[0] == '_') continue;
     if (word.find_first_not_of('/', separator + 2) == std::string::npos)
-      throw std::runtime_error(word + " is not a remapping: it says no name of a topic or a service");
+      throw ConfigurationError(word + " is not a remapping: it says no name of a topic or a service");
   }
 }
 
@@ -165,7 +165,13 @@ void initNode(int& argc, char** argv, const std::string& name) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   refuseAWrongAddress(words);
   refuseAnEmptyRemapping(words);
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  try {
+    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  } catch (const ros::InvalidNodeNameException& error) {
+    throw ConfigurationError(error.what());
+  } catch (const ros::InvalidNameException& error) {  // of the namespace, or of a remapping
+    throw ConfigurationError(error.what());
+  }
 }
 
 void initProgram(int& argc, char** argv, const std::string& name) {

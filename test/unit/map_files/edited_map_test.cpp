@@ -147,5 +147,17 @@ TEST_F(EditedMap, CountsAsSavedWhenItIsSavedAgain) {
   EXPECT_EQ(atWall(), kFree);
 }
 
+TEST_F(EditedMap, SaysThatThePictureOfTheSaveBeforeDoesNotCount_MAP_5) {
+  const std::string before = read("floor.pgm");
+  map.beginScan();
+  map.hit({3, 4});
+  ASSERT_TRUE(map_files::saveMap(map, path("floor")).ok());
+  write("floor.pgm", before);
+  const map_files::MapIoResult result = load();
+  EXPECT_EQ(result.text, "loaded " + path("floor.bt") +
+                             "; its image does not count, because it is that of the save before the last one");
+  EXPECT_EQ(at({3, 4}), kOccupied);
+}
+
 }  // namespace
 }  // namespace frontier_pilot

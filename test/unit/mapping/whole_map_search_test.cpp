@@ -219,5 +219,19 @@ TEST_F(LostMapper, TakesOverNothingFromASearchThatDidNotFindTheRobot_MAP_5) {
   EXPECT_FALSE(mapper.locate(search));
 }
 
+TEST(WholeMapSearch, SaysWhatCameOfItAndWhatToDo) {
+  using localization::SearchVerdict;
+  localization::WholeMapSearch search;
+  search.best.T_map_base = {1.0, 2.0, 0.0};
+  const auto said = [&](SearchVerdict verdict) {
+    search.verdict = verdict;
+    return describe(search);
+  };
+  EXPECT_EQ(said(SearchVerdict::kFound).find("found the robot at "), 0U);
+  EXPECT_EQ(said(SearchVerdict::kNoMap), "refused: there is no map to look on");
+  EXPECT_EQ(said(SearchVerdict::kTooFew), "refused: there is no scan yet, or it has too few returns");
+  EXPECT_EQ(said(SearchVerdict::kFitsNowhere), "refused: the scan fits nowhere on the map");
+}
+
 }  // namespace
 }  // namespace frontier_pilot::test

@@ -206,6 +206,29 @@ TEST(DriveModel, TheAvoiderOnlyInterrupts) {
   EXPECT_FALSE(drive.setPoint().isZero());
 }
 
+TEST(DriveModel, MotionsAreNamedAsTheButtonsAre) {
+  EXPECT_STREQ(toString(teleop::Motion::kGo), "Go");
+  EXPECT_STREQ(toString(teleop::Motion::kBack), "Back");
+  EXPECT_STREQ(toString(teleop::Motion::kLeft), "Left");
+  EXPECT_STREQ(toString(teleop::Motion::kRight), "Right");
+  EXPECT_STREQ(toString(teleop::Motion::kStop), "Stop");
+}
+
+TEST(DriveModel, ALockSaysWhyTheButtonsHaveNoEffect) {
+  EXPECT_STREQ(toString(teleop::DriveLock::kNone), "");
+  EXPECT_STREQ(toString(teleop::DriveLock::kManualOff), "manual is switched off");
+  EXPECT_STREQ(toString(teleop::DriveLock::kEmergencyStop), "the emergency stop is latched");
+}
+
+// [GUI-4]
+TEST(DriveModel, ReleasingTheStopKeyLetsOtherKeysBeHeld) {
+  teleop::DriveModel drive(holdParameters());
+  drive.press(teleop::Motion::kStop);
+  drive.press(teleop::Motion::kGo);
+  drive.release(teleop::Motion::kStop);
+  EXPECT_FALSE(drive.setPoint().isZero());
+}
+
 TEST(TeleopParameters, AnUnknownPaletteIsRefusedByName) {
   teleop::TeleopParameters parameters;
   const Problems problems = loadParameters(parseYaml("palette: pink\n"), parameters);

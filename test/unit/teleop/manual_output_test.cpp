@@ -87,5 +87,22 @@ TEST(ManualOutput, ASetPointThatIsNotFiniteCountsAsZero) {
   EXPECT_EQ(output.update(true, at(0.1)), Twist2{});
 }
 
+TEST(ManualOutput, SaysWhyNothingLeavesIt) {
+  teleop::ManualOutput output(fromSeconds(0.4));
+  EXPECT_STREQ(toString(output.state()), "waiting for the window");
+  output.beat(kForward, at(0.0));
+  output.update(true, at(0.0));
+  EXPECT_STREQ(toString(output.state()), "waiting for a zero set-point");
+  output.beat({}, at(0.1));
+  output.update(true, at(0.1));
+  EXPECT_STREQ(toString(output.state()), "live");
+  output.update(false, at(0.2));
+  EXPECT_STREQ(toString(output.state()), "manual is switched off");
+  output.update(true, at(1.0));
+  EXPECT_STREQ(toString(output.state()), "the window is frozen");
+  output.close();
+  EXPECT_STREQ(toString(output.state()), "closed");
+}
+
 }  // namespace
 }  // namespace frontier_pilot
