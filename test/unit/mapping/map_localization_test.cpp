@@ -61,11 +61,6 @@ class MapLocalizationTest : public ::testing::Test {
       }
     }
   }
-  /// On a map that shows nothing.
-  localization::MapLocalization onlyLocalising() {
-    using localization::MapLocalization;
-    return MapLocalization(MapLocalization::Use::kLocalizeOnly, {}, nothing_known, {}, about(Pose2()));
-  }
   static scan_matching::PoseWithCovariance about(const Pose2& pose) {
     return {pose, Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()};
   }
@@ -77,7 +72,6 @@ class MapLocalizationTest : public ::testing::Test {
 
   AsciiWorld world;
   Scanner scanner;
-  occupancy::OccupancyMap nothing_known;
   Pose2 T_world_base;
   Pose2 T_odom_base;
   double seconds = 1.0;
@@ -94,23 +88,6 @@ TEST_F(MapLocalizationTest, FindsTheRobotNearWhereItIsSaidToBeAndLeavesTheMapAsI
   expectKnown(mapper, 0.05);
   EXPECT_TRUE(mapper.grid().cells() == before);
   EXPECT_EQ(mapper.counts()[mapping::ScanVerdict::kInserted], 0U);
-}
-
-TEST_F(MapLocalizationTest, ThatOnlyLocalisesHasNothingToRevise) {
-  localization::MapLocalization localization = onlyLocalising();
-  EXPECT_FALSE(localization.takeWork());
-  EXPECT_FALSE(localization.accept({}));
-  EXPECT_FALSE(localization.refuse({}));
-  localization.abandonWork();
-  EXPECT_TRUE(localization.trajectory().empty());
-  EXPECT_EQ(localization.keyframes(), 0U);
-}
-
-TEST_F(MapLocalizationTest, SaysWhyTheRobotIsNotFound_MAP_5) {
-  localization::MapLocalization localization = onlyLocalising();
-  const slam::CorrectedScan corrected = localization.correct(surfaces::SurfaceScan(), Pose2(), nothing_known);
-  EXPECT_STREQ(corrected.text, "not localised: there is no map to localise on");
-  EXPECT_FALSE(corrected.sound);
 }
 
 // [MAP-5]
