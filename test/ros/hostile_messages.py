@@ -10,13 +10,13 @@ import rospy
 import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from frontier_pilot.msg import MapBlock, MapChanges
+from frontier_pilot.msg import ArbiterStatus, MapBlock, MapChanges
 from frontier_pilot.srv import RemoveObstacle, SetPose, SpawnObstacle
 from geometry_msgs.msg import Pose2D, PoseStamped, PoseWithCovarianceStamped, TransformStamped
 from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetPlan
-from rosgraph_msgs.msg import Log
+from rosgraph_msgs.msg import Clock, Log
 from sensor_msgs.msg import LaserScan
 
 from wire import Record, assert_memory_below, call, memory_of, pid_of, wait_for
@@ -34,6 +34,11 @@ class Stub(LaserScan):
 
     def serialize(self, buff):
         buff.write(b'abc')
+
+
+def empty(kind):
+    """A message of no byte at all, of a type that has fields."""
+    return type('Empty', (kind,), {'serialize': lambda self, buff: None})()
 
 
 class BigMap(OccupancyGrid):
@@ -240,6 +245,26 @@ class HostileMessages(unittest.TestCase):
             said = [line.msg for line in lines if line.name.strip('/') == node]
             self.assertIn(len(said), (1, 2, 3, 4), '%s: %s [FLT-1]' % (node, said[:5]))
             self.assertIn('shorter than its fields', said[0])
+
+    def test_empty_messages_where_a_node_listens_twice(self):  # [FLT-1]
+        count = 'message of cmd_vel_arbiter/status refused: shorter than its fields'
+        nodes = ('obstacle_avoider', 'patrol_server', 'reader/frontier_explorer')
+        pids = {node: pid_of(node) for node in NODES}
+        publishers = [(rospy.Publisher(topic, kind, queue_size=10), empty(kind)) for topic, kind in (
+            ('cmd_vel_arbiter/status', ArbiterStatus), ('reader/cmd_vel_arbiter/status', ArbiterStatus), ('/clock', Clock))]
+
+        def counted():
+            return [int(self.connections(node)[1].get(count, 0)) for node in nodes]
+        start = time.monotonic()
+        while time.monotonic() < start + 10.0:
+            for publisher, message in publishers:
+                publisher.publish(message)
+            rospy.rostime.wallsleep(0.005)
+        for publisher, _ in publishers:
+            publisher.unregister()
+        wait_for(lambda: min(counted()) > 50, MOST_SILENCE)
+        self.assertGreater(min(counted()), 50, '%s of %s [FLT-1]' % (counted(), nodes))
+        self.assertEqual({node: pid_of(node) for node in NODES}, pids)
 
     def expect_named(self, nodes, topic, send):
         """That each of `nodes` says who publishes `topic`, as long as a second one does."""

@@ -22,9 +22,12 @@ RosTimer::RosTimer(const ros::NodeHandle& node, Duration period, std::function<v
   ros::NodeHandle handle(node);
   poll_ = handle.createSteadyTimer(ros::WallDuration(kLongestWait), [this](const ros::SteadyTimerEvent&) { look(); });
   if (!ros::Time::isSimTime()) return;
-  clock_ = handle.subscribe<rosgraph_msgs::Clock>(
-      names::kClock, 1, [this](const rosgraph_msgs::Clock::ConstPtr&) { look(); }, ros::VoidConstPtr(),
-      ros::TransportHints().tcpNoDelay());
+  const boost::function<void(const ros::MessageEvent<const rosgraph_msgs::Clock>&)> look_again = [this](const auto&) {
+    look();
+  };
+  ros::SubscribeOptions options =
+      checkedSubscription(names::kClock, 1, unreadable_, look_again, ros::TransportHints().tcpNoDelay());
+  clock_ = handle.subscribe(options);
 }
 
 void RosTimer::look() {

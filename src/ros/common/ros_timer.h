@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "frontier_pilot/core/tick_schedule.h"
+#include "ros/common/messages/checked_subscription.h"
 
 namespace frontier_pilot {
 
@@ -27,6 +28,7 @@ class RosTimer {
   TickSchedule schedule_;
   std::function<void()> tick_;
   ros::SteadyTimer poll_;
+  UnreadableMessages unreadable_;
   ros::Subscriber clock_;  ///< if the clock is a simulated one
 };
 

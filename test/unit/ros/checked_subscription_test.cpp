@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <nav_msgs/Path.h>
+#include <ros/message_deserializer.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
+#include <boost/make_shared.hpp>
 #include <cstring>
 
 namespace frontier_pilot {
@@ -73,15 +76,41 @@ TEST(CheckedStream, FLT_1_AMessageThatIsCutAnywhereIsRefused) {
   }
 }
 
+/// A subscription to messages of one topic, and how many of them came to its callback.
+template <class Msg>
+class Reader {
+ public:
+  explicit Reader(UnreadableMessages& unreadable)
+      : options_(checkedSubscription<Msg>("scan", 1, unreadable,
+                                          [this](const ros::MessageEvent<const Msg>&) { ++read_; })) {}
+
+  /// As roscpp does with the message of a publisher.
+  void take(ros::MessageDeserializer& message) {
+    const ros::VoidConstPtr msg = message.deserialize();
+    if (!msg) return;
+    ros::SubscriptionCallbackHelperCallParams params;
+    params.event = ros::MessageEvent<const void>(msg, message.getConnectionHeader(), ros::Time(), false,
+                                                 ros::MessageEvent<const void>::CreateFunction());
+    options_.helper->call(params);
+  }
+  const ros::SubscriptionCallbackHelperPtr& helper() const { return options_.helper; }
+  int read() const { return read_; }
+
+ private:
+  int read_ = 0;
+  ros::SubscribeOptions options_;
+};
+
 /// What a subscription makes of some bytes: whether there is a message, and what of it comes to `unreadable`.
 template <class Msg>
-bool isRead(std::vector<std::uint8_t> bytes, UnreadableMessages& unreadable) {
-  const boost::function<void(const ros::MessageEvent<const Msg>&)> handle = [](const auto&) {};
-  const ros::SubscribeOptions options = checkedSubscription<Msg>("scan", 1, unreadable, handle);
-  ros::SubscriptionCallbackHelperDeserializeParams params;
-  params.buffer = bytes.data();
-  params.length = static_cast<std::uint32_t>(bytes.size());
-  return options.helper->deserialize(params) != nullptr;
+bool isRead(const std::vector<std::uint8_t>& bytes, UnreadableMessages& unreadable) {
+  Reader<Msg> reader(unreadable);
+  ros::SerializedMessage sent(boost::shared_array<std::uint8_t>(new std::uint8_t[bytes.size()]), bytes.size());
+  std::copy(bytes.begin(), bytes.end(), sent.buf.get());
+  sent.message_start = sent.buf.get();
+  ros::MessageDeserializer message(reader.helper(), sent, boost::make_shared<ros::M_string>());
+  reader.take(message);
+  return reader.read() == 1;
 }
 
 // [FLT-1] What is thrown to roscpp here it logs, a line for each message.
@@ -98,6 +127,34 @@ TEST(CheckedSubscription, FLT_1_WhatCannotBeReadIsNoMessageAndIsCountedByReason)
   ASSERT_EQ(status.values.size(), 2U);
   EXPECT_EQ(status.values[1].key, "message of scan refused: shorter than its fields");
   EXPECT_EQ(status.values[1].value, "3");
+}
+
+// [FLT-1] roscpp deserializes an empty message once for each callback of the topic, and has freed its bytes by the
+// second.
+TEST(CheckedSubscription, FLT_1_AnEmptyMessageIsNoMessageToTheSecondCallbackEither) {
+  const std::vector<std::uint8_t> freed = bytesOf(scan());
+  ros::SerializedMessage sent(boost::shared_array<std::uint8_t>(new std::uint8_t[freed.size()]), 0);
+  const boost::shared_array<std::uint8_t> kept = sent.buf;  // so that the test reads no memory that is not its own
+  std::copy(freed.begin(), freed.end(), sent.buf.get());
+  sent.message_start = sent.buf.get();
+  UnreadableMessages unreadable;
+  Reader<sensor_msgs::LaserScan> first(unreadable), second(unreadable);
+  ros::MessageDeserializer message(first.helper(), sent, boost::make_shared<ros::M_string>());
+  first.take(message);
+  second.take(message);
+  EXPECT_EQ(first.read(), 0);
+  EXPECT_EQ(second.read(), 0);
+  EXPECT_EQ(unreadable.total(), 1U);
+}
+
+// [FLT-1] roscpp itself listens to /clock, and would make it read an empty message with a helper that is not checked.
+TEST(CheckedSubscription, FLT_1_SharesNoMessageWithASubscriptionThatIsNotChecked) {
+  UnreadableMessages unreadable;
+  const Reader<sensor_msgs::LaserScan> ours(unreadable), another(unreadable);
+  ros::SubscribeOptions plain;
+  plain.initByFullCallbackType<const ros::MessageEvent<const sensor_msgs::LaserScan>&>("scan", 1, [](const auto&) {});
+  EXPECT_TRUE(ours.helper()->getTypeInfo() == another.helper()->getTypeInfo());
+  EXPECT_FALSE(ours.helper()->getTypeInfo() == plain.helper->getTypeInfo());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,13 @@ class UnreadableMessages {
   std::map<std::string, Rejections> by_topic_;
 };
 
+/// What roscpp is given for a message that cannot be read. Without anything it would deserialize an empty message again
+/// for the next callback of the topic, from bytes that it has freed.
+inline const ros::VoidConstPtr& unreadableMessage() {
+  static const ros::VoidConstPtr kUnreadable = boost::make_shared<char>();
+  return kUnreadable;
+}
+
 /// Deserializes messages with a CheckedStream and hands them to a callback. A message that cannot be read is dropped
 /// and counted in `unreadable`, which has to outlive the subscription; roscpp would log a line for each. [FLT-1]
 template <class Msg>
@@ -78,7 +86,6 @@ class CheckedSubscription : public ros::SubscriptionCallbackHelperT<const ros::M
   CheckedSubscription(std::string topic, UnreadableMessages& unreadable, const typename Base::Callback& handle)
       : Base(handle), topic_(std::move(topic)), unreadable_(unreadable) {}
 
-  /// Null if the message cannot be read: roscpp then does not call the callback.
   ros::VoidConstPtr deserialize(const ros::SubscriptionCallbackHelperDeserializeParams& bytes) override {
     try {
       const auto msg = boost::make_shared<Msg>();
@@ -89,8 +96,14 @@ class CheckedSubscription : public ros::SubscriptionCallbackHelperT<const ros::M
     } catch (const std::exception& error) {
       unreadable_.add(topic_, error.what());
     }
-    return {};
+    return unreadableMessage();
   }
+  void call(ros::SubscriptionCallbackHelperCallParams& params) override {
+    if (params.event.getConstMessage() != unreadableMessage()) Base::call(params);
+  }
+  /// roscpp deserializes a message once for all callbacks of this type, with the helper of one of them: all of them are
+  /// checked, then.
+  const std::type_info& getTypeInfo() override { return typeid(CheckedSubscription); }
 
  private:
   std::string topic_;
